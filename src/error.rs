@@ -1,0 +1,96 @@
+//! Errors: what the caller got wrong, with the field and the value named.
+
+use thiserror::Error;
+
+/// An input that cannot be used: a value out of range, a field of the wrong shape, a number that is not finite.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum InputError {
+    /// A single value lies outside its valid range.
+    #[error("{field} = {value}: must be {requirement}")]
+    Value {
+        /// The field as the user wrote it, for example `load.force`.
+        field: String,
+        /// The value that was given.
+        value: f64,
+        /// The valid range in words.
+        requirement: &'static str,
+    },
+    /// A slice does not match the grid or the other slices of the call.
+    #[error("{field} has {found} values, expected {expected}")]
+    Shape {
+        /// Name of the argument.
+        field: String,
+        /// Number of values that would fit.
+        expected: usize,
+        /// Number of values that were given.
+        found: usize,
+    },
+    /// A field holds a value that is not finite.
+    #[error("{field}[{index}] = {value}: every value must be finite")]
+    NotFinite {
+        /// Name of the argument.
+        field: String,
+        /// Position of the first offending value.
+        index: usize,
+        /// The value found there.
+        value: f64,
+    },
+    /// Two inputs contradict each other or one is missing.
+    #[error("{field}: {reason}")]
+    Conflict {
+        /// The field or pair of fields.
+        field: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+}
+
+impl InputError {
+    /// Error unless `value` is finite and above zero.
+    ///
+    /// # Errors
+    /// [`InputError::Value`] naming `field`.
+    pub fn require_positive(field: &str, value: f64) -> Result<(), Self> {
+        Self::require(value.is_finite() && value > 0.0, field, value, "finite and > 0")
+    }
+
+    /// Error unless `value` is finite and not below zero.
+    ///
+    /// # Errors
+    /// [`InputError::Value`] naming `field`.
+    pub fn require_non_negative(field: &str, value: f64) -> Result<(), Self> {
+        Self::require(value.is_finite() && value >= 0.0, field, value, "finite and >= 0")
+    }
+
+    /// Error with `requirement` as its reason unless `holds`.
+    ///
+    /// # Errors
+    /// [`InputError::Value`] naming `field`.
+    pub fn require(holds: bool, field: &str, value: f64, requirement: &'static str) -> Result<(), Self> {
+        if holds { Ok(()) } else { Err(Self::Value { field: field.to_owned(), value, requirement }) }
+    }
+
+    /// Error unless `values` has `expected` entries.
+    ///
+    /// # Errors
+    /// [`InputError::Shape`] naming `field`.
+    pub fn require_len(field: &str, values: &[f64], expected: usize) -> Result<(), Self> {
+        if values.len() == expected {
+            Ok(())
+        } else {
+            Err(Self::Shape { field: field.to_owned(), expected, found: values.len() })
+        }
+    }
+
+    /// Error unless every entry of `values` is finite.
+    ///
+    /// # Errors
+    /// [`InputError::NotFinite`] naming `field` and the first offending entry.
+    pub fn require_finite(field: &str, values: &[f64]) -> Result<(), Self> {
+        match values.iter().position(|v| !v.is_finite()) {
+            None => Ok(()),
+            Some(index) => Err(Self::NotFinite { field: field.to_owned(), index, value: values[index] }),
+        }
+    }
+}

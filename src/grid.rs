@@ -1,0 +1,138 @@
+//! The grid: `nx` by `ny` cells of `dx` by `dy`, nodes at cell centres, fields as row-major slices.
+
+use crate::error::InputError;
+
+/// A uniform, cell-centred grid. Node `(i, j)` of a field is entry `j * nx + i`: x (the direction of
+/// entrainment) runs fastest. Lengths in metres.
+///
+/// ```
+/// use stribeck::Grid;
+/// let grid = Grid::from_edges(128, 64, [-0.25e-3, 0.25e-3], [-0.125e-3, 0.125e-3])?;
+/// assert_eq!(grid.len(), 128 * 64);
+/// assert!((grid.x(0) - (-0.25e-3 + 0.5 * grid.dx())).abs() < 1e-18);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grid {
+    nx: usize,
+    ny: usize,
+    dx: f64,
+    dy: f64,
+    x0: f64,
+    y0: f64,
+}
+
+impl Grid {
+    /// The largest number of nodes accepted, so that a typing error is refused instead of exhausting memory.
+    pub const MAX_NODES: usize = 1 << 26;
+
+    /// Grid of `nx` x `ny` cells of `dx` x `dy` \[m\], centred on the origin.
+    ///
+    /// # Errors
+    /// A count of zero, more than [`Grid::MAX_NODES`] nodes, or a spacing that is not finite and positive.
+    pub fn centred(nx: usize, ny: usize, dx: f64, dy: f64) -> Result<Self, InputError> {
+        let (half_x, half_y) = (0.5 * dx * nx as f64, 0.5 * dy * ny as f64);
+        Self::check(nx, ny)?;
+        InputError::require_positive("grid.dx", dx)?;
+        InputError::require_positive("grid.dy", dy)?;
+        Self::from_edges(nx, ny, [-half_x, half_x], [-half_y, half_y])
+    }
+
+    /// Grid of `nx` x `ny` cells that fills the box with outer edges `x` and `y` \[m\].
+    ///
+    /// # Errors
+    /// A count of zero, more than [`Grid::MAX_NODES`] nodes, or edges that are not finite and increasing.
+    pub fn from_edges(nx: usize, ny: usize, x: [f64; 2], y: [f64; 2]) -> Result<Self, InputError> {
+        Self::check(nx, ny)?;
+        for (field, edges) in [("grid.x", x), ("grid.y", y)] {
+            InputError::require(edges[0].is_finite(), field, edges[0], "finite")?;
+            InputError::require(
+                edges[1].is_finite() && edges[1] > edges[0],
+                field,
+                edges[1],
+                "finite and above the lower edge",
+            )?;
+        }
+        let (dx, dy) = ((x[1] - x[0]) / nx as f64, (y[1] - y[0]) / ny as f64);
+        InputError::require_positive("grid.dx", dx)?;
+        InputError::require_positive("grid.dy", dy)?;
+        Ok(Self { nx, ny, dx, dy, x0: x[0] + 0.5 * dx, y0: y[0] + 0.5 * dy })
+    }
+
+    fn check(nx: usize, ny: usize) -> Result<(), InputError> {
+        InputError::require(nx > 0, "grid.nx", nx as f64, "at least 1")?;
+        InputError::require(ny > 0, "grid.ny", ny as f64, "at least 1")?;
+        let nodes = nx as f64 * ny as f64;
+        InputError::require(
+            nodes <= Self::MAX_NODES as f64,
+            "grid.nx * grid.ny",
+            nodes,
+            "at most 2^26 (67 million)",
+        )
+    }
+
+    /// Number of nodes along x.
+    pub fn nx(&self) -> usize {
+        self.nx
+    }
+    /// Number of nodes along y.
+    pub fn ny(&self) -> usize {
+        self.ny
+    }
+    /// Spacing along x \[m\].
+    pub fn dx(&self) -> f64 {
+        self.dx
+    }
+    /// Spacing along y \[m\].
+    pub fn dy(&self) -> f64 {
+        self.dy
+    }
+    /// Number of nodes of a field.
+    #[expect(clippy::len_without_is_empty, reason = "a grid has at least one node")]
+    pub fn len(&self) -> usize {
+        self.nx * self.ny
+    }
+    /// Area of one cell \[m^2\].
+    pub fn cell_area(&self) -> f64 {
+        self.dx * self.dy
+    }
+    /// Extent along x \[m\].
+    pub fn size_x(&self) -> f64 {
+        self.dx * self.nx as f64
+    }
+    /// Extent along y \[m\].
+    pub fn size_y(&self) -> f64 {
+        self.dy * self.ny as f64
+    }
+    /// Coordinate of column `i` \[m\].
+    pub fn x(&self, i: usize) -> f64 {
+        self.x0 + self.dx * i as f64
+    }
+    /// Coordinate of row `j` \[m\].
+    pub fn y(&self, j: usize) -> f64 {
+        self.y0 + self.dy * j as f64
+    }
+
+    /// The coordinates `(x, y)` of every node, in the order of a field \[m\].
+    pub fn nodes(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        (0..self.ny).flat_map(move |j| (0..self.nx).map(move |i| (self.x(i), self.y(j))))
+    }
+
+    /// Value of `field` at `(x, y)` \[m\] by bilinear interpolation between nodes (constant beyond the outermost ones).
+    ///
+    /// # Errors
+    /// [`InputError::Shape`] when `field` does not fit the grid.
+    pub fn interpolate(&self, field: &[f64], x: f64, y: f64) -> Result<f64, InputError> {
+        InputError::require_len("field", field, self.len())?;
+        let locate = |offset: f64, n: usize| {
+            let position = offset.clamp(0.0, (n - 1) as f64);
+            let low = (position as usize).min(n.saturating_sub(2));
+            (low, (low + 1).min(n - 1), position - low as f64)
+        };
+        let (i0, i1, fx) = locate((x - self.x0) / self.dx, self.nx);
+        let (j0, j1, fy) = locate((y - self.y0) / self.dy, self.ny);
+        let at = |i: usize, j: usize| field[j * self.nx + i];
+        Ok((1.0 - fy) * ((1.0 - fx) * at(i0, j0) + fx * at(i1, j0))
+            + fy * ((1.0 - fx) * at(i0, j1) + fx * at(i1, j1)))
+    }
+}

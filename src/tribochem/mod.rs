@@ -1,0 +1,1 @@
+//! Tribochemistry: growth and removal of anti-wear films, their hardness, flash temperature.
