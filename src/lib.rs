@@ -7,8 +7,10 @@ mod error;
 mod grid;
 pub mod lubricant;
 pub mod metrics;
+mod numerics;
 pub mod plastic;
 pub mod reynolds;
+mod report;
 mod rubbing;
 pub mod sim;
 pub mod surface;
@@ -17,4 +19,5 @@ pub mod wear;
 
 pub use error::InputError;
 pub use grid::Grid;
+pub use report::{NotConverged, Residuals, SolveReport, Status, Work};
 pub use rubbing::RubbingPoint;

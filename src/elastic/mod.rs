@@ -1,1 +1,57 @@
-//! elastic
+//! Elastic deformation of the surfaces under pressure.
+//!
+//! [`DeformationModel`] is what solvers need of a body: the displacement field of a pressure field and the first
+//! influence coefficients. [`HalfSpace`] is the default (Boussinesq half-space, Love's influence coefficients,
+//! DC-FFT convolution); [`direct_displacement`] is the slow direct sum that it is checked against.
+
+mod direct;
+mod dry;
+mod half_space;
+
+use std::fmt::Debug;
+
+pub use direct::direct_displacement;
+pub use dry::{DryOutcome, DryProblem, DrySolver};
+pub use half_space::HalfSpace;
+
+use crate::error::InputError;
+use crate::grid::Grid;
+
+/// The displacement of both surfaces together as a linear function of pressure.
+///
+/// Contract: `displacement` is linear in the pressure, symmetric (the influence of node a on b is that of b on
+/// a), translation invariant and positive; solvers rely on all four. It must not allocate after the first call.
+pub trait DeformationModel: Debug + Send {
+    /// The grid that pressures and displacements live on.
+    fn grid(&self) -> Grid;
+
+    /// Overwrites `out` \[m\] with the displacement (widening of the gap) under `pressure` \[Pa\], both of `grid().len()`
+    /// values in the order of the grid.
+    ///
+    /// # Errors
+    /// [`InputError::Shape`] when a slice does not fit the grid.
+    fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError>;
+
+    /// The influence coefficient \[m/Pa\] at an offset of `di` columns and `dj` rows (absolute values, at most
+    /// [`NEAR`]): line relaxations solve for these implicitly.
+    fn influence(&self, di: usize, dj: usize) -> f64;
+
+    /// Overwrites `out` \[Pa\] with an estimate of the pressure that causes `displacement` \[m\]: the preconditioner of
+    /// contact equations. It must be linear and positive; the better it inverts `displacement`, the fewer
+    /// iterations a solve takes. By default a division by the self-influence.
+    ///
+    /// # Errors
+    /// [`InputError::Shape`] when a slice does not fit the grid.
+    fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        InputError::require_len("displacement", displacement, self.grid().len())?;
+        InputError::require_len("out", out, self.grid().len())?;
+        let stiffness = 1.0 / self.influence(0, 0);
+        for (p, u) in out.iter_mut().zip(displacement) {
+            *p = stiffness * u;
+        }
+        Ok(())
+    }
+}
+
+/// The largest offset, along x or y, at which solvers ask for [`DeformationModel::influence`].
+pub const NEAR: usize = 5;

@@ -1,1 +1,101 @@
-//! lubricant
+//! Lubricant laws: viscosity and density as functions of pressure.
+//!
+//! [`ViscosityLaw`] and [`DensityLaw`] are open sets: implement one for an own fluid and hand it to
+//! [`Lubricant::new`]. Solvers call the whole-field methods, whose provided bodies loop over the scalar
+//! ones, so that one virtual call serves a field.
+
+mod barus;
+mod density;
+mod roelands;
+
+use std::fmt::Debug;
+
+pub use barus::Barus;
+pub use density::{DowsonHigginson, Incompressible};
+pub use roelands::Roelands;
+
+/// Viscosity as a function of pressure at the temperature of the contact.
+///
+/// Contract: for every finite pressure the viscosity is finite and positive, and it does not fall with
+/// pressure; pressures below zero count as zero.
+pub trait ViscosityLaw: Debug + Send + Sync {
+    /// Viscosity \[Pa s\] at `pressure` \[Pa\].
+    fn viscosity(&self, pressure: f64) -> f64;
+
+    /// Logarithmic slope `d ln(eta) / dp` \[1/Pa\]; by default a central difference.
+    fn log_slope(&self, pressure: f64) -> f64 {
+        let step = 1e-4 * pressure.abs().max(1e6);
+        let low = (pressure - step).max(0.0);
+        let high = pressure.max(0.0) + step;
+        (self.viscosity(high) / self.viscosity(low)).ln() / (high - low)
+    }
+
+    /// Fills `viscosity` \[Pa s\] from `pressure` \[Pa\]; slices of one length.
+    fn fill(&self, pressure: &[f64], viscosity: &mut [f64]) {
+        for (eta, &p) in viscosity.iter_mut().zip(pressure) {
+            *eta = self.viscosity(p);
+        }
+    }
+
+    /// Fills `viscosity` \[Pa s\] and `log_slope` \[1/Pa\] from `pressure` \[Pa\]; slices of one length.
+    fn fill_with_slope(&self, pressure: &[f64], viscosity: &mut [f64], log_slope: &mut [f64]) {
+        self.fill(pressure, viscosity);
+        for (slope, &p) in log_slope.iter_mut().zip(pressure) {
+            *slope = self.log_slope(p);
+        }
+    }
+}
+
+/// Density relative to that at ambient pressure.
+///
+/// Contract: the ratio is finite, 1 at zero pressure, and does not fall with pressure; pressures below zero
+/// count as zero.
+pub trait DensityLaw: Debug + Send + Sync {
+    /// Density ratio `rho / rho_0` at `pressure` \[Pa\].
+    fn ratio(&self, pressure: f64) -> f64;
+
+    /// Slope of the ratio \[1/Pa\] at `pressure` \[Pa\].
+    fn slope(&self, pressure: f64) -> f64;
+
+    /// Fills `ratio` and `slope` from `pressure` \[Pa\]; slices of one length.
+    fn fill(&self, pressure: &[f64], ratio: &mut [f64], slope: &mut [f64]) {
+        for ((ratio, slope), &p) in ratio.iter_mut().zip(slope).zip(pressure) {
+            *ratio = self.ratio(p);
+            *slope = self.slope(p);
+        }
+    }
+}
+
+/// The two laws that describe a lubricant in the Reynolds equation.
+#[derive(Debug)]
+pub struct Lubricant {
+    viscosity: Box<dyn ViscosityLaw>,
+    density: Box<dyn DensityLaw>,
+}
+
+impl Lubricant {
+    /// A lubricant from its two laws.
+    pub fn new(viscosity: impl ViscosityLaw + 'static, density: impl DensityLaw + 'static) -> Self {
+        Self::from_boxed(Box::new(viscosity), Box::new(density))
+    }
+
+    /// A lubricant from boxed laws.
+    pub fn from_boxed(viscosity: Box<dyn ViscosityLaw>, density: Box<dyn DensityLaw>) -> Self {
+        Self { viscosity, density }
+    }
+
+    /// The viscosity law.
+    pub fn viscosity(&self) -> &dyn ViscosityLaw {
+        &*self.viscosity
+    }
+
+    /// The density law.
+    pub fn density(&self) -> &dyn DensityLaw {
+        &*self.density
+    }
+
+    /// Pressure-viscosity coefficient `d ln(eta) / dp` at ambient pressure \[1/Pa\].
+    pub fn pressure_viscosity_coefficient(&self) -> f64 {
+        self.viscosity.log_slope(0.0)
+    }
+}

@@ -1,1 +1,49 @@
-//! plastic
+//! Plastic flattening of asperities: the pressure a node can carry, and the depth that is left behind.
+//!
+//! [`PlasticityModel`] is an open set; [`ElasticPerfectlyPlastic`] is the model of the reference scene.
+//! Solvers cap the pressure at the [contact limit](PlasticityModel::contact_limit_into) of the softer body;
+//! where the bodies then still overlap, [`split_depth`] says which of them gives way, and each body's
+//! [`PlasticDepth`] keeps it.
+
+mod elastic_perfectly_plastic;
+mod flattening;
+
+use std::fmt::Debug;
+
+pub use elastic_perfectly_plastic::ElasticPerfectlyPlastic;
+pub use flattening::{PlasticDepth, split_depth, split_depth_into};
+
+use crate::error::InputError;
+
+/// The largest pressure a body carries at a node.
+///
+/// Contract: the limit is positive and not NaN for every finite argument; infinity means that the body never
+/// yields.
+pub trait PlasticityModel: Debug + Send + Sync {
+    /// Pressure limit \[Pa\] of one body at a node that carries `film_thickness` \[m\] of tribofilm and has
+    /// been flattened by `plastic_depth` \[m\].
+    fn pressure_limit(&self, film_thickness: f64, plastic_depth: f64) -> f64;
+
+    /// Overwrites `out` \[Pa\] with the limit of the pair, node by node the smaller of the two bodies'
+    /// limits. `films` and `depths` \[m\] are those of the two bodies as they lie opposite each other.
+    ///
+    /// # Errors
+    /// Slices of different length.
+    fn contact_limit_into(
+        &self,
+        films: [&[f64]; 2],
+        depths: [&[f64]; 2],
+        out: &mut [f64],
+    ) -> Result<(), InputError> {
+        for (name, pair) in [("films", films), ("depths", depths)] {
+            InputError::require_len(name, pair[0], out.len())?;
+            InputError::require_len(name, pair[1], out.len())?;
+        }
+        let first = films[0].iter().zip(depths[0]);
+        let second = films[1].iter().zip(depths[1]);
+        for (limit, (a, b)) in out.iter_mut().zip(first.zip(second)) {
+            *limit = self.pressure_limit(*a.0, *a.1).min(self.pressure_limit(*b.0, *b.1));
+        }
+        Ok(())
+    }
+}

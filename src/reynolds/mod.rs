@@ -1,1 +1,114 @@
-//! reynolds
+//! The coupled contact problem: fluid film, solid contact, plastic limit and load balance in one system.
+//!
+//! [`LubricatedContact`] states the problem, a [`ContactSolver`] solves it in a [`ContactState`], and all solvers share
+//! one discretisation, one stopping rule and one report. Non-convergence is a [`Status`](crate::Status); only a
+//! broken contract is an error.
+//!
+//! | solver | method | use |
+//! |---|---|---|
+//! | [`NewtonKrylov`] | semismooth Newton, block-preconditioned GMRES | mixed and full film |
+//! | [`SemiSystem`] | tridiagonal line sweeps with implicit near-field deformation | smooth full film |
+//! | [`Dry`] | active-set conjugate gradients | no lubricant |
+//! | [`Auto`] | picks and falls back | default |
+
+mod active_set;
+mod auto;
+mod coupled;
+mod discretisation;
+mod dry;
+mod newton_krylov;
+mod preconditioner;
+mod problem;
+mod semi_system;
+mod state;
+
+use std::fmt::Debug;
+
+pub use auto::Auto;
+pub use dry::Dry;
+pub use newton_krylov::NewtonKrylov;
+pub use problem::{LubricatedContact, Scheme, Squeeze};
+pub use semi_system::SemiSystem;
+pub use state::ContactState;
+use thiserror::Error;
+
+use crate::error::InputError;
+use crate::report::SolveReport;
+
+/// When a solve ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StoppingRule {
+    /// Bound for each of the three [residuals](crate::Residuals).
+    pub tolerance: f64,
+    /// Largest number of outer iterations (sweeps, Newton steps, active-set passes).
+    pub max_iterations: u64,
+}
+
+impl Default for StoppingRule {
+    /// Residuals of 1e-6, at most 20 000 iterations.
+    fn default() -> Self {
+        Self { tolerance: 1e-6, max_iterations: 20_000 }
+    }
+}
+
+impl StoppingRule {
+    /// Checks the ranges.
+    ///
+    /// # Errors
+    /// A tolerance outside (0, 0.1].
+    pub fn validate(&self) -> Result<(), InputError> {
+        InputError::require(
+            self.tolerance > 0.0 && self.tolerance <= 0.1,
+            "solver.tolerance",
+            self.tolerance,
+            "above 0 and at most 0.1",
+        )
+    }
+}
+
+/// Solves a [`LubricatedContact`].
+///
+/// Contract: start from `state` (a state without any pressure asks for a cold start), leave the best state found in it,
+/// and report residuals of exactly that state. Buffers may be made at the first solve; later ones on the same grid do
+/// not allocate. Never report [`Status::Converged`](crate::Status::Converged) with a residual above the tolerance.
+pub trait ContactSolver: Debug + Send {
+    /// Name for reports.
+    fn name(&self) -> &'static str;
+
+    /// Solves `problem` from `state` until `stop`.
+    ///
+    /// # Errors
+    /// Input that breaks the contract of [`LubricatedContact`], or a problem the solver is not made for.
+    fn solve(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<SolveReport, ReynoldsError>;
+}
+
+/// Why a solve could not be attempted.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ReynoldsError {
+    /// The problem breaks its contract.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The solver is not made for this problem.
+    #[error("solver {solver} cannot be used: {reason}")]
+    WrongSolver {
+        /// Name of the solver.
+        solver: &'static str,
+        /// What the problem has that the solver cannot treat.
+        reason: &'static str,
+    },
+    /// Not enough memory for the factorisation.
+    #[error("not enough memory to factorise the fluid equations of {nodes} nodes")]
+    Memory {
+        /// Number of nodes of the grid.
+        nodes: usize,
+    },
+    /// The linearised fluid equations are singular, which no valid viscosity and density law produces.
+    #[error("the linearised fluid equations are singular: check the viscosity and density laws")]
+    SingularFluidBlock,
+}

@@ -1,1 +1,27 @@
-//! sim
+//! The reference simulation: a rough lubricated contact through time.
+//!
+//! A [`Scene`] describes it, [`solve_contact`] solves its single contact, [`MixedLubricationSim`] runs its history.
+//! Every law can be replaced through the [builder](SimBuilder); an [`Observer`] sees every step.
+
+mod body;
+mod builder;
+mod contact;
+mod error;
+#[cfg(feature = "npz")]
+mod npz;
+mod observer;
+mod record;
+pub mod scene;
+mod setup;
+mod simulation;
+
+pub use body::Body;
+pub use builder::SimBuilder;
+pub use contact::{ContactNumbers, ContactSolution, FilmNumbers, solve_contact};
+pub use error::SimError;
+#[cfg(feature = "npz")]
+pub use npz::write_npz;
+pub use observer::Observer;
+pub use record::StepRecord;
+pub use scene::Scene;
+pub use simulation::{MixedLubricationSim, RunEnd};

@@ -1,1 +1,37 @@
-//! surface
+//! Surfaces: the shape of the bodies, their roughness, and where the roughness is while they move.
+//!
+//! | type | role |
+//! |---|---|
+//! | [`Form`] | undeformed gap of the smooth bodies |
+//! | [`RoughnessSpec`], [`generate`] | random roughness of a given height and correlation length |
+//! | [`Heights`] | a measured surface: levelling, filling of holes, transfer to a grid |
+//! | `read`, `write_npy` (feature `formats`) | x3p and npy files |
+//! | [`RoughnessMotion`] | shift of periodic roughness from step to step |
+//!
+//! Heights are in metres and point out of the body: a positive height narrows the gap.
+
+mod error;
+mod fft;
+mod form;
+mod generate;
+mod measured;
+mod motion;
+#[cfg(feature = "formats")]
+mod npy;
+#[cfg(feature = "formats")]
+mod number;
+#[cfg(feature = "formats")]
+mod read;
+mod resample;
+#[cfg(feature = "formats")]
+mod x3p;
+
+pub use error::SurfaceError;
+pub use form::Form;
+pub use generate::{Autocorrelation, RoughnessSpec, generate};
+pub use measured::Heights;
+pub use motion::{RoughnessMotion, add_shifted, copy_shifted};
+#[cfg(feature = "formats")]
+pub use npy::write_npy;
+#[cfg(feature = "formats")]
+pub use read::read;

@@ -1,1 +1,26 @@
-//! wear
+//! Wear: how fast the substrate of a body is lost, and the account of what became of its surface.
+//!
+//! [`WearLaw`] is an open set; [`Archard`] is the law of the reference scene. [`WearDepth`] is what one body
+//! has lost, node by node of its own surface; [`SurfaceLedger`] puts initial heights, wear, plastic depth and
+//! film together.
+
+mod archard;
+mod depth;
+mod ledger;
+
+use std::fmt::Debug;
+
+pub use archard::{Archard, WearPressure};
+pub use depth::WearDepth;
+pub use ledger::{SurfaceLedger, Volumes};
+
+use crate::rubbing::RubbingPoint;
+
+/// The rate at which one body loses height at a node.
+///
+/// Contract: finite and never negative for every finite input; the film itself is not worn, only the
+/// substrate.
+pub trait WearLaw: Debug + Send + Sync {
+    /// Rate of wear \[m/s\] at a node in the state `at` that carries `film_thickness` \[m\] of tribofilm.
+    fn depth_rate(&self, at: &RubbingPoint, film_thickness: f64) -> f64;
+}

@@ -1,0 +1,109 @@
+//! Film thickness measures.
+
+use crate::error::InputError;
+use crate::grid::Grid;
+
+/// Share of the Hertz radii within which the average film is taken.
+const CENTRAL: f64 = 2.0 / 3.0;
+
+/// Average film \[m\] of the centre: mean of `max(film, 0)` over the nodes with
+/// `(x/a_x)^2 + (y/a_y)^2 <= (2/3)^2`, for Hertz semi-axes `a_x`, `a_y` \[m\] centred on the origin of the grid.
+///
+/// Negative gaps (surfaces that overlap in a solution with errors) count as zero.
+/// Source: Zhu, D. and Hu, Y. Z. (2001), Tribology Transactions 44, 383-390 (the two-thirds region).
+///
+/// # Errors
+/// A film that does not fit the grid or is not finite, semi-axes that are not positive, no node in the region.
+///
+/// ```
+/// use stribeck::{Grid, metrics::average_central_film};
+/// let grid = Grid::centred(16, 16, 1e-6, 1e-6)?;
+/// let average = average_central_film(&grid, &[5e-9; 256], 6e-6, 6e-6)?;
+/// assert!((average - 5e-9).abs() < 1e-20);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+pub fn average_central_film(grid: &Grid, film: &[f64], a_x: f64, a_y: f64) -> Result<f64, InputError> {
+    InputError::require_len("film", film, grid.len())?;
+    InputError::require_finite("film", film)?;
+    require_semi_axes(a_x, a_y)?;
+    let (mut sum, mut count) = (0.0, 0_usize);
+    for ((x, y), h) in grid.nodes().zip(film) {
+        if normalised_radius_squared(x, y, a_x, a_y) <= CENTRAL * CENTRAL {
+            sum += h.max(0.0);
+            count += 1;
+        }
+    }
+    if count == 0 {
+        return Err(InputError::Conflict {
+            field: "a_x, a_y".to_owned(),
+            reason: "no node of the grid lies within two thirds of the Hertz radii".to_owned(),
+        });
+    }
+    Ok(sum / count as f64)
+}
+
+/// `(x/a_x)^2 + (y/a_y)^2`.
+pub(super) fn normalised_radius_squared(x: f64, y: f64, a_x: f64, a_y: f64) -> f64 {
+    (x / a_x).powi(2) + (y / a_y).powi(2)
+}
+
+/// Error unless both semi-axes are finite and positive.
+pub(super) fn require_semi_axes(a_x: f64, a_y: f64) -> Result<(), InputError> {
+    InputError::require_positive("a_x", a_x)?;
+    InputError::require_positive("a_y", a_y)
+}
+
+/// Smallest film \[m\] among the nodes that carry `pressure` > 0; `None` when none does.
+///
+/// # Errors
+/// Slices of different lengths, values that are not finite.
+///
+/// ```
+/// let least = stribeck::metrics::minimum_film(&[3e-9, 1e-9, 2e-9], &[1e6, 0.0, 1e6])?;
+/// assert_eq!(least, Some(2e-9));
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+pub fn minimum_film(film: &[f64], pressure: &[f64]) -> Result<Option<f64>, InputError> {
+    InputError::require_len("pressure", pressure, film.len())?;
+    InputError::require_finite("film", film)?;
+    InputError::require_finite("pressure", pressure)?;
+    let loaded = film.iter().zip(pressure).filter(|&(_, &p)| p > 0.0);
+    Ok(loaded.map(|(&h, _)| h).min_by(f64::total_cmp))
+}
+
+/// Smallest value \[m\] of a gap as it is, negative ones included: how far the surfaces of a solution overlap.
+///
+/// # Errors
+/// An empty slice, a value that is not finite.
+///
+/// ```
+/// let least = stribeck::metrics::minimum_gap(&[3e-9, -1e-9])?;
+/// assert!((least + 1e-9).abs() < 1e-24);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+pub fn minimum_gap(gap: &[f64]) -> Result<f64, InputError> {
+    InputError::require_finite("gap", gap)?;
+    gap.iter().copied().min_by(f64::total_cmp).ok_or_else(|| InputError::Shape {
+        field: "gap".to_owned(),
+        expected: 1,
+        found: 0,
+    })
+}
+
+/// Film over roughness, `film / composite_rq`; infinite for a film between perfectly smooth surfaces.
+///
+/// # Errors
+/// A film or a roughness that is negative or not finite; both zero.
+///
+/// ```
+/// let lambda = stribeck::metrics::lambda_ratio(9.36e-9, 131.5e-9)?;
+/// assert!((lambda - 0.071).abs() < 0.001);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+pub fn lambda_ratio(film: f64, composite_rq: f64) -> Result<f64, InputError> {
+    InputError::require_non_negative("film", film)?;
+    InputError::require_non_negative("composite_rq", composite_rq)?;
+    let defined = film > 0.0 || composite_rq > 0.0;
+    InputError::require(defined, "composite_rq", composite_rq, "above zero where the film is zero")?;
+    Ok(film / composite_rq)
+}

@@ -1,0 +1,98 @@
+//! Height parameters of a surface (ISO 25178-2).
+
+use crate::error::InputError;
+
+/// Moments and extremes of the heights of a surface about their mean. Nothing is levelled or filtered first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct HeightStatistics {
+    /// Mean height \[m\], which the others are taken about.
+    pub mean: f64,
+    /// Arithmetic mean deviation `mean |z|` \[m\].
+    pub sa: f64,
+    /// Root mean square deviation `sqrt(mean z^2)` \[m\].
+    pub sq: f64,
+    /// Skewness `mean z^3 / sq^3`; zero for a flat surface.
+    pub ssk: f64,
+    /// Kurtosis `mean z^4 / sq^4` (3 for a normal distribution); zero for a flat surface.
+    pub sku: f64,
+    /// Height of the highest peak `max z` \[m\].
+    pub sp: f64,
+    /// Depth of the deepest valley `-min z` \[m\].
+    pub sv: f64,
+    /// Total height `sp + sv` \[m\].
+    pub sz: f64,
+}
+
+/// Height parameters of `heights` \[m\]: population moments (division by the number of values) after removal of the mean.
+///
+/// A surface whose deviations are mere rounding of its mean counts as flat.
+///
+/// # Errors
+/// An empty slice, a height that is not finite.
+///
+/// ```
+/// let statistics = stribeck::metrics::height_statistics(&[1e-6, -1e-6, 1e-6, -1e-6])?;
+/// assert!((statistics.sq - 1e-6).abs() < 1e-18);
+/// assert!((statistics.sku - 1.0).abs() < 1e-12);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+pub fn height_statistics(heights: &[f64]) -> Result<HeightStatistics, InputError> {
+    require_heights(heights)?;
+    let count = heights.len() as f64;
+    let rough_mean = heights.iter().map(|h| h / count).sum::<f64>();
+    // the second pass removes the rounding of the first
+    let mean = rough_mean + heights.iter().map(|h| (h - rough_mean) / count).sum::<f64>();
+    let (mut absolute, mut square) = (0.0, 0.0);
+    let (mut highest, mut lowest) = (0.0_f64, 0.0_f64);
+    for height in heights {
+        let z = height - mean;
+        absolute += z.abs();
+        square += z * z;
+        highest = highest.max(z);
+        lowest = lowest.min(z);
+    }
+    let sq = (square / count).sqrt();
+    let flat = sq <= 4.0 * f64::EPSILON * mean.abs();
+    let (ssk, sku) = if flat { (0.0, 0.0) } else { shape(heights, mean, sq) };
+    Ok(HeightStatistics {
+        mean,
+        sa: absolute / count,
+        sq,
+        ssk,
+        sku,
+        sp: highest,
+        sv: -lowest,
+        sz: highest - lowest,
+    })
+}
+
+/// Skewness and kurtosis, from scaled heights so that nanometres to the fourth power do not underflow.
+fn shape(heights: &[f64], mean: f64, sq: f64) -> (f64, f64) {
+    let (mut third, mut fourth) = (0.0, 0.0);
+    for height in heights {
+        let z = (height - mean) / sq;
+        third += z * z * z;
+        fourth += z * z * z * z;
+    }
+    (third / heights.len() as f64, fourth / heights.len() as f64)
+}
+
+/// Error unless there is at least one height and all are finite.
+pub(super) fn require_heights(heights: &[f64]) -> Result<(), InputError> {
+    if heights.is_empty() {
+        return Err(InputError::Shape { field: "heights".to_owned(), expected: 1, found: 0 });
+    }
+    InputError::require_finite("heights", heights)
+}
+
+/// Root mean square roughness of the gap between two independent surfaces, `sqrt(Rq1^2 + Rq2^2)` \[m\].
+///
+/// ```
+/// let composite = stribeck::metrics::composite_rq(20e-9, 130e-9);
+/// assert!((composite - 131.5e-9).abs() < 0.05e-9);
+/// ```
+#[must_use]
+pub fn composite_rq(first: f64, second: f64) -> f64 {
+    first.hypot(second)
+}

@@ -1,0 +1,227 @@
+//! Discrete convolution of fields on a grid through FFTs of the zero-padded (doubled) size, so that no
+//! periodic image reaches the result (DC-FFT: Liu, Wang and Liu 2000, Wear 243, 101-111).
+
+use std::fmt;
+use std::sync::Arc;
+
+use num_complex::Complex64;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use rustfft::{Fft, FftPlanner};
+
+/// Edge length of the square blocks in which spectra are transposed: two blocks fit the first-level cache.
+const BLOCK: usize = 16;
+
+/// What is fixed by grid and kernel: transforms and the spectrum of the kernel. Shared by `Arc`.
+#[derive(Clone)]
+pub(crate) struct ConvolutionPlan {
+    nx: usize,
+    ny: usize,
+    padded_x: usize,
+    padded_y: usize,
+    rows_forward: Arc<dyn RealToComplex<f64>>,
+    rows_inverse: Arc<dyn ComplexToReal<f64>>,
+    columns_forward: Arc<dyn Fft<f64>>,
+    columns_inverse: Arc<dyn Fft<f64>>,
+    /// Spectrum of the kernel, column by column (`[kx][ky]`), with the normalisation of the inverse folded in.
+    spectrum: Vec<Complex64>,
+}
+
+impl fmt::Debug for ConvolutionPlan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("ConvolutionPlan")
+            .field("size", &(self.nx, self.ny))
+            .field("padded", &(self.padded_x, self.padded_y))
+            .finish_non_exhaustive()
+    }
+}
+
+/// The smallest even number >= `n` with prime factors 2, 3 and 5 alone.
+fn fast_length(n: usize) -> usize {
+    let mut candidate = n.max(2).next_multiple_of(2);
+    loop {
+        let mut rest = candidate;
+        for prime in [2, 3, 5] {
+            while rest.is_multiple_of(prime) {
+                rest /= prime;
+            }
+        }
+        if rest == 1 {
+            return candidate;
+        }
+        candidate += 2;
+    }
+}
+
+impl ConvolutionPlan {
+    /// Plan for fields of `nx` x `ny` and the kernel `kernel(i, j)` at offsets `-nx < i < nx`, `-ny < j < ny`.
+    pub(crate) fn new(nx: usize, ny: usize, kernel: impl Fn(isize, isize) -> f64) -> Self {
+        let padded_x = fast_length(2 * nx - 1);
+        let padded_y = if ny == 1 { 1 } else { fast_length(2 * ny - 1) };
+        let mut real = RealFftPlanner::new();
+        let mut complex = FftPlanner::new();
+        let mut plan = Self {
+            nx,
+            ny,
+            padded_x,
+            padded_y,
+            rows_forward: real.plan_fft_forward(padded_x),
+            rows_inverse: real.plan_fft_inverse(padded_x),
+            columns_forward: complex.plan_fft_forward(padded_y),
+            columns_inverse: complex.plan_fft_inverse(padded_y),
+            spectrum: Vec::new(),
+        };
+        plan.spectrum = plan.kernel_spectrum(kernel);
+        plan
+    }
+
+    /// The convolution whose spectrum is one over the modulus of this one's: on the doubled periodic grid it undoes a
+    /// convolution with a positive symmetric kernel.
+    pub(crate) fn pseudo_inverse(&self) -> Self {
+        let scale = 1.0 / (self.padded_x as f64 * self.padded_y as f64);
+        let invert = |value: &Complex64| {
+            Complex64::new(scale * scale / value.norm().max(f64::MIN_POSITIVE), 0.0)
+        };
+        Self { spectrum: self.spectrum.iter().map(invert).collect(), ..self.clone() }
+    }
+
+    fn half(&self) -> usize {
+        self.padded_x / 2 + 1
+    }
+
+    fn kernel_spectrum(&self, kernel: impl Fn(isize, isize) -> f64) -> Vec<Complex64> {
+        let (half, px, py) = (self.half(), self.padded_x, self.padded_y);
+        let mut work = Convolution::buffers(self);
+        let mut spectrum = vec![Complex64::default(); half * py];
+        for j in (0..self.ny).chain(py.saturating_sub(self.ny - 1).max(self.ny)..py) {
+            let dj = if j < self.ny { j as isize } else { j as isize - py as isize };
+            work.row.fill(0.0);
+            for i in (0..self.nx).chain((px - (self.nx - 1)).max(self.nx)..px) {
+                let di = if i < self.nx { i as isize } else { i as isize - px as isize };
+                work.row[i] = kernel(di, dj);
+            }
+            self.forward_row(&mut work.row, &mut work.rows[..half], &mut work.scratch);
+            for (kx, value) in work.rows[..half].iter().enumerate() {
+                spectrum[kx * py + j] = *value;
+            }
+        }
+        self.columns_forward.process_with_scratch(&mut spectrum, &mut work.scratch);
+        let scale = 1.0 / (px as f64 * py as f64);
+        for value in &mut spectrum {
+            *value *= scale;
+        }
+        spectrum
+    }
+
+    fn forward_row(&self, row: &mut [f64], out: &mut [Complex64], scratch: &mut [Complex64]) {
+        let result = self.rows_forward.process_with_scratch(row, out, scratch);
+        debug_assert!(result.is_ok(), "buffers are sized by the plan");
+    }
+
+    fn inverse_row(&self, spectrum: &mut [Complex64], out: &mut [f64], scratch: &mut [Complex64]) {
+        // The imaginary parts of the first and last entry vanish up to rounding; realfft insists on zero.
+        let last = self.half() - 1;
+        spectrum[0].im = 0.0;
+        spectrum[last].im = 0.0;
+        let result = self.rows_inverse.process_with_scratch(spectrum, out, scratch);
+        debug_assert!(result.is_ok(), "buffers are sized by the plan");
+    }
+}
+
+/// A plan with buffers of its own; cloning shares the plan.
+pub(crate) struct Convolution {
+    plan: Arc<ConvolutionPlan>,
+    work: Buffers,
+}
+
+struct Buffers {
+    row: Vec<f64>,
+    rows: Vec<Complex64>,
+    columns: Vec<Complex64>,
+    scratch: Vec<Complex64>,
+}
+
+impl Clone for Convolution {
+    fn clone(&self) -> Self {
+        Self::new(Arc::clone(&self.plan))
+    }
+}
+
+impl fmt::Debug for Convolution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Convolution").field("plan", &self.plan).finish_non_exhaustive()
+    }
+}
+
+impl Convolution {
+    pub(crate) fn new(plan: Arc<ConvolutionPlan>) -> Self {
+        let work = Self::buffers(&plan);
+        Self { plan, work }
+    }
+
+    fn buffers(plan: &ConvolutionPlan) -> Buffers {
+        let scratch = plan
+            .rows_forward
+            .get_scratch_len()
+            .max(plan.rows_inverse.get_scratch_len())
+            .max(plan.columns_forward.get_inplace_scratch_len())
+            .max(plan.columns_inverse.get_inplace_scratch_len());
+        Buffers {
+            row: vec![0.0; plan.padded_x],
+            rows: vec![Complex64::default(); plan.half() * plan.ny],
+            columns: vec![Complex64::default(); plan.half() * plan.padded_y],
+            scratch: vec![Complex64::default(); scratch],
+        }
+    }
+
+    /// Overwrites `out` with the convolution of `field`. Both must hold `nx * ny` values: the callers check.
+    pub(crate) fn apply(&mut self, field: &[f64], out: &mut [f64]) {
+        let plan = &*self.plan;
+        let work = &mut self.work;
+        let (nx, ny, half, py) = (plan.nx, plan.ny, plan.half(), plan.padded_y);
+        for (row, spectrum) in field.chunks_exact(nx).zip(work.rows.chunks_exact_mut(half)) {
+            work.row[..nx].copy_from_slice(row);
+            work.row[nx..].fill(0.0);
+            plan.forward_row(&mut work.row, spectrum, &mut work.scratch);
+        }
+        transpose(&work.rows, half, ny, &mut work.columns, py);
+        for (column, kernel) in work.columns.chunks_exact_mut(py).zip(plan.spectrum.chunks_exact(py)) {
+            column[ny..].fill(Complex64::default());
+            plan.columns_forward.process_with_scratch(column, &mut work.scratch);
+            for (value, k) in column.iter_mut().zip(kernel) {
+                *value *= k;
+            }
+            plan.columns_inverse.process_with_scratch(column, &mut work.scratch);
+        }
+        transpose_back(&work.columns, py, &mut work.rows, half, ny);
+        for (row, spectrum) in out.chunks_exact_mut(nx).zip(work.rows.chunks_exact_mut(half)) {
+            plan.inverse_row(spectrum, &mut work.row, &mut work.scratch);
+            row.copy_from_slice(&work.row[..nx]);
+        }
+    }
+}
+
+/// `columns[kx * stride + j] = rows[j * half + kx]` for `ny` rows, in blocks.
+fn transpose(rows: &[Complex64], half: usize, ny: usize, columns: &mut [Complex64], stride: usize) {
+    for j0 in (0..ny).step_by(BLOCK) {
+        for k0 in (0..half).step_by(BLOCK) {
+            for kx in k0..(k0 + BLOCK).min(half) {
+                for j in j0..(j0 + BLOCK).min(ny) {
+                    columns[kx * stride + j] = rows[j * half + kx];
+                }
+            }
+        }
+    }
+}
+
+/// The reverse of [`transpose`].
+fn transpose_back(columns: &[Complex64], stride: usize, rows: &mut [Complex64], half: usize, ny: usize) {
+    for j0 in (0..ny).step_by(BLOCK) {
+        for k0 in (0..half).step_by(BLOCK) {
+            for j in j0..(j0 + BLOCK).min(ny) {
+                for kx in k0..(k0 + BLOCK).min(half) {
+                    rows[j * half + kx] = columns[kx * stride + j];
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! What a solve reports: how it ended, how well the equations hold, what it cost.
+
+use std::fmt;
+use std::ops::AddAssign;
+
+use thiserror::Error;
+
+/// How an iterative solve ended. Everything but [`Status::Converged`] leaves the best state found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Status {
+    /// All residuals are at or below the tolerance.
+    Converged,
+    /// The iteration limit came first.
+    MaxIterations,
+    /// The residuals no longer fell.
+    Stalled,
+    /// The residuals grew without bound or were no longer finite.
+    Diverged,
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Converged => "converged",
+            Self::MaxIterations => "max_iterations",
+            Self::Stalled => "stalled",
+            Self::Diverged => "diverged",
+        })
+    }
+}
+
+/// How far the state is from solving the discrete problem; all dimensionless, computed the same way for every
+/// solver.
+///
+/// With `h_m` the pressure-weighted mean film and `a_x`, `a_y` the reference contact half-widths:
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Residuals {
+    /// Sum of the absolute mass imbalances of all cells that hold fluid under pressure, over the mass that the mean
+    /// film `h_m` carries through the contact width `2 a_y`. Zero without lubricant.
+    pub mass: f64,
+    /// `|sum of pressure - load| / load`.
+    pub load: f64,
+    /// Violation of the inequalities: fluid that builds up in cavitated cells (scaled as `mass`), and the gap error
+    /// of solid contact plus penetration elsewhere, averaged over the Hertz area and divided by `h_m`; the larger.
+    pub complementarity: f64,
+}
+
+impl Residuals {
+    /// The largest of the three.
+    pub fn max(&self) -> f64 {
+        self.mass.max(self.load).max(self.complementarity)
+    }
+
+    /// Whether all three are finite.
+    pub fn is_finite(&self) -> bool {
+        self.mass.is_finite() && self.load.is_finite() && self.complementarity.is_finite()
+    }
+}
+
+/// Work done, by cause.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Work {
+    /// Elastic convolutions in equivalents of the finest grid: a coarser one counts by its share of nodes.
+    pub convolutions: f64,
+    /// Outer iterations: sweeps, Newton steps or active-set passes.
+    pub iterations: u64,
+    /// Inner iterations: Krylov or conjugate-gradient steps.
+    pub inner_iterations: u64,
+}
+
+impl AddAssign for Work {
+    fn add_assign(&mut self, other: Self) {
+        self.convolutions += other.convolutions;
+        self.iterations += other.iterations;
+        self.inner_iterations += other.inner_iterations;
+    }
+}
+
+/// The outcome of one solve of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use = "a solve that did not converge is a status, not an error"]
+pub struct SolveReport {
+    /// Name of the solver that produced the final state.
+    pub solver: &'static str,
+    /// How the solve ended.
+    pub status: Status,
+    /// Residuals of the state that was returned.
+    pub residuals: Residuals,
+    /// Work of the whole solve, starts and fallbacks included.
+    pub work: Work,
+}
+
+impl SolveReport {
+    /// The report itself if the solve converged.
+    ///
+    /// # Errors
+    /// [`NotConverged`] otherwise.
+    pub fn require_converged(self) -> Result<Self, NotConverged> {
+        match self.status {
+            Status::Converged => Ok(self),
+            _ => Err(NotConverged { report: self }),
+        }
+    }
+}
+
+/// A solve that had to converge did not.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error(
+    "{} ended as {} with residuals mass {:.2e}, load {:.2e}, complementarity {:.2e}",
+    report.solver, report.status, report.residuals.mass, report.residuals.load, report.residuals.complementarity
+)]
+pub struct NotConverged {
+    /// The report of the solve.
+    pub report: SolveReport,
+}

@@ -1,0 +1,119 @@
+//! Which of the complementary equations holds at a node.
+
+/// The fluid side of a node.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Fluid {
+    /// On the outermost ring: no pressure.
+    Boundary,
+    /// No fluid pressure; more fluid leaves than enters.
+    Cavitated,
+    /// The mass balance holds.
+    Active,
+    /// The fluid itself is at the pressure limit; the plastic depth makes the mass balance hold.
+    AtLimit,
+}
+
+/// The solid side of a node.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Solid {
+    /// The film is thicker than the contact film; no solid pressure.
+    Open,
+    /// The film is the contact film.
+    Contact,
+    /// Contact at the pressure limit: the plastic depth keeps the film at the contact film.
+    Yielded,
+}
+
+/// The side of both complementarity conditions a node is on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Kind {
+    pub(super) fluid: Fluid,
+    pub(super) solid: Solid,
+}
+
+impl Kind {
+    pub(super) const BOUNDARY: Self = Self { fluid: Fluid::Boundary, solid: Solid::Open };
+
+    /// Whether the fluid pressure of the node is an unknown.
+    pub(super) fn has_fluid_pressure(self) -> bool {
+        self.fluid == Fluid::Active
+    }
+
+    /// Whether the film follows the elastic displacement instead of being held by solid contact.
+    pub(super) fn film_is_free(self) -> bool {
+        self.solid == Solid::Open
+    }
+
+    /// Whether the node is fluid alone, its pressure unknown.
+    pub(super) fn is_open_fluid(self) -> bool {
+        self.fluid == Fluid::Active && self.solid == Solid::Open
+    }
+
+    /// Whether the mass balance is imposed at the node.
+    pub(super) fn has_balance(self) -> bool {
+        matches!(self.fluid, Fluid::Active | Fluid::AtLimit)
+    }
+
+    /// Whether solids touch at the node.
+    pub(super) fn is_contact(self) -> bool {
+        self.solid != Solid::Open
+    }
+}
+
+/// What decides the side of a node.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sample {
+    pub(super) pressure: f64,
+    pub(super) fluid_pressure: f64,
+    /// Film without the plastic depth of this solve.
+    pub(super) elastic_film: f64,
+    pub(super) plastic_depth: f64,
+    pub(super) contact_film: f64,
+    pub(super) limit: f64,
+    /// Pressure change that a relaxation of the mass balance asks for, `-F / diagonal`.
+    pub(super) fluid_push: f64,
+    /// Self-influence \[m/Pa\].
+    pub(super) own_influence: f64,
+    /// Whether there is a lubricant.
+    pub(super) lubricated: bool,
+    /// Whether the last step wanted more fluid pressure than the limit.
+    pub(super) overflow: bool,
+}
+
+impl Sample {
+    /// The primal-dual rule: a multiplier plus its scaled constraint decides, so that a solution is a fixed point and
+    /// nodes do not chatter as they do when pressure and residual are tested one after the other.
+    pub(super) fn classify(&self, previous: Kind) -> Kind {
+        if previous.fluid == Fluid::Boundary {
+            return Kind::BOUNDARY;
+        }
+        if previous.fluid == Fluid::AtLimit && self.plastic_depth > 0.0 {
+            return if self.elastic_film + self.plastic_depth > self.contact_film {
+                Kind { fluid: Fluid::AtLimit, solid: Solid::Open }
+            } else {
+                Kind { fluid: Fluid::Active, solid: Solid::Yielded }
+            };
+        }
+        let closing = (self.contact_film - self.elastic_film) / self.own_influence;
+        let wish = self.fluid_pressure + self.fluid_push;
+        let fluid = if !self.lubricated || wish < 0.0 {
+            Fluid::Cavitated
+        } else if self.overflow {
+            Fluid::AtLimit
+        } else {
+            Fluid::Active
+        };
+        if fluid == Fluid::AtLimit {
+            return Kind { fluid, solid: Solid::Open };
+        }
+        let solid = if self.pressure - self.fluid_pressure + closing <= 0.0 {
+            Solid::Open
+        } else if self.pressure + closing >= self.limit {
+            Solid::Yielded
+        } else {
+            Solid::Contact
+        };
+        let fluid = if solid != Solid::Open && self.lubricated { Fluid::Active } else { fluid };
+        Kind { fluid, solid }
+    }
+}

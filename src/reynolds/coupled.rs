@@ -1,0 +1,198 @@
+//! The coupled state: what follows from pressures and approach, and how far it is from a solution.
+
+use super::active_set::{Fluid, Kind, Sample, Solid};
+use super::discretisation::{Discretisation, NearField};
+use super::problem::{LubricatedContact, interior};
+use super::state::ContactState;
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::report::Residuals;
+
+/// Elastic film, mass balances and node kinds that belong to a [`ContactState`].
+#[derive(Debug, Clone)]
+pub(super) struct Coupled {
+    pub(super) fluid: Discretisation,
+    /// Film without the plastic depth of this solve \[m\].
+    pub(super) elastic_film: Vec<f64>,
+    /// `F` of every interior node \[m\].
+    pub(super) balance: Vec<f64>,
+    pub(super) kinds: Vec<Kind>,
+    /// Nodes whose fluid pressure the last step wanted above the limit.
+    pub(super) overflow: Vec<bool>,
+    pub(super) near: NearField,
+    pub(super) convolutions: u64,
+}
+
+impl Coupled {
+    pub(super) fn new(grid: Grid) -> Self {
+        let mut kinds = vec![Kind::BOUNDARY; grid.len()];
+        for k in interior(&grid) {
+            kinds[k] = Kind { fluid: Fluid::Cavitated, solid: Solid::Open };
+        }
+        Self {
+            fluid: Discretisation::new(grid),
+            elastic_film: vec![0.0; grid.len()],
+            balance: vec![0.0; grid.len()],
+            kinds,
+            overflow: vec![false; grid.len()],
+            near: NearField { own: 1.0, next_x: 0.0, next_y: 0.0, second_x: 0.0 },
+            convolutions: 0,
+        }
+    }
+
+    pub(super) fn configure(&mut self, problem: &LubricatedContact<'_>) {
+        let influence = |di, dj| problem.deformation.influence(di, dj);
+        self.near = NearField {
+            own: influence(0, 0),
+            next_x: influence(1, 0),
+            next_y: influence(0, 1),
+            second_x: influence(2, 0),
+        };
+        self.fluid.configure(problem);
+        self.convolutions = 0;
+        self.overflow.fill(false);
+        for kind in &mut self.kinds {
+            if kind.fluid != Fluid::Boundary {
+                *kind = Kind { fluid: Fluid::Cavitated, solid: Solid::Open };
+            }
+        }
+    }
+
+    /// Films, fluid quantities and balances of `state`; one convolution.
+    pub(super) fn evaluate(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+    ) -> Result<(), InputError> {
+        problem.deformation.displacement(&state.pressure, &mut self.elastic_film)?;
+        self.convolutions += 1;
+        for (h, gap) in self.elastic_film.iter_mut().zip(problem.gap) {
+            *h += gap - state.approach;
+        }
+        self.settle(problem, state);
+        Ok(())
+    }
+
+    /// Plastic depths, fluid quantities and balances that follow from the node kinds; no convolution.
+    pub(super) fn settle(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
+        self.apply_plastic_depth(problem, state);
+        self.refresh(problem, state);
+    }
+
+    /// Keeps yielded contact at the contact film and the film of every node consistent with its depth.
+    fn apply_plastic_depth(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
+        let contact_film = problem.contact_film();
+        for (k, kind) in self.kinds.iter().enumerate() {
+            state.plastic_depth[k] = if kind.fluid == Fluid::AtLimit {
+                state.plastic_depth[k].max(0.0)
+            } else if state.pressure[k] >= limit_of(problem, k) {
+                (contact_film - self.elastic_film[k]).max(0.0)
+            } else {
+                0.0
+            };
+            state.film[k] = self.elastic_film[k] + state.plastic_depth[k];
+        }
+    }
+
+    /// Fluid quantities and balances from the films and pressures as they are.
+    pub(super) fn refresh(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
+        let Some(lubricant) = problem.lubricant else {
+            state.mass.fill(0.0);
+            return;
+        };
+        self.fluid.update(lubricant, &state.fluid_pressure, &state.film);
+        let previous = problem.squeeze.map(|s| s.previous_mass);
+        for k in interior(&self.fluid.grid) {
+            self.balance[k] = self.fluid.balance(k, &state.fluid_pressure, &state.film, previous);
+        }
+        for (mass, (rho, h)) in state.mass.iter_mut().zip(self.fluid.density.iter().zip(&state.film)) {
+            *mass = rho * h;
+        }
+    }
+
+    /// Sorts the nodes; returns how many changed sides.
+    pub(super) fn classify(
+        &mut self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+    ) -> usize {
+        let lubricated = problem.lubricant.is_some();
+        let mut changes = 0;
+        for k in interior(&self.fluid.grid) {
+            let fluid_push =
+                if lubricated { -self.balance[k] / self.fluid.diagonal(k, self.near) } else { 0.0 };
+            let sample = Sample {
+                pressure: state.pressure[k],
+                fluid_pressure: state.fluid_pressure[k],
+                elastic_film: self.elastic_film[k],
+                plastic_depth: state.plastic_depth[k],
+                contact_film: problem.contact_film(),
+                limit: limit_of(problem, k),
+                fluid_push,
+                own_influence: self.near.own,
+                lubricated,
+                overflow: self.overflow[k],
+            };
+            let kind = sample.classify(self.kinds[k]);
+            changes += usize::from(kind != self.kinds[k]);
+            self.kinds[k] = kind;
+        }
+        changes
+    }
+
+    /// Residuals of the state as evaluated, by the pressures and films alone: node kinds play no part.
+    pub(super) fn residuals(&self, problem: &LubricatedContact<'_>, state: &ContactState) -> Residuals {
+        let grid = self.fluid.grid;
+        let (half_x, half_y) = problem.reference_half_widths;
+        let contact_film = problem.contact_film();
+        let load: f64 = state.pressure.iter().sum::<f64>() * grid.cell_area();
+        let film_scale = self.film_scale(problem, state);
+        let (mut mass, mut build_up, mut gap_error) = (0.0, 0.0, 0.0);
+        for k in interior(&grid) {
+            let (p, fluid_p, film) = (state.pressure[k], state.fluid_pressure[k], state.film[k]);
+            if problem.lubricant.is_some() {
+                if fluid_p > 0.0 {
+                    mass += self.balance[k].abs();
+                } else {
+                    build_up += (-self.balance[k]).max(0.0);
+                }
+            }
+            let touches = p > fluid_p;
+            gap_error += if touches { (film - contact_film).abs() } else { (contact_film - film).max(0.0) };
+        }
+        let per_flux = grid.dy() / (film_scale * 2.0 * half_y);
+        let per_area = grid.cell_area() / (film_scale * std::f64::consts::PI * half_x * half_y);
+        Residuals {
+            mass: mass * per_flux,
+            load: (load - problem.load).abs() / problem.load,
+            complementarity: (build_up * per_flux).max(gap_error * per_area),
+        }
+    }
+
+    /// Pressure-weighted mean film, or mean elastic displacement where there is no lubricant.
+    fn film_scale(&self, problem: &LubricatedContact<'_>, state: &ContactState) -> f64 {
+        let (mut sum, mut weight) = (0.0, 0.0);
+        for (k, &p) in state.pressure.iter().enumerate() {
+            let length = if problem.lubricant.is_some() {
+                state.mass[k].max(problem.contact_film())
+            } else {
+                self.elastic_film[k] - problem.gap[k] + state.approach
+            };
+            sum += p * length;
+            weight += p;
+        }
+        if weight > 0.0 && sum > 0.0 { sum / weight } else { f64::MIN_POSITIVE }
+    }
+
+    /// Writes the contact flags of the state.
+    pub(super) fn mark_contact(&self, state: &mut ContactState) {
+        for (k, flag) in state.in_contact.iter_mut().enumerate() {
+            *flag = state.pressure[k] > state.fluid_pressure[k] && self.kinds[k].is_contact();
+        }
+    }
+}
+
+/// Pressure limit of node `k` \[Pa\], infinite where there is none.
+pub(super) fn limit_of(problem: &LubricatedContact<'_>, k: usize) -> f64 {
+    problem.pressure_limit.map_or(f64::INFINITY, |limit| limit[k])
+}

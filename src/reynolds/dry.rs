@@ -1,0 +1,141 @@
+//! Dry contact: as a solver of its own and as the start of the lubricated ones.
+
+use super::coupled::Coupled;
+use super::problem::{LubricatedContact, interior};
+use super::state::ContactState;
+use super::{ContactSolver, ReynoldsError, StoppingRule};
+use crate::elastic::{DryOutcome, DryProblem, DrySolver};
+use crate::grid::Grid;
+use crate::report::{SolveReport, Status, Work};
+
+/// Gap error to which a start is solved: node sides still change in the lubricated solve.
+const START_TOLERANCE: f64 = 1e-7;
+/// Active-set passes of a start.
+const START_PASSES: u64 = 40;
+
+/// The dry contact of a problem, whatever its lubricant, written into a state.
+#[derive(Debug, Clone)]
+pub(super) struct DryStart {
+    solver: DrySolver,
+    excluded: Vec<bool>,
+}
+
+impl DryStart {
+    pub(super) fn new(grid: Grid) -> Self {
+        let mut excluded = vec![true; grid.len()];
+        for k in interior(&grid) {
+            excluded[k] = false;
+        }
+        Self { solver: DrySolver::new(grid.len()), excluded }
+    }
+
+    /// Solves to a tolerance good enough to start from.
+    pub(super) fn run(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+    ) -> Result<Work, ReynoldsError> {
+        let outcome = self.solve(problem, state, START_TOLERANCE, START_PASSES)?;
+        Ok(Work { convolutions: outcome.convolutions as f64, ..Work::default() })
+    }
+
+    fn solve(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        tolerance: f64,
+        max_passes: u64,
+    ) -> Result<DryOutcome, ReynoldsError> {
+        if state.pressure.iter().all(|&p| p <= 0.0) {
+            hertzian(problem, &mut state.pressure);
+        }
+        let dry = DryProblem {
+            gap: problem.gap,
+            load: problem.load,
+            limit: problem.pressure_limit,
+            excluded: &self.excluded,
+        };
+        let outcome =
+            self.solver.solve(&dry, problem.deformation, &mut state.pressure, tolerance, max_passes)?;
+        for (k, p) in state.pressure.iter_mut().enumerate() {
+            *p = p.clamp(0.0, super::coupled::limit_of(problem, k));
+        }
+        state.fluid_pressure.fill(0.0);
+        state.plastic_depth.fill(0.0);
+        // The lubricated film counts from the contact film, so the bodies are that much farther apart.
+        state.approach = outcome.approach - problem.contact_film();
+        Ok(outcome)
+    }
+}
+
+/// A Hertzian pressure of the reference size as the first guess.
+fn hertzian(problem: &LubricatedContact<'_>, pressure: &mut [f64]) {
+    let grid = problem.grid();
+    let (a, b) = problem.reference_half_widths;
+    for (p, (x, y)) in pressure.iter_mut().zip(grid.nodes()) {
+        let inside = 1.0 - (x / a).powi(2) - (y / b).powi(2);
+        *p = problem.reference_pressure * inside.max(0.0).sqrt();
+    }
+}
+
+/// Dry contact by active-set conjugate gradients; a lubricant in the problem is an error.
+#[derive(Debug, Default)]
+pub struct Dry {
+    workspace: Option<Box<(DryStart, Coupled)>>,
+}
+
+impl Dry {
+    /// A solver; buffers are made at the first solve and kept.
+    pub fn new() -> Self {
+        Self::default()
+    }
+}
+
+impl ContactSolver for Dry {
+    fn name(&self) -> &'static str {
+        "dry"
+    }
+
+    fn solve(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<SolveReport, ReynoldsError> {
+        problem.validate()?;
+        let grid = problem.grid();
+        state.validate(&grid)?;
+        stop.validate()?;
+        if problem.lubricant.is_some() {
+            return Err(ReynoldsError::WrongSolver {
+                solver: self.name(),
+                reason: "the problem has a lubricant",
+            });
+        }
+        let fits = self.workspace.as_ref().is_some_and(|w| w.1.fluid.grid == grid);
+        if !fits {
+            self.workspace = Some(Box::new((DryStart::new(grid), Coupled::new(grid))));
+        }
+        let Some((start, coupled)) = self.workspace.as_deref_mut() else {
+            return Err(ReynoldsError::Memory { nodes: grid.len() });
+        };
+        let outcome = start.solve(problem, state, stop.tolerance, stop.max_iterations)?;
+        coupled.configure(problem);
+        coupled.evaluate(problem, state)?;
+        coupled.classify(problem, state);
+        coupled.settle(problem, state);
+        coupled.mark_contact(state);
+        let residuals = coupled.residuals(problem, state);
+        let status = if residuals.is_finite() && outcome.converged && residuals.max() <= stop.tolerance {
+            Status::Converged
+        } else {
+            Status::MaxIterations
+        };
+        let work = Work {
+            convolutions: (outcome.convolutions + coupled.convolutions) as f64,
+            iterations: outcome.passes,
+            inner_iterations: outcome.steps,
+        };
+        Ok(SolveReport { solver: "dry", status, residuals, work })
+    }
+}

@@ -1,0 +1,130 @@
+//! The coupled problem that is handed to a solver.
+
+use crate::elastic::DeformationModel;
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::lubricant::Lubricant;
+
+/// Discretisation of the wedge term `u d(rho h)/dx`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Scheme {
+    /// First-order upwind: the flux through a face is that of the node upstream of it.
+    #[default]
+    FirstOrder,
+}
+
+/// The previous state that the squeeze term `d(rho h)/dt` refers to.
+#[derive(Debug, Clone, Copy)]
+pub struct Squeeze<'a> {
+    /// `rho/rho_0 * h` of the previous time per node \[m\], as carried over from its solve.
+    pub previous_mass: &'a [f64],
+    /// Time between the two \[s\].
+    pub time_step: f64,
+}
+
+/// One contact to be solved: find pressure, film and approach so that
+///
+/// - fluid pressure `p_f >= 0` with `F(p_f, h) >= 0`, one of them zero, `F` being the net outflow of a cell,
+///   `F = u d(rho h)/dx + d(rho h)/dt - div(rho h^3 / (12 eta) grad p_f)`;
+/// - solid pressure `p_s >= 0` with `h >= h_cut`, one of them an equality;
+/// - total pressure `p = p_f + p_s <= pressure_limit` with plastic depth `d >= 0`, one of them an equality;
+/// - film `h = gap - approach + K p + d`;
+/// - load balance: the integral of `p` is `load`.
+///
+/// Without lubricant `p_f = 0` and `h_cut = 0`: dry contact. Pressure is zero on the outermost nodes.
+#[derive(Debug)]
+pub struct LubricatedContact<'a> {
+    /// Undeformed gap per node \[m\]: form minus the heights of both surfaces.
+    pub gap: &'a [f64],
+    /// Elastic response; it also fixes the grid.
+    pub deformation: &'a mut dyn DeformationModel,
+    /// The lubricant, or none for a dry contact.
+    pub lubricant: Option<&'a Lubricant>,
+    /// Mean speed of the two surfaces along +x \[m/s\].
+    pub entrainment_speed: f64,
+    /// Squeeze term, or none for a quasi-static solve.
+    pub squeeze: Option<Squeeze<'a>>,
+    /// Normal load \[N\].
+    pub load: f64,
+    /// Largest pressure per node \[Pa\] (hardness), or none for an elastic contact.
+    pub pressure_limit: Option<&'a [f64]>,
+    /// Film thickness at which solids touch in a lubricated contact, `h_cut` \[m\].
+    pub film_cutoff: f64,
+    /// Discretisation of the wedge term.
+    pub scheme: Scheme,
+    /// Half-widths `(a_x, a_y)` of the contact \[m\] that residuals are scaled with and starts are built from, usually
+    /// Hertz.
+    pub reference_half_widths: (f64, f64),
+    /// Pressure \[Pa\] that starts are built from, usually the Hertz pressure.
+    pub reference_pressure: f64,
+}
+
+impl LubricatedContact<'_> {
+    /// The grid of the problem.
+    pub fn grid(&self) -> Grid {
+        self.deformation.grid()
+    }
+
+    /// Contact film thickness: the cut-off of a lubricated contact, zero of a dry one \[m\].
+    pub fn contact_film(&self) -> f64 {
+        if self.lubricant.is_some() { self.film_cutoff } else { 0.0 }
+    }
+
+    /// Checks shapes and ranges of every field.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming the first offending field, or a load that the pressure limit cannot carry, with the
+    /// largest load that it can.
+    pub fn validate(&self) -> Result<(), InputError> {
+        let grid = self.grid();
+        InputError::require_len("gap", self.gap, grid.len())?;
+        InputError::require_finite("gap", self.gap)?;
+        InputError::require_positive("load", self.load)?;
+        InputError::require_positive("reference_half_widths.0", self.reference_half_widths.0)?;
+        InputError::require_positive("reference_half_widths.1", self.reference_half_widths.1)?;
+        InputError::require_positive("reference_pressure", self.reference_pressure)?;
+        for (field, n) in [("grid.nx", grid.nx()), ("grid.ny", grid.ny())] {
+            InputError::require(n >= 5, field, n as f64, "at least 5 for a contact solve")?;
+        }
+        if self.lubricant.is_some() {
+            InputError::require_positive("film_cutoff", self.film_cutoff)?;
+            InputError::require_non_negative("entrainment_speed", self.entrainment_speed)?;
+            if self.squeeze.is_none() {
+                InputError::require_positive("entrainment_speed", self.entrainment_speed)?;
+            }
+        }
+        if let Some(squeeze) = self.squeeze {
+            InputError::require_positive("squeeze.time_step", squeeze.time_step)?;
+            InputError::require_len("squeeze.previous_mass", squeeze.previous_mass, grid.len())?;
+            InputError::require_finite("squeeze.previous_mass", squeeze.previous_mass)?;
+        }
+        self.validate_limit(&grid)
+    }
+
+    fn validate_limit(&self, grid: &Grid) -> Result<(), InputError> {
+        let Some(limit) = self.pressure_limit else { return Ok(()) };
+        InputError::require_len("pressure_limit", limit, grid.len())?;
+        InputError::require_finite("pressure_limit", limit)?;
+        if let Some(&low) = limit.iter().find(|&&p| p <= 0.0) {
+            InputError::require_positive("pressure_limit", low)?;
+        }
+        let largest: f64 = interior(grid).map(|k| limit[k]).sum::<f64>() * grid.cell_area();
+        if self.load >= largest {
+            return Err(InputError::Conflict {
+                field: "load".to_owned(),
+                reason: format!(
+                    "{} N is more than the pressure limit lets the box carry: below {largest:.6e} N",
+                    self.load
+                ),
+            });
+        }
+        Ok(())
+    }
+}
+
+/// Indices of the nodes that are not on the outermost ring.
+pub(super) fn interior(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
+    let (nx, ny) = (grid.nx(), grid.ny());
+    (1..ny.saturating_sub(1)).flat_map(move |j| (1..nx.saturating_sub(1)).map(move |i| j * nx + i))
+}

@@ -1,0 +1,71 @@
+//! The solution of a contact, and what a restart needs.
+
+use crate::error::InputError;
+use crate::grid::Grid;
+
+/// Pressures, film and approach of a contact; fields are row-major slices over the grid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContactState {
+    /// Total pressure, fluid plus solid \[Pa\].
+    pub pressure: Vec<f64>,
+    /// Fluid pressure \[Pa\].
+    pub fluid_pressure: Vec<f64>,
+    /// Film thickness (gap) with the plastic depth of this solve included \[m\].
+    pub film: Vec<f64>,
+    /// Plastic depth that this solve found, not yet applied to any surface \[m\].
+    pub plastic_depth: Vec<f64>,
+    /// `rho/rho_0 * h`, to be carried into the squeeze term of a following transient solve \[m\].
+    pub mass: Vec<f64>,
+    /// Whether the node is in solid contact.
+    pub in_contact: Vec<bool>,
+    /// Approach of the undeformed bodies \[m\]; positive is closer.
+    pub approach: f64,
+}
+
+impl ContactState {
+    /// An unloaded state: no pressure, no approach.
+    pub fn new(grid: &Grid) -> Self {
+        let zeros = || vec![0.0; grid.len()];
+        Self {
+            pressure: zeros(),
+            fluid_pressure: zeros(),
+            film: zeros(),
+            plastic_depth: zeros(),
+            mass: zeros(),
+            in_contact: vec![false; grid.len()],
+            approach: 0.0,
+        }
+    }
+
+    /// Solid pressure of node `k`, total minus fluid, zero outside solid contact \[Pa\].
+    pub fn solid_pressure(&self, k: usize) -> f64 {
+        match (self.in_contact.get(k), self.pressure.get(k), self.fluid_pressure.get(k)) {
+            (Some(true), Some(p), Some(f)) => (p - f).max(0.0),
+            _ => 0.0,
+        }
+    }
+
+    /// Checks that every field fits `grid`.
+    ///
+    /// # Errors
+    /// [`InputError::Shape`] naming the field.
+    pub fn validate(&self, grid: &Grid) -> Result<(), InputError> {
+        for (field, values) in [
+            ("state.pressure", &self.pressure),
+            ("state.fluid_pressure", &self.fluid_pressure),
+            ("state.film", &self.film),
+            ("state.plastic_depth", &self.plastic_depth),
+            ("state.mass", &self.mass),
+        ] {
+            InputError::require_len(field, values, grid.len())?;
+        }
+        if self.in_contact.len() != grid.len() {
+            return Err(InputError::Shape {
+                field: "state.in_contact".to_owned(),
+                expected: grid.len(),
+                found: self.in_contact.len(),
+            });
+        }
+        Ok(())
+    }
+}

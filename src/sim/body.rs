@@ -1,0 +1,87 @@
+//! One body: its surface on its own nodes, and where every nanometre of it went.
+
+use super::SimError;
+use crate::error::InputError;
+use crate::plastic::PlasticDepth;
+use crate::tribochem::{FilmGrowthLaw, Tribofilm};
+use crate::wear::{SurfaceLedger, Volumes, WearDepth};
+
+/// The surface of one body on its own periodic patch.
+///
+/// At every moment `surface = initial - wear - plastic + film`, node by node.
+#[derive(Debug, Clone)]
+pub struct Body {
+    initial: Vec<f64>,
+    pub(super) wear: WearDepth,
+    pub(super) plastic: PlasticDepth,
+    pub(super) film: Option<Tribofilm>,
+    no_film: Vec<f64>,
+    pub(super) surface: Vec<f64>,
+}
+
+impl Body {
+    pub(super) fn new(initial: Vec<f64>, law: Option<&dyn FilmGrowthLaw>) -> Self {
+        let n = initial.len();
+        Self {
+            wear: WearDepth::new(n),
+            plastic: PlasticDepth::new(n),
+            film: law.map(|law| Tribofilm::bare(law, n)),
+            no_film: vec![0.0; n],
+            surface: initial.clone(),
+            initial,
+        }
+    }
+
+    /// Heights at the start \[m\].
+    pub fn initial(&self) -> &[f64] {
+        &self.initial
+    }
+
+    /// Heights now \[m\].
+    pub fn surface(&self) -> &[f64] {
+        &self.surface
+    }
+
+    /// Worn depth \[m\].
+    pub fn wear_depth(&self) -> &[f64] {
+        self.wear.values()
+    }
+
+    /// Plastic depth \[m\].
+    pub fn plastic_depth(&self) -> &[f64] {
+        self.plastic.values()
+    }
+
+    /// Thickness of the tribofilm \[m\]; zeros without one.
+    pub fn film_thickness(&self) -> &[f64] {
+        self.film.as_ref().map_or(&self.no_film, Tribofilm::thickness)
+    }
+
+    /// The account of the surface.
+    ///
+    /// # Errors
+    /// Never for a body of a simulation: its fields have one length.
+    pub fn ledger(&self) -> Result<SurfaceLedger<'_>, InputError> {
+        SurfaceLedger::new(&self.initial, self.wear_depth(), self.plastic_depth(), self.film_thickness())
+    }
+
+    /// Volumes worn, flattened and grown \[m^3\] on cells of `cell_area` \[m^2\].
+    ///
+    /// # Errors
+    /// See [`Body::ledger`].
+    pub fn volumes(&self, cell_area: f64) -> Result<Volumes, InputError> {
+        Ok(self.ledger()?.volumes(cell_area))
+    }
+
+    /// Brings the surface up to date with its account.
+    pub(super) fn rebuild(&mut self) -> Result<(), SimError> {
+        let ledger = SurfaceLedger::new(
+            &self.initial,
+            self.wear.values(),
+            self.plastic.values(),
+            self.film.as_ref().map_or(&self.no_film, Tribofilm::thickness),
+        )?;
+        ledger.surface_into(&mut self.surface)?;
+        Ok(())
+    }
+}

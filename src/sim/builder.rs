@@ -1,0 +1,224 @@
+//! Putting a simulation together: the scene's own laws, or the user's in their place.
+
+use super::body::Body;
+use super::contact::{ContactModel, Overrides};
+use super::scene::{Flash, Scene};
+use super::simulation::{Laws, MixedLubricationSim};
+use super::{SimError, setup};
+use crate::elastic::DeformationModel;
+use crate::error::InputError;
+use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
+use crate::plastic::{ElasticPerfectlyPlastic, PlasticityModel};
+use crate::reynolds::ContactSolver;
+use crate::surface::RoughnessMotion;
+use crate::tribochem::{
+    FilmGrowthLaw, FlashTemperature, Ghanbarzadeh, ThermalBody, estimate_maximum_rise,
+};
+use crate::wear::{Archard, WearLaw, WearPressure};
+
+/// Flash temperature rise below which the heat pass is left out unless asked for \[K\].
+const NEGLIGIBLE_RISE: f64 = 1.0;
+
+/// Builder of a [`MixedLubricationSim`].
+#[derive(Debug)]
+pub struct SimBuilder {
+    scene: Scene,
+    overrides: Overrides,
+    plasticity: Option<Box<dyn PlasticityModel>>,
+    growth: Option<Box<dyn FilmGrowthLaw>>,
+    wear: Option<Box<dyn WearLaw>>,
+    motion: RoughnessMotion,
+    heights: [Option<Vec<f64>>; 2],
+}
+
+impl SimBuilder {
+    pub(super) fn new(scene: Scene) -> Self {
+        Self {
+            scene,
+            overrides: Overrides::default(),
+            plasticity: None,
+            growth: None,
+            wear: None,
+            motion: RoughnessMotion::RandomShift { seed: 0 },
+            heights: [None, None],
+        }
+    }
+
+    /// Replaces the elastic half-space.
+    #[must_use]
+    pub fn deformation(mut self, model: impl DeformationModel + 'static) -> Self {
+        self.overrides.deformation = Some(Box::new(model));
+        self
+    }
+
+    /// Replaces the viscosity law; the scene must have a lubricant.
+    #[must_use]
+    pub fn viscosity(mut self, law: impl ViscosityLaw + 'static) -> Self {
+        self.overrides.viscosity = Some(Box::new(law));
+        self
+    }
+
+    /// Replaces the density law; the scene must have a lubricant.
+    #[must_use]
+    pub fn density(mut self, law: impl DensityLaw + 'static) -> Self {
+        self.overrides.density = Some(Box::new(law));
+        self
+    }
+
+    /// Replaces the solver.
+    #[must_use]
+    pub fn solver(mut self, solver: impl ContactSolver + 'static) -> Self {
+        self.overrides.solver = Some(Box::new(solver));
+        self
+    }
+
+    /// Replaces the plasticity model, or brings one into a scene without.
+    #[must_use]
+    pub fn plasticity(mut self, model: impl PlasticityModel + 'static) -> Self {
+        self.plasticity = Some(Box::new(model));
+        self
+    }
+
+    /// Replaces the growth law of the tribofilm, or brings one into a scene without.
+    #[must_use]
+    pub fn growth_law(mut self, law: impl FilmGrowthLaw + 'static) -> Self {
+        self.growth = Some(Box::new(law));
+        self
+    }
+
+    /// Replaces the wear law, or brings one into a scene without.
+    #[must_use]
+    pub fn wear_law(mut self, law: impl WearLaw + 'static) -> Self {
+        self.wear = Some(Box::new(law));
+        self
+    }
+
+    /// Sets how the roughness of the bodies moves from step to step; random shifts with seed 0 by default.
+    #[must_use]
+    pub fn motion(mut self, motion: RoughnessMotion) -> Self {
+        self.motion = motion;
+        self
+    }
+
+    /// Replaces the heights of the ball, one value per node of the grid, positive out of the body \[m\].
+    #[must_use]
+    pub fn ball_heights(mut self, heights: Vec<f64>) -> Self {
+        self.heights[0] = Some(heights);
+        self
+    }
+
+    /// Replaces the heights of the disc, one value per node of the grid, positive out of the body \[m\].
+    #[must_use]
+    pub fn disc_heights(mut self, heights: Vec<f64>) -> Self {
+        self.heights[1] = Some(heights);
+        self
+    }
+
+    /// Checks the scene and makes the simulation; what is not modelled is decided here once.
+    ///
+    /// # Errors
+    /// A scene or heights that do not fit.
+    pub fn build(mut self) -> Result<MixedLubricationSim, SimError> {
+        let overrides = std::mem::take(&mut self.overrides);
+        let contact = ContactModel::new(&self.scene, overrides)?;
+        let laws = self.laws()?;
+        let [ball, disc] = std::mem::take(&mut self.heights);
+        let bodies = [self.body(ball, 0, &contact, &laws)?, self.body(disc, 1, &contact, &laws)?];
+        let flash = self.flash(&contact)?;
+        let viscosity = contact.lubricant.as_ref().map(Lubricant::viscosity);
+        let formula_film = match setup::film_conditions(&self.scene, &contact.hertz, viscosity) {
+            Some(conditions) => conditions.hamrock_dowson_central()?,
+            None => 0.0,
+        };
+        Ok(MixedLubricationSim::assemble(
+            self.scene,
+            contact,
+            bodies,
+            laws,
+            flash,
+            self.motion,
+            formula_film,
+        ))
+    }
+
+    fn laws(&mut self) -> Result<Laws, SimError> {
+        let scene = &self.scene;
+        let growth: Option<Box<dyn FilmGrowthLaw>> = match (self.growth.take(), scene.tribofilm) {
+            (Some(law), _) => Some(law),
+            (None, Some(spec)) => Some(Box::new(Ghanbarzadeh::new(
+                spec.maximum_thickness,
+                spec.x_tribo,
+                spec.removal_limit,
+                spec.removal_rate,
+            )?)),
+            (None, None) => None,
+        };
+        let film_thickness = growth.as_ref().map(|law| law.maximum_thickness());
+        let plasticity: Option<Box<dyn PlasticityModel>> = match (self.plasticity.take(), scene.plastic) {
+            (Some(model), _) => Some(model),
+            (None, Some(spec)) => Some(Box::new(match (spec.film_hardness, film_thickness) {
+                (Some(film), Some(full)) => ElasticPerfectlyPlastic::with_film(spec.hardness, film, full)?,
+                _ => ElasticPerfectlyPlastic::uniform(spec.hardness)?,
+            })),
+            (None, None) => None,
+        };
+        let wear: Option<Box<dyn WearLaw>> = match (self.wear.take(), scene.wear) {
+            (Some(law), _) => Some(law),
+            (None, Some(spec)) => {
+                // Without a film the reference thickness is never reached: any positive one will do.
+                let full = film_thickness.unwrap_or(1.0);
+                let law = Archard::new(spec.coefficient, spec.film_coefficient, full, spec.hardness)?;
+                let pressure =
+                    if spec.solid_pressure_only { WearPressure::Solid } else { WearPressure::Total };
+                Some(Box::new(law.with_pressure(pressure)))
+            }
+            (None, None) => None,
+        };
+        Ok(Laws { plasticity, growth, wear })
+    }
+
+    fn body(
+        &self,
+        heights: Option<Vec<f64>>,
+        index: usize,
+        contact: &ContactModel,
+        laws: &Laws,
+    ) -> Result<Body, SimError> {
+        let (name, roughness) = if index == 0 {
+            ("ball", &self.scene.roughness.ball)
+        } else {
+            ("disc", &self.scene.roughness.disc)
+        };
+        let initial = match heights {
+            Some(heights) => heights,
+            None => setup::heights(roughness, &contact.grid, name)?,
+        };
+        let field = format!("{name} heights");
+        InputError::require_len(&field, &initial, contact.grid.len())?;
+        InputError::require_finite(&field, &initial)?;
+        Ok(Body::new(initial, laws.growth.as_deref()))
+    }
+
+    /// The heat pass, unless it is switched off or its estimate is negligible.
+    fn flash(&self, contact: &ContactModel) -> Result<Option<FlashTemperature>, SimError> {
+        let (thermal, motion) = (self.scene.thermal, self.scene.motion);
+        let steel = ThermalBody { conductivity: thermal.conductivity, diffusivity: thermal.diffusivity };
+        let speeds = motion.surface_speeds();
+        let wanted = match thermal.flash {
+            Flash::On => true,
+            Flash::Off => false,
+            Flash::Auto => {
+                let radius = (contact.hertz.a_x * contact.hertz.a_y).sqrt();
+                let rise = estimate_maximum_rise(
+                    [steel; 2],
+                    speeds,
+                    self.scene.friction.boundary_coefficient,
+                    contact.hertz.p_max,
+                    radius,
+                )?;
+                rise >= NEGLIGIBLE_RISE
+            }
+        };
+        Ok(if wanted { Some(FlashTemperature::new(&contact.grid, [steel; 2], speeds)?) } else { None })
+    }
+}

@@ -1,0 +1,232 @@
+//! One quasi-static contact: the pieces that stay fixed while surfaces change, and its solution in numbers.
+
+use super::scene::Scene;
+use super::{SimError, setup};
+use crate::analytic::HertzPoint;
+use crate::elastic::{DeformationModel, HalfSpace};
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
+use crate::metrics;
+use crate::report::SolveReport;
+use crate::reynolds::{ContactSolver, ContactState, LubricatedContact, Scheme, StoppingRule};
+
+/// Grid, elastic body, lubricant, load and solver of a scene.
+#[derive(Debug)]
+pub(super) struct ContactModel {
+    pub(super) grid: Grid,
+    pub(super) hertz: HertzPoint,
+    /// Gap of the smooth, undeformed bodies \[m\].
+    pub(super) form_gap: Vec<f64>,
+    pub(super) deformation: Box<dyn DeformationModel>,
+    pub(super) lubricant: Option<Lubricant>,
+    pub(super) solver: Box<dyn ContactSolver>,
+    rule: StoppingRule,
+    scheme: Scheme,
+    film_cutoff: f64,
+    entrainment_speed: f64,
+}
+
+/// What a user puts in place of the scene's own parts.
+#[derive(Debug, Default)]
+pub(super) struct Overrides {
+    pub(super) deformation: Option<Box<dyn DeformationModel>>,
+    pub(super) viscosity: Option<Box<dyn ViscosityLaw>>,
+    pub(super) density: Option<Box<dyn DensityLaw>>,
+    pub(super) solver: Option<Box<dyn ContactSolver>>,
+}
+
+impl ContactModel {
+    pub(super) fn new(scene: &Scene, overrides: Overrides) -> Result<Self, SimError> {
+        setup::validate(scene)?;
+        let grid = scene.grid()?;
+        let hertz = scene.hertz()?;
+        let mut form_gap = vec![0.0; grid.len()];
+        scene.form.gap_into(&grid, &mut form_gap)?;
+        let deformation = match overrides.deformation {
+            Some(model) if model.grid() != grid => {
+                return Err(SimError::Input(InputError::Conflict {
+                    field: "deformation".to_owned(),
+                    reason: "the model lives on another grid than the scene".to_owned(),
+                }));
+            }
+            Some(model) => model,
+            None => Box::new(HalfSpace::new(grid, scene.elastic.equivalent_modulus)?),
+        };
+        let viscosity = overrides.viscosity.map_or_else(|| setup::viscosity(scene), |law| Ok(Some(law)))?;
+        let density = overrides.density.map_or_else(|| setup::density(scene), |law| Ok(Some(law)))?;
+        let lubricant = match (scene.is_lubricated(), viscosity, density) {
+            (true, Some(viscosity), Some(density)) => Some(Lubricant::from_boxed(viscosity, density)),
+            _ => None,
+        };
+        Ok(Self {
+            grid,
+            hertz,
+            form_gap,
+            deformation,
+            lubricant,
+            solver: overrides.solver.map_or_else(|| setup::solver(scene), Ok)?,
+            rule: setup::stopping_rule(scene)?,
+            scheme: setup::scheme(scene),
+            film_cutoff: scene.solver.film_cutoff,
+            entrainment_speed: scene.motion.entrainment_speed,
+        })
+    }
+
+    /// Solves the contact with the undeformed gap `gap` and pressure limit `limit`, from `state`.
+    pub(super) fn solve(
+        &mut self,
+        gap: &[f64],
+        limit: Option<&[f64]>,
+        state: &mut ContactState,
+    ) -> Result<SolveReport, SimError> {
+        let mut problem = LubricatedContact {
+            gap,
+            deformation: &mut *self.deformation,
+            lubricant: self.lubricant.as_ref(),
+            entrainment_speed: self.entrainment_speed,
+            squeeze: None,
+            load: self.hertz.load,
+            pressure_limit: limit,
+            film_cutoff: self.film_cutoff,
+            scheme: self.scheme,
+            reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
+            reference_pressure: self.hertz.p_max,
+        };
+        Ok(self.solver.solve(&mut problem, state, &self.rule)?)
+    }
+}
+
+/// The solution of one contact.
+#[derive(Debug, Clone)]
+pub struct ContactSolution {
+    /// How the solve ended, residuals and work.
+    pub report: SolveReport,
+    /// The grid.
+    pub grid: Grid,
+    /// Hertz contact of the smooth bodies.
+    pub hertz: HertzPoint,
+    /// Moes parameters `(M, L)`; none for a dry contact.
+    pub moes: Option<(f64, f64)>,
+    /// Fields and approach.
+    pub state: ContactState,
+    /// Undeformed gap, form and roughness \[m\].
+    pub gap: Vec<f64>,
+    /// Film numbers.
+    pub film: FilmNumbers,
+    /// Contact numbers.
+    pub contact: ContactNumbers,
+}
+
+/// Film thickness of a solution \[m\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FilmNumbers {
+    /// At x = y = 0, interpolated between nodes.
+    pub central: f64,
+    /// Smallest over the nodes that carry pressure.
+    pub minimum: f64,
+    /// Mean over r <= 2a/3.
+    pub mean_central: f64,
+    /// Smallest over all nodes.
+    pub minimum_gap: f64,
+}
+
+/// Pressure and contact of a solution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactNumbers {
+    /// Largest pressure \[Pa\].
+    pub max_pressure: f64,
+    /// Pressure at x = y = 0 \[Pa\].
+    pub central_pressure: f64,
+    /// Area of solid contact inside the Hertz ellipse over its area.
+    pub area_ratio: f64,
+    /// Share of the load that solid contact carries.
+    pub load_ratio: f64,
+    /// Area of solid contact \[m^2\].
+    pub area: f64,
+    /// Area of nodes at the pressure limit \[m^2\].
+    pub plastic_area: f64,
+}
+
+/// Solves the single contact of `scene`, surfaces as they are.
+///
+/// # Errors
+/// A scene that does not fit; a load that the pressure limit cannot carry. Not converging is a status of the report.
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let mut scene = Scene::azam_2019(32);
+/// scene.lubricant = None; // dry
+/// scene.roughness = Default::default(); // smooth
+/// scene.plastic = None; // elastic
+/// let solution = solve_contact(&scene)?;
+/// solution.report.require_converged().unwrap();
+/// assert!((solution.contact.max_pressure / 1.15e9 - 1.0).abs() < 2e-3);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
+pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {
+    let mut model = ContactModel::new(scene, Overrides::default())?;
+    let grid = model.grid;
+    let ball = setup::heights(&scene.roughness.ball, &grid, "ball")?;
+    let disc = setup::heights(&scene.roughness.disc, &grid, "disc")?;
+    let gap: Vec<f64> =
+        model.form_gap.iter().zip(ball.iter().zip(&disc)).map(|(form, (b, d))| form - b - d).collect();
+    let limit = scene.plastic.map(|plastic| vec![plastic.hardness; grid.len()]);
+    let mut state = ContactState::new(&grid);
+    let report = model.solve(&gap, limit.as_deref(), &mut state)?;
+    let solid: Vec<f64> = (0..grid.len()).map(|k| state.solid_pressure(k)).collect();
+    Ok(ContactSolution {
+        report,
+        grid,
+        hertz: model.hertz,
+        moes: moes(scene, &model),
+        film: film_numbers(&model, &state)?,
+        contact: contact_numbers(&model, &state, &solid, limit.as_deref())?,
+        state,
+        gap,
+    })
+}
+
+fn moes(scene: &Scene, model: &ContactModel) -> Option<(f64, f64)> {
+    let viscosity = model.lubricant.as_ref().map(Lubricant::viscosity);
+    setup::film_conditions(scene, &model.hertz, viscosity).map(|c| (c.moes_load(), c.moes_lubricant()))
+}
+
+pub(super) fn film_numbers(model: &ContactModel, state: &ContactState) -> Result<FilmNumbers, InputError> {
+    Ok(FilmNumbers {
+        central: model.grid.interpolate(&state.film, 0.0, 0.0)?,
+        minimum: metrics::minimum_film(&state.film, &state.pressure)?.unwrap_or(0.0),
+        mean_central: metrics::average_central_film(
+            &model.grid,
+            &state.film,
+            model.hertz.a_x,
+            model.hertz.a_y,
+        )?,
+        minimum_gap: metrics::minimum_gap(&state.film)?,
+    })
+}
+
+pub(super) fn contact_numbers(
+    model: &ContactModel,
+    state: &ContactState,
+    solid: &[f64],
+    limit: Option<&[f64]>,
+) -> Result<ContactNumbers, InputError> {
+    let statistics = metrics::contact_statistics(
+        &model.grid,
+        &state.in_contact,
+        solid,
+        model.hertz.load,
+        model.hertz.a_x,
+        model.hertz.a_y,
+    )?;
+    let at_limit = limit.map_or(0, |limit| state.pressure.iter().zip(limit).filter(|(p, l)| p >= l).count());
+    Ok(ContactNumbers {
+        max_pressure: state.pressure.iter().copied().fold(0.0, f64::max),
+        central_pressure: model.grid.interpolate(&state.pressure, 0.0, 0.0)?,
+        area_ratio: statistics.area_ratio,
+        load_ratio: statistics.load_ratio,
+        area: statistics.area,
+        plastic_area: at_limit as f64 * model.grid.cell_area(),
+    })
+}

@@ -1,0 +1,49 @@
+//! Errors of the simulation.
+
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use crate::error::InputError;
+use crate::report::NotConverged;
+use crate::reynolds::ReynoldsError;
+use crate::surface::SurfaceError;
+
+/// Why a scene could not be built or a step not be taken. The state of a simulation is unchanged by an error.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum SimError {
+    /// A value out of range, a shape that does not fit, or a contradiction.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// A solver could not be used.
+    #[error(transparent)]
+    Reynolds(#[from] ReynoldsError),
+    /// A surface could not be read or prepared.
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
+    /// A contact had to be solved and was not.
+    #[error("the contact of step {step} was not solved at {attempts} positions of the roughness: {source}")]
+    NotConverged {
+        /// Number of the step, from 0.
+        step: u64,
+        /// Positions that were tried.
+        attempts: u32,
+        /// The last attempt.
+        source: NotConverged,
+    },
+    /// A scene file does not fit.
+    #[error("{reason}")]
+    Scene {
+        /// What the parser says, with key and line.
+        reason: String,
+    },
+    /// A file could not be read or written.
+    #[error("{}: {source}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+}

@@ -1,0 +1,107 @@
+//! One row of a history.
+
+use std::io::{self, Write};
+
+use crate::report::SolveReport;
+
+/// The numbers of one committed step; all SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepRecord {
+    /// Number of the step, from 0.
+    pub step: u64,
+    /// Time at the end of the step \[s\].
+    pub time: f64,
+    /// Root mean square heights of ball and disc over their patches, after the step \[m\].
+    pub rq: [f64; 2],
+    /// Composite `sqrt(rq_ball^2 + rq_disc^2)` \[m\].
+    pub composite_rq: f64,
+    /// Mean film over r <= 2a/3 \[m\].
+    pub average_film: f64,
+    /// `average_film / composite_rq`.
+    pub lambda: f64,
+    /// Hamrock-Dowson central film over `composite_rq`; zero without lubricant.
+    pub lambda_old: f64,
+    /// Solid contact area inside the Hertz ellipse over its area.
+    pub area_ratio: f64,
+    /// Share of the load that solid contact carries.
+    pub load_ratio: f64,
+    /// Largest pressure \[Pa\].
+    pub max_pressure: f64,
+    /// Mean pressure over the nodes that carry any \[Pa\].
+    pub mean_pressure: f64,
+    /// Worn depth of ball and disc, mean over the patch \[m\].
+    pub mean_wear: [f64; 2],
+    /// Largest worn depth of ball and disc \[m\].
+    pub max_wear: [f64; 2],
+    /// Tribofilm of ball and disc, mean over the patch \[m\].
+    pub mean_film: [f64; 2],
+    /// Volume flattened away, both bodies \[m^3\].
+    pub plastic_volume: f64,
+    /// Largest flash temperature rise \[K\]; zero where it is not modelled.
+    pub flash_rise: f64,
+    /// Friction coefficient.
+    pub friction_coefficient: f64,
+    /// Smallest film over all nodes \[m\].
+    pub minimum_gap: f64,
+    /// Positions of the roughness that were tried before the contact converged.
+    pub attempts: u32,
+    /// The solve.
+    pub report: SolveReport,
+}
+
+impl StepRecord {
+    /// Names of the columns that [`StepRecord::write_csv`] writes, with units.
+    pub const CSV_HEADER: &'static str = "step,time_s,rq_ball_m,rq_disc_m,rq_composite_m,h_avg_m,lambda,lambda_old,\
+        contact_area_ratio,contact_load_ratio,max_pressure_pa,mean_pressure_pa,mean_wear_ball_m,mean_wear_disc_m,\
+        max_wear_ball_m,max_wear_disc_m,mean_film_ball_m,mean_film_disc_m,plastic_volume_m3,flash_rise_k,\
+        friction_coefficient,minimum_gap_m,attempts,solver,status,mass_residual,load_residual,\
+        complementarity_residual,convolutions,iterations,inner_iterations";
+
+    /// Writes the record as one line of comma-separated values, every digit kept.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write_csv(&self, out: &mut impl Write) -> io::Result<()> {
+        let numbers = [
+            self.time,
+            self.rq[0],
+            self.rq[1],
+            self.composite_rq,
+            self.average_film,
+            self.lambda,
+            self.lambda_old,
+            self.area_ratio,
+            self.load_ratio,
+            self.max_pressure,
+            self.mean_pressure,
+            self.mean_wear[0],
+            self.mean_wear[1],
+            self.max_wear[0],
+            self.max_wear[1],
+            self.mean_film[0],
+            self.mean_film[1],
+            self.plastic_volume,
+            self.flash_rise,
+            self.friction_coefficient,
+            self.minimum_gap,
+        ];
+        write!(out, "{}", self.step)?;
+        for number in numbers {
+            write!(out, ",{number:e}")?;
+        }
+        let (report, residuals) = (&self.report, &self.report.residuals);
+        writeln!(
+            out,
+            ",{},{},{},{:e},{:e},{:e},{},{},{}",
+            self.attempts,
+            report.solver,
+            report.status,
+            residuals.mass,
+            residuals.load,
+            residuals.complementarity,
+            report.work.convolutions,
+            report.work.iterations,
+            report.work.inner_iterations
+        )
+    }
+}

@@ -1,0 +1,496 @@
+//! The physical description of a contact and its history: what a scene file holds.
+
+use std::path::PathBuf;
+
+use crate::analytic::HertzPoint;
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::surface::Form;
+
+/// Everything that defines a contact. All SI; every table that is absent is physics that is not modelled.
+///
+/// With the feature `serde` a scene is read from and written to TOML; unknown keys are errors that name the key.
+/// The keys are the field names; `docs/scene.md` lists them with units and defaults.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct Scene {
+    /// Shape of the bodies.
+    pub form: Form,
+    /// Elastic constants.
+    pub elastic: Elastic,
+    /// Normal load.
+    pub load: Load,
+    /// Speeds; needed where there is a lubricant, sliding or a history.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub motion: Motion,
+    /// The lubricant; absent: dry contact.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub lubricant: Option<LubricantSpec>,
+    /// The grid.
+    pub grid: GridSpec,
+    /// Roughness of the two bodies.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub roughness: RoughnessPair,
+    /// Plastic limit; absent: elastic.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub plastic: Option<PlasticSpec>,
+    /// Friction coefficients for heat and the friction output.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub friction: FrictionSpec,
+    /// Growth of a tribofilm; absent: none.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub tribofilm: Option<TribofilmSpec>,
+    /// Wear; absent: none.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub wear: Option<WearSpec>,
+    /// Temperatures.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub thermal: ThermalSpec,
+    /// How the contact problem is solved.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub solver: SolverSpec,
+}
+
+/// Elastic constants of the pair.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct Elastic {
+    /// `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`.
+    pub equivalent_modulus: f64,
+}
+
+/// Normal load, by exactly one of the two.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+pub struct Load {
+    /// Maximum Hertz pressure of the smooth contact \[Pa\].
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub hertz_pressure: Option<f64>,
+    /// Force \[N\].
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub force: Option<f64>,
+}
+
+/// Speeds of the surfaces along x.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+pub struct Motion {
+    /// Mean of the two surface speeds \[m/s\].
+    pub entrainment_speed: f64,
+    /// Sliding speed over entrainment speed; the ball is the faster one where it is positive.
+    pub slide_roll_ratio: f64,
+}
+
+impl Motion {
+    /// Sliding speed, never negative \[m/s\].
+    pub fn sliding_speed(&self) -> f64 {
+        (self.entrainment_speed * self.slide_roll_ratio).abs()
+    }
+
+    /// Speeds of ball and disc \[m/s\].
+    pub fn surface_speeds(&self) -> [f64; 2] {
+        let half = 0.5 * self.slide_roll_ratio;
+        [self.entrainment_speed * (1.0 + half), self.entrainment_speed * (1.0 - half)]
+    }
+}
+
+/// Roelands viscosity and Dowson-Higginson density.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct LubricantSpec {
+    /// Viscosity at ambient pressure \[Pa s\].
+    pub eta0: f64,
+    /// Roelands index.
+    pub roelands_z: f64,
+    /// Roelands reference pressure \[Pa\].
+    #[cfg_attr(feature = "serde", serde(default = "defaults::roelands_p0"))]
+    pub roelands_p0: f64,
+    /// Pressure-viscosity coefficient \[1/Pa\]: the slope of the law is set to it where it is given, else it follows
+    /// from `eta0`, `roelands_z` and `roelands_p0`.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub alpha: Option<f64>,
+    /// Dowson-Higginson `a` \[1/Pa\].
+    #[cfg_attr(feature = "serde", serde(default = "defaults::density_a"))]
+    pub density_a: f64,
+    /// Dowson-Higginson `b` \[1/Pa\].
+    #[cfg_attr(feature = "serde", serde(default = "defaults::density_b"))]
+    pub density_b: f64,
+}
+
+/// The grid by its box.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct GridSpec {
+    /// Cells along x.
+    pub nx: usize,
+    /// Cells along y.
+    pub ny: usize,
+    /// Outer edges along x \[m\]; the flow goes along +x.
+    pub x: [f64; 2],
+    /// Outer edges along y \[m\].
+    pub y: [f64; 2],
+}
+
+/// Roughness of ball and disc.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+pub struct RoughnessPair {
+    /// The ball, body 0.
+    pub ball: Roughness,
+    /// The disc, body 1.
+    pub disc: Roughness,
+}
+
+/// Roughness of one body.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)
+)]
+pub enum Roughness {
+    /// Smooth.
+    #[default]
+    None,
+    /// Random, Gaussian autocorrelation.
+    Gaussian(RandomRoughness),
+    /// Random, exponential autocorrelation.
+    Exponential(RandomRoughness),
+    /// A measured surface.
+    File(FileRoughness),
+}
+
+/// Parameters of random roughness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct RandomRoughness {
+    /// Root mean square height \[m\].
+    pub rq: f64,
+    /// Length along x where the autocorrelation is 10 % \[m\].
+    pub length_x: f64,
+    /// Length along y where the autocorrelation is 10 % \[m\].
+    pub length_y: f64,
+    /// Seed.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub seed: u64,
+}
+
+/// A file of heights.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct FileRoughness {
+    /// Path, relative to the scene file. A `.npy` of shape (ny, nx) is taken node by node, heights in metres,
+    /// positive out of the body; a file with spacings is levelled, mirror-tiled and resampled to the grid.
+    pub path: PathBuf,
+    /// Root mean square height to rescale to \[m\].
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub rq: Option<f64>,
+}
+
+/// Pressure limit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct PlasticSpec {
+    /// Hardness of the substrate \[Pa\].
+    pub hardness: f64,
+    /// Hardness of a tribofilm of full thickness \[Pa\]; the limit falls linearly with the film.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub film_hardness: Option<f64>,
+}
+
+/// Friction of solid contact and of the fluid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+pub struct FrictionSpec {
+    /// Boundary friction coefficient of solid contact.
+    pub boundary_coefficient: f64,
+    /// Largest shear stress that the fluid carries \[Pa\].
+    pub limiting_shear_stress: f64,
+}
+
+impl Default for FrictionSpec {
+    fn default() -> Self {
+        Self { boundary_coefficient: 0.115, limiting_shear_stress: 1e8 }
+    }
+}
+
+/// Two-state growth and removal of a tribofilm (see [`crate::tribochem::Ghanbarzadeh`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+pub struct TribofilmSpec {
+    /// Thickness that growth alone approaches \[m\].
+    pub maximum_thickness: f64,
+    /// Mechanical activation factor.
+    pub x_tribo: f64,
+    /// Thickness that removal takes in the end \[m\].
+    pub removal_limit: f64,
+    /// Rate of removal \[1/s\].
+    pub removal_rate: f64,
+}
+
+impl Default for TribofilmSpec {
+    /// The constants of Azam et al. (2019).
+    fn default() -> Self {
+        Self { maximum_thickness: 200e-9, x_tribo: 1.66e-16, removal_limit: 54.32e-9, removal_rate: 4.022e-4 }
+    }
+}
+
+/// Archard wear with a film-dependent coefficient.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+pub struct WearSpec {
+    /// Dimensionless coefficient of the bare surface.
+    pub coefficient: f64,
+    /// Dimensionless coefficient under a film of full thickness.
+    pub film_coefficient: f64,
+    /// Hardness that divides the coefficient \[Pa\].
+    pub hardness: f64,
+    /// Whether only solid pressure wears, or all pressure.
+    pub solid_pressure_only: bool,
+}
+
+impl Default for WearSpec {
+    /// The constants of Azam et al. (2019), all pressure.
+    fn default() -> Self {
+        Self {
+            coefficient: 5.45e-8,
+            film_coefficient: 5.45e-9,
+            hardness: 6e9,
+            solid_pressure_only: false,
+        }
+    }
+}
+
+/// Temperatures and thermal constants of both bodies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+pub struct ThermalSpec {
+    /// Bulk temperature \[K\].
+    pub bulk_temperature: f64,
+    /// Flash temperature: computed, left out, or by its estimate.
+    pub flash: Flash,
+    /// Thermal conductivity \[W/(m K)\].
+    pub conductivity: f64,
+    /// Thermal diffusivity \[m^2/s\].
+    pub diffusivity: f64,
+}
+
+impl Default for ThermalSpec {
+    fn default() -> Self {
+        Self { bulk_temperature: 353.15, flash: Flash::Auto, conductivity: 46.0, diffusivity: 1.27e-5 }
+    }
+}
+
+/// Whether the flash temperature is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum Flash {
+    /// Computed where its estimate is 1 K or more.
+    #[default]
+    Auto,
+    /// Computed.
+    On,
+    /// Left out.
+    Off,
+}
+
+/// How the contact problem is solved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+pub struct SolverSpec {
+    /// Which solver.
+    pub kind: SolverKind,
+    /// Bound for every residual.
+    pub tolerance: f64,
+    /// Largest number of outer iterations.
+    pub max_iterations: u64,
+    /// Discretisation of the wedge term.
+    pub scheme: SchemeKind,
+    /// Film thickness at which solids touch \[m\].
+    pub film_cutoff: f64,
+    /// Under-relaxation of the semi-system sweeps.
+    pub relaxation: f64,
+    /// Stiffening of the implicit deformation in the semi-system sweeps.
+    pub stiffness: f64,
+}
+
+impl Default for SolverSpec {
+    fn default() -> Self {
+        Self {
+            kind: SolverKind::Auto,
+            tolerance: 1e-6,
+            max_iterations: 20_000,
+            scheme: SchemeKind::FirstOrder,
+            film_cutoff: 1e-9,
+            relaxation: 0.2,
+            stiffness: 6.0,
+        }
+    }
+}
+
+/// The solvers a scene can name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum SolverKind {
+    /// By what the scene holds, with fallback.
+    Auto,
+    /// Semi-system line sweeps.
+    SemiSystem,
+    /// Semismooth Newton with Krylov steps.
+    NewtonKrylov,
+    /// Dry contact; a lubricant in the scene is left out.
+    Dry,
+}
+
+/// Discretisations of the wedge term a scene can name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum SchemeKind {
+    /// First-order upwind.
+    FirstOrder,
+}
+
+#[cfg(feature = "serde")]
+mod defaults {
+    pub(super) fn roelands_p0() -> f64 {
+        1.96e8
+    }
+    pub(super) fn density_a() -> f64 {
+        0.6e-9
+    }
+    pub(super) fn density_b() -> f64 {
+        1.7e-9
+    }
+}
+
+impl Scene {
+    /// The scene of Azam et al. (2019): steel ball on rough disc, base oil at 80 C, two hours of rubbing, without a
+    /// tribofilm. Autocorrelation, its length and the seeds are choices the paper leaves open.
+    ///
+    /// ```
+    /// let scene = stribeck::sim::Scene::azam_2019(128);
+    /// let hertz = scene.hertz()?;
+    /// assert!((hertz.a_x - 149.83e-6).abs() < 0.01e-6);
+    /// assert!((hertz.load - 54.07).abs() < 0.01);
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    pub fn azam_2019(n: usize) -> Self {
+        let random = |rq, seed| {
+            Roughness::Gaussian(RandomRoughness { rq, length_x: 10e-6, length_y: 10e-6, seed })
+        };
+        Self {
+            form: Form::Sphere { radius: 9.525e-3 },
+            elastic: Elastic { equivalent_modulus: 229.67e9 },
+            load: Load { hertz_pressure: Some(1.15e9), force: None },
+            motion: Motion { entrainment_speed: 0.1, slide_roll_ratio: 0.05 },
+            lubricant: Some(LubricantSpec {
+                eta0: 0.004,
+                roelands_z: 0.68,
+                roelands_p0: 1.96e8,
+                alpha: None,
+                density_a: 0.6e-9,
+                density_b: 1.7e-9,
+            }),
+            grid: GridSpec { nx: n, ny: n, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] },
+            roughness: RoughnessPair { ball: random(20e-9, 1), disc: random(130e-9, 2) },
+            plastic: Some(PlasticSpec { hardness: 6e9, film_hardness: Some(2e9) }),
+            friction: FrictionSpec::default(),
+            tribofilm: None,
+            wear: Some(WearSpec::default()),
+            thermal: ThermalSpec::default(),
+            solver: SolverSpec::default(),
+        }
+    }
+
+    /// The same scene with the tribofilm of Azam et al. (2019).
+    #[must_use]
+    pub fn with_tribofilm(mut self) -> Self {
+        self.tribofilm = Some(TribofilmSpec::default());
+        self
+    }
+
+    /// The grid.
+    ///
+    /// # Errors
+    /// Counts or edges out of range.
+    pub fn grid(&self) -> Result<Grid, InputError> {
+        Grid::from_edges(self.grid.nx, self.grid.ny, self.grid.x, self.grid.y)
+    }
+
+    /// The Hertz contact of the smooth bodies.
+    ///
+    /// # Errors
+    /// Form, modulus or load out of range, or both kinds of load, or none.
+    pub fn hertz(&self) -> Result<HertzPoint, InputError> {
+        self.form.validate()?;
+        let (radius_x, radius_y) = self.form.radii();
+        let modulus = self.elastic.equivalent_modulus;
+        match (self.load.hertz_pressure, self.load.force) {
+            (Some(pressure), None) => {
+                InputError::require_positive("load.hertz_pressure", pressure)?;
+                HertzPoint::from_max_pressure(radius_x, radius_y, modulus, pressure)
+            }
+            (None, Some(force)) => {
+                InputError::require_positive("load.force", force)?;
+                HertzPoint::from_load(radius_x, radius_y, modulus, force)
+            }
+            (both, _) => Err(InputError::Conflict {
+                field: "load".to_owned(),
+                reason: if both.is_some() {
+                    "give hertz_pressure or force, not both".to_owned()
+                } else {
+                    "hertz_pressure or force is missing".to_owned()
+                },
+            }),
+        }
+    }
+
+    /// Whether the contact is solved with a lubricant.
+    pub fn is_lubricated(&self) -> bool {
+        self.lubricant.is_some() && self.solver.kind != SolverKind::Dry
+    }
+}
+
+#[cfg(feature = "serde")]
+mod files {
+    use std::path::Path;
+
+    use super::{Roughness, Scene};
+    use crate::sim::SimError;
+
+    impl Scene {
+        /// A scene from TOML text.
+        ///
+        /// # Errors
+        /// [`SimError::Scene`] naming the key and the line of what does not fit.
+        pub fn from_toml(text: &str) -> Result<Self, SimError> {
+            toml::from_str(text).map_err(|e| SimError::Scene { reason: e.to_string().trim().to_owned() })
+        }
+
+        /// The scene as TOML text.
+        ///
+        /// # Errors
+        /// [`SimError::Scene`] when a path is not UTF-8.
+        pub fn to_toml(&self) -> Result<String, SimError> {
+            toml::to_string(self).map_err(|e| SimError::Scene { reason: e.to_string() })
+        }
+
+        /// Reads a scene file; paths of roughness files in it are taken relative to its folder.
+        ///
+        /// # Errors
+        /// [`SimError::Io`] when the file cannot be read, [`SimError::Scene`] when it does not fit.
+        pub fn load(path: impl AsRef<Path>) -> Result<Self, SimError> {
+            let path = path.as_ref();
+            let text = std::fs::read_to_string(path)
+                .map_err(|source| SimError::Io { path: path.to_owned(), source })?;
+            let mut scene = Self::from_toml(&text)?;
+            let folder = path.parent().unwrap_or(Path::new(""));
+            for roughness in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
+                if let Roughness::File(file) = roughness {
+                    file.path = folder.join(&file.path);
+                }
+            }
+            Ok(scene)
+        }
+    }
+}

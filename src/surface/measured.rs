@@ -1,0 +1,374 @@
+//! A measured surface: heights on a rectangle of points, some of them perhaps undefined.
+
+use faer::{Mat, Side};
+
+use super::error::SurfaceError;
+use super::resample::{Tiling, resample};
+use crate::error::InputError;
+use crate::grid::Grid;
+
+/// Sweeps that smooth the filled holes after the nearest values have grown into them.
+const FILL_SWEEPS: usize = 200;
+
+/// Measured heights \[m\] of `nx` x `ny` points, row-major with x fastest, and the spacing of the points where it is known.
+///
+/// Undefined points (the instrument saw nothing) are flagged in a mask; their height is stored as 0.
+///
+/// ```
+/// use stribeck::{Grid, surface::Heights};
+/// let ripple: Vec<f64> = (0..64 * 32).map(|k| if k % 2 == 0 { 1e-7 } else { -1e-7 }).collect();
+/// let measured = Heights::new(64, 32, Some([1e-6, 1e-6]), ripple, None)?;
+/// let on_grid = measured.fit_to_grid(&Grid::centred(100, 100, 1e-6, 1e-6)?)?;
+/// assert_eq!(on_grid.len(), 10_000);
+/// # Ok::<(), stribeck::surface::SurfaceError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Heights {
+    nx: usize,
+    ny: usize,
+    spacing: Option<[f64; 2]>,
+    heights: Vec<f64>,
+    /// `None`: all points are defined.
+    defined: Option<Vec<bool>>,
+}
+
+impl Heights {
+    /// Surface of `nx` x `ny` points with `spacing` `[dx, dy]` \[m\] and a mask of the defined points (`None`: all).
+    ///
+    /// Heights of undefined points are ignored, whatever they are.
+    ///
+    /// # Errors
+    /// A count of zero or more than [`Grid::MAX_NODES`] points, a spacing that is not positive, slices of the wrong
+    /// length, a defined height that is not finite.
+    pub fn new(
+        nx: usize,
+        ny: usize,
+        spacing: Option<[f64; 2]>,
+        mut heights: Vec<f64>,
+        defined: Option<Vec<bool>>,
+    ) -> Result<Self, SurfaceError> {
+        let [dx, dy] = spacing.unwrap_or([1.0, 1.0]);
+        let points = Grid::centred(nx, ny, dx, dy)?.len();
+        InputError::require_len("heights", &heights, points)?;
+        let defined = defined.filter(|mask| mask.len() != points || mask.contains(&false));
+        if let Some(mask) = &defined {
+            if mask.len() != points {
+                let (expected, found) = (points, mask.len());
+                return Err(InputError::Shape { field: "defined".to_owned(), expected, found }.into());
+            }
+            for (height, _) in heights.iter_mut().zip(mask).filter(|(_, defined)| !**defined) {
+                *height = 0.0;
+            }
+        }
+        InputError::require_finite("heights", &heights)?;
+        Ok(Self { nx, ny, spacing, heights, defined })
+    }
+
+    /// The same heights with spacing `dx`, `dy` \[m\], for formats that hold none.
+    ///
+    /// # Errors
+    /// A spacing that is not finite and positive.
+    pub fn with_spacing(mut self, dx: f64, dy: f64) -> Result<Self, SurfaceError> {
+        Grid::centred(self.nx, self.ny, dx, dy)?;
+        self.spacing = Some([dx, dy]);
+        Ok(self)
+    }
+
+    /// Number of points along x.
+    #[must_use]
+    pub fn nx(&self) -> usize {
+        self.nx
+    }
+
+    /// Number of points along y.
+    #[must_use]
+    pub fn ny(&self) -> usize {
+        self.ny
+    }
+
+    /// Spacing along x \[m\] where it is known.
+    #[must_use]
+    pub fn dx(&self) -> Option<f64> {
+        self.spacing.map(|[dx, _]| dx)
+    }
+
+    /// Spacing along y \[m\] where it is known.
+    #[must_use]
+    pub fn dy(&self) -> Option<f64> {
+        self.spacing.map(|[_, dy]| dy)
+    }
+
+    /// The heights \[m\], point `(i, j)` at `j * nx + i`; undefined points hold 0.
+    #[must_use]
+    pub fn heights(&self) -> &[f64] {
+        &self.heights
+    }
+
+    /// Mask of the defined points, `None` when all are.
+    #[must_use]
+    pub fn defined(&self) -> Option<&[bool]> {
+        self.defined.as_deref()
+    }
+
+    /// Number of undefined points.
+    #[must_use]
+    pub fn undefined(&self) -> usize {
+        self.defined.as_ref().map_or(0, |mask| mask.iter().filter(|defined| !**defined).count())
+    }
+
+    /// Fills the undefined points: the defined heights grow inwards as the mean of the neighbours already known, then
+    /// relaxation towards Laplace's equation smooths the filled area (a membrane over the hole). Defined heights
+    /// stay as they are.
+    ///
+    /// # Errors
+    /// [`SurfaceError::AllUndefined`] when nothing is known.
+    ///
+    /// ```
+    /// # use stribeck::surface::Heights;
+    /// let mut line = Heights::new(5, 1, None, vec![0.0, 9.9, 9.9, 9.9, 4e-6],
+    ///     Some(vec![true, false, false, false, true]))?;
+    /// line.fill_undefined()?;
+    /// assert!((line.heights()[1] - 1e-6).abs() < 1e-12 && line.undefined() == 0);
+    /// # Ok::<(), stribeck::surface::SurfaceError>(())
+    /// ```
+    pub fn fill_undefined(&mut self) -> Result<(), SurfaceError> {
+        let Some(mut known) = self.defined.clone() else { return Ok(()) };
+        let holes = self.grow_into_holes(&mut known)?;
+        for _ in 0..FILL_SWEEPS {
+            for &k in &holes {
+                let (sum, count) =
+                    self.neighbours(k).fold((0.0, 0.0), |(s, n), l| (s + self.heights[l], n + 1.0));
+                if count > 0.0 {
+                    self.heights[k] = sum / count;
+                }
+            }
+        }
+        self.defined = None;
+        Ok(())
+    }
+
+    /// Gives each unknown point the mean of its known neighbours, ring by ring; returns the points so filled.
+    fn grow_into_holes(&mut self, known: &mut [bool]) -> Result<Vec<usize>, SurfaceError> {
+        let mut filled = Vec::new();
+        let touches = |surface: &Self, known: &[bool], k: usize| surface.neighbours(k).any(|l| known[l]);
+        let mut ring: Vec<usize> =
+            (0..known.len()).filter(|&k| !known[k] && touches(self, known, k)).collect();
+        while !ring.is_empty() {
+            for &k in &ring {
+                let near = self.neighbours(k).filter(|&l| known[l]);
+                let (sum, count) = near.fold((0.0, 0.0), |(s, n), l| (s + self.heights[l], n + 1.0));
+                self.heights[k] = sum / count;
+            }
+            ring.iter().for_each(|&k| known[k] = true);
+            let mut next: Vec<usize> =
+                ring.iter().flat_map(|&k| self.neighbours(k)).filter(|&l| !known[l]).collect();
+            next.sort_unstable();
+            next.dedup();
+            filled.append(&mut ring);
+            ring = next;
+        }
+        if known.iter().all(|&k| k) {
+            Ok(filled)
+        } else {
+            Err(SurfaceError::AllUndefined { points: known.len() })
+        }
+    }
+
+    /// The up to four neighbours of point `k`.
+    fn neighbours(&self, k: usize) -> impl Iterator<Item = usize> + use<> {
+        let (nx, last) = (self.nx, self.heights.len());
+        let i = k % nx;
+        let left = (i > 0).then(|| k - 1);
+        let right = (i + 1 < nx).then_some(k + 1);
+        let below = k.checked_sub(nx);
+        let above = (k + nx < last).then_some(k + nx);
+        [left, right, below, above].into_iter().flatten()
+    }
+
+    /// Subtracts the plane of least squares through the defined points. A direction in which they do not extend
+    /// keeps its slope.
+    ///
+    /// # Errors
+    /// [`SurfaceError::AllUndefined`] when nothing is known; [`SurfaceError::Input`] for heights so large that the sums
+    /// overflow.
+    ///
+    /// ```
+    /// # use stribeck::surface::Heights;
+    /// let tilted = (0..12).map(|k| 1e-6 * f64::from(k % 4) - 2e-6 * f64::from(k / 4)).collect();
+    /// let mut surface = Heights::new(4, 3, None, tilted, None)?;
+    /// surface.remove_plane()?;
+    /// assert!(surface.heights().iter().all(|z| z.abs() < 1e-18));
+    /// # Ok::<(), stribeck::surface::SurfaceError>(())
+    /// ```
+    pub fn remove_plane(&mut self) -> Result<(), SurfaceError> {
+        let [c0, c1, c2] = self.fit_plane()?;
+        for k in 0..self.heights.len() {
+            let (u, v) = self.centred_position(k);
+            if self.is_defined(k) {
+                self.heights[k] -= c0 + c1 * u + c2 * v;
+            }
+        }
+        Ok(())
+    }
+
+    fn is_defined(&self, k: usize) -> bool {
+        self.defined.as_ref().is_none_or(|mask| mask[k])
+    }
+
+    /// Position of point `k` in the square from -1 to 1.
+    fn centred_position(&self, k: usize) -> (f64, f64) {
+        let scaled = |i: usize, n: usize| (2.0 * i as f64 + 1.0) / n as f64 - 1.0;
+        (scaled(k % self.nx, self.nx), scaled(k / self.nx, self.ny))
+    }
+
+    /// Coefficients of `c0 + c1 u + c2 v` of least squares and least norm, by the eigenvectors of the 3 x 3 normal
+    /// matrix (the positions are centred and scaled, so it is well conditioned unless the points are collinear).
+    fn fit_plane(&self) -> Result<[f64; 3], SurfaceError> {
+        let points = self.heights.len();
+        let mut matrix = Mat::<f64>::zeros(3, 3);
+        let mut right = [0.0; 3];
+        let count = points - self.undefined();
+        if count == 0 {
+            return Err(SurfaceError::AllUndefined { points });
+        }
+        for k in (0..points).filter(|&k| self.is_defined(k)) {
+            let (u, v) = self.centred_position(k);
+            let basis = [1.0, u, v];
+            for (row, a) in basis.iter().enumerate() {
+                right[row] += a * self.heights[k] / count as f64;
+                for (column, b) in basis.iter().enumerate() {
+                    matrix[(row, column)] += a * b / count as f64;
+                }
+            }
+        }
+        InputError::require_finite("heights, summed over all points", &right)?;
+        let eigen = matrix.self_adjoint_eigen(Side::Lower).map_err(|_| InputError::Conflict {
+            field: "heights".to_owned(),
+            reason: "the plane of least squares cannot be found".to_owned(),
+        })?;
+        let mut plane = [0.0; 3];
+        for mode in 0..3 {
+            let (value, vector) = (eigen.S()[mode], eigen.U().col(mode));
+            if value > 1e-12 {
+                let weight = (0..3).map(|row| vector[row] * right[row]).sum::<f64>() / value;
+                (0..3).for_each(|row| plane[row] += weight * vector[row]);
+            }
+        }
+        Ok(plane)
+    }
+
+    /// The central `nx` x `ny` points.
+    ///
+    /// # Errors
+    /// [`SurfaceError::Input`] for a count of zero or above that of the surface.
+    ///
+    /// ```
+    /// # use stribeck::surface::Heights;
+    /// let surface = Heights::new(4, 1, None, vec![0.0, 1.0, 2.0, 3.0], None)?;
+    /// assert_eq!(surface.crop_to(2, 1)?.heights(), [1.0, 2.0]);
+    /// # Ok::<(), stribeck::surface::SurfaceError>(())
+    /// ```
+    pub fn crop_to(&self, nx: usize, ny: usize) -> Result<Self, SurfaceError> {
+        for (field, wanted, available) in [("nx", nx, self.nx), ("ny", ny, self.ny)] {
+            let fits = (1..=available).contains(&wanted);
+            InputError::require(fits, field, wanted as f64, "at least 1 and at most that of the surface")?;
+        }
+        let (left, bottom) = ((self.nx - nx) / 2, (self.ny - ny) / 2);
+        let start = |j: usize| (j + bottom) * self.nx + left;
+        let heights = (0..ny).flat_map(|j| &self.heights[start(j)..start(j) + nx]).copied().collect();
+        let mask = self.defined.as_ref();
+        let defined =
+            mask.map(|mask| (0..ny).flat_map(|j| &mask[start(j)..start(j) + nx]).copied().collect());
+        Self::new(nx, ny, self.spacing, heights, defined)
+    }
+
+    /// Heights \[m\] on `grid`, from a window of its size in the middle of the surface; positions of the grid do not matter.
+    ///
+    /// Along an axis where the grid is the coarser of the two, cells receive the average of the area they cover
+    /// (which lowers the roughness: wavelengths below the cell are gone), else linear interpolation. Opposite
+    /// edges of the result do not fit together: see [`Heights::resample_mirrored`] for periodic roughness.
+    ///
+    /// # Errors
+    /// [`SurfaceError::NoSpacing`], [`SurfaceError::Undefined`], or [`SurfaceError::TooSmall`] when the window does not fit.
+    ///
+    /// ```
+    /// # use stribeck::{Grid, surface::Heights};
+    /// let surface = Heights::new(4, 1, Some([1e-6, 1e-6]), vec![0.0, 2.0, 4.0, 6.0], None)?;
+    /// let coarse = surface.resample(&Grid::centred(2, 1, 2e-6, 1e-6)?)?;
+    /// assert!((coarse[0] - 1.0).abs() < 1e-12 && (coarse[1] - 5.0).abs() < 1e-12);
+    /// # Ok::<(), stribeck::surface::SurfaceError>(())
+    /// ```
+    pub fn resample(&self, grid: &Grid) -> Result<Vec<f64>, SurfaceError> {
+        let [dx, dy] = self.usable_spacing()?;
+        let (measured_x, measured_y) = (dx * self.nx as f64, dy * self.ny as f64);
+        let (grid_x, grid_y) = (grid.size_x(), grid.size_y());
+        if grid_x > measured_x * (1.0 + 1e-9) || grid_y > measured_y * (1.0 + 1e-9) {
+            return Err(SurfaceError::TooSmall { measured_x, measured_y, grid_x, grid_y });
+        }
+        Ok(resample(&self.heights, [self.nx, self.ny], [dx, dy], grid, Tiling::Window))
+    }
+
+    /// Heights \[m\] on `grid`, periodic and of any size: a window in the middle of the surface is laid out in mirror
+    /// images, like tiles that are flipped over at each edge, so that heights are continuous everywhere and
+    /// opposite edges of the grid fit together.
+    ///
+    /// Along each axis the window is the largest that fits an even number of times into the grid. The pattern
+    /// repeats, and its mirror symmetry is visible at the seams: averages of roughness are kept, the longest
+    /// wavelengths are not. Cells are averaged or interpolated as in [`Heights::resample`].
+    ///
+    /// # Errors
+    /// [`SurfaceError::NoSpacing`] or [`SurfaceError::Undefined`]; [`SurfaceError::Input`] when the measured area is so small that it
+    /// would be repeated more often than the grid has nodes.
+    ///
+    /// ```
+    /// # use stribeck::{Grid, surface::Heights};
+    /// let surface = Heights::new(2, 1, Some([1e-6, 1e-6]), vec![0.0, 1.0], None)?;
+    /// let tiled = surface.resample_mirrored(&Grid::centred(8, 1, 1e-6, 1e-6)?)?;
+    /// let expected = [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0];
+    /// assert!(tiled.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12));
+    /// # Ok::<(), stribeck::surface::SurfaceError>(())
+    /// ```
+    pub fn resample_mirrored(&self, grid: &Grid) -> Result<Vec<f64>, SurfaceError> {
+        let [dx, dy] = self.usable_spacing()?;
+        let axes = [
+            ("grid.x", grid.size_x(), dx * self.nx as f64, grid.nx()),
+            ("grid.y", grid.size_y(), dy * self.ny as f64, grid.ny()),
+        ];
+        for (field, size, measured, nodes) in axes {
+            let fits = size / measured <= nodes as f64;
+            InputError::require(fits, field, size, "at most one measured extent per node")?;
+        }
+        Ok(resample(&self.heights, [self.nx, self.ny], [dx, dy], grid, Tiling::Mirrored))
+    }
+
+    /// The spacing, provided that all points are defined.
+    fn usable_spacing(&self) -> Result<[f64; 2], SurfaceError> {
+        match self.undefined() {
+            0 => self.spacing.ok_or(SurfaceError::NoSpacing),
+            points => Err(SurfaceError::Undefined { points }),
+        }
+    }
+
+    /// The measured roughness on a simulation grid \[m\], periodic and with zero mean: [`Heights::fill_undefined`],
+    /// [`Heights::remove_plane`], [`Heights::resample_mirrored`], then removal of the mean.
+    ///
+    /// # Errors
+    /// [`SurfaceError::NoSpacing`], [`SurfaceError::AllUndefined`], or those of the three steps.
+    ///
+    /// ```
+    /// # use stribeck::{Grid, surface::Heights};
+    /// let surface = Heights::new(3, 1, Some([1e-6, 1e-6]), vec![5e-6, 5e-6, 5e-6], None)?;
+    /// let flat = surface.fit_to_grid(&Grid::centred(7, 7, 1e-6, 1e-7)?)?;
+    /// assert!(flat.iter().all(|z| z.abs() < 1e-18));
+    /// # Ok::<(), stribeck::surface::SurfaceError>(())
+    /// ```
+    pub fn fit_to_grid(&self, grid: &Grid) -> Result<Vec<f64>, SurfaceError> {
+        let mut level = self.clone();
+        level.fill_undefined()?;
+        level.remove_plane()?;
+        let mut heights = level.resample_mirrored(grid)?;
+        let mean = heights.iter().sum::<f64>() / heights.len() as f64;
+        heights.iter_mut().for_each(|z| *z -= mean);
+        Ok(heights)
+    }
+}

@@ -1,0 +1,36 @@
+//! What wakes the chemistry of a node.
+
+use crate::rubbing::RubbingPoint;
+
+/// The condition under which a node grows and loses film; otherwise its film is frozen.
+///
+/// ```
+/// use stribeck::RubbingPoint;
+/// use stribeck::tribochem::Activation;
+/// let at = RubbingPoint { pressure: 1e9, solid_pressure: 0.0, shear_stress: 0.0, temperature: 353.15,
+///     sliding_speed: 0.005, film_thickness: 20e-9, in_contact: false };
+/// assert!(!Activation::SolidContact.is_active(&at));
+/// assert!(Activation::Pressure.is_active(&at));
+/// assert!(!Activation::ShearStress.is_active(&at));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Activation {
+    /// The node counts as solid contact (default; boundary films on asperities).
+    #[default]
+    SolidContact,
+    /// The node carries pressure, fluid or solid.
+    Pressure,
+    /// The node is sheared, whether by fluid or by contact (growth in full films).
+    ShearStress,
+}
+
+impl Activation {
+    /// Whether chemistry runs at a node in the state `at`.
+    pub fn is_active(self, at: &RubbingPoint) -> bool {
+        match self {
+            Self::SolidContact => at.in_contact,
+            Self::Pressure => at.pressure > 0.0,
+            Self::ShearStress => at.shear_stress.abs() > 0.0,
+        }
+    }
+}

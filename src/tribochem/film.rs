@@ -1,0 +1,142 @@
+//! The film of one body.
+
+use super::FilmGrowthLaw;
+use crate::error::InputError;
+use crate::rubbing::RubbingPoint;
+
+/// The tribofilm on one body, node by node of that body's own surface; it moves with the body.
+///
+/// States are node-major, `states[node * n_states + s]`. The film remembers the states, not the law: hand the
+/// same law to every call.
+///
+/// ```
+/// use stribeck::RubbingPoint;
+/// use stribeck::tribochem::{Ghanbarzadeh, Tribofilm};
+/// let law = Ghanbarzadeh::azam_2019();
+/// let mut film = Tribofilm::bare(&law, 4);
+/// let contact = RubbingPoint { pressure: 1e9, solid_pressure: 1e9, shear_stress: 1e8, temperature: 353.15,
+///     sliding_speed: 0.005, film_thickness: 0.0, in_contact: true };
+/// let open = RubbingPoint { in_contact: false, ..contact };
+/// film.advance(&law, 600.0, |node| if node < 2 { contact } else { open })?;
+/// assert!((film.thickness()[0] - 92.25e-9).abs() < 0.01e-9);
+/// assert_eq!(film.thickness()[3], 0.0);
+/// assert!((film.volume(1e-12) - 2.0 * 92.25e-21).abs() < 1e-22);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tribofilm {
+    n_states: usize,
+    states: Vec<f64>,
+    thickness: Vec<f64>,
+    gained: f64,
+    lost: f64,
+}
+
+impl Tribofilm {
+    /// A bare surface of `n_nodes` nodes under `law`.
+    pub fn bare(law: &dyn FilmGrowthLaw, n_nodes: usize) -> Self {
+        let n_states = law.n_states().max(1);
+        Self {
+            n_states,
+            states: vec![0.0; n_states * n_nodes],
+            thickness: vec![0.0; n_nodes],
+            gained: 0.0,
+            lost: 0.0,
+        }
+    }
+
+    /// A film of given `thickness` \[m\] a node and no further history.
+    ///
+    /// # Errors
+    /// A thickness that is negative or not finite.
+    pub fn from_thickness(law: &dyn FilmGrowthLaw, thickness: &[f64]) -> Result<Self, InputError> {
+        InputError::require_finite("tribofilm.thickness", thickness)?;
+        for &value in thickness {
+            InputError::require_non_negative("tribofilm.thickness", value)?;
+        }
+        let mut film = Self::bare(law, thickness.len());
+        for (states, &value) in film.states.chunks_exact_mut(film.n_states).zip(thickness) {
+            law.start(value, states);
+        }
+        film.thickness.copy_from_slice(thickness);
+        Ok(film)
+    }
+
+    /// Advances every node by `time_step` \[s\] under the conditions `point(node)`, node counted on the
+    /// body's own surface. Allocates nothing.
+    ///
+    /// # Errors
+    /// A time step that is negative or not finite, or a law with another number of states than the film was
+    /// made with: the film is unchanged. A law that returned a thickness that is not finite: the film holds
+    /// it, the error names the node.
+    pub fn advance(
+        &mut self,
+        law: &dyn FilmGrowthLaw,
+        time_step: f64,
+        mut point: impl FnMut(usize) -> RubbingPoint,
+    ) -> Result<(), InputError> {
+        InputError::require_non_negative("time_step", time_step)?;
+        self.require_law(law)?;
+        let nodes = self.states.chunks_exact_mut(self.n_states).zip(&mut self.thickness);
+        for (node, (states, thickness)) in nodes.enumerate() {
+            law.advance(&point(node), time_step, states);
+            let change = law.thickness(states) - *thickness;
+            *thickness = law.thickness(states);
+            self.gained += change.max(0.0);
+            self.lost += (-change).max(0.0);
+        }
+        InputError::require_finite("tribofilm.thickness", &self.thickness)
+    }
+
+    fn require_law(&self, law: &dyn FilmGrowthLaw) -> Result<(), InputError> {
+        if law.n_states().max(1) == self.n_states {
+            return Ok(());
+        }
+        Err(InputError::Shape {
+            field: "tribofilm.states of a node".to_owned(),
+            expected: law.n_states().max(1),
+            found: self.n_states,
+        })
+    }
+
+    /// Thickness of every node \[m\].
+    pub fn thickness(&self) -> &[f64] {
+        &self.thickness
+    }
+
+    /// States of every node, node-major.
+    pub fn states(&self) -> &[f64] {
+        &self.states
+    }
+
+    /// Number of states a node.
+    pub fn n_states(&self) -> usize {
+        self.n_states
+    }
+
+    /// Volume of the film \[m^3\] on cells of `cell_area` \[m^2\].
+    pub fn volume(&self, cell_area: f64) -> f64 {
+        self.thickness.iter().sum::<f64>() * cell_area
+    }
+
+    /// Volume \[m^3\] by which nodes became thicker, summed over nodes and steps. It is net of what was
+    /// removed at the node within the step; `gained - lost` is the change of [`volume`](Self::volume) since
+    /// the start.
+    pub fn gained_volume(&self, cell_area: f64) -> f64 {
+        self.gained * cell_area
+    }
+
+    /// Volume \[m^3\] by which nodes became thinner, summed over nodes and steps; see
+    /// [`gained_volume`](Self::gained_volume).
+    pub fn lost_volume(&self, cell_area: f64) -> f64 {
+        self.lost * cell_area
+    }
+
+    /// Volume \[m^3\] grown in total, that of the film at the start included, where the law keeps growth and
+    /// removal apart; what was removed is this less [`volume`](Self::volume). `None` where the law knows the
+    /// net thickness alone.
+    pub fn grown_volume(&self, law: &dyn FilmGrowthLaw, cell_area: f64) -> Option<f64> {
+        let grown = self.states.chunks_exact(self.n_states).map(|states| law.grown(states));
+        grown.sum::<Option<f64>>().map(|thickness| thickness * cell_area)
+    }
+}

@@ -1,0 +1,97 @@
+//! The split of friction heat that gives both bodies one temperature in the contact.
+
+use crate::numerics::Convolution;
+
+/// Search directions kept before a restart.
+const DIRECTIONS: usize = 6;
+/// Iterations at most.
+const MAX_ITERATIONS: usize = 60;
+
+/// Generalised conjugate residual iteration for `S q = b` on the heated nodes, `q` zero elsewhere. The
+/// residual never grows, so stopping early leaves a split that is no worse than the first guess.
+#[derive(Debug, Clone)]
+pub(super) struct SplitSolver {
+    residual: Vec<f64>,
+    directions: Vec<Direction>,
+}
+
+#[derive(Debug, Clone)]
+struct Direction {
+    search: Vec<f64>,
+    image: Vec<f64>,
+    norm_squared: f64,
+}
+
+impl SplitSolver {
+    pub(super) fn new(n_nodes: usize) -> Self {
+        let zeros = || vec![0.0; n_nodes];
+        let direction = || Direction { search: zeros(), image: zeros(), norm_squared: 0.0 };
+        Self { residual: zeros(), directions: (0..DIRECTIONS).map(|_| direction()).collect() }
+    }
+
+    /// Improves `share` until the largest residual is below `tolerance` \[K\]; returns the number of
+    /// iterations.
+    pub(super) fn solve(
+        &mut self,
+        sum: &mut Convolution,
+        heated: &[f64],
+        target: &[f64],
+        share: &mut [f64],
+        tolerance: f64,
+    ) -> usize {
+        sum.apply(share, &mut self.residual);
+        for ((r, &t), &q) in self.residual.iter_mut().zip(target).zip(heated) {
+            *r = if q > 0.0 { t - *r } else { 0.0 };
+        }
+        for iteration in 0..MAX_ITERATIONS {
+            if largest(&self.residual) <= tolerance || !self.improve(sum, heated, share, iteration) {
+                return iteration;
+            }
+        }
+        MAX_ITERATIONS
+    }
+
+    /// One iteration; false when the new direction brings nothing.
+    fn improve(
+        &mut self,
+        sum: &mut Convolution,
+        heated: &[f64],
+        share: &mut [f64],
+        iteration: usize,
+    ) -> bool {
+        let (older, rest) = self.directions.split_at_mut(iteration % DIRECTIONS);
+        let Some(new) = rest.first_mut() else { return false };
+        new.search.copy_from_slice(&self.residual);
+        sum.apply(&new.search, &mut new.image);
+        for (value, &q) in new.image.iter_mut().zip(heated) {
+            *value = if q > 0.0 { *value } else { 0.0 };
+        }
+        for old in older.iter() {
+            let weight = -dot(&new.image, &old.image) / old.norm_squared;
+            add_scaled(&mut new.image, weight, &old.image);
+            add_scaled(&mut new.search, weight, &old.search);
+        }
+        new.norm_squared = dot(&new.image, &new.image);
+        if !(new.norm_squared.is_finite() && new.norm_squared > 0.0) {
+            return false;
+        }
+        let length = dot(&self.residual, &new.image) / new.norm_squared;
+        add_scaled(share, length, &new.search);
+        add_scaled(&mut self.residual, -length, &new.image);
+        true
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn add_scaled(to: &mut [f64], weight: f64, from: &[f64]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to += weight * from;
+    }
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |largest, value| value.abs().max(largest))
+}

@@ -1,0 +1,187 @@
+//! Surface temperature of a half-space under a steady heat source that moves over it.
+
+use std::f64::consts::PI;
+
+use crate::error::InputError;
+use crate::grid::Grid;
+
+/// What the flash temperature needs to know of a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThermalBody {
+    /// Thermal conductivity \[W/(m K)\].
+    pub conductivity: f64,
+    /// Thermal diffusivity \[m^2/s\].
+    pub diffusivity: f64,
+}
+
+impl ThermalBody {
+    /// Bearing steel: 46 W/(m K), 1.27e-5 m^2/s.
+    pub const STEEL: Self = Self { conductivity: 46.0, diffusivity: 1.27e-5 };
+
+    /// Checks both properties.
+    ///
+    /// # Errors
+    /// A property that is not finite and positive.
+    pub fn validate(&self) -> Result<(), InputError> {
+        InputError::require_positive("thermal.conductivity", self.conductivity)?;
+        InputError::require_positive("thermal.diffusivity", self.diffusivity)
+    }
+}
+
+impl Default for ThermalBody {
+    fn default() -> Self {
+        Self::STEEL
+    }
+}
+
+/// Influence coefficients \[K m^2/W\] of uniformly heated cells: temperature at a node for unit flux into the
+/// cell at the offset, as a table over offsets `-nx < di < nx` and `0 <= dj < ny` (symmetric in y).
+#[derive(Debug)]
+pub(super) struct MovingSource {
+    nx: usize,
+    table: Vec<f64>,
+}
+
+impl MovingSource {
+    /// Kernel `exp[-(|V| r - V x) / (2 kappa)] / (2 pi k r)` (Carslaw and Jaeger 1959), integrated over
+    /// source cells, for a body whose surface moves at `speed` \[m/s\] along x.
+    pub(super) fn new(grid: &Grid, body: ThermalBody, speed: f64) -> Self {
+        let (nx, ny, dx, dy) = (grid.nx(), grid.ny(), grid.dx(), grid.dy());
+        let decay = 0.5 * speed.abs() / body.diffusivity;
+        let direction = if speed < 0.0 { -1.0 } else { 1.0 };
+        let scale = 1.0 / (2.0 * PI * body.conductivity);
+        let mut table = Vec::with_capacity((2 * nx - 1) * ny);
+        for dj in 0..ny {
+            for column in 0..2 * nx - 1 {
+                let x = direction * (column as f64 - (nx - 1) as f64) * dx;
+                table.push(scale * cell_integral(x, dj as f64 * dy, [0.5 * dx, 0.5 * dy], decay));
+            }
+        }
+        Self { nx, table }
+    }
+
+    /// Coefficient at an offset of target less source; within the range of the table.
+    pub(super) fn at(&self, di: isize, dj: isize) -> f64 {
+        let column = (di + self.nx as isize - 1).unsigned_abs();
+        self.table[dj.unsigned_abs() * (2 * self.nx - 1) + column]
+    }
+}
+
+/// Integral of `exp[-decay (r - x)] / r` over the rectangle centred on `(x, y)` with half sides `half`.
+///
+/// In polar coordinates the radial integral is `R phi(decay (R - x))`, `phi(s) = (1 - e^-s)/s`, at the rim;
+/// what is left is one regular integral a side, signed by the distance `d` of the side from the origin. With
+/// `t = |d| sinh(u)` along the side it reads `d int phi du`, exact for a body at rest and free of the
+/// singularity.
+fn cell_integral(x: f64, y: f64, half: [f64; 2], decay: f64) -> f64 {
+    let (x0, x1, y0, y1) = (x - half[0], x + half[0], y - half[1], y + half[1]);
+    let vertical = |d: f64| side(d, [y0, y1], |t, radius| phi(decay * lag(d, t, radius)));
+    let horizontal = |d: f64| side(d, [x0, x1], |t, radius| phi(decay * lag(t, d, radius)));
+    vertical(x1) - vertical(x0) + horizontal(y1) - horizontal(y0)
+}
+
+/// `d int f(t, R)/R dt` along a side at signed distance `d`, `R^2 = d^2 + t^2`.
+fn side(d: f64, ends: [f64; 2], f: impl Fn(f64, f64) -> f64) -> f64 {
+    let distance = d.abs();
+    if distance <= 0.0 {
+        return 0.0;
+    }
+    let along = |u: f64| {
+        let growing = u.exp();
+        let t = 0.5 * distance * (growing - 1.0 / growing);
+        f(t, t.hypot(distance))
+    };
+    d * adaptive(&along, (ends[0] / distance).asinh(), (ends[1] / distance).asinh(), MAX_DEPTH)
+}
+
+/// `r - x` without cancellation downstream.
+fn lag(x: f64, y: f64, radius: f64) -> f64 {
+    if x > 0.0 { y * y / (radius + x) } else { radius - x }
+}
+
+/// `(1 - e^-s)/s`.
+fn phi(s: f64) -> f64 {
+    if s < 1e-12 { 1.0 } else { -(-s).exp_m1() / s }
+}
+
+/// Halvings of a side at most.
+const MAX_DEPTH: usize = 14;
+/// Accepted difference of the two rules relative to the length of the interval (integrands are at most 1).
+const QUADRATURE_TOLERANCE: f64 = 1e-10;
+
+/// Nodes and weights of the pair of Gauss (7) and Kronrod (15) rules: node, Kronrod weight, Gauss weight.
+const RULE: [(f64, f64, f64); 8] = [
+    (0.991_455_371_120_812_6, 0.022_935_322_010_529_224, 0.0),
+    (0.949_107_912_342_758_5, 0.063_092_092_629_978_55, 0.129_484_966_168_869_7),
+    (0.864_864_423_359_769_1, 0.104_790_010_322_250_18, 0.0),
+    (0.741_531_185_599_394_4, 0.140_653_259_715_525_92, 0.279_705_391_489_276_67),
+    (0.586_087_235_467_691_1, 0.169_004_726_639_267_9, 0.0),
+    (0.405_845_151_377_397_2, 0.190_350_578_064_785_4, 0.381_830_050_505_118_9),
+    (0.207_784_955_007_898_47, 0.204_432_940_075_298_9, 0.0),
+    (0.0, 0.209_482_141_084_727_82, 0.417_959_183_673_469_4),
+];
+
+/// Adaptive Gauss-Kronrod quadrature of `f` from `a` to `b`.
+fn adaptive(f: &impl Fn(f64) -> f64, a: f64, b: f64, depth: usize) -> f64 {
+    let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
+    let (mut fine, mut coarse) = (0.0, 0.0);
+    for (node, kronrod, gauss) in RULE {
+        let value = if node > 0.0 { f(middle - half * node) + f(middle + half * node) } else { f(middle) };
+        fine += kronrod * value;
+        coarse += gauss * value;
+    }
+    if depth == 0 || (fine - coarse).abs() <= QUADRATURE_TOLERANCE {
+        half * fine
+    } else {
+        adaptive(f, a, middle, depth - 1) + adaptive(f, middle, b, depth - 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn resting_cell_matches_the_closed_form() {
+        let expected = 8.0 * 0.5 * 1.0_f64.asinh();
+        assert!((cell_integral(0.0, 0.0, [0.5, 0.5], 0.0) - expected).abs() < 1e-14);
+        let far = cell_integral(300.0, 40.0, [0.5, 0.5], 0.0);
+        let monopole = 1.0 / 300.0_f64.hypot(40.0);
+        assert!((far / monopole - 1.0).abs() < 1e-6, "{far} {monopole}");
+    }
+
+    /// Midpoint sums on a fine mesh away from the singular point.
+    #[test]
+    fn moving_cell_matches_a_fine_sum() {
+        for decay in [0.1, 3.0, 50.0] {
+            for (x, y) in [(2.0, 0.0), (2.0, 1.0), (-2.0, 1.0), (0.0, 1.0), (30.0, 2.0)] {
+                let n = 800;
+                let mut sum = 0.0;
+                for j in 0..n {
+                    for i in 0..n {
+                        let xs: f64 = x - 0.5 + (i as f64 + 0.5) / n as f64;
+                        let ys: f64 = y - 0.5 + (j as f64 + 0.5) / n as f64;
+                        let r = xs.hypot(ys);
+                        sum += (-decay * lag(xs, ys, r)).exp() / r;
+                    }
+                }
+                sum /= (n * n) as f64;
+                let found = cell_integral(x, y, [0.5, 0.5], decay);
+                assert!((found - sum).abs() < 1e-4 * sum + 1e-9, "{decay} {x} {y}: {found} {sum}");
+            }
+        }
+    }
+
+    /// Halving a cell in both directions changes nothing: the integral is additive.
+    #[test]
+    fn quarters_add_up_to_the_cell_under_the_node() {
+        for decay in [0.0, 0.5, 20.0, 400.0] {
+            let whole = cell_integral(0.1, 0.2, [0.5, 0.5], decay);
+            let mut parts = 0.0;
+            for (i, j) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
+                parts += cell_integral(0.1 + 0.25 * i, 0.2 + 0.25 * j, [0.25, 0.25], decay);
+            }
+            assert!((whole / parts - 1.0).abs() < 1e-8, "{decay}: {whole} {parts}");
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! What one body has lost by wear.
+
+use super::WearLaw;
+use crate::error::InputError;
+use crate::rubbing::RubbingPoint;
+
+/// The worn depth \[m\] of one body, node by node of that body's own surface; it never falls.
+///
+/// ```
+/// use stribeck::RubbingPoint;
+/// use stribeck::wear::{Archard, WearDepth};
+/// let at = RubbingPoint { pressure: 1e9, solid_pressure: 1e9, shear_stress: 0.0, temperature: 353.15,
+///     sliding_speed: 0.005, film_thickness: 0.0, in_contact: true };
+/// let mut wear = WearDepth::new(2);
+/// wear.advance(&Archard::azam_2019(), 7200.0, |_| (at, 0.0))?;
+/// assert!((wear.values()[0] - 327e-9).abs() < 1e-12); // 5.45e-8 / 6 GPa x 1 GPa x 36 m
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct WearDepth {
+    values: Vec<f64>,
+}
+
+impl WearDepth {
+    /// An unworn body of `n_nodes` nodes.
+    pub fn new(n_nodes: usize) -> Self {
+        Self { values: vec![0.0; n_nodes] }
+    }
+
+    /// Worn depth of every node \[m\].
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Wears every node for `time_step` \[s\] at the rate of `law` under `point(node)`: the state of the
+    /// node, counted on the body's own surface, and its film thickness \[m\]. Allocates nothing. The film is
+    /// that of the start of the step: first order in time where it changes within it.
+    ///
+    /// # Errors
+    /// A time step that is negative or not finite: nothing is worn. A law that returned a rate that is
+    /// negative or not finite: the nodes before it are worn already, the error gives the rate.
+    pub fn advance(
+        &mut self,
+        law: &dyn WearLaw,
+        time_step: f64,
+        mut point: impl FnMut(usize) -> (RubbingPoint, f64),
+    ) -> Result<(), InputError> {
+        InputError::require_non_negative("time_step", time_step)?;
+        for (node, value) in self.values.iter_mut().enumerate() {
+            let (at, film_thickness) = point(node);
+            let rate = law.depth_rate(&at, film_thickness);
+            InputError::require_non_negative("wear rate of the law", rate)?;
+            *value += rate * time_step;
+        }
+        Ok(())
+    }
+
+    /// Worn volume \[m^3\] on cells of `cell_area` \[m^2\].
+    pub fn volume(&self, cell_area: f64) -> f64 {
+        self.values.iter().sum::<f64>() * cell_area
+    }
+}

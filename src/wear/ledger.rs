@@ -1,0 +1,95 @@
+//! The account of one body's surface: where every nanometre went.
+
+use crate::error::InputError;
+
+/// A view of what makes up one body's surface, all fields on that body's own nodes \[m\]:
+/// `surface = initial - wear - plastic + film`.
+///
+/// ```
+/// use stribeck::wear::SurfaceLedger;
+/// let ledger = SurfaceLedger::new(&[10e-9, 20e-9], &[1e-9, 2e-9], &[0.0, 3e-9], &[5e-9, 0.0])?;
+/// let mut surface = [0.0; 2];
+/// ledger.surface_into(&mut surface)?;
+/// assert!((surface[0] - 14e-9).abs() < 1e-23 && (surface[1] - 15e-9).abs() < 1e-23);
+/// assert!((ledger.volumes(1e-12).wear - 3e-21).abs() < 1e-33);
+/// assert!(ledger.residual(&surface)? < 1e-23);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct SurfaceLedger<'a> {
+    initial: &'a [f64],
+    wear: &'a [f64],
+    plastic: &'a [f64],
+    film: &'a [f64],
+}
+
+/// Volumes of one body's account \[m^3\].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Volumes {
+    /// Worn off.
+    pub wear: f64,
+    /// Flattened away.
+    pub plastic: f64,
+    /// Standing as tribofilm.
+    pub film: f64,
+}
+
+impl Volumes {
+    /// Change of the volume under the surface \[m^3\]: `film - wear - plastic`.
+    pub fn net(&self) -> f64 {
+        self.film - self.wear - self.plastic
+    }
+}
+
+impl<'a> SurfaceLedger<'a> {
+    /// View of the four fields.
+    ///
+    /// # Errors
+    /// Fields of different length.
+    pub fn new(
+        initial: &'a [f64],
+        wear: &'a [f64],
+        plastic: &'a [f64],
+        film: &'a [f64],
+    ) -> Result<Self, InputError> {
+        InputError::require_len("wear", wear, initial.len())?;
+        InputError::require_len("plastic", plastic, initial.len())?;
+        InputError::require_len("film", film, initial.len())?;
+        Ok(Self { initial, wear, plastic, film })
+    }
+
+    fn heights(&self) -> impl Iterator<Item = f64> + '_ {
+        let lost = self.wear.iter().zip(self.plastic);
+        let rows = self.initial.iter().zip(lost).zip(self.film);
+        rows.map(|((initial, (wear, plastic)), film)| initial - wear - plastic + film)
+    }
+
+    /// Overwrites `out` \[m\] with the surface as it is now.
+    ///
+    /// # Errors
+    /// `out` of another length than the fields.
+    pub fn surface_into(&self, out: &mut [f64]) -> Result<(), InputError> {
+        InputError::require_len("out", out, self.initial.len())?;
+        for (out, height) in out.iter_mut().zip(self.heights()) {
+            *out = height;
+        }
+        Ok(())
+    }
+
+    /// Volumes on cells of `cell_area` \[m^2\].
+    pub fn volumes(&self, cell_area: f64) -> Volumes {
+        let volume = |field: &[f64]| field.iter().sum::<f64>() * cell_area;
+        Volumes { wear: volume(self.wear), plastic: volume(self.plastic), film: volume(self.film) }
+    }
+
+    /// Largest difference \[m\] between `surface`, kept up elsewhere, and the account; NaN when one is not a
+    /// number.
+    ///
+    /// # Errors
+    /// `surface` of another length than the fields.
+    pub fn residual(&self, surface: &[f64]) -> Result<f64, InputError> {
+        InputError::require_len("surface", surface, self.initial.len())?;
+        let differences = surface.iter().zip(self.heights()).map(|(kept, height)| (kept - height).abs());
+        Ok(differences.fold(0.0, |largest: f64, d| if d.is_nan() || d > largest { d } else { largest }))
+    }
+}

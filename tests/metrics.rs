@@ -1,0 +1,188 @@
+//! The metrics against distributions and fields whose values are known in closed form.
+#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+use approx::assert_relative_eq;
+use stribeck::Grid;
+use stribeck::metrics::{
+    BearingCurve, average_central_film, composite_rq, contact_statistics, friction_coefficient,
+    height_statistics, lambda_ratio, minimum_film, minimum_gap, viscous_shear_into,
+};
+
+/// The quantile of the standard normal distribution by Newton's method on the series of its distribution function.
+fn quantile(share: f64) -> f64 {
+    let mut z: f64 = 0.0;
+    for _ in 0..60 {
+        let density = (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
+        let (mut term, mut sum, mut n) = (z, z, 1.0);
+        while term.abs() > 1e-18 * sum.abs() {
+            n += 2.0;
+            term *= z * z / n;
+            sum += term;
+        }
+        z -= ((0.5 + density * sum - share) / density).clamp(-0.5, 0.5);
+    }
+    z
+}
+
+/// 2^20 heights that are exact normal quantiles of standard deviation `sq`, shuffled by a multiplicative step.
+fn normal_heights(sq: f64) -> Vec<f64> {
+    let n = 1 << 20;
+    let mut heights = vec![0.0; n];
+    for (i, height) in heights.iter_mut().enumerate().take(n / 2) {
+        *height = if i % 64 == 0 || i < 4096 { quantile((i as f64 + 0.5) / n as f64) } else { f64::NAN };
+    }
+    // linear between every 64th quantile away from the tail: error below 1e-6
+    for i in 4096..n / 2 {
+        if heights[i].is_nan() {
+            let low = i / 64 * 64;
+            let high = if low + 64 < n / 2 { heights[low + 64] } else { 0.0 };
+            let span = if low + 64 < n / 2 { 64.0 } else { 63.5 };
+            heights[i] = heights[low] + (high - heights[low]) * (i - low) as f64 / span;
+        }
+    }
+    for i in 0..n / 2 {
+        heights[n - 1 - i] = -heights[i];
+    }
+    (0..n).map(|i| sq * heights[(i * 40_503) % n]).collect()
+}
+
+#[test]
+fn normal_heights_have_the_parameters_of_the_normal_distribution() {
+    let sq = 130e-9;
+    let heights = normal_heights(sq);
+    let statistics = height_statistics(&heights).unwrap();
+    assert_relative_eq!(statistics.sq, sq, max_relative = 1e-4);
+    assert_relative_eq!(statistics.sa, 0.7979 * sq, max_relative = 1e-4);
+    assert!(statistics.ssk.abs() < 1e-9);
+    assert_relative_eq!(statistics.sku, 3.0, max_relative = 1e-3);
+    let curve = BearingCurve::new(&heights).unwrap();
+    let core = curve.core();
+    assert_relative_eq!(core.sk, 2.622 * sq, max_relative = 0.01);
+    assert_relative_eq!(core.spk, 0.937 * sq, max_relative = 0.01);
+    assert_relative_eq!(core.svk, 0.937 * sq, max_relative = 0.01);
+    assert_relative_eq!(core.smr1, 0.0949, max_relative = 0.01);
+    assert_relative_eq!(core.smr2, 0.9051, max_relative = 0.01);
+    let volumes = curve.volumes(0.1, 0.8).unwrap();
+    assert_relative_eq!(volumes.vvv, 0.1116 * sq, max_relative = 0.01);
+    assert_relative_eq!(volumes.vvc, 1.2173 * sq, max_relative = 0.01);
+    assert_relative_eq!(volumes.vmp, 0.0473 * sq, max_relative = 0.01);
+    assert_relative_eq!(volumes.vmc, 0.9059 * sq, max_relative = 0.01);
+}
+
+#[test]
+fn a_sine_has_the_parameters_of_a_sine() {
+    let heights: Vec<f64> =
+        (0..4096).map(|i| 5.0 + 1e-6 * (2.0 * std::f64::consts::PI * f64::from(i) / 4096.0).sin()).collect();
+    let statistics = height_statistics(&heights).unwrap();
+    assert_relative_eq!(statistics.mean, 5.0, max_relative = 1e-14);
+    assert_relative_eq!(statistics.sq, 1e-6 / 2f64.sqrt(), max_relative = 1e-8);
+    assert_relative_eq!(statistics.sa, 2e-6 / std::f64::consts::PI, max_relative = 1e-6);
+    assert_relative_eq!(statistics.sku, 1.5, max_relative = 1e-8);
+    assert_relative_eq!(statistics.sz, 2e-6, max_relative = 1e-8);
+    assert_relative_eq!(statistics.sp, statistics.sv, max_relative = 1e-8);
+}
+
+#[test]
+fn flat_and_single_surfaces_have_no_shape() {
+    for heights in [vec![0.1; 1000], vec![-3e-9], vec![0.0; 7]] {
+        let statistics = height_statistics(&heights).unwrap();
+        assert!(statistics.sq < 1e-16);
+        assert_eq!((statistics.ssk, statistics.sku), (0.0, 0.0));
+        let curve = BearingCurve::new(&heights).unwrap();
+        assert!(curve.core().sk.abs() < 1e-16);
+        assert!(curve.volumes(0.1, 0.8).unwrap().vvv.abs() < 1e-16);
+    }
+}
+
+#[test]
+fn a_plateau_with_grooves_is_core_and_valleys() {
+    // 90 % at 0..1 nm, 10 % in grooves down to -100 nm: nearly no peaks, deep valleys
+    let heights: Vec<f64> = (0..10_000)
+        .map(|i| if i < 9000 { 1e-9 * f64::from(i) / 9000.0 } else { -100e-9 * f64::from(i - 9000) / 1000.0 })
+        .collect();
+    let core = BearingCurve::new(&heights).unwrap().core();
+    assert_relative_eq!(core.sk, 1e-9 / 0.9, max_relative = 0.01);
+    assert!(core.spk < 0.01e-9 && core.smr1 < 0.01);
+    assert_relative_eq!(core.smr2, 0.9, max_relative = 0.01);
+    assert_relative_eq!(core.svk, 100e-9, max_relative = 0.02);
+}
+
+#[test]
+fn heights_must_be_finite_and_present() {
+    assert!(height_statistics(&[]).is_err());
+    let error = height_statistics(&[0.0, f64::NAN]).unwrap_err().to_string();
+    assert!(error.contains("heights[1]"), "{error}");
+    assert!(BearingCurve::new(&[]).is_err());
+    for n in 1..8 {
+        let few: Vec<f64> = (0..n).map(|i| f64::from(i * i)).collect();
+        let core = BearingCurve::new(&few).unwrap().core();
+        assert!(core.sk >= 0.0 && core.smr1 <= core.smr2 && core.spk.is_finite() && core.svk.is_finite());
+    }
+    let curve = BearingCurve::new(&[1.0, 2.0]).unwrap();
+    assert!(curve.volumes(0.9, 0.1).is_err() && curve.volumes(f64::NAN, 0.5).is_err());
+    assert_relative_eq!(composite_rq(3.0, 4.0), 5.0);
+}
+
+#[test]
+fn average_film_is_that_of_the_clipped_centre() {
+    let grid = Grid::centred(200, 150, 1e-6, 1e-6).unwrap();
+    // film x^2 + y^2: mean over a disc of radius r is r^2/2
+    let film: Vec<f64> = grid.nodes().map(|(x, y)| x * x + y * y).collect();
+    let average = average_central_film(&grid, &film, 60e-6, 60e-6).unwrap();
+    assert_relative_eq!(average, 0.5 * 40e-6f64.powi(2), max_relative = 2e-3);
+    // elliptical: mean of x^2 is (2/3 a_x)^2/4
+    let film: Vec<f64> = grid.nodes().map(|(x, _)| x * x).collect();
+    let average = average_central_film(&grid, &film, 90e-6, 45e-6).unwrap();
+    assert_relative_eq!(average, 0.25 * 60e-6f64.powi(2), max_relative = 5e-3);
+    // negative gaps count as zero
+    let film: Vec<f64> = grid.nodes().map(|(x, _)| if x < 0.0 { -1.0 } else { 1.0 }).collect();
+    assert_relative_eq!(average_central_film(&grid, &film, 60e-6, 60e-6).unwrap(), 0.5, max_relative = 1e-12);
+    assert!(average_central_film(&grid, &film, 1e-9, 1e-9).is_err());
+    assert!(average_central_film(&grid, &film[1..], 1e-6, 1e-6).is_err());
+    assert!(average_central_film(&grid, &film, 0.0, 1e-6).is_err());
+}
+
+#[test]
+fn smallest_films() {
+    assert_eq!(minimum_film(&[1.0, -2.0, 3.0], &[1.0, 1.0, 1.0]).unwrap(), Some(-2.0));
+    assert_eq!(minimum_film(&[1.0, -2.0], &[0.0, 0.0]).unwrap(), None);
+    assert!(minimum_film(&[1.0], &[]).is_err());
+    assert!(minimum_gap(&[]).is_err() && minimum_gap(&[f64::NAN]).is_err());
+    assert!(lambda_ratio(1e-9, 0.0).unwrap().is_infinite());
+    assert!(lambda_ratio(0.0, 0.0).is_err() && lambda_ratio(-1.0, 1.0).is_err());
+}
+
+#[test]
+fn contact_counts_area_and_load() {
+    let grid = Grid::centred(128, 128, 0.5e-3 / 128.0, 0.5e-3 / 128.0).unwrap();
+    let a = 149.83e-6;
+    let inside: Vec<bool> = grid.nodes().map(|(x, y)| x.hypot(y) <= a).collect();
+    let pressure: Vec<f64> =
+        grid.nodes().map(|(x, y)| 1.15e9 * (1.0 - (x * x + y * y) / (a * a)).max(0.0).sqrt()).collect();
+    let contact = contact_statistics(&grid, &inside, &pressure, 54.07, a, a).unwrap();
+    assert_relative_eq!(contact.area_ratio, 1.0, max_relative = 0.01);
+    assert_relative_eq!(contact.load_ratio, 1.0, max_relative = 1e-3);
+    let all = vec![true; grid.len()];
+    let contact = contact_statistics(&grid, &all, &pressure, 54.07, a, a).unwrap();
+    assert_relative_eq!(contact.area, 0.25e-6, max_relative = 1e-12);
+    assert_relative_eq!(contact.area_ratio, 1.0, max_relative = 0.01);
+    assert!(contact_statistics(&grid, &all[1..], &pressure, 54.07, a, a).is_err());
+    assert!(contact_statistics(&grid, &all, &pressure, 0.0, a, a).is_err());
+}
+
+#[test]
+fn friction_adds_boundary_and_viscous_shares() {
+    let grid = Grid::centred(10, 10, 1e-6, 1e-6).unwrap();
+    let mut shear = vec![0.0; 100];
+    viscous_shear_into(&[0.01; 100], &[1e-6; 100], 2.0, None, &mut shear).unwrap();
+    assert_relative_eq!(shear[0], 2e4, max_relative = 1e-14);
+    let mu = friction_coefficient(&grid, 0.115, &[0.5e9; 100], &shear, 0.1).unwrap();
+    assert_relative_eq!(mu, (0.115 * 0.5e9 + 2e4) * 1e-10 / 0.1, max_relative = 1e-12);
+    let mut film = vec![1e-9; 100];
+    film[3] = -1e-9;
+    viscous_shear_into(&[1e5; 100], &film, 1.0, Some(5e7), &mut shear).unwrap();
+    assert_eq!((shear[0], shear[3]), (5e7, 0.0));
+    assert!(viscous_shear_into(&[-1.0], &[1.0], 1.0, None, &mut [0.0]).is_err());
+    assert!(viscous_shear_into(&[1.0], &[1.0], 1.0, Some(0.0), &mut [0.0]).is_err());
+    assert!(friction_coefficient(&grid, -0.1, &shear, &shear, 1.0).is_err());
+}
