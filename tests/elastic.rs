@@ -1,83 +1,683 @@
-//! exploration
-#![expect(clippy::unwrap_used, clippy::print_stderr, reason = "tests")]
-use std::time::Instant;
+//! The half-space against the direct sum, and dry contact against Hertz, a flat punch and its own inequalities.
+#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
+
+use proptest::collection::vec;
+use proptest::prelude::*;
 use stribeck::analytic::HertzPoint;
-use stribeck::elastic::{DryProblem, DrySolver, DeformationModel, HalfSpace};
-use stribeck::reynolds::{ContactSolver, ContactState, Dry, LubricatedContact, Scheme, StoppingRule};
-use stribeck::surface::{Autocorrelation, Form, RoughnessSpec, generate};
-use stribeck::Grid;
+use stribeck::elastic::{DeformationModel, DryProblem, DrySolver, HalfSpace, NEAR, direct_displacement};
+use stribeck::lubricant::{Barus, Incompressible, Lubricant};
+use stribeck::reynolds::{
+    ContactSolver, ContactState, Dry, LubricatedContact, ReynoldsError, Scheme, StoppingRule,
+};
+use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
+use stribeck::{Grid, InputError, SolveReport, Status};
 
-fn run(n: usize, rq: f64, seed: u64, limit: Option<f64>, tol: f64) {
-    let hz = HertzPoint::from_max_pressure(9.525e-3, 9.525e-3, 229.67e9, 1.15e9).unwrap();
-    let g = Grid::from_edges(n, n, [-0.25e-3, 0.25e-3], [-0.25e-3, 0.25e-3]).unwrap();
-    let mut gap = vec![0.0; g.len()];
-    Form::Sphere { radius: 9.525e-3 }.gap_into(&g, &mut gap).unwrap();
-    if rq > 0.0 {
-        let z = generate(&g, &RoughnessSpec { autocorrelation: Autocorrelation::Gaussian, rq, length_x: 10e-6, length_y: 10e-6, seed }).unwrap();
-        for (a, z) in gap.iter_mut().zip(&z) { *a -= z; }
+const MODULUS: f64 = 229.67e9;
+const RADIUS: f64 = 9.525e-3;
+
+/// Numbers in 0..1 from a fixed seed.
+fn uniform(mut seed: u64) -> impl FnMut() -> f64 {
+    move || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
     }
-    let lim = limit.map(|l| vec![l; g.len()]);
-    let mut hs = HalfSpace::new(g, 229.67e9).unwrap();
-    let mut pb = LubricatedContact { gap: &gap, deformation: &mut hs, lubricant: None, entrainment_speed: 0.0, squeeze: None, load: hz.load, pressure_limit: lim.as_deref(), film_cutoff: 1e-9, scheme: Scheme::FirstOrder, reference_half_widths: (hz.a_x, hz.a_y), reference_pressure: hz.p_max };
-    let mut st = ContactState::new(&g);
-    let mut s = Dry::new();
-    let stop = StoppingRule { tolerance: tol, max_iterations: 2000 };
-    let t = Instant::now();
-    let r = s.solve(&mut pb, &mut st, &stop).unwrap();
-    let dt = t.elapsed().as_secs_f64();
-    let r2 = s.solve(&mut pb, &mut st, &stop).unwrap();
-    let pmax = st.pressure.iter().copied().fold(0.0, f64::max);
-    let nc = st.pressure.iter().filter(|&&p| p > 0.0).count();
-    let a = (nc as f64 * g.cell_area() / std::f64::consts::PI).sqrt();
-    let mut worst_open = 0.0_f64; let mut worst_free = 0.0_f64; let mut worst_lim = 0.0_f64; let mut el = vec![0.0; g.len()];
-    let lv = limit.unwrap_or(f64::INFINITY);
-    hs.displacement(&st.pressure, &mut el).unwrap();
-    let mut nl = 0; let mut worst_film=0.0_f64;
-    for k in 0..g.len() {
-        let e = gap[k] + el[k] - st.approach; let p = st.pressure[k];
-        if p <= 0.0 { worst_open = worst_open.max(-e); } else if p < lv { worst_free = worst_free.max(e.abs()); } else { nl += 1; worst_lim = worst_lim.max(e); }
-        worst_film = worst_film.max((st.film[k] - e - st.plastic_depth[k]).abs());
+}
+
+fn largest(field: &[f64]) -> f64 {
+    field.iter().fold(0.0, |m, v| m.max(v.abs()))
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn displacement(body: &mut dyn DeformationModel, pressure: &[f64]) -> Vec<f64> {
+    let mut out = vec![f64::NAN; pressure.len()];
+    body.displacement(pressure, &mut out).unwrap();
+    out
+}
+
+fn estimate(body: &mut dyn DeformationModel, displacement: &[f64]) -> Vec<f64> {
+    let mut out = vec![f64::NAN; displacement.len()];
+    body.pressure_estimate(displacement, &mut out).unwrap();
+    out
+}
+
+fn assert_close(found: &[f64], expected: &[f64], relative: f64, what: &str) {
+    let scale = largest(expected);
+    for (k, (f, e)) in found.iter().zip(expected).enumerate() {
+        assert!((f - e).abs() <= relative * scale, "{what}, node {k}: {f:e} instead of {e:e}");
     }
-    let prof = g.nodes().zip(&st.pressure).map(|((x, y), p)| { let r = x.hypot(y)/hz.a_x; if r < 0.9 || r > 1.1 { ((p - hz.pressure_at(x, y)) / hz.p_max).abs() } else { 0.0 } }).fold(0.0, f64::max);
-    let profall = g.nodes().zip(&st.pressure).map(|((x, y), p)| ((p - hz.pressure_at(x, y)) / hz.p_max).abs()).fold(0.0, f64::max);
-    eprintln!("n {n} rq {rq:e} seed {seed} lim {limit:?} {} pass {} steps {} conv {} t {dt:.3} res {:?} | warm {} {} {} | pmax-1 {:.3e} appr-1 {:.3e} a/a-1 {:.3e} prof {prof:.2e} all {profall:.2e} | open {worst_open:.1e} free {worst_free:.1e} lim {worst_lim:.1e} nl {nl} film {worst_film:.1e}", r.status, r.work.iterations, r.work.inner_iterations, r.work.convolutions, r.residuals, r2.status, r2.work.iterations, r2.work.inner_iterations, pmax / hz.p_max - 1.0, st.approach / hz.approach - 1.0, a / hz.a_x - 1.0);
+}
+
+// ---- displacement of the half-space ----
+
+#[test]
+fn convolution_is_the_direct_sum() {
+    let counts = [1, 2, 3, 5, 7, 8, 12, 13, 16, 17, 31];
+    let pairs = counts.iter().flat_map(|&nx| counts.map(|ny| (nx, ny)));
+    for (nx, ny) in pairs.chain([(101, 1), (1, 97), (64, 37), (27, 50)]) {
+        let grid = Grid::centred(nx, ny, 1.0e-6, 1.7e-6).unwrap();
+        let mut random = uniform((nx * 1000 + ny) as u64);
+        let pressure: Vec<f64> = (0..grid.len()).map(|_| 1e9 * (random() - 0.4)).collect();
+        let mut body = HalfSpace::new(grid, MODULUS).unwrap();
+        let expected = direct_displacement(&grid, MODULUS, &pressure).unwrap();
+        // Measured: 4e-15 and below.
+        assert_close(&displacement(&mut body, &pressure), &expected, 1e-12, &format!("{nx} x {ny}"));
+        // A copy shares the plan and has buffers of its own; what a call leaves in them has no effect.
+        let mut copy = body.clone();
+        assert_eq!(displacement(&mut body, &pressure), displacement(&mut copy, &pressure));
+    }
 }
 
 #[test]
-fn explore() {
-    for n in [32, 64, 65, 128, 256] { run(n, 0.0, 0, None, 1e-9); }
-    for seed in 1..4 { for l in [None, Some(6e9), Some(2e9)] { for n in [64, 128] { run(n, 130e-9, seed, l, 1e-9); } } }
+fn influence_is_the_displacement_under_one_cell() {
+    let grid = Grid::centred(9, 8, 2.0e-6, 1.1e-6).unwrap();
+    let mut pressure = vec![0.0; grid.len()];
+    pressure[0] = 1.0;
+    let mut body = HalfSpace::new(grid, MODULUS).unwrap();
+    let under_one = displacement(&mut body, &pressure);
+    for dj in 0..=NEAR {
+        for di in 0..=NEAR {
+            let expected = under_one[dj * grid.nx() + di];
+            assert!((body.influence(di, dj) / expected - 1.0).abs() < 1e-12, "({di}, {dj})");
+        }
+    }
 }
 
+#[test]
+fn far_field_is_that_of_a_point_force() {
+    let grid = Grid::centred(512, 8, 1.0e-6, 1.0e-6).unwrap();
+    let mut pressure = vec![0.0; grid.len()];
+    pressure[0] = 1e9;
+    let u = displacement(&mut HalfSpace::new(grid, MODULUS).unwrap(), &pressure);
+    let force = 1e9 * grid.cell_area();
+    for i in [100, 300, 511] {
+        let point = 2.0 * force / (std::f64::consts::PI * MODULUS * i as f64 * grid.dx());
+        // A square cell differs from a point by (d / r)^2 / 24, to leading order.
+        let excess = (u[i] / point - 1.0) * (i * i) as f64;
+        assert!((excess - 1.0 / 24.0).abs() < 1e-3, "{i}: {excess}");
+    }
+}
+
+/// A grid of 1 to 12 by 1 to 12 nodes of any aspect, with two pressures between -1 and 1 GPa.
+fn fields() -> impl Strategy<Value = (Grid, Vec<f64>, Vec<f64>)> {
+    (1_usize..13, 1_usize..13, 0.2_f64..5.0).prop_flat_map(|(nx, ny, aspect)| {
+        let field = || vec(-1e9..1e9, nx * ny);
+        (Just(Grid::centred(nx, ny, 1e-6, aspect * 1e-6).unwrap()), field(), field())
+    })
+}
+
+fn combine(a: f64, p: &[f64], b: f64, q: &[f64]) -> Vec<f64> {
+    p.iter().zip(q).map(|(p, q)| a * p + b * q).collect()
+}
+
+proptest! {
+    #[test]
+    fn displacement_and_estimate_are_linear((grid, p, q) in fields(), a in -3.0..3.0, b in -3.0..3.0) {
+        let mut body = HalfSpace::new(grid, MODULUS).unwrap();
+        for map in [displacement, estimate] {
+            let (of_p, of_q) = (map(&mut body, &p), map(&mut body, &q));
+            let both = map(&mut body, &combine(a, &p, b, &q));
+            let scale = 3.0 * (largest(&of_p) + largest(&of_q));
+            for (found, expected) in both.iter().zip(combine(a, &of_p, b, &of_q)) {
+                prop_assert!((found - expected).abs() <= 1e-12 * scale);
+            }
+        }
+    }
+
+    #[test]
+    fn displacement_and_estimate_are_symmetric((grid, p, q) in fields()) {
+        let mut body = HalfSpace::new(grid, MODULUS).unwrap();
+        for map in [displacement, estimate] {
+            let (of_p, of_q) = (map(&mut body, &p), map(&mut body, &q));
+            let scale = largest(&q) * largest(&of_p) * grid.len() as f64;
+            prop_assert!((dot(&q, &of_p) - dot(&p, &of_q)).abs() <= 1e-12 * scale);
+        }
+    }
+
+    #[test]
+    fn displacement_and_estimate_are_positive((grid, p, _) in fields()) {
+        let mut body = HalfSpace::new(grid, MODULUS).unwrap();
+        for map in [displacement, estimate] {
+            let of_p = map(&mut body, &p);
+            prop_assert!(dot(&p, &of_p) > 0.0, "quadratic form of {p:?}");
+        }
+        let pushed: Vec<f64> = p.iter().map(|p| p.max(0.0)).collect();
+        let moved = displacement(&mut body, &pushed);
+        let any = pushed.iter().any(|&p| p > 0.0);
+        prop_assert!(!any || moved.iter().all(|&u| u > 0.0));
+    }
+
+    #[test]
+    fn displacement_moves_with_the_pressure((grid, p, _) in fields(), at in (0_usize..12, 0_usize..12)) {
+        let (nx, ny) = (grid.nx(), grid.ny());
+        let (i0, j0) = (at.0 % nx, at.1 % ny);
+        let in_block = |k: usize| k % nx < nx - i0 && k / nx < ny - j0;
+        let corner: Vec<f64> = (0..p.len()).map(|k| if in_block(k) { p[k] } else { 0.0 }).collect();
+        let mut shifted = vec![0.0; p.len()];
+        for k in (0..p.len()).filter(|&k| in_block(k)) {
+            shifted[k + j0 * nx + i0] = p[k];
+        }
+        let mut body = HalfSpace::new(grid, MODULUS).unwrap();
+        let (here, there) = (displacement(&mut body, &corner), displacement(&mut body, &shifted));
+        for k in (0..p.len()).filter(|&k| in_block(k)) {
+            prop_assert!((here[k] - there[k + j0 * nx + i0]).abs() <= 1e-12 * largest(&here));
+        }
+    }
+}
 
 #[test]
-fn explore_random() {
-    let mut s = 12345_u64;
-    let mut rnd = move || { s = s.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407); (s >> 11) as f64 / (1u64 << 53) as f64 };
-    let mut bad = [0; 8]; let mut hist = vec![];
-    for case in 0..12000 {
-        let n = if case % 5 == 0 { 32 } else { 16 };
-        let g = Grid::centred(n, n, 1e-6, 1.3e-6).unwrap();
-        let mut hs = HalfSpace::new(g, 2e11).unwrap();
-        let rough = 10f64.powf(-9.0 + 4.0 * rnd());
-        let gap: Vec<f64> = g.nodes().map(|(x, y)| 0.5 * (x * x + y * y) / 1e-4 * (case % 2) as f64 + rough * rnd()).collect();
-        let mode = case % 3;
-        let frac = 10f64.powf(-4.0 * rnd()); let frac = if case % 7 == 0 { 1.0 } else { frac };
-        let lim: Option<Vec<f64>> = match mode { 0 => None, 1 => Some(vec![5e9; g.len()]), _ => Some((0..g.len()).map(|_| 5e9 * (0.01 + rnd())).collect()) };
-        let cap: f64 = (0..n*n).filter(|k| k % n > 0 && k % n < n-1 && k / n > 0 && k / n < n-1).map(|k| lim.as_ref().map_or(5e9, |l| l[k])).sum::<f64>() * g.cell_area();
-        let load = 0.9999 * cap * frac;
-        let ph = 10f64.powf(7.0 + 4.0 * rnd());
-        let start = 10f64.powf(-7.0 + 2.5 * rnd());
-        let mut pb = LubricatedContact { gap: &gap, deformation: &mut hs, lubricant: None, entrainment_speed: 0.0, squeeze: None, load, pressure_limit: lim.as_deref(), film_cutoff: 1e-9, scheme: Scheme::FirstOrder, reference_half_widths: (30e-6, 30e-6), reference_pressure: ph };
-        let mut st = ContactState::new(&g);
-        for ((x, y), p) in g.nodes().zip(&mut st.pressure) { *p = if x.hypot(y) < start { ph } else { 0.0 }; }
-        if case % 3 == 2 { for p in &mut st.pressure { *p = ph * rnd(); } }
-        let r = Dry::new().solve(&mut pb, &mut st, &StoppingRule { tolerance: 1e-9, max_iterations: 500 }).unwrap();
-        hist.push(r.work.iterations);
-        if r.work.iterations > 20 { eprintln!("SLOW case {case} mode {mode} frac {frac:.2e} rough {rough:.1e} ph {ph:.1e} start {start:.1e} {:?}", r); }
-        if r.status != stribeck::Status::Converged { bad[mode] += 1; if bad[mode] < 6 { eprintln!("case {case} mode {mode} frac {frac:.2e} rough {rough:.1e} {:?}", r); } }
+fn pressure_estimate_is_close_to_the_pressure() {
+    // Exact but for the displacement beyond the box, which it takes for zero: 0.070, 0.069 and 0.068 were
+    // measured, whatever the mesh; a division by the self-influence is wrong by a factor that grows with it.
+    for n in [32, 64, 128] {
+        let grid = Grid::centred(n, n, 0.5e-3 / n as f64, 0.5e-3 / n as f64).unwrap();
+        let ball = HertzPoint::from_max_pressure(RADIUS, RADIUS, MODULUS, 1.15e9).unwrap();
+        let pressure: Vec<f64> = grid.nodes().map(|(x, y)| ball.pressure_at(x, y)).collect();
+        let mut body = HalfSpace::new(grid, MODULUS).unwrap();
+        let u = displacement(&mut body, &pressure);
+        let found = estimate(&mut body, &u);
+        let inside: Vec<f64> =
+            found.iter().zip(&pressure).map(|(f, p)| if *p > 0.0 { f - p } else { 0.0 }).collect();
+        let relative = (dot(&inside, &inside) / dot(&pressure, &pressure)).sqrt();
+        assert!(relative < 0.1, "{n}: {relative}");
     }
-    hist.sort();
-    eprintln!("bad {bad:?}; max passes {}, p99 {}", hist[hist.len() - 1], hist[hist.len() * 99 / 100]);
-    let _ = (DrySolver::new(1), None::<DryProblem<'_>>);
+}
+
+/// Springs side by side: the smallest deformation model, with the provided `pressure_estimate`.
+#[derive(Debug)]
+struct Springs(Grid);
+
+impl DeformationModel for Springs {
+    fn grid(&self) -> Grid {
+        self.0
+    }
+    fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        InputError::require_len("pressure", pressure, self.0.len())?;
+        InputError::require_len("out", out, self.0.len())?;
+        out.copy_from_slice(pressure);
+        out.iter_mut().for_each(|u| *u *= 1e-15);
+        Ok(())
+    }
+    fn influence(&self, di: usize, dj: usize) -> f64 {
+        if (di, dj) == (0, 0) { 1e-15 } else { 0.0 }
+    }
+}
+
+#[test]
+fn provided_estimate_divides_by_the_self_influence() {
+    let mut springs = Springs(Grid::centred(3, 2, 1e-6, 1e-6).unwrap());
+    let pressure = [1e9, 2e9, 0.0, -1e9, 5e8, 3e9];
+    let u = displacement(&mut springs, &pressure);
+    assert_close(&estimate(&mut springs, &u), &pressure, 1e-14, "springs");
+    let error = springs.pressure_estimate(&u[..5], &mut [0.0; 6]).unwrap_err();
+    assert_shape(&error, "displacement", 6, 5);
+}
+
+// ---- bad input ----
+
+fn assert_shape(error: &InputError, name: &str, n_expected: usize, n_found: usize) {
+    match error {
+        InputError::Shape { field, expected, found } => {
+            assert_eq!((field.as_str(), *expected, *found), (name, n_expected, n_found));
+        }
+        other => panic!("{other}"),
+    }
+}
+
+#[test]
+fn shape_errors_name_the_field() {
+    let grid = Grid::centred(4, 3, 1e-6, 1e-6).unwrap();
+    let mut body = HalfSpace::new(grid, MODULUS).unwrap();
+    let (good, mut out) = ([0.0; 12], [0.0; 12]);
+    let (short, mut short_out) = ([0.0; 11], [0.0; 13]);
+    assert_shape(&body.displacement(&short, &mut out).unwrap_err(), "pressure", 12, 11);
+    assert_shape(&body.displacement(&good, &mut short_out).unwrap_err(), "out", 12, 13);
+    assert_shape(&body.pressure_estimate(&short, &mut out).unwrap_err(), "displacement", 12, 11);
+    assert_shape(&body.pressure_estimate(&good, &mut short_out).unwrap_err(), "out", 12, 13);
+    assert_shape(&direct_displacement(&grid, MODULUS, &short).unwrap_err(), "pressure", 12, 11);
+}
+
+#[test]
+fn modulus_must_be_finite_and_positive() {
+    let grid = Grid::centred(4, 3, 1e-6, 1e-6).unwrap();
+    for modulus in [f64::NAN, f64::INFINITY, -1.0, 0.0] {
+        let errors = [
+            HalfSpace::new(grid, modulus).map(|_| ()).unwrap_err(),
+            direct_displacement(&grid, modulus, &[0.0; 12]).map(|_| ()).unwrap_err(),
+        ];
+        for error in errors {
+            assert!(
+                matches!(&error, InputError::Value { field, .. } if field == "elastic.equivalent_modulus"),
+                "{error}"
+            );
+        }
+    }
+}
+
+#[test]
+fn dry_solver_names_the_field_that_does_not_fit() {
+    let grid = Grid::centred(5, 5, 1e-6, 1e-6).unwrap();
+    let mut body = HalfSpace::new(grid, MODULUS).unwrap();
+    let (gap, excluded, limit) = ([0.0; 25], [false; 25], [1e9; 25]);
+    let good = DryProblem { gap: &gap, load: 1e-3, limit: Some(&limit), excluded: &excluded };
+    let cases = [
+        ("gap", DryProblem { gap: &gap[1..], ..good }, 25, 25),
+        ("excluded", DryProblem { excluded: &excluded[1..], ..good }, 25, 25),
+        ("limit", DryProblem { limit: Some(&limit[1..]), ..good }, 25, 25),
+        ("pressure", good, 24, 25),
+        ("dry solver", good, 25, 24),
+    ];
+    for (name, problem, n_pressure, n_solver) in cases {
+        let mut pressure = vec![0.0; n_pressure];
+        let outcome =
+            DrySolver::new(n_solver).solve(&problem, &mut body, &mut pressure, 1e-9, 10).unwrap_err();
+        assert_shape(&outcome, name, 25, 24);
+    }
+}
+
+// ---- dry contact ----
+
+/// A dry contact with everything that a solve needs.
+struct Scene {
+    grid: Grid,
+    gap: Vec<f64>,
+    limit: Option<Vec<f64>>,
+    load: f64,
+    half_widths: (f64, f64),
+    reference_pressure: f64,
+    body: HalfSpace,
+}
+
+impl Scene {
+    /// The ball of the reference scene on `n` x `n` nodes; peak pressure 1.15 GPa if smooth.
+    fn ball(n: usize) -> (Self, HertzPoint) {
+        let grid = Grid::from_edges(n, n, [-0.25e-3, 0.25e-3], [-0.25e-3, 0.25e-3]).unwrap();
+        let hertz = HertzPoint::from_max_pressure(RADIUS, RADIUS, MODULUS, 1.15e9).unwrap();
+        (Self::paraboloid(grid, &hertz), hertz)
+    }
+
+    fn paraboloid(grid: Grid, hertz: &HertzPoint) -> Self {
+        let gap = |(x, y): (f64, f64)| 0.5 * (x * x / hertz.radius_x + y * y / hertz.radius_y);
+        Self {
+            grid,
+            gap: grid.nodes().map(gap).collect(),
+            limit: None,
+            load: hertz.load,
+            half_widths: (hertz.a_x, hertz.a_y),
+            reference_pressure: hertz.p_max,
+            body: HalfSpace::new(grid, MODULUS).unwrap(),
+        }
+    }
+
+    /// The ball with roughness of 130 nm and 10 um.
+    fn rough(n: usize, seed: u64, limit: Option<f64>) -> Self {
+        let (mut scene, _) = Self::ball(n);
+        let spec = RoughnessSpec {
+            autocorrelation: Autocorrelation::Gaussian,
+            rq: 130e-9,
+            length_x: 10e-6,
+            length_y: 10e-6,
+            seed,
+        };
+        for (gap, height) in scene.gap.iter_mut().zip(generate(&scene.grid, &spec).unwrap()) {
+            *gap -= height;
+        }
+        scene.limit = limit.map(|limit| vec![limit; scene.grid.len()]);
+        scene
+    }
+
+    fn problem(&mut self) -> LubricatedContact<'_> {
+        LubricatedContact {
+            gap: &self.gap,
+            deformation: &mut self.body,
+            lubricant: None,
+            entrainment_speed: 0.0,
+            squeeze: None,
+            load: self.load,
+            pressure_limit: self.limit.as_deref(),
+            film_cutoff: 1e-9,
+            scheme: Scheme::FirstOrder,
+            reference_half_widths: self.half_widths,
+            reference_pressure: self.reference_pressure,
+            reference_film: 0.0,
+        }
+    }
+
+    fn solve(&mut self, solver: &mut Dry, state: &mut ContactState, max: u64) -> SolveReport {
+        let stop = StoppingRule { tolerance: 1e-9, max_iterations: max };
+        solver.solve(&mut self.problem(), state, &stop).unwrap()
+    }
+
+    /// From nothing to 1e-9.
+    fn solved(&mut self) -> (ContactState, SolveReport) {
+        let mut state = ContactState::new(&self.grid);
+        let report = self.solve(&mut Dry::new(), &mut state, 500);
+        assert_eq!(report.status, Status::Converged, "{report:?}");
+        (state, report)
+    }
+
+    fn limit_at(&self, k: usize) -> f64 {
+        self.limit.as_ref().map_or(f64::INFINITY, |limit| limit[k])
+    }
+
+    fn is_interior(&self, k: usize) -> bool {
+        let (nx, ny) = (self.grid.nx(), self.grid.ny());
+        (1..nx - 1).contains(&(k % nx)) && (1..ny - 1).contains(&(k / nx))
+    }
+
+    /// Checks every inequality of a converged state, the gap to `eps` \[m\], from the pressure alone.
+    fn check(&mut self, state: &ContactState, eps: f64) {
+        let u = displacement(&mut self.body, &state.pressure);
+        let sum: f64 = state.pressure.iter().sum();
+        let load = sum * self.grid.cell_area();
+        assert!((load / self.load - 1.0).abs() < 1e-12, "load {load} instead of {}", self.load);
+        for (k, u) in u.iter().enumerate() {
+            let (p, gap, limit) = (state.pressure[k], self.gap[k] + u - state.approach, self.limit_at(k));
+            assert!((0.0..=limit).contains(&p), "node {k}: pressure {p}");
+            assert!(state.fluid_pressure[k] == 0.0);
+            assert_eq!(state.in_contact[k], p > 0.0, "node {k}: p {p}, gap {gap}");
+            assert!((state.film[k] - gap - state.plastic_depth[k]).abs() <= eps, "film of node {k}");
+            if !self.is_interior(k) {
+                assert!(p == 0.0, "edge node {k} under pressure {p}");
+            } else if p == 0.0 {
+                assert!(gap >= -eps, "open node {k}: gap {gap}");
+            } else if p < limit {
+                assert!(gap.abs() <= eps, "contact node {k}: gap {gap}");
+            } else {
+                assert!(gap <= eps, "yielded node {k}: gap {gap}");
+            }
+            assert!(state.plastic_depth[k] >= 0.0);
+            assert!(state.plastic_depth[k] == 0.0 || p == limit, "flattened below the limit at {k}");
+        }
+    }
+
+    fn contact_area(&self, state: &ContactState) -> f64 {
+        state.pressure.iter().filter(|&&p| p > 0.0).count() as f64 * self.grid.cell_area()
+    }
+}
+
+#[test]
+fn smooth_ball_is_hertz() {
+    for n in [64, 65, 128] {
+        let (mut scene, hertz) = Scene::ball(n);
+        let (state, report) = scene.solved();
+        scene.check(&state, 1e-13);
+        assert!(report.work.inner_iterations <= 60, "{report:?}");
+        // Second order: measured 1.2e-4, 6.6e-5 and 3.6e-5 for the peak, 1.1e-4, 1.6e-4 and 2.1e-5 for the approach.
+        let second_order = 3e-4 * (64.0 / n as f64).powi(2);
+        let peak = largest(&state.pressure);
+        let exact = scene.grid.nodes().map(|(x, y)| hertz.pressure_at(x, y)).fold(0.0, f64::max);
+        assert!((peak / exact - 1.0).abs() < second_order, "{n}: peak {}", peak / exact - 1.0);
+        let approach = state.approach / hertz.approach - 1.0;
+        assert!(approach.abs() < second_order, "{n}: approach {approach}");
+        assert!((hertz.approach / (hertz.a_x.powi(2) / RADIUS) - 1.0).abs() < 1e-12);
+        // The rim is known to a fraction of a cell.
+        let step = scene.grid.dx() / hertz.a_x;
+        let radius = (scene.contact_area(&state) / hertz.area()).sqrt() - 1.0;
+        assert!(radius.abs() < 0.25 * step, "{n}: radius {radius}");
+        // The slope of the pressure is infinite at the rim, so half a cell there costs some sqrt(step).
+        for ((x, y), p) in scene.grid.nodes().zip(&state.pressure) {
+            let near_rim = (x.hypot(y) / hertz.a_x - 1.0).abs() < 0.1;
+            let bound = if near_rim { 0.2 * step.sqrt() } else { 2e-3 * 64.0 / n as f64 };
+            let error = (p - hertz.pressure_at(x, y)) / hertz.p_max;
+            assert!(error.abs() < bound, "{n}: error {error} at ({x:e}, {y:e})");
+        }
+    }
+}
+
+#[test]
+fn ellipsoid_on_oblong_cells_is_hertz() {
+    let hertz = HertzPoint::from_max_pressure(20e-3, 5e-3, MODULUS, 1e9).unwrap();
+    let grid =
+        Grid::from_edges(96, 65, [-1.4 * hertz.a_x, 1.4 * hertz.a_x], [-1.4 * hertz.a_y, 1.4 * hertz.a_y])
+            .unwrap();
+    let mut scene = Scene::paraboloid(grid, &hertz);
+    let (state, _) = scene.solved();
+    scene.check(&state, 1e-13);
+    let peak = largest(&state.pressure) / hertz.p_max - 1.0;
+    let approach = state.approach / hertz.approach - 1.0;
+    let area = scene.contact_area(&state) / hertz.area() - 1.0;
+    // Measured: -4e-5, -4e-5 and 0.011, the last for a rim known to a fraction of a cell.
+    assert!(peak.abs() < 2e-4 && approach.abs() < 2e-4 && area.abs() < 0.02, "{peak} {approach} {area}");
+}
+
+#[test]
+fn excluded_nodes_leave_a_flat_punch() {
+    let grid = Grid::centred(81, 81, 1e-6, 1e-6).unwrap();
+    let excluded: Vec<bool> = grid.nodes().map(|(x, y)| x.hypot(y) > 30.2e-6).collect();
+    let n_touching = excluded.iter().filter(|&&e| !e).count() as f64;
+    let radius = (n_touching * grid.cell_area() / std::f64::consts::PI).sqrt();
+    let problem = DryProblem { gap: &vec![0.0; grid.len()], load: 1.0, limit: None, excluded: &excluded };
+    let mut pressure = vec![0.0; grid.len()];
+    let outcome = DrySolver::new(grid.len())
+        .solve(&problem, &mut HalfSpace::new(grid, MODULUS).unwrap(), &mut pressure, 1e-9, 100)
+        .unwrap();
+    assert!(outcome.converged, "{outcome:?}");
+    // F / (a E'), and half of the mean pressure in the centre (Johnson, Contact Mechanics, section 3.8).
+    let approach = outcome.approach / (1.0 / (radius * MODULUS)) - 1.0;
+    let centre = pressure[40 * 81 + 40] / (0.5 / (std::f64::consts::PI * radius * radius)) - 1.0;
+    // Measured: 0.004 and 0.007, for a rim of square cells.
+    assert!(approach.abs() < 0.01 && centre.abs() < 0.02, "{approach} {centre}");
+    assert!(pressure.iter().zip(&excluded).all(|(&p, &e)| (p > 0.0) != e));
+}
+
+#[test]
+fn rough_ball_with_and_without_limit() {
+    for seed in 1..4 {
+        let mut areas = Vec::new();
+        for limit in [None, Some(6e9), Some(2e9)] {
+            let mut scene = Scene::rough(128, seed, limit);
+            let (state, report) = scene.solved();
+            // Measured: 60 to 72 steps.
+            assert!(report.work.inner_iterations <= 200, "{report:?}");
+            assert!(report.residuals.max() <= 1e-9);
+            // 1e-13 m is 1e-7 of the displacement; 1e-9 is asked of the mean.
+            scene.check(&state, 1e-13);
+            areas.push(scene.contact_area(&state));
+            if let Some(limit) = limit {
+                assert!(scene.contact_area(&state) >= scene.load / limit);
+                assert!(state.plastic_depth.iter().any(|&d| d > 0.0), "the limit acts in this scene");
+            }
+        }
+        assert!(areas[0] <= areas[1] && areas[1] < areas[2], "a softer body touches more: {areas:?}");
+    }
+}
+
+#[test]
+fn converged_state_costs_almost_nothing_to_solve_again() {
+    for limit in [None, Some(6e9), Some(2e9)] {
+        for seed in 1..4 {
+            let mut scene = Scene::rough(128, seed, limit);
+            let (mut state, _) = scene.solved();
+            let before = state.clone();
+            let again = scene.solve(&mut Dry::new(), &mut state, 500);
+            assert_eq!((again.status, again.work.iterations), (Status::Converged, 1), "{again:?}");
+            // Measured: up to 6, which takes the residual a digit below the tolerance.
+            assert!(again.work.inner_iterations <= 12, "{again:?}");
+            assert_close(&state.pressure, &before.pressure, 1e-6, "pressure after a second solve");
+        }
+    }
+}
+
+#[test]
+fn a_used_solver_finds_the_same_bits() {
+    let mut solver = Dry::new();
+    let mut first = None;
+    for (seed, limit) in [(1, Some(2e9)), (2, None), (1, Some(2e9))] {
+        let mut scene = Scene::rough(64, seed, limit);
+        let mut state = ContactState::new(&scene.grid);
+        let report = scene.solve(&mut solver, &mut state, 500);
+        assert_eq!(report.status, Status::Converged);
+        if seed == 1 {
+            let expected = first.get_or_insert_with(|| state.clone());
+            assert_eq!(*expected, state);
+        }
+    }
+}
+
+#[test]
+fn the_iteration_limit_is_a_status_and_leaves_a_usable_state() {
+    let mut scene = Scene::rough(64, 1, Some(2e9));
+    let mut state = ContactState::new(&scene.grid);
+    let mut solver = Dry::new();
+    let cut = scene.solve(&mut solver, &mut state, 2);
+    assert_eq!((cut.status, cut.work.iterations), (Status::MaxIterations, 2));
+    assert!(cut.residuals.max() > 1e-9 && cut.residuals.is_finite() && cut.require_converged().is_err());
+    assert!(state.pressure.iter().all(|p| (0.0..=2e9).contains(p)));
+    let rest = scene.solve(&mut solver, &mut state, 500);
+    assert_eq!(rest.status, Status::Converged);
+    scene.check(&state, 1e-13);
+}
+
+#[test]
+fn a_load_beyond_the_limit_is_an_error_that_names_the_largest() {
+    let mut scene = Scene::rough(64, 1, Some(2e9));
+    let largest_load = 2e9 * 62.0 * 62.0 * scene.grid.cell_area();
+    for load in [largest_load * (1.0 + 1e-9), 2.0 * largest_load, 1e30] {
+        scene.load = load;
+        let mut state = ContactState::new(&scene.grid);
+        let error = Dry::new().solve(&mut scene.problem(), &mut state, &StoppingRule::default()).unwrap_err();
+        let ReynoldsError::Input(InputError::Conflict { field, reason }) = &error else {
+            panic!("{error}");
+        };
+        assert_eq!(field, "load");
+        assert!(reason.contains(&format!("{largest_load:.6e} N")), "{reason}");
+        assert_eq!(state, ContactState::new(&scene.grid), "a refused problem leaves the state alone");
+    }
+    // Just below, every node but a few yields.
+    scene.load = 0.9999 * largest_load;
+    let (state, _) = scene.solved();
+    scene.check(&state, 1e-13);
+}
+
+#[test]
+fn dry_solver_refuses_what_it_is_not_made_for() {
+    let oil = Lubricant::new(Barus::new(0.04, 2e-8).unwrap(), Incompressible);
+    let (mut scene, _) = Scene::ball(16);
+    let mut state = ContactState::new(&scene.grid);
+    let stop = StoppingRule::default();
+    let mut lubricated =
+        LubricatedContact { lubricant: Some(&oil), entrainment_speed: 0.1, ..scene.problem() };
+    let error = Dry::new().solve(&mut lubricated, &mut state, &stop).unwrap_err();
+    assert!(matches!(error, ReynoldsError::WrongSolver { solver: "dry", .. }), "{error}");
+    let gap = vec![0.0; 255];
+    let limits: [(&str, Vec<f64>); 2] = [("shape", vec![1e9; 255]), ("value", vec![-1e9; 256])];
+    let mut short = LubricatedContact { gap: &gap, ..scene.problem() };
+    let error = Dry::new().solve(&mut short, &mut state, &stop).unwrap_err();
+    assert!(matches!(&error, ReynoldsError::Input(e) if e.to_string().starts_with("gap has 255")), "{error}");
+    for (what, limit) in &limits {
+        let mut bad = LubricatedContact { pressure_limit: Some(limit), ..scene.problem() };
+        let error = Dry::new().solve(&mut bad, &mut state, &stop).unwrap_err();
+        assert!(error.to_string().starts_with("pressure_limit"), "{what}: {error}");
+    }
+    for (name, load) in [("negative", -1.0), ("none", 0.0), ("not a number", f64::NAN)] {
+        let mut bad = LubricatedContact { load, ..scene.problem() };
+        let error = Dry::new().solve(&mut bad, &mut state, &stop).unwrap_err();
+        assert!(error.to_string().starts_with("load = "), "{name}: {error}");
+    }
+    state.film.pop();
+    let error = Dry::new().solve(&mut scene.problem(), &mut state, &stop).unwrap_err();
+    assert!(error.to_string().starts_with("state.film has 255"), "{error}");
+}
+
+#[test]
+fn a_start_far_above_the_limit_finds_its_way_back() {
+    // Every node begins at its limit, and together they carry a thousand times the load.
+    for limit in [2e9, 6e9] {
+        let mut scene = Scene::rough(64, 1, Some(limit));
+        let (expected, _) = scene.solved();
+        let mut state = ContactState::new(&scene.grid);
+        state.pressure.fill(1e12);
+        let report = scene.solve(&mut Dry::new(), &mut state, 500);
+        assert_eq!(report.status, Status::Converged, "{report:?}");
+        scene.check(&state, 1e-13);
+        assert_close(&state.pressure, &expected.pressure, 1e-6, "pressure from afar");
+    }
+}
+
+/// What the start of a random scene holds.
+#[derive(Debug, Clone, Copy)]
+enum Start {
+    /// Nothing: the solver begins with the Hertzian pressure of the reference.
+    Cold,
+    /// One node.
+    Peak,
+    /// Any pressure, within the limits or not, infinite, negative or no number here and there.
+    Wild,
+}
+
+#[derive(Debug)]
+struct RandomScene {
+    heights: Vec<f64>,
+    /// Decadic logarithms of the roughness \[m\], of the load over the largest that 5 GPa carry, of the pressure \[Pa\] of the start.
+    logs: (f64, f64, f64),
+    curved: bool,
+    /// None, or the limits in 5 GPa.
+    limits: Option<Vec<f64>>,
+    start: Start,
+}
+
+fn random_scene() -> impl Strategy<Value = RandomScene> {
+    let limits = prop_oneof![Just(None), Just(Some(vec![1.0; 256])), vec(0.01..1.0, 256).prop_map(Some),];
+    let start = prop_oneof![Just(Start::Cold), Just(Start::Peak), Just(Start::Wild)];
+    let load = prop_oneof![4 => -4.0..0.0, 1 => Just(0.0)];
+    (vec(0.0..1.0, 256), (-9.0..-5.0, load, 7.0..11.0), any::<bool>(), limits, start).prop_map(
+        |(heights, logs, curved, limits, start)| RandomScene { heights, logs, curved, limits, start },
+    )
+}
+
+impl RandomScene {
+    fn scene(&self) -> Scene {
+        let grid = Grid::centred(16, 16, 1e-6, 1.3e-6).unwrap();
+        let rough = 10_f64.powf(self.logs.0);
+        let curvature = if self.curved { 1e4 } else { 0.0 };
+        let gap = grid.nodes().zip(&self.heights);
+        let mut scene = Scene {
+            grid,
+            gap: gap.map(|((x, y), z)| 0.5 * curvature * (x * x + y * y) + rough * z).collect(),
+            limit: self.limits.as_ref().map(|limits| limits.iter().map(|l| 5e9 * l).collect()),
+            load: 0.0,
+            // As large as the box, over which random contacts spread.
+            half_widths: (10e-6, 13e-6),
+            reference_pressure: 10_f64.powf(self.logs.2),
+            body: HalfSpace::new(grid, 200e9).unwrap(),
+        };
+        let carried = (0..256).filter(|&k| scene.is_interior(k)).map(|k| scene.limit_at(k).min(5e9));
+        scene.load = 0.9999 * carried.sum::<f64>() * grid.cell_area() * 10_f64.powf(self.logs.1);
+        scene
+    }
+
+    fn start(&self, scene: &Scene) -> ContactState {
+        let mut state = ContactState::new(&scene.grid);
+        match self.start {
+            Start::Cold => {}
+            Start::Peak => state.pressure[7 * 16 + 9] = scene.reference_pressure,
+            Start::Wild => {
+                for (k, p) in state.pressure.iter_mut().enumerate() {
+                    *p = match k % 37 {
+                        0 => f64::NAN,
+                        1 => f64::INFINITY,
+                        2 => -1e9,
+                        _ => self.heights[255 - k] * scene.reference_pressure,
+                    };
+                }
+            }
+        }
+        state
+    }
+}
+
+proptest! {
+    #[test]
+    fn random_rough_scenes_converge(random in random_scene()) {
+        let mut scene = random.scene();
+        let mut state = random.start(&scene);
+        let report = scene.solve(&mut Dry::new(), &mut state, 200);
+        prop_assert_eq!(report.status, Status::Converged, "{:?}", report);
+        // Of the displacement, which grows with the load.
+        let u = displacement(&mut scene.body, &state.pressure);
+        scene.check(&state, 1e-6 * largest(&u));
+    }
 }

@@ -130,6 +130,11 @@ impl DrySolver {
         Ok(outcome)
     }
 
+    /// Undeformed gap plus displacement at the end of the last solve \[m\]; less the approach it is the gap.
+    pub fn deformed_gap(&self) -> &[f64] {
+        &self.gap
+    }
+
     fn limit_of(problem: &DryProblem<'_>, k: usize) -> f64 {
         problem.limit.map_or(f64::INFINITY, |limit| limit[k])
     }
@@ -139,9 +144,9 @@ impl DrySolver {
             let limit = Self::limit_of(problem, k);
             (self.side[k], *p) = if problem.excluded[k] {
                 (Side::Excluded, 0.0)
-            } else if *p >= limit {
+            } else if *p >= limit && limit.is_finite() {
                 (Side::Limited, limit)
-            } else if *p > 0.0 {
+            } else if *p > 0.0 && p.is_finite() {
                 (Side::Free, *p)
             } else {
                 (Side::Open, 0.0)
@@ -212,10 +217,10 @@ impl DrySolver {
             let step = squared / curvature;
             previous = squared;
             squared = 0.0;
-            for k in 0..pressure.len() {
+            for (k, p) in pressure.iter_mut().enumerate() {
                 self.gap[k] += step * self.displacement[k];
                 if self.side[k] == Side::Free {
-                    pressure[k] += step * self.direction[k];
+                    *p += step * self.direction[k];
                     self.residual[k] -= step * (self.displacement[k] - shift);
                     squared += self.residual[k] * self.residual[k];
                 }
@@ -280,20 +285,20 @@ impl DrySolver {
         };
         let mut worst = 0.0_f64;
         if cautious {
-            for k in 0..pressure.len() {
-                worst = worst.max(wish(self.side[k], k, pressure[k], self.gap[k]).1);
+            for (k, &p) in pressure.iter().enumerate() {
+                worst = worst.max(wish(self.side[k], k, p, self.gap[k]).1);
             }
         }
         let mut changes = 0;
-        for k in 0..pressure.len() {
-            let (side, violation) = wish(self.side[k], k, pressure[k], self.gap[k]);
+        for (k, p) in pressure.iter_mut().enumerate() {
+            let (side, violation) = wish(self.side[k], k, *p, self.gap[k]);
             if side != self.side[k] && violation >= 0.5 * worst {
                 self.side[k] = side;
                 changes += 1;
             }
             match self.side[k] {
-                Side::Open | Side::Excluded => pressure[k] = 0.0,
-                Side::Limited => pressure[k] = Self::limit_of(problem, k),
+                Side::Open | Side::Excluded => *p = 0.0,
+                Side::Limited => *p = Self::limit_of(problem, k),
                 Side::Free => {}
             }
         }
@@ -305,9 +310,8 @@ impl DrySolver {
         for _ in 0..50 {
             let missing = target - pressure.iter().sum::<f64>();
             let room = |k: usize, p: f64| missing < 0.0 || p < Self::limit_of(problem, k);
-            let n = (0..pressure.len())
-                .filter(|&k| self.side[k] == Side::Free && room(k, pressure[k]))
-                .count();
+            let n =
+                (0..pressure.len()).filter(|&k| self.side[k] == Side::Free && room(k, pressure[k])).count();
             if missing.abs() <= 1e-14 * target {
                 break;
             }
@@ -320,11 +324,11 @@ impl DrySolver {
                 continue;
             }
             let share = missing / n as f64;
-            for k in 0..pressure.len() {
-                if self.side[k] == Side::Free && room(k, pressure[k]) {
-                    pressure[k] += share;
+            for (k, p) in pressure.iter_mut().enumerate() {
+                if self.side[k] == Side::Free && room(k, *p) {
+                    *p += share;
                     if missing > 0.0 {
-                        pressure[k] = pressure[k].min(Self::limit_of(problem, k));
+                        *p = p.min(Self::limit_of(problem, k));
                     }
                 }
             }

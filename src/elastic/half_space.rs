@@ -47,9 +47,8 @@ impl HalfSpace {
         InputError::require_positive("elastic.equivalent_modulus", equivalent_modulus)?;
         let table = influence_table(&grid, equivalent_modulus);
         let nx = grid.nx();
-        let plan = ConvolutionPlan::new(nx, grid.ny(), |di, dj| {
-            table[dj.unsigned_abs() * nx + di.unsigned_abs()]
-        });
+        let plan =
+            ConvolutionPlan::new(nx, grid.ny(), |di, dj| table[dj.unsigned_abs() * nx + di.unsigned_abs()]);
         let near = std::array::from_fn(|dj| {
             std::array::from_fn(|di| influence_coefficient(&grid, equivalent_modulus, di, dj))
         });
@@ -61,12 +60,7 @@ impl HalfSpace {
 /// Displacement \[m/Pa\] at an offset of `di` columns and `dj` rows from a cell under unit pressure (Love 1929).
 pub(super) fn influence_coefficient(grid: &Grid, equivalent_modulus: f64, di: usize, dj: usize) -> f64 {
     2.0 / (PI * equivalent_modulus)
-        * rectangle_potential(
-            grid.dx() * di as f64,
-            grid.dy() * dj as f64,
-            0.5 * grid.dx(),
-            0.5 * grid.dy(),
-        )
+        * rectangle_potential(grid.dx() * di as f64, grid.dy() * dj as f64, 0.5 * grid.dx(), 0.5 * grid.dy())
 }
 
 /// The coefficients at all offsets 0..nx, 0..ny, row-major.

@@ -78,9 +78,8 @@ impl ConvolutionPlan {
     /// convolution with a positive symmetric kernel.
     pub(crate) fn pseudo_inverse(&self) -> Self {
         let scale = 1.0 / (self.padded_x as f64 * self.padded_y as f64);
-        let invert = |value: &Complex64| {
-            Complex64::new(scale * scale / value.norm().max(f64::MIN_POSITIVE), 0.0)
-        };
+        let invert =
+            |value: &Complex64| Complex64::new(scale * scale / value.norm().max(f64::MIN_POSITIVE), 0.0);
         Self { spectrum: self.spectrum.iter().map(invert).collect(), ..self.clone() }
     }
 

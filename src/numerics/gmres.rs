@@ -106,8 +106,7 @@ impl Gmres {
         }
         let diagonal = self.hessenberg[at(step)];
         let length = diagonal.hypot(next_norm);
-        let (cosine, sine) =
-            if length > 0.0 { (diagonal / length, next_norm / length) } else { (1.0, 0.0) };
+        let (cosine, sine) = if length > 0.0 { (diagonal / length, next_norm / length) } else { (1.0, 0.0) };
         self.cosines[step] = cosine;
         self.sines[step] = sine;
         self.hessenberg[at(step)] = length;

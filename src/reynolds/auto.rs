@@ -5,8 +5,9 @@ use super::state::ContactState;
 use super::{ContactSolver, Dry, NewtonKrylov, ReynoldsError, SemiSystem, StoppingRule};
 use crate::report::{SolveReport, Status};
 
-/// [`Dry`] without a lubricant, else [`NewtonKrylov`], and [`SemiSystem`] where that does not converge. The
-/// report names the solver whose state was kept and counts the work of all.
+/// [`Dry`] without a lubricant, else [`NewtonKrylov`]; where that does not converge although no solids touch,
+/// [`SemiSystem`] tries, which in solid contact would not. The report names the solver whose state was kept and counts
+/// the work of all.
 #[derive(Debug, Default)]
 pub struct Auto {
     dry: Dry,
@@ -37,14 +38,15 @@ impl ContactSolver for Auto {
             return self.dry.solve(problem, state, stop);
         }
         let first = self.newton.solve(problem, state, stop)?;
-        if first.status == Status::Converged {
+        if first.status == Status::Converged || state.in_contact.contains(&true) {
             return Ok(first);
         }
         let kept = self.kept.get_or_insert_with(|| state.clone());
         kept.clone_from(state);
         let mut second = self.sweeps.solve(problem, state, stop)?;
         second.work += first.work;
-        if second.residuals.max() <= first.residuals.max() {
+        let off_load = second.residuals.load > first.residuals.load.max(stop.tolerance);
+        if second.residuals.max() <= first.residuals.max() && !off_load {
             return Ok(second);
         }
         state.clone_from(kept);

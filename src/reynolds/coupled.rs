@@ -35,7 +35,7 @@ impl Coupled {
             balance: vec![0.0; grid.len()],
             kinds,
             overflow: vec![false; grid.len()],
-            near: NearField { own: 1.0, next_x: 0.0, next_y: 0.0, second_x: 0.0 },
+            near: NearField { own: 1.0, next_x: 0.0, next_y: 0.0, second_x: 0.0, diagonal: 0.0 },
             convolutions: 0,
         }
     }
@@ -47,6 +47,7 @@ impl Coupled {
             next_x: influence(1, 0),
             next_y: influence(0, 1),
             second_x: influence(2, 0),
+            diagonal: influence(1, 1),
         };
         self.fluid.configure(problem);
         self.convolutions = 0;
@@ -111,11 +112,7 @@ impl Coupled {
     }
 
     /// Sorts the nodes; returns how many changed sides.
-    pub(super) fn classify(
-        &mut self,
-        problem: &LubricatedContact<'_>,
-        state: &ContactState,
-    ) -> usize {
+    pub(super) fn classify(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) -> usize {
         let lubricated = problem.lubricant.is_some();
         let mut changes = 0;
         for k in interior(&self.fluid.grid) {

@@ -7,7 +7,7 @@
 //!
 //! with `m = rho/rho_0 h`, mobility `e = rho/rho_0 h^3 / (12 eta)`, its arithmetic mean on a face, `c = 1 / (U dx)` (faces
 //! in x) or `dx / (U dy^2)` (faces in y), `w = u / U` and `s = dx / (U dt)`. In mobility the film counts as at least
-//! the contact film, in `m` it counts as it is.
+//! half the contact film, in `m` it counts as it is.
 //!
 //! Why the arithmetic mean: an asperity flank that the mesh does not resolve is drained by its deep neighbour, so it
 //! ends in solid contact. The harmonic mean seals such a flank and traps films that no mesh refinement confirms.
@@ -45,6 +45,7 @@ pub(super) struct NearField {
     pub(super) next_x: f64,
     pub(super) next_y: f64,
     pub(super) second_x: f64,
+    pub(super) diagonal: f64,
 }
 
 impl Discretisation {
@@ -84,14 +85,16 @@ impl Discretisation {
     pub(super) fn update(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
         lubricant.density().fill(pressure, &mut self.density, &mut self.density_slope);
         lubricant.viscosity().fill_with_slope(pressure, &mut self.viscosity, &mut self.viscosity_slope);
-        for k in 0..film.len() {
-            let floor = 0.5 * self.contact_film;
-            let h = film[k].max(floor);
+        // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor at the
+        // contact film itself would hide from Newton that a node just under it can open.
+        let floor = 0.5 * self.contact_film;
+        for (k, &raw) in film.iter().enumerate() {
+            let h = raw.max(floor);
             let base = self.density[k] / (12.0 * self.viscosity[k]);
             self.mobility[k] = base * h * h * h;
             self.mobility_by_pressure[k] =
                 self.mobility[k] * (self.density_slope[k] / self.density[k] - self.viscosity_slope[k]);
-            self.mobility_by_film[k] = if film[k] > floor { 3.0 * base * h * h } else { 0.0 };
+            self.mobility_by_film[k] = if raw > floor { 3.0 * base * h * h } else { 0.0 };
         }
     }
 
@@ -105,11 +108,6 @@ impl Discretisation {
     #[inline]
     fn face(&self, a: usize, b: usize) -> f64 {
         0.5 * (self.mobility[a] + self.mobility[b])
-    }
-
-    /// Viscosity at the last update \[Pa s\].
-    pub(super) fn viscosity(&self) -> &[f64] {
-        &self.viscosity
     }
 
     /// `F_k` for an interior node.
@@ -136,9 +134,15 @@ impl Discretisation {
     }
 
     /// Change of `F_k` under a change of fluid pressure `dp` and film `dh`.
-    pub(super) fn balance_change(&self, k: usize, pressure: &[f64], film: &[f64], dp: &[f64], dh: &[f64]) -> f64 {
-        let mass_change =
-            |q: usize| self.density_slope[q] * film[q] * dp[q] + self.density[q] * dh[q];
+    pub(super) fn balance_change(
+        &self,
+        k: usize,
+        pressure: &[f64],
+        film: &[f64],
+        dp: &[f64],
+        dh: &[f64],
+    ) -> f64 {
+        let mass_change = |q: usize| self.density_slope[q] * film[q] * dp[q] + self.density[q] * dh[q];
         let mobility_change =
             |q: usize| self.mobility_by_pressure[q] * dp[q] + self.mobility_by_film[q] * dh[q];
         let own_mass = mass_change(k);
@@ -178,7 +182,7 @@ impl Discretisation {
             }
         };
         let nodes = [k, k + 1, k - 1, k + self.grid.nx(), k - self.grid.nx()];
-        let coupling = [near.own, near.next_x, near.next_x, near.next_y, near.next_y];
+        let coupling = [near.own, near.next_x, near.next_x, 0.0, 0.0];
         let gradient: [f64; STENCIL] = std::array::from_fn(|slot| pressure[k] - pressure[nodes[slot]]);
         let own_mass = self.wedge + self.squeeze + self.inertia;
         for (slot, &m) in nodes.iter().enumerate() {
@@ -197,7 +201,8 @@ impl Discretisation {
         if moves_pressure(up) {
             row[2] -= self.wedge * self.density_slope[up] * film[up];
         }
-        for (slot, coefficient) in [(2, near.own), (0, near.next_x), (1, near.second_x)] {
+        let upstream_coupling = [near.next_x, near.second_x, near.own, 0.0, 0.0];
+        for (slot, coefficient) in upstream_coupling.into_iter().enumerate() {
             row[slot] -= self.wedge * self.density[up] * film_response(up, nodes[slot], coefficient);
         }
         // Faces: gradient of the unknown, mobility of the neighbour, mobility by the own pressure.

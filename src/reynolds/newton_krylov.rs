@@ -10,8 +10,8 @@ use super::{ContactSolver, ReynoldsError, StoppingRule};
 use crate::numerics::{Gmres, PreconditionedOperator};
 use crate::report::{Residuals, SolveReport, Status, Work};
 
-/// Newton steps after which the solve gives up, whatever the stopping rule allows.
-const MAX_NEWTON_STEPS: u64 = 80;
+/// Newton steps after which the solve has stalled: those that converge do so in half as many.
+const MAX_NEWTON_STEPS: u64 = 60;
 /// Krylov steps within one Newton step.
 const MAX_KRYLOV_STEPS: usize = 100;
 /// Largest pressure change of one step, in reference pressures.
@@ -26,14 +26,12 @@ const PATIENCE: u32 = 5;
 const MIN_DAMPING: f64 = 0.1;
 /// Scale of the inertia that goes with damping.
 const INERTIA: f64 = 4.0;
-/// Nodes that may change sides before the fluid block is factorised anew.
-const REUSE_CHANGES: usize = 0;
-/// Krylov steps above those with a fresh factorisation after which it is made anew.
-const REUSE_STEPS: u64 = 0;
 /// Growth of the residuals over the largest of the last [`MEMORY`] that a step may cause.
 const MAX_GROWTH: f64 = 1.5;
 /// Steps that this comparison looks back.
 const MEMORY: usize = 3;
+/// Steps at the start that are taken whatever the residuals do.
+const FREE_STEPS: u32 = 6;
 /// Halvings of a step whose residuals leap.
 const MAX_HALVINGS: u32 = 3;
 /// Smallest step length.
@@ -65,9 +63,6 @@ struct Workspace {
     start: DryStart,
     best: ContactState,
     before: ContactState,
-    /// Krylov steps of the last Newton step, and of the last one with a fresh factorisation.
-    krylov_steps: u64,
-    fresh_krylov_steps: u64,
 }
 
 impl NewtonKrylov {
@@ -92,8 +87,6 @@ impl NewtonKrylov {
                 start: DryStart::new(grid),
                 best: ContactState::new(&grid),
                 before: ContactState::new(&grid),
-                krylov_steps: 0,
-                fresh_krylov_steps: 0,
             }));
         }
         self.workspace.as_deref_mut().ok_or(ReynoldsError::Memory { nodes: grid.len() })
@@ -159,15 +152,16 @@ impl Workspace {
             if iteration == limit {
                 break;
             }
-            let changes = self.coupled.classify(problem, state);
+            self.coupled.classify(problem, state);
             work.iterations += 1;
             self.coupled.fluid.inertia = INERTIA * (1.0 / damper.length - 1.0);
-            work.inner_iterations += self.newton_step(problem, state, changes)?;
+            work.inner_iterations += self.newton_step(problem, state)?;
             self.search(problem, state, &damper)?;
         }
         state.clone_from(&self.best);
         self.coupled.evaluate(problem, state)?;
-        Ok((Status::MaxIterations, best))
+        let status = if limit == stop.max_iterations { Status::MaxIterations } else { Status::Stalled };
+        Ok((status, best))
     }
 
     /// Solves the linearised equations into `self.step`; returns the Krylov steps.
@@ -175,7 +169,6 @@ impl Workspace {
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &ContactState,
-        changes: usize,
     ) -> Result<u64, ReynoldsError> {
         let n = state.pressure.len();
         let contact_film = problem.contact_film();
@@ -195,10 +188,7 @@ impl Workspace {
             state,
             preconditioner: &mut self.preconditioner,
         };
-        if changes > REUSE_CHANGES || self.krylov_steps > self.fresh_krylov_steps.saturating_add(REUSE_STEPS) {
-            system.preconditioner.prepare(system.coupled, state, system.problem)?;
-            self.fresh_krylov_steps = u64::MAX;
-        }
+        system.preconditioner.prepare(system.coupled, state, system.problem)?;
         if any_pinned {
             system.unknowns.product(system.coupled, system.problem, state, &self.pinned, &mut self.rhs)?;
         } else {
@@ -223,8 +213,6 @@ impl Workspace {
         for (s, p) in self.step.iter_mut().zip(&self.pinned) {
             *s += p;
         }
-        self.krylov_steps = outcome.steps;
-        self.fresh_krylov_steps = self.fresh_krylov_steps.min(outcome.steps);
         Ok(outcome.steps)
     }
 
@@ -296,7 +284,6 @@ impl Workspace {
         problem: &mut LubricatedContact<'_>,
         state: &ContactState,
     ) -> Result<f64, ReynoldsError> {
-        let n = state.pressure.len();
         let mut length: f64 = 1.0;
         let mut largest = 0.0_f64;
         for (k, kind) in self.coupled.kinds.iter().enumerate() {
@@ -307,15 +294,15 @@ impl Workspace {
         if largest > 0.0 {
             length = length.min(MAX_PRESSURE_CHANGE * problem.reference_pressure / largest);
         }
+        let floor = MIN_STEP * length;
         let film_change = self.unknowns.film_change(&mut self.coupled, problem, &self.step)?;
-        for k in 0..n {
-            let kind = self.coupled.kinds[k];
-            let (film, change) = (state.film[k], film_change[k]);
-            if kind.is_open_fluid() && change < 0.0 && film > 0.0 {
+        let nodes = self.coupled.kinds.iter().zip(state.film.iter().zip(film_change));
+        for (kind, (film, change)) in nodes {
+            if kind.is_open_fluid() && *change < 0.0 && *film > 0.0 {
                 length = length.min(-MAX_FILM_LOSS * (film + FILM_MARGIN) / change);
             }
         }
-        Ok(length.max(MIN_STEP))
+        Ok(length.max(floor))
     }
 }
 
@@ -327,37 +314,47 @@ struct Damper {
     fruitless: u32,
     recent: [f64; MEMORY],
     falls: u32,
+    steps: u32,
 }
 
 impl Default for Damper {
     fn default() -> Self {
-        Self { length: 1.0, best: f64::INFINITY, fruitless: 0, recent: [f64::INFINITY; MEMORY], falls: 0 }
+        Self {
+            length: 1.0,
+            best: f64::INFINITY,
+            fruitless: 0,
+            recent: [f64::INFINITY; MEMORY],
+            falls: 0,
+            steps: 0,
+        }
     }
 }
 
 impl Damper {
     /// Halves the length after [`PATIENCE`] steps without a new best, doubles it after two falls in a row.
     fn update(&mut self, size: f64) {
+        self.steps += 1;
         self.falls = if size < self.recent[0] { self.falls + 1 } else { 0 };
-        if self.falls >= 2 {
-            self.length = (2.0 * self.length).min(1.0);
-        }
+        self.recent.rotate_right(1);
+        self.recent[0] = size;
         if size < self.best {
             self.best = size;
             self.fruitless = 0;
         } else {
             self.fruitless += 1;
-            if self.fruitless % PATIENCE == 0 && self.falls < 2 {
-                self.length = (0.5 * self.length).max(MIN_DAMPING);
-            }
         }
-        self.recent.rotate_right(1);
-        self.recent[0] = size;
+        if self.falls >= 2 {
+            self.length = (2.0 * self.length).min(1.0);
+        } else if self.fruitless > 0 && self.fruitless.is_multiple_of(PATIENCE) {
+            self.length = (0.5 * self.length).max(MIN_DAMPING);
+        }
     }
 
     /// Whether a step that leads to residuals of `size` is taken as it is.
+    ///
+    /// The first steps always are: residuals of a start say little, since its sets are not those of the answer.
     fn accepts(&self, size: f64) -> bool {
-        size <= MAX_GROWTH * self.recent.iter().copied().fold(0.0, f64::max)
+        self.steps <= FREE_STEPS || size <= MAX_GROWTH * self.recent.iter().copied().fold(0.0, f64::max)
     }
 }
 

@@ -351,6 +351,7 @@ mod tests {
             scheme: Scheme::FirstOrder,
             reference_half_widths: (1e-5, 1e-5),
             reference_pressure: 1e9,
+            reference_film: 0.0,
         };
         let kinds = coupled.kinds.clone();
         coupled.configure(&problem);

@@ -58,6 +58,9 @@ pub struct LubricatedContact<'a> {
     pub reference_half_widths: (f64, f64),
     /// Pressure \[Pa\] that starts are built from, usually the Hertz pressure.
     pub reference_pressure: f64,
+    /// Film thickness \[m\] that starts are built from, usually the Hamrock-Dowson central film of the smooth contact;
+    /// zero where none is known.
+    pub reference_film: f64,
 }
 
 impl LubricatedContact<'_> {
@@ -84,6 +87,7 @@ impl LubricatedContact<'_> {
         InputError::require_positive("reference_half_widths.0", self.reference_half_widths.0)?;
         InputError::require_positive("reference_half_widths.1", self.reference_half_widths.1)?;
         InputError::require_positive("reference_pressure", self.reference_pressure)?;
+        InputError::require_non_negative("reference_film", self.reference_film)?;
         for (field, n) in [("grid.nx", grid.nx()), ("grid.ny", grid.ny())] {
             InputError::require(n >= 5, field, n as f64, "at least 5 for a contact solve")?;
         }

@@ -8,10 +8,14 @@ use super::{ContactSolver, ReynoldsError, StoppingRule};
 use crate::error::InputError;
 use crate::report::{Residuals, SolveReport, Status, Work};
 
-/// Sweeps between two corrections of the approach.
-const LOAD_INTERVAL: u64 = 1;
+/// Share of the approach that a load error asks for taken after each sweep.
+const LOAD_GAIN: f64 = 0.01;
+/// Share of the self-influence by which solid pressure follows the gap: other nodes in contact answer too.
+const CONTACT_RELAXATION: f64 = 0.02;
+/// Pressure of a cavitating node, in reference pressures, below which it is zero.
+const NEGLIGIBLE_PRESSURE: f64 = 1e-12;
 /// A solve whose best residual did not fall by a tenth over this many sweeps has stalled.
-const STALL_SWEEPS: u64 = 2_000;
+const STALL_SWEEPS: u64 = 5_000;
 
 /// Tridiagonal line sweeps along x that hold the pressure flow and the entrainment, the latter with the three nearest
 /// influence coefficients (Ai 1993 and Hu and Zhu 2000 in spirit), Gauss-Seidel from line to line, under-relaxed; the
@@ -107,11 +111,12 @@ impl ContactSolver for SemiSystem {
         let Some(workspace) = self.workspace.as_deref_mut() else {
             return Err(ReynoldsError::Memory { nodes: grid.len() });
         };
-        if state.pressure.iter().all(|&p| p <= 0.0) {
+        let cold = state.pressure.iter().all(|&p| p <= 0.0);
+        if cold {
             start_from_hertz(problem, state);
         }
         let mut work = Work::default();
-        let (status, residuals) = workspace.iterate(problem, state, stop, knobs, &mut work)?;
+        let (status, residuals) = workspace.iterate(problem, state, stop, knobs, cold, &mut work)?;
         workspace.coupled.mark_contact(state);
         work.convolutions += workspace.coupled.convolutions as f64;
         Ok(SolveReport { solver: "semi_system", status, residuals, work })
@@ -141,11 +146,14 @@ impl Workspace {
         state: &mut ContactState,
         stop: &StoppingRule,
         knobs: (f64, f64),
+        cold: bool,
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
         self.coupled.configure(problem);
         self.coupled.evaluate(problem, state)?;
-        self.open_film(problem, state);
+        if cold {
+            self.open_film(problem, state);
+        }
         let mut best = Residuals { mass: f64::INFINITY, ..Residuals::default() };
         let mut mark = (f64::INFINITY, 0);
         let mut status = Status::MaxIterations;
@@ -174,9 +182,7 @@ impl Workspace {
             work.iterations += 1;
             self.coupled.classify(problem, state);
             self.sweep(problem, state, knobs);
-            if sweep % LOAD_INTERVAL == 0 {
-                self.balance_load(problem, state, knobs.0);
-            }
+            self.balance_load(problem, state);
             self.coupled.evaluate(problem, state)?;
         }
         state.clone_from(&self.best);
@@ -184,7 +190,7 @@ impl Workspace {
         Ok((status, best))
     }
 
-    /// Moves the bodies apart until no film of the start lies below the contact film.
+    /// Moves the bodies until the lowest film under pressure is the reference film.
     fn open_film(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let mut lowest = f64::INFINITY;
         for (h, p) in self.coupled.elastic_film.iter().zip(&state.pressure) {
@@ -192,8 +198,8 @@ impl Workspace {
                 lowest = lowest.min(*h);
             }
         }
-        let lift = 2.0 * problem.contact_film() - lowest;
-        if lift > 0.0 && lift.is_finite() {
+        let lift = problem.reference_film.max(2.0 * problem.contact_film()) - lowest;
+        if lift.is_finite() {
             state.approach -= lift;
             for (h, film) in self.coupled.elastic_film.iter_mut().zip(&mut state.film) {
                 *h += lift;
@@ -226,13 +232,18 @@ impl Workspace {
         for i in 0..nx {
             let k = j * nx + i;
             let kind = self.coupled.kinds[k];
-            if kind.fluid == Fluid::Boundary || kind.is_contact() {
-                (self.below[i], self.diagonal[i], self.above[i], self.rhs[i]) = (0.0, 1.0, 0.0, 0.0);
+            if matches!(kind.fluid, Fluid::Boundary | Fluid::Cavitated) {
+                // Pinned inside the line: clipped after it, its neighbours would see a suction that is not there.
+                let change = -state.fluid_pressure[k];
+                (self.below[i], self.diagonal[i], self.above[i], self.rhs[i]) = (0.0, 1.0, 0.0, change);
                 continue;
             }
             let balance = self.coupled.fluid.balance(k, &state.fluid_pressure, &state.film, previous);
+            // Where solids touch the film does not follow the fluid pressure.
+            let stiffness = if kind.is_contact() { 0.0 } else { stiffness };
             let (below, diagonal, above) = self.coupled.fluid.line_row(k, self.coupled.near, stiffness);
-            (self.below[i], self.diagonal[i], self.above[i], self.rhs[i]) = (below, diagonal, above, -balance);
+            (self.below[i], self.diagonal[i], self.above[i], self.rhs[i]) =
+                (below, diagonal, above, -balance);
         }
     }
 
@@ -262,37 +273,34 @@ impl Workspace {
         for i in 1..nx - 1 {
             let k = j * nx + i;
             let limit = limit_of(problem, k);
-            match self.coupled.kinds[k].solid {
-                Solid::Open => {
-                    let wanted = (state.fluid_pressure[k] + self.rhs[i]).clamp(0.0, limit);
-                    let p = if wanted == 0.0 {
-                        0.0
-                    } else {
-                        state.fluid_pressure[k] + relaxation * (wanted - state.fluid_pressure[k])
-                    };
-                    (state.fluid_pressure[k], state.pressure[k]) = (p, p);
-                }
+            let wanted = (state.fluid_pressure[k] + self.rhs[i]).clamp(0.0, limit);
+            let mut fluid = state.fluid_pressure[k] + relaxation * (wanted - state.fluid_pressure[k]);
+            if wanted == 0.0 && fluid < NEGLIGIBLE_PRESSURE * problem.reference_pressure {
+                fluid = 0.0;
+            }
+            state.fluid_pressure[k] = fluid;
+            state.pressure[k] = match self.coupled.kinds[k].solid {
+                Solid::Open => fluid,
                 Solid::Contact | Solid::Yielded => {
                     let push = (contact_film - state.film[k]) / self.coupled.near.own;
-                    let p = state.pressure[k] + 0.5 * relaxation * push;
-                    state.pressure[k] = p.clamp(state.fluid_pressure[k], limit);
+                    (state.pressure[k] + CONTACT_RELAXATION * push).clamp(fluid, limit)
                 }
-            }
+            };
         }
     }
 
-    /// Moves the bodies together where load is missing: by the relaxed share of the mean contact compliance.
-    fn balance_load(&self, problem: &LubricatedContact<'_>, state: &mut ContactState, relaxation: f64) {
+    /// Moves the bodies together where load is missing. In equilibrium a relative load error `e` needs a change of
+    /// approach of about `e` times the mean elastic displacement; sweeps follow slowly, so a small share is taken.
+    fn balance_load(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let carried = state.pressure.iter().sum::<f64>() * self.coupled.fluid.grid.cell_area();
         let missing = (problem.load - carried) / problem.load;
-        let film = {
-            let (mut sum, mut weight) = (0.0, 0.0);
-            for (h, p) in state.film.iter().zip(&state.pressure) {
-                sum += h.max(0.0) * p;
-                weight += p;
-            }
-            if weight > 0.0 { sum / weight } else { problem.contact_film() }
-        };
-        state.approach += relaxation * missing * film.max(problem.contact_film());
+        let (mut sum, mut weight) = (0.0, 0.0);
+        for (k, p) in state.pressure.iter().enumerate() {
+            sum += p * (self.coupled.elastic_film[k] - problem.gap[k] + state.approach);
+            weight += p;
+        }
+        if weight > 0.0 {
+            state.approach += LOAD_GAIN * missing.clamp(-0.1, 0.1) * sum / weight;
+        }
     }
 }

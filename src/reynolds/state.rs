@@ -4,7 +4,7 @@ use crate::error::InputError;
 use crate::grid::Grid;
 
 /// Pressures, film and approach of a contact; fields are row-major slices over the grid.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct ContactState {
     /// Total pressure, fluid plus solid \[Pa\].
     pub pressure: Vec<f64>,
@@ -20,6 +20,31 @@ pub struct ContactState {
     pub in_contact: Vec<bool>,
     /// Approach of the undeformed bodies \[m\]; positive is closer.
     pub approach: f64,
+}
+
+impl Clone for ContactState {
+    fn clone(&self) -> Self {
+        Self {
+            pressure: self.pressure.clone(),
+            fluid_pressure: self.fluid_pressure.clone(),
+            film: self.film.clone(),
+            plastic_depth: self.plastic_depth.clone(),
+            mass: self.mass.clone(),
+            in_contact: self.in_contact.clone(),
+            approach: self.approach,
+        }
+    }
+
+    /// Copies into the buffers that are there: solvers keep their best state without allocating.
+    fn clone_from(&mut self, source: &Self) {
+        self.pressure.clone_from(&source.pressure);
+        self.fluid_pressure.clone_from(&source.fluid_pressure);
+        self.film.clone_from(&source.film);
+        self.plastic_depth.clone_from(&source.plastic_depth);
+        self.mass.clone_from(&source.mass);
+        self.in_contact.clone_from(&source.in_contact);
+        self.approach = source.approach;
+    }
 }
 
 impl ContactState {

@@ -7,13 +7,11 @@ use super::simulation::{Laws, MixedLubricationSim};
 use super::{SimError, setup};
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
-use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
+use crate::lubricant::{DensityLaw, ViscosityLaw};
 use crate::plastic::{ElasticPerfectlyPlastic, PlasticityModel};
 use crate::reynolds::ContactSolver;
 use crate::surface::RoughnessMotion;
-use crate::tribochem::{
-    FilmGrowthLaw, FlashTemperature, Ghanbarzadeh, ThermalBody, estimate_maximum_rise,
-};
+use crate::tribochem::{FilmGrowthLaw, FlashTemperature, Ghanbarzadeh, ThermalBody, estimate_maximum_rise};
 use crate::wear::{Archard, WearLaw, WearPressure};
 
 /// Flash temperature rise below which the heat pass is left out unless asked for \[K\].
@@ -125,20 +123,7 @@ impl SimBuilder {
         let [ball, disc] = std::mem::take(&mut self.heights);
         let bodies = [self.body(ball, 0, &contact, &laws)?, self.body(disc, 1, &contact, &laws)?];
         let flash = self.flash(&contact)?;
-        let viscosity = contact.lubricant.as_ref().map(Lubricant::viscosity);
-        let formula_film = match setup::film_conditions(&self.scene, &contact.hertz, viscosity) {
-            Some(conditions) => conditions.hamrock_dowson_central()?,
-            None => 0.0,
-        };
-        Ok(MixedLubricationSim::assemble(
-            self.scene,
-            contact,
-            bodies,
-            laws,
-            flash,
-            self.motion,
-            formula_film,
-        ))
+        Ok(MixedLubricationSim::assemble(self.scene, contact, bodies, laws, flash, self.motion))
     }
 
     fn laws(&mut self) -> Result<Laws, SimError> {

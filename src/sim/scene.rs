@@ -15,6 +15,7 @@ use crate::surface::Form;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Scene {
     /// Shape of the bodies.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::form"))]
     pub form: Form,
     /// Elastic constants.
     pub elastic: Elastic,
@@ -61,7 +62,11 @@ pub struct Elastic {
 
 /// Normal load, by exactly one of the two.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct Load {
     /// Maximum Hertz pressure of the smooth contact \[Pa\].
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -73,7 +78,11 @@ pub struct Load {
 
 /// Speeds of the surfaces along x.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct Motion {
     /// Mean of the two surface speeds \[m/s\].
     pub entrainment_speed: f64,
@@ -126,14 +135,20 @@ pub struct GridSpec {
     /// Cells along y.
     pub ny: usize,
     /// Outer edges along x \[m\]; the flow goes along +x.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::edges"))]
     pub x: [f64; 2],
     /// Outer edges along y \[m\].
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::edges"))]
     pub y: [f64; 2],
 }
 
 /// Roughness of ball and disc.
 #[derive(Debug, Clone, PartialEq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct RoughnessPair {
     /// The ball, body 0.
     pub ball: Roughness,
@@ -146,7 +161,7 @@ pub struct RoughnessPair {
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)
+    serde(tag = "kind", rename_all = "snake_case", try_from = "tables::RoughnessTable")
 )]
 pub enum Roughness {
     /// Smooth.
@@ -200,7 +215,11 @@ pub struct PlasticSpec {
 
 /// Friction of solid contact and of the fluid.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct FrictionSpec {
     /// Boundary friction coefficient of solid contact.
     pub boundary_coefficient: f64,
@@ -216,7 +235,11 @@ impl Default for FrictionSpec {
 
 /// Two-state growth and removal of a tribofilm (see [`crate::tribochem::Ghanbarzadeh`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct TribofilmSpec {
     /// Thickness that growth alone approaches \[m\].
     pub maximum_thickness: f64,
@@ -237,7 +260,11 @@ impl Default for TribofilmSpec {
 
 /// Archard wear with a film-dependent coefficient.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct WearSpec {
     /// Dimensionless coefficient of the bare surface.
     pub coefficient: f64,
@@ -252,18 +279,17 @@ pub struct WearSpec {
 impl Default for WearSpec {
     /// The constants of Azam et al. (2019), all pressure.
     fn default() -> Self {
-        Self {
-            coefficient: 5.45e-8,
-            film_coefficient: 5.45e-9,
-            hardness: 6e9,
-            solid_pressure_only: false,
-        }
+        Self { coefficient: 5.45e-8, film_coefficient: 5.45e-9, hardness: 6e9, solid_pressure_only: false }
     }
 }
 
 /// Temperatures and thermal constants of both bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct ThermalSpec {
     /// Bulk temperature \[K\].
     pub bulk_temperature: f64,
@@ -296,7 +322,11 @@ pub enum Flash {
 
 /// How the contact problem is solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct SolverSpec {
     /// Which solver.
     pub kind: SolverKind,
@@ -375,9 +405,8 @@ impl Scene {
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn azam_2019(n: usize) -> Self {
-        let random = |rq, seed| {
-            Roughness::Gaussian(RandomRoughness { rq, length_x: 10e-6, length_y: 10e-6, seed })
-        };
+        let random =
+            |rq, seed| Roughness::Gaussian(RandomRoughness { rq, length_x: 10e-6, length_y: 10e-6, seed });
         Self {
             form: Form::Sphere { radius: 9.525e-3 },
             elastic: Elastic { equivalent_modulus: 229.67e9 },
@@ -424,25 +453,42 @@ impl Scene {
     pub fn hertz(&self) -> Result<HertzPoint, InputError> {
         self.form.validate()?;
         let (radius_x, radius_y) = self.form.radii();
+        let ratio = radius_x / radius_y;
+        let largest = HertzPoint::MAX_RADIUS_RATIO;
+        let fits = (1.0 / largest..=largest).contains(&ratio);
+        InputError::require(fits, "form.radius_x / form.radius_y", ratio, "between 1e-8 and 1e8")?;
         let modulus = self.elastic.equivalent_modulus;
-        match (self.load.hertz_pressure, self.load.force) {
+        InputError::require_positive("elastic.equivalent_modulus", modulus)?;
+        let (field, value, contact) = match (self.load.hertz_pressure, self.load.force) {
             (Some(pressure), None) => {
                 InputError::require_positive("load.hertz_pressure", pressure)?;
-                HertzPoint::from_max_pressure(radius_x, radius_y, modulus, pressure)
+                let contact = HertzPoint::from_max_pressure(radius_x, radius_y, modulus, pressure);
+                ("load.hertz_pressure", pressure, contact)
             }
             (None, Some(force)) => {
                 InputError::require_positive("load.force", force)?;
-                HertzPoint::from_load(radius_x, radius_y, modulus, force)
+                ("load.force", force, HertzPoint::from_load(radius_x, radius_y, modulus, force))
             }
-            (both, _) => Err(InputError::Conflict {
-                field: "load".to_owned(),
-                reason: if both.is_some() {
-                    "give hertz_pressure or force, not both".to_owned()
-                } else {
-                    "hertz_pressure or force is missing".to_owned()
-                },
-            }),
-        }
+            (Some(pressure), Some(force)) => {
+                return Err(InputError::Conflict {
+                    field: "load".to_owned(),
+                    reason: format!(
+                        "give hertz_pressure or force, not both (hertz_pressure = {pressure:?}, force = {force:?})"
+                    ),
+                });
+            }
+            (None, None) => {
+                return Err(InputError::Conflict {
+                    field: "load".to_owned(),
+                    reason: "hertz_pressure or force is missing".to_owned(),
+                });
+            }
+        };
+        // All inputs are in range, so what is left is a result that is not.
+        contact.map_err(|error| InputError::Conflict {
+            field: format!("{field} = {value:?}"),
+            reason: format!("the Hertz contact under it is beyond the range of numbers ({error})"),
+        })
     }
 
     /// Whether the contact is solved with a lubricant.
@@ -455,8 +501,13 @@ impl Scene {
 mod files {
     use std::path::Path;
 
+    use serde::Deserialize;
+
     use super::{Roughness, Scene};
     use crate::sim::SimError;
+
+    /// Characters of a line that a syntax error quotes.
+    const LONGEST_QUOTE: usize = 80;
 
     impl Scene {
         /// A scene from TOML text.
@@ -464,7 +515,13 @@ mod files {
         /// # Errors
         /// [`SimError::Scene`] naming the key and the line of what does not fit.
         pub fn from_toml(text: &str) -> Result<Self, SimError> {
-            toml::from_str(text).map_err(|e| SimError::Scene { reason: e.to_string().trim().to_owned() })
+            let scene = |reason| SimError::Scene { reason };
+            let tree = toml::Deserializer::parse(text).map_err(|error| {
+                let line = text.lines().nth(line_of(text, &error)).unwrap_or_default().trim();
+                let shown: String = line.chars().filter(|c| !c.is_control()).take(LONGEST_QUOTE).collect();
+                scene(format!("{} in `{shown}`", in_one_line(text, error)))
+            })?;
+            Self::deserialize(tree).map_err(|error| scene(in_one_line(text, error)))
         }
 
         /// The scene as TOML text.
@@ -492,5 +549,150 @@ mod files {
             }
             Ok(scene)
         }
+    }
+
+    /// The parser's message with line and key in one line.
+    fn in_one_line(text: &str, mut error: toml::de::Error) -> String {
+        let line = 1 + line_of(text, &error);
+        // With the text at hand the message would be a picture of the place instead of the key.
+        error.set_input(None);
+        let message = error.to_string();
+        let words: Vec<&str> = message.split_whitespace().collect();
+        format!("line {line}: {}", words.join(" "))
+    }
+
+    /// The line of the error, from 0.
+    fn line_of(text: &str, error: &toml::de::Error) -> usize {
+        let start = error.span().map_or(0, |span| span.start.min(text.len()));
+        text.as_bytes()[..start].iter().filter(|byte| **byte == b'\n').count()
+    }
+}
+
+/// What the derived readers are too lenient for. Tables whose keys depend on `kind` are read flat: derived enums would
+/// take stray keys of a unit variant and lose the key of a value that does not fit.
+#[cfg(feature = "serde")]
+mod tables {
+    use std::path::PathBuf;
+
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer};
+
+    use super::{FileRoughness, RandomRoughness, Roughness};
+    use crate::surface::Form;
+
+    #[derive(Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct FormTable {
+        kind: FormKind,
+        radius: Option<f64>,
+        radius_x: Option<f64>,
+        radius_y: Option<f64>,
+    }
+
+    #[derive(Deserialize, Clone, Copy)]
+    #[serde(rename_all = "snake_case")]
+    enum FormKind {
+        Sphere,
+        Ellipsoid,
+    }
+
+    pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D::Error> {
+        let table = FormTable::deserialize(deserializer)?;
+        let given = [
+            ("radius", table.radius.is_some()),
+            ("radius_x", table.radius_x.is_some()),
+            ("radius_y", table.radius_y.is_some()),
+        ];
+        match table.kind {
+            FormKind::Sphere => refuse_strays("sphere", &given, &["radius"])
+                .and_then(|()| Ok(Form::Sphere { radius: required("radius", table.radius)? })),
+            FormKind::Ellipsoid => {
+                refuse_strays("ellipsoid", &given, &["radius_x", "radius_y"]).and_then(|()| {
+                    Ok(Form::Ellipsoid {
+                        radius_x: required("radius_x", table.radius_x)?,
+                        radius_y: required("radius_y", table.radius_y)?,
+                    })
+                })
+            }
+        }
+        .map_err(D::Error::custom)
+    }
+
+    #[derive(Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub(super) struct RoughnessTable {
+        kind: RoughnessKind,
+        rq: Option<f64>,
+        length_x: Option<f64>,
+        length_y: Option<f64>,
+        seed: Option<u64>,
+        path: Option<PathBuf>,
+    }
+
+    #[derive(Deserialize, Clone, Copy)]
+    #[serde(rename_all = "snake_case")]
+    enum RoughnessKind {
+        None,
+        Gaussian,
+        Exponential,
+        File,
+    }
+
+    const RANDOM: [&str; 4] = ["rq", "length_x", "length_y", "seed"];
+
+    impl TryFrom<RoughnessTable> for Roughness {
+        type Error = String;
+
+        fn try_from(table: RoughnessTable) -> Result<Self, String> {
+            let given = [
+                ("rq", table.rq.is_some()),
+                ("length_x", table.length_x.is_some()),
+                ("length_y", table.length_y.is_some()),
+                ("seed", table.seed.is_some()),
+                ("path", table.path.is_some()),
+            ];
+            let random = |kind| {
+                refuse_strays(kind, &given, &RANDOM)?;
+                Ok::<_, String>(RandomRoughness {
+                    rq: required("rq", table.rq)?,
+                    length_x: required("length_x", table.length_x)?,
+                    length_y: required("length_y", table.length_y)?,
+                    seed: table.seed.unwrap_or_default(),
+                })
+            };
+            Ok(match table.kind {
+                RoughnessKind::None => {
+                    refuse_strays("none", &given, &[])?;
+                    Self::None
+                }
+                RoughnessKind::Gaussian => Self::Gaussian(random("gaussian")?),
+                RoughnessKind::Exponential => Self::Exponential(random("exponential")?),
+                RoughnessKind::File => {
+                    refuse_strays("file", &given, &["path", "rq"])?;
+                    Self::File(FileRoughness { path: required("path", table.path)?, rq: table.rq })
+                }
+            })
+        }
+    }
+
+    /// Exactly two numbers: the parser would drop further ones in silence.
+    pub(super) fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; 2], D::Error> {
+        let edges = Vec::<f64>::deserialize(deserializer)?;
+        <[f64; 2]>::try_from(edges.as_slice())
+            .map_err(|_| D::Error::invalid_length(edges.len(), &"the two outer edges"))
+    }
+
+    fn refuse_strays(kind: &str, given: &[(&str, bool)], known: &[&str]) -> Result<(), String> {
+        match given.iter().find(|(key, present)| *present && !known.contains(key)) {
+            None => Ok(()),
+            Some((key, _)) => Err(match known {
+                [] => format!("unknown field `{key}`, kind = \"{kind}\" has no other fields"),
+                _ => format!("unknown field `{key}`, kind = \"{kind}\" has `{}`", known.join("`, `")),
+            }),
+        }
+    }
+
+    fn required<T>(key: &str, value: Option<T>) -> Result<T, String> {
+        value.ok_or_else(|| format!("missing field `{key}`"))
     }
 }

@@ -1,49 +1,127 @@
 //! From a scene to the pieces of a contact problem.
 
 use super::SimError;
-use super::scene::{FileRoughness, RandomRoughness, Roughness, Scene, SchemeKind, SolverKind};
+use super::scene::{FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SchemeKind, SolverKind};
 use crate::analytic::{FilmConditions, HertzPoint};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, DowsonHigginson, Roelands, ViscosityLaw};
-use crate::metrics::height_statistics;
+use crate::metrics::{average_central_film, height_statistics};
 use crate::reynolds::{Auto, ContactSolver, Dry, NewtonKrylov, Scheme, SemiSystem, StoppingRule};
 use crate::surface::{Autocorrelation, RoughnessSpec, generate};
+use crate::tribochem::Ghanbarzadeh;
 
-/// Checks what is not checked where it is used.
+/// Checks every value of the scene but form, load, grid and roughness, used or not.
 pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     let speed = scene.motion.entrainment_speed;
-    InputError::require_non_negative("motion.entrainment_speed", speed)?;
     if scene.is_lubricated() {
         InputError::require_positive("motion.entrainment_speed", speed)?;
-        InputError::require_positive("solver.film_cutoff", scene.solver.film_cutoff)?;
     }
+    InputError::require_non_negative("motion.entrainment_speed", speed)?;
     let ratio = scene.motion.slide_roll_ratio;
     InputError::require(ratio.is_finite(), "motion.slide_roll_ratio", ratio, "finite")?;
     let friction = scene.friction;
     InputError::require_non_negative("friction.boundary_coefficient", friction.boundary_coefficient)?;
     InputError::require_positive("friction.limiting_shear_stress", friction.limiting_shear_stress)?;
-    InputError::require_positive("thermal.bulk_temperature", scene.thermal.bulk_temperature)?;
+    let thermal = scene.thermal;
+    InputError::require_positive("thermal.bulk_temperature", thermal.bulk_temperature)?;
+    InputError::require_positive("thermal.conductivity", thermal.conductivity)?;
+    InputError::require_positive("thermal.diffusivity", thermal.diffusivity)?;
     if let Some(plastic) = scene.plastic {
         InputError::require_positive("plastic.hardness", plastic.hardness)?;
         if let Some(film) = plastic.film_hardness {
             InputError::require_positive("plastic.film_hardness", film)?;
         }
     }
+    if let Some(spec) = scene.lubricant {
+        roelands(&spec)?;
+        DowsonHigginson::new(spec.density_a, spec.density_b)?;
+    }
+    if let Some(spec) = scene.tribofilm {
+        Ghanbarzadeh::new(spec.maximum_thickness, spec.x_tribo, spec.removal_limit, spec.removal_rate)?;
+    }
+    if let Some(wear) = scene.wear {
+        InputError::require_non_negative("wear.coefficient", wear.coefficient)?;
+        InputError::require(
+            (0.0..=wear.coefficient).contains(&wear.film_coefficient),
+            "wear.film_coefficient",
+            wear.film_coefficient,
+            "between 0 and wear.coefficient",
+        )?;
+        InputError::require_positive("wear.hardness", wear.hardness)?;
+    }
+    InputError::require_positive("solver.film_cutoff", scene.solver.film_cutoff)?;
+    SemiSystem::new(scene.solver.relaxation, scene.solver.stiffness)?;
+    stopping_rule(scene)?;
     Ok(())
+}
+
+/// Checks that the box holds the point of first touch and resolves the contact.
+pub(super) fn validate_box(grid: &Grid, hertz: &HertzPoint) -> Result<(), InputError> {
+    for (field, n) in [("grid.nx", grid.nx()), ("grid.ny", grid.ny())] {
+        InputError::require(n >= 5, field, n as f64, "at least 5 for a contact solve")?;
+    }
+    let axes = [
+        ("grid.x", grid.x(0) - 0.5 * grid.dx(), grid.size_x()),
+        ("grid.y", grid.y(0) - 0.5 * grid.dy(), grid.size_y()),
+    ];
+    for (field, low, size) in axes {
+        if low > 0.0 || low + size < 0.0 {
+            return Err(InputError::Conflict {
+                field: field.to_owned(),
+                reason: format!(
+                    "the bodies touch at 0, outside the box from {low:.6e} to {:.6e}",
+                    low + size
+                ),
+            });
+        }
+    }
+    let zeros = vec![0.0; grid.len()];
+    average_central_film(grid, &zeros, hertz.a_x, hertz.a_y).map_err(|_| InputError::Conflict {
+        field: "grid".to_owned(),
+        reason: format!(
+            "no node lies within two thirds of the Hertz half-widths {:.6e} x {:.6e} m, the cells are {:.6e} x {:.6e} m",
+            hertz.a_x,
+            hertz.a_y,
+            grid.dx(),
+            grid.dy()
+        ),
+    })?;
+    Ok(())
+}
+
+/// Checks that a uniform `hardness` \[Pa\] can carry the load; the outermost nodes carry none.
+pub(super) fn validate_hardness(hardness: f64, grid: &Grid, hertz: &HertzPoint) -> Result<(), InputError> {
+    let nodes = grid.nx().saturating_sub(2) * grid.ny().saturating_sub(2);
+    let largest = hardness * nodes as f64 * grid.cell_area();
+    if nodes == 0 || hertz.load < largest {
+        return Ok(());
+    }
+    Err(InputError::Conflict {
+        field: format!("plastic.hardness = {hardness:?}"),
+        reason: format!(
+            "the box carries less than {largest:.6e} N at this pressure, the load is {:.6e} N",
+            hertz.load
+        ),
+    })
 }
 
 /// Heights of one body on the grid \[m\].
 pub(super) fn heights(roughness: &Roughness, grid: &Grid, body: &str) -> Result<Vec<f64>, SimError> {
     match roughness {
         Roughness::None => Ok(vec![0.0; grid.len()]),
-        Roughness::Gaussian(random) => generated(random, Autocorrelation::Gaussian, grid),
-        Roughness::Exponential(random) => generated(random, Autocorrelation::Exponential, grid),
+        Roughness::Gaussian(random) => generated(random, Autocorrelation::Gaussian, grid, body),
+        Roughness::Exponential(random) => generated(random, Autocorrelation::Exponential, grid, body),
         Roughness::File(file) => measured(file, grid, body),
     }
 }
 
-fn generated(random: &RandomRoughness, shape: Autocorrelation, grid: &Grid) -> Result<Vec<f64>, SimError> {
+fn generated(
+    random: &RandomRoughness,
+    shape: Autocorrelation,
+    grid: &Grid,
+    body: &str,
+) -> Result<Vec<f64>, SimError> {
     let spec = RoughnessSpec {
         autocorrelation: shape,
         rq: random.rq,
@@ -51,32 +129,40 @@ fn generated(random: &RandomRoughness, shape: Autocorrelation, grid: &Grid) -> R
         length_y: random.length_y,
         seed: random.seed,
     };
-    Ok(generate(grid, &spec)?)
+    Ok(generate(grid, &spec).map_err(|error| of_body(error, body))?)
+}
+
+/// The error of a roughness with the body's key in front of the field.
+fn of_body(mut error: InputError, body: &str) -> InputError {
+    if let InputError::Value { field, .. } | InputError::Conflict { field, .. } = &mut error {
+        *field = field.replacen("roughness.", &format!("roughness.{body}."), 1);
+    }
+    error
 }
 
 #[cfg(feature = "formats")]
 fn measured(file: &FileRoughness, grid: &Grid, body: &str) -> Result<Vec<f64>, SimError> {
-    let surface = crate::surface::read(&file.path)?;
+    if let Some(rq) = file.rq {
+        InputError::require_non_negative(&format!("roughness.{body}.rq"), rq)?;
+    }
+    let unusable = |reason: String| InputError::Conflict { field: format!("roughness.{body}.path"), reason };
+    let surface = crate::surface::read(&file.path).map_err(|error| unusable(error.to_string()))?;
     let mut heights = if surface.dx().is_none() {
         if (surface.nx(), surface.ny()) != (grid.nx(), grid.ny()) {
-            return Err(SimError::Input(InputError::Conflict {
-                field: format!("roughness.{body}.path"),
-                reason: format!(
-                    "{} holds {} x {} heights without spacing, the grid has {} x {}",
-                    file.path.display(),
-                    surface.nx(),
-                    surface.ny(),
-                    grid.nx(),
-                    grid.ny()
-                ),
-            }));
+            return Err(SimError::Input(unusable(format!(
+                "{} holds {} x {} heights without spacing, the grid has {} x {}",
+                file.path.display(),
+                surface.nx(),
+                surface.ny(),
+                grid.nx(),
+                grid.ny()
+            ))));
         }
         surface.heights().to_vec()
     } else {
-        surface.fit_to_grid(grid)?
+        surface.fit_to_grid(grid).map_err(|error| unusable(format!("{}: {error}", file.path.display())))?
     };
     if let Some(rq) = file.rq {
-        InputError::require_non_negative(&format!("roughness.{body}.rq"), rq)?;
         rescale(&mut heights, rq, body)?;
     }
     Ok(heights)
@@ -109,11 +195,14 @@ fn rescale(heights: &mut [f64], rq: f64, body: &str) -> Result<(), InputError> {
 /// The viscosity law of the scene.
 pub(super) fn viscosity(scene: &Scene) -> Result<Option<Box<dyn ViscosityLaw>>, InputError> {
     let Some(spec) = scene.lubricant.filter(|_| scene.is_lubricated()) else { return Ok(None) };
-    let law = match spec.alpha {
-        None => Roelands::new(spec.eta0, spec.roelands_z, spec.roelands_p0)?,
-        Some(alpha) => Roelands::from_alpha(spec.eta0, alpha, spec.roelands_z, spec.roelands_p0)?,
-    };
-    Ok(Some(Box::new(law)))
+    Ok(Some(Box::new(roelands(&spec)?)))
+}
+
+fn roelands(spec: &LubricantSpec) -> Result<Roelands, InputError> {
+    match spec.alpha {
+        None => Roelands::new(spec.eta0, spec.roelands_z, spec.roelands_p0),
+        Some(alpha) => Roelands::from_alpha(spec.eta0, alpha, spec.roelands_z, spec.roelands_p0),
+    }
 }
 
 /// The density law of the scene.
@@ -128,9 +217,7 @@ pub(super) fn solver(scene: &Scene) -> Result<Box<dyn ContactSolver>, InputError
         SolverKind::Auto => Box::new(Auto::new()) as Box<dyn ContactSolver>,
         SolverKind::NewtonKrylov => Box::new(NewtonKrylov::new()),
         SolverKind::Dry => Box::new(Dry::new()),
-        SolverKind::SemiSystem => {
-            Box::new(SemiSystem::new(scene.solver.relaxation, scene.solver.stiffness)?)
-        }
+        SolverKind::SemiSystem => Box::new(SemiSystem::new(scene.solver.relaxation, scene.solver.stiffness)?),
     })
 }
 

@@ -2,13 +2,13 @@
 
 use std::ops::ControlFlow;
 
+use super::SimError;
 use super::body::Body;
 use super::builder::SimBuilder;
 use super::contact::{ContactModel, contact_numbers, film_numbers};
 use super::observer::Observer;
 use super::record::StepRecord;
 use super::scene::Scene;
-use super::SimError;
 use crate::analytic::HertzPoint;
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -31,6 +31,9 @@ pub(super) struct Laws {
     pub(super) growth: Option<Box<dyn FilmGrowthLaw>>,
     pub(super) wear: Option<Box<dyn WearLaw>>,
 }
+
+/// Where the roughness of ball and disc stands, in nodes.
+type Shifts = [(usize, usize); 2];
 
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,7 +73,6 @@ pub struct MixedLubricationSim {
     laws: Laws,
     flash: Option<FlashTemperature>,
     motion: RoughnessMotion,
-    formula_film: f64,
     bodies: [Body; 2],
     state: ContactState,
     time: f64,
@@ -133,7 +135,6 @@ impl MixedLubricationSim {
         laws: Laws,
         flash: Option<FlashTemperature>,
         motion: RoughnessMotion,
-        formula_film: f64,
     ) -> Self {
         let grid = contact.grid;
         Self {
@@ -144,7 +145,6 @@ impl MixedLubricationSim {
             laws,
             flash,
             motion,
-            formula_film,
             backup: bodies.clone(),
             bodies,
             time: 0.0,
@@ -244,7 +244,7 @@ impl MixedLubricationSim {
     }
 
     /// Solves the contact at the next position of the roughness, or at further ones where that fails.
-    fn solve_somewhere(&mut self) -> Result<(SolveReport, [(usize, usize); 2], u32), SimError> {
+    fn solve_somewhere(&mut self) -> Result<(SolveReport, Shifts, u32), SimError> {
         let (nx, ny) = (self.contact.grid.nx(), self.contact.grid.ny());
         let tries = if self.motion == RoughnessMotion::Fixed { 1 } else { MAX_ATTEMPTS };
         let mut attempt = 1;
@@ -263,7 +263,7 @@ impl MixedLubricationSim {
         }
     }
 
-    fn solve_at(&mut self, shifts: [(usize, usize); 2]) -> Result<SolveReport, SimError> {
+    fn solve_at(&mut self, shifts: Shifts) -> Result<SolveReport, SimError> {
         let (nx, ny) = (self.contact.grid.nx(), self.contact.grid.ny());
         let Self { fields, bodies, contact, laws, state, .. } = self;
         fields.gap.copy_from_slice(&contact.form_gap);
@@ -304,13 +304,7 @@ impl MixedLubricationSim {
         if let Some(lubricant) = &contact.lubricant {
             lubricant.viscosity().fill(&state.fluid_pressure, &mut fields.viscosity);
             let limit = Some(scene.friction.limiting_shear_stress);
-            metrics::viscous_shear_into(
-                &fields.viscosity,
-                &state.film,
-                sliding,
-                limit,
-                &mut fields.shear,
-            )?;
+            metrics::viscous_shear_into(&fields.viscosity, &state.film, sliding, limit, &mut fields.shear)?;
         }
         let boundary = scene.friction.boundary_coefficient;
         for (heat, (solid, shear)) in fields.heat.iter_mut().zip(fields.solid.iter().zip(&fields.shear)) {
@@ -324,7 +318,7 @@ impl MixedLubricationSim {
 
     /// Applies wear, film growth and flattening to the bodies. The film grows half before and half after the wear, so
     /// that the wear coefficient is that of the middle of the step.
-    fn commit(&mut self, time_step: f64, shifts: [(usize, usize); 2]) -> Result<(), SimError> {
+    fn commit(&mut self, time_step: f64, shifts: Shifts) -> Result<(), SimError> {
         let Self { fields, bodies, contact, laws, state, scene, .. } = self;
         let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
         let boundary = scene.friction.boundary_coefficient;
@@ -364,12 +358,7 @@ impl MixedLubricationSim {
         Ok(())
     }
 
-    fn record(
-        &self,
-        report: SolveReport,
-        attempts: u32,
-        flash_rise: f64,
-    ) -> Result<StepRecord, SimError> {
+    fn record(&self, report: SolveReport, attempts: u32, flash_rise: f64) -> Result<StepRecord, SimError> {
         let (state, grid) = (&self.state, self.contact.grid);
         let film = film_numbers(&self.contact, state)?;
         let contact = contact_numbers(&self.contact, state, &self.fields.solid, None)?;
@@ -391,7 +380,7 @@ impl MixedLubricationSim {
             composite_rq,
             average_film: film.mean_central,
             lambda: over_rq(film.mean_central),
-            lambda_old: over_rq(self.formula_film),
+            lambda_old: over_rq(self.contact.formula_film),
             area_ratio: contact.area_ratio,
             load_ratio: contact.load_ratio,
             max_pressure: contact.max_pressure,
@@ -422,7 +411,7 @@ fn flatten(
     bodies: &mut [Body; 2],
     state: &ContactState,
     (nx, ny): (usize, usize),
-    shifts: [(usize, usize); 2],
+    shifts: Shifts,
 ) -> Result<(), SimError> {
     for index in 0..2 {
         let nodes = fields.films[index].iter().zip(&fields.depths[index]);

@@ -1,0 +1,235 @@
+//! The eight figures of Azam et al. (2019), each with both histories on the same axes.
+
+use std::error::Error;
+use std::path::Path;
+
+use stribeck::metrics::BearingCurve;
+use stribeck::sim::StepRecord;
+
+use crate::chart::{BLACK, BLUE, Figure, Line, Panel, Pen, VERMILION};
+use crate::history::History;
+
+/// Points of a bearing area curve.
+const BEARING_POINTS: u32 = 500;
+
+/// Draws `figure1.svg` to `figure8.svg` into `folder`.
+pub(crate) fn draw_all(with: &History, without: &History, folder: &Path) -> Result<(), Box<dyn Error>> {
+    // The one without film first: where both lie on each other, the film stays visible.
+    let pair = [without, with];
+    let figures = [
+        ball_roughness(pair),
+        lambda_old(pair),
+        film_and_roughness(pair),
+        lambda(pair),
+        contact(pair),
+        wear(pair),
+        film_profile(pair)?,
+        bearing_area(pair)?,
+    ];
+    for (number, figure) in (1..).zip(figures) {
+        figure.write(&folder.join(format!("figure{number}.svg")))?;
+    }
+    Ok(())
+}
+
+type Pair<'a> = [&'a History; 2];
+
+/// Colours of [without, with].
+const COLOURS: [plotters::style::RGBColor; 2] = [BLUE, VERMILION];
+
+/// Unit of the time axis, by the longer history.
+struct Clock {
+    label: &'static str,
+    seconds: f64,
+}
+
+impl Clock {
+    fn new(pair: Pair<'_>) -> Self {
+        let end =
+            pair.iter().filter_map(|history| history.records.last()).map(|r| r.time).fold(0.0, f64::max);
+        if end > 6.0 * 3600.0 {
+            Self { label: "time, h", seconds: 3600.0 }
+        } else {
+            Self { label: "time, min", seconds: 60.0 }
+        }
+    }
+
+    fn points(&self, history: &History, value: impl Fn(&StepRecord) -> f64) -> Vec<(f64, f64)> {
+        history.records.iter().map(|record| (record.time / self.seconds, value(record))).collect()
+    }
+
+    /// A column that belongs to the surfaces and so has no scatter.
+    fn smooth(
+        &self,
+        pair: Pair<'_>,
+        pen: fn(plotters::style::RGBColor) -> Pen,
+        value: impl Fn(&StepRecord) -> f64,
+    ) -> Vec<Line> {
+        let lines = pair.into_iter().zip(COLOURS);
+        lines
+            .map(|(history, colour)| Line { pen: pen(colour), points: self.points(history, &value) })
+            .collect()
+    }
+
+    /// A column that belongs to one position of the roughness: every step faint, their running mean strong.
+    fn scattered(&self, pair: Pair<'_>, value: impl Fn(&StepRecord) -> f64) -> Vec<Line> {
+        let raw = pair.map(|history| self.points(history, &value));
+        let means = [0, 1].map(|k| running_mean(&raw[k], pair[k].window()));
+        let faint =
+            raw.into_iter().zip(COLOURS).map(|(points, colour)| Line { pen: Pen::faint(colour), points });
+        let strong =
+            means.into_iter().zip(COLOURS).map(|(points, colour)| Line { pen: Pen::strong(colour), points });
+        faint.chain(strong).collect()
+    }
+}
+
+/// Mean of the `window` points around each, fewer at the ends.
+fn running_mean(points: &[(f64, f64)], window: usize) -> Vec<(f64, f64)> {
+    let half = window / 2;
+    let around = |k: usize| &points[k.saturating_sub(half)..(k + half + 1).min(points.len())];
+    let mean = |part: &[(f64, f64)]| part.iter().map(|point| point.1).sum::<f64>() / part.len() as f64;
+    points.iter().enumerate().map(|(k, point)| (point.0, mean(around(k)))).collect()
+}
+
+/// The two colours.
+fn legend(pair: Pair<'_>) -> Vec<(Pen, String)> {
+    let entries = pair.into_iter().zip(COLOURS);
+    entries.map(|(history, colour)| (Pen::strong(colour), history.title.clone())).collect()
+}
+
+/// The two colours, and what thin and strong lines are.
+fn scattered_legend(pair: Pair<'_>) -> Vec<(Pen, String)> {
+    let mut legend = legend(pair);
+    legend.push((Pen::faint(BLACK), "each step".to_owned()));
+    legend.push((
+        Pen::strong(BLACK),
+        format!("running mean, {} steps", pair[0].window().max(pair[1].window())),
+    ));
+    legend
+}
+
+fn ball_roughness(pair: Pair<'_>) -> Figure {
+    let clock = Clock::new(pair);
+    let lines = clock.smooth(pair, Pen::strong, |r| 1e9 * r.rq[0]);
+    Figure {
+        title: "Roughness of the ball".to_owned(),
+        x_label: clock.label,
+        legend: legend(pair),
+        panels: vec![Panel { y_label: "Rq of the ball, nm", lines }],
+    }
+}
+
+fn lambda_old(pair: Pair<'_>) -> Figure {
+    let clock = Clock::new(pair);
+    let lines = clock.smooth(pair, Pen::strong, |r| r.lambda_old);
+    Figure {
+        title: "\u{3bb} ratio by the film formula of Hamrock and Dowson".to_owned(),
+        x_label: clock.label,
+        legend: legend(pair),
+        panels: vec![Panel { y_label: "\u{3bb}_OLD = h_c / Rq", lines }],
+    }
+}
+
+fn film_and_roughness(pair: Pair<'_>) -> Figure {
+    let clock = Clock::new(pair);
+    let mut roughness = clock.smooth(pair, Pen::strong, |r| 1e9 * r.rq[1]);
+    roughness.extend(clock.smooth(pair, Pen::dashed, |r| 1e9 * r.rq[0]));
+    let mut legend = scattered_legend(pair);
+    legend.push((Pen::strong(BLACK), "Rq of the disc".to_owned()));
+    legend.push((Pen::dashed(BLACK), "Rq of the ball".to_owned()));
+    Figure {
+        title: "Average film within 2/3 of the contact radius, and roughness".to_owned(),
+        x_label: clock.label,
+        legend,
+        panels: vec![
+            Panel { y_label: "h_avg, nm", lines: clock.scattered(pair, |r| 1e9 * r.average_film) },
+            Panel { y_label: "Rq, nm", lines: roughness },
+        ],
+    }
+}
+
+fn lambda(pair: Pair<'_>) -> Figure {
+    let clock = Clock::new(pair);
+    Figure {
+        title: "\u{3bb} ratio by the average film".to_owned(),
+        x_label: clock.label,
+        legend: scattered_legend(pair),
+        panels: vec![Panel { y_label: "\u{3bb} = h_avg / Rq", lines: clock.scattered(pair, |r| r.lambda) }],
+    }
+}
+
+fn contact(pair: Pair<'_>) -> Figure {
+    let clock = Clock::new(pair);
+    Figure {
+        title: "Solid contact: share of the Hertz area and of the load".to_owned(),
+        x_label: clock.label,
+        legend: scattered_legend(pair),
+        panels: vec![
+            Panel { y_label: "area ratio", lines: clock.scattered(pair, |r| r.area_ratio) },
+            Panel { y_label: "load ratio", lines: clock.scattered(pair, |r| r.load_ratio) },
+        ],
+    }
+}
+
+fn wear(pair: Pair<'_>) -> Figure {
+    let clock = Clock::new(pair);
+    let lines = clock.smooth(pair, Pen::strong, |r| 1e9 * r.mean_wear[1]);
+    Figure {
+        title: "Wear depth of the disc, mean over its patch".to_owned(),
+        x_label: clock.label,
+        legend: legend(pair),
+        panels: vec![Panel { y_label: "wear depth, nm", lines }],
+    }
+}
+
+/// Along y through x = 0, inside the Hertz contact, as the last step left it.
+fn film_profile(pair: Pair<'_>) -> Result<Figure, Box<dyn Error>> {
+    let mut lines = Vec::new();
+    for (history, colour) in pair.into_iter().zip(COLOURS) {
+        let (grid, radius) = (history.sim.grid(), history.sim.hertz().a_y);
+        let mut points = Vec::new();
+        if let Some(contact) = &history.last_contact {
+            for y in (0..grid.ny()).map(|j| grid.y(j)).filter(|y| y.abs() <= radius) {
+                points.push((1e6 * y, 1e9 * grid.interpolate(&contact.film, 0.0, y)?));
+            }
+        }
+        lines.push(Line { pen: Pen::strong(colour), points });
+    }
+    Ok(Figure {
+        title: "Film along y at x = 0 in the last step (one random position of the roughness)".to_owned(),
+        x_label: "y, \u{b5}m",
+        legend: legend(pair),
+        panels: vec![Panel { y_label: "film thickness, nm", lines }],
+    })
+}
+
+/// Height of the disc over the share of its area that stands as high.
+fn bearing_area(pair: Pair<'_>) -> Result<Figure, Box<dyn Error>> {
+    let line = |heights: &[f64], pen: Pen| -> Result<Line, Box<dyn Error>> {
+        let curve = BearingCurve::new(heights)?;
+        let share = |k: u32| f64::from(k) / f64::from(BEARING_POINTS);
+        let points =
+            (0..=BEARING_POINTS).map(|k| (100.0 * share(k), 1e9 * curve.height_at(share(k)))).collect();
+        Ok(Line { pen, points })
+    };
+    let [without, with] = pair.map(|history| &history.sim.bodies()[1]);
+    let mut legend = vec![(Pen::dashed(BLACK), "initial".to_owned())];
+    legend.extend(
+        pair.into_iter()
+            .zip(COLOURS)
+            .map(|(history, colour)| (Pen::strong(colour), format!("final, {}", history.title))),
+    );
+    Ok(Figure {
+        title: "Bearing area curve of the disc".to_owned(),
+        x_label: "material ratio, %",
+        legend,
+        panels: vec![Panel {
+            y_label: "height above the mean, nm",
+            lines: vec![
+                line(without.initial(), Pen::dashed(BLACK))?,
+                line(without.surface(), Pen::strong(BLUE))?,
+                line(with.surface(), Pen::strong(VERMILION))?,
+            ],
+        }],
+    })
+}

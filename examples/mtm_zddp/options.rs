@@ -1,0 +1,77 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use lexopt::prelude::*;
+
+/// What `--help` prints.
+pub(crate) const USAGE: &str = "\
+Two hours of a rough ball on a rough disc, with and without a ZDDP tribofilm (Azam et al. 2019).
+
+usage: cargo run --release --example mtm_zddp -- [options]
+
+  --quick         64 x 64 nodes, 24 steps of 300 s instead of 128 x 128 nodes, 720 steps of 10 s
+  --surface FILE  measured surface of the disc: .x3p, or .npy with the heights of the grid in metres
+  --seed N        seed of both roughnesses and of their motion (default 1)
+  --steps N       number of steps
+  --grid N        nodes along each side of the grid
+  --out DIR       where to write (default target/mtm_zddp)
+  --help          this text
+
+Writes with.csv, without.csv (a row per step), with.npz, without.npz (final fields) and figure1.svg to figure8.svg.
+Exit status: 0 done, 1 wrong option or file, 2 a history ended early (what there is of it is written).
+";
+
+/// What the command line asks for.
+pub(crate) enum Command {
+    /// The usage.
+    Help,
+    /// The two histories.
+    Run(Options),
+}
+
+/// Size, time and place of the run.
+#[derive(Debug, Clone)]
+pub(crate) struct Options {
+    /// Nodes along each side of the grid.
+    pub(crate) grid: usize,
+    /// Steps of each history.
+    pub(crate) steps: u64,
+    /// Time that one step stands for \[s\].
+    pub(crate) time_step: f64,
+    /// Seed of roughness and motion.
+    pub(crate) seed: u64,
+    /// File of the disc's measured surface.
+    pub(crate) surface: Option<PathBuf>,
+    /// Folder of the output.
+    pub(crate) out: PathBuf,
+}
+
+/// Reads the command line; the options may stand in any order.
+pub(crate) fn parse() -> Result<Command, lexopt::Error> {
+    let mut parser = lexopt::Parser::from_env();
+    let (mut quick, mut grid, mut steps) = (false, None, None);
+    let (mut seed, mut surface, mut out) = (1, None, PathBuf::from("target/mtm_zddp"));
+    while let Some(argument) = parser.next()? {
+        match argument {
+            Long("quick") => quick = true,
+            Long("surface") => surface = Some(PathBuf::from(parser.value()?)),
+            Long("seed") => seed = parser.value()?.parse()?,
+            Long("steps") => steps = Some(at_least_one("--steps", parser.value()?.parse()?)?),
+            Long("grid") => grid = Some(at_least_one("--grid", parser.value()?.parse()?)?),
+            Long("out") => out = PathBuf::from(parser.value()?),
+            Long("help") | Short('h') => return Ok(Command::Help),
+            other => return Err(other.unexpected()),
+        }
+    }
+    let (default_grid, default_steps, time_step) = if quick { (64, 24, 300.0) } else { (128, 720, 10.0) };
+    let grid = match grid {
+        Some(grid) => usize::try_from(grid).map_err(|_| format!("--grid {grid} is too large"))?,
+        None => default_grid,
+    };
+    Ok(Command::Run(Options { grid, steps: steps.unwrap_or(default_steps), time_step, seed, surface, out }))
+}
+
+fn at_least_one(option: &str, count: u64) -> Result<u64, lexopt::Error> {
+    if count == 0 { Err(format!("{option} must be at least 1").into()) } else { Ok(count) }
+}

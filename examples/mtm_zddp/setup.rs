@@ -1,0 +1,68 @@
+//! From the options to the two simulations.
+
+use std::path::Path;
+
+use stribeck::sim::scene::{Flash, Roughness};
+use stribeck::sim::{MixedLubricationSim, Scene, SimError};
+use stribeck::surface::RoughnessMotion;
+use stribeck::{Grid, InputError, surface};
+
+use crate::options::Options;
+
+/// Bound of every residual of a solve. One solve stands for hundreds of passages at a random position of the roughness:
+/// tighter residuals change no column of the history by more than its scatter from position to position. Mass, load
+/// and complementarity are all held to it.
+const TOLERANCE: f64 = 1e-3;
+
+/// The simulations with and without tribofilm; all else is the same, roughness and its motion included.
+pub(crate) fn pair(options: &Options) -> Result<[MixedLubricationSim; 2], SimError> {
+    let scene = scene(options);
+    let grid = scene.grid()?;
+    let disc = options.surface.as_deref().map(|path| disc_heights(path, &grid)).transpose()?;
+    let build = |scene: Scene| {
+        let motion = RoughnessMotion::RandomShift { seed: options.seed };
+        let builder = MixedLubricationSim::builder(scene).motion(motion);
+        match &disc {
+            Some(heights) => builder.disc_heights(heights.clone()).build(),
+            None => builder.build(),
+        }
+    };
+    Ok([build(scene.clone().with_tribofilm())?, build(scene)?])
+}
+
+fn scene(options: &Options) -> Scene {
+    let mut scene = Scene::azam_2019(options.grid);
+    // Below a kelvin and negligible, but then the history can say so.
+    scene.thermal.flash = Flash::On;
+    scene.solver.tolerance = TOLERANCE;
+    // Seed 1 gives the scene's own surfaces.
+    let disc_seed = options.seed.wrapping_mul(2);
+    let seeds = [disc_seed.wrapping_sub(1), disc_seed];
+    for (roughness, value) in [&mut scene.roughness.ball, &mut scene.roughness.disc].into_iter().zip(seeds) {
+        if let Roughness::Gaussian(random) | Roughness::Exponential(random) = roughness {
+            random.seed = value;
+        }
+    }
+    scene
+}
+
+/// The measured surface in `path` on `grid` \[m\]: levelled and resampled where the file says how far apart its
+/// points are, else node by node.
+fn disc_heights(path: &Path, grid: &Grid) -> Result<Vec<f64>, SimError> {
+    let measured = surface::read(path)?;
+    if measured.dx().is_some() {
+        return Ok(measured.fit_to_grid(grid)?);
+    }
+    if (measured.nx(), measured.ny()) == (grid.nx(), grid.ny()) {
+        return Ok(measured.heights().to_vec());
+    }
+    let reason = format!(
+        "{} holds {} x {} heights without spacing, the grid has {} x {} nodes",
+        path.display(),
+        measured.nx(),
+        measured.ny(),
+        grid.nx(),
+        grid.ny()
+    );
+    Err(InputError::Conflict { field: "--surface".to_owned(), reason }.into())
+}

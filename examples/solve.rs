@@ -1,0 +1,187 @@
+//! Solves one quasi-static contact that a scene file describes (`docs/scene.md`).
+//!
+//! ```text
+//! cargo run --release --example solve -- SCENE.toml [--json] [--fields OUT.npz]
+//! ```
+//!
+//! Ends with 0 when the solve converged, 2 when it did not, 1 for bad input, with one line on standard error.
+
+use std::error::Error;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+
+use serde_json::{Value, json};
+use stribeck::Status;
+use stribeck::sim::{ContactSolution, Scene, solve_contact, write_npz};
+
+const USAGE: &str = "usage: solve SCENE.toml [--json] [--fields OUT.npz]";
+const NOT_CONVERGED: u8 = 2;
+
+struct Arguments {
+    scene: PathBuf,
+    json: bool,
+    fields: Option<PathBuf>,
+}
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(Some(Status::Converged) | None) => ExitCode::SUCCESS,
+        Ok(Some(_)) => ExitCode::from(NOT_CONVERGED),
+        Err(error) => {
+            let line = error.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
+            // Nobody is left to be told when standard error is closed.
+            let _ = writeln!(io::stderr(), "error: {line}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The status of the solve; none when only help was wanted.
+fn run() -> Result<Option<Status>, Box<dyn Error>> {
+    let Some(arguments) = parse_arguments()? else {
+        writeln!(io::stdout(), "{USAGE}")?;
+        return Ok(None);
+    };
+    let start = Instant::now();
+    let scene = Scene::load(&arguments.scene).map_err(|e| in_scene(&arguments.scene, &e))?;
+    let solution = solve_contact(&scene).map_err(|e| in_scene(&arguments.scene, &e))?;
+    let seconds = start.elapsed().as_secs_f64();
+    if let Some(path) = &arguments.fields {
+        write_fields(path, &solution)?;
+    }
+    let text =
+        if arguments.json { to_json(&solution, seconds).to_string() } else { summary(&solution, seconds) };
+    writeln!(io::stdout(), "{text}")?;
+    Ok(Some(solution.report.status))
+}
+
+fn parse_arguments() -> Result<Option<Arguments>, Box<dyn Error>> {
+    use lexopt::prelude::*;
+    let mut parser = lexopt::Parser::from_env();
+    let (mut scene, mut json, mut fields) = (None, false, None);
+    while let Some(argument) = parser.next()? {
+        match argument {
+            Long("json") => json = true,
+            Long("fields") => fields = Some(PathBuf::from(parser.value()?)),
+            Long("help") | Short('h') => return Ok(None),
+            Value(path) if scene.is_none() => scene = Some(PathBuf::from(path)),
+            other => return Err(format!("{}; {USAGE}", other.unexpected()).into()),
+        }
+    }
+    let scene = scene.ok_or_else(|| format!("no scene file is given; {USAGE}"))?;
+    Ok(Some(Arguments { scene, json, fields }))
+}
+
+/// The error with the scene file in front, unless it already names it.
+fn in_scene(path: &Path, error: &dyn Error) -> String {
+    let (name, text) = (path.display().to_string(), error.to_string());
+    if text.starts_with(&name) { text } else { format!("{name}: {text}") }
+}
+
+fn write_fields(path: &Path, solution: &ContactSolution) -> Result<(), Box<dyn Error>> {
+    let state = &solution.state;
+    let fields: [(&str, &[f64]); 5] = [
+        ("pressure", &state.pressure),
+        ("fluid_pressure", &state.fluid_pressure),
+        ("film", &state.film),
+        ("gap", &solution.gap),
+        ("plastic_depth", &state.plastic_depth),
+    ];
+    write_npz(path, solution.grid.nx(), solution.grid.ny(), &fields)?;
+    Ok(())
+}
+
+/// Everything in SI units; a number that is not finite becomes null.
+fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
+    let ContactSolution { report, grid, hertz, moes, film, contact, state, .. } = solution;
+    json!({
+        "status": report.status.to_string(),
+        "solver": report.solver,
+        "residual": {
+            "mass": report.residuals.mass,
+            "load": report.residuals.load,
+            "complementarity": report.residuals.complementarity,
+        },
+        "work": {
+            "convolutions": report.work.convolutions,
+            "iterations": report.work.iterations,
+            "inner_iterations": report.work.inner_iterations,
+        },
+        "seconds": seconds,
+        "hertz": {
+            "radius": (hertz.a_x * hertz.a_y).sqrt(),
+            "half_width_x": hertz.a_x,
+            "half_width_y": hertz.a_y,
+            "pressure": hertz.p_max,
+            "force": hertz.load,
+        },
+        "moes": moes.map(|(m, l)| json!({ "m": m, "l": l })),
+        "film": {
+            "central": film.central,
+            "minimum": film.minimum,
+            "mean_central": film.mean_central,
+            "minimum_gap": film.minimum_gap,
+        },
+        "pressure": { "max": contact.max_pressure, "central": contact.central_pressure },
+        "contact": {
+            "area_ratio": contact.area_ratio,
+            "load_ratio": contact.load_ratio,
+            "area": contact.area,
+            "plastic_area": contact.plastic_area,
+        },
+        "approach": state.approach,
+        "grid": { "nx": grid.nx(), "ny": grid.ny(), "dx": grid.dx(), "dy": grid.dy() },
+        "version": env!("CARGO_PKG_VERSION"),
+    })
+}
+
+fn summary(solution: &ContactSolution, seconds: f64) -> String {
+    let ContactSolution { report, grid, hertz, moes, film, contact, state, .. } = solution;
+    let (residuals, work) = (report.residuals, report.work);
+    let moes = moes.map_or_else(|| "dry".to_owned(), |(m, l)| format!("Moes M {m:.1}, L {l:.3}"));
+    [
+        format!(
+            "{} by {} in {seconds:.2} s on {} x {} nodes",
+            report.status,
+            report.solver,
+            grid.nx(),
+            grid.ny()
+        ),
+        format!(
+            "residuals  mass {:.1e}, load {:.1e}, complementarity {:.1e}",
+            residuals.mass, residuals.load, residuals.complementarity
+        ),
+        format!(
+            "work       {} iterations, {} inner, {:.0} convolutions",
+            work.iterations, work.inner_iterations, work.convolutions
+        ),
+        format!(
+            "Hertz      {:.4} GPa, {:.4} N, {:.2} x {:.2} um; {moes}",
+            hertz.p_max * 1e-9,
+            hertz.load,
+            hertz.a_x * 1e6,
+            hertz.a_y * 1e6
+        ),
+        format!(
+            "film       central {:.3} nm, minimum {:.3} nm, mean {:.3} nm",
+            film.central * 1e9,
+            film.minimum * 1e9,
+            film.mean_central * 1e9
+        ),
+        format!(
+            "pressure   maximum {:.4} GPa, central {:.4} GPa",
+            contact.max_pressure * 1e-9,
+            contact.central_pressure * 1e-9
+        ),
+        format!(
+            "contact    {:.2} % of the Hertz area, {:.2} % of the load, {:.1} um^2 plastic",
+            contact.area_ratio * 100.0,
+            contact.load_ratio * 100.0,
+            contact.plastic_area * 1e12
+        ),
+        format!("approach   {:.3} nm", state.approach * 1e9),
+    ]
+    .join("\n")
+}

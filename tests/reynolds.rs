@@ -1,0 +1,173 @@
+//! The lubricated solvers: known films, agreement between methods, limits, and failures that must stay typed.
+
+use stribeck::Status;
+use stribeck::sim::scene::{Roughness, SolverKind};
+use stribeck::sim::{ContactSolution, Scene, solve_contact};
+
+/// The reference scene without roughness and plastic limit.
+fn smooth(n: usize) -> Scene {
+    let mut scene = Scene::azam_2019(n);
+    scene.roughness = Default::default();
+    scene.plastic = None;
+    scene
+}
+
+fn solve(scene: &Scene) -> ContactSolution {
+    let solution = solve_contact(scene).unwrap();
+    solution.report.require_converged().unwrap();
+    assert!(solution.report.residuals.max() <= scene.solver.tolerance, "{:?}", solution.report);
+    solution
+}
+
+/// Load by summation, film and pressure bounds, contact only where the film is the cut-off.
+fn check_consistency(scene: &Scene, solution: &ContactSolution) {
+    let state = &solution.state;
+    let load: f64 = state.pressure.iter().sum::<f64>() * solution.grid.cell_area();
+    assert!((load / solution.hertz.load - 1.0).abs() < 1e-6, "load {load}");
+    let limit = scene.plastic.map_or(f64::INFINITY, |plastic| plastic.hardness);
+    let cutoff = scene.solver.film_cutoff;
+    for k in 0..state.pressure.len() {
+        assert!((0.0..=limit).contains(&state.pressure[k]), "node {k}: {}", state.pressure[k]);
+        assert!((0.0..=limit).contains(&state.fluid_pressure[k]), "node {k}");
+        assert!(state.film[k] > cutoff - 0.1e-9, "node {k}: film {}", state.film[k]);
+        if state.in_contact[k] {
+            assert!((state.film[k] - cutoff).abs() < 1e-11, "contact node {k}: film {}", state.film[k]);
+        } else {
+            let solid = state.pressure[k] - state.fluid_pressure[k];
+            assert!(solid.abs() < 1e-3, "open node {k} carries solid pressure {solid}");
+        }
+    }
+}
+
+#[test]
+fn smooth_reference_scene_has_the_known_film() {
+    // 8.3 nm at 256 x 256 with the first-order scheme, by an independent semi-system program.
+    let scene = smooth(256);
+    let solution = solve(&scene);
+    let central = solution.film.central * 1e9;
+    assert!((central - 8.3).abs() < 0.05 * 8.3, "central film {central} nm");
+    let peak = solution.contact.max_pressure / 1.15e9;
+    assert!((peak - 1.0).abs() < 0.01, "peak {peak} of the Hertz pressure");
+    check_consistency(&scene, &solution);
+}
+
+#[test]
+fn semi_system_and_newton_agree_on_full_films() {
+    for speed in [1.0, 10.0] {
+        let mut scene = smooth(64);
+        scene.motion.entrainment_speed = speed;
+        scene.solver.kind = SolverKind::NewtonKrylov;
+        let newton = solve(&scene);
+        scene.solver.kind = SolverKind::SemiSystem;
+        let sweeps = solve(&scene);
+        assert_eq!(sweeps.report.solver, "semi_system");
+        let difference = sweeps.film.central / newton.film.central - 1.0;
+        assert!(difference.abs() < 1e-5, "central film differs by {difference:e} at {speed} m/s");
+        let difference = sweeps.state.approach / newton.state.approach - 1.0;
+        assert!(difference.abs() < 1e-6, "approach differs by {difference:e} at {speed} m/s");
+        check_consistency(&scene, &newton);
+        check_consistency(&scene, &sweeps);
+    }
+}
+
+#[test]
+fn textbook_coefficients_fail_and_say_so() {
+    let mut scene = smooth(64);
+    scene.solver.kind = SolverKind::SemiSystem;
+    scene.solver.stiffness = 1.0;
+    scene.solver.max_iterations = 3000;
+    let solution = solve_contact(&scene).unwrap();
+    assert_ne!(solution.report.status, Status::Converged, "{:?}", solution.report);
+    assert!(solution.report.residuals.max() > scene.solver.tolerance);
+}
+
+#[test]
+fn rough_reference_scene_converges_from_scratch() {
+    let scene = Scene::azam_2019(128);
+    let solution = solve(&scene);
+    check_consistency(&scene, &solution);
+    assert!(solution.contact.load_ratio > 0.9 && solution.contact.load_ratio < 1.0);
+    assert!(solution.report.work.convolutions < 1000.0, "{:?}", solution.report.work);
+}
+
+#[test]
+fn slow_rough_contact_tends_to_the_dry_one() {
+    let mut scene = Scene::azam_2019(64);
+    scene.solver.kind = SolverKind::Dry;
+    let dry = solve(&scene);
+    scene.solver.kind = SolverKind::Auto;
+    let mut previous = 0.0;
+    for speed in [1e-2, 1e-3, 1e-4] {
+        scene.motion.entrainment_speed = speed;
+        let wet = solve(&scene);
+        assert!(wet.contact.load_ratio > previous, "load ratio at {speed} m/s");
+        previous = wet.contact.load_ratio;
+    }
+    scene.motion.entrainment_speed = 1e-4;
+    let wet = solve(&scene);
+    assert!(wet.contact.load_ratio > 0.9999, "load ratio {}", wet.contact.load_ratio);
+    assert!((wet.contact.area_ratio - dry.contact.area_ratio).abs() < 0.005);
+    assert!((wet.contact.max_pressure / dry.contact.max_pressure - 1.0).abs() < 0.01);
+    assert!((wet.film.mean_central - dry.film.mean_central).abs() < 1.5 * scene.solver.film_cutoff);
+}
+
+#[test]
+fn one_step_is_not_called_converged() {
+    let mut scene = Scene::azam_2019(32);
+    scene.solver.kind = SolverKind::NewtonKrylov;
+    scene.solver.max_iterations = 1;
+    let solution = solve_contact(&scene).unwrap();
+    assert_eq!(solution.report.status, Status::MaxIterations);
+    let error = solution.report.require_converged().unwrap_err();
+    assert!(error.to_string().contains("max_iterations"), "{error}");
+}
+
+#[test]
+fn cold_solves_do_not_depend_on_what_the_solver_did_before() {
+    use stribeck::elastic::HalfSpace;
+    use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
+    use stribeck::reynolds::{
+        ContactSolver, ContactState, LubricatedContact, NewtonKrylov, Scheme, StoppingRule,
+    };
+    let scene = Scene::azam_2019(48);
+    let (grid, hertz) = (scene.grid().unwrap(), scene.hertz().unwrap());
+    let reference = solve_contact(&scene).unwrap();
+    let oil = Lubricant::new(
+        Roelands::new(0.004, 0.68, 1.96e8).unwrap(),
+        DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap(),
+    );
+    let mut body = HalfSpace::new(grid, scene.elastic.equivalent_modulus).unwrap();
+    let limit = vec![6e9; grid.len()];
+    let mut problem = LubricatedContact {
+        gap: &reference.gap,
+        deformation: &mut body,
+        lubricant: Some(&oil),
+        entrainment_speed: 0.1,
+        squeeze: None,
+        load: hertz.load,
+        pressure_limit: Some(&limit),
+        film_cutoff: 1e-9,
+        scheme: Scheme::FirstOrder,
+        reference_half_widths: (hertz.a_x, hertz.a_y),
+        reference_pressure: hertz.p_max,
+        reference_film: 0.0,
+    };
+    let mut solver = NewtonKrylov::new();
+    let mut states = [ContactState::new(&grid), ContactState::new(&grid)];
+    for state in &mut states {
+        solver.solve(&mut problem, state, &StoppingRule::default()).unwrap().require_converged().unwrap();
+    }
+    assert_eq!(states[0], states[1]);
+    // A converged state is its own solution.
+    let report = solver.solve(&mut problem, &mut states[1], &StoppingRule::default()).unwrap();
+    assert_eq!((report.status, report.work.iterations), (Status::Converged, 0));
+}
+
+#[test]
+fn loads_beyond_the_limit_are_refused_with_the_largest_one() {
+    let mut scene = Scene::azam_2019(32);
+    scene.roughness.ball = Roughness::None;
+    scene.plastic = Some(stribeck::sim::scene::PlasticSpec { hardness: 2e8, film_hardness: None });
+    let error = solve_contact(&scene).unwrap_err().to_string();
+    assert!(error.contains("load") && error.contains("below"), "{error}");
+}

@@ -1,0 +1,231 @@
+//! The example `solve` from the outside: output, exit status, messages, fields.
+#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+
+use serde_json::Value;
+use stribeck::surface::write_npy;
+
+const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
+
+/// The example, brought up to date: `cargo test` builds it, `cargo test --test solve_cli` does not.
+fn program() -> &'static Path {
+    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
+    PROGRAM.get_or_init(|| {
+        let test = std::env::current_exe().unwrap();
+        let folder = test.parent().and_then(Path::parent).unwrap();
+        let profile = match folder.file_name().and_then(|name| name.to_str()).unwrap() {
+            "debug" => "test",
+            other => other,
+        };
+        let built = Command::new(env!("CARGO"))
+            .args([
+                "build",
+                "--quiet",
+                "--offline",
+                "--profile",
+                profile,
+                "--example",
+                "solve",
+                "--target-dir",
+            ])
+            .arg(folder.parent().unwrap())
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .unwrap();
+        assert!(built.status.success(), "{built:?}");
+        folder.join("examples").join(format!("solve{}", std::env::consts::EXE_SUFFIX))
+    })
+}
+
+fn solve(arguments: &[&str]) -> Output {
+    Command::new(program()).args(arguments).output().unwrap()
+}
+
+fn json_of(output: &Output) -> Value {
+    let text = String::from_utf8(output.stdout.clone()).unwrap();
+    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error}: {text}, {output:?}"))
+}
+
+fn number(value: &Value, path: &str) -> f64 {
+    value.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("{path} in {value}"))
+}
+
+fn close(value: f64, expected: f64, tolerance: f64) {
+    assert!((value / expected - 1.0).abs() < tolerance, "{value} is not {expected}");
+}
+
+/// A scene file with `text` in a new folder.
+fn scene(text: &str) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    std::fs::write(&path, text).unwrap();
+    (folder, path)
+}
+
+/// The smooth scene of the repository, dry, on `n` x `n` nodes.
+fn dry(n: usize) -> String {
+    let text = std::fs::read_to_string(format!("{SCENES}/smooth.toml")).unwrap();
+    let text = text.replace("nx = 64", &format!("nx = {n}")).replace("ny = 64", &format!("ny = {n}"));
+    format!("{text}\n[solver]\nkind = \"dry\"\n")
+}
+
+fn assert_one_line_error(arguments: &[&str], part: &str) {
+    let output = solve(arguments);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(output.stdout.is_empty());
+    assert!(message.ends_with('\n') && message.lines().count() == 1, "{message}");
+    assert!(message.contains(part), "`{part}` is not in `{message}`");
+    assert!(!message.contains("Error") && !message.contains("{ "), "{message}");
+}
+
+#[test]
+fn dry_smooth_contact_is_hertz() {
+    let (_folder, path) = scene(&dry(128));
+    let output = solve(&[path.to_str().unwrap(), "--json"]);
+    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+    let json = json_of(&output);
+    assert_eq!(json["status"], "converged");
+    assert_eq!(json["solver"], "dry");
+    assert_eq!(json["version"], env!("CARGO_PKG_VERSION"));
+    assert!(json["moes"].is_null());
+    for part in ["mass", "load", "complementarity"] {
+        assert!(number(&json["residual"], &format!("/{part}")) <= 1e-6);
+    }
+    close(number(&json, "/hertz/radius"), 149.83e-6, 1e-4);
+    close(number(&json, "/hertz/force"), 54.07, 1e-4);
+    close(number(&json, "/hertz/pressure"), 1.15e9, 1e-12);
+    close(number(&json, "/pressure/max"), 1.15e9, 1e-3);
+    close(number(&json, "/approach"), 149.83e-6_f64.powi(2) / 9.525e-3, 2e-3);
+    close(number(&json, "/contact/area_ratio"), 1.0, 2e-2);
+    close(number(&json, "/contact/load_ratio"), 1.0, 1e-6);
+    close(number(&json, "/grid/dx"), 0.5e-3 / 128.0, 1e-12);
+    assert_eq!(number(&json, "/grid/nx"), 128.0);
+    assert!(number(&json, "/work/convolutions") > 0.0 && number(&json, "/seconds") > 0.0);
+}
+
+/// The JSON fields are those of the document, no more and no less.
+#[test]
+fn json_fields_are_documented() {
+    fn collect(value: &Value, name: &str, names: &mut Vec<String>) {
+        match value {
+            Value::Object(fields) => fields.iter().for_each(|(key, value)| {
+                collect(value, format!("{name}.{key}").trim_start_matches('.'), names);
+            }),
+            _ => names.push(name.to_owned()),
+        }
+    }
+    let (_folder, path) = scene(&dry(16));
+    let mut found = Vec::new();
+    collect(&json_of(&solve(&[path.to_str().unwrap(), "--json"])), "", &mut found);
+    let document = include_str!("../docs/scene.md");
+    let (_, table) = document.split_once("| field | meaning | unit |").unwrap();
+    let first_cells =
+        table.lines().skip(2).take_while(|line| line.starts_with('|')).map(|l| l.split('|').nth(1).unwrap());
+    let mut expected: Vec<String> = first_cells
+        .flat_map(|cell| cell.split(','))
+        .map(|name| name.trim().trim_matches('`').to_owned())
+        .collect();
+    expected.retain(|name| !name.starts_with("moes."));
+    expected.push("moes".to_owned());
+    found.sort();
+    expected.sort();
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn fast_smooth_film_has_no_contact() {
+    let text = std::fs::read_to_string(format!("{SCENES}/smooth.toml")).unwrap();
+    let (_folder, path) = scene(&text.replace("entrainment_speed = 0.1", "entrainment_speed = 2.0"));
+    let output = solve(&[path.to_str().unwrap(), "--json"]);
+    assert!(output.status.success(), "{output:?}");
+    let json = json_of(&output);
+    assert_eq!(number(&json, "/contact/load_ratio"), 0.0);
+    close(number(&json, "/moes/m"), 5518.2 / 20_f64.powf(0.75), 1e-3);
+    assert!((30e-9..150e-9).contains(&number(&json, "/film/central")), "{json}");
+    assert!(number(&json, "/film/minimum") < number(&json, "/film/central"));
+}
+
+#[test]
+fn limit_of_iterations_is_status_two() {
+    let text = std::fs::read_to_string(format!("{SCENES}/rough_dry.toml")).unwrap();
+    let (_folder, path) = scene(&format!("{text}\n[solver]\nmax_iterations = 1\n"));
+    let output = solve(&[path.to_str().unwrap(), "--json"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(output.stderr.is_empty());
+    assert_eq!(json_of(&output)["status"], "max_iterations");
+}
+
+#[test]
+fn report_is_short_text() {
+    let output = solve(&[&format!("{SCENES}/rough_dry.toml")]);
+    assert!(output.status.success(), "{output:?}");
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.starts_with("converged by dry") && text.lines().count() < 12, "{text}");
+}
+
+#[test]
+fn bad_input_is_one_line_and_status_one() {
+    assert_one_line_error(&[], "usage");
+    assert_one_line_error(&["--nonsense"], "--nonsense");
+    assert_one_line_error(&["no_such_scene.toml"], "no_such_scene.toml");
+    for (from, to, part) in [
+        ("radius =", "raduis =", "raduis"),
+        ("radius = 9.525e-3", "radius = \"big\"", "form.radius"),
+        ("radius = 9.525e-3", "radius = ", "in `radius ="),
+        ("nx = 16", "nx = 1", "grid.nx = 1"),
+        ("nx = 16", "nx = 100000000", "grid.nx * grid.ny"),
+        ("hertz_pressure = 1.15e9", "force = 0.0", "load.force = 0"),
+    ] {
+        let text = dry(16).replacen(from, to, 1);
+        assert_ne!(text, dry(16), "{from}");
+        let (_folder, path) = scene(&text);
+        assert_one_line_error(&[path.to_str().unwrap(), "--json"], part);
+    }
+    let (folder, path) = scene(&dry(16));
+    let inside_a_file = path.join("fields.npz");
+    assert_one_line_error(
+        &[path.to_str().unwrap(), "--fields", inside_a_file.to_str().unwrap()],
+        "fields.npz",
+    );
+    drop(folder);
+}
+
+#[test]
+fn heights_from_a_file_move_the_gap_of_their_own_node() {
+    let (nx, ny) = (16, 12);
+    let text =
+        dry(nx).replace("ny = 16", "ny = 12") + "[roughness.disc]\nkind = \"file\"\npath = \"disc.npy\"\n";
+    let (folder, path) = scene(&text);
+    let mut heights = vec![0.0; nx * ny];
+    heights[2 * nx + 5] = 50e-9;
+    write_npy(folder.path().join("disc.npy"), nx, ny, &heights).unwrap();
+    let fields = folder.path().join("fields.npz");
+    let arguments = [path.to_str().unwrap(), "--json", "--fields", fields.to_str().unwrap()];
+    assert!(solve(&arguments).status.success());
+
+    let mut archive = zip::ZipArchive::new(std::fs::File::open(&fields).unwrap()).unwrap();
+    let mut names: Vec<String> = archive.file_names().map(|name| name.unwrap().into_owned()).collect();
+    names.sort();
+    assert_eq!(names, ["film.npy", "fluid_pressure.npy", "gap.npy", "plastic_depth.npy", "pressure.npy"]);
+    let mut gap = Vec::new();
+    for name in names {
+        let mut bytes = Vec::new();
+        archive.by_name(&name).unwrap().read_to_end(&mut bytes).unwrap();
+        let extracted = folder.path().join(&name);
+        std::fs::write(&extracted, bytes).unwrap();
+        let array = stribeck::surface::read(&extracted).unwrap();
+        assert_eq!((array.nx(), array.ny()), (nx, ny), "{name}");
+        if name == "gap.npy" {
+            gap = array.heights().to_vec();
+        }
+    }
+    let node = |i: usize, j: usize| gap[j * nx + i];
+    // The smooth gap is the same at the mirrored node.
+    assert!((node(10, 2) - node(5, 2) - 50e-9).abs() < 1e-15);
+    assert!((node(10, 9) - node(5, 9)).abs() < 1e-15);
+}

@@ -1,0 +1,254 @@
+//! What a simulation calls in every step allocates nothing once its buffers are made.
+#![expect(clippy::unwrap_used, reason = "tests")]
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+use stribeck::analytic::HertzPoint;
+use stribeck::elastic::{DeformationModel, HalfSpace};
+use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
+use stribeck::reynolds::{
+    ContactSolver, ContactState, Dry, LubricatedContact, NewtonKrylov, Scheme, SemiSystem, StoppingRule,
+};
+use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
+use stribeck::tribochem::{FilmGrowthLaw, FlashTemperature, Ghanbarzadeh, ThermalBody, Tribofilm};
+use stribeck::wear::{Archard, WearDepth};
+use stribeck::{Grid, RubbingPoint, SolveReport, Status};
+
+thread_local! {
+    // By thread: the tests of this file and the harness run side by side.
+    static COUNT: Cell<u64> = const { Cell::new(0) };
+}
+
+struct Counting;
+
+#[expect(unsafe_code, reason = "there is no safe way to write a global allocator")]
+// SAFETY: every call is handed to the system allocator as it is. Counting allocates nothing: the counter is
+// initialised at compile time and needs no destructor.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        COUNT.set(COUNT.get() + 1);
+        // SAFETY: the caller keeps the contract of `alloc`, which is that of the system allocator.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, new_size: usize) -> *mut u8 {
+        COUNT.set(COUNT.get() + 1);
+        // SAFETY: as in `alloc`.
+        unsafe { System.realloc(pointer, layout, new_size) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: as in `alloc`.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// What `work` returns and how often it allocated.
+fn counted<T>(work: impl FnOnce() -> T) -> (T, u64) {
+    let before = COUNT.get();
+    let result = work();
+    (result, COUNT.get() - before)
+}
+
+/// Even, odd, prime and oblong.
+const SHAPES: [(usize, usize); 5] = [(16, 16), (15, 9), (17, 13), (31, 8), (64, 5)];
+
+fn grids() -> impl Iterator<Item = Grid> {
+    SHAPES.into_iter().map(|(nx, ny)| Grid::centred(nx, ny, 10e-6, 12e-6).unwrap())
+}
+
+const TOUCHING: RubbingPoint = RubbingPoint {
+    pressure: 1e9,
+    solid_pressure: 1e9,
+    shear_stress: 0.115e9,
+    temperature: 353.15,
+    sliding_speed: 0.005,
+    film_thickness: 0.0,
+    in_contact: true,
+};
+
+#[test]
+fn the_counter_counts() {
+    assert_eq!(counted(|| vec![0_u8; 100]).1, 1);
+    assert_eq!(counted(|| 1 + 1).1, 0);
+}
+
+#[test]
+fn half_space() {
+    for grid in grids() {
+        let mut body = HalfSpace::new(grid, 230e9).unwrap();
+        let pressure: Vec<f64> = grid.nodes().map(|(x, _)| 1e9 + 1e13 * x).collect();
+        let mut out = vec![0.0; grid.len()];
+        // Without a warm-up: the buffers are made with the body.
+        let (result, allocations) = counted(|| body.displacement(&pressure, &mut out));
+        assert!(result.is_ok() && allocations == 0, "displacement on {grid:?}: {allocations}");
+        let (result, allocations) = counted(|| body.pressure_estimate(&pressure, &mut out));
+        assert!(result.is_ok() && allocations == 0, "estimate on {grid:?}: {allocations}");
+    }
+}
+
+// ---- contact solvers ----
+
+/// A rough ball whose Hertzian contact fills half of the box, limited to 3 GPa.
+struct Scene {
+    gap: Vec<f64>,
+    limit: Vec<f64>,
+    hertz: HertzPoint,
+    body: HalfSpace,
+}
+
+impl Scene {
+    fn new(nx: usize, ny: usize, rq: f64) -> Self {
+        let hertz = HertzPoint::from_max_pressure(9.525e-3, 9.525e-3, 229.67e9, 1.15e9).unwrap();
+        let half = 1.7 * hertz.a_x;
+        let grid = Grid::from_edges(nx, ny, [-half, half], [-half, half]).unwrap();
+        let spec = RoughnessSpec {
+            autocorrelation: Autocorrelation::Gaussian,
+            rq,
+            length_x: 60e-6,
+            length_y: 60e-6,
+            seed: 3,
+        };
+        let rough = generate(&grid, &spec).unwrap();
+        let ball = grid.nodes().map(|(x, y)| 0.5 * (x * x + y * y) / hertz.radius_x);
+        Self {
+            gap: ball.zip(rough).map(|(form, height)| form - height).collect(),
+            limit: vec![3e9; grid.len()],
+            hertz,
+            body: HalfSpace::new(grid, 229.67e9).unwrap(),
+        }
+    }
+
+    fn problem<'a>(&'a mut self, lubricant: Option<&'a Lubricant>) -> LubricatedContact<'a> {
+        LubricatedContact {
+            gap: &self.gap,
+            deformation: &mut self.body,
+            lubricant,
+            entrainment_speed: 0.5,
+            squeeze: None,
+            load: self.hertz.load,
+            pressure_limit: Some(&self.limit),
+            film_cutoff: 1e-9,
+            scheme: Scheme::FirstOrder,
+            reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
+            reference_pressure: self.hertz.p_max,
+            reference_film: 0.0,
+        }
+    }
+}
+
+/// Solves `problem` twice from nothing and once from its solution; the reports of the last two and what they
+/// allocated.
+fn solve_again(
+    solver: &mut dyn ContactSolver,
+    problem: &mut LubricatedContact<'_>,
+    stop: &StoppingRule,
+) -> [(SolveReport, u64); 2] {
+    let grid = problem.grid();
+    let (mut first, mut second) = (ContactState::new(&grid), ContactState::new(&grid));
+    let _ = solver.solve(problem, &mut first, stop).unwrap();
+    let cold = counted(|| solver.solve(problem, &mut second, stop).unwrap());
+    let warm = counted(|| solver.solve(problem, &mut second, stop).unwrap());
+    [cold, warm]
+}
+
+#[test]
+fn dry_contact() {
+    for (nx, ny) in SHAPES {
+        let mut scene = Scene::new(nx, ny, 100e-9);
+        let stop = StoppingRule { tolerance: 1e-9, max_iterations: 500 };
+        for (report, allocations) in solve_again(&mut Dry::new(), &mut scene.problem(None), &stop) {
+            assert_eq!(report.status, Status::Converged, "{report:?}");
+            assert_eq!(allocations, 0, "{nx} x {ny}");
+        }
+    }
+}
+
+fn oil() -> Lubricant {
+    let viscosity = Roelands::new(0.04, 0.6, 1.96e8).unwrap();
+    Lubricant::new(viscosity, DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap())
+}
+
+#[test]
+fn newton_krylov() {
+    let oil = oil();
+    for (nx, ny) in [(24, 24), (23, 19), (29, 32)] {
+        let mut scene = Scene::new(nx, ny, 50e-9);
+        let stop = StoppingRule::default();
+        let mut problem = scene.problem(Some(&oil));
+        for (report, allocations) in solve_again(&mut NewtonKrylov::new(), &mut problem, &stop) {
+            assert_eq!(report.status, Status::Converged, "{report:?}");
+            assert_eq!(allocations, 0, "{nx} x {ny}");
+        }
+    }
+}
+
+#[test]
+fn semi_system() {
+    let oil = oil();
+    for (nx, ny) in [(24, 24), (23, 19), (29, 32)] {
+        let mut scene = Scene::new(nx, ny, 0.0);
+        // Whether it converges here is no matter.
+        let stop = StoppingRule { tolerance: 1e-6, max_iterations: 50 };
+        let mut problem = scene.problem(Some(&oil));
+        for (_, allocations) in solve_again(&mut SemiSystem::default(), &mut problem, &stop) {
+            assert_eq!(allocations, 0, "{nx} x {ny}");
+        }
+    }
+}
+
+// ---- laws ----
+
+/// Growth that saturates, through the provided integration.
+#[derive(Debug)]
+struct Saturating;
+
+impl FilmGrowthLaw for Saturating {
+    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+        if at.in_contact { 1e-12 * (at.pressure - 1e16 * thickness) } else { 0.0 }
+    }
+
+    fn maximum_thickness(&self) -> f64 {
+        100e-9
+    }
+}
+
+#[test]
+fn tribofilm() {
+    let laws: [&dyn FilmGrowthLaw; 2] = [&Ghanbarzadeh::azam_2019(), &Saturating];
+    for law in laws {
+        let mut film = Tribofilm::bare(law, 1000);
+        let point = |node: usize| RubbingPoint { in_contact: !node.is_multiple_of(3), ..TOUCHING };
+        let (result, allocations) = counted(|| film.advance(law, 60.0, point));
+        assert!(result.is_ok() && allocations == 0, "{law:?}: {allocations}");
+        assert!(film.volume(1e-12) > 0.0);
+    }
+}
+
+#[test]
+fn wear_depth() {
+    let law = Archard::azam_2019();
+    let mut wear = WearDepth::new(1000);
+    let (result, allocations) = counted(|| wear.advance(&law, 60.0, |node| (TOUCHING, node as f64 * 1e-10)));
+    assert!(result.is_ok() && allocations == 0, "{allocations}");
+}
+
+#[test]
+fn flash_temperature() {
+    let cold_body = ThermalBody { conductivity: 20.0, ..ThermalBody::STEEL };
+    for grid in grids() {
+        let bodies = [ThermalBody::STEEL, cold_body];
+        let mut flash = FlashTemperature::new(&grid, bodies, [1.0, -0.5]).unwrap();
+        let heated = |(x, y): (f64, f64)| if x.hypot(y) < 60e-6 { 1e8 } else { 0.0 };
+        let flux: Vec<f64> = grid.nodes().map(heated).collect();
+        let mut rise = vec![0.0; grid.len()];
+        let (report, allocations) = counted(|| flash.rise(&flux, &mut rise));
+        let report = report.unwrap();
+        assert!(report.maximum > 0.0 && report.iterations > 0, "{report:?}");
+        assert_eq!(allocations, 0, "{grid:?}");
+    }
+}
