@@ -1,4 +1,70 @@
-//! stribeck
+//! Rough lubricated contacts that change as they rub: mixed elastohydrodynamic lubrication, plastic flattening,
+//! growth of anti-wear tribofilms and wear, solved together on one grid.
+//!
+//! # The model
+//!
+//! | equation | meaning |
+//! |---|---|
+//! | `h = gap - approach + K p + d` | film: undeformed gap, elastic displacement, plastic depth |
+//! | `F = u d(rho h)/dx + d(rho h)/dt - div(rho h^3/(12 eta) grad p_f)`; `p_f >= 0`, `F >= 0`, one of them zero | Reynolds balance or cavitation |
+//! | `p - p_f >= 0`, `h >= h_cut`, one of them an equality | solid contact or none |
+//! | `p <= H`, `d >= 0`, one of them an equality | elastic or yielded |
+//! | `integral of p = load` | load balance |
+//! | `z = z_0 - wear - plastic + film` on each body | the surfaces of the next step |
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | `p`, `p_f` | total and fluid pressure | Pa |
+//! | `h`, `h_cut` | film thickness, film at which solids touch | m |
+//! | `u` | entrainment speed, mean of both surfaces, along +x | m/s |
+//! | `eta`, `rho` | viscosity, density ratio | Pa s, 1 |
+//! | `H` | hardness of the softer surface | Pa |
+//! | `approach` | rigid-body approach, positive is closer; smooth Hertz gives `a^2/R` | m |
+//!
+//! # Types and roles
+//!
+//! | type | role |
+//! |---|---|
+//! | [`sim::Scene`] | the whole physical description; TOML with the feature `serde` |
+//! | [`sim::solve_contact`] | one quasi-static contact |
+//! | [`sim::MixedLubricationSim`] | the history; every law replaceable through its builder |
+//! | [`reynolds::LubricatedContact`], [`reynolds::ContactSolver`] | the coupled problem and who solves it |
+//! | [`elastic::DeformationModel`] | elastic response; [`elastic::HalfSpace`] by DC-FFT |
+//! | [`lubricant::ViscosityLaw`], [`lubricant::DensityLaw`] | the fluid |
+//! | [`plastic::PlasticityModel`], [`tribochem::FilmGrowthLaw`], [`wear::WearLaw`] | what changes the surfaces |
+//! | [`SolveReport`], [`Status`], [`Residuals`] | how a solve ended; not converging is a status, never silent |
+//!
+//! # Example
+//!
+//! ```
+//! use stribeck::sim::{MixedLubricationSim, Scene, StepRecord};
+//! use std::ops::ControlFlow;
+//!
+//! // A steel ball on a rough disc in base oil with an anti-wear additive, on a coarse grid.
+//! let scene = Scene::azam_2019(32).with_tribofilm();
+//! let mut sim = MixedLubricationSim::builder(scene).build()?;
+//! let mut history = Vec::new();
+//! sim.run(4, 60.0, &mut |_: &MixedLubricationSim, record: &StepRecord| {
+//!     history.push(*record);
+//!     ControlFlow::Continue(())
+//! })?;
+//! let last = history[3];
+//! assert_eq!(last.time, 240.0);
+//! assert!(last.load_ratio > 0.9, "boundary lubrication: solids carry the load");
+//! assert!(last.mean_film[1] > history[0].mean_film[1], "the film grows");
+//! assert!(sim.ledger_residual()? < 1e-20, "every nanometre is accounted for");
+//! # Ok::<(), stribeck::sim::SimError>(())
+//! ```
+//!
+//! # Conventions and limits
+//!
+//! SI units throughout. Fields are row-major slices, node `(i, j)` at `j * nx + i`, x along the entrainment. Heights point
+//! out of their body. Isothermal fluid, smooth far field, parabolic bodies, half-space elasticity, no subsurface plasticity;
+//! asperity inlets narrower than a cell are not resolved, so contact area and load ratio depend on grid and `h_cut`.
+//!
+//! # Features
+//!
+//! None by default. `serde`: scenes as TOML. `formats`: x3p and npy surfaces. `npz`: fields as NumPy archives.
 #![forbid(unsafe_code)]
 
 pub mod analytic;
@@ -17,6 +83,7 @@ pub mod surface;
 pub mod tribochem;
 pub mod wear;
 
+// What every room speaks of.
 pub use error::InputError;
 pub use grid::Grid;
 pub use report::{NotConverged, Residuals, SolveReport, Status, Work};

@@ -82,12 +82,30 @@ fn textbook_coefficients_fail_and_say_so() {
 }
 
 #[test]
-fn rough_reference_scene_converges_from_scratch() {
-    let scene = Scene::azam_2019(128);
-    let solution = solve(&scene);
-    check_consistency(&scene, &solution);
-    assert!(solution.contact.load_ratio > 0.9 && solution.contact.load_ratio < 1.0);
-    assert!(solution.report.work.convolutions < 1000.0, "{:?}", solution.report.work);
+fn rough_scenes_converge_or_say_that_they_do_not() {
+    let mut converged = 0;
+    for seed in 1..=8 {
+        let mut scene = Scene::azam_2019(64);
+        for (body, offset) in [(&mut scene.roughness.ball, 0), (&mut scene.roughness.disc, 50)] {
+            if let Roughness::Gaussian(random) = body {
+                random.seed = seed + offset;
+            }
+        }
+        let solution = solve_contact(&scene).unwrap();
+        match solution.report.status {
+            Status::Converged => {
+                converged += 1;
+                check_consistency(&scene, &solution);
+                assert!(solution.contact.load_ratio > 0.9 && solution.contact.load_ratio < 1.0);
+                assert!(solution.report.work.convolutions < 1500.0, "{:?}", solution.report.work);
+            }
+            status => {
+                assert_eq!(status, Status::Stalled, "seed {seed}");
+                assert!(solution.report.residuals.max() > scene.solver.tolerance);
+            }
+        }
+    }
+    assert!(converged >= 6, "only {converged} of 8");
 }
 
 #[test]
@@ -169,5 +187,5 @@ fn loads_beyond_the_limit_are_refused_with_the_largest_one() {
     scene.roughness.ball = Roughness::None;
     scene.plastic = Some(stribeck::sim::scene::PlasticSpec { hardness: 2e8, film_hardness: None });
     let error = solve_contact(&scene).unwrap_err().to_string();
-    assert!(error.contains("load") && error.contains("below"), "{error}");
+    assert!(error.contains("plastic.hardness") && error.contains("less than"), "{error}");
 }

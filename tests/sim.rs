@@ -1,0 +1,155 @@
+//! The simulation: its account, its laws, its observer, and what it refuses.
+
+use std::ops::ControlFlow;
+
+use stribeck::RubbingPoint;
+use stribeck::sim::scene::{Flash, SolverKind};
+use stribeck::sim::{MixedLubricationSim, RunEnd, Scene, SimError, StepRecord};
+use stribeck::surface::RoughnessMotion;
+use stribeck::wear::{Archard, WearLaw};
+
+fn scene() -> Scene {
+    let mut scene = Scene::azam_2019(48).with_tribofilm();
+    scene.solver.tolerance = 1e-4;
+    scene
+}
+
+fn run(sim: &mut MixedLubricationSim, steps: u64, time_step: f64) -> Vec<StepRecord> {
+    let mut records = Vec::new();
+    let end = sim
+        .run(steps, time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
+            records.push(*record);
+            ControlFlow::Continue(())
+        })
+        .unwrap();
+    assert_eq!(end, RunEnd::Finished);
+    records
+}
+
+#[test]
+fn every_step_keeps_the_account_and_the_residuals() {
+    let mut sim = MixedLubricationSim::builder(scene()).build().unwrap();
+    let mut last = [0.0; 3];
+    let end = sim
+        .run(6, 120.0, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
+            assert!(sim.ledger_residual().unwrap() < 1e-21, "account of step {}", record.step);
+            assert!(record.report.residuals.max() <= 1e-4, "{:?}", record.report);
+            assert!(record.minimum_gap > 0.9e-9, "gap {}", record.minimum_gap);
+            let now = [record.mean_wear[0], record.mean_wear[1], record.plastic_volume];
+            assert!(now.iter().zip(&last).all(|(now, last)| now >= last), "{now:?} after {last:?}");
+            last = now;
+            ControlFlow::Continue(())
+        })
+        .unwrap();
+    assert_eq!(end, RunEnd::Finished);
+    assert!((sim.time() - 720.0).abs() < 1e-9);
+    // Load times sliding distance times specific rate, when all pressure wears and no film protects.
+    let mut bare = scene();
+    bare.tribofilm = None;
+    let mut sim = MixedLubricationSim::builder(bare).build().unwrap();
+    let records = run(&mut sim, 4, 100.0);
+    let area = sim.grid().size_x() * sim.grid().size_y();
+    let expected = 5.45e-8 * sim.hertz().load * 0.005 * 400.0 / (6e9 * area);
+    for wear in records[3].mean_wear {
+        assert!((wear / expected - 1.0).abs() < 1e-6, "{wear} instead of {expected}");
+    }
+}
+
+#[test]
+fn equal_seeds_give_equal_histories_and_others_do_not() {
+    let history = |seed| {
+        let mut sim = MixedLubricationSim::builder(scene())
+            .motion(RoughnessMotion::RandomShift { seed })
+            .build()
+            .unwrap();
+        run(&mut sim, 2, 60.0)
+    };
+    assert_eq!(history(5), history(5));
+    assert_ne!(history(5)[0].average_film, history(6)[0].average_film);
+}
+
+#[test]
+fn the_observer_stops_the_run() {
+    let mut sim = MixedLubricationSim::builder(scene()).build().unwrap();
+    let stop = &mut |_: &MixedLubricationSim, record: &StepRecord| {
+        if record.step == 1 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    assert_eq!(sim.run(10, 10.0, stop).unwrap(), RunEnd::Stopped);
+    assert_eq!(sim.steps(), 2);
+}
+
+#[test]
+fn a_failed_step_changes_nothing() {
+    let mut scene = scene();
+    scene.solver.kind = SolverKind::NewtonKrylov;
+    scene.solver.max_iterations = 1;
+    let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
+    let before = sim.bodies().clone();
+    let error = sim.step(10.0).unwrap_err();
+    assert!(matches!(error, SimError::NotConverged { step: 0, .. }), "{error}");
+    assert_eq!((sim.time(), sim.steps()), (0.0, 0));
+    for (body, old) in sim.bodies().iter().zip(&before) {
+        assert_eq!(body.surface(), old.surface());
+        assert_eq!(body.wear_depth(), old.wear_depth());
+    }
+}
+
+/// A law that breaks its contract.
+#[derive(Debug)]
+struct Broken;
+
+impl WearLaw for Broken {
+    fn depth_rate(&self, _at: &RubbingPoint, _film_thickness: f64) -> f64 {
+        f64::NAN
+    }
+}
+
+#[test]
+fn a_broken_law_is_an_error_and_changes_nothing() {
+    let mut sim = MixedLubricationSim::builder(scene()).wear_law(Broken).build().unwrap();
+    let before = sim.bodies().clone();
+    assert!(sim.step(10.0).is_err());
+    for (body, old) in sim.bodies().iter().zip(&before) {
+        assert_eq!(body.surface(), old.surface());
+        assert_eq!(body.film_thickness(), old.film_thickness());
+    }
+}
+
+#[test]
+fn laws_of_the_user_take_the_place_of_the_scene() {
+    let slow = Archard::new(5.45e-10, 5.45e-10, 1.0, 6e9).unwrap();
+    let mut own = MixedLubricationSim::builder(scene()).wear_law(slow).build().unwrap();
+    let mut usual = MixedLubricationSim::builder(scene()).build().unwrap();
+    let (own, usual) = (run(&mut own, 1, 10.0)[0], run(&mut usual, 1, 10.0)[0]);
+    assert!(own.mean_wear[1] < 0.02 * usual.mean_wear[1]);
+    // The contact of the first step knows nothing of wear.
+    assert_eq!(own.max_pressure, usual.max_pressure);
+}
+
+#[test]
+fn flash_temperature_is_left_out_where_its_estimate_is_negligible() {
+    let mut scene = scene();
+    let sim = MixedLubricationSim::builder(scene.clone()).build().unwrap();
+    assert!(!sim.models_flash_temperature(), "0.7 K at 5 mm/s sliding");
+    scene.thermal.flash = Flash::On;
+    let mut sim = MixedLubricationSim::builder(scene.clone()).build().unwrap();
+    let rise = run(&mut sim, 1, 10.0)[0].flash_rise;
+    assert!(rise > 0.3 && rise < 3.0, "rise {rise} K");
+    scene.thermal.flash = Flash::Auto;
+    scene.motion.slide_roll_ratio = 1.0;
+    let sim = MixedLubricationSim::builder(scene).build().unwrap();
+    assert!(sim.models_flash_temperature());
+}
+
+#[test]
+fn heights_and_steps_that_do_not_fit_are_refused() {
+    let error = MixedLubricationSim::builder(scene()).disc_heights(vec![0.0; 7]).build().unwrap_err();
+    assert!(error.to_string().contains("disc heights"), "{error}");
+    let n = 48 * 48;
+    let error = MixedLubricationSim::builder(scene()).ball_heights(vec![f64::NAN; n]).build().unwrap_err();
+    assert!(error.to_string().contains("ball heights[0]"), "{error}");
+    let mut sim = MixedLubricationSim::builder(scene()).build().unwrap();
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(sim.step(bad).is_err(), "time step {bad}");
+    }
+}
