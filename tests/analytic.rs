@@ -1,5 +1,4 @@
 //! The closed-form solutions against high-precision values, identities and published numbers.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::f64::consts::PI;
 

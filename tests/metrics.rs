@@ -1,5 +1,4 @@
 //! The metrics against distributions and fields whose values are known in closed form.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use approx::assert_relative_eq;
 use stribeck::Grid;

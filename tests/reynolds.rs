@@ -1,4 +1,5 @@
 //! The lubricated solvers: known films, agreement between methods, limits, and failures that must stay typed.
+#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::Status;
 use stribeck::sim::scene::{Roughness, SolverKind};
@@ -14,7 +15,7 @@ fn smooth(n: usize) -> Scene {
 
 fn solve(scene: &Scene) -> ContactSolution {
     let solution = solve_contact(scene).unwrap();
-    solution.report.require_converged().unwrap();
+    let _ = solution.report.require_converged().unwrap();
     assert!(solution.report.residuals.max() <= scene.solver.tolerance, "{:?}", solution.report);
     solution
 }
@@ -173,7 +174,8 @@ fn cold_solves_do_not_depend_on_what_the_solver_did_before() {
     let mut solver = NewtonKrylov::new();
     let mut states = [ContactState::new(&grid), ContactState::new(&grid)];
     for state in &mut states {
-        solver.solve(&mut problem, state, &StoppingRule::default()).unwrap().require_converged().unwrap();
+        let report = solver.solve(&mut problem, state, &StoppingRule::default()).unwrap();
+        assert_eq!(report.status, Status::Converged);
     }
     assert_eq!(states[0], states[1]);
     // A converged state is its own solution.

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! cargo run --release --example mtm_zddp               # 128 x 128 nodes, 720 steps of 10 s
-//! cargo run --release --example mtm_zddp -- --quick    # 64 x 64 nodes, 24 steps of 300 s
+//! cargo run --release --example mtm_zddp -- --quick    # 64 x 64 nodes, 24 steps of 10 s
 //! cargo run --release --example mtm_zddp -- --help
 //! ```
 

@@ -10,7 +10,7 @@ Two hours of a rough ball on a rough disc, with and without a ZDDP tribofilm (Az
 
 usage: cargo run --release --example mtm_zddp -- [options]
 
-  --quick         64 x 64 nodes, 24 steps of 300 s instead of 128 x 128 nodes, 720 steps of 10 s
+  --quick         64 x 64 nodes, 24 steps of 10 s instead of 128 x 128 nodes, 720 steps of 10 s
   --surface FILE  measured surface of the disc: .x3p, or .npy with the heights of the grid in metres
   --seed N        seed of both roughnesses and of their motion (default 1)
   --steps N       number of steps
@@ -64,7 +64,7 @@ pub(crate) fn parse() -> Result<Command, lexopt::Error> {
             other => return Err(other.unexpected()),
         }
     }
-    let (default_grid, default_steps, time_step) = if quick { (64, 24, 300.0) } else { (128, 720, 10.0) };
+    let (default_grid, default_steps, time_step) = if quick { (64, 24, 10.0) } else { (128, 720, 10.0) };
     let grid = match grid {
         Some(grid) => usize::try_from(grid).map_err(|_| format!("--grid {grid} is too large"))?,
         None => default_grid,

@@ -35,20 +35,14 @@ impl Coupled {
             balance: vec![0.0; grid.len()],
             kinds,
             overflow: vec![false; grid.len()],
-            near: NearField { own: 1.0, next_x: 0.0, next_y: 0.0, second_x: 0.0, diagonal: 0.0 },
+            near: NearField { own: 1.0, next_x: 0.0, second_x: 0.0 },
             convolutions: 0,
         }
     }
 
     pub(super) fn configure(&mut self, problem: &LubricatedContact<'_>) {
         let influence = |di, dj| problem.deformation.influence(di, dj);
-        self.near = NearField {
-            own: influence(0, 0),
-            next_x: influence(1, 0),
-            next_y: influence(0, 1),
-            second_x: influence(2, 0),
-            diagonal: influence(1, 1),
-        };
+        self.near = NearField { own: influence(0, 0), next_x: influence(1, 0), second_x: influence(2, 0) };
         self.fluid.configure(problem);
         self.convolutions = 0;
         self.overflow.fill(false);

@@ -43,9 +43,7 @@ pub(super) struct Discretisation {
 pub(super) struct NearField {
     pub(super) own: f64,
     pub(super) next_x: f64,
-    pub(super) next_y: f64,
     pub(super) second_x: f64,
-    pub(super) diagonal: f64,
 }
 
 impl Discretisation {
@@ -157,7 +155,7 @@ impl Discretisation {
     }
 
     /// Row `k` of the fluid block: derivatives of `F_k` with respect to the fluid unknowns of `k` and its four
-    /// neighbours, the elastic response cut off after the neighbours.
+    /// neighbours, the elastic response cut off after the neighbours along x.
     ///
     /// The unknown of a free fluid node is its pressure, which also moves films; of a contact node its fluid
     /// pressure at fixed film; of a node where the fluid itself reaches the limit its film in units of `near.own`.
@@ -182,6 +180,7 @@ impl Discretisation {
             }
         };
         let nodes = [k, k + 1, k - 1, k + self.grid.nx(), k - self.grid.nx()];
+        // Along x alone: without the neighbours across the flow, and theirs, a row keeps its balance.
         let coupling = [near.own, near.next_x, near.next_x, 0.0, 0.0];
         let gradient: [f64; STENCIL] = std::array::from_fn(|slot| pressure[k] - pressure[nodes[slot]]);
         let own_mass = self.wedge + self.squeeze + self.inertia;
