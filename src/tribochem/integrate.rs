@@ -1,8 +1,8 @@
 //! Integration of `dh/dt = f(h)` over a step of any length: adaptive exponential Euler.
 
 /// Distance accepted between one whole and two half substeps, relative to the largest thickness;
-/// extrapolation leaves errors of a few 1e-6 over a whole step of smooth laws.
-const TOLERANCE: f64 = 1e-4;
+/// extrapolation leaves errors below 1e-5 over a whole step of smooth laws.
+const TOLERANCE: f64 = 1e-5;
 /// Distance of the probe for the slope of the rate, relative to the largest thickness.
 const PROBE: f64 = 1e-5;
 /// Substeps tried, accepted or not, before the rest of the step is taken at once.
