@@ -9,9 +9,8 @@ use stribeck::{Grid, InputError, surface};
 
 use crate::options::Options;
 
-/// Bound of every residual of a solve. One solve stands for hundreds of passages at a random position of the roughness:
-/// tighter residuals change no column of the history by more than its scatter from position to position. Mass, load
-/// and complementarity are all held to it.
+/// Bound of every residual of a solve: mass, load and complementarity. One solve stands for hundreds of passages at a
+/// random position of the roughness, and columns scatter by some 10 % from one position to the next.
 const TOLERANCE: f64 = 1e-3;
 
 /// The simulations with and without tribofilm; all else is the same, roughness and its motion included.
