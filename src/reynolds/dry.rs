@@ -3,7 +3,7 @@
 use super::coupled::Coupled;
 use super::problem::{LubricatedContact, interior};
 use super::state::ContactState;
-use super::{ContactSolver, ReynoldsError, StoppingRule};
+use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::elastic::{DryOutcome, DryProblem, DrySolver};
 use crate::grid::Grid;
 use crate::report::{SolveReport, Status, Work};
@@ -90,7 +90,7 @@ impl DryStart {
 }
 
 /// A Hertzian pressure of the reference size as the first guess.
-fn hertzian(problem: &LubricatedContact<'_>, pressure: &mut [f64]) {
+pub(super) fn hertzian(problem: &LubricatedContact<'_>, pressure: &mut [f64]) {
     let grid = problem.grid();
     let (a, b) = problem.reference_half_widths;
     for (p, (x, y)) in pressure.iter_mut().zip(grid.nodes()) {
@@ -123,10 +123,7 @@ impl ContactSolver for Dry {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        problem.validate()?;
-        let grid = problem.grid();
-        state.validate(&grid)?;
-        stop.validate()?;
+        let grid = check_call(problem, state, stop)?;
         if problem.lubricant.is_some() {
             return Err(ReynoldsError::WrongSolver {
                 solver: self.name(),

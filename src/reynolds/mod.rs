@@ -33,6 +33,7 @@ pub use state::ContactState;
 use thiserror::Error;
 
 use crate::error::InputError;
+use crate::grid::Grid;
 use crate::report::SolveReport;
 
 /// When a solve ends.
@@ -85,6 +86,19 @@ pub trait ContactSolver: Debug + Send {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError>;
+}
+
+/// What every solver checks before it starts; the grid of the problem.
+fn check_call(
+    problem: &LubricatedContact<'_>,
+    state: &ContactState,
+    stop: &StoppingRule,
+) -> Result<Grid, InputError> {
+    problem.validate()?;
+    let grid = problem.grid();
+    state.validate(&grid)?;
+    stop.validate()?;
+    Ok(grid)
 }
 
 /// Why a solve could not be attempted.

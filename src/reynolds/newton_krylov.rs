@@ -6,7 +6,7 @@ use super::dry::DryStart;
 use super::preconditioner::{BlockPreconditioner, Unknowns};
 use super::problem::LubricatedContact;
 use super::state::ContactState;
-use super::{ContactSolver, ReynoldsError, StoppingRule};
+use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::numerics::{Gmres, PreconditionedOperator};
 use crate::report::{Residuals, SolveReport, Status, Work};
 
@@ -104,9 +104,7 @@ impl ContactSolver for NewtonKrylov {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        problem.validate()?;
-        state.validate(&problem.grid())?;
-        stop.validate()?;
+        check_call(problem, state, stop)?;
         let name = self.name();
         let workspace = self.workspace(problem)?;
         let mut work = Work::default();

@@ -2,9 +2,10 @@
 
 use super::active_set::{Fluid, Solid};
 use super::coupled::{Coupled, limit_of};
+use super::dry::hertzian;
 use super::problem::LubricatedContact;
 use super::state::ContactState;
-use super::{ContactSolver, ReynoldsError, StoppingRule};
+use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::error::InputError;
 use crate::report::{Residuals, SolveReport, Status, Work};
 
@@ -85,10 +86,7 @@ impl ContactSolver for SemiSystem {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        problem.validate()?;
-        let grid = problem.grid();
-        state.validate(&grid)?;
-        stop.validate()?;
+        let grid = check_call(problem, state, stop)?;
         if problem.lubricant.is_none() {
             return Err(ReynoldsError::WrongSolver {
                 solver: self.name(),
@@ -125,12 +123,8 @@ impl ContactSolver for SemiSystem {
 
 /// Hertzian pressure with the load of the problem, and the approach that leaves the film open.
 fn start_from_hertz(problem: &LubricatedContact<'_>, state: &mut ContactState) {
-    let grid = problem.grid();
-    let (a, b) = problem.reference_half_widths;
-    for (p, (x, y)) in state.pressure.iter_mut().zip(grid.nodes()) {
-        *p = problem.reference_pressure * (1.0 - (x / a).powi(2) - (y / b).powi(2)).max(0.0).sqrt();
-    }
-    let carried = state.pressure.iter().sum::<f64>() * grid.cell_area();
+    hertzian(problem, &mut state.pressure);
+    let carried = state.pressure.iter().sum::<f64>() * problem.grid().cell_area();
     if carried > 0.0 {
         for p in &mut state.pressure {
             *p *= problem.load / carried;
