@@ -95,10 +95,12 @@ fn write_fields(path: &Path, solution: &ContactSolution) -> Result<(), Box<dyn E
 
 /// Everything in SI units; a number that is not finite becomes null.
 fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
-    let ContactSolution { report, grid, hertz, moes, film, contact, state, .. } = solution;
+    let ContactSolution { report, grid, hertz, moes, film, contact, discretisation, state, .. } = solution;
     json!({
         "status": report.status.to_string(),
         "solver": report.solver,
+        "scheme": discretisation.map(|(scheme, _)| scheme),
+        "face_mobility": discretisation.map(|(_, face_mobility)| face_mobility),
         "residual": {
             "mass": report.residuals.mass,
             "load": report.residuals.load,

@@ -339,6 +339,7 @@ impl Scene {
             pressure_limit: self.limit.as_deref(),
             film_cutoff: 1e-9,
             scheme: Scheme::FirstOrder,
+            face_mobility: Default::default(),
             reference_half_widths: self.half_widths,
             reference_pressure: self.reference_pressure,
             reference_film: 0.0,

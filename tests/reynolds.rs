@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::Status;
+use stribeck::reynolds::{FaceMobility, Scheme};
 use stribeck::sim::scene::{Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 
@@ -83,30 +84,57 @@ fn textbook_coefficients_fail_and_say_so() {
 }
 
 #[test]
-fn rough_scenes_converge_or_say_that_they_do_not() {
-    let mut converged = 0;
-    for seed in 1..=8 {
-        let mut scene = Scene::azam_2019(64);
-        for (body, offset) in [(&mut scene.roughness.ball, 0), (&mut scene.roughness.disc, 50)] {
-            if let Roughness::Gaussian(random) = body {
-                random.seed = seed + offset;
+fn rough_scenes_converge() {
+    for hardness in [6e9, 2e9] {
+        for seed in 1..=8 {
+            let mut scene = Scene::azam_2019(64);
+            scene.plastic.as_mut().unwrap().hardness = hardness;
+            for (body, offset) in [(&mut scene.roughness.ball, 0), (&mut scene.roughness.disc, 50)] {
+                if let Roughness::Gaussian(random) = body {
+                    random.seed = seed + offset;
+                }
             }
-        }
-        let solution = solve_contact(&scene).unwrap();
-        match solution.report.status {
-            Status::Converged => {
-                converged += 1;
-                check_consistency(&scene, &solution);
-                assert!(solution.contact.load_ratio > 0.9 && solution.contact.load_ratio < 1.0);
-                assert!(solution.report.work.convolutions < 1500.0, "{:?}", solution.report.work);
-            }
-            status => {
-                assert_eq!(status, Status::Stalled, "seed {seed}");
-                assert!(solution.report.residuals.max() > scene.solver.tolerance);
-            }
+            let solution = solve(&scene);
+            check_consistency(&scene, &solution);
+            let ratio = solution.contact.load_ratio;
+            assert!(ratio > 0.7 && ratio < 1.0, "load ratio {ratio}, seed {seed}, hardness {hardness}");
+            assert!(solution.report.work.convolutions < 2000.0, "{:?}", solution.report.work);
         }
     }
-    assert!(converged >= 6, "only {converged} of 8");
+}
+
+/// Without roughness and away from the boundary, both pressure flows and both schemes tend to one film; at 10 m/s the
+/// film is thick against the cells and they are close already.
+#[test]
+fn discretisations_agree_where_the_mesh_resolves_the_film() {
+    let mut films = Vec::new();
+    for scheme in [Scheme::FirstOrder, Scheme::SecondOrder] {
+        for mobility in [FaceMobility::Arithmetic, FaceMobility::ReducedPressure] {
+            let mut scene = smooth(128);
+            scene.motion.entrainment_speed = 10.0;
+            scene.solver.scheme = scheme;
+            scene.solver.face_mobility = Some(mobility);
+            let solution = solve(&scene);
+            check_consistency(&scene, &solution);
+            films.push(solution.film.central);
+        }
+    }
+    let spread = |a: f64, b: f64| (a / b - 1.0).abs();
+    assert!(spread(films[2], films[3]) < 0.02, "second order: {films:?}");
+    assert!(spread(films[0], films[2]) < 0.1, "first and second order: {films:?}");
+    assert!(films[0] > films[2], "first-order entrainment is too thick: {films:?}");
+}
+
+#[test]
+fn the_scene_picks_the_pressure_flow() {
+    let mut scene = Scene::azam_2019(64);
+    assert_eq!(scene.face_mobility(), FaceMobility::ReducedPressure);
+    scene.solver.face_mobility = Some(FaceMobility::Arithmetic);
+    assert_eq!(scene.face_mobility(), FaceMobility::Arithmetic);
+    let mut scene = smooth(64);
+    assert_eq!(scene.face_mobility(), FaceMobility::Arithmetic);
+    scene.solver.scheme = Scheme::SecondOrder;
+    assert_eq!(scene.face_mobility(), FaceMobility::ReducedPressure);
 }
 
 #[test]
@@ -167,6 +195,7 @@ fn cold_solves_do_not_depend_on_what_the_solver_did_before() {
         pressure_limit: Some(&limit),
         film_cutoff: 1e-9,
         scheme: Scheme::FirstOrder,
+        face_mobility: Default::default(),
         reference_half_widths: (hertz.a_x, hertz.a_y),
         reference_pressure: hertz.p_max,
         reference_film: 0.0,

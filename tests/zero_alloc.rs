@@ -134,6 +134,7 @@ impl Scene {
             pressure_limit: Some(&self.limit),
             film_cutoff: 1e-9,
             scheme: Scheme::FirstOrder,
+            face_mobility: Default::default(),
             reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
             reference_pressure: self.hertz.p_max,
             reference_film: 0.0,
@@ -251,4 +252,20 @@ fn flash_temperature() {
         assert!(report.maximum > 0.0 && report.iterations > 0, "{report:?}");
         assert_eq!(allocations, 0, "{grid:?}");
     }
+}
+
+#[test]
+fn a_step_of_the_simulation() {
+    let scene = stribeck::sim::Scene::azam_2019(32);
+    let mut sim = stribeck::sim::MixedLubricationSim::builder(scene).build().unwrap();
+    for _ in 0..30 {
+        let _ = sim.step(10.0).unwrap();
+    }
+    let mut counts = Vec::new();
+    for _ in 0..10 {
+        let (record, allocations) = counted(|| sim.step(10.0).unwrap());
+        assert_eq!(record.report.status, Status::Converged);
+        counts.push(allocations);
+    }
+    assert_eq!(counts, [0; 10], "allocations in each step");
 }

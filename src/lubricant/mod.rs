@@ -7,12 +7,15 @@
 mod barus;
 mod density;
 mod roelands;
+mod table;
 
 use std::fmt::Debug;
 
 pub use barus::Barus;
 pub use density::{DowsonHigginson, Incompressible};
 pub use roelands::Roelands;
+pub use table::FluidPoint;
+use table::FluidTable;
 
 /// Viscosity as a function of pressure at the temperature of the contact.
 ///
@@ -71,6 +74,7 @@ pub trait DensityLaw: Debug + Send + Sync {
 pub struct Lubricant {
     viscosity: Box<dyn ViscosityLaw>,
     density: Box<dyn DensityLaw>,
+    table: FluidTable,
 }
 
 impl Lubricant {
@@ -81,7 +85,8 @@ impl Lubricant {
 
     /// A lubricant from boxed laws.
     pub fn from_boxed(viscosity: Box<dyn ViscosityLaw>, density: Box<dyn DensityLaw>) -> Self {
-        Self { viscosity, density }
+        let table = FluidTable::new(&*viscosity, &*density);
+        Self { viscosity, density, table }
     }
 
     /// The viscosity law.
@@ -92,6 +97,24 @@ impl Lubricant {
     /// The density law.
     pub fn density(&self) -> &dyn DensityLaw {
         &*self.density
+    }
+
+    /// Reduced pressure and density at `pressure` \[Pa\], from a table of the two laws: cubics 2.5 MPa apart, relative
+    /// error of the reduced pressure below 1e-7 for `alpha` up to 40 1/GPa; linear above 20.48 GPa.
+    ///
+    /// The flow through a face at film `h` between pressures 1 and 2 is exactly `h^3 (q_1 - q_2) / (12 eta_0)` times
+    /// width over length: it grows with `p_1` and falls with `p_2` however steep the viscosity is.
+    ///
+    /// ```
+    /// use stribeck::lubricant::{Barus, Incompressible, Lubricant};
+    /// let oil = Lubricant::new(Barus::new(0.01, 20e-9)?, Incompressible);
+    /// let exact = |p: f64| (1.0 - (-20e-9 * p).exp()) / 20e-9;
+    /// assert!((oil.at(7.3e7).reduced_pressure / exact(7.3e7) - 1.0).abs() < 1e-8);
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    #[inline]
+    pub fn at(&self, pressure: f64) -> FluidPoint {
+        self.table.at(pressure)
     }
 
     /// Pressure-viscosity coefficient `d ln(eta) / dp` at ambient pressure \[1/Pa\].

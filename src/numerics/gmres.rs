@@ -30,7 +30,8 @@ impl Gmres {
     /// Solver for vectors of `n` entries and at most `limit` steps.
     pub(crate) fn new(n: usize, limit: usize) -> Self {
         Self {
-            basis: vec![vec![0.0; n]],
+            // Zeroed memory is not backed by pages before it is written: what is not needed costs nothing.
+            basis: (0..=limit).map(|_| vec![0.0; n]).collect(),
             hessenberg: vec![0.0; limit * (limit + 1)],
             cosines: vec![0.0; limit],
             sines: vec![0.0; limit],
@@ -73,9 +74,6 @@ impl Gmres {
 
     /// One Arnoldi step; returns the norm of the new direction.
     fn extend(&mut self, operator: &mut impl PreconditionedOperator, step: usize) -> f64 {
-        if self.basis.len() < step + 2 {
-            self.basis.push(vec![0.0; self.scratch.len()]);
-        }
         let (known, fresh) = self.basis.split_at_mut(step + 1);
         let next = &mut fresh[0];
         operator.precondition(&known[step], &mut self.scratch);

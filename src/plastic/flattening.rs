@@ -73,9 +73,20 @@ pub fn split_depth_into(
 /// assert!(depth.add(&[-1e-9, 0.0, 0.0]).is_err());
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct PlasticDepth {
     values: Vec<f64>,
+}
+
+impl Clone for PlasticDepth {
+    fn clone(&self) -> Self {
+        Self { values: self.values.clone() }
+    }
+
+    /// Copies into the buffers that are there.
+    fn clone_from(&mut self, source: &Self) {
+        self.values.clone_from(&source.values);
+    }
 }
 
 impl PlasticDepth {

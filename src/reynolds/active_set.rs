@@ -67,7 +67,6 @@ pub(super) struct Sample {
     pub(super) fluid_pressure: f64,
     /// Film without the plastic depth of this solve.
     pub(super) elastic_film: f64,
-    pub(super) plastic_depth: f64,
     pub(super) contact_film: f64,
     pub(super) limit: f64,
     /// Pressure change that a relaxation of the mass balance asks for, `-F / diagonal`.
@@ -76,8 +75,6 @@ pub(super) struct Sample {
     pub(super) own_influence: f64,
     /// Whether there is a lubricant.
     pub(super) lubricated: bool,
-    /// Whether the last step wanted more fluid pressure than the limit.
-    pub(super) overflow: bool,
 }
 
 impl Sample {
@@ -87,33 +84,19 @@ impl Sample {
         if previous.fluid == Fluid::Boundary {
             return Kind::BOUNDARY;
         }
-        if previous.fluid == Fluid::AtLimit && self.plastic_depth > 0.0 {
-            return if self.elastic_film + self.plastic_depth > self.contact_film {
-                Kind { fluid: Fluid::AtLimit, solid: Solid::Open }
-            } else {
-                Kind { fluid: Fluid::Active, solid: Solid::Yielded }
-            };
-        }
-        let closing = (self.contact_film - self.elastic_film) / self.own_influence;
-        let wish = self.fluid_pressure + self.fluid_push;
-        let fluid = if !self.lubricated || wish < 0.0 {
-            Fluid::Cavitated
-        } else if self.overflow {
-            Fluid::AtLimit
-        } else {
+        let fluid = if self.lubricated && self.fluid_pressure + self.fluid_push >= 0.0 {
             Fluid::Active
+        } else {
+            Fluid::Cavitated
         };
-        if fluid == Fluid::AtLimit {
-            return Kind { fluid, solid: Solid::Open };
-        }
-        let solid = if self.pressure - self.fluid_pressure + closing <= 0.0 {
+        let closing = self.contact_film - self.elastic_film;
+        let solid = if (self.pressure - self.fluid_pressure) * self.own_influence + closing <= 0.0 {
             Solid::Open
-        } else if self.pressure + closing >= self.limit {
+        } else if self.pressure + closing / self.own_influence >= self.limit {
             Solid::Yielded
         } else {
             Solid::Contact
         };
-        let fluid = if solid != Solid::Open && self.lubricated { Fluid::Active } else { fluid };
         Kind { fluid, solid }
     }
 }

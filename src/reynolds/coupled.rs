@@ -17,8 +17,6 @@ pub(super) struct Coupled {
     /// `F` of every interior node \[m\].
     pub(super) balance: Vec<f64>,
     pub(super) kinds: Vec<Kind>,
-    /// Nodes whose fluid pressure the last step wanted above the limit.
-    pub(super) overflow: Vec<bool>,
     pub(super) near: NearField,
     pub(super) convolutions: u64,
 }
@@ -34,7 +32,6 @@ impl Coupled {
             elastic_film: vec![0.0; grid.len()],
             balance: vec![0.0; grid.len()],
             kinds,
-            overflow: vec![false; grid.len()],
             near: NearField { own: 1.0, next_x: 0.0, second_x: 0.0 },
             convolutions: 0,
         }
@@ -45,7 +42,6 @@ impl Coupled {
         self.near = NearField { own: influence(0, 0), next_x: influence(1, 0), second_x: influence(2, 0) };
         self.fluid.configure(problem);
         self.convolutions = 0;
-        self.overflow.fill(false);
         for kind in &mut self.kinds {
             if kind.fluid != Fluid::Boundary {
                 *kind = Kind { fluid: Fluid::Cavitated, solid: Solid::Open };
@@ -98,10 +94,10 @@ impl Coupled {
         self.fluid.update(lubricant, &state.fluid_pressure, &state.film);
         let previous = problem.squeeze.map(|s| s.previous_mass);
         for k in interior(&self.fluid.grid) {
-            self.balance[k] = self.fluid.balance(k, &state.fluid_pressure, &state.film, previous);
+            self.balance[k] = self.fluid.balance(k, &state.film, previous);
         }
-        for (mass, (rho, h)) in state.mass.iter_mut().zip(self.fluid.density.iter().zip(&state.film)) {
-            *mass = rho * h;
+        for (k, (mass, h)) in state.mass.iter_mut().zip(&state.film).enumerate() {
+            *mass = self.fluid.density(k) * h;
         }
     }
 
@@ -116,13 +112,11 @@ impl Coupled {
                 pressure: state.pressure[k],
                 fluid_pressure: state.fluid_pressure[k],
                 elastic_film: self.elastic_film[k],
-                plastic_depth: state.plastic_depth[k],
                 contact_film: problem.contact_film(),
                 limit: limit_of(problem, k),
                 fluid_push,
                 own_influence: self.near.own,
                 lubricated,
-                overflow: self.overflow[k],
             };
             let kind = sample.classify(self.kinds[k]);
             changes += usize::from(kind != self.kinds[k]);

@@ -3,39 +3,71 @@
 //! Finite volumes on the cells of the grid. The net outflow of cell `k`, multiplied by `dx / U` with `U` the
 //! entrainment speed (or `dx / dt` if that is larger), is a film thickness \[m\]:
 //!
-//! `F_k = sum over faces of c e_face (p_k - p_neighbour) + w (m_k - m_upstream) + s (m_k - m_previous)`
+//! `F_k = sum over faces of c a_face (phi_k - phi_neighbour) + w (M_east - M_west) + s (m_k - m_previous)`
 //!
-//! with `m = rho/rho_0 h`, mobility `e = rho/rho_0 h^3 / (12 eta)`, its arithmetic mean on a face, `c = 1 / (U dx)` (faces
-//! in x) or `dx / (U dy^2)` (faces in y), `w = u / U` and `s = dx / (U dt)`. In mobility the film counts as at least
-//! half the contact film, in `m` it counts as it is.
+//! with `m = rho/rho_0 h`, `c = 1 / (U dx)` (faces in x) or `dx / (U dy^2)` (faces in y), `w = u / U` and
+//! `s = dx / (U dt)`. `M` is `m` on a face: that of the node upstream (first order) or `3/2` of it less half of the
+//! next one (second order). Mobility `a`, its arithmetic mean on a face, and potential `phi` are
 //!
-//! Why the arithmetic mean: an asperity flank that the mesh does not resolve is drained by its deep neighbour, so it
-//! ends in solid contact. The harmonic mean seals such a flank and traps films that no mesh refinement confirms.
+//! | [`FaceMobility`] | `a` | `phi` |
+//! |---|---|---|
+//! | `Arithmetic` | `rho/rho_0 h^3 / (12 eta)` | `p` |
+//! | `ReducedPressure` | `h^3 / (12 eta_0)` | `q = integral of (rho/rho_0) (eta_0/eta) dp` |
+//!
+//! In `a` the film counts as at least half the contact film, in `m` it counts as it is.
+//!
+//! Why means and not harmonic means: an asperity flank that the mesh does not resolve is drained by its deep neighbour,
+//! so it ends in solid contact. The harmonic mean seals such a flank and traps films that no mesh refinement confirms.
 
 use super::active_set::{Fluid, Kind};
-use super::problem::LubricatedContact;
+use super::problem::{FaceMobility, LubricatedContact, Scheme};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::numerics::STENCIL;
 
-/// Fluid quantities of the current pressure and film, and the coefficients of the balance.
+/// Weight of the first-order entrainment term in the preconditioner of the second-order one. Their ratio lies between 1
+/// (smooth fields) and 2 (from node to node).
+const SECOND_ORDER_WEIGHT: f64 = 1.25;
+
+/// What the balance needs to know of one node; `_p` and `_h` are derivatives by pressure and film.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct NodeFlow {
+    pub(super) density: f64,
+    pub(super) density_p: f64,
+    pub(super) mobility: f64,
+    pub(super) mobility_p: f64,
+    pub(super) mobility_h: f64,
+    pub(super) potential: f64,
+    pub(super) potential_p: f64,
+}
+
+/// Sums over the faces of a node, neighbours `o` held.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct FaceSums {
+    /// `c / 2`.
+    pub(super) half: f64,
+    /// `c a_o / 2`.
+    pub(super) mobility: f64,
+    /// `c phi_o / 2`.
+    pub(super) potential: f64,
+    /// `c a_o phi_o / 2`.
+    pub(super) inflow: f64,
+}
+
+/// Quantities of the nodes at the current pressure and film, and the coefficients of the balance.
 #[derive(Debug, Clone)]
 pub(super) struct Discretisation {
     pub(super) grid: Grid,
-    contact_film: f64,
+    face_mobility: FaceMobility,
+    scheme: Scheme,
+    film_floor: f64,
     face_x: f64,
     face_y: f64,
     wedge: f64,
     squeeze: f64,
-    /// Pseudo-transient term of the linearised equations alone.
-    pub(super) inertia: f64,
-    pub(super) density: Vec<f64>,
-    density_slope: Vec<f64>,
-    viscosity: Vec<f64>,
-    viscosity_slope: Vec<f64>,
-    mobility: Vec<f64>,
-    mobility_by_pressure: Vec<f64>,
-    mobility_by_film: Vec<f64>,
+    /// `1 / (12 eta_0)`.
+    fluidity: f64,
+    nodes: Vec<NodeFlow>,
 }
 
 /// First influence coefficients, for implicit relaxation \[m/Pa\].
@@ -48,55 +80,81 @@ pub(super) struct NearField {
 
 impl Discretisation {
     pub(super) fn new(grid: Grid) -> Self {
-        let zeros = || vec![0.0; grid.len()];
         Self {
             grid,
-            contact_film: 0.0,
+            face_mobility: FaceMobility::default(),
+            scheme: Scheme::default(),
+            film_floor: 0.0,
             face_x: 0.0,
             face_y: 0.0,
             wedge: 0.0,
             squeeze: 0.0,
-            inertia: 0.0,
-            density: zeros(),
-            density_slope: zeros(),
-            viscosity: zeros(),
-            viscosity_slope: zeros(),
-            mobility: zeros(),
-            mobility_by_pressure: zeros(),
-            mobility_by_film: zeros(),
+            fluidity: 0.0,
+            nodes: vec![NodeFlow::default(); grid.len()],
         }
     }
 
-    /// Takes speeds and steps from the problem.
+    /// Takes speeds, steps and schemes from the problem.
     pub(super) fn configure(&mut self, problem: &LubricatedContact<'_>) {
         let (dx, dy) = (self.grid.dx(), self.grid.dy());
         let grid_speed = problem.squeeze.map_or(0.0, |s| dx / s.time_step);
         let speed = problem.entrainment_speed.max(grid_speed);
-        self.contact_film = problem.contact_film();
+        self.face_mobility = problem.face_mobility;
+        self.scheme = problem.scheme;
+        // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor at the
+        // contact film itself would hide from Newton that a node just under it can open.
+        self.film_floor = 0.5 * problem.contact_film();
         self.face_x = 1.0 / (speed * dx);
         self.face_y = dx / (speed * dy * dy);
         self.wedge = problem.entrainment_speed / speed;
         self.squeeze = grid_speed / speed;
+        self.fluidity = problem.lubricant.map_or(0.0, |l| 1.0 / (12.0 * l.viscosity().viscosity(0.0)));
     }
 
-    /// Fluid quantities at fluid pressure `pressure` and film `film`.
-    pub(super) fn update(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
-        lubricant.density().fill(pressure, &mut self.density, &mut self.density_slope);
-        lubricant.viscosity().fill_with_slope(pressure, &mut self.viscosity, &mut self.viscosity_slope);
-        // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor at the
-        // contact film itself would hide from Newton that a node just under it can open.
-        let floor = 0.5 * self.contact_film;
-        for (k, &raw) in film.iter().enumerate() {
-            let h = raw.max(floor);
-            let base = self.density[k] / (12.0 * self.viscosity[k]);
-            self.mobility[k] = base * h * h * h;
-            self.mobility_by_pressure[k] =
-                self.mobility[k] * (self.density_slope[k] / self.density[k] - self.viscosity_slope[k]);
-            self.mobility_by_film[k] = if raw > floor { 3.0 * base * h * h } else { 0.0 };
+    /// The quantities of a node at fluid pressure `p` and film `h`.
+    #[inline]
+    pub(super) fn node_flow(&self, lubricant: &Lubricant, p: f64, h: f64) -> NodeFlow {
+        let point = lubricant.at(p);
+        let floored = h.max(self.film_floor);
+        let square = self.fluidity * floored * floored;
+        let cube = square * floored;
+        let cube_h = if h > self.film_floor { 3.0 * square } else { 0.0 };
+        let (density, density_p) = (point.density, point.density_slope);
+        match self.face_mobility {
+            FaceMobility::Arithmetic => NodeFlow {
+                density,
+                density_p,
+                mobility: cube * point.reduced_slope,
+                mobility_p: cube * point.reduced_curvature,
+                mobility_h: cube_h * point.reduced_slope,
+                potential: p,
+                potential_p: 1.0,
+            },
+            FaceMobility::ReducedPressure => NodeFlow {
+                density,
+                density_p,
+                mobility: cube,
+                mobility_p: 0.0,
+                mobility_h: cube_h,
+                potential: point.reduced_pressure,
+                potential_p: point.reduced_slope,
+            },
         }
     }
 
-    /// Neighbour `slot` of node `k` (east, west, north, south) with the face coefficient.
+    /// Takes over fluid pressure and film of every node.
+    pub(super) fn update(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
+        for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
+            self.nodes[k] = self.node_flow(lubricant, p, h);
+        }
+    }
+
+    /// Density ratio of node `k`.
+    pub(super) fn density(&self, k: usize) -> f64 {
+        self.nodes[k].density
+    }
+
+    /// Neighbours of node `k` (east, west, north, south) with their face coefficients.
     #[inline]
     fn neighbours(&self, k: usize) -> [(usize, f64); 4] {
         let nx = self.grid.nx();
@@ -105,57 +163,87 @@ impl Discretisation {
 
     #[inline]
     fn face(&self, a: usize, b: usize) -> f64 {
-        0.5 * (self.mobility[a] + self.mobility[b])
+        0.5 * (self.nodes[a].mobility + self.nodes[b].mobility)
+    }
+
+    /// Coefficients of `m` at `k`, `k - 1` and `k - 2` in the entrainment term. The second-order scheme starts one cell
+    /// behind the inlet, where there is a second node upstream.
+    #[inline]
+    fn upwind(&self, k: usize) -> [f64; 3] {
+        let w = self.wedge;
+        match self.scheme {
+            Scheme::SecondOrder if k % self.grid.nx() >= 2 => [1.5 * w, -2.0 * w, 0.5 * w],
+            Scheme::SecondOrder => [1.5 * w, -1.5 * w, 0.0],
+            Scheme::FirstOrder => [w, -w, 0.0],
+        }
     }
 
     /// `F_k` for an interior node.
-    pub(super) fn balance(&self, k: usize, pressure: &[f64], film: &[f64], previous: Option<&[f64]>) -> f64 {
-        let mass = self.density[k] * film[k];
-        let mut sum = self.wedge * (mass - self.density[k - 1] * film[k - 1]);
+    pub(super) fn balance(&self, k: usize, film: &[f64], previous: Option<&[f64]>) -> f64 {
+        let mass = |q: usize| self.nodes[q].density * film[q];
+        let own = mass(k);
+        let [here, up, second] = self.upwind(k);
+        let mut sum = here * own + up * mass(k - 1);
+        if second != 0.0 {
+            sum += second * mass(k - 2);
+        }
         if let Some(previous) = previous {
-            sum += self.squeeze * (mass - previous[k]);
+            sum += self.squeeze * (own - previous[k]);
         }
         for (o, c) in self.neighbours(k) {
-            sum += c * self.face(k, o) * (pressure[k] - pressure[o]);
+            sum += c * self.face(k, o) * (self.nodes[k].potential - self.nodes[o].potential);
         }
         sum
     }
 
     /// Sum of the coefficients that multiply the own pressure: how strongly `F_k` resists it \[m/Pa\].
     pub(super) fn diagonal(&self, k: usize, near: NearField) -> f64 {
-        let mut sum = self.wedge * (self.density[k] * near.own - self.density[k - 1] * near.next_x)
-            + self.squeeze * self.density[k] * near.own;
+        let faces: f64 = self.neighbours(k).into_iter().map(|(o, c)| c * self.face(k, o)).sum();
+        self.wedge * (self.nodes[k].density * near.own - self.nodes[k - 1].density * near.next_x)
+            + self.squeeze * self.nodes[k].density * near.own
+            + faces * self.nodes[k].potential_p
+    }
+
+    /// How strongly `F_k` depends on the own mass: entrainment and squeeze together.
+    pub(super) fn own_mass(&self, k: usize) -> f64 {
+        self.upwind(k)[0] + self.squeeze
+    }
+
+    pub(super) fn face_sums(&self, k: usize) -> FaceSums {
+        let mut sums = FaceSums::default();
         for (o, c) in self.neighbours(k) {
-            sum += c * self.face(k, o);
+            let (half, other) = (0.5 * c, &self.nodes[o]);
+            sums.half += half;
+            sums.mobility += half * other.mobility;
+            sums.potential += half * other.potential;
+            sums.inflow += half * other.mobility * other.potential;
         }
-        sum
+        sums
     }
 
     /// Change of `F_k` under a change of fluid pressure `dp` and film `dh`.
-    pub(super) fn balance_change(
-        &self,
-        k: usize,
-        pressure: &[f64],
-        film: &[f64],
-        dp: &[f64],
-        dh: &[f64],
-    ) -> f64 {
-        let mass_change = |q: usize| self.density_slope[q] * film[q] * dp[q] + self.density[q] * dh[q];
-        let mobility_change =
-            |q: usize| self.mobility_by_pressure[q] * dp[q] + self.mobility_by_film[q] * dh[q];
-        let own_mass = mass_change(k);
-        let own_mobility = mobility_change(k);
-        let mut sum = self.wedge * (own_mass - mass_change(k - 1)) + (self.squeeze + self.inertia) * own_mass;
+    pub(super) fn balance_change(&self, k: usize, film: &[f64], dp: &[f64], dh: &[f64]) -> f64 {
+        let mass_change =
+            |q: usize| self.nodes[q].density_p * film[q] * dp[q] + self.nodes[q].density * dh[q];
+        let mobility_change = |q: usize| self.nodes[q].mobility_p * dp[q] + self.nodes[q].mobility_h * dh[q];
+        let own = &self.nodes[k];
+        let [here, up, second] = self.upwind(k);
+        let mut sum = (here + self.squeeze) * mass_change(k) + up * mass_change(k - 1);
+        if second != 0.0 {
+            sum += second * mass_change(k - 2);
+        }
+        let (own_potential, own_mobility) = (own.potential_p * dp[k], mobility_change(k));
         for (o, c) in self.neighbours(k) {
+            let other = &self.nodes[o];
             sum += c
-                * (self.face(k, o) * (dp[k] - dp[o])
-                    + 0.5 * (own_mobility + mobility_change(o)) * (pressure[k] - pressure[o]));
+                * (0.5 * (own.mobility + other.mobility) * (own_potential - other.potential_p * dp[o])
+                    + 0.5 * (own_mobility + mobility_change(o)) * (own.potential - other.potential));
         }
         sum
     }
 
     /// Row `k` of the fluid block: derivatives of `F_k` with respect to the fluid unknowns of `k` and its four
-    /// neighbours, the elastic response cut off after the neighbours along x.
+    /// neighbours, the elastic response cut off after the neighbours along x, entrainment of first order.
     ///
     /// The unknown of a free fluid node is its pressure, which also moves films; of a contact node its fluid
     /// pressure at fixed film; of a node where the fluid itself reaches the limit its film in units of `near.own`.
@@ -163,12 +251,10 @@ impl Discretisation {
         &self,
         k: usize,
         kinds: &[Kind],
-        pressure: &[f64],
         film: &[f64],
         near: NearField,
     ) -> [f64; STENCIL] {
         let mut row = [0.0; STENCIL];
-        // Derivatives of mass and mobility of node q by the unknown of node m, as (by pressure, by film).
         let moves_pressure = |m: usize| kinds[m].has_fluid_pressure();
         let film_response = |q: usize, m: usize, coefficient: f64| -> f64 {
             if kinds[q].film_is_free() && kinds[m].is_open_fluid() {
@@ -179,60 +265,65 @@ impl Discretisation {
                 0.0
             }
         };
-        let nodes = [k, k + 1, k - 1, k + self.grid.nx(), k - self.grid.nx()];
+        let faces = self.neighbours(k);
+        let nodes = [k, k + 1, k - 1, faces[2].0, faces[3].0];
         // Along x alone: without the neighbours across the flow, and theirs, a row keeps its balance.
         let coupling = [near.own, near.next_x, near.next_x, 0.0, 0.0];
-        let gradient: [f64; STENCIL] = std::array::from_fn(|slot| pressure[k] - pressure[nodes[slot]]);
-        let own_mass = self.wedge + self.squeeze + self.inertia;
+        let own = &self.nodes[k];
+        let wedge = match self.scheme {
+            Scheme::FirstOrder => self.wedge,
+            Scheme::SecondOrder => SECOND_ORDER_WEIGHT * self.wedge,
+        };
+        let by_film = (wedge + self.squeeze) * own.density
+            + faces
+                .iter()
+                .map(|&(o, c)| 0.5 * c * own.mobility_h * (own.potential - self.nodes[o].potential))
+                .sum::<f64>();
         for (slot, &m) in nodes.iter().enumerate() {
-            // Own mass and own mobility.
-            let own_film = film_response(k, m, coupling[slot]);
-            row[slot] += own_mass * self.density[k] * own_film;
-            for (face, (_, c)) in self.neighbours(k).into_iter().enumerate() {
-                row[slot] += 0.5 * c * self.mobility_by_film[k] * own_film * gradient[face + 1];
-            }
+            row[slot] += by_film * film_response(k, m, coupling[slot]);
         }
         if moves_pressure(k) {
-            row[0] += own_mass * self.density_slope[k] * film[k];
+            row[0] += (wedge + self.squeeze) * own.density_p * film[k];
         }
         // Upstream mass.
         let up = k - 1;
         if moves_pressure(up) {
-            row[2] -= self.wedge * self.density_slope[up] * film[up];
+            row[2] -= wedge * self.nodes[up].density_p * film[up];
         }
         let upstream_coupling = [near.next_x, near.second_x, near.own, 0.0, 0.0];
         for (slot, coefficient) in upstream_coupling.into_iter().enumerate() {
-            row[slot] -= self.wedge * self.density[up] * film_response(up, nodes[slot], coefficient);
+            row[slot] -= wedge * self.nodes[up].density * film_response(up, nodes[slot], coefficient);
         }
-        // Faces: gradient of the unknown, mobility of the neighbour, mobility by the own pressure.
-        for (face, (o, c)) in self.neighbours(k).into_iter().enumerate() {
-            let slot = face + 1;
-            let conductance = c * self.face(k, o);
-            let half = 0.5 * c * gradient[slot];
+        // Faces: potentials and mobilities of both nodes.
+        for (face, (o, c)) in faces.into_iter().enumerate() {
+            let (slot, other) = (face + 1, &self.nodes[o]);
+            let mobility = c * self.face(k, o);
+            let half = 0.5 * c * (own.potential - other.potential);
             if moves_pressure(k) {
-                row[0] += conductance + half * self.mobility_by_pressure[k];
+                row[0] += mobility * own.potential_p + half * own.mobility_p;
             }
             if moves_pressure(o) {
-                row[slot] += half * self.mobility_by_pressure[o] - conductance;
+                row[slot] += half * other.mobility_p - mobility * other.potential_p;
             }
-            row[slot] += half * self.mobility_by_film[o] * film_response(o, o, near.own);
-            row[0] += half * self.mobility_by_film[o] * film_response(o, k, coupling[slot]);
+            row[slot] += half * other.mobility_h * film_response(o, o, near.own);
+            row[0] += half * other.mobility_h * film_response(o, k, coupling[slot]);
         }
         row
     }
 
-    /// Coefficients `(below, diagonal, above)` of an implicit step along x at node `k` with mobilities frozen and the
-    /// elastic response of the line stiffened by `stiffness`.
+    /// Coefficients `(below, diagonal, above)` of an implicit step along x at node `k` with mobilities frozen,
+    /// entrainment of first order and the elastic response of the line stiffened by `stiffness`.
     pub(super) fn line_row(&self, k: usize, near: NearField, stiffness: f64) -> (f64, f64, f64) {
         let nx = self.grid.nx();
         let (east, west) = (self.face_x * self.face(k, k + 1), self.face_x * self.face(k, k - 1));
         let cross = self.face_y * (self.face(k, k + nx) + self.face(k, k - nx));
-        let (own, up) = (self.density[k] * stiffness, self.density[k - 1] * stiffness);
+        let slope = |q: usize| self.nodes[q].potential_p;
+        let (own, up) = (self.nodes[k].density * stiffness, self.nodes[k - 1].density * stiffness);
         let (w, s) = (self.wedge, self.squeeze);
         (
-            -west + w * (own * near.next_x - up * near.own) + s * own * near.next_x,
-            east + west + cross + w * (own * near.own - up * near.next_x) + s * own * near.own,
-            -east + w * (own * near.next_x - up * near.second_x) + s * own * near.next_x,
+            -west * slope(k - 1) + w * (own * near.next_x - up * near.own) + s * own * near.next_x,
+            (east + west + cross) * slope(k) + w * (own * near.own - up * near.next_x) + s * own * near.own,
+            -east * slope(k + 1) + w * (own * near.next_x - up * near.second_x) + s * own * near.next_x,
         )
     }
 }

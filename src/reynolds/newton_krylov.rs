@@ -3,46 +3,36 @@
 use super::active_set::{Fluid, Kind, Solid};
 use super::coupled::{Coupled, limit_of};
 use super::dry::DryStart;
+use super::local::{Forecast, Local, Material};
 use super::preconditioner::{BlockPreconditioner, Unknowns};
-use super::problem::LubricatedContact;
+use super::problem::{LubricatedContact, interior};
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::numerics::{Gmres, PreconditionedOperator};
 use crate::report::{Residuals, SolveReport, Status, Work};
 
-/// Newton steps after which the solve has stalled: those that converge do so in half as many.
+/// Newton steps after which the solve has stalled: those that converge do so in 10 to 50.
 const MAX_NEWTON_STEPS: u64 = 60;
 /// Krylov steps within one Newton step.
 const MAX_KRYLOV_STEPS: usize = 100;
+/// Reduction of the linear residual, rows scaled to pressures, in each Newton step. Looser ones cost convergence: the
+/// errors left at single nodes are as large as the contact film.
+const KRYLOV_TOLERANCE: f64 = 0.01;
 /// Largest pressure change of one step, in reference pressures.
 const MAX_PRESSURE_CHANGE: f64 = 1.0;
-/// Share of the film (plus [`FILM_MARGIN`]) that one step may take away.
-const MAX_FILM_LOSS: f64 = 0.9;
-/// Length added to the film in that rule, so that films near zero do not block the step \[m\].
-const FILM_MARGIN: f64 = 5e-9;
-/// Steps without a new best residual after which the steps are halved, which breaks cycles of the node sides.
+/// How far the local equations may take a pressure from where the linear step puts it, in reference pressures. A solve
+/// that stalls with the first starts again from the dry contact with the next.
+const TRUSTS: [f64; 3] = [0.03, 0.01, 0.1];
+/// Steps without a new best residual after which that distance is halved.
 const PATIENCE: u32 = 5;
-/// Smallest damping from that rule.
-const MIN_DAMPING: f64 = 0.1;
-/// Scale of the inertia that goes with damping.
-const INERTIA: f64 = 4.0;
-/// Growth of the residuals over the largest of the last [`MEMORY`] that a step may cause.
-const MAX_GROWTH: f64 = 1.5;
-/// Steps that this comparison looks back.
-const MEMORY: usize = 3;
-/// Steps at the start that are taken whatever the residuals do.
-const FREE_STEPS: u32 = 6;
-/// Halvings of a step whose residuals leap.
-const MAX_HALVINGS: u32 = 3;
-/// Smallest step length.
-const MIN_STEP: f64 = 0.05;
 
 /// Semismooth Newton solver with approach and load balance inside the system.
 ///
-/// Each step sorts the nodes by the primal-dual rule into cavitated, fluid, contact and yielded ones and solves the
-/// linearised equations of those sides by GMRES on DC-FFT products. The preconditioner is a block one: sparse LU of the
-/// fluid equations with the elastic response cut off after the next neighbours, inverse convolution masked to the
-/// contact nodes, and the load balance as a border. Steps are shortened only where a film would vanish.
+/// Each step solves the linearised equations of the sides (cavitated, fluid, contact, yielded) that the nodes are on by
+/// GMRES on DC-FFT products. The preconditioner is a block one: sparse LU of the fluid equations with the elastic
+/// response cut off after the next neighbours, inverse convolution masked to the contact nodes, and the load balance as
+/// a border. Then every node settles by its own equations, neighbours held as the step foresees them: that decides its
+/// side and follows the viscosity over its orders of magnitude, where a linear step alone makes nodes go round in cycles.
 ///
 /// A state that carries no pressure is started from the dry contact, which is close to the answer in mixed
 /// lubrication: the asperities already carry their load and the fluid fills what is left.
@@ -62,7 +52,11 @@ struct Workspace {
     pinned: Vec<f64>,
     start: DryStart,
     best: ContactState,
-    before: ContactState,
+    best_residuals: Residuals,
+    best_kinds: Vec<Kind>,
+    kinds: Vec<Kind>,
+    scale: Vec<f64>,
+    scaled: Vec<f64>,
 }
 
 impl NewtonKrylov {
@@ -86,7 +80,11 @@ impl NewtonKrylov {
                 pinned: vec![0.0; length],
                 start: DryStart::new(grid),
                 best: ContactState::new(&grid),
-                before: ContactState::new(&grid),
+                best_residuals: Residuals::default(),
+                best_kinds: vec![Kind::BOUNDARY; grid.len()],
+                kinds: vec![Kind::BOUNDARY; grid.len()],
+                scale: vec![1.0; length],
+                scaled: vec![0.0; length],
             }));
         }
         self.workspace.as_deref_mut().ok_or(ReynoldsError::Memory { nodes: grid.len() })
@@ -108,70 +106,89 @@ impl ContactSolver for NewtonKrylov {
         let name = self.name();
         let workspace = self.workspace(problem)?;
         let mut work = Work::default();
-        if state.pressure.iter().all(|&p| p <= 0.0) {
-            work += workspace.start.run(problem, state)?;
-        }
-        let (status, residuals) = workspace.iterate(problem, state, stop, &mut work)?;
+        let (status, residuals) = workspace.attempts(problem, state, stop, &mut work)?;
         workspace.coupled.mark_contact(state);
         Ok(SolveReport { solver: name, status, residuals, work })
     }
 }
 
 impl Workspace {
-    fn iterate(
+    /// Solves from the state as it is if it carries pressure; else, and again where that stalls, from the dry contact.
+    fn attempts(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
-        self.coupled.configure(problem);
-        let before = self.coupled.convolutions;
-        let outcome = self.newton(problem, state, stop, work);
-        work.convolutions += (self.coupled.convolutions - before) as f64;
-        outcome
+        self.best_residuals = Residuals { mass: f64::INFINITY, ..Residuals::default() };
+        let mut status = Status::Stalled;
+        for share in TRUSTS {
+            if status != Status::Stalled {
+                break;
+            }
+            if work.iterations > 0 || state.pressure.iter().all(|&p| p <= 0.0) {
+                state.pressure.fill(0.0);
+                *work += self.start.run(problem, state)?;
+            }
+            self.coupled.configure(problem);
+            status = self.newton(problem, state, stop, share * problem.reference_pressure, work)?;
+            work.convolutions += self.coupled.convolutions as f64;
+        }
+        Ok((status, self.best_residuals))
     }
 
+    /// Newton steps until `stop` or a stall; leaves the best state of this solve.
     fn newton(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
+        mut trust: f64,
         work: &mut Work,
-    ) -> Result<(Status, Residuals), ReynoldsError> {
+    ) -> Result<Status, ReynoldsError> {
         self.coupled.evaluate(problem, state)?;
         self.coupled.classify(problem, state);
         self.coupled.settle(problem, state);
-        let mut best = Residuals { mass: f64::INFINITY, ..Residuals::default() };
-        let limit = stop.max_iterations.min(MAX_NEWTON_STEPS);
-        let mut damper = Damper::default();
-        for iteration in 0.. {
+        let left = stop.max_iterations.saturating_sub(work.iterations);
+        let limit = left.min(MAX_NEWTON_STEPS);
+        let (mut lowest, mut fruitless) = (f64::INFINITY, 0);
+        let mut status = if limit == left { Status::MaxIterations } else { Status::Stalled };
+        for iteration in 0..=limit {
             let residuals = self.coupled.residuals(problem, state);
             if !residuals.is_finite() {
-                state.clone_from(&self.best);
-                return Ok((Status::Diverged, best));
+                status = Status::Diverged;
+                break;
             }
-            if residuals.max() < best.max() {
-                best = residuals;
+            if residuals.max() < lowest {
+                (lowest, fruitless) = (residuals.max(), 0);
+            } else {
+                fruitless += 1;
+            }
+            if residuals.max() < self.best_residuals.max() {
+                self.best_residuals = residuals;
                 self.best.clone_from(state);
+                self.best_kinds.copy_from_slice(&self.coupled.kinds);
             }
-            damper.update(residuals.max());
             if residuals.max() <= stop.tolerance {
-                return Ok((Status::Converged, residuals));
+                return Ok(Status::Converged);
             }
             if iteration == limit {
                 break;
             }
-            self.coupled.classify(problem, state);
+            if fruitless == PATIENCE {
+                (trust, fruitless) = (0.5 * trust, 0);
+            }
             work.iterations += 1;
-            self.coupled.fluid.inertia = INERTIA * (1.0 / damper.length - 1.0);
             work.inner_iterations += self.newton_step(problem, state)?;
-            self.search(problem, state, &damper)?;
+            self.advance(problem, state, trust)?;
         }
-        state.clone_from(&self.best);
-        self.coupled.evaluate(problem, state)?;
-        let status = if limit == stop.max_iterations { Status::MaxIterations } else { Status::Stalled };
-        Ok((status, best))
+        if self.best_residuals.is_finite() {
+            state.clone_from(&self.best);
+            self.coupled.kinds.copy_from_slice(&self.best_kinds);
+            self.coupled.evaluate(problem, state)?;
+        }
+        Ok(status)
     }
 
     /// Solves the linearised equations into `self.step`; returns the Krylov steps.
@@ -188,8 +205,19 @@ impl Workspace {
             let wanted = pinned_pressure(*kind, limit_of(problem, k));
             let change = wanted.map_or(0.0, |p| p - state.pressure[k]);
             self.pinned[k] = change;
-            any_pinned |= change != 0.0;
+            let held = kind.is_contact() && kind.fluid == Fluid::Cavitated;
+            self.pinned[n + k] = if held { -state.fluid_pressure[k] } else { 0.0 };
+            any_pinned |= change != 0.0 || self.pinned[n + k] != 0.0;
         }
+        self.preconditioner.prepare(&self.coupled, state, problem)?;
+        let own = self.coupled.near.own;
+        for k in 0..n {
+            let diagonal = self.preconditioner.diagonal(k).abs().max(own);
+            let contact = self.coupled.kinds[k].is_contact();
+            self.scale[k] = if contact { own } else { diagonal };
+            self.scale[n + k] = diagonal;
+        }
+        self.scale[2 * n] = own;
         let coupled = &mut self.coupled;
         let mut system = System {
             unknowns: &mut self.unknowns,
@@ -197,8 +225,9 @@ impl Workspace {
             problem,
             state,
             preconditioner: &mut self.preconditioner,
+            scale: &self.scale,
+            scaled: &mut self.scaled,
         };
-        system.preconditioner.prepare(system.coupled, state, system.problem)?;
         if any_pinned {
             system.unknowns.product(system.coupled, system.problem, state, &self.pinned, &mut self.rhs)?;
         } else {
@@ -219,6 +248,9 @@ impl Workspace {
         let missing = Unknowns::load_row(system.problem, system.coupled.near, load - system.problem.load);
         self.rhs[2 * n] = -(self.rhs[2 * n] + missing);
         system.preconditioner.border(system.unknowns, system.coupled, system.problem, state)?;
+        for (r, s) in self.rhs.iter_mut().zip(system.scale) {
+            *r /= s;
+        }
         let outcome = self.gmres.solve(&mut system, &self.rhs, KRYLOV_TOLERANCE, &mut self.step);
         for (s, p) in self.step.iter_mut().zip(&self.pinned) {
             *s += p;
@@ -226,150 +258,63 @@ impl Workspace {
         Ok(outcome.steps)
     }
 
-    /// Takes the step, shortened where a film would vanish, and halves it while the residuals leap.
-    fn search(
-        &mut self,
-        problem: &mut LubricatedContact<'_>,
-        state: &mut ContactState,
-        damper: &Damper,
-    ) -> Result<(), ReynoldsError> {
-        let mut length = damper.length.sqrt() * self.step_length(problem, state)?;
-        self.before.clone_from(state);
-        for trial in 0..=MAX_HALVINGS {
-            self.advance(problem, state, length)?;
-            let size = self.coupled.residuals(problem, state).max();
-            if trial == MAX_HALVINGS || damper.accepts(size) {
-                break;
-            }
-            state.clone_from(&self.before);
-            length *= 0.5;
-        }
-        Ok(())
-    }
-
-    /// Adds `length` times the step to the state.
+    /// Takes the step; every node then settles by its own equations.
     fn advance(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
-        length: f64,
+        trust: f64,
     ) -> Result<(), ReynoldsError> {
-        let n = state.pressure.len();
-        for k in 0..n {
-            let limit = limit_of(problem, k);
+        let length = self.step_length(problem);
+        self.unknowns.expand(&mut self.coupled, problem, &self.step)?;
+        let (contact_film, own_influence) = (problem.contact_film(), self.coupled.near.own);
+        for k in interior(&self.coupled.fluid.grid) {
             let kind = self.coupled.kinds[k];
-            let change = length * self.step[k];
-            match kind.solid {
-                Solid::Open if kind.fluid == Fluid::AtLimit => {
-                    state.pressure[k] = limit;
-                    state.fluid_pressure[k] = limit;
-                    state.plastic_depth[k] += self.coupled.near.own * change;
-                    self.coupled.overflow[k] = state.plastic_depth[k] > 0.0;
+            let change = self.unknowns.node(k);
+            let material = Material { contact_film, limit: limit_of(problem, k), own_influence, trust };
+            let pressure = state.pressure[k] + length * change.pressure;
+            let elastic_film = self.coupled.elastic_film[k] + length * change.elastic_film;
+            let depth = match kind.fluid {
+                Fluid::AtLimit => {
+                    (state.plastic_depth[k] + length * (change.film - change.elastic_film)).max(0.0)
                 }
-                Solid::Open => {
-                    let wanted = state.pressure[k] + change;
-                    self.coupled.overflow[k] = wanted > limit;
-                    state.pressure[k] = wanted.clamp(0.0, limit);
-                    state.fluid_pressure[k] = state.pressure[k];
-                }
-                Solid::Contact | Solid::Yielded => {
-                    state.pressure[k] = (state.pressure[k] + change).clamp(0.0, limit);
-                    let fluid = if kind.fluid == Fluid::Active {
-                        state.fluid_pressure[k] + length * self.step[n + k]
-                    } else {
+                _ => 0.0,
+            };
+            let node = match problem.lubricant {
+                None => material.settle_dry(pressure, elastic_film),
+                Some(lubricant) => {
+                    let local = Local::new(&self.coupled.fluid, lubricant, k);
+                    let (share, by_pressure, by_film) = local.share(state.fluid_pressure[k], state.film[k]);
+                    let imbalance = if kind.has_balance() {
                         0.0
+                    } else {
+                        self.coupled.balance[k]
+                            + length * self.unknowns.balance_change(&self.coupled, state, k)
                     };
-                    self.coupled.overflow[k] = kind.solid == Solid::Yielded && fluid > limit;
-                    state.fluid_pressure[k] = fluid.clamp(0.0, limit);
+                    let own_change = by_pressure * change.fluid_pressure + by_film * change.film;
+                    let share = share + length * own_change - imbalance;
+                    local.settle(material, Forecast { pressure, elastic_film, depth, share })
                 }
-            }
+            };
+            self.kinds[k] = node.kind;
+            state.pressure[k] = node.pressure;
+            state.fluid_pressure[k] = node.fluid_pressure;
+            state.plastic_depth[k] = node.depth;
         }
-        state.approach += length * self.step[2 * n];
+        self.coupled.kinds.copy_from_slice(&self.kinds);
+        state.approach += length * self.step[2 * state.pressure.len()];
         self.coupled.evaluate(problem, state)?;
         Ok(())
     }
 
-    fn step_length(
-        &mut self,
-        problem: &mut LubricatedContact<'_>,
-        state: &ContactState,
-    ) -> Result<f64, ReynoldsError> {
-        let mut length: f64 = 1.0;
-        let mut largest = 0.0_f64;
-        for (k, kind) in self.coupled.kinds.iter().enumerate() {
-            if kind.fluid != Fluid::AtLimit {
-                largest = largest.max(self.step[k].abs());
-            }
-        }
-        if largest > 0.0 {
-            length = length.min(MAX_PRESSURE_CHANGE * problem.reference_pressure / largest);
-        }
-        let floor = MIN_STEP * length;
-        let film_change = self.unknowns.film_change(&mut self.coupled, problem, &self.step)?;
-        let nodes = self.coupled.kinds.iter().zip(state.film.iter().zip(film_change));
-        for (kind, (film, change)) in nodes {
-            if kind.is_open_fluid() && *change < 0.0 && *film > 0.0 {
-                length = length.min(-MAX_FILM_LOSS * (film + FILM_MARGIN) / change);
-            }
-        }
-        Ok(length.max(floor))
+    /// Length at which no pressure changes by more than [`MAX_PRESSURE_CHANGE`], at most one.
+    fn step_length(&self, problem: &LubricatedContact<'_>) -> f64 {
+        let pressures =
+            self.coupled.kinds.iter().zip(&self.step).filter(|(kind, _)| kind.fluid != Fluid::AtLimit);
+        let largest = pressures.fold(0.0_f64, |m, (_, change)| m.max(change.abs()));
+        (MAX_PRESSURE_CHANGE * problem.reference_pressure / largest).min(1.0)
     }
 }
-
-/// Decides how much of a Newton step is taken from the residuals of the steps before.
-#[derive(Debug)]
-struct Damper {
-    length: f64,
-    best: f64,
-    fruitless: u32,
-    recent: [f64; MEMORY],
-    falls: u32,
-    steps: u32,
-}
-
-impl Default for Damper {
-    fn default() -> Self {
-        Self {
-            length: 1.0,
-            best: f64::INFINITY,
-            fruitless: 0,
-            recent: [f64::INFINITY; MEMORY],
-            falls: 0,
-            steps: 0,
-        }
-    }
-}
-
-impl Damper {
-    /// Halves the length after [`PATIENCE`] steps without a new best, doubles it after two falls in a row.
-    fn update(&mut self, size: f64) {
-        self.steps += 1;
-        self.falls = if size < self.recent[0] { self.falls + 1 } else { 0 };
-        self.recent.rotate_right(1);
-        self.recent[0] = size;
-        if size < self.best {
-            self.best = size;
-            self.fruitless = 0;
-        } else {
-            self.fruitless += 1;
-        }
-        if self.falls >= 2 {
-            self.length = (2.0 * self.length).min(1.0);
-        } else if self.fruitless > 0 && self.fruitless.is_multiple_of(PATIENCE) {
-            self.length = (0.5 * self.length).max(MIN_DAMPING);
-        }
-    }
-
-    /// Whether a step that leads to residuals of `size` is taken as it is.
-    ///
-    /// The first steps always are: residuals of a start say little, since its sets are not those of the answer.
-    fn accepts(&self, size: f64) -> bool {
-        self.steps <= FREE_STEPS || size <= MAX_GROWTH * self.recent.iter().copied().fold(0.0, f64::max)
-    }
-}
-
-/// Reduction of the linear residual in each Newton step.
-const KRYLOV_TOLERANCE: f64 = 0.003;
 
 /// The pressure a node is held at, if its pressure is not an unknown.
 fn pinned_pressure(kind: Kind, limit: f64) -> Option<f64> {
@@ -387,6 +332,9 @@ struct System<'a, 'b, 'c> {
     problem: &'a mut LubricatedContact<'b>,
     state: &'c ContactState,
     preconditioner: &'a mut BlockPreconditioner,
+    /// Size of the diagonal of each row \[m/Pa\]: divided by it, residuals are pressures.
+    scale: &'a [f64],
+    scaled: &'a mut [f64],
 }
 
 impl PreconditionedOperator for System<'_, '_, '_> {
@@ -394,10 +342,16 @@ impl PreconditionedOperator for System<'_, '_, '_> {
         // Shapes were checked when the solve began: the product cannot fail.
         let result = self.unknowns.product(self.coupled, self.problem, self.state, x, out);
         debug_assert!(result.is_ok(), "shapes are checked by the solve");
+        for (o, s) in out.iter_mut().zip(self.scale) {
+            *o /= s;
+        }
     }
 
     fn precondition(&mut self, r: &[f64], out: &mut [f64]) {
-        let result = self.preconditioner.apply(self.coupled, self.problem, r, out);
+        for ((v, r), s) in self.scaled.iter_mut().zip(r).zip(self.scale) {
+            *v = r * s;
+        }
+        let result = self.preconditioner.apply(self.coupled, self.problem, self.scaled, out);
         debug_assert!(result.is_ok(), "shapes are checked by the solve");
     }
 }

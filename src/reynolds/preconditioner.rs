@@ -28,12 +28,27 @@ pub(super) struct Unknowns {
     pressure_change: Vec<f64>,
     fluid_change: Vec<f64>,
     film_change: Vec<f64>,
+    elastic_change: Vec<f64>,
+}
+
+/// Changes of one node in a linear step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NodeChange {
+    pub(super) pressure: f64,
+    pub(super) fluid_pressure: f64,
+    pub(super) film: f64,
+    pub(super) elastic_film: f64,
 }
 
 impl Unknowns {
     pub(super) fn new(grid: Grid) -> Self {
         let zeros = || vec![0.0; grid.len()];
-        Self { pressure_change: zeros(), fluid_change: zeros(), film_change: zeros() }
+        Self {
+            pressure_change: zeros(),
+            fluid_change: zeros(),
+            film_change: zeros(),
+            elastic_change: zeros(),
+        }
     }
 
     /// The load balance as a film thickness: missing load over load times the self-deflection under the reference
@@ -43,12 +58,12 @@ impl Unknowns {
     }
 
     /// Change of the films under the step `x`; one convolution.
-    pub(super) fn film_change(
+    fn film_change(
         &mut self,
         coupled: &mut Coupled,
         problem: &mut LubricatedContact<'_>,
         x: &[f64],
-    ) -> Result<&[f64], InputError> {
+    ) -> Result<(), InputError> {
         let n = coupled.kinds.len();
         for (k, kind) in coupled.kinds.iter().enumerate() {
             self.pressure_change[k] = if kind.fluid == Fluid::AtLimit { 0.0 } else { x[k] };
@@ -61,7 +76,47 @@ impl Unknowns {
                 self.film_change[k] += coupled.near.own * x[k];
             }
         }
-        Ok(&self.film_change)
+        Ok(())
+    }
+
+    /// Turns the step `x` into changes of every quantity of the nodes; one convolution.
+    pub(super) fn expand(
+        &mut self,
+        coupled: &mut Coupled,
+        problem: &mut LubricatedContact<'_>,
+        x: &[f64],
+    ) -> Result<(), InputError> {
+        self.film_change(coupled, problem, x)?;
+        let n = coupled.kinds.len();
+        for (k, kind) in coupled.kinds.iter().enumerate() {
+            let at_limit = kind.fluid == Fluid::AtLimit;
+            self.elastic_change[k] =
+                self.film_change[k] - if at_limit { coupled.near.own * x[k] } else { 0.0 };
+            if kind.solid == Solid::Yielded {
+                self.film_change[k] = 0.0;
+            }
+            self.fluid_change[k] = match (kind.fluid, kind.solid) {
+                (Fluid::AtLimit, _) => 0.0,
+                (_, Solid::Open) => x[k],
+                _ => x[n + k],
+            };
+        }
+        Ok(())
+    }
+
+    /// Changes of node `k` after [`Unknowns::expand`].
+    pub(super) fn node(&self, k: usize) -> NodeChange {
+        NodeChange {
+            pressure: self.pressure_change[k],
+            fluid_pressure: self.fluid_change[k],
+            film: self.film_change[k],
+            elastic_film: self.elastic_change[k],
+        }
+    }
+
+    /// Change of the mass balance of node `k` after [`Unknowns::expand`].
+    pub(super) fn balance_change(&self, coupled: &Coupled, state: &ContactState, k: usize) -> f64 {
+        coupled.fluid.balance_change(k, &state.film, &self.fluid_change, &self.film_change)
     }
 
     /// `out = J x`; one convolution.
@@ -108,8 +163,7 @@ impl Unknowns {
             self.fluid_change[k] = match (kind.fluid, kind.solid) {
                 (Fluid::AtLimit, _) => 0.0,
                 (_, Solid::Open) => x[k],
-                (Fluid::Active, _) => x[n + k],
-                _ => 0.0,
+                _ => x[n + k],
             };
             first[k] = if kind.solid == Solid::Contact { self.film_change[k] } else { 0.0 };
         }
@@ -121,13 +175,8 @@ impl Unknowns {
         for (k, kind) in coupled.kinds.iter().enumerate() {
             second[k] = 0.0;
             if kind.has_balance() {
-                let change = coupled.fluid.balance_change(
-                    k,
-                    &state.fluid_pressure,
-                    &state.film,
-                    &self.fluid_change,
-                    &self.film_change,
-                );
+                let change =
+                    coupled.fluid.balance_change(k, &state.film, &self.fluid_change, &self.film_change);
                 if kind.is_contact() {
                     second[k] = change;
                 } else {
@@ -183,13 +232,18 @@ impl BlockPreconditioner {
         for (k, row) in self.stencil.chunks_exact_mut(STENCIL).enumerate() {
             let balanced = coupled.kinds[k].has_balance();
             let values = if balanced {
-                coupled.fluid.stencil_row(k, &coupled.kinds, &state.fluid_pressure, &state.film, coupled.near)
+                coupled.fluid.stencil_row(k, &coupled.kinds, &state.film, coupled.near)
             } else {
                 [coupled.near.own, 0.0, 0.0, 0.0, 0.0]
             };
             row.copy_from_slice(&values);
         }
         if self.lu.factorise(&self.stencil) { Ok(()) } else { Err(ReynoldsError::SingularFluidBlock) }
+    }
+
+    /// Diagonal of row `k` of the fluid block \[m/Pa\].
+    pub(super) fn diagonal(&self, k: usize) -> f64 {
+        self.stencil[STENCIL * k]
     }
 
     /// Prepares the border: what the blocks make of the column of the approach.
@@ -349,6 +403,7 @@ mod tests {
             pressure_limit: None,
             film_cutoff: 1e-9,
             scheme: Scheme::FirstOrder,
+            face_mobility: Default::default(),
             reference_half_widths: (1e-5, 1e-5),
             reference_pressure: 1e9,
             reference_film: 0.0,

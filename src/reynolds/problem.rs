@@ -7,11 +7,26 @@ use crate::lubricant::Lubricant;
 
 /// Discretisation of the wedge term `u d(rho h)/dx`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Scheme {
     /// First-order upwind: the flux through a face is that of the node upstream of it.
     #[default]
     FirstOrder,
+    /// Second-order upwind: the flux through a face is extrapolated from the two nodes upstream of it.
+    SecondOrder,
+}
+
+/// How pressure drives fluid through the face between two nodes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum FaceMobility {
+    /// Arithmetic mean of the mobilities `rho h^3 / (12 eta)` of the two nodes times their pressure difference: the
+    /// usual choice.
+    #[default]
+    Arithmetic,
+    /// Mean of `h^3 / (12 eta_0)` times the difference of the reduced pressures: exact in the viscosity, so that the
+    /// flow grows with the pressure difference however steep the viscosity is.
+    ReducedPressure,
 }
 
 /// The previous state that the squeeze term `d(rho h)/dt` refers to.
@@ -53,6 +68,8 @@ pub struct LubricatedContact<'a> {
     pub film_cutoff: f64,
     /// Discretisation of the wedge term.
     pub scheme: Scheme,
+    /// Pressure flow through the faces.
+    pub face_mobility: FaceMobility,
     /// Half-widths `(a_x, a_y)` of the contact \[m\] that residuals are scaled with and starts are built from, usually
     /// Hertz.
     pub reference_half_widths: (f64, f64),

@@ -9,7 +9,7 @@ use crate::wear::{SurfaceLedger, Volumes, WearDepth};
 /// The surface of one body on its own periodic patch.
 ///
 /// At every moment `surface = initial - wear - plastic + film`, node by node.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Body {
     initial: Vec<f64>,
     pub(super) wear: WearDepth,
@@ -17,6 +17,29 @@ pub struct Body {
     pub(super) film: Option<Tribofilm>,
     no_film: Vec<f64>,
     pub(super) surface: Vec<f64>,
+}
+
+impl Clone for Body {
+    fn clone(&self) -> Self {
+        Self {
+            initial: self.initial.clone(),
+            wear: self.wear.clone(),
+            plastic: self.plastic.clone(),
+            film: self.film.clone(),
+            no_film: self.no_film.clone(),
+            surface: self.surface.clone(),
+        }
+    }
+
+    /// Copies into the buffers that are there.
+    fn clone_from(&mut self, source: &Self) {
+        self.initial.clone_from(&source.initial);
+        self.wear.clone_from(&source.wear);
+        self.plastic.clone_from(&source.plastic);
+        self.film.clone_from(&source.film);
+        self.no_film.clone_from(&source.no_film);
+        self.surface.clone_from(&source.surface);
+    }
 }
 
 impl Body {

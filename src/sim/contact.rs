@@ -9,7 +9,7 @@ use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::metrics;
 use crate::report::SolveReport;
-use crate::reynolds::{ContactSolver, ContactState, LubricatedContact, Scheme, StoppingRule};
+use crate::reynolds::{ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme, StoppingRule};
 
 /// Grid, elastic body, lubricant, load and solver of a scene.
 #[derive(Debug)]
@@ -23,6 +23,7 @@ pub(super) struct ContactModel {
     pub(super) solver: Box<dyn ContactSolver>,
     rule: StoppingRule,
     scheme: Scheme,
+    face_mobility: FaceMobility,
     film_cutoff: f64,
     entrainment_speed: f64,
     /// Hamrock-Dowson central film of the smooth contact; zero without lubricant \[m\].
@@ -88,7 +89,8 @@ impl ContactModel {
             lubricant,
             solver: overrides.solver.map_or_else(|| setup::solver(scene), Ok)?,
             rule: setup::stopping_rule(scene)?,
-            scheme: setup::scheme(scene),
+            scheme: scene.solver.scheme,
+            face_mobility: scene.face_mobility(),
             film_cutoff: scene.solver.film_cutoff,
             entrainment_speed: scene.motion.entrainment_speed,
         })
@@ -111,6 +113,7 @@ impl ContactModel {
             pressure_limit: limit,
             film_cutoff: self.film_cutoff,
             scheme: self.scheme,
+            face_mobility: self.face_mobility,
             reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
             reference_pressure: self.hertz.p_max,
             reference_film: self.formula_film,
@@ -130,6 +133,8 @@ pub struct ContactSolution {
     pub hertz: HertzPoint,
     /// Moes parameters `(M, L)`; none for a dry contact.
     pub moes: Option<(f64, f64)>,
+    /// Entrainment scheme and pressure flow; none for a dry contact.
+    pub discretisation: Option<(Scheme, FaceMobility)>,
     /// Fields and approach.
     pub state: ContactState,
     /// Undeformed gap, form and roughness \[m\].
@@ -226,7 +231,8 @@ pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {
         (FilmNumbers::UNKNOWN, ContactNumbers::UNKNOWN)
     };
     let (hertz, moes) = (model.hertz, moes(scene, &model));
-    Ok(ContactSolution { report, grid, hertz, moes, film, contact, state, gap })
+    let discretisation = model.lubricant.is_some().then_some((model.scheme, model.face_mobility));
+    Ok(ContactSolution { report, grid, hertz, moes, film, contact, discretisation, state, gap })
 }
 
 fn moes(scene: &Scene, model: &ContactModel) -> Option<(f64, f64)> {

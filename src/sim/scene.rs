@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use crate::analytic::HertzPoint;
 use crate::error::InputError;
 use crate::grid::Grid;
+use crate::reynolds::{FaceMobility, Scheme};
 use crate::surface::Form;
 
 /// Everything that defines a contact. All SI; every table that is absent is physics that is not modelled.
@@ -175,6 +176,17 @@ pub enum Roughness {
     File(FileRoughness),
 }
 
+impl Roughness {
+    /// Whether the body has no roughness.
+    pub fn is_smooth(&self) -> bool {
+        match self {
+            Self::None => true,
+            Self::Gaussian(random) | Self::Exponential(random) => random.rq == 0.0,
+            Self::File(_) => false,
+        }
+    }
+}
+
 /// Parameters of random roughness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
@@ -335,7 +347,9 @@ pub struct SolverSpec {
     /// Largest number of outer iterations.
     pub max_iterations: u64,
     /// Discretisation of the wedge term.
-    pub scheme: SchemeKind,
+    pub scheme: Scheme,
+    /// Pressure flow through the faces; none for the one that suits the scene, see [`Scene::face_mobility`].
+    pub face_mobility: Option<FaceMobility>,
     /// Film thickness at which solids touch \[m\].
     pub film_cutoff: f64,
     /// Under-relaxation of the semi-system sweeps.
@@ -350,7 +364,8 @@ impl Default for SolverSpec {
             kind: SolverKind::Auto,
             tolerance: 1e-6,
             max_iterations: 20_000,
-            scheme: SchemeKind::FirstOrder,
+            scheme: Scheme::default(),
+            face_mobility: None,
             film_cutoff: 1e-9,
             relaxation: 0.2,
             stiffness: 6.0,
@@ -370,14 +385,6 @@ pub enum SolverKind {
     NewtonKrylov,
     /// Dry contact; a lubricant in the scene is left out.
     Dry,
-}
-
-/// Discretisations of the wedge term a scene can name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum SchemeKind {
-    /// First-order upwind.
-    FirstOrder,
 }
 
 #[cfg(feature = "serde")]
@@ -494,6 +501,17 @@ impl Scene {
     /// Whether the contact is solved with a lubricant.
     pub fn is_lubricated(&self) -> bool {
         self.lubricant.is_some() && self.solver.kind != SolverKind::Dry
+    }
+
+    /// The pressure flow through faces that the contact is solved with: the one named in `solver`, else arithmetic
+    /// means for a smooth contact with first-order entrainment, where the two errors have opposite signs, and reduced
+    /// pressures otherwise.
+    pub fn face_mobility(&self) -> FaceMobility {
+        let smooth = self.roughness.ball.is_smooth() && self.roughness.disc.is_smooth();
+        self.solver.face_mobility.unwrap_or(match self.solver.scheme {
+            Scheme::FirstOrder if smooth => FaceMobility::Arithmetic,
+            _ => FaceMobility::ReducedPressure,
+        })
     }
 }
 

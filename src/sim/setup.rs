@@ -1,13 +1,13 @@
 //! From a scene to the pieces of a contact problem.
 
 use super::SimError;
-use super::scene::{FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SchemeKind, SolverKind};
+use super::scene::{FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind};
 use crate::analytic::{FilmConditions, HertzPoint};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, DowsonHigginson, Roelands, ViscosityLaw};
 use crate::metrics::{average_central_film, height_statistics};
-use crate::reynolds::{Auto, ContactSolver, Dry, NewtonKrylov, Scheme, SemiSystem, StoppingRule};
+use crate::reynolds::{Auto, ContactSolver, Dry, NewtonKrylov, SemiSystem, StoppingRule};
 use crate::surface::{Autocorrelation, RoughnessSpec, generate};
 use crate::tribochem::Ghanbarzadeh;
 
@@ -226,12 +226,6 @@ pub(super) fn stopping_rule(scene: &Scene) -> Result<StoppingRule, InputError> {
         StoppingRule { tolerance: scene.solver.tolerance, max_iterations: scene.solver.max_iterations };
     rule.validate()?;
     Ok(rule)
-}
-
-pub(super) fn scheme(scene: &Scene) -> Scheme {
-    match scene.solver.scheme {
-        SchemeKind::FirstOrder => Scheme::FirstOrder,
-    }
 }
 
 /// Conditions of the film formulas; none without a lubricant.

@@ -23,13 +23,34 @@ use crate::rubbing::RubbingPoint;
 /// assert!((film.volume(1e-12) - 2.0 * 92.25e-21).abs() < 1e-22);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Tribofilm {
     n_states: usize,
     states: Vec<f64>,
     thickness: Vec<f64>,
     gained: f64,
     lost: f64,
+}
+
+impl Clone for Tribofilm {
+    fn clone(&self) -> Self {
+        Self {
+            n_states: self.n_states,
+            states: self.states.clone(),
+            thickness: self.thickness.clone(),
+            gained: self.gained,
+            lost: self.lost,
+        }
+    }
+
+    /// Copies into the buffers that are there.
+    fn clone_from(&mut self, source: &Self) {
+        self.n_states = source.n_states;
+        self.states.clone_from(&source.states);
+        self.thickness.clone_from(&source.thickness);
+        self.gained = source.gained;
+        self.lost = source.lost;
+    }
 }
 
 impl Tribofilm {

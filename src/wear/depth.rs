@@ -16,9 +16,20 @@ use crate::rubbing::RubbingPoint;
 /// assert!((wear.values()[0] - 327e-9).abs() < 1e-12); // 5.45e-8 / 6 GPa x 1 GPa x 36 m
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct WearDepth {
     values: Vec<f64>,
+}
+
+impl Clone for WearDepth {
+    fn clone(&self) -> Self {
+        Self { values: self.values.clone() }
+    }
+
+    /// Copies into the buffers that are there.
+    fn clone_from(&mut self, source: &Self) {
+        self.values.clone_from(&source.values);
+    }
 }
 
 impl WearDepth {

@@ -1,0 +1,195 @@
+//! The equations of one node with its neighbours held: what makes of a linear step a state.
+
+use super::active_set::{Fluid, Kind, Solid};
+use super::discretisation::{Discretisation, FaceSums};
+use crate::lubricant::Lubricant;
+
+/// Bisections and Newton steps of a local solve.
+const MAX_STEPS: u32 = 60;
+/// Relative accuracy of the pressure of a local solve: its only use is a starting point of the next linear step.
+const ACCURACY: f64 = 1e-10;
+
+/// What the linear step foresees for a node.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Forecast {
+    /// Total pressure \[Pa\].
+    pub(super) pressure: f64,
+    /// Film at that pressure without plastic depth \[m\].
+    pub(super) elastic_film: f64,
+    /// Plastic depth of a node whose fluid is at the limit \[m\].
+    pub(super) depth: f64,
+    /// Own share of the mass balance (see [`Local::share`]) \[m\].
+    pub(super) share: f64,
+}
+
+/// The state of a node that its own equations ask for.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NodeState {
+    pub(super) kind: Kind,
+    pub(super) pressure: f64,
+    pub(super) fluid_pressure: f64,
+    /// Plastic depth of a node whose fluid is at the limit, zero otherwise \[m\].
+    pub(super) depth: f64,
+}
+
+/// Constants of a node's own equations.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Material {
+    pub(super) contact_film: f64,
+    pub(super) limit: f64,
+    /// Film per own pressure \[m/Pa\].
+    pub(super) own_influence: f64,
+    /// How far the pressure may leave the forecast \[Pa\].
+    pub(super) trust: f64,
+}
+
+impl Material {
+    /// The state without fluid: open, or contact below or at the limit.
+    pub(super) fn settle_dry(&self, pressure: f64, elastic_film: f64) -> NodeState {
+        let touch = pressure + (self.contact_film - elastic_film) / self.own_influence;
+        let (solid, pressure) = if touch <= 0.0 {
+            (Solid::Open, 0.0)
+        } else if touch >= self.limit {
+            (Solid::Yielded, self.limit)
+        } else {
+            (Solid::Contact, pressure.clamp(0.0, self.limit))
+        };
+        NodeState { kind: Kind { fluid: Fluid::Cavitated, solid }, pressure, fluid_pressure: 0.0, depth: 0.0 }
+    }
+}
+
+/// The own share of a mass balance as a function of own pressure and film, neighbours held:
+/// `M rho(p) h + sum over faces of c (a(p, h) + a_o) (phi(p) - phi_o) / 2`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Local<'a> {
+    lubricant: &'a Lubricant,
+    fluid: &'a Discretisation,
+    mass: f64,
+    faces: FaceSums,
+}
+
+impl<'a> Local<'a> {
+    pub(super) fn new(fluid: &'a Discretisation, lubricant: &'a Lubricant, k: usize) -> Self {
+        Self { lubricant, fluid, mass: fluid.own_mass(k), faces: fluid.face_sums(k) }
+    }
+
+    /// Own share at fluid pressure `p` and film `h`, and its derivatives by both.
+    pub(super) fn share(&self, p: f64, h: f64) -> (f64, f64, f64) {
+        let node = self.fluid.node_flow(self.lubricant, p, h);
+        let faces = &self.faces;
+        let drop = faces.half * node.potential - faces.potential;
+        let mobility = faces.half * node.mobility + faces.mobility;
+        (
+            self.mass * node.density * h + node.mobility * drop + faces.mobility * node.potential
+                - faces.inflow,
+            self.mass * node.density_p * h + node.mobility_p * drop + mobility * node.potential_p,
+            self.mass * node.density + node.mobility_h * drop,
+        )
+    }
+
+    /// The state in which the own share is the one foreseen, the film following the own pressure alone.
+    ///
+    /// Along one coordinate `v` all states of a node line up: cavitated (`v <= 0`), contact with fluid pressure `v`,
+    /// open with pressure `v` once that exceeds the pressure `touch` at which the film is the contact film, and fluid at
+    /// the limit with plastic depth `(v - limit)` times the self-influence. The share grows along it.
+    pub(super) fn settle(&self, material: Material, forecast: Forecast) -> NodeState {
+        let Material { contact_film, limit, own_influence, trust } = material;
+        let touch = forecast.pressure + (contact_film - forecast.elastic_film) / own_influence;
+        let opening = touch.min(limit);
+        let film = |v: f64| contact_film + own_influence * (v - opening).max(0.0);
+        let value = |v: f64| {
+            let (share, by_pressure, by_film) = self.share(v.min(limit), film(v));
+            let slope = if v < limit { by_pressure } else { 0.0 }
+                + if v > opening { by_film * own_influence } else { 0.0 };
+            (share - forecast.share, slope)
+        };
+        let v = if value(0.0).0 >= 0.0 { 0.0 } else { self.root(value, forecast.pressure.max(1.0)) };
+        // Pressures move films far away: a node may not leave the forecast, which knows of all, by much.
+        let mut v = v.min(forecast.pressure.max(0.0) + forecast.depth / own_influence + trust);
+        if v > opening {
+            v = v.max(forecast.pressure.min(limit) - trust).max(opening);
+        }
+        let fluid = if v <= 0.0 { Fluid::Cavitated } else { Fluid::Active };
+        if v > limit {
+            let depth =
+                (film(v) - forecast.elastic_film - own_influence * (limit - forecast.pressure)).max(0.0);
+            let kind = Kind { fluid: Fluid::AtLimit, solid: Solid::Open };
+            NodeState { kind, pressure: limit, fluid_pressure: limit, depth }
+        } else if v < opening {
+            let solid = if touch >= limit { Solid::Yielded } else { Solid::Contact };
+            let pressure = if solid == Solid::Yielded { limit } else { forecast.pressure.clamp(v, limit) };
+            NodeState { kind: Kind { fluid, solid }, pressure, fluid_pressure: v, depth: 0.0 }
+        } else {
+            NodeState { kind: Kind { fluid, solid: Solid::Open }, pressure: v, fluid_pressure: v, depth: 0.0 }
+        }
+    }
+
+    /// Root of a function that is negative at zero and grows; by Newton steps inside a bracket.
+    fn root(&self, value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
+        let (mut low, mut high) = (0.0, f64::INFINITY);
+        let mut v = start;
+        for _ in 0..MAX_STEPS {
+            let (f, slope) = value(v);
+            if f < 0.0 {
+                low = v;
+            } else {
+                high = v;
+            }
+            let newton = v - f / slope;
+            if (newton - v).abs() <= ACCURACY * v {
+                return newton;
+            }
+            let next = if newton > low && newton < high {
+                newton
+            } else if high.is_finite() {
+                0.5 * (low + high)
+            } else {
+                2.0 * low + 1.0
+            };
+            if (next - v).abs() <= ACCURACY * v || !next.is_finite() {
+                return v;
+            }
+            v = next;
+        }
+        v
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MATERIAL: Material = Material { contact_film: 1e-9, limit: 2e9, own_influence: 2e-17, trust: 1e8 };
+
+    #[test]
+    fn dry_nodes_open_touch_and_yield() {
+        // The film is the contact film at 500 MPa, never, and beyond the limit.
+        for (film, side, pressure) in [
+            (1e-9, Solid::Contact, 5e8),
+            (1e-9 + 2e-17 * 6e8, Solid::Open, 0.0),
+            (1e-9 - 2e-17 * 2e9, Solid::Yielded, 2e9),
+        ] {
+            let node = MATERIAL.settle_dry(5e8, film);
+            assert_eq!((node.kind.solid, node.pressure), (side, pressure));
+            assert!(node.fluid_pressure.abs() < f64::MIN_POSITIVE);
+        }
+    }
+
+    #[test]
+    fn the_root_is_found_where_the_slope_spans_orders_of_magnitude() {
+        use crate::grid::Grid;
+        use crate::lubricant::{Barus, Incompressible};
+        let grid = Grid::centred(5, 5, 1e-6, 1e-6).unwrap();
+        let fluid = Discretisation::new(grid);
+        let oil = Lubricant::new(Barus::new(0.01, 20e-9).unwrap(), Incompressible);
+        let local = Local::new(&fluid, &oil, 12);
+        for root in [1.0_f64, 1e4, 1e8, 1e9] {
+            let value =
+                |v: f64| ((-2e-8_f64 * root).exp() - (-2e-8_f64 * v).exp(), 2e-8 * (-2e-8_f64 * v).exp());
+            for start in [1.0, 1e7, 3e9] {
+                let found = local.root(value, start);
+                assert!((found / root - 1.0).abs() < 1e-6, "{found} for {root} from {start}");
+            }
+        }
+    }
+}
