@@ -1,8 +1,7 @@
 //! Lubricant laws: viscosity and density as functions of pressure.
 //!
 //! [`ViscosityLaw`] and [`DensityLaw`] are open sets: implement one for an own fluid and hand it to
-//! [`Lubricant::new`]. Solvers call the whole-field methods, whose provided bodies loop over the scalar
-//! ones, so that one virtual call serves a field.
+//! [`Lubricant::new`], which tabulates both: solvers read the table, without a virtual call per node.
 
 mod barus;
 mod density;
@@ -39,14 +38,6 @@ pub trait ViscosityLaw: Debug + Send + Sync {
             *eta = self.viscosity(p);
         }
     }
-
-    /// Fills `viscosity` \[Pa s\] and `log_slope` \[1/Pa\] from `pressure` \[Pa\]; slices of one length.
-    fn fill_with_slope(&self, pressure: &[f64], viscosity: &mut [f64], log_slope: &mut [f64]) {
-        self.fill(pressure, viscosity);
-        for (slope, &p) in log_slope.iter_mut().zip(pressure) {
-            *slope = self.log_slope(p);
-        }
-    }
 }
 
 /// Density relative to that at ambient pressure.
@@ -59,14 +50,6 @@ pub trait DensityLaw: Debug + Send + Sync {
 
     /// Slope of the ratio \[1/Pa\] at `pressure` \[Pa\].
     fn slope(&self, pressure: f64) -> f64;
-
-    /// Fills `ratio` and `slope` from `pressure` \[Pa\]; slices of one length.
-    fn fill(&self, pressure: &[f64], ratio: &mut [f64], slope: &mut [f64]) {
-        for ((ratio, slope), &p) in ratio.iter_mut().zip(slope).zip(pressure) {
-            *ratio = self.ratio(p);
-            *slope = self.slope(p);
-        }
-    }
 }
 
 /// The two laws that describe a lubricant in the Reynolds equation.

@@ -82,15 +82,4 @@ impl ViscosityLaw for Roelands {
             0.0
         }
     }
-
-    fn fill_with_slope(&self, pressure: &[f64], viscosity: &mut [f64], log_slope: &mut [f64]) {
-        for ((eta, slope), &p) in viscosity.iter_mut().zip(log_slope).zip(pressure) {
-            let ratio = p.max(0.0) / self.p0;
-            let power = (self.z * ratio.ln_1p()).exp();
-            let exponent = self.exponent * (power - 1.0);
-            let free = exponent < Self::MAX_EXPONENT;
-            *eta = self.eta0 * if free { exponent } else { Self::MAX_EXPONENT }.exp();
-            *slope = if free { self.exponent * self.z * power / ((1.0 + ratio) * self.p0) } else { 0.0 };
-        }
-    }
 }

@@ -101,10 +101,9 @@ impl Coupled {
         }
     }
 
-    /// Sorts the nodes; returns how many changed sides.
-    pub(super) fn classify(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) -> usize {
+    /// Sorts the nodes.
+    pub(super) fn classify(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
         let lubricated = problem.lubricant.is_some();
-        let mut changes = 0;
         for k in interior(&self.fluid.grid) {
             let fluid_push =
                 if lubricated { -self.balance[k] / self.fluid.diagonal(k, self.near) } else { 0.0 };
@@ -118,11 +117,8 @@ impl Coupled {
                 own_influence: self.near.own,
                 lubricated,
             };
-            let kind = sample.classify(self.kinds[k]);
-            changes += usize::from(kind != self.kinds[k]);
-            self.kinds[k] = kind;
+            self.kinds[k] = sample.classify(self.kinds[k]);
         }
-        changes
     }
 
     /// Residuals of the state as evaluated, by the pressures and films alone: node kinds play no part.

@@ -54,7 +54,6 @@ struct Workspace {
     best: ContactState,
     best_residuals: Residuals,
     best_kinds: Vec<Kind>,
-    kinds: Vec<Kind>,
     scale: Vec<f64>,
     scaled: Vec<f64>,
 }
@@ -82,7 +81,6 @@ impl NewtonKrylov {
                 best: ContactState::new(&grid),
                 best_residuals: Residuals::default(),
                 best_kinds: vec![Kind::BOUNDARY; grid.len()],
-                kinds: vec![Kind::BOUNDARY; grid.len()],
                 scale: vec![1.0; length],
                 scaled: vec![0.0; length],
             }));
@@ -114,6 +112,7 @@ impl ContactSolver for NewtonKrylov {
 
 impl Workspace {
     /// Solves from the state as it is if it carries pressure; else, and again where that stalls, from the dry contact.
+    /// Leaves the best state.
     fn attempts(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -135,10 +134,16 @@ impl Workspace {
             status = self.newton(problem, state, stop, share * problem.reference_pressure, work)?;
             work.convolutions += self.coupled.convolutions as f64;
         }
+        if status != Status::Converged && self.best_residuals.is_finite() {
+            state.clone_from(&self.best);
+            self.coupled.kinds.copy_from_slice(&self.best_kinds);
+            self.coupled.evaluate(problem, state)?;
+            work.convolutions += 1.0;
+        }
         Ok((status, self.best_residuals))
     }
 
-    /// Newton steps until `stop` or a stall; leaves the best state of this solve.
+    /// Newton steps until `stop` or a stall; keeps the best state of all attempts.
     fn newton(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -182,11 +187,6 @@ impl Workspace {
             work.iterations += 1;
             work.inner_iterations += self.newton_step(problem, state)?;
             self.advance(problem, state, trust)?;
-        }
-        if self.best_residuals.is_finite() {
-            state.clone_from(&self.best);
-            self.coupled.kinds.copy_from_slice(&self.best_kinds);
-            self.coupled.evaluate(problem, state)?;
         }
         Ok(status)
     }
@@ -296,12 +296,11 @@ impl Workspace {
                     local.settle(material, Forecast { pressure, elastic_film, depth, share })
                 }
             };
-            self.kinds[k] = node.kind;
+            self.coupled.kinds[k] = node.kind;
             state.pressure[k] = node.pressure;
             state.fluid_pressure[k] = node.fluid_pressure;
             state.plastic_depth[k] = node.depth;
         }
-        self.coupled.kinds.copy_from_slice(&self.kinds);
         state.approach += length * self.step[2 * state.pressure.len()];
         self.coupled.evaluate(problem, state)?;
         Ok(())

@@ -57,8 +57,8 @@ impl Unknowns {
         missing / problem.load * near.own * problem.reference_pressure
     }
 
-    /// Change of the films under the step `x`; one convolution.
-    fn film_change(
+    /// Elastic change of the films under the step `x`; one convolution.
+    fn elastic_film_change(
         &mut self,
         coupled: &mut Coupled,
         problem: &mut LubricatedContact<'_>,
@@ -70,13 +70,28 @@ impl Unknowns {
         }
         problem.deformation.displacement(&self.pressure_change, &mut self.film_change)?;
         coupled.convolutions += 1;
-        for (k, kind) in coupled.kinds.iter().enumerate() {
-            self.film_change[k] -= x[2 * n];
-            if kind.fluid == Fluid::AtLimit {
-                self.film_change[k] += coupled.near.own * x[k];
-            }
+        for change in &mut self.film_change {
+            *change -= x[2 * n];
         }
         Ok(())
+    }
+
+    /// Changes of fluid pressure and film under the step `x`, whose elastic film change is in `film_change`.
+    fn resolve(&mut self, coupled: &Coupled, x: &[f64]) {
+        let n = coupled.kinds.len();
+        for (k, kind) in coupled.kinds.iter().enumerate() {
+            self.fluid_change[k] = match (kind.fluid, kind.solid) {
+                (Fluid::AtLimit, _) => 0.0,
+                (_, Solid::Open) => x[k],
+                _ => x[n + k],
+            };
+            if kind.fluid == Fluid::AtLimit {
+                self.film_change[k] += coupled.near.own * x[k];
+            } else if kind.solid == Solid::Yielded {
+                // The plastic depth keeps the film.
+                self.film_change[k] = 0.0;
+            }
+        }
     }
 
     /// Turns the step `x` into changes of every quantity of the nodes; one convolution.
@@ -86,21 +101,9 @@ impl Unknowns {
         problem: &mut LubricatedContact<'_>,
         x: &[f64],
     ) -> Result<(), InputError> {
-        self.film_change(coupled, problem, x)?;
-        let n = coupled.kinds.len();
-        for (k, kind) in coupled.kinds.iter().enumerate() {
-            let at_limit = kind.fluid == Fluid::AtLimit;
-            self.elastic_change[k] =
-                self.film_change[k] - if at_limit { coupled.near.own * x[k] } else { 0.0 };
-            if kind.solid == Solid::Yielded {
-                self.film_change[k] = 0.0;
-            }
-            self.fluid_change[k] = match (kind.fluid, kind.solid) {
-                (Fluid::AtLimit, _) => 0.0,
-                (_, Solid::Open) => x[k],
-                _ => x[n + k],
-            };
-        }
+        self.elastic_film_change(coupled, problem, x)?;
+        self.elastic_change.copy_from_slice(&self.film_change);
+        self.resolve(coupled, x);
         Ok(())
     }
 
@@ -114,7 +117,7 @@ impl Unknowns {
         }
     }
 
-    /// Change of the mass balance of node `k` after [`Unknowns::expand`].
+    /// Change of the mass balance of node `k` after [`Unknowns::resolve`].
     pub(super) fn balance_change(&self, coupled: &Coupled, state: &ContactState, k: usize) -> f64 {
         coupled.fluid.balance_change(k, &state.film, &self.fluid_change, &self.film_change)
     }
@@ -128,7 +131,7 @@ impl Unknowns {
         x: &[f64],
         out: &mut [f64],
     ) -> Result<(), InputError> {
-        self.film_change(coupled, problem, x)?;
+        self.elastic_film_change(coupled, problem, x)?;
         self.local_product(coupled, problem, state, x, out);
         Ok(())
     }
@@ -159,24 +162,12 @@ impl Unknowns {
         let n = coupled.kinds.len();
         let (first, rest) = out.split_at_mut(n);
         let (second, load) = rest.split_at_mut(n);
+        self.resolve(coupled, x);
         for (k, kind) in coupled.kinds.iter().enumerate() {
-            self.fluid_change[k] = match (kind.fluid, kind.solid) {
-                (Fluid::AtLimit, _) => 0.0,
-                (_, Solid::Open) => x[k],
-                _ => x[n + k],
-            };
             first[k] = if kind.solid == Solid::Contact { self.film_change[k] } else { 0.0 };
-        }
-        for (k, kind) in coupled.kinds.iter().enumerate() {
-            if kind.solid == Solid::Yielded {
-                self.film_change[k] = 0.0;
-            }
-        }
-        for (k, kind) in coupled.kinds.iter().enumerate() {
             second[k] = 0.0;
             if kind.has_balance() {
-                let change =
-                    coupled.fluid.balance_change(k, &state.film, &self.fluid_change, &self.film_change);
+                let change = self.balance_change(coupled, state, k);
                 if kind.is_contact() {
                     second[k] = change;
                 } else {
