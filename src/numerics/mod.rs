@@ -2,8 +2,8 @@
 
 mod convolution;
 mod gmres;
-mod sparse_lu;
+mod grid_lu;
 
 pub(crate) use convolution::{Convolution, ConvolutionPlan};
 pub(crate) use gmres::{Gmres, PreconditionedOperator};
-pub(crate) use sparse_lu::{GridLu, STENCIL};
+pub(crate) use grid_lu::{GridLu, STENCIL};

@@ -200,7 +200,7 @@ impl BlockPreconditioner {
         let zeros = || vec![0.0; grid.len()];
         Ok(Self {
             stencil: vec![0.0; STENCIL * grid.len()],
-            lu: GridLu::new(grid.nx(), grid.ny()).ok_or(ReynoldsError::Memory { nodes: grid.len() })?,
+            lu: GridLu::new(grid.nx(), grid.ny()),
             fluid: zeros(),
             gap: zeros(),
             contact: zeros(),
