@@ -8,7 +8,7 @@ mod dissection;
 
 use std::fmt;
 
-use dense::{Blocks, dot, subtract, subtract_product};
+use dense::{Blocks, dot, subtract_product};
 use dissection::{Dissection, Front};
 use pulp::Arch;
 
