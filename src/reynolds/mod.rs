@@ -7,6 +7,7 @@
 //! | solver | method | use |
 //! |---|---|---|
 //! | [`NewtonKrylov`] | semismooth Newton, block-preconditioned GMRES | mixed and full film |
+//! | [`Multigrid`] | full multigrid, hybrid line relaxation | smooth full film |
 //! | [`SemiSystem`] | tridiagonal line sweeps with implicit near-field deformation | smooth full film |
 //! | [`Dry`] | active-set conjugate gradients | no lubricant |
 //! | [`Auto`] | picks and falls back | default |
@@ -17,6 +18,7 @@ mod coupled;
 mod discretisation;
 mod dry;
 mod local;
+mod multigrid;
 mod newton_krylov;
 mod preconditioner;
 mod problem;
@@ -27,6 +29,7 @@ use std::fmt::Debug;
 
 pub use auto::Auto;
 pub use dry::Dry;
+pub use multigrid::Multigrid;
 pub use newton_krylov::NewtonKrylov;
 pub use problem::{FaceMobility, LubricatedContact, Scheme, Squeeze};
 pub use semi_system::SemiSystem;

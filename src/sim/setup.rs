@@ -7,7 +7,7 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, DowsonHigginson, Roelands, ViscosityLaw};
 use crate::metrics::{average_central_film, height_statistics};
-use crate::reynolds::{Auto, ContactSolver, Dry, NewtonKrylov, SemiSystem, StoppingRule};
+use crate::reynolds::{Auto, ContactSolver, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule};
 use crate::surface::{Autocorrelation, RoughnessSpec, generate};
 use crate::tribochem::Ghanbarzadeh;
 
@@ -216,6 +216,7 @@ pub(super) fn solver(scene: &Scene) -> Result<Box<dyn ContactSolver>, InputError
     Ok(match scene.solver.kind {
         SolverKind::Auto => Box::new(Auto::new()) as Box<dyn ContactSolver>,
         SolverKind::NewtonKrylov => Box::new(NewtonKrylov::new()),
+        SolverKind::Multigrid => Box::new(Multigrid::new()),
         SolverKind::Dry => Box::new(Dry::new()),
         SolverKind::SemiSystem => Box::new(SemiSystem::new(scene.solver.relaxation, scene.solver.stiffness)?),
     })
