@@ -15,7 +15,7 @@ const SWEEPS: (usize, usize) = (2, 1);
 /// Corrections from the next coarser grid in a cycle: a W cycle.
 const CORRECTIONS: usize = 2;
 /// Sweeps on the coarsest grid.
-const COARSEST_SWEEPS: usize = 40;
+const COARSEST_SWEEPS: usize = 8;
 /// Nodes along an axis below which a grid is not coarsened.
 const SMALLEST: usize = 24;
 /// Cells of the full multigrid start in Hertz half-widths at most.
@@ -288,9 +288,14 @@ impl Hierarchy {
             *start = p - *start;
         }
         self.transfers[l - 1].interpolate(&coarse.start, &mut fine.residual);
+        // A correction next to cavitated cells would move the border of the film by whole coarse cells.
+        fine.before.copy_from_slice(&fine.pressure);
+        let nx = fine.grid.nx();
         for k in interior(&fine.grid) {
-            if fine.pressure[k] > 0.0 {
-                fine.pressure[k] = (fine.pressure[k] + fine.residual[k]).max(0.0);
+            let old = &fine.before;
+            let is_inside = |o: usize| old[o] > 0.0 || fine.is_boundary[o];
+            if old[k] > 0.0 && [k - 1, k + 1, k - nx, k + nx].into_iter().all(is_inside) {
+                fine.pressure[k] = (old[k] + fine.residual[k]).max(0.0);
             }
         }
         fine.is_evaluated = false;

@@ -41,12 +41,15 @@ pub(super) struct Level {
     pub(super) gap: Vec<f64>,
     pub(super) source: Vec<f64>,
     pub(super) residual: Vec<f64>,
+    /// Source less entrainment and squeeze.
+    pub(super) drive: Vec<f64>,
     /// `rho/rho_0 h` of the previous time, where there is one.
     pub(super) previous: Option<Vec<f64>>,
     pub(super) load: f64,
     /// `F` per pressure difference across the faces to the east and to the north of each node.
     pub(super) east: Vec<f64>,
     pub(super) north: Vec<f64>,
+    pub(super) is_boundary: Vec<bool>,
     /// Whether film and flow quantities are those of the pressure.
     pub(super) is_evaluated: bool,
 }
@@ -54,6 +57,10 @@ pub(super) struct Level {
 impl Level {
     pub(super) fn new(grid: Grid) -> Self {
         let zeros = || vec![0.0; grid.len()];
+        let mut is_boundary = vec![true; grid.len()];
+        for k in interior(&grid) {
+            is_boundary[k] = false;
+        }
         Self {
             grid,
             fluid: Discretisation::new(grid),
@@ -65,23 +72,22 @@ impl Level {
             gap: zeros(),
             source: zeros(),
             residual: zeros(),
+            drive: zeros(),
             previous: None,
             load: 0.0,
             east: zeros(),
             north: zeros(),
+            is_boundary,
             is_evaluated: false,
         }
     }
 
     /// No pressure on the outermost nodes.
     pub(super) fn clear_boundary(&mut self) {
-        let (nx, ny) = (self.grid.nx(), self.grid.ny());
-        for (j, row) in self.pressure.chunks_exact_mut(nx).enumerate() {
-            if j == 0 || j == ny - 1 {
-                row.fill(0.0);
+        for (p, is_boundary) in self.pressure.iter_mut().zip(&self.is_boundary) {
+            if *is_boundary {
+                *p = 0.0;
             }
-            row[0] = 0.0;
-            row[nx - 1] = 0.0;
         }
     }
 
@@ -106,6 +112,14 @@ impl Level {
     pub(super) fn find_residual(&mut self) {
         for k in interior(&self.grid) {
             self.residual[k] = if self.pressure[k] > 0.0 { self.source[k] - self.balance(k) } else { 0.0 };
+        }
+    }
+
+    /// What pressure flow has to balance; as evaluated.
+    pub(super) fn find_drive(&mut self) {
+        for k in interior(&self.grid) {
+            let transport = self.fluid.transport(k, &self.film, self.previous.as_deref());
+            self.drive[k] = self.source[k] - transport;
         }
     }
 

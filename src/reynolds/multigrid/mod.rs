@@ -102,12 +102,6 @@ impl Workspace {
         for cycle in 0..=stop.max_iterations {
             self.take_over(problem, lubricant, state)?;
             let residuals = self.coupled.residuals(problem, state);
-            if std::env::var("MGV").is_ok() {
-                let hm = state.film.iter().zip(&state.pressure).filter(|(_, p)| **p > 0.0).fold(f64::INFINITY, |m, (h, _)| m.min(*h));
-                let hc = self.coupled.fluid.grid.interpolate(&state.film, 0.0, 0.0)?;
-                eprintln!("cycle {cycle} conv {:.1} mass {:.2e} load {:.2e} comp {:.2e} hc {:.6e} hmin {:.6e}",
-                    self.hierarchy.convolutions + self.coupled.convolutions as f64, residuals.mass, residuals.load, residuals.complementarity, hc, hm);
-            }
             if !residuals.is_finite() {
                 status = Status::Diverged;
                 break;

@@ -3,15 +3,22 @@
 //! Where pressure flow dominates, a line takes its changes at once and the next lines see them (Gauss-Seidel). Where
 //! entrainment dominates, a change moves films far away, so each node takes its change back from its four neighbours
 //! (a dipole), whose reach is short, and all lines start from the pressures before the sweep (Jacobi).
+//!
+//! Far from the contact, films hardly follow the low pressures there: further passes over those nodes, without a
+//! new film, cost no convolution.
 
 use super::level::Level;
 
-/// Largest conductance of a node over its self-influence below which entrainment dominates.
+/// Conductance over self-influence below which entrainment dominates a node.
 const SWITCH: f64 = 0.42;
-/// Share of a change taken where pressure flow dominates.
-const FLOW_SHARE: f64 = 0.4;
+/// Above it, shares of a change that are taken where the ratio is at most the first and at least the second number.
+const FLOW_RATIOS: (f64, f64) = (2.0, 50.0);
+const FLOW_SHARES: (f64, f64) = (0.4, 1.0);
 /// Share of a change taken where entrainment dominates.
-const DIPOLE_SHARE: f64 = 0.2;
+const DIPOLE_SHARE: f64 = 0.4;
+/// Ratio above which films hardly follow, and passes over such nodes.
+const FAR_RATIO: f64 = 5.0;
+const FAR_PASSES: usize = 3;
 /// Entries of a row: three upstream, the own one, two downstream.
 const BAND: usize = 6;
 /// Place of the diagonal.
@@ -22,22 +29,76 @@ const OWN: usize = 3;
 pub(super) struct LineRelaxation {
     rows: Vec<[f64; BAND]>,
     change: Vec<f64>,
-    is_flow: Vec<bool>,
+    /// Share of the change that a node takes; negative where it is a dipole.
+    share: Vec<f64>,
+}
+
+/// Conductances of the faces of a node.
+#[derive(Debug, Clone, Copy)]
+struct Faces {
+    east: f64,
+    west: f64,
+    north: f64,
+    south: f64,
+}
+
+impl Faces {
+    fn of(level: &Level, k: usize) -> Self {
+        let nx = level.grid.nx();
+        Self { east: level.east[k], west: level.east[k - 1], north: level.north[k], south: level.north[k - nx] }
+    }
+
+    fn sum(self) -> f64 {
+        self.east + self.west + self.north + self.south
+    }
+
+    fn largest(self) -> f64 {
+        self.east.max(self.west).max(self.north).max(self.south)
+    }
+
+    fn outflow(self, p: &[f64], k: usize, nx: usize) -> f64 {
+        self.east * (p[k] - p[k + 1])
+            + self.west * (p[k] - p[k - 1])
+            + self.north * (p[k] - p[k + nx])
+            + self.south * (p[k] - p[k - nx])
+    }
+}
+
+/// Share of a change taken at a node whose pressure flow dominates by `ratio`.
+fn flow_share(ratio: f64) -> f64 {
+    let (low, high) = FLOW_RATIOS;
+    if ratio <= low {
+        return FLOW_SHARES.0;
+    }
+    let position = ((ratio / low).ln() / (high / low).ln()).min(1.0);
+    FLOW_SHARES.0 + position * (FLOW_SHARES.1 - FLOW_SHARES.0)
 }
 
 impl LineRelaxation {
     /// For lines of at most `nx` nodes.
     pub(super) fn new(nx: usize) -> Self {
-        Self { rows: vec![[0.0; BAND]; nx], change: vec![0.0; nx], is_flow: vec![false; nx] }
+        Self { rows: vec![[0.0; BAND]; nx], change: vec![0.0; nx], share: vec![0.0; nx] }
     }
 
-    /// One pass over all lines of an evaluated level; no node changes by more than `largest` \[Pa\].
+    /// One pass over all lines of an evaluated level, and more over the nodes far from the contact; no node changes by
+    /// more than `largest` \[Pa\] in a pass.
     pub(super) fn sweep(&mut self, level: &mut Level, largest: f64) {
         level.before.copy_from_slice(&level.pressure);
-        for j in 1..level.grid.ny() - 1 {
+        level.find_drive();
+        let ny = level.grid.ny();
+        for j in 1..ny - 1 {
             self.assemble(level, j);
             self.solve(level.grid.nx() - 2);
             self.update(level, j, largest);
+        }
+        for pass in 0..FAR_PASSES {
+            for line in 1..ny - 1 {
+                let j = if pass % 2 == 0 { ny - 1 - line } else { line };
+                if self.assemble_far(level, j) {
+                    self.solve(level.grid.nx() - 2);
+                    self.update(level, j, largest);
+                }
+            }
         }
         level.is_evaluated = false;
     }
@@ -48,51 +109,76 @@ impl LineRelaxation {
         let self_influence = level.influence.single[0];
         for i in 1..nx - 1 {
             let (k, r) = (j * nx + i, i - 1);
-            let (east, west) = (level.east[k], level.east[k - 1]);
-            let (north, south) = (level.north[k], level.north[k - nx]);
-            let is_flow = east.max(west).max(north).max(south) > SWITCH * self_influence;
-            let p = if is_flow { &level.pressure } else { &level.before };
-            let flux = east * (p[k] - p[k + 1])
-                + west * (p[k] - p[k - 1])
-                + north * (p[k] - p[k + nx])
-                + south * (p[k] - p[k - nx]);
-            let transport = level.fluid.transport(k, &level.film, level.previous.as_deref());
-            self.change[r] = level.source[k] - transport - flux;
-            self.is_flow[r] = is_flow;
-            let influence = if is_flow { &level.influence.single } else { &level.influence.dipole };
+            let faces = Faces::of(level, k);
+            let ratio = faces.largest() / self_influence;
+            let is_flow = ratio > SWITCH;
+            let (p, influence) = if is_flow {
+                self.share[r] = flow_share(ratio);
+                (&level.pressure, &level.influence.single)
+            } else {
+                self.share[r] = -DIPOLE_SHARE;
+                (&level.before, &level.influence.dipole)
+            };
+            self.change[r] = level.drive[k] - faces.outflow(p, k, nx);
             let upwind = level.fluid.upwind(k);
             let masses = [
                 level.fluid.own_mass(k) * level.fluid.density(k),
                 upwind[1] * level.fluid.density(k - 1),
                 if i >= 2 { upwind[2] * level.fluid.density(k - 2) } else { 0.0 },
             ];
-            let transport_row = |offset: isize| -> f64 {
-                let at = |t: isize| influence[(offset + t).unsigned_abs()];
+            let transport = |slot: usize| -> f64 {
+                let at = |upstream: usize| influence[(slot + upstream).abs_diff(OWN)];
                 masses[0] * at(0) + masses[1] * at(1) + masses[2] * at(2)
             };
-            let sum = east + west + north + south;
+            let sum = faces.sum();
             let mut row = [0.0; BAND];
-            row[OWN] = transport_row(0) + if is_flow { sum } else { 1.25 * sum };
-            let wet = |o: usize| o % nx == 0 || o % nx == nx - 1 || level.pressure[o] > 0.0;
-            let inside = wet(k - 1) && wet(k + 1) && (i < 2 || wet(k - 2)) && (i + 2 >= nx || wet(k + 2));
-            if inside {
-                for (slot, entry) in row.iter_mut().enumerate() {
-                    if slot != OWN {
-                        *entry = transport_row(slot as isize - OWN as isize);
-                    }
+            row[OWN] = transport(OWN) + if is_flow { sum } else { 1.25 * sum };
+            let wet = |i: usize| i == 0 || i == nx - 1 || level.pressure[j * nx + i] > 0.0;
+            if wet(i - 1) && wet(i + 1) && (i < 2 || wet(i - 2)) && (i + 2 >= nx || wet(i + 2)) {
+                for slot in [0, 1, 2, 4, 5] {
+                    row[slot] = transport(slot);
                 }
                 if is_flow {
-                    row[OWN - 1] -= west;
-                    row[OWN + 1] -= east;
+                    row[OWN - 1] -= faces.west;
+                    row[OWN + 1] -= faces.east;
                 } else {
-                    row[OWN - 1] -= west + 0.25 * sum;
-                    row[OWN + 1] -= east + 0.25 * sum;
-                    row[OWN - 2] += 0.25 * west;
-                    row[OWN + 2] += 0.25 * east;
+                    row[OWN - 2] += 0.25 * faces.west;
+                    row[OWN - 1] -= faces.west + 0.25 * sum;
+                    row[OWN + 1] -= faces.east + 0.25 * sum;
+                    row[OWN + 2] += 0.25 * faces.east;
                 }
             }
             self.rows[r] = row;
         }
+    }
+
+    /// The same for the nodes far from the contact alone, the others held; whether there are any.
+    fn assemble_far(&mut self, level: &Level, j: usize) -> bool {
+        let nx = level.grid.nx();
+        let self_influence = level.influence.single[0];
+        let mut any = false;
+        for i in 1..nx - 1 {
+            let (k, r) = (j * nx + i, i - 1);
+            let faces = Faces::of(level, k);
+            let ratio = faces.largest() / self_influence;
+            let mut row = [0.0; BAND];
+            if ratio < FAR_RATIO {
+                row[OWN] = 1.0;
+                self.change[r] = 0.0;
+            } else {
+                any = true;
+                row[OWN] = faces.sum();
+                let wet = |i: usize| i == 0 || i == nx - 1 || level.pressure[j * nx + i] > 0.0;
+                if wet(i - 1) && wet(i + 1) {
+                    row[OWN - 1] = -faces.west;
+                    row[OWN + 1] = -faces.east;
+                }
+                self.change[r] = level.drive[k] - faces.outflow(&level.pressure, k, nx);
+            }
+            self.share[r] = flow_share(ratio);
+            self.rows[r] = row;
+        }
+        any
     }
 
     /// Gauss elimination without pivots; the changes end up in `change`.
@@ -100,9 +186,10 @@ impl LineRelaxation {
         let (rows, change) = (&mut self.rows[..n], &mut self.change[..n]);
         for r in 0..n {
             let pivot = rows[r];
+            let inverse = 1.0 / pivot[OWN];
             for below in 1..=OWN.min(n - 1 - r) {
                 let slot = OWN - below;
-                let factor = rows[r + below][slot] / pivot[OWN];
+                let factor = rows[r + below][slot] * inverse;
                 if factor != 0.0 {
                     rows[r + below][slot + 1] -= factor * pivot[OWN + 1];
                     rows[r + below][slot + 2] -= factor * pivot[OWN + 2];
@@ -110,33 +197,32 @@ impl LineRelaxation {
                 }
             }
         }
+        let (mut next, mut second) = (0.0, 0.0);
         for r in (0..n).rev() {
-            let next = if r + 1 < n { rows[r][OWN + 1] * change[r + 1] } else { 0.0 };
-            let second = if r + 2 < n { rows[r][OWN + 2] * change[r + 2] } else { 0.0 };
-            change[r] = (change[r] - next - second) / rows[r][OWN];
+            let value = (change[r] - rows[r][OWN + 1] * next - rows[r][OWN + 2] * second) / rows[r][OWN];
+            (next, second) = (value, next);
+            change[r] = value;
         }
     }
 
+    /// Takes the changes of line `j`; one that is not a number, of a row without a pivot, is left out.
     fn update(&self, level: &mut Level, j: usize, largest: f64) {
-        let nx = level.grid.nx();
-        let ny = level.grid.ny();
+        let (nx, ny) = (level.grid.nx(), level.grid.ny());
+        let p = &mut level.pressure;
         for i in 1..nx - 1 {
             let k = j * nx + i;
-            let wanted = self.change[i - 1];
+            let (wanted, share) = (self.change[i - 1], self.share[i - 1]);
             if !wanted.is_finite() {
                 continue;
             }
-            let wanted = wanted.clamp(-largest, largest);
-            let p = &mut level.pressure;
-            if self.is_flow[i - 1] {
-                p[k] = (p[k] + FLOW_SHARE * wanted).max(0.0);
+            let old = p[k];
+            p[k] = (old + share.abs() * wanted.clamp(-largest, largest)).max(0.0);
+            if share > 0.0 || p[k] == 0.0 {
                 continue;
             }
-            let old = p[k];
-            p[k] = (old + DIPOLE_SHARE * wanted).max(0.0);
-            let back = 0.25 * (p[k] - old);
             let around = [k - 1, k + 1, k - nx, k + nx];
-            if p[k] > 0.0 && around.iter().all(|&o| p[o] > 0.0) {
+            if around.iter().all(|&o| p[o] > 0.0) {
+                let back = 0.25 * (p[k] - old);
                 for o in around {
                     let (column, line) = (o % nx, o / nx);
                     if column > 0 && column < nx - 1 && line > 0 && line < ny - 1 {
