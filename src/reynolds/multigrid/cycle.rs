@@ -9,6 +9,7 @@ use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::reynolds::dry::hertzian_on;
 use crate::reynolds::problem::{LubricatedContact, Scheme, interior};
+use crate::reynolds::state::ContactState;
 
 /// Sweeps before and after a coarse-grid correction.
 const SWEEPS: (usize, usize) = (2, 1);
@@ -81,7 +82,7 @@ impl Hierarchy {
         finest.grid == body.grid() && finest.influence == Influence::new(body)
     }
 
-    pub(super) fn top(&self) -> usize {
+    fn top(&self) -> usize {
         self.levels.len() - 1
     }
 
@@ -158,6 +159,30 @@ impl Hierarchy {
         Ok(())
     }
 
+    /// Starts from a state on the finest grid.
+    pub(super) fn resume(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &ContactState,
+    ) -> Result<(), InputError> {
+        let finest = self.finest_mut();
+        finest.pressure.copy_from_slice(&state.fluid_pressure);
+        finest.clear_boundary();
+        for p in &mut finest.pressure {
+            *p = p.max(0.0);
+        }
+        self.approach = state.approach;
+        self.displace(problem, self.top())?;
+        let finest = self.finest();
+        let (mut sum, mut weight) = (0.0, f64::MIN_POSITIVE);
+        for (p, displacement) in finest.pressure.iter().zip(&finest.film) {
+            sum += p * displacement;
+            weight += p;
+        }
+        self.load_gain = LOAD_GAIN * sum / weight;
+        Ok(())
+    }
+
     /// Hertzian pressure and an approach that leaves the reference film at the centre; returns the displacement there.
     fn guess(&mut self, problem: &mut LubricatedContact<'_>, l: usize) -> Result<f64, InputError> {
         let (a, b) = problem.reference_half_widths;
@@ -229,8 +254,17 @@ impl Hierarchy {
         Ok(())
     }
 
+    /// One cycle from the finest grid.
+    pub(super) fn cycle_finest(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        lubricant: &Lubricant,
+    ) -> Result<(), InputError> {
+        self.cycle(problem, lubricant, self.top())
+    }
+
     /// One cycle from level `l` down and back.
-    pub(super) fn cycle(
+    fn cycle(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         lubricant: &Lubricant,
