@@ -173,9 +173,10 @@ impl Discretisation {
         0.5 * (self.nodes[a].mobility + self.nodes[b].mobility)
     }
 
-    /// Overrides the scheme of the problem until the next [`Self::configure`].
-    pub(super) fn set_scheme(&mut self, scheme: Scheme) {
+    /// Overrides the schemes of the problem until the next [`Self::configure`].
+    pub(super) fn set_scheme(&mut self, scheme: Scheme, face_mobility: FaceMobility) {
         self.scheme = scheme;
+        self.face_mobility = face_mobility;
     }
 
     /// Physical imbalance per `F`: `U / dx` \[1/s\].

@@ -8,24 +8,31 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::reynolds::dry::hertzian_on;
-use crate::reynolds::problem::{LubricatedContact, Scheme, interior};
+use crate::reynolds::problem::{FaceMobility, LubricatedContact, Scheme, interior};
 use crate::reynolds::state::ContactState;
 
-/// Sweeps before and after a coarse-grid correction.
-const SWEEPS: (usize, usize) = (2, 1);
+/// Sweeps before and after a coarse-grid correction, each with the share of a change that nodes take which entrainment
+/// dominates. Together they damp more modes than three equal shares; larger ones are unstable for thick films.
+const SHARES_BEFORE: [f64; 2] = [0.3, 0.2];
+const SHARES_AFTER: [f64; 1] = [0.5];
 /// Corrections from the next coarser grid in a cycle: a W cycle.
 const CORRECTIONS: usize = 2;
 /// Sweeps on the coarsest grid.
 const COARSEST_SWEEPS: usize = 8;
+const COARSEST_SHARE: f64 = 0.3;
 /// Nodes along an axis below which a grid is not coarsened.
 const SMALLEST: usize = 24;
-/// Cells of the full multigrid start in Hertz half-widths at most.
-const START_CELL: f64 = 0.12;
+/// Cells of the first grid of the start in Hertz half-widths: square root of film over displacement, within bounds.
+const START_CELL: (f64, f64) = (0.03, 0.12);
 /// Cycles on the grid of the start, and on the finer ones before the finest.
 const START_CYCLES: usize = 6;
 const CYCLES: usize = 2;
 /// Share of the mean elastic displacement by which the approach follows a relative load error of one.
 const LOAD_GAIN: f64 = 0.12;
+/// That share is smaller, but not below the first number, where film over displacement is below the second.
+const THIN: (f64, f64) = (0.25, 0.02);
+/// Largest change of the approach at once, in reference films.
+const LARGEST_STEP: f64 = 0.1;
 /// Largest pressure change of a sweep, in reference pressures.
 const LARGEST_CHANGE: f64 = 0.5;
 /// Error of the central film with second-order entrainment, times radius over cell size squared.
@@ -133,9 +140,17 @@ impl Hierarchy {
     /// each to about its discretisation error.
     pub(super) fn start(&mut self, problem: &mut LubricatedContact<'_>, lubricant: &Lubricant) -> Result<(), InputError> {
         let (a, b) = problem.reference_half_widths;
-        let is_fine = |grid: &Grid| grid.dx() <= START_CELL * a && grid.dy() <= START_CELL * b;
+        // The displacement of the Hertz contact is known on any grid.
+        let film = problem.reference_film.max(2.0 * problem.contact_film());
+        let displacement = self.guess(problem, 0, film)?;
+        let thinness = film / displacement;
+        let (least, most) = START_CELL;
+        let cell = thinness.sqrt().clamp(least, most);
+        let is_fine = |grid: &Grid| grid.dx() <= cell * a && grid.dy() <= cell * b;
         let first = self.levels.iter().position(|level| is_fine(&level.grid)).unwrap_or(self.top());
-        let displacement = self.guess(problem, first)?;
+        self.guess(problem, first, film)?;
+        let (least, thick) = THIN;
+        self.load_gain = LOAD_GAIN * displacement * (thinness / thick).clamp(least, 1.0);
         for l in first..=self.top() {
             if l > first {
                 let (coarse, fine) = pair(&mut self.levels, l - 1);
@@ -148,10 +163,15 @@ impl Hierarchy {
             }
             let error = SECOND_ORDER_ERROR * displacement * (self.levels[l].grid.dx() / a).powi(2);
             let rough = l < self.top() && error > LARGEST_ERROR * problem.reference_film;
-            let scheme = if rough { Scheme::FirstOrder } else { problem.scheme };
-            for level in &mut self.levels[..=l] {
-                level.fluid.set_scheme(scheme);
+            let (scheme, face_mobility) = if rough {
+                (Scheme::FirstOrder, FaceMobility::ReducedPressure)
+            } else {
+                (problem.scheme, problem.face_mobility)
+            };
+            for level in &mut self.levels[..l] {
+                level.fluid.set_scheme(scheme, FaceMobility::ReducedPressure);
             }
+            self.levels[l].fluid.set_scheme(scheme, face_mobility);
             for _ in 0..if l == first { START_CYCLES } else { CYCLES } {
                 self.cycle(problem, lubricant, l)?;
             }
@@ -184,7 +204,7 @@ impl Hierarchy {
     }
 
     /// Hertzian pressure and an approach that leaves the reference film at the centre; returns the displacement there.
-    fn guess(&mut self, problem: &mut LubricatedContact<'_>, l: usize) -> Result<f64, InputError> {
+    fn guess(&mut self, problem: &mut LubricatedContact<'_>, l: usize, film: f64) -> Result<f64, InputError> {
         let (a, b) = problem.reference_half_widths;
         let level = &mut self.levels[l];
         hertzian_on(&level.grid, problem, &mut level.pressure);
@@ -195,17 +215,16 @@ impl Hierarchy {
         }
         self.displace(problem, l)?;
         let level = &self.levels[l];
-        let (mut film, mut displacement, mut count) = (0.0, 0.0, 0.0);
+        let (mut height, mut displacement, mut count) = (0.0, 0.0, 0.0);
         for (k, (x, y)) in level.grid.nodes().enumerate() {
             if (x / a).powi(2) + (y / b).powi(2) < 0.25 {
-                film += level.film[k] + level.gap[k];
+                height += level.film[k] + level.gap[k];
                 displacement += level.film[k];
                 count += 1.0;
             }
         }
         let count = f64::max(count, 1.0);
-        self.approach = film / count - problem.reference_film.max(2.0 * problem.contact_film());
-        self.load_gain = LOAD_GAIN * displacement / count;
+        self.approach = height / count - film;
         Ok(displacement / count)
     }
 
@@ -243,12 +262,12 @@ impl Hierarchy {
         problem: &mut LubricatedContact<'_>,
         lubricant: &Lubricant,
         l: usize,
-        sweeps: usize,
+        shares: &[f64],
     ) -> Result<(), InputError> {
-        for _ in 0..sweeps {
+        for share in shares {
             self.evaluate(problem, lubricant, l)?;
             let largest = LARGEST_CHANGE * problem.reference_pressure;
-            self.relaxation.sweep(&mut self.levels[l], largest);
+            self.relaxation.sweep(&mut self.levels[l], largest, *share);
             self.sweeps += 1;
         }
         Ok(())
@@ -273,14 +292,14 @@ impl Hierarchy {
         if l == 0 {
             return self.solve_coarsest(problem, lubricant);
         }
-        self.relax(problem, lubricant, l, SWEEPS.0)?;
+        self.relax(problem, lubricant, l, &SHARES_BEFORE)?;
         self.evaluate(problem, lubricant, l)?;
         self.descend(problem, lubricant, l)?;
         for _ in 0..CORRECTIONS {
             self.cycle(problem, lubricant, l - 1)?;
         }
         self.correct(l);
-        self.relax(problem, lubricant, l, SWEEPS.1)
+        self.relax(problem, lubricant, l, &SHARES_AFTER)
     }
 
     /// The equations of the coarser grid whose solution corrects level `l`.
@@ -340,11 +359,12 @@ impl Hierarchy {
         problem: &mut LubricatedContact<'_>,
         lubricant: &Lubricant,
     ) -> Result<(), InputError> {
-        let half = COARSEST_SWEEPS / 2;
+        let half = &[COARSEST_SHARE; COARSEST_SWEEPS / 2];
         self.relax(problem, lubricant, 0, half)?;
         let level = &mut self.levels[0];
         let excess = (level.carried() - level.load) / problem.load;
-        self.approach -= self.load_gain * excess.clamp(-0.5, 0.5);
+        let most = LARGEST_STEP * problem.reference_film.max(2.0 * problem.contact_film());
+        self.approach -= (self.load_gain * excess).clamp(-most, most);
         level.is_evaluated = false;
         self.relax(problem, lubricant, 0, half)
     }

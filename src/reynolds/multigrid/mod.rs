@@ -154,7 +154,6 @@ impl Workspace {
         for cycle in 0..=stop.max_iterations {
             self.take_over(problem, lubricant, state)?;
             let residuals = self.coupled.residuals(problem, state);
-            debug_line(&self.hierarchy, &self.coupled, problem, state, residuals, cycle);
             if !residuals.is_finite() {
                 status = Status::Diverged;
                 break;
@@ -218,13 +217,4 @@ fn touches(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
 
 fn within_limit(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
     state.pressure.iter().enumerate().all(|(k, p)| *p <= limit_of(problem, k))
-}
-// DEBUG BEGIN
-fn debug_line(h: &Hierarchy, c: &Coupled, problem: &LubricatedContact<'_>, state: &ContactState, r: Residuals, cycle: u64) {
-    if std::env::var("MGV").is_ok() {
-        let hm = state.film.iter().zip(&state.pressure).filter(|(_, p)| **p > 0.0).fold(f64::INFINITY, |m, (h, _)| m.min(*h));
-        let hc = problem.grid().interpolate(&state.film, 0.0, 0.0).unwrap_or(f64::NAN);
-        eprintln!("cycle {cycle} conv {:.1} mass {:.2e} load {:.2e} comp {:.2e} hc {:.6e} hmin {:.6e}",
-            h.convolutions + c.convolutions as f64, r.mass, r.load, r.complementarity, hc, hm);
-    }
 }

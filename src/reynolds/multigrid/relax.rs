@@ -14,8 +14,9 @@ const SWITCH: f64 = 0.42;
 /// Above it, shares of a change that are taken where the ratio is at most the first and at least the second number.
 const FLOW_RATIOS: (f64, f64) = (2.0, 50.0);
 const FLOW_SHARES: (f64, f64) = (0.4, 1.0);
-/// Share of a change taken where entrainment dominates.
-const DIPOLE_SHARE: f64 = 0.4;
+/// Smallest over largest conductance of a node below which the first share is taken at any ratio: there the viscosity
+/// changes by much from node to node. The second share needs at least the second number.
+const EVENNESS: (f64, f64) = (0.3, 0.7);
 /// Ratio above which films hardly follow, and passes over such nodes.
 const FAR_RATIO: f64 = 5.0;
 const FAR_PASSES: usize = 3;
@@ -52,6 +53,10 @@ impl Faces {
         self.east + self.west + self.north + self.south
     }
 
+    fn evenness(self) -> f64 {
+        self.east.min(self.west).min(self.north).min(self.south) / self.largest()
+    }
+
     fn largest(self) -> f64 {
         self.east.max(self.west).max(self.north).max(self.south)
     }
@@ -64,13 +69,14 @@ impl Faces {
     }
 }
 
-/// Share of a change taken at a node whose pressure flow dominates by `ratio`.
-fn flow_share(ratio: f64) -> f64 {
+/// Share of a change taken at a node whose pressure flow dominates by `ratio`, with conductances of this evenness.
+fn flow_share(ratio: f64, evenness: f64) -> f64 {
+    let weight = ((evenness - EVENNESS.0) / (EVENNESS.1 - EVENNESS.0)).clamp(0.0, 1.0);
     let (low, high) = FLOW_RATIOS;
     if ratio <= low {
         return FLOW_SHARES.0;
     }
-    let position = ((ratio / low).ln() / (high / low).ln()).min(1.0);
+    let position = weight * ((ratio / low).ln() / (high / low).ln()).min(1.0);
     FLOW_SHARES.0 + position * (FLOW_SHARES.1 - FLOW_SHARES.0)
 }
 
@@ -80,14 +86,14 @@ impl LineRelaxation {
         Self { rows: vec![[0.0; BAND]; nx], change: vec![0.0; nx], share: vec![0.0; nx] }
     }
 
-    /// One pass over all lines of an evaluated level, and more over the nodes far from the contact; no node changes by
-    /// more than `largest` \[Pa\] in a pass.
-    pub(super) fn sweep(&mut self, level: &mut Level, largest: f64) {
+    /// One pass over all lines of an evaluated level, and more over the nodes far from the contact. No node changes by
+    /// more than `largest` \[Pa\] in a pass; nodes that entrainment dominates take `dipole_share` of their change.
+    pub(super) fn sweep(&mut self, level: &mut Level, largest: f64, dipole_share: f64) {
         level.before.copy_from_slice(&level.pressure);
         level.find_drive();
         let ny = level.grid.ny();
         for j in 1..ny - 1 {
-            self.assemble(level, j);
+            self.assemble(level, j, dipole_share);
             self.solve(level.grid.nx() - 2);
             self.update(level, j, largest);
         }
@@ -104,7 +110,7 @@ impl LineRelaxation {
     }
 
     /// Rows of the interior nodes of line `j`; node `i` has row `i - 1`.
-    fn assemble(&mut self, level: &Level, j: usize) {
+    fn assemble(&mut self, level: &Level, j: usize, dipole_share: f64) {
         let nx = level.grid.nx();
         let self_influence = level.influence.single[0];
         for i in 1..nx - 1 {
@@ -113,10 +119,10 @@ impl LineRelaxation {
             let ratio = faces.largest() / self_influence;
             let is_flow = ratio > SWITCH;
             let (p, influence) = if is_flow {
-                self.share[r] = flow_share(ratio);
+                self.share[r] = flow_share(ratio, faces.evenness());
                 (&level.pressure, &level.influence.single)
             } else {
-                self.share[r] = -DIPOLE_SHARE;
+                self.share[r] = -dipole_share;
                 (&level.before, &level.influence.dipole)
             };
             self.change[r] = level.drive[k] - faces.outflow(p, k, nx);
@@ -175,7 +181,7 @@ impl LineRelaxation {
                 }
                 self.change[r] = level.drive[k] - faces.outflow(&level.pressure, k, nx);
             }
-            self.share[r] = flow_share(ratio);
+            self.share[r] = flow_share(ratio, faces.evenness());
             self.rows[r] = row;
         }
         any
