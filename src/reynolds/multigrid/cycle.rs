@@ -75,7 +75,7 @@ impl Hierarchy {
             levels,
             transfers: grids.windows(2).map(|pair| Transfer::new(&pair[1], &pair[0])).collect(),
             bodies,
-            relaxation: LineRelaxation::new(body.grid().nx()),
+            relaxation: LineRelaxation::new(&body.grid()),
             approach: 0.0,
             load_gain: 0.0,
             convolutions: 0.0,
@@ -141,7 +141,7 @@ impl Hierarchy {
     pub(super) fn start(&mut self, problem: &mut LubricatedContact<'_>, lubricant: &Lubricant) -> Result<(), InputError> {
         let (a, b) = problem.reference_half_widths;
         // The displacement of the Hertz contact is known on any grid.
-        let film = problem.reference_film.max(2.0 * problem.contact_film());
+        let film = expected_film(problem);
         let displacement = self.guess(problem, 0, film)?;
         let thinness = film / displacement;
         let (least, most) = START_CELL;
@@ -149,8 +149,7 @@ impl Hierarchy {
         let is_fine = |grid: &Grid| grid.dx() <= cell * a && grid.dy() <= cell * b;
         let first = self.levels.iter().position(|level| is_fine(&level.grid)).unwrap_or(self.top());
         self.guess(problem, first, film)?;
-        let (least, thick) = THIN;
-        self.load_gain = LOAD_GAIN * displacement * (thinness / thick).clamp(least, 1.0);
+        self.set_load_gain(displacement, film);
         for l in first..=self.top() {
             if l > first {
                 let (coarse, fine) = pair(&mut self.levels, l - 1);
@@ -168,15 +167,27 @@ impl Hierarchy {
             } else {
                 (problem.scheme, problem.face_mobility)
             };
-            for level in &mut self.levels[..l] {
-                level.fluid.set_scheme(scheme, FaceMobility::ReducedPressure);
-            }
-            self.levels[l].fluid.set_scheme(scheme, face_mobility);
+            self.discretise(l, scheme, face_mobility);
             for _ in 0..if l == first { START_CYCLES } else { CYCLES } {
                 self.cycle(problem, lubricant, l)?;
             }
         }
         Ok(())
+    }
+
+    /// Schemes of level `l` and of those that correct it. Coarse grids always work with reduced pressures: with means of
+    /// mobilities that change by orders of magnitude from node to node their corrections are useless.
+    fn discretise(&mut self, l: usize, scheme: Scheme, face_mobility: FaceMobility) {
+        for level in &mut self.levels[..l] {
+            level.fluid.set_scheme(scheme, FaceMobility::ReducedPressure);
+        }
+        self.levels[l].fluid.set_scheme(scheme, face_mobility);
+    }
+
+    /// How the approach follows load errors, by mean elastic displacement and expected film.
+    fn set_load_gain(&mut self, displacement: f64, film: f64) {
+        let (least, thick) = THIN;
+        self.load_gain = LOAD_GAIN * displacement * (film / (thick * displacement)).clamp(least, 1.0);
     }
 
     /// Starts from a state on the finest grid.
@@ -199,7 +210,8 @@ impl Hierarchy {
             sum += p * displacement;
             weight += p;
         }
-        self.load_gain = LOAD_GAIN * sum / weight;
+        self.set_load_gain(sum / weight, expected_film(problem));
+        self.discretise(self.top(), problem.scheme, problem.face_mobility);
         Ok(())
     }
 
@@ -363,11 +375,16 @@ impl Hierarchy {
         self.relax(problem, lubricant, 0, half)?;
         let level = &mut self.levels[0];
         let excess = (level.carried() - level.load) / problem.load;
-        let most = LARGEST_STEP * problem.reference_film.max(2.0 * problem.contact_film());
+        let most = LARGEST_STEP * expected_film(problem);
         self.approach -= (self.load_gain * excess).clamp(-most, most);
         level.is_evaluated = false;
         self.relax(problem, lubricant, 0, half)
     }
+}
+
+/// The film that starts are built from, where no formula gives one a little above the contact film.
+fn expected_film(problem: &LubricatedContact<'_>) -> f64 {
+    problem.reference_film.max(2.0 * problem.contact_film())
 }
 
 /// Levels `l` and `l + 1`.

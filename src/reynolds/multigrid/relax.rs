@@ -8,6 +8,7 @@
 //! new film, cost no convolution.
 
 use super::level::Level;
+use crate::grid::Grid;
 
 /// Conductance over self-influence below which entrainment dominates a node.
 const SWITCH: f64 = 0.42;
@@ -32,6 +33,17 @@ pub(super) struct LineRelaxation {
     change: Vec<f64>,
     /// Share of the change that a node takes; negative where it is a dipole.
     share: Vec<f64>,
+    /// Of all nodes far from the contact, zero elsewhere.
+    far_share: Vec<f64>,
+}
+
+/// Row of a node that keeps its pressure.
+const IDLE: [f64; BAND] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0];
+
+/// Whether a node is cavitated among cavitated ones and stays so.
+fn is_idle(level: &Level, k: usize, nx: usize) -> bool {
+    let p = &level.pressure;
+    level.drive[k] <= 0.0 && p[k] + p[k + 1] + p[k - 1] + p[k + nx] + p[k - nx] <= 0.0
 }
 
 /// Conductances of the faces of a node.
@@ -76,14 +88,20 @@ fn flow_share(ratio: f64, evenness: f64) -> f64 {
     if ratio <= low {
         return FLOW_SHARES.0;
     }
-    let position = weight * ((ratio / low).ln() / (high / low).ln()).min(1.0);
+    let position = weight * ((ratio - low) / (high - low)).min(1.0);
     FLOW_SHARES.0 + position * (FLOW_SHARES.1 - FLOW_SHARES.0)
 }
 
 impl LineRelaxation {
-    /// For lines of at most `nx` nodes.
-    pub(super) fn new(nx: usize) -> Self {
-        Self { rows: vec![[0.0; BAND]; nx], change: vec![0.0; nx], share: vec![0.0; nx] }
+    /// For grids of at most the size of `grid`.
+    pub(super) fn new(grid: &Grid) -> Self {
+        let nx = grid.nx();
+        Self {
+            rows: vec![[0.0; BAND]; nx],
+            change: vec![0.0; nx],
+            share: vec![0.0; nx],
+            far_share: vec![0.0; grid.len()],
+        }
     }
 
     /// One pass over all lines of an evaluated level, and more over the nodes far from the contact. No node changes by
@@ -100,10 +118,7 @@ impl LineRelaxation {
         for pass in 0..FAR_PASSES {
             for line in 1..ny - 1 {
                 let j = if pass % 2 == 0 { ny - 1 - line } else { line };
-                if self.assemble_far(level, j) {
-                    self.solve(level.grid.nx() - 2);
-                    self.update(level, j, largest);
-                }
+                self.relax_far(level, j, largest);
             }
         }
         level.is_evaluated = false;
@@ -115,11 +130,20 @@ impl LineRelaxation {
         let self_influence = level.influence.single[0];
         for i in 1..nx - 1 {
             let (k, r) = (j * nx + i, i - 1);
+            if is_idle(level, k, nx) {
+                (self.rows[r], self.change[r], self.share[r]) = (IDLE, 0.0, 1.0);
+                self.far_share[k] = 1.0;
+                continue;
+            }
             let faces = Faces::of(level, k);
             let ratio = faces.largest() / self_influence;
             let is_flow = ratio > SWITCH;
+            self.far_share[k] = 0.0;
             let (p, influence) = if is_flow {
                 self.share[r] = flow_share(ratio, faces.evenness());
+                if ratio > FAR_RATIO {
+                    self.far_share[k] = self.share[r];
+                }
                 (&level.pressure, &level.influence.single)
             } else {
                 self.share[r] = -dipole_share;
@@ -158,33 +182,39 @@ impl LineRelaxation {
         }
     }
 
-    /// The same for the nodes far from the contact alone, the others held; whether there are any.
-    fn assemble_far(&mut self, level: &Level, j: usize) -> bool {
+    /// Pressure flow of line `j` at the nodes far from the contact, the others held.
+    fn relax_far(&mut self, level: &mut Level, j: usize, largest: f64) {
         let nx = level.grid.nx();
-        let self_influence = level.influence.single[0];
-        let mut any = false;
+        // Of node i: the change is `change[i]` less `share[i]` of that of the next node.
+        let (change, above) = (&mut self.change, &mut self.share);
+        let (mut last_change, mut last_above) = (0.0, 0.0);
         for i in 1..nx - 1 {
-            let (k, r) = (j * nx + i, i - 1);
-            let faces = Faces::of(level, k);
-            let ratio = faces.largest() / self_influence;
-            let mut row = [0.0; BAND];
-            if ratio < FAR_RATIO {
-                row[OWN] = 1.0;
-                self.change[r] = 0.0;
+            let k = j * nx + i;
+            if self.far_share[k] == 0.0 || is_idle(level, k, nx) {
+                (last_change, last_above) = (0.0, 0.0);
             } else {
-                any = true;
-                row[OWN] = faces.sum();
-                let wet = |i: usize| i == 0 || i == nx - 1 || level.pressure[j * nx + i] > 0.0;
-                if wet(i - 1) && wet(i + 1) {
-                    row[OWN - 1] = -faces.west;
-                    row[OWN + 1] = -faces.east;
-                }
-                self.change[r] = level.drive[k] - faces.outflow(&level.pressure, k, nx);
+                let p = &level.pressure;
+                let faces = Faces::of(level, k);
+                let wet = |i: usize| i == 0 || i == nx - 1 || p[j * nx + i] > 0.0;
+                let (west, east) = if wet(i - 1) && wet(i + 1) { (faces.west, faces.east) } else { (0.0, 0.0) };
+                let missing = level.drive[k] - faces.outflow(p, k, nx);
+                let pivot = 1.0 / (faces.sum() - west * last_above);
+                last_change = (missing + west * last_change) * pivot;
+                last_above = east * pivot;
             }
-            self.share[r] = flow_share(ratio, faces.evenness());
-            self.rows[r] = row;
+            (change[i], above[i]) = (last_change, last_above);
         }
-        any
+        let mut next = 0.0;
+        for i in (1..nx - 1).rev() {
+            let k = j * nx + i;
+            next = change[i] + above[i] * next;
+            if next.is_finite() {
+                let taken = self.far_share[k] * next.clamp(-largest, largest);
+                level.pressure[k] = (level.pressure[k] + taken).max(0.0);
+            } else {
+                next = 0.0;
+            }
+        }
     }
 
     /// Gauss elimination without pivots; the changes end up in `change`.
