@@ -154,6 +154,7 @@ impl Workspace {
         for cycle in 0..=stop.max_iterations {
             self.take_over(problem, lubricant, state)?;
             let residuals = self.coupled.residuals(problem, state);
+            debug_line(&self.hierarchy, &self.coupled, problem, state, residuals, cycle);
             if !residuals.is_finite() {
                 status = Status::Diverged;
                 break;
@@ -217,4 +218,26 @@ fn touches(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
 
 fn within_limit(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
     state.pressure.iter().enumerate().all(|(k, p)| *p <= limit_of(problem, k))
+}
+// DEBUG BEGIN
+fn debug_line(h: &Hierarchy, c: &Coupled, problem: &LubricatedContact<'_>, state: &ContactState, r: Residuals, cycle: u64) {
+    if std::env::var("MGV").is_ok() {
+        let hm = state.film.iter().zip(&state.pressure).filter(|(_, p)| **p > 0.0).fold(f64::INFINITY, |m, (h, _)| m.min(*h));
+        let hc = problem.grid().interpolate(&state.film, 0.0, 0.0).unwrap_or(f64::NAN);
+        eprintln!("cycle {cycle} conv {:.1} mass {:.2e} load {:.2e} comp {:.2e} hc {:.6e} hmin {:.6e}",
+            h.convolutions + c.convolutions as f64, r.mass, r.load, r.complementarity, hc, hm);
+        if std::env::var("LOC").is_ok() {
+        let f = h.finest();
+        let nx = f.grid.nx();
+        let mut v: Vec<(f64, usize)> = interior(&f.grid).filter(|k| f.pressure[*k] > 0.0).map(|k| (f.balance(k), k)).collect();
+        v.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+        let t: f64 = v.iter().map(|r| r.0.abs()).sum();
+        let (a, b) = problem.reference_half_widths;
+        for (r, k) in v.iter().take(6) {
+            let c = f.east[*k].secant.max(f.east[k - 1].secant) / f.influence.single[0];
+            let wet = [k - 2, k - 1, k + 1, k + 2, k - nx, k + nx].map(|o| u8::from(f.pressure[o] > 0.0));
+            eprintln!("      {:.2e} at {} {} x {:.3} y {:.3} p {:.3e} ratio {c:.2e} {wet:?}", r / t, k % nx, k / nx, f.grid.x(k % nx) / a, f.grid.y(k / nx) / b, f.pressure[*k] / problem.reference_pressure);
+        }
+        }
+    }
 }

@@ -9,6 +9,7 @@
 
 use super::level::Level;
 use crate::grid::Grid;
+use crate::reynolds::discretisation::Conductance;
 
 /// Conductance over self-influence below which entrainment dominates a node.
 const SWITCH: f64 = 0.42;
@@ -46,13 +47,13 @@ fn is_idle(level: &Level, k: usize, nx: usize) -> bool {
     level.drive[k] <= 0.0 && p[k] + p[k + 1] + p[k - 1] + p[k + nx] + p[k - nx] <= 0.0
 }
 
-/// Conductances of the faces of a node.
+/// The faces of a node, first node of each first: east and north from here, west and south to here.
 #[derive(Debug, Clone, Copy)]
 struct Faces {
-    east: f64,
-    west: f64,
-    north: f64,
-    south: f64,
+    east: Conductance,
+    west: Conductance,
+    north: Conductance,
+    south: Conductance,
 }
 
 impl Faces {
@@ -61,23 +62,28 @@ impl Faces {
         Self { east: level.east[k], west: level.east[k - 1], north: level.north[k], south: level.north[k - nx] }
     }
 
-    fn sum(self) -> f64 {
-        self.east + self.west + self.north + self.south
+    fn secants(self) -> [f64; 4] {
+        [self.east.secant, self.west.secant, self.north.secant, self.south.secant]
+    }
+
+    /// Growth of the outflow with the own pressure.
+    fn own(self) -> f64 {
+        self.east.near + self.west.far + self.north.near + self.south.far
     }
 
     fn evenness(self) -> f64 {
-        self.east.min(self.west).min(self.north).min(self.south) / self.largest()
+        self.secants().into_iter().fold(f64::INFINITY, f64::min) / self.largest()
     }
 
     fn largest(self) -> f64 {
-        self.east.max(self.west).max(self.north).max(self.south)
+        self.secants().into_iter().fold(0.0, f64::max)
     }
 
     fn outflow(self, p: &[f64], k: usize, nx: usize) -> f64 {
-        self.east * (p[k] - p[k + 1])
-            + self.west * (p[k] - p[k - 1])
-            + self.north * (p[k] - p[k + nx])
-            + self.south * (p[k] - p[k - nx])
+        self.east.secant * (p[k] - p[k + 1])
+            + self.west.secant * (p[k] - p[k - 1])
+            + self.north.secant * (p[k] - p[k + nx])
+            + self.south.secant * (p[k] - p[k - nx])
     }
 }
 
@@ -160,22 +166,26 @@ impl LineRelaxation {
                 let at = |upstream: usize| influence[(slot + upstream).abs_diff(OWN)];
                 masses[0] * at(0) + masses[1] * at(1) + masses[2] * at(2)
             };
-            let sum = faces.sum();
+            let own = faces.own();
+            let (east, west) = (faces.east.far, faces.west.near);
             let mut row = [0.0; BAND];
-            row[OWN] = transport(OWN) + if is_flow { sum } else { 1.25 * sum };
+            row[OWN] = transport(OWN) + own;
+            if !is_flow {
+                row[OWN] += 0.25 * (east + west + faces.north.far + faces.south.near);
+            }
             let wet = |i: usize| i == 0 || i == nx - 1 || level.pressure[j * nx + i] > 0.0;
             if wet(i - 1) && wet(i + 1) && (i < 2 || wet(i - 2)) && (i + 2 >= nx || wet(i + 2)) {
                 for slot in [0, 1, 2, 4, 5] {
                     row[slot] = transport(slot);
                 }
                 if is_flow {
-                    row[OWN - 1] -= faces.west;
-                    row[OWN + 1] -= faces.east;
+                    row[OWN - 1] -= west;
+                    row[OWN + 1] -= east;
                 } else {
-                    row[OWN - 2] += 0.25 * faces.west;
-                    row[OWN - 1] -= faces.west + 0.25 * sum;
-                    row[OWN + 1] -= faces.east + 0.25 * sum;
-                    row[OWN + 2] += 0.25 * faces.east;
+                    row[OWN - 2] += 0.25 * west;
+                    row[OWN - 1] -= west + 0.25 * own;
+                    row[OWN + 1] -= east + 0.25 * own;
+                    row[OWN + 2] += 0.25 * east;
                 }
             }
             self.rows[r] = row;
@@ -196,9 +206,9 @@ impl LineRelaxation {
                 let p = &level.pressure;
                 let faces = Faces::of(level, k);
                 let wet = |i: usize| i == 0 || i == nx - 1 || p[j * nx + i] > 0.0;
-                let (west, east) = if wet(i - 1) && wet(i + 1) { (faces.west, faces.east) } else { (0.0, 0.0) };
+                let (west, east) = if wet(i - 1) && wet(i + 1) { (faces.west.near, faces.east.far) } else { (0.0, 0.0) };
                 let missing = level.drive[k] - faces.outflow(p, k, nx);
-                let pivot = 1.0 / (faces.sum() - west * last_above);
+                let pivot = 1.0 / (faces.own() - west * last_above);
                 last_change = (missing + west * last_change) * pivot;
                 last_above = east * pivot;
             }
