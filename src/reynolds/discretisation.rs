@@ -204,6 +204,12 @@ impl Discretisation {
             + faces * self.nodes[k].potential_p
     }
 
+    /// Pressure flow through the faces of node `k` over the entrainment and squeeze of its elastic response.
+    pub(super) fn flow_ratio(&self, k: usize, near: NearField) -> f64 {
+        let faces: f64 = self.neighbours(k).into_iter().map(|(o, c)| c * self.face(k, o)).sum();
+        faces * self.nodes[k].potential_p / ((self.wedge + self.squeeze) * self.nodes[k].density * near.own)
+    }
+
     /// How strongly `F_k` depends on the own mass: entrainment and squeeze together.
     pub(super) fn own_mass(&self, k: usize) -> f64 {
         self.upwind(k)[0] + self.squeeze
