@@ -11,14 +11,19 @@
 //!
 //! [`Activation`] is the condition under which a node takes part. [`Tribofilm`] is the film of one body, carried on the
 //! nodes of that body's own surface; [`FlashTemperature`] is the temperature rise that friction heat causes.
+//! With the feature `fit`, `fit_growth_law` finds the constants of a law from a measured film.
 //! The hardness of a film belongs to [`crate::plastic`].
 
 mod activation;
 mod barrier;
 mod film;
 mod first_order;
+#[cfg(feature = "fit")]
+mod fit;
 mod flash_temperature;
 mod ghanbarzadeh;
+#[cfg(feature = "fit")]
+mod growth_curve;
 mod heat_partition;
 mod integrate;
 mod moving_source;
@@ -31,8 +36,12 @@ use std::fmt::Debug;
 pub use activation::Activation;
 pub use barrier::ELECTRON_VOLT;
 pub use film::Tribofilm;
+#[cfg(feature = "fit")]
+pub use fit::{FitError, FittedConstant, GrowthFit, fit_growth_law};
 pub use flash_temperature::{FlashReport, FlashTemperature, estimate_maximum_rise};
 pub use ghanbarzadeh::Ghanbarzadeh;
+#[cfg(feature = "fit")]
+pub use growth_curve::GrowthCurve;
 pub use moving_source::ThermalBody;
 pub use proportional_removal::ProportionalRemoval;
 pub use stress_activated::StressActivated;
