@@ -319,7 +319,7 @@ impl Scene {
             }),
             grid: GridSpec { nx: n, ny: n, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] },
             roughness: RoughnessPair { ball: random(20e-9, 1), disc: random(130e-9, 2) },
-            plastic: Some(PlasticSpec { hardness: 6e9, film_hardness: Some(2e9) }),
+            plastic: Some(PlasticSpec { hardness: 6e9, film_hardness: Some(2e9), hardening_modulus: None }),
             friction: FrictionSpec::default(),
             tribofilm: None,
             wear: Some(WearSpec::default()),

@@ -1,5 +1,9 @@
 //! What changes the surfaces: flattening, friction, tribofilm, wear and heat.
 
+use crate::error::InputError;
+use crate::lubricant::Rheology;
+use crate::tribochem::Activation;
+
 /// Pressure limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
@@ -9,6 +13,9 @@ pub struct PlasticSpec {
     /// Hardness of a tribofilm of full thickness \[Pa\]; the limit falls linearly with the film.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub film_hardness: Option<f64>,
+    /// Growth of the hardness with the plastic depth \[Pa/m\] in a history; absent: perfectly plastic.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub hardening_modulus: Option<f64>,
 }
 
 /// Friction of solid contact and of the fluid.
@@ -23,11 +30,25 @@ pub struct FrictionSpec {
     pub boundary_coefficient: f64,
     /// Largest shear stress that the fluid carries \[Pa\].
     pub limiting_shear_stress: f64,
+    /// Eyring stress of the fluid \[Pa\]; absent: Newtonian.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub eyring_stress: Option<f64>,
+}
+
+impl FrictionSpec {
+    /// Shear stress law of the fluid.
+    ///
+    /// # Errors
+    /// A stress that is not finite and positive.
+    pub fn rheology(&self) -> Result<Rheology, InputError> {
+        let fluid = self.eyring_stress.map_or_else(|| Ok(Rheology::newtonian()), Rheology::eyring)?;
+        fluid.with_limit(self.limiting_shear_stress)
+    }
 }
 
 impl Default for FrictionSpec {
     fn default() -> Self {
-        Self { boundary_coefficient: 0.115, limiting_shear_stress: 1e8 }
+        Self { boundary_coefficient: 0.115, limiting_shear_stress: 1e8, eyring_stress: None }
     }
 }
 
@@ -47,12 +68,20 @@ pub struct TribofilmSpec {
     pub removal_limit: f64,
     /// Rate of removal \[1/s\].
     pub removal_rate: f64,
+    /// Which nodes grow and lose film.
+    pub activation: Activation,
 }
 
 impl Default for TribofilmSpec {
     /// The constants of Azam et al. (2019).
     fn default() -> Self {
-        Self { maximum_thickness: 200e-9, x_tribo: 1.66e-16, removal_limit: 54.32e-9, removal_rate: 4.022e-4 }
+        Self {
+            maximum_thickness: 200e-9,
+            x_tribo: 1.66e-16,
+            removal_limit: 54.32e-9,
+            removal_rate: 4.022e-4,
+            activation: Activation::SolidContact,
+        }
     }
 }
 
@@ -70,14 +99,29 @@ pub struct WearSpec {
     pub film_coefficient: f64,
     /// Hardness that divides the coefficient \[Pa\].
     pub hardness: f64,
+    /// Hardness under a tribofilm of full thickness \[Pa\], the divisor falling linearly with the film; absent: constant.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub film_hardness: Option<f64>,
     /// Whether only solid pressure wears, or all pressure.
     pub solid_pressure_only: bool,
+    /// Share of the time that a point of the ball's track wears.
+    pub duty_factor_ball: f64,
+    /// Share of the time that a point of the disc's track wears.
+    pub duty_factor_disc: f64,
 }
 
 impl Default for WearSpec {
     /// The constants of Azam et al. (2019), all pressure.
     fn default() -> Self {
-        Self { coefficient: 5.45e-8, film_coefficient: 5.45e-9, hardness: 6e9, solid_pressure_only: false }
+        Self {
+            coefficient: 5.45e-8,
+            film_coefficient: 5.45e-9,
+            hardness: 6e9,
+            film_hardness: None,
+            solid_pressure_only: false,
+            duty_factor_ball: 1.0,
+            duty_factor_disc: 1.0,
+        }
     }
 }
 
