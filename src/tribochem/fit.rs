@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -18,6 +18,8 @@ const PROBE: f64 = 1e-5;
 const MAX_CONDITION: f64 = 1e6;
 /// A 95 % interval that reaches beyond this factor on either side leaves a constant undetermined.
 const WIDEST_FACTOR: f64 = 10.0;
+/// A constant that has moved by more than this factor when the fit fails has run away.
+const FARTHEST_FACTOR: f64 = 1e4;
 /// Two-sided level of the intervals.
 const LEVEL: f64 = 0.95;
 
@@ -147,7 +149,7 @@ pub fn fit_growth_law<L: FilmGrowthLaw>(
     let problem = Problem { curve, at, law: &law, scale, logarithms };
     let (problem, report) = LevenbergMarquardt::new().with_patience(200).minimize(problem);
     if !report.termination.was_successful() {
-        return Err(FitError::NotConverged { reason: format!("{:?}", report.termination) });
+        return Err(problem.failure(start, &report.termination));
     }
     problem.conclude(start)
 }
@@ -193,6 +195,19 @@ impl<L: FilmGrowthLaw, F: Fn(&[f64]) -> Result<L, InputError>> Problem<'_, F> {
             column.copy_from(&((up? - down?) / (2.0 * PROBE)));
         }
         Some(matrix)
+    }
+
+    /// Why the minimisation ended early: a constant that ran away is one that the measurement says nothing about.
+    fn failure(&self, start: &[(&str, f64)], termination: &TerminationReason) -> FitError {
+        let ways =
+            start.iter().zip(self.logarithms.iter()).map(|((name, value), l)| (name, (l - value.ln()).abs()));
+        match ways.max_by(|a, b| a.1.total_cmp(&b.1)) {
+            Some((name, way)) if !(way < FARTHEST_FACTOR.ln()) => FitError::Undetermined {
+                constant: (*name).to_owned(),
+                reason: "the deviations fall however far it moves from its start".to_owned(),
+            },
+            _ => FitError::NotConverged { reason: format!("{termination:?}") },
+        }
     }
 
     fn conclude(self, start: &[(&str, f64)]) -> Result<GrowthFit<L>, FitError> {
