@@ -1,5 +1,4 @@
 //! Every law, model and solver of the crate keeps the contract of its trait, and the checks find those who do not.
-#![expect(clippy::unwrap_used, reason = "tests")]
 
 use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{Barus, DensityLaw, DowsonHigginson, Incompressible, Roelands, ViscosityLaw};

@@ -1,6 +1,6 @@
 //! The contract of film growth.
 
-use super::{Contract, IDLE, Violation, close, rubbing_points};
+use super::{Contract, IDLE, Violation, close, rubbing_points, same};
 use crate::rubbing::RubbingPoint;
 use crate::tribochem::FilmGrowthLaw;
 
@@ -44,7 +44,7 @@ pub fn film_growth_law(law: &dyn FilmGrowthLaw) -> Result<(), Violation> {
     for filling in FILLINGS {
         let start = filling * largest;
         let end = after(law, &IDLE, start, &[1e6]);
-        contract.require(end == law.thickness(&started(law, start)), "an idle node is frozen", || {
+        contract.require(same(end, law.thickness(&started(law, start))), "an idle node is frozen", || {
             format!("{start} m became {end} m")
         })?;
     }

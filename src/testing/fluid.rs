@@ -1,6 +1,6 @@
 //! The contracts of viscosity and density.
 
-use super::{Contract, Violation, close};
+use super::{Contract, Violation, close, same};
 use crate::lubricant::{DensityLaw, ViscosityLaw};
 
 /// Pressures \[Pa\] in ascending order, from ambient to far beyond any contact.
@@ -32,13 +32,13 @@ pub fn viscosity_law(law: &dyn ViscosityLaw) -> Result<(), Violation> {
         contract.require(eta >= lower, "viscosity does not fall with pressure", || {
             format!("{eta} Pa s at {p} Pa, {lower} Pa s below")
         })?;
-        contract.require(filled == eta, "fields are filled with the same values", || {
+        contract.require(same(filled, eta), "fields are filled with the same values", || {
             format!("{filled} and {eta} Pa s at {p} Pa")
         })?;
         lower = eta;
     }
     let (negative, ambient) = (law.viscosity(-1e8), law.viscosity(0.0));
-    contract.require(negative == ambient, "pressures below zero count as zero", || {
+    contract.require(same(negative, ambient), "pressures below zero count as zero", || {
         format!("{negative} Pa s at -1e8 Pa, {ambient} Pa s at 0")
     })?;
     slopes(&contract, |p| law.viscosity(p).ln(), |p| law.log_slope(p))
@@ -71,7 +71,7 @@ pub fn density_law(law: &dyn DensityLaw) -> Result<(), Violation> {
         lower = ratio;
     }
     let negative = law.ratio(-1e8);
-    contract.require(negative == ambient, "pressures below zero count as zero", || {
+    contract.require(same(negative, ambient), "pressures below zero count as zero", || {
         format!("{negative} at -1e8 Pa, {ambient} at 0")
     })?;
     slopes(&contract, |p| law.ratio(p), |p| law.slope(p))

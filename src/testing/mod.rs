@@ -73,6 +73,11 @@ fn close(a: f64, b: f64, scale: f64, tolerance: f64) -> bool {
     (a - b).abs() <= tolerance * scale.abs()
 }
 
+/// Equal to the last bit, infinities included; false for what is not a number.
+fn same(a: f64, b: f64) -> bool {
+    a <= b && b <= a
+}
+
 /// A node in boundary lubrication, 1 GPa at 80 C.
 const IN_CONTACT: RubbingPoint = RubbingPoint {
     pressure: 1e9,

@@ -1,6 +1,6 @@
 //! The contract of plasticity.
 
-use super::{Contract, Violation};
+use super::{Contract, Violation, same};
 use crate::plastic::PlasticityModel;
 
 /// Films and plastic depths \[m\] in ascending order.
@@ -44,7 +44,7 @@ pub fn plasticity_model(model: &dyn PlasticityModel) -> Result<(), Violation> {
     for (k, limit) in pair.into_iter().enumerate() {
         let [first, second] = [0, 1].map(|body| model.pressure_limit(films[body][k], depths[body][k]));
         contract.require(
-            limit == first.min(second),
+            same(limit, first.min(second)),
             "the pair carries what the softer body carries",
             || format!("{limit} Pa for bodies of {first} and {second} Pa"),
         )?;

@@ -202,7 +202,7 @@ impl<L: FilmGrowthLaw, F: Fn(&[f64]) -> Result<L, InputError>> Problem<'_, F> {
         let ways =
             start.iter().zip(self.logarithms.iter()).map(|((name, value), l)| (name, (l - value.ln()).abs()));
         match ways.max_by(|a, b| a.1.total_cmp(&b.1)) {
-            Some((name, way)) if !(way < FARTHEST_FACTOR.ln()) => FitError::Undetermined {
+            Some((name, way)) if way.is_nan() || way > FARTHEST_FACTOR.ln() => FitError::Undetermined {
                 constant: (*name).to_owned(),
                 reason: "the deviations fall however far it moves from its start".to_owned(),
             },
@@ -249,7 +249,7 @@ fn variances(sensitivities: &DMatrix<f64>, start: &[(&str, f64)]) -> Result<Vec<
     let directions = svd.v_t.ok_or_else(failed)?;
     let largest = svd.singular_values.max();
     let (weakest, smallest) = svd.singular_values.argmin();
-    if !(smallest * MAX_CONDITION > largest) {
+    if smallest.is_nan() || smallest * MAX_CONDITION <= largest {
         let (column, _) = directions.row(weakest).transpose().abs().argmax();
         let constant = start.get(column).map_or_else(String::new, |(name, _)| (*name).to_owned());
         let reason = "its effect on the film cannot be told from that of the other constants".to_owned();
