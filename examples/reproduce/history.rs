@@ -71,6 +71,18 @@ pub(crate) struct History {
 }
 
 impl History {
+    /// Step by step the mean of `histories`, as long as the shortest; curves are those of the first.
+    pub(crate) fn mean_of(histories: &[&Self]) -> Option<Self> {
+        let mut mean = (*histories.first()?).clone();
+        mean.rows.truncate(histories.iter().map(|history| history.rows.len()).min()?);
+        for (step, row) in mean.rows.iter_mut().enumerate() {
+            for (column, cell) in row.iter_mut().enumerate() {
+                *cell = histories.iter().map(|h| h.rows[step][column]).sum::<f64>() / histories.len() as f64;
+            }
+        }
+        Some(mean)
+    }
+
     /// A column over the steps.
     pub(crate) fn column(&self, name: &str) -> Vec<f64> {
         let index = COLUMNS.iter().position(|column| *column == name);
