@@ -169,6 +169,28 @@ fn steps_by_depth_keep_to_it_and_add_up() {
     }
 }
 
+/// The contact of a step stands for all of it: first order in its length.
+#[test]
+fn the_error_of_long_steps_falls_with_their_length() {
+    let worn = |time_step: f64| {
+        let mut sim = MixedLubricationSim::builder(dry(32)).motion(RoughnessMotion::Fixed).build().unwrap();
+        let _ = run_until(&mut sim, 240.0, StepControl::fixed(time_step));
+        sim.bodies()[1].wear_depth().to_vec()
+    };
+    let exact = worn(1.25);
+    let scale = exact.iter().map(|depth| depth * depth).sum::<f64>().sqrt();
+    let errors = [40.0, 20.0, 10.0].map(|time_step| {
+        let depths = worn(time_step);
+        depths.iter().zip(&exact).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt() / scale
+    });
+    println!("relative errors of the wear depth with steps of 40, 20, 10 s: {errors:.4?}");
+    assert!(errors[0] < 0.2, "{errors:?}");
+    for pair in errors.windows(2) {
+        // Towards 2, and more against a reference whose own steps are not infinitely short.
+        assert!((1.6..3.0).contains(&(pair[0] / pair[1])), "{errors:?}");
+    }
+}
+
 /// Between nodes too, the mean depth is that of force and distance: what a body gets is what the contact has.
 #[test]
 fn convected_roughness_wears_by_force_and_distance() {

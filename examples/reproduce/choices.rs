@@ -119,10 +119,14 @@ pub(crate) const CHOICES: [Choice; 23] = [
     flip("second_order", "second-order entrainment instead of first", |scene| {
         scene.solver.scheme = Scheme::SecondOrder;
     }),
-    flip("inlet", "box from -2.5 to 1.5 contact radii instead of centred", |scene| {
-        let Ok(hertz) = scene.hertz() else { return };
-        scene.grid.x = [-2.5 * hertz.a_x, 1.5 * hertz.a_x];
-    }),
+    flip(
+        "inlet",
+        "box from -2.5 to 1.5 contact radii instead of centred (its mean wear is over a larger box)",
+        |scene| {
+            let Ok(hertz) = scene.hertz() else { return };
+            scene.grid.x = [-2.5 * hertz.a_x, 1.5 * hertz.a_x];
+        },
+    ),
     flip("exponential", "exponential autocorrelation instead of Gaussian", |scene| {
         for body in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
             if let Roughness::Gaussian(random) = *body {
