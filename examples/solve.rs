@@ -133,6 +133,7 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
             "area": contact.area,
             "plastic_area": contact.plastic_area,
         },
+        "friction": { "coefficient": solution.friction_coefficient },
         "approach": state.approach,
         "grid": { "nx": grid.nx(), "ny": grid.ny(), "dx": grid.dx(), "dy": grid.dy() },
         "version": env!("CARGO_PKG_VERSION"),
@@ -183,6 +184,7 @@ fn summary(solution: &ContactSolution, seconds: f64) -> String {
             contact.load_ratio * 100.0,
             contact.plastic_area * 1e12
         ),
+        format!("friction   {:.4}", solution.friction_coefficient),
         format!("approach   {:.3} nm", state.approach * 1e9),
     ]
     .join("\n")

@@ -75,7 +75,12 @@ fn defaults_are_those_of_the_document() {
 /// Every key of the code is in the document, and every key of the document's scene is in its tables.
 #[test]
 fn document_lists_every_key() {
-    let code = [include_str!("../src/sim/scene.rs"), include_str!("../src/surface/form.rs")].concat();
+    let code = [
+        include_str!("../src/sim/scene/mod.rs"),
+        include_str!("../src/sim/scene/processes.rs"),
+        include_str!("../src/surface/form.rs"),
+    ]
+    .concat();
     let fields: BTreeSet<&str> = code
         .lines()
         .filter_map(|line| {

@@ -1,5 +1,6 @@
 //! One quasi-static contact: the pieces that stay fixed while surfaces change, and its solution in numbers.
 
+use super::friction::FrictionFields;
 use super::scene::Scene;
 use super::{SimError, setup};
 use crate::analytic::HertzPoint;
@@ -9,7 +10,9 @@ use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::metrics;
 use crate::report::SolveReport;
-use crate::reynolds::{ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme, StoppingRule};
+use crate::reynolds::{
+    ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme, Squeeze, StoppingRule,
+};
 
 /// Grid, elastic body, lubricant, load and solver of a scene.
 #[derive(Debug)]
@@ -96,11 +99,12 @@ impl ContactModel {
         })
     }
 
-    /// Solves the contact with the undeformed gap `gap` and pressure limit `limit`, from `state`.
+    /// Solves the contact with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`, from `state`.
     pub(super) fn solve(
         &mut self,
         gap: &[f64],
         limit: Option<&[f64]>,
+        squeeze: Option<Squeeze<'_>>,
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
         let mut problem = LubricatedContact {
@@ -108,7 +112,7 @@ impl ContactModel {
             deformation: &mut *self.deformation,
             lubricant: self.lubricant.as_ref(),
             entrainment_speed: self.entrainment_speed,
-            squeeze: None,
+            squeeze,
             load: self.hertz.load,
             pressure_limit: limit,
             film_cutoff: self.film_cutoff,
@@ -143,6 +147,9 @@ pub struct ContactSolution {
     pub film: FilmNumbers,
     /// Contact numbers.
     pub contact: ContactNumbers,
+    /// Friction coefficient, from boundary friction under the solid pressure and shear of the fluid; zero without
+    /// sliding.
+    pub friction_coefficient: f64,
 }
 
 /// Film thickness of a solution \[m\].
@@ -222,17 +229,31 @@ pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {
         }
     };
     let mut state = ContactState::new(&grid);
-    let report = model.solve(&gap, limit.as_deref(), &mut state)?;
-    let (film, contact) = if state.pressure.iter().chain(&state.film).all(|value| value.is_finite()) {
-        let solid: Vec<f64> = (0..grid.len()).map(|k| state.solid_pressure(k)).collect();
-        (film_numbers(&model, &state)?, contact_numbers(&model, &state, &solid, limit.as_deref())?)
-    } else {
-        // A solve that diverged is a status; its numbers are unknown.
-        (FilmNumbers::UNKNOWN, ContactNumbers::UNKNOWN)
-    };
+    let report = model.solve(&gap, limit.as_deref(), None, &mut state)?;
+    let (film, contact, friction_coefficient) =
+        if state.pressure.iter().chain(&state.film).all(|value| value.is_finite()) {
+            let mut friction = FrictionFields::new(scene, grid.len())?;
+            friction.update(&model, &state)?;
+            let contact = contact_numbers(&model, &state, &friction.solid, limit.as_deref())?;
+            (film_numbers(&model, &state)?, contact, friction.coefficient(&model)?)
+        } else {
+            // A solve that diverged is a status; its numbers are unknown.
+            (FilmNumbers::UNKNOWN, ContactNumbers::UNKNOWN, f64::NAN)
+        };
     let (hertz, moes) = (model.hertz, moes(scene, &model));
     let discretisation = model.lubricant.is_some().then_some((model.scheme, model.face_mobility));
-    Ok(ContactSolution { report, grid, hertz, moes, film, contact, discretisation, state, gap })
+    Ok(ContactSolution {
+        report,
+        grid,
+        hertz,
+        moes,
+        film,
+        contact,
+        friction_coefficient,
+        discretisation,
+        state,
+        gap,
+    })
 }
 
 fn moes(scene: &Scene, model: &ContactModel) -> Option<(f64, f64)> {

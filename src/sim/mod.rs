@@ -7,6 +7,7 @@ mod body;
 mod builder;
 mod contact;
 mod error;
+mod friction;
 #[cfg(feature = "npz")]
 mod npz;
 mod observer;
@@ -14,6 +15,8 @@ mod record;
 pub mod scene;
 mod setup;
 mod simulation;
+mod step_control;
+mod yielding;
 
 pub use body::Body;
 pub use builder::SimBuilder;
@@ -25,3 +28,4 @@ pub use observer::Observer;
 pub use record::StepRecord;
 pub use scene::Scene;
 pub use simulation::{MixedLubricationSim, RunEnd};
+pub use step_control::StepControl;

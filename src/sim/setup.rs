@@ -1,7 +1,9 @@
 //! From a scene to the pieces of a contact problem.
 
 use super::SimError;
-use super::scene::{FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind};
+use super::scene::{
+    FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind, TribofilmSpec,
+};
 use crate::analytic::{FilmConditions, HertzPoint};
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -22,7 +24,7 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     InputError::require(ratio.is_finite(), "motion.slide_roll_ratio", ratio, "finite")?;
     let friction = scene.friction;
     InputError::require_non_negative("friction.boundary_coefficient", friction.boundary_coefficient)?;
-    InputError::require_positive("friction.limiting_shear_stress", friction.limiting_shear_stress)?;
+    friction.rheology()?;
     let thermal = scene.thermal;
     InputError::require_positive("thermal.bulk_temperature", thermal.bulk_temperature)?;
     InputError::require_positive("thermal.conductivity", thermal.conductivity)?;
@@ -32,13 +34,16 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
         if let Some(film) = plastic.film_hardness {
             InputError::require_positive("plastic.film_hardness", film)?;
         }
+        if let Some(modulus) = plastic.hardening_modulus {
+            InputError::require_non_negative("plastic.hardening_modulus", modulus)?;
+        }
     }
     if let Some(spec) = scene.lubricant {
         roelands(&spec)?;
         DowsonHigginson::new(spec.density_a, spec.density_b)?;
     }
     if let Some(spec) = scene.tribofilm {
-        Ghanbarzadeh::new(spec.maximum_thickness, spec.x_tribo, spec.removal_limit, spec.removal_rate)?;
+        growth_law(&spec)?;
     }
     if let Some(wear) = scene.wear {
         InputError::require_non_negative("wear.coefficient", wear.coefficient)?;
@@ -49,6 +54,15 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
             "between 0 and wear.coefficient",
         )?;
         InputError::require_positive("wear.hardness", wear.hardness)?;
+        if let Some(film) = wear.film_hardness {
+            InputError::require_positive("wear.film_hardness", film)?;
+        }
+        for (field, share) in [
+            ("wear.duty_factor_ball", wear.duty_factor_ball),
+            ("wear.duty_factor_disc", wear.duty_factor_disc),
+        ] {
+            InputError::require((0.0..=1.0).contains(&share), field, share, "from 0 to 1")?;
+        }
     }
     InputError::require_positive("solver.film_cutoff", scene.solver.film_cutoff)?;
     SemiSystem::new(scene.solver.relaxation, scene.solver.stiffness)?;
@@ -190,6 +204,12 @@ fn rescale(heights: &mut [f64], rq: f64, body: &str) -> Result<(), InputError> {
         *h = (*h - statistics.mean) * factor;
     }
     Ok(())
+}
+
+/// The growth law of a scene with a tribofilm.
+pub(super) fn growth_law(spec: &TribofilmSpec) -> Result<Ghanbarzadeh, InputError> {
+    let law = Ghanbarzadeh::new(spec.maximum_thickness, spec.x_tribo, spec.removal_limit, spec.removal_rate)?;
+    Ok(law.with_activation(spec.activation))
 }
 
 /// The viscosity law of the scene.

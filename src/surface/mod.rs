@@ -6,7 +6,7 @@
 //! | [`RoughnessSpec`], [`generate`] | random roughness of a given height and correlation length |
 //! | [`Heights`] | a measured surface: levelling, filling of holes, transfer to a grid |
 //! | `read`, `write_npy` (feature `formats`) | x3p and npy files |
-//! | [`RoughnessMotion`] | shift of periodic roughness from step to step |
+//! | [`RoughnessMotion`], [`FourierShift`] | shift of periodic roughness from step to step, by less than a cell too |
 //!
 //! Heights are in metres and point out of the body: a positive height narrows the gap.
 
@@ -23,6 +23,7 @@ mod number;
 #[cfg(feature = "formats")]
 mod read;
 mod resample;
+mod subcell;
 #[cfg(feature = "formats")]
 mod x3p;
 
@@ -30,8 +31,9 @@ pub use error::SurfaceError;
 pub use form::Form;
 pub use generate::{Autocorrelation, RoughnessSpec, generate};
 pub use measured::Heights;
-pub use motion::{RoughnessMotion, add_shifted, copy_shifted};
+pub use motion::{Offset, RoughnessMotion, add_blended, copy_shifted};
 #[cfg(feature = "formats")]
 pub use npy::write_npy;
 #[cfg(feature = "formats")]
 pub use read::read;
+pub use subcell::{FourierShift, blend_shifted};

@@ -1,0 +1,124 @@
+//! What the derived readers are too lenient for. Tables whose keys depend on `kind` are read flat: derived enums would
+//! take stray keys of a unit variant and lose the key of a value that does not fit.
+
+use std::path::PathBuf;
+
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+
+use super::{FileRoughness, RandomRoughness, Roughness};
+use crate::surface::Form;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FormTable {
+    kind: FormKind,
+    radius: Option<f64>,
+    radius_x: Option<f64>,
+    radius_y: Option<f64>,
+}
+
+#[derive(Deserialize, Clone, Copy)]
+#[serde(rename_all = "snake_case")]
+enum FormKind {
+    Sphere,
+    Ellipsoid,
+}
+
+pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D::Error> {
+    let table = FormTable::deserialize(deserializer)?;
+    let given = [
+        ("radius", table.radius.is_some()),
+        ("radius_x", table.radius_x.is_some()),
+        ("radius_y", table.radius_y.is_some()),
+    ];
+    match table.kind {
+        FormKind::Sphere => refuse_strays("sphere", &given, &["radius"])
+            .and_then(|()| Ok(Form::Sphere { radius: required("radius", table.radius)? })),
+        FormKind::Ellipsoid => refuse_strays("ellipsoid", &given, &["radius_x", "radius_y"]).and_then(|()| {
+            Ok(Form::Ellipsoid {
+                radius_x: required("radius_x", table.radius_x)?,
+                radius_y: required("radius_y", table.radius_y)?,
+            })
+        }),
+    }
+    .map_err(D::Error::custom)
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RoughnessTable {
+    kind: RoughnessKind,
+    rq: Option<f64>,
+    length_x: Option<f64>,
+    length_y: Option<f64>,
+    seed: Option<u64>,
+    path: Option<PathBuf>,
+}
+
+#[derive(Deserialize, Clone, Copy)]
+#[serde(rename_all = "snake_case")]
+enum RoughnessKind {
+    None,
+    Gaussian,
+    Exponential,
+    File,
+}
+
+const RANDOM: [&str; 4] = ["rq", "length_x", "length_y", "seed"];
+
+impl TryFrom<RoughnessTable> for Roughness {
+    type Error = String;
+
+    fn try_from(table: RoughnessTable) -> Result<Self, String> {
+        let given = [
+            ("rq", table.rq.is_some()),
+            ("length_x", table.length_x.is_some()),
+            ("length_y", table.length_y.is_some()),
+            ("seed", table.seed.is_some()),
+            ("path", table.path.is_some()),
+        ];
+        let random = |kind| {
+            refuse_strays(kind, &given, &RANDOM)?;
+            Ok::<_, String>(RandomRoughness {
+                rq: required("rq", table.rq)?,
+                length_x: required("length_x", table.length_x)?,
+                length_y: required("length_y", table.length_y)?,
+                seed: table.seed.unwrap_or_default(),
+            })
+        };
+        Ok(match table.kind {
+            RoughnessKind::None => {
+                refuse_strays("none", &given, &[])?;
+                Self::None
+            }
+            RoughnessKind::Gaussian => Self::Gaussian(random("gaussian")?),
+            RoughnessKind::Exponential => Self::Exponential(random("exponential")?),
+            RoughnessKind::File => {
+                refuse_strays("file", &given, &["path", "rq"])?;
+                Self::File(FileRoughness { path: required("path", table.path)?, rq: table.rq })
+            }
+        })
+    }
+}
+
+/// Exactly two numbers: the parser would drop further ones in silence.
+pub(super) fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; 2], D::Error> {
+    let edges = Vec::<f64>::deserialize(deserializer)?;
+    <[f64; 2]>::try_from(edges.as_slice())
+        .map_err(|_| D::Error::invalid_length(edges.len(), &"the two outer edges"))
+}
+
+fn refuse_strays(kind: &str, given: &[(&str, bool)], known: &[&str]) -> Result<(), String> {
+    match given.iter().find(|(key, present)| *present && !known.contains(key)) {
+        None => Ok(()),
+        Some((key, _)) => Err(match known {
+            [] => format!("unknown field `{key}`, kind = \"{kind}\" has no other fields"),
+            _ => format!("unknown field `{key}`, kind = \"{kind}\" has `{}`", known.join("`, `")),
+        }),
+    }
+}
+
+fn required<T>(key: &str, value: Option<T>) -> Result<T, String> {
+    value.ok_or_else(|| format!("missing field `{key}`"))
+}
