@@ -193,13 +193,12 @@ impl SimBuilder {
             Flash::On => true,
             Flash::Off => false,
             Flash::Auto => {
-                let radius = (contact.hertz.a_x * contact.hertz.a_y).sqrt();
                 let rise = estimate_maximum_rise(
                     [steel; 2],
                     speeds,
                     self.scene.friction.boundary_coefficient,
                     contact.hertz.p_max,
-                    radius,
+                    contact.hertz.radius,
                 )?;
                 rise >= NEGLIGIBLE_RISE
             }

@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
-use crate::analytic::HertzPoint;
+use crate::analytic::{HertzLine, HertzPoint};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::{FaceMobility, Scheme};
+use crate::sim::hertz::{HertzContact, LINE_LENGTH};
 use crate::surface::Form;
 
 /// Everything that defines a contact. All SI; every table that is absent is physics that is not modelled.
@@ -29,6 +30,7 @@ pub struct Scene {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lubricant: Option<LubricantSpec>,
     /// The grid.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::grid"))]
     pub grid: GridSpec,
     /// Roughness of the two bodies.
     #[cfg_attr(feature = "serde", serde(default))]
@@ -72,7 +74,7 @@ pub struct Load {
     /// Maximum Hertz pressure of the smooth contact \[Pa\].
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub hertz_pressure: Option<f64>,
-    /// Force \[N\].
+    /// Force \[N\]; of a line contact force per length \[N/m\].
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
 }
@@ -127,20 +129,34 @@ pub struct LubricantSpec {
     pub density_b: f64,
 }
 
-/// The grid by its box.
+/// The grid, or what is asked of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct GridSpec {
-    /// Cells along x.
-    pub nx: usize,
-    /// Cells along y.
-    pub ny: usize,
-    /// Outer edges along x \[m\]; the flow goes along +x.
-    #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::edges"))]
-    pub x: [f64; 2],
-    /// Outer edges along y \[m\].
-    #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::edges"))]
-    pub y: [f64; 2],
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(untagged))]
+pub enum GridSpec {
+    /// Cells that fill a box. A line contact is solved on one row of them: `ny` and `y` are checked and not used.
+    Cells {
+        /// Cells along x.
+        nx: usize,
+        /// Cells along y.
+        ny: usize,
+        /// Outer edges along x \[m\]; the flow goes along +x.
+        x: [f64; 2],
+        /// Outer edges along y \[m\].
+        y: [f64; 2],
+    },
+    /// The cells of a line contact.
+    Row {
+        /// Cells along x.
+        nx: usize,
+        /// Outer edges along x \[m\]; the flow goes along +x.
+        x: [f64; 2],
+    },
+    /// Box and cells are picked for a relative error of the central film (of the maximum pressure in a dry contact),
+    /// which is estimated from coarser grids; single smooth contacts only.
+    Accuracy {
+        /// Largest relative error.
+        accuracy: f64,
+    },
 }
 
 /// Roughness of ball and disc.
@@ -352,6 +368,8 @@ pub struct SolverSpec {
     pub face_mobility: Option<FaceMobility>,
     /// Film thickness at which solids touch \[m\].
     pub film_cutoff: f64,
+    /// Whether a dry contact may reach the edge of the box.
+    pub edge_contact: bool,
     /// Under-relaxation of the semi-system sweeps.
     pub relaxation: f64,
     /// Stiffening of the implicit deformation in the semi-system sweeps.
@@ -367,6 +385,7 @@ impl Default for SolverSpec {
             scheme: Scheme::default(),
             face_mobility: None,
             film_cutoff: 1e-9,
+            edge_contact: false,
             relaxation: 0.2,
             stiffness: 6.0,
         }
@@ -427,7 +446,7 @@ impl Scene {
                 density_a: 0.6e-9,
                 density_b: 1.7e-9,
             }),
-            grid: GridSpec { nx: n, ny: n, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] },
+            grid: GridSpec::Cells { nx: n, ny: n, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] },
             roughness: RoughnessPair { ball: random(20e-9, 1), disc: random(130e-9, 2) },
             plastic: Some(PlasticSpec { hardness: 6e9, film_hardness: Some(2e9) }),
             friction: FrictionSpec::default(),
@@ -445,36 +464,62 @@ impl Scene {
         self
     }
 
-    /// The grid.
+    /// The grid; of a line contact one row of cells one metre wide.
     ///
     /// # Errors
-    /// Counts or edges out of range.
+    /// Counts or edges out of range; a row for a point contact; an accuracy in place of a grid.
     pub fn grid(&self) -> Result<Grid, InputError> {
-        Grid::from_edges(self.grid.nx, self.grid.ny, self.grid.x, self.grid.y)
+        let row = |nx, x| Grid::from_edges(nx, 1, x, [-0.5 * LINE_LENGTH, 0.5 * LINE_LENGTH]);
+        let conflict = |field: &str, reason: &str| {
+            Err(InputError::Conflict { field: field.to_owned(), reason: reason.to_owned() })
+        };
+        match self.grid {
+            GridSpec::Cells { nx, ny, x, y } => {
+                let grid = Grid::from_edges(nx, ny, x, y)?;
+                if self.form.is_line() { row(nx, x) } else { Ok(grid) }
+            }
+            GridSpec::Row { nx, x } if self.form.is_line() => row(nx, x),
+            GridSpec::Row { .. } => conflict("grid", "ny and y are missing; only a cylinder needs none"),
+            GridSpec::Accuracy { .. } => conflict(
+                "grid.accuracy",
+                "only a single smooth contact picks its grid, this needs nx, ny, x and y",
+            ),
+        }
     }
 
     /// The Hertz contact of the smooth bodies.
     ///
     /// # Errors
     /// Form, modulus or load out of range, or both kinds of load, or none.
-    pub fn hertz(&self) -> Result<HertzPoint, InputError> {
+    pub fn hertz(&self) -> Result<HertzContact, InputError> {
         self.form.validate()?;
         let (radius_x, radius_y) = self.form.radii();
+        let line = self.form.is_line();
         let ratio = radius_x / radius_y;
         let largest = HertzPoint::MAX_RADIUS_RATIO;
-        let fits = (1.0 / largest..=largest).contains(&ratio);
+        let fits = line || (1.0 / largest..=largest).contains(&ratio);
         InputError::require(fits, "form.radius_x / form.radius_y", ratio, "between 1e-8 and 1e8")?;
         let modulus = self.elastic.equivalent_modulus;
         InputError::require_positive("elastic.equivalent_modulus", modulus)?;
         let (field, value, contact) = match (self.load.hertz_pressure, self.load.force) {
             (Some(pressure), None) => {
                 InputError::require_positive("load.hertz_pressure", pressure)?;
-                let contact = HertzPoint::from_max_pressure(radius_x, radius_y, modulus, pressure);
+                let contact = if line {
+                    HertzLine::from_max_pressure(radius_x, modulus, pressure).map(HertzContact::from)
+                } else {
+                    HertzPoint::from_max_pressure(radius_x, radius_y, modulus, pressure)
+                        .map(HertzContact::from)
+                };
                 ("load.hertz_pressure", pressure, contact)
             }
             (None, Some(force)) => {
                 InputError::require_positive("load.force", force)?;
-                ("load.force", force, HertzPoint::from_load(radius_x, radius_y, modulus, force))
+                let contact = if line {
+                    HertzLine::from_load(radius_x, modulus, force).map(HertzContact::from)
+                } else {
+                    HertzPoint::from_load(radius_x, radius_y, modulus, force).map(HertzContact::from)
+                };
+                ("load.force", force, contact)
             }
             (Some(pressure), Some(force)) => {
                 return Err(InputError::Conflict {
@@ -595,7 +640,7 @@ mod tables {
     use serde::de::Error;
     use serde::{Deserialize, Deserializer};
 
-    use super::{FileRoughness, RandomRoughness, Roughness};
+    use super::{FileRoughness, GridSpec, RandomRoughness, Roughness};
     use crate::surface::Form;
 
     #[derive(Deserialize)]
@@ -612,6 +657,7 @@ mod tables {
     enum FormKind {
         Sphere,
         Ellipsoid,
+        Cylinder,
     }
 
     pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D::Error> {
@@ -624,6 +670,8 @@ mod tables {
         match table.kind {
             FormKind::Sphere => refuse_strays("sphere", &given, &["radius"])
                 .and_then(|()| Ok(Form::Sphere { radius: required("radius", table.radius)? })),
+            FormKind::Cylinder => refuse_strays("cylinder", &given, &["radius"])
+                .and_then(|()| Ok(Form::Cylinder { radius: required("radius", table.radius)? })),
             FormKind::Ellipsoid => {
                 refuse_strays("ellipsoid", &given, &["radius_x", "radius_y"]).and_then(|()| {
                     Ok(Form::Ellipsoid {
@@ -634,6 +682,43 @@ mod tables {
             }
         }
         .map_err(D::Error::custom)
+    }
+
+    #[derive(Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct GridTable {
+        nx: Option<usize>,
+        ny: Option<usize>,
+        #[serde(default, deserialize_with = "edges")]
+        x: Option<[f64; 2]>,
+        #[serde(default, deserialize_with = "edges")]
+        y: Option<[f64; 2]>,
+        accuracy: Option<f64>,
+    }
+
+    pub(super) fn grid<'de, D: Deserializer<'de>>(deserializer: D) -> Result<GridSpec, D::Error> {
+        GridTable::deserialize(deserializer)?.into_spec().map_err(D::Error::custom)
+    }
+
+    impl GridTable {
+        fn into_spec(self) -> Result<GridSpec, String> {
+            let Self { nx, ny, x, y, accuracy } = self;
+            if let Some(accuracy) = accuracy {
+                let given =
+                    [("nx", nx.is_some()), ("ny", ny.is_some()), ("x", x.is_some()), ("y", y.is_some())];
+                return match given.iter().find(|(_, present)| *present) {
+                    Some((key, _)) => {
+                        Err(format!("`accuracy` stands in place of nx, ny, x and y, not with `{key}`"))
+                    }
+                    None => Ok(GridSpec::Accuracy { accuracy }),
+                };
+            }
+            let (nx, x) = (required("nx", nx)?, required("x", x)?);
+            if ny.is_none() && y.is_none() {
+                return Ok(GridSpec::Row { nx, x });
+            }
+            Ok(GridSpec::Cells { nx, ny: required("ny", ny)?, x, y: required("y", y)? })
+        }
     }
 
     #[derive(Deserialize)]
@@ -694,9 +779,10 @@ mod tables {
     }
 
     /// Exactly two numbers: the parser would drop further ones in silence.
-    pub(super) fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; 2], D::Error> {
+    fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 2]>, D::Error> {
         let edges = Vec::<f64>::deserialize(deserializer)?;
         <[f64; 2]>::try_from(edges.as_slice())
+            .map(Some)
             .map_err(|_| D::Error::invalid_length(edges.len(), &"the two outer edges"))
     }
 
