@@ -1,11 +1,13 @@
 //! Line contacts: kernel, dry contact, lubricated film.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
+use std::ops::ControlFlow;
+
 use stribeck::analytic::{HertzLine, LineFilmConditions, strip_displacement, strip_potential};
 use stribeck::elastic::{DeformationModel, LineHalfSpace};
 use stribeck::reynolds::Scheme;
-use stribeck::sim::scene::{GridSpec, SolverKind};
-use stribeck::sim::{ContactSolution, Scene, solve_contact};
+use stribeck::sim::scene::{Flash, GridSpec, SolverKind};
+use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, StepRecord, solve_contact};
 use stribeck::surface::Form;
 use stribeck::{Grid, Status};
 
@@ -194,6 +196,27 @@ fn edges(scene: &Scene) -> [f64; 2] {
         GridSpec::Row { x, .. } | GridSpec::Cells { x, .. } => x,
         GridSpec::Accuracy { .. } => [0.0; 2],
     }
+}
+
+/// A rough dry roller with everything that changes surfaces, a few steps.
+#[test]
+fn a_history_runs_on_a_row() {
+    let mut scene = Scene::azam_2019(16).with_tribofilm();
+    scene.form = Form::Cylinder { radius: 9.525e-3 };
+    scene.thermal.flash = Flash::On;
+    scene.solver.kind = SolverKind::Dry;
+    scene.grid = GridSpec::Row { nx: 256, x: [-0.25e-3, 0.25e-3] };
+    let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
+    let mut records = Vec::new();
+    sim.run(3, 60.0, &mut |_: &MixedLubricationSim, record: &StepRecord| {
+        records.push(*record);
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    assert_eq!(records.len(), 3);
+    assert!(sim.ledger_residual().unwrap() < 1e-20);
+    assert!(records[2].mean_film[1] > records[0].mean_film[1], "the film grows");
+    assert!((records[2].load_ratio - 1.0).abs() < 1e-9, "{}", records[2].load_ratio);
 }
 
 #[test]

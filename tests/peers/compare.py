@@ -24,6 +24,7 @@ ROOT = HERE.parent.parent
 PACKAGES = {"slippy": "peer_slippy.py", "tamaas": "peer_tamaas.py", "ContactMechanics": "peer_contact_mechanics.py"}
 MARKS = ("<!-- peers -->", "<!-- /peers -->")
 ONE_THREAD = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS", "PYFFTW_NUM_THREADS")}
+TIME_LIMIT = 900  # s for all the work of one package
 TASKS = [
     ("convolution", (128, 256, 512, 1024), "largest displacement / nm", 1e9),
     ("hertz", (128, 256), "largest pressure / GPa", 1e-9),
@@ -138,18 +139,36 @@ def peer(package, script, folder, python):
             reasons = [line for line in installed.stderr.splitlines() if "Error" in line or "error" in line]
             return f"does not install: {reasons[0].strip() if reasons else installed.stderr[-200:]}", {}
         (home / "installed").touch()
-    ended = run([home / "bin" / "python", HERE / script, folder], env={**os.environ, **ONE_THREAD}, cwd=folder)
+    worker, late = [home / "bin" / "python", HERE / script, folder], ""
+    # slippy leaves files where it runs.
+    place = folder / f"{package}_output"
+    place.mkdir(exist_ok=True)
+    output = place / "stdout"
+    with output.open("w") as out:
+        try:
+            ended = subprocess.run(
+                [str(part) for part in worker],
+                env={**os.environ, **ONE_THREAD},
+                cwd=place,
+                stdout=out,
+                stderr=subprocess.PIPE,
+                text=True,
+                check=False,
+                timeout=TIME_LIMIT,
+            )
+            if ended.returncode:
+                late = f" (worker failed: {ended.stderr.strip().splitlines()[-1]})"
+        except subprocess.TimeoutExpired:
+            late = f" (stopped after {TIME_LIMIT} s, what is missing did not end)"
     version, results = "unknown", {}
-    for line in ended.stdout.splitlines():
+    for line in output.read_text().splitlines():
         if line.startswith("RESULT "):
             row = json.loads(line.removeprefix("RESULT "))
             if row["task"] == "version":
                 version = row["note"]
             else:
                 results[row.pop("task"), row.pop("n")] = row
-    if ended.returncode:
-        version += f" (worker failed: {ended.stderr.strip().splitlines()[-1]})"
-    return version, results
+    return version + late, results
 
 
 def cell(row, scale):

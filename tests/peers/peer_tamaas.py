@@ -39,7 +39,7 @@ def capped(n):
     start = time.perf_counter()
     made = model(n)
     solver = tm.KatoSaturated(made, -gap("rough", n), 1e-9, CAP)
-    solver.max_iter = 5000
+    solver.max_iter = 2000
     periodic = ""
     try:
         solver.setIntegralOperator("dcfft")
