@@ -2,7 +2,7 @@
 
 use stribeck::reynolds::{FaceMobility, Scheme};
 use stribeck::sim::Scene;
-use stribeck::sim::scene::{Flash, Roughness};
+use stribeck::sim::scene::{Flash, GridSpec, Roughness};
 use stribeck::surface::RoughnessMotion;
 use stribeck::tribochem::Activation;
 use stribeck::wear::track_duty_factor;
@@ -124,7 +124,9 @@ pub(crate) const CHOICES: [Choice; 23] = [
         "box from -2.5 to 1.5 contact radii instead of centred (its mean wear is over a larger box)",
         |scene| {
             let Ok(hertz) = scene.hertz() else { return };
-            scene.grid.x = [-2.5 * hertz.a_x, 1.5 * hertz.a_x];
+            if let GridSpec::Cells { x, .. } = &mut scene.grid {
+                *x = [-2.5 * hertz.a_x, 1.5 * hertz.a_x];
+            }
         },
     ),
     flip("exponential", "exponential autocorrelation instead of Gaussian", |scene| {

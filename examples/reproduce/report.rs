@@ -198,8 +198,9 @@ fn wear_readings(page: &mut String, results: &Results) {
     );
     let scene = Scene::azam_2019(128);
     let areas = scene.hertz().map_or(f64::NAN, |hertz| {
-        let [width, depth] = [scene.grid.x, scene.grid.y].map(|edges| edges[1] - edges[0]);
-        width * depth / (PI * hertz.a_x * hertz.a_y)
+        scene
+            .grid()
+            .map_or(f64::NAN, |grid| grid.len() as f64 * grid.cell_area() / (PI * hertz.a_x * hertz.a_y))
     });
     let mut row = |reading: &str, without: f64, with: f64| {
         let ratio = with / without;

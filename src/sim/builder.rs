@@ -209,7 +209,7 @@ impl SimBuilder {
         let (thermal, motion) = (self.scene.thermal, self.scene.motion);
         let steel = ThermalBody { conductivity: thermal.conductivity, diffusivity: thermal.diffusivity };
         let speeds = motion.surface_speeds();
-        let radius = (contact.hertz.a_x * contact.hertz.a_y).sqrt();
+        let radius = contact.hertz.radius;
         let friction = self.scene.friction.boundary_coefficient;
         let estimate = estimate_maximum_rise([steel; 2], speeds, friction, contact.hertz.p_max, radius)?;
         let wanted = match thermal.flash {

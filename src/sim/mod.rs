@@ -3,11 +3,13 @@
 //! A [`Scene`] describes it, [`solve_contact`] solves its single contact, [`MixedLubricationSim`] runs its history.
 //! Every law can be replaced through the [builder](SimBuilder); an [`Observer`] sees every step.
 
+mod accuracy;
 mod body;
 mod builder;
 mod contact;
 mod error;
 mod friction;
+mod hertz;
 #[cfg(feature = "npz")]
 mod npz;
 mod observer;
@@ -18,10 +20,12 @@ mod simulation;
 mod step_control;
 mod yielding;
 
+pub use accuracy::ErrorEstimate;
 pub use body::Body;
 pub use builder::SimBuilder;
 pub use contact::{ContactNumbers, ContactSolution, FilmNumbers, solve_contact};
 pub use error::SimError;
+pub use hertz::HertzContact;
 #[cfg(feature = "npz")]
 pub use npz::write_npz;
 pub use observer::Observer;

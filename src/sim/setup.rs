@@ -1,10 +1,11 @@
 //! From a scene to the pieces of a contact problem.
 
 use super::SimError;
+use super::hertz::{HertzContact, LINE_LENGTH};
 use super::scene::{
     FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind, TribofilmSpec,
 };
-use crate::analytic::{FilmConditions, HertzPoint};
+use crate::analytic::{FilmConditions, LineFilmConditions};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, DowsonHigginson, Roelands, ViscosityLaw};
@@ -71,9 +72,9 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
 }
 
 /// Checks that the box holds the point of first touch and resolves the contact.
-pub(super) fn validate_box(grid: &Grid, hertz: &HertzPoint) -> Result<(), InputError> {
-    for (field, n) in [("grid.nx", grid.nx()), ("grid.ny", grid.ny())] {
-        InputError::require(n >= 5, field, n as f64, "at least 5 for a contact solve")?;
+pub(super) fn validate_box(grid: &Grid, hertz: &HertzContact, is_line: bool) -> Result<(), InputError> {
+    for (field, n, free) in [("grid.nx", grid.nx(), false), ("grid.ny", grid.ny(), is_line)] {
+        InputError::require(free || n >= 5, field, n as f64, "at least 5 for a contact solve")?;
     }
     let axes = [
         ("grid.x", grid.x(0) - 0.5 * grid.dx(), grid.size_x()),
@@ -105,8 +106,9 @@ pub(super) fn validate_box(grid: &Grid, hertz: &HertzPoint) -> Result<(), InputE
 }
 
 /// Checks that a uniform `hardness` \[Pa\] can carry the load; the outermost nodes carry none.
-pub(super) fn validate_hardness(hardness: f64, grid: &Grid, hertz: &HertzPoint) -> Result<(), InputError> {
-    let nodes = grid.nx().saturating_sub(2) * grid.ny().saturating_sub(2);
+pub(super) fn validate_hardness(hardness: f64, grid: &Grid, hertz: &HertzContact) -> Result<(), InputError> {
+    let rows = if grid.ny() == 1 { 1 } else { grid.ny().saturating_sub(2) };
+    let nodes = grid.nx().saturating_sub(2) * rows;
     let largest = hardness * nodes as f64 * grid.cell_area();
     if nodes == 0 || hertz.load < largest {
         return Ok(());
@@ -233,9 +235,12 @@ pub(super) fn density(scene: &Scene) -> Result<Option<Box<dyn DensityLaw>>, Inpu
 
 /// The solver of the scene.
 pub(super) fn solver(scene: &Scene) -> Result<Box<dyn ContactSolver>, InputError> {
+    let edge_contact = scene.solver.edge_contact;
     Ok(match scene.solver.kind {
-        SolverKind::Auto => Box::new(Auto::new()) as Box<dyn ContactSolver>,
+        SolverKind::Auto if edge_contact => Box::new(Auto::allowing_edge_contact()) as Box<dyn ContactSolver>,
+        SolverKind::Auto => Box::new(Auto::new()),
         SolverKind::NewtonKrylov => Box::new(NewtonKrylov::new()),
+        SolverKind::Dry if edge_contact => Box::new(Dry::allowing_edge_contact()),
         SolverKind::Dry => Box::new(Dry::new()),
         SolverKind::SemiSystem => Box::new(SemiSystem::new(scene.solver.relaxation, scene.solver.stiffness)?),
     })
@@ -248,20 +253,52 @@ pub(super) fn stopping_rule(scene: &Scene) -> Result<StoppingRule, InputError> {
     Ok(rule)
 }
 
-/// Conditions of the film formulas; none without a lubricant.
-pub(super) fn film_conditions(
+/// What the film formulas make of a scene.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FormulaFilm {
+    /// Moes parameters `(M, L)`.
+    pub(super) moes: (f64, f64),
+    /// Central film, Hamrock and Dowson of a point contact, Dowson and Toyoda of a line contact \[m\].
+    pub(super) central: f64,
+}
+
+/// The film formulas; none without a lubricant.
+pub(super) fn formula_film(
     scene: &Scene,
-    hertz: &HertzPoint,
+    hertz: &HertzContact,
     viscosity: Option<&dyn ViscosityLaw>,
-) -> Option<FilmConditions> {
-    let law = viscosity?;
-    Some(FilmConditions {
-        entrainment_speed: scene.motion.entrainment_speed,
-        viscosity: law.viscosity(0.0),
-        pressure_viscosity: law.log_slope(0.0),
-        equivalent_modulus: scene.elastic.equivalent_modulus,
-        radius: scene.form.radii().0,
-        load: hertz.load,
-        ellipticity: hertz.a_y / hertz.a_x,
-    })
+) -> Result<Option<FormulaFilm>, InputError> {
+    let Some(law) = viscosity else { return Ok(None) };
+    let (entrainment_speed, equivalent_modulus) =
+        (scene.motion.entrainment_speed, scene.elastic.equivalent_modulus);
+    let (viscosity, pressure_viscosity) = (law.viscosity(0.0), law.log_slope(0.0));
+    let (radius, load) = (scene.form.radii().0, hertz.load);
+    Ok(Some(if scene.form.is_line() {
+        let line = LineFilmConditions {
+            entrainment_speed,
+            viscosity,
+            pressure_viscosity,
+            equivalent_modulus,
+            radius,
+            load: load / LINE_LENGTH,
+        };
+        FormulaFilm {
+            moes: (line.moes_load(), line.moes_lubricant()),
+            central: line.dowson_toyoda_central()?,
+        }
+    } else {
+        let point = FilmConditions {
+            entrainment_speed,
+            viscosity,
+            pressure_viscosity,
+            equivalent_modulus,
+            radius,
+            load,
+            ellipticity: hertz.a_y / hertz.a_x,
+        };
+        FormulaFilm {
+            moes: (point.moes_load(), point.moes_lubricant()),
+            central: point.hamrock_dowson_central()?,
+        }
+    }))
 }

@@ -7,12 +7,12 @@ use super::body::Body;
 use super::builder::SimBuilder;
 use super::contact::{ContactModel, contact_numbers, film_numbers};
 use super::friction::FrictionFields;
+use super::hertz::HertzContact;
 use super::observer::Observer;
 use super::record::StepRecord;
 use super::scene::Scene;
 use super::step_control::StepControl;
 use super::yielding::Yielding;
-use crate::analytic::HertzPoint;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::metrics;
@@ -194,7 +194,7 @@ impl MixedLubricationSim {
     }
 
     /// Hertz contact of the smooth bodies.
-    pub fn hertz(&self) -> HertzPoint {
+    pub fn hertz(&self) -> HertzContact {
         self.contact.hertz
     }
 
@@ -511,7 +511,7 @@ impl MixedLubricationSim {
             composite_rq,
             average_film: film.mean_central,
             lambda: over_rq(film.mean_central),
-            lambda_old: over_rq(self.contact.formula_film),
+            lambda_old: over_rq(self.contact.formula_film()),
             area_ratio: contact.area_ratio,
             load_ratio: contact.load_ratio,
             max_pressure: contact.max_pressure,

@@ -10,10 +10,11 @@ use std::path::PathBuf;
 
 pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec, WearSpec};
 
-use crate::analytic::HertzPoint;
+use crate::analytic::{HertzLine, HertzPoint};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::{FaceMobility, Scheme};
+use crate::sim::hertz::{HertzContact, LINE_LENGTH};
 use crate::surface::Form;
 
 /// Everything that defines a contact. All SI; every table that is absent is physics that is not modelled.
@@ -37,6 +38,7 @@ pub struct Scene {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lubricant: Option<LubricantSpec>,
     /// The grid.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::grid"))]
     pub grid: GridSpec,
     /// Roughness of the two bodies.
     #[cfg_attr(feature = "serde", serde(default))]
@@ -80,7 +82,7 @@ pub struct Load {
     /// Maximum Hertz pressure of the smooth contact \[Pa\].
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub hertz_pressure: Option<f64>,
-    /// Force \[N\].
+    /// Force \[N\]; of a line contact force per length \[N/m\].
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
 }
@@ -135,20 +137,34 @@ pub struct LubricantSpec {
     pub density_b: f64,
 }
 
-/// The grid by its box.
+/// The grid, or what is asked of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct GridSpec {
-    /// Cells along x.
-    pub nx: usize,
-    /// Cells along y.
-    pub ny: usize,
-    /// Outer edges along x \[m\]; the flow goes along +x.
-    #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::edges"))]
-    pub x: [f64; 2],
-    /// Outer edges along y \[m\].
-    #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::edges"))]
-    pub y: [f64; 2],
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(untagged))]
+pub enum GridSpec {
+    /// Cells that fill a box. A line contact is solved on one row of them: `ny` and `y` are checked and not used.
+    Cells {
+        /// Cells along x.
+        nx: usize,
+        /// Cells along y.
+        ny: usize,
+        /// Outer edges along x \[m\]; the flow goes along +x.
+        x: [f64; 2],
+        /// Outer edges along y \[m\].
+        y: [f64; 2],
+    },
+    /// The cells of a line contact.
+    Row {
+        /// Cells along x.
+        nx: usize,
+        /// Outer edges along x \[m\]; the flow goes along +x.
+        x: [f64; 2],
+    },
+    /// Box and cells are picked for a relative error of the central film (of the maximum pressure in a dry contact),
+    /// which is estimated from coarser grids; single smooth contacts only.
+    Accuracy {
+        /// Largest relative error.
+        accuracy: f64,
+    },
 }
 
 /// Roughness of ball and disc.
@@ -242,6 +258,8 @@ pub struct SolverSpec {
     pub face_mobility: Option<FaceMobility>,
     /// Film thickness at which solids touch \[m\].
     pub film_cutoff: f64,
+    /// Whether a dry contact may reach the edge of the box.
+    pub edge_contact: bool,
     /// Under-relaxation of the semi-system sweeps.
     pub relaxation: f64,
     /// Stiffening of the implicit deformation in the semi-system sweeps.
@@ -257,6 +275,7 @@ impl Default for SolverSpec {
             scheme: Scheme::default(),
             face_mobility: None,
             film_cutoff: 1e-9,
+            edge_contact: false,
             relaxation: 0.2,
             stiffness: 6.0,
         }
@@ -317,7 +336,7 @@ impl Scene {
                 density_a: 0.6e-9,
                 density_b: 1.7e-9,
             }),
-            grid: GridSpec { nx: n, ny: n, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] },
+            grid: GridSpec::Cells { nx: n, ny: n, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] },
             roughness: RoughnessPair { ball: random(20e-9, 1), disc: random(130e-9, 2) },
             plastic: Some(PlasticSpec { hardness: 6e9, film_hardness: Some(2e9), hardening_modulus: None }),
             friction: FrictionSpec::default(),
@@ -335,36 +354,62 @@ impl Scene {
         self
     }
 
-    /// The grid.
+    /// The grid; of a line contact one row of cells one metre wide.
     ///
     /// # Errors
-    /// Counts or edges out of range.
+    /// Counts or edges out of range; a row for a point contact; an accuracy in place of a grid.
     pub fn grid(&self) -> Result<Grid, InputError> {
-        Grid::from_edges(self.grid.nx, self.grid.ny, self.grid.x, self.grid.y)
+        let row = |nx, x| Grid::from_edges(nx, 1, x, [-0.5 * LINE_LENGTH, 0.5 * LINE_LENGTH]);
+        let conflict = |field: &str, reason: &str| {
+            Err(InputError::Conflict { field: field.to_owned(), reason: reason.to_owned() })
+        };
+        match self.grid {
+            GridSpec::Cells { nx, ny, x, y } => {
+                let grid = Grid::from_edges(nx, ny, x, y)?;
+                if self.form.is_line() { row(nx, x) } else { Ok(grid) }
+            }
+            GridSpec::Row { nx, x } if self.form.is_line() => row(nx, x),
+            GridSpec::Row { .. } => conflict("grid", "ny and y are missing; only a cylinder needs none"),
+            GridSpec::Accuracy { .. } => conflict(
+                "grid.accuracy",
+                "only a single smooth contact picks its grid, this needs nx, ny, x and y",
+            ),
+        }
     }
 
     /// The Hertz contact of the smooth bodies.
     ///
     /// # Errors
     /// Form, modulus or load out of range, or both kinds of load, or none.
-    pub fn hertz(&self) -> Result<HertzPoint, InputError> {
+    pub fn hertz(&self) -> Result<HertzContact, InputError> {
         self.form.validate()?;
         let (radius_x, radius_y) = self.form.radii();
+        let line = self.form.is_line();
         let ratio = radius_x / radius_y;
         let largest = HertzPoint::MAX_RADIUS_RATIO;
-        let fits = (1.0 / largest..=largest).contains(&ratio);
+        let fits = line || (1.0 / largest..=largest).contains(&ratio);
         InputError::require(fits, "form.radius_x / form.radius_y", ratio, "between 1e-8 and 1e8")?;
         let modulus = self.elastic.equivalent_modulus;
         InputError::require_positive("elastic.equivalent_modulus", modulus)?;
         let (field, value, contact) = match (self.load.hertz_pressure, self.load.force) {
             (Some(pressure), None) => {
                 InputError::require_positive("load.hertz_pressure", pressure)?;
-                let contact = HertzPoint::from_max_pressure(radius_x, radius_y, modulus, pressure);
+                let contact = if line {
+                    HertzLine::from_max_pressure(radius_x, modulus, pressure).map(HertzContact::from)
+                } else {
+                    HertzPoint::from_max_pressure(radius_x, radius_y, modulus, pressure)
+                        .map(HertzContact::from)
+                };
                 ("load.hertz_pressure", pressure, contact)
             }
             (None, Some(force)) => {
                 InputError::require_positive("load.force", force)?;
-                ("load.force", force, HertzPoint::from_load(radius_x, radius_y, modulus, force))
+                let contact = if line {
+                    HertzLine::from_load(radius_x, modulus, force).map(HertzContact::from)
+                } else {
+                    HertzPoint::from_load(radius_x, radius_y, modulus, force).map(HertzContact::from)
+                };
+                ("load.force", force, contact)
             }
             (Some(pressure), Some(force)) => {
                 return Err(InputError::Conflict {

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 
-use super::{FileRoughness, RandomRoughness, Roughness};
+use super::{FileRoughness, GridSpec, RandomRoughness, Roughness};
 use crate::surface::Form;
 
 #[derive(Deserialize)]
@@ -23,6 +23,7 @@ struct FormTable {
 enum FormKind {
     Sphere,
     Ellipsoid,
+    Cylinder,
 }
 
 pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D::Error> {
@@ -35,6 +36,8 @@ pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D
     match table.kind {
         FormKind::Sphere => refuse_strays("sphere", &given, &["radius"])
             .and_then(|()| Ok(Form::Sphere { radius: required("radius", table.radius)? })),
+        FormKind::Cylinder => refuse_strays("cylinder", &given, &["radius"])
+            .and_then(|()| Ok(Form::Cylinder { radius: required("radius", table.radius)? })),
         FormKind::Ellipsoid => refuse_strays("ellipsoid", &given, &["radius_x", "radius_y"]).and_then(|()| {
             Ok(Form::Ellipsoid {
                 radius_x: required("radius_x", table.radius_x)?,
@@ -43,6 +46,42 @@ pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D
         }),
     }
     .map_err(D::Error::custom)
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct GridTable {
+    nx: Option<usize>,
+    ny: Option<usize>,
+    #[serde(default, deserialize_with = "edges")]
+    x: Option<[f64; 2]>,
+    #[serde(default, deserialize_with = "edges")]
+    y: Option<[f64; 2]>,
+    accuracy: Option<f64>,
+}
+
+pub(super) fn grid<'de, D: Deserializer<'de>>(deserializer: D) -> Result<GridSpec, D::Error> {
+    GridTable::deserialize(deserializer)?.into_spec().map_err(D::Error::custom)
+}
+
+impl GridTable {
+    fn into_spec(self) -> Result<GridSpec, String> {
+        let Self { nx, ny, x, y, accuracy } = self;
+        if let Some(accuracy) = accuracy {
+            let given = [("nx", nx.is_some()), ("ny", ny.is_some()), ("x", x.is_some()), ("y", y.is_some())];
+            return match given.iter().find(|(_, present)| *present) {
+                Some((key, _)) => {
+                    Err(format!("`accuracy` stands in place of nx, ny, x and y, not with `{key}`"))
+                }
+                None => Ok(GridSpec::Accuracy { accuracy }),
+            };
+        }
+        let (nx, x) = (required("nx", nx)?, required("x", x)?);
+        if ny.is_none() && y.is_none() {
+            return Ok(GridSpec::Row { nx, x });
+        }
+        Ok(GridSpec::Cells { nx, ny: required("ny", ny)?, x, y: required("y", y)? })
+    }
 }
 
 #[derive(Deserialize)]
@@ -103,9 +142,10 @@ impl TryFrom<RoughnessTable> for Roughness {
 }
 
 /// Exactly two numbers: the parser would drop further ones in silence.
-pub(super) fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; 2], D::Error> {
+fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 2]>, D::Error> {
     let edges = Vec::<f64>::deserialize(deserializer)?;
     <[f64; 2]>::try_from(edges.as_slice())
+        .map(Some)
         .map_err(|_| D::Error::invalid_length(edges.len(), &"the two outer edges"))
 }
 
