@@ -64,7 +64,7 @@
 //!
 //! # Features
 //!
-//! None by default. `serde`: scenes as TOML. `formats`: x3p and npy surfaces. `npz`: fields as NumPy archives.
+//! None by default. `serde`: scenes as TOML. `formats`: files of measured surfaces. `npz`: fields as NumPy archives.
 #![forbid(unsafe_code)]
 
 pub mod analytic;
