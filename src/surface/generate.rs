@@ -6,9 +6,9 @@ use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 use rustfft::FftDirection;
 
-use super::fft::Fft2;
 use crate::error::InputError;
 use crate::grid::Grid;
+use crate::numerics::Fft2;
 
 /// Shape of the autocorrelation function, with `s^2 = (x/length_x)^2 + (y/length_y)^2`.
 ///

@@ -12,7 +12,6 @@
 //! Heights are in metres and point out of the body: a positive height narrows the gap.
 
 mod error;
-mod fft;
 mod form;
 #[cfg(feature = "formats")]
 mod format;
