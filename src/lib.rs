@@ -68,6 +68,7 @@
 #![forbid(unsafe_code)]
 
 pub mod analytic;
+mod boundary;
 pub mod elastic;
 mod error;
 mod grid;
@@ -84,6 +85,7 @@ pub mod tribochem;
 pub mod wear;
 
 // What every room speaks of.
+pub use boundary::Boundary;
 pub use error::InputError;
 pub use grid::Grid;
 pub use report::{NotConverged, Residuals, SolveReport, Status, Work};

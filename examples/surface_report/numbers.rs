@@ -2,11 +2,10 @@
 
 use serde_json::{Map, Value, json};
 use stribeck::metrics::{
-    AreaCorrelation, BearingCurve, Boundary, HybridParameters, SpatialParameters, height_statistics,
-    hybrid_parameters,
+    AreaCorrelation, BearingCurve, HybridParameters, SpatialParameters, height_statistics, hybrid_parameters,
 };
 use stribeck::surface::{Heights, SurfaceError};
-use stribeck::{Grid, InputError};
+use stribeck::{Boundary, Grid, InputError};
 
 /// Value of the autocorrelation at which Sal and Str are read.
 const THRESHOLD: f64 = 0.2;

@@ -6,9 +6,9 @@ use std::path::Path;
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
-use stribeck::Grid;
-use stribeck::metrics::{Axis, Boundary, Spectrum, height_histogram, profile_spectrum, radial_spectrum};
+use stribeck::metrics::{Axis, Spectrum, height_histogram, profile_spectrum, radial_spectrum};
 use stribeck::surface::Heights;
+use stribeck::{Boundary, Grid};
 
 use crate::numbers::{Numbers, defined_heights};
 
@@ -18,10 +18,11 @@ const SIZE: (u32, u32) = (1100, 900);
 const TITLE_FONT: u32 = 22;
 const FONT: u32 = 15;
 /// Most squares along a side of a map.
-const SQUARES: usize = 150;
+const SQUARES: usize = 100;
 /// Most points of a curve.
 const POINTS: usize = 400;
 const CLASSES: usize = 60;
+const CUBIC_NANOMETRES: f64 = 1e27;
 /// Blue, vermilion and green of the palette of Okabe and Ito.
 const BLUE: RGBColor = RGBColor(0, 114, 178);
 const VERMILION: RGBColor = RGBColor(213, 94, 0);
@@ -159,11 +160,11 @@ fn draw_spectra(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
     let Some((along_x, along_y, radial)) = spectra(surface, grid) else {
         return note(area, "no spectrum: too few points");
     };
-    // profiles in m^3; the ring average times the wavenumber over pi has the same unit
-    let radial = positive_points(&radial, |q, c| q * c / std::f64::consts::PI);
+    // profiles in nm^3; the ring average times the wavenumber over pi has the same unit
+    let radial = positive_points(&radial, |q, c| q * c / std::f64::consts::PI * CUBIC_NANOMETRES);
     let lines = [
-        ("profiles along x", BLUE, positive_points(&along_x, |_, c| c)),
-        ("profiles along y", VERMILION, positive_points(&along_y, |_, c| c)),
+        ("profiles along x", BLUE, positive_points(&along_x, |_, c| c * CUBIC_NANOMETRES)),
+        ("profiles along y", VERMILION, positive_points(&along_y, |_, c| c * CUBIC_NANOMETRES)),
         ("q/pi times radial mean", GREEN, radial),
     ];
     let all = || lines.iter().flat_map(|(_, _, points)| points);
@@ -185,7 +186,7 @@ fn draw_spectra(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
     chart
         .configure_mesh()
         .x_desc("wavenumber (1/m)")
-        .y_desc("density (m^3)")
+        .y_desc("density (nm^3)")
         .x_label_formatter(&power)
         .y_label_formatter(&power)
         .light_line_style(WHITE)

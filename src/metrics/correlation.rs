@@ -4,18 +4,10 @@ use num_complex::Complex64;
 use rustfft::FftDirection;
 
 use super::mask::Mask;
+use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::Fft2;
-
-/// What lies beyond the edges of a surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Boundary {
-    /// Nothing is known: only points inside are paired.
-    Open,
-    /// The surface repeats.
-    Periodic,
-}
 
 /// Normalised autocorrelation for lags up to half the surface, 1 at lag zero.
 ///
@@ -48,7 +40,7 @@ impl AreaCorrelation {
     /// Slices that do not fit the grid, a defined height that is not finite, heights that are all equal.
     ///
     /// ```
-    /// use stribeck::{Grid, metrics::{AreaCorrelation, Boundary}};
+    /// use stribeck::{Boundary, Grid, metrics::AreaCorrelation};
     /// let grid = Grid::centred(32, 1, 1e-6, 1e-6)?;
     /// let wave: Vec<f64> = (0..32).map(|i| (f64::from(i) * std::f64::consts::TAU / 8.0).sin()).collect();
     /// let correlation = AreaCorrelation::new(&grid, &wave, None, Boundary::Periodic)?;
@@ -137,7 +129,7 @@ impl AreaCorrelation {
     /// A threshold that is not between 0 and 1.
     ///
     /// ```
-    /// use stribeck::{Grid, metrics::{AreaCorrelation, Boundary}};
+    /// use stribeck::{Boundary, Grid, metrics::AreaCorrelation};
     /// use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
     /// let grid = Grid::centred(256, 256, 1e-6, 1e-6)?;
     /// let spec = RoughnessSpec {

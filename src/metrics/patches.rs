@@ -1,6 +1,6 @@
 //! Patches of contact.
 
-use super::correlation::Boundary;
+use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::grid::Grid;
 
@@ -32,7 +32,7 @@ pub struct ContactPatches {
 /// Flags that do not fit the grid.
 ///
 /// ```
-/// use stribeck::{Grid, metrics::{Boundary, contact_patches}};
+/// use stribeck::{Boundary, Grid, metrics::contact_patches};
 /// let grid = Grid::centred(4, 2, 1.0, 1.0)?;
 /// let flags = [true, true, false, false, false, false, false, true].to_vec();
 /// let patches = contact_patches(&grid, &flags, Boundary::Open)?;

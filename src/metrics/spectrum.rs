@@ -3,8 +3,8 @@
 use num_complex::Complex64;
 use rustfft::FftDirection;
 
-use super::correlation::Boundary;
 use super::roughness::require_heights;
+use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::Fft2;
@@ -41,7 +41,7 @@ pub struct Spectrum {
 /// Heights that do not fit the grid or are not finite, a grid with fewer than 4 nodes along an axis.
 ///
 /// ```
-/// use stribeck::{Grid, metrics::{Boundary, radial_spectrum}};
+/// use stribeck::{Boundary, Grid, metrics::radial_spectrum};
 /// let grid = Grid::centred(64, 64, 1e-6, 1e-6)?;
 /// let wave: Vec<f64> = grid.nodes().map(|(x, _)| 1e-9 * (x * std::f64::consts::TAU / 8e-6).sin()).collect();
 /// let spectrum = radial_spectrum(&grid, &wave, Boundary::Periodic)?;
@@ -87,7 +87,7 @@ pub fn radial_spectrum(grid: &Grid, heights: &[f64], boundary: Boundary) -> Resu
 /// Heights that do not fit the grid or are not finite, fewer than 4 nodes along the axis.
 ///
 /// ```
-/// use stribeck::{Grid, metrics::{Axis, Boundary, profile_spectrum}};
+/// use stribeck::{Boundary, Grid, metrics::{Axis, profile_spectrum}};
 /// let grid = Grid::centred(64, 4, 1e-6, 1e-6)?;
 /// let wave: Vec<f64> = grid.nodes().map(|(x, _)| 1e-9 * (x * std::f64::consts::TAU / 8e-6).sin()).collect();
 /// let spectrum = profile_spectrum(&grid, &wave, Axis::X, Boundary::Periodic)?;

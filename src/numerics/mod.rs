@@ -5,7 +5,7 @@ mod fft;
 mod gmres;
 mod sparse_lu;
 
-pub(crate) use convolution::{Convolution, ConvolutionPlan};
+pub(crate) use convolution::{Convolution, ConvolutionPlan, fast_length};
 pub(crate) use fft::Fft2;
 pub(crate) use gmres::{Gmres, PreconditionedOperator};
 pub(crate) use sparse_lu::{GridLu, STENCIL};

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`Form`] | undeformed gap of the smooth bodies |
 //! | [`RoughnessSpec`], [`generate`] | random roughness of a given height and correlation length |
+//! | [`RandomSurface`] | the same with more choice: self-affine, skewed, open, ensemble height |
 //! | [`Heights`] | a measured surface: levelling, filling of holes, transfer to a grid |
 //! | `read`, `read_bytes` (feature `formats`) | instrument files: x3p, sur, sdf, plu, al3d, npy, text |
 //! | `write_x3p`, `write_npy`, `write_text` (feature `formats`) | files that come back bit by bit |
@@ -16,6 +17,7 @@ mod form;
 #[cfg(feature = "formats")]
 mod format;
 mod generate;
+mod johnson;
 mod measured;
 mod motion;
 mod resample;
@@ -25,7 +27,10 @@ pub use error::SurfaceError;
 pub use form::Form;
 #[cfg(feature = "formats")]
 pub use format::{read, read_bytes, write_npy, write_text, write_x3p};
-pub use generate::{Autocorrelation, RoughnessSpec, generate};
+pub use generate::{
+    Autocorrelation, HeightDistribution, HeightScale, RandomShape, RandomSurface, RoughnessSpec, SelfAffine,
+    Synthesis, generate,
+};
 pub use measured::Heights;
 pub use motion::{RoughnessMotion, add_shifted, copy_shifted};
 pub use unit::LengthUnit;
