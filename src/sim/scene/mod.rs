@@ -230,8 +230,9 @@ pub struct RandomRoughness {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct FileRoughness {
-    /// Path, relative to the scene file. A `.npy` of shape (ny, nx) is taken node by node, heights in metres,
-    /// positive out of the body; a file with spacings is levelled, mirror-tiled and resampled to the grid.
+    /// Path, relative to the scene file, in any format of [`crate::surface`]. A file without spacings (`.npy` of shape
+    /// (ny, nx)) is taken node by node, heights in metres, positive out of the body; one with spacings is levelled,
+    /// mirror-tiled and resampled to the grid.
     pub path: PathBuf,
     /// Root mean square height to rescale to \[m\].
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
