@@ -228,9 +228,11 @@ impl BlockPreconditioner {
         if problem.lubricant.is_none() {
             return Ok(());
         }
+        // On a line the inverse of the logarithmic kernel is too poor for that.
+        let by_film = coupled.fluid.grid.ny() > 1;
         for (k, kind) in coupled.kinds.iter().enumerate() {
             self.kinds[k] = *kind;
-            if kind.is_open_fluid() && coupled.fluid.flow_ratio(k, coupled.near) < STIFF {
+            if by_film && kind.is_open_fluid() && coupled.fluid.flow_ratio(k, coupled.near) < STIFF {
                 self.kinds[k].fluid = Fluid::AtLimit;
             }
         }
