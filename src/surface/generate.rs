@@ -413,9 +413,9 @@ fn autocorrelation_field(
     for j in 0..=ny / 2 {
         let y = j as f64 * grid.dy() / length_y;
         let row = &mut field[j * nx..(j + 1) * nx];
-        for i in 0..=nx / 2 {
+        for (i, node) in row[..=nx / 2].iter_mut().enumerate() {
             let x = i as f64 * grid.dx() / length_x;
-            row[i] = Complex64::new(autocorrelation.at(x * x + y * y), 0.0);
+            *node = Complex64::new(autocorrelation.at(x * x + y * y), 0.0);
         }
         for i in nx / 2 + 1..nx {
             row[i] = row[nx - i];
