@@ -104,7 +104,7 @@ struct Scene {
 impl Scene {
     fn new(nx: usize, ny: usize, rq: f64) -> Self {
         let hertz = HertzPoint::from_max_pressure(9.525e-3, 9.525e-3, 229.67e9, 1.15e9).unwrap();
-        let half = 1.7 * hertz.a_x;
+        let half = 3.0 * hertz.a_x;
         let grid = Grid::from_edges(nx, ny, [-half, half], [-half, half]).unwrap();
         let spec = RoughnessSpec {
             autocorrelation: Autocorrelation::Gaussian,
