@@ -64,10 +64,12 @@
 //!
 //! # Features
 //!
-//! None by default. `serde`: scenes as TOML. `formats`: x3p and npy surfaces. `npz`: fields as NumPy archives.
+//! None by default. `serde`: scenes as TOML. `formats`: files of measured surfaces. `npz`: fields as NumPy archives. `testing`:
+//! conformance of own laws and solvers. `fit`: constants of growth laws from measured films.
 #![forbid(unsafe_code)]
 
 pub mod analytic;
+mod boundary;
 pub mod elastic;
 mod error;
 mod grid;
@@ -80,10 +82,13 @@ pub mod reynolds;
 mod rubbing;
 pub mod sim;
 pub mod surface;
+#[cfg(feature = "testing")]
+pub mod testing;
 pub mod tribochem;
 pub mod wear;
 
 // What every room speaks of.
+pub use boundary::Boundary;
 pub use error::InputError;
 pub use grid::Grid;
 pub use report::{NotConverged, Residuals, SolveReport, Status, Work};

@@ -11,7 +11,7 @@ Two hours of a rough ball on a rough disc, with and without a ZDDP tribofilm (Az
 usage: cargo run --release --example mtm_zddp -- [options]
 
   --quick         64 x 64 nodes, 24 steps of 10 s instead of 128 x 128 nodes, 720 steps of 10 s
-  --surface FILE  measured surface of the disc: .x3p, or .npy with the heights of the grid in metres
+  --surface FILE  measured surface of the disc: x3p, sur, sdf, plu, al3d, text, or npy with the heights of the grid in metres
   --seed N        seed of both roughnesses and of their motion (default 1)
   --steps N       number of steps
   --grid N        nodes along each side of the grid

@@ -4,20 +4,38 @@
 //! |---|---|
 //! | roughness | [`height_statistics`], [`composite_rq`] |
 //! | bearing | [`BearingCurve`], [`CoreParameters`], [`VolumeParameters`] (ISO 25178-2) |
+//! | histogram | [`HeightHistogram`] |
+//! | hybrid | [`HybridParameters`]: gradient and developed area (ISO 25178-2) |
+//! | correlation | [`AreaCorrelation`], [`SpatialParameters`] (ISO 25178-2) |
+//! | spectrum | [`radial_spectrum`], [`profile_spectrum`] |
 //! | film | [`average_central_film`], [`minimum_film`], [`minimum_gap`], [`lambda_ratio`] |
-//! | contact | [`contact_statistics`] |
+//! | contact | [`contact_statistics`], [`peak`] |
+//! | patches | [`contact_patches`] |
 //! | friction | [`viscous_shear_into`], [`friction_coefficient`] |
 //!
 //! Nothing here knows a solver: the fields may come from a simulation, a file or a measurement.
 
 mod bearing;
 mod contact;
+mod correlation;
 mod film;
 mod friction;
+mod histogram;
+mod hybrid;
+mod mask;
+mod patches;
+mod peak;
 mod roughness;
+mod spectrum;
 
 pub use bearing::{BearingCurve, CoreParameters, VolumeParameters};
 pub use contact::{ContactStatistics, contact_statistics};
+pub use correlation::{AreaCorrelation, SpatialParameters};
 pub use film::{average_central_film, lambda_ratio, minimum_film, minimum_gap};
 pub use friction::{friction_coefficient, viscous_shear_into};
+pub use histogram::{HeightHistogram, height_histogram};
+pub use hybrid::{HybridParameters, hybrid_parameters};
+pub use patches::{ContactPatches, contact_patches};
+pub use peak::peak;
 pub use roughness::{HeightStatistics, composite_rq, height_statistics};
+pub use spectrum::{Axis, Spectrum, profile_spectrum, radial_spectrum};

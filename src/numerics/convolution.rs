@@ -36,7 +36,7 @@ impl fmt::Debug for ConvolutionPlan {
 }
 
 /// The smallest even number >= `n` with prime factors 2, 3 and 5 alone.
-fn fast_length(n: usize) -> usize {
+pub(crate) fn fast_length(n: usize) -> usize {
     let mut candidate = n.max(2).next_multiple_of(2);
     loop {
         let mut rest = candidate;

@@ -1,9 +1,11 @@
-//! Numerical tools shared by the rooms above: convolution on the doubled grid, sparse LU, GMRES.
+//! Numerical tools shared by the rooms above: convolution on the doubled grid, periodic transforms, sparse LU, GMRES.
 
 mod convolution;
+mod fft;
 mod gmres;
 mod grid_lu;
 
-pub(crate) use convolution::{Convolution, ConvolutionPlan};
+pub(crate) use convolution::{Convolution, ConvolutionPlan, fast_length};
+pub(crate) use fft::Fft2;
 pub(crate) use gmres::{Gmres, PreconditionedOperator};
 pub(crate) use grid_lu::{GridLu, STENCIL};

@@ -22,7 +22,7 @@ pub enum SurfaceError {
         source: std::io::Error,
     },
     /// The content starts like no format that is read here.
-    #[error("{}: neither an x3p archive nor an npy array", path.display())]
+    #[error("{}: neither x3p, sur, sdf, al3d, plu, npy nor text with numbers", path.display())]
     UnknownFormat {
         /// The file.
         path: PathBuf,

@@ -4,6 +4,7 @@ use faer::{Mat, Side};
 
 use super::error::SurfaceError;
 use super::resample::{Tiling, resample};
+use super::unit::LengthUnit;
 use crate::error::InputError;
 use crate::grid::Grid;
 
@@ -30,6 +31,7 @@ pub struct Heights {
     heights: Vec<f64>,
     /// `None`: all points are defined.
     defined: Option<Vec<bool>>,
+    unit: Option<LengthUnit>,
 }
 
 impl Heights {
@@ -61,7 +63,7 @@ impl Heights {
             }
         }
         InputError::require_finite("heights", &heights)?;
-        Ok(Self { nx, ny, spacing, heights, defined })
+        Ok(Self { nx, ny, spacing, heights, defined, unit: None })
     }
 
     /// The same heights with spacing `dx`, `dy` \[m\], for formats that hold none.
@@ -72,6 +74,19 @@ impl Heights {
         Grid::centred(self.nx, self.ny, dx, dy)?;
         self.spacing = Some([dx, dy]);
         Ok(self)
+    }
+
+    /// The same heights, which came from a file in `unit`; their values stay metres.
+    #[must_use]
+    pub fn with_unit(mut self, unit: LengthUnit) -> Self {
+        self.unit = Some(unit);
+        self
+    }
+
+    /// Unit of the heights in the file they were read from, where it is known.
+    #[must_use]
+    pub fn unit(&self) -> Option<LengthUnit> {
+        self.unit
     }
 
     /// Number of points along x.

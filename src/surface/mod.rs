@@ -4,34 +4,35 @@
 //! |---|---|
 //! | [`Form`] | undeformed gap of the smooth bodies |
 //! | [`RoughnessSpec`], [`generate`] | random roughness of a given height and correlation length |
+//! | [`RandomSurface`] | the same with more choice: self-affine, skewed, open, ensemble height |
 //! | [`Heights`] | a measured surface: levelling, filling of holes, transfer to a grid |
-//! | `read`, `write_npy` (feature `formats`) | x3p and npy files |
-//! | [`RoughnessMotion`] | shift of periodic roughness from step to step |
+//! | `read`, `read_bytes` (feature `formats`) | instrument files: x3p, sur, sdf, plu, al3d, npy, text |
+//! | `write_x3p`, `write_npy`, `write_text` (feature `formats`) | files that come back bit by bit |
+//! | [`RoughnessMotion`], [`FourierShift`] | shift of periodic roughness from step to step, by less than a cell too |
 //!
 //! Heights are in metres and point out of the body: a positive height narrows the gap.
 
 mod error;
-mod fft;
 mod form;
+#[cfg(feature = "formats")]
+mod format;
 mod generate;
+mod johnson;
 mod measured;
 mod motion;
-#[cfg(feature = "formats")]
-mod npy;
-#[cfg(feature = "formats")]
-mod number;
-#[cfg(feature = "formats")]
-mod read;
 mod resample;
-#[cfg(feature = "formats")]
-mod x3p;
+mod subcell;
+mod unit;
 
 pub use error::SurfaceError;
 pub use form::Form;
-pub use generate::{Autocorrelation, RoughnessSpec, generate};
+#[cfg(feature = "formats")]
+pub use format::{read, read_bytes, write_npy, write_text, write_x3p};
+pub use generate::{
+    Autocorrelation, HeightDistribution, HeightScale, RandomShape, RandomSurface, RoughnessSpec, SelfAffine,
+    Synthesis, generate,
+};
 pub use measured::Heights;
-pub use motion::{RoughnessMotion, add_shifted, copy_shifted};
-#[cfg(feature = "formats")]
-pub use npy::write_npy;
-#[cfg(feature = "formats")]
-pub use read::read;
+pub use motion::{Offset, RoughnessMotion, add_blended, copy_shifted};
+pub use subcell::{FourierShift, blend_shifted};
+pub use unit::LengthUnit;

@@ -1,17 +1,18 @@
 //! `NumPy` arrays. The header is parsed here, so that a damaged one costs neither a panic nor memory.
 
 use std::fs::File;
-use std::io::{BufReader, BufWriter, Read, Write};
+use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use super::error::SurfaceError;
-use super::measured::Heights;
 use super::number::{Kind, NumberType};
+use super::source::{Found, Source};
 use crate::error::InputError;
-use crate::grid::Grid;
+use crate::surface::{Heights, SurfaceError};
+
+pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
 
 /// Headers longer than this are not those of a plain array.
-const MAX_HEADER: u64 = 1 << 16;
+const MAX_HEADER: u32 = 1 << 16;
 
 /// What the header says.
 struct Header {
@@ -19,75 +20,49 @@ struct Header {
     fortran_order: bool,
     ny: usize,
     nx: usize,
+    /// Where the numbers start.
+    data: usize,
 }
 
-pub(super) fn read(path: &Path, file: File) -> Result<Heights, SurfaceError> {
-    let mut reader = BufReader::new(file);
-    let header = read_header(path, &mut reader)?;
-    let Header { number, fortran_order, ny, nx } = header;
-    let expected = (nx * ny * number.size()) as u64;
-    let bytes = read_up_to(path, &mut reader, expected + 1)?;
-    if bytes.len() as u64 != expected {
-        let found = if bytes.len() as u64 > expected { "more".to_owned() } else { bytes.len().to_string() };
-        let what = format!("shape ({ny}, {nx}) needs {expected} bytes of data, found {found}");
-        return Err(SurfaceError::Corrupt { path: path.to_owned(), what });
+pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
+    let Header { number, fortran_order, ny, nx, data } = read_header(source)?;
+    let expected = nx * ny * number.size();
+    let bytes = source.bytes.get(data..).unwrap_or_default();
+    if bytes.len() != expected {
+        let found = if bytes.len() > expected { "more".to_owned() } else { bytes.len().to_string() };
+        return Err(
+            source.corrupt(format!("shape ({ny}, {nx}) needs {expected} bytes of data, found {found}"))
+        );
     }
-    let stored = number.decode(&bytes);
+    let stored = number.decode(bytes);
     let heights = if fortran_order {
         (0..ny).flat_map(|j| stored.iter().skip(j).step_by(ny)).copied().collect()
     } else {
         stored
     };
-    match heights.iter().position(|h| !h.is_finite()) {
-        None => Heights::new(nx, ny, None, heights, None),
-        Some(k) => Err(SurfaceError::NotFinite {
-            path: path.to_owned(),
-            column: k % nx,
-            row: k / nx,
-            value: heights[k],
-        }),
-    }
+    source.finish(Found { nx, ny, spacing: None, unit: None, heights, defined: None })
 }
 
-fn read_up_to(path: &Path, reader: &mut impl Read, limit: u64) -> Result<Vec<u8>, SurfaceError> {
-    let mut bytes = Vec::new();
-    reader
-        .take(limit)
-        .read_to_end(&mut bytes)
-        .map_err(|source| SurfaceError::Io { path: path.to_owned(), source })?;
-    Ok(bytes)
-}
-
-fn read_header(path: &Path, reader: &mut impl Read) -> Result<Header, SurfaceError> {
-    let corrupt = |what: String| SurfaceError::Corrupt { path: path.to_owned(), what };
-    let start = read_up_to(path, reader, 8)?;
-    let &[_, _, _, _, _, _, version, _] = start.as_slice() else {
-        return Err(corrupt("ends within the magic number".to_owned()));
+fn read_header(source: Source<'_>) -> Result<Header, SurfaceError> {
+    let version = source.slice(6, 2, "the end of the magic number")?[0];
+    let (start, length) = match version {
+        1 => (10, u32::from(source.u16(8, "the length of the header")?)),
+        2 | 3 => (12, source.u32(8, "the length of the header")?),
+        _ => return Err(source.corrupt(format!("version {version} of the npy format is unknown"))),
     };
-    let width = match version {
-        1 => 2,
-        2 | 3 => 4,
-        _ => return Err(corrupt(format!("version {version} of the npy format is unknown"))),
-    };
-    let length_bytes = read_up_to(path, reader, width)?;
-    let length = length_bytes.iter().rev().fold(0_u64, |sum, byte| (sum << 8) | u64::from(*byte));
-    if length_bytes.len() as u64 != width || length > MAX_HEADER {
-        return Err(corrupt(format!("header of {length} bytes")));
+    if length > MAX_HEADER {
+        return Err(source.corrupt(format!("header of {length} bytes")));
     }
-    let bytes = read_up_to(path, reader, length)?;
-    if bytes.len() as u64 != length {
-        return Err(corrupt(format!("ends within its header of {length} bytes")));
-    }
-    parse_header(path, &String::from_utf8_lossy(&bytes))
+    let bytes = source.slice(start, length as usize, "the header")?;
+    let (number, fortran_order, ny, nx) = parse_header(source, &String::from_utf8_lossy(bytes))?;
+    Ok(Header { number, fortran_order, ny, nx, data: start + length as usize })
 }
 
-fn parse_header(path: &Path, text: &str) -> Result<Header, SurfaceError> {
-    let corrupt = |what: String| SurfaceError::Corrupt { path: path.to_owned(), what };
-    let unsupported = |what: String| SurfaceError::Unsupported { path: path.to_owned(), what };
-    let missing = |key: &str| corrupt(format!("header without a usable '{key}'"));
+fn parse_header(source: Source<'_>, text: &str) -> Result<(NumberType, bool, usize, usize), SurfaceError> {
+    let missing = |key: &str| source.corrupt(format!("header without a usable '{key}'"));
     let descr = value_of(text, "descr").ok_or_else(|| missing("descr"))?;
     let number = parse_number_type(descr).ok_or_else(|| {
-        unsupported(format!("array of type {}", descr.chars().take(16).collect::<String>()))
+        source.unsupported(format!("array of type {}", descr.chars().take(16).collect::<String>()))
     })?;
     let fortran_order = match value_of(text, "fortran_order") {
         Some(value) if value.starts_with("True") => true,
@@ -102,11 +77,10 @@ fn parse_header(path: &Path, text: &str) -> Result<Header, SurfaceError> {
         shape.split(',').filter(|part| !part.trim().is_empty()).map(|part| part.trim().parse()).collect();
     let sizes = sizes.map_err(|_| missing("shape"))?;
     let &[ny, nx] = sizes.as_slice() else {
-        return Err(unsupported(format!("array of {} dimensions instead of 2", sizes.len())));
+        return Err(source.unsupported(format!("array of {} dimensions instead of 2", sizes.len())));
     };
-    // the grid knows which counts are sound
-    Grid::centred(nx, ny, 1.0, 1.0).map_err(|error| corrupt(format!("shape ({ny}, {nx}): {error}")))?;
-    Ok(Header { number, fortran_order, ny, nx })
+    source.require_size(nx, ny, None)?;
+    Ok((number, fortran_order, ny, nx))
 }
 
 /// The text after `'key':` in the header's dictionary.

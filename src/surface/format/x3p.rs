@@ -1,16 +1,17 @@
 //! The x3p container (ISO 25178-72): a zip archive with a description in XML and the heights in binary form.
 
 use std::fs::File;
-use std::io::{BufReader, Read};
+use std::io::{BufWriter, Cursor, Read, Write};
 use std::path::Path;
 
+use md5::{Digest, Md5};
 use roxmltree::{Document, Node, ParsingOptions};
 use zip::ZipArchive;
+use zip::write::{SimpleFileOptions, ZipWriter};
 
-use super::error::SurfaceError;
-use super::measured::Heights;
 use super::number::{Kind, NumberType};
-use crate::grid::Grid;
+use super::source::{Found, Source, shortened};
+use crate::surface::{Heights, LengthUnit, SurfaceError};
 
 /// Longest description accepted \[bytes\]; one with the heights as a list of text is long.
 const MAX_XML: u64 = 1 << 24;
@@ -27,6 +28,8 @@ struct Description {
     scale: f64,
     offset: f64,
     points: Points,
+    /// Name of the part with one bit for each point, set where it is defined.
+    mask: Option<String>,
 }
 
 /// Where the heights are.
@@ -37,59 +40,58 @@ enum Points {
     List(Vec<f64>),
 }
 
-pub(super) fn read(path: &Path, file: File) -> Result<Heights, SurfaceError> {
-    let context = Context { path };
-    let mut archive = ZipArchive::new(BufReader::new(file))
-        .map_err(|error| context.corrupt(format!("zip archive: {error}")))?;
+pub(super) const MAGIC: &[u8] = b"PK\x03\x04";
+
+/// The archive in memory.
+type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
+
+pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
+    let context = Context { source };
+    let mut archive = ZipArchive::new(Cursor::new(source.bytes))
+        .map_err(|error| source.corrupt(format!("zip archive: {error}")))?;
     if archive.index_for_name("main.xml").is_none() {
-        return Err(SurfaceError::UnknownFormat { path: path.to_owned() });
+        return Err(source.unknown());
     }
     let xml = context.part(&mut archive, "main.xml", MAX_XML)?;
-    let xml = String::from_utf8(xml).map_err(|_| context.corrupt("main.xml is not UTF-8 text".to_owned()))?;
-    let Description { nx, ny, spacing, number, scale, offset, points } = context.describe(&xml)?;
+    let xml = String::from_utf8(xml).map_err(|_| source.corrupt("main.xml is not UTF-8 text".to_owned()))?;
+    let Description { nx, ny, spacing, number, scale, offset, points, mask } = context.describe(&xml)?;
     let stored = match points {
         Points::List(values) => values,
         Points::Part(name) => {
-            let expected = (nx * ny * number.size()) as u64;
-            let bytes = context.part(&mut archive, &name, expected)?;
-            if bytes.len() as u64 != expected {
-                let found = bytes.len();
-                return Err(context
-                    .corrupt(format!("{name} holds {found} bytes, {nx} x {ny} points need {expected}")));
-            }
-            number.decode(&bytes)
+            number.decode(&context.exact_part(&mut archive, &name, nx, ny, nx * ny * number.size())?)
         }
     };
-    let defined: Vec<bool> = stored.iter().map(|value| !value.is_nan()).collect();
-    let heights: Vec<f64> = stored.iter().map(|value| offset + scale * value).collect();
-    if let Some(k) = (0..heights.len()).find(|&k| heights[k].is_infinite()) {
-        let (column, row, value) = (k % nx, k / nx, heights[k]);
-        return Err(SurfaceError::NotFinite { path: path.to_owned(), column, row, value });
+    let mut defined: Vec<bool> = stored.iter().map(|value| !value.is_nan()).collect();
+    if let Some(name) = mask {
+        let bits = context.exact_part(&mut archive, &name, nx, ny, (nx * ny).div_ceil(8))?;
+        for (k, flag) in defined.iter_mut().enumerate() {
+            *flag &= bits.get(k / 8).is_some_and(|byte| byte >> (k % 8) & 1 == 1);
+        }
     }
-    Heights::new(nx, ny, Some(spacing), heights, Some(defined))
+    let heights = match number.kind() {
+        Kind::Float => stored,
+        _ => stored.iter().map(|value| offset + scale * value).collect(),
+    };
+    let (spacing, unit) = (Some(spacing), Some(LengthUnit::Metre));
+    source.finish(Found { nx, ny, spacing, unit, heights, defined: Some(defined) })
 }
 
-/// The file being read, for errors.
+/// The file being read.
 struct Context<'a> {
-    path: &'a Path,
+    source: Source<'a>,
 }
 
 impl Context<'_> {
     fn corrupt(&self, what: String) -> SurfaceError {
-        SurfaceError::Corrupt { path: self.path.to_owned(), what }
+        self.source.corrupt(what)
     }
 
     fn unsupported(&self, what: String) -> SurfaceError {
-        SurfaceError::Unsupported { path: self.path.to_owned(), what }
+        self.source.unsupported(what)
     }
 
     /// The content of a part, refused when longer than `limit`.
-    fn part(
-        &self,
-        archive: &mut ZipArchive<BufReader<File>>,
-        name: &str,
-        limit: u64,
-    ) -> Result<Vec<u8>, SurfaceError> {
+    fn part(&self, archive: &mut Archive<'_>, name: &str, limit: u64) -> Result<Vec<u8>, SurfaceError> {
         let part = archive.by_name(name).map_err(|error| self.corrupt(format!("part {name}: {error}")))?;
         let mut bytes = Vec::new();
         part.take(limit + 1)
@@ -101,6 +103,23 @@ impl Context<'_> {
         Ok(bytes)
     }
 
+    /// The content of a part that must have `expected` bytes.
+    fn exact_part(
+        &self,
+        archive: &mut Archive<'_>,
+        name: &str,
+        nx: usize,
+        ny: usize,
+        expected: usize,
+    ) -> Result<Vec<u8>, SurfaceError> {
+        let bytes = self.part(archive, name, expected as u64)?;
+        if bytes.len() == expected {
+            return Ok(bytes);
+        }
+        let found = bytes.len();
+        Err(self.corrupt(format!("{name} holds {found} bytes, {nx} x {ny} points need {expected}")))
+    }
+
     fn describe(&self, xml: &str) -> Result<Description, SurfaceError> {
         let options = ParsingOptions { nodes_limit: MAX_XML_NODES, ..ParsingOptions::default() };
         let document = Document::parse_with_options(xml, options)
@@ -109,11 +128,14 @@ impl Context<'_> {
         self.require_surface(root)?;
         let (nx, ny) = (self.count(root, "SizeX")?, self.count(root, "SizeY")?);
         let spacing = [self.increment(root, "CX")?, self.increment(root, "CY")?];
-        Grid::centred(nx, ny, spacing[0], spacing[1])
-            .map_err(|error| self.corrupt(format!("main.xml: {nx} x {ny} points: {error}")))?;
+        self.source.require_size(nx, ny, Some(spacing))?;
         let (number, scale, offset) = self.heights_axis(root)?;
         let points = self.points(root, nx * ny)?;
-        Ok(Description { nx, ny, spacing, number, scale, offset, points })
+        let mask = find(root, &["Record3", "DataLink", "ValidPointsLink"])
+            .and_then(|node| node.text())
+            .map(|name| name.trim().to_owned())
+            .filter(|name| !name.is_empty());
+        Ok(Description { nx, ny, spacing, number, scale, offset, points, mask })
     }
 
     /// Refuses what is not a single areal surface with all points in one matrix.
@@ -126,9 +148,6 @@ impl Context<'_> {
             && layers.text().map(str::trim) != Some("1")
         {
             return Err(self.unsupported("more than one layer (SizeZ)".to_owned()));
-        }
-        if find(root, &["Record3", "DataLink", "ValidPointsLink"]).is_some() {
-            return Err(self.unsupported("a separate mask of valid points (ValidPointsLink)".to_owned()));
         }
         Ok(())
     }
@@ -226,7 +245,73 @@ fn find<'a, 'input>(root: Node<'a, 'input>, names: &[&str]) -> Option<Node<'a, '
     names.iter().try_fold(root, |node, name| node.children().find(|child| child.has_tag_name_local(name)))
 }
 
-/// The start of a text for an error message.
-fn shortened(text: &str) -> String {
-    text.chars().take(32).collect()
+/// Name of the binary part that is written.
+const DATA: &str = "bindata/data.bin";
+
+/// Writes a surface as x3p (ISO 25178-72), 64 bit floats; undefined points are `NaN`, as the standard has it.
+///
+/// [`super::read`] gives back the same heights, mask and spacing, bit by bit.
+///
+/// # Errors
+/// [`SurfaceError::NoSpacing`] for a surface without spacing, [`SurfaceError::Io`] when the file cannot be written.
+///
+/// ```
+/// use stribeck::surface::{Heights, read, write_x3p};
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("surface.x3p");
+/// let mask = Some(vec![true, false]);
+/// let surface = Heights::new(2, 1, Some([1e-6, 1e-6]), vec![1e-9 / 3.0, 0.0], mask)?;
+/// write_x3p(&path, &surface)?;
+/// assert_eq!(read(&path)?.heights(), surface.heights());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_x3p(path: impl AsRef<Path>, surface: &Heights) -> Result<(), SurfaceError> {
+    let (Some(dx), Some(dy)) = (surface.dx(), surface.dy()) else { return Err(SurfaceError::NoSpacing) };
+    let path = path.as_ref();
+    write_archive(path, surface, dx, dy).map_err(|source| SurfaceError::Io { path: path.to_owned(), source })
+}
+
+fn write_archive(path: &Path, surface: &Heights, dx: f64, dy: f64) -> std::io::Result<()> {
+    let mut data = Vec::with_capacity(size_of_val(surface.heights()));
+    for (k, height) in surface.heights().iter().enumerate() {
+        let defined = surface.defined().is_none_or(|mask| mask[k]);
+        data.extend(if defined { *height } else { f64::NAN }.to_le_bytes());
+    }
+    let description = describe(surface, dx, dy, &hexadecimal(&Md5::digest(&data)));
+    let sum = format!("{} *main.xml\n", hexadecimal(&Md5::digest(description.as_bytes())));
+    let mut archive = ZipWriter::new(BufWriter::new(File::create(path)?));
+    let parts = [("main.xml", description.as_bytes()), (DATA, &data), ("md5checksum.hex", sum.as_bytes())];
+    for (name, content) in parts {
+        archive.start_file(name, SimpleFileOptions::default())?;
+        archive.write_all(content)?;
+    }
+    archive.finish()?.flush()
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02X}")).collect()
+}
+
+fn describe(surface: &Heights, dx: f64, dy: f64, data_sum: &str) -> String {
+    let (nx, ny) = (surface.nx(), surface.ny());
+    format!(
+        r#"<?xml version="1.0" encoding="UTF-8"?>
+<p:ISO5436_2 xmlns:p="http://www.opengps.eu/2008/ISO5436_2" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xsi:schemaLocation="http://www.opengps.eu/2008/ISO5436_2 http://www.opengps.eu/2008/ISO5436_2/ISO5436_2.xsd">
+  <Record1>
+    <Revision>ISO5436 - 2000</Revision>
+    <FeatureType>SUR</FeatureType>
+    <Axes>
+      <CX><AxisType>I</AxisType><DataType>D</DataType><Increment>{dx:e}</Increment><Offset>0</Offset></CX>
+      <CY><AxisType>I</AxisType><DataType>D</DataType><Increment>{dy:e}</Increment><Offset>0</Offset></CY>
+      <CZ><AxisType>A</AxisType><DataType>D</DataType></CZ>
+    </Axes>
+  </Record1>
+  <Record3>
+    <MatrixDimension><SizeX>{nx}</SizeX><SizeY>{ny}</SizeY><SizeZ>1</SizeZ></MatrixDimension>
+    <DataLink><PointDataLink>{DATA}</PointDataLink><MD5ChecksumPointData>{data_sum}</MD5ChecksumPointData></DataLink>
+  </Record3>
+  <Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4>
+</p:ISO5436_2>
+"#
+    )
 }

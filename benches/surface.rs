@@ -1,0 +1,65 @@
+//! Generation of random surfaces and the parameters of one.
+#![expect(clippy::unwrap_used, reason = "a panic is how a bench fails")]
+
+use std::hint::black_box;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use stribeck::metrics::{AreaCorrelation, BearingCurve};
+use stribeck::surface::{
+    Autocorrelation, HeightDistribution, RandomShape, RandomSurface, SelfAffine, Synthesis,
+};
+use stribeck::{Boundary, Grid};
+
+fn surfaces() -> [(&'static str, RandomSurface); 4] {
+    let correlated = |autocorrelation| {
+        RandomSurface::new(
+            RandomShape::Correlated { autocorrelation, length_x: 20e-6, length_y: 10e-6 },
+            1e-7,
+            1,
+        )
+    };
+    let self_affine = SelfAffine {
+        hurst: 0.8,
+        longest: f64::INFINITY,
+        roll_off: 100e-6,
+        shortest: 0.0,
+        synthesis: Synthesis::RandomPhase,
+    };
+    let skewed = HeightDistribution::Johnson { skewness: -1.0, kurtosis: 5.0 };
+    [
+        ("gaussian", correlated(Autocorrelation::Gaussian)),
+        ("exponential", correlated(Autocorrelation::Exponential)),
+        ("skewed", RandomSurface { distribution: skewed, ..correlated(Autocorrelation::Gaussian) }),
+        ("self_affine", RandomSurface::new(RandomShape::SelfAffine(self_affine), 1e-7, 1)),
+    ]
+}
+
+fn generation(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("generate_2048");
+    group.sample_size(10);
+    let grid = Grid::centred(2048, 2048, 1e-6, 1e-6).unwrap();
+    group.throughput(Throughput::Elements(grid.len() as u64));
+    for (name, surface) in surfaces() {
+        group.bench_function(name, |bencher| bencher.iter(|| black_box(surface.generate(&grid).unwrap())));
+    }
+    group.finish();
+}
+
+fn parameters(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("parameters_1024");
+    group.sample_size(10);
+    let grid = Grid::centred(1024, 1024, 1e-6, 1e-6).unwrap();
+    group.throughput(Throughput::Elements(grid.len() as u64));
+    let [(_, surface), ..] = surfaces();
+    let heights = surface.generate(&grid).unwrap();
+    group.bench_function("bearing", |bencher| {
+        bencher.iter(|| BearingCurve::new(black_box(&heights)).unwrap().core());
+    });
+    group.bench_function("autocorrelation", |bencher| {
+        bencher.iter(|| AreaCorrelation::new(&grid, black_box(&heights), None, Boundary::Open).unwrap());
+    });
+    group.finish();
+}
+
+criterion_group!(benches, generation, parameters);
+criterion_main!(benches);

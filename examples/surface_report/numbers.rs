@@ -1,0 +1,131 @@
+//! The parameters of a surface.
+
+use serde_json::{Map, Value, json};
+use stribeck::metrics::{
+    AreaCorrelation, BearingCurve, HybridParameters, SpatialParameters, height_statistics, hybrid_parameters,
+};
+use stribeck::surface::{Heights, SurfaceError};
+use stribeck::{Boundary, Grid, InputError};
+
+/// Value of the autocorrelation at which Sal and Str are read.
+const THRESHOLD: f64 = 0.2;
+/// Material ratios that bound the volumes.
+const PEAKS: f64 = 0.1;
+const VALLEYS: f64 = 0.8;
+
+/// All that is printed and drawn.
+pub(crate) struct Numbers {
+    size: [usize; 2],
+    undefined: usize,
+    unit: Option<String>,
+    pub(crate) grid: Option<Grid>,
+    pub(crate) curve: BearingCurve,
+    pub(crate) correlation: Option<AreaCorrelation>,
+    /// Key, value in SI units (none when the surface has none).
+    parameters: Vec<(&'static str, Option<f64>)>,
+}
+
+impl Numbers {
+    pub(crate) fn of(surface: &Heights) -> Result<Self, SurfaceError> {
+        let heights = defined_heights(surface);
+        if heights.is_empty() {
+            return Err(SurfaceError::AllUndefined { points: surface.undefined() });
+        }
+        let grid = match (surface.dx(), surface.dy()) {
+            (Some(dx), Some(dy)) => Some(Grid::centred(surface.nx(), surface.ny(), dx, dy)?),
+            _ => None,
+        };
+        let statistics = height_statistics(&heights)?;
+        let curve = BearingCurve::new(&heights)?;
+        let (core, volumes) = (curve.core(), curve.volumes(PEAKS, VALLEYS)?);
+        let (field, mask) = (surface.heights(), surface.defined());
+        let correlation =
+            grid.as_ref().and_then(|grid| absent(AreaCorrelation::new(grid, field, mask, Boundary::Open)));
+        let hybrid: Option<HybridParameters> =
+            grid.as_ref().and_then(|grid| absent(hybrid_parameters(grid, field, mask)));
+        let spatial: Option<SpatialParameters> =
+            correlation.as_ref().map(|correlation| correlation.spatial(THRESHOLD)).transpose()?;
+        let parameters = vec![
+            ("sa", Some(statistics.sa)),
+            ("sq", Some(statistics.sq)),
+            ("ssk", Some(statistics.ssk)),
+            ("sku", Some(statistics.sku)),
+            ("sp", Some(statistics.sp)),
+            ("sv", Some(statistics.sv)),
+            ("sz", Some(statistics.sz)),
+            ("sdq", hybrid.map(|hybrid| hybrid.sdq)),
+            ("sdr", hybrid.map(|hybrid| hybrid.sdr)),
+            ("sal", spatial.and_then(|spatial| spatial.sal)),
+            ("str", spatial.and_then(|spatial| spatial.str)),
+            ("sk", Some(core.sk)),
+            ("spk", Some(core.spk)),
+            ("svk", Some(core.svk)),
+            ("smr1", Some(core.smr1)),
+            ("smr2", Some(core.smr2)),
+            ("vmp", Some(volumes.vmp)),
+            ("vmc", Some(volumes.vmc)),
+            ("vvc", Some(volumes.vvc)),
+            ("vvv", Some(volumes.vvv)),
+            ("mean", Some(statistics.mean)),
+            ("min", Some(statistics.mean - statistics.sv)),
+            ("max", Some(statistics.mean + statistics.sp)),
+        ];
+        Ok(Self {
+            size: [surface.nx(), surface.ny()],
+            undefined: surface.undefined(),
+            unit: surface.unit().map(|unit| unit.to_string()),
+            grid,
+            curve,
+            correlation,
+            parameters,
+        })
+    }
+
+    fn lengths(&self) -> [(&'static str, Option<f64>); 4] {
+        let of = |length: fn(&Grid) -> f64| self.grid.as_ref().map(length);
+        [
+            ("size_x", of(Grid::size_x)),
+            ("size_y", of(Grid::size_y)),
+            ("dx", of(Grid::dx)),
+            ("dy", of(Grid::dy)),
+        ]
+    }
+
+    /// One object in SI units; what the surface has not is null.
+    pub(crate) fn to_json(&self) -> Value {
+        let mut object = Map::new();
+        object.insert("nx".to_owned(), json!(self.size[0]));
+        object.insert("ny".to_owned(), json!(self.size[1]));
+        object.insert("undefined".to_owned(), json!(self.undefined));
+        object.insert("unit".to_owned(), json!(self.unit));
+        for (key, value) in self.lengths().iter().chain(&self.parameters) {
+            object.insert((*key).to_owned(), json!(value));
+        }
+        Value::Object(object)
+    }
+
+    pub(crate) fn to_text(&self) -> String {
+        let [nx, ny] = self.size;
+        let mut text = format!("points     {nx} x {ny}, {} undefined\n", self.undefined);
+        text += &format!("unit       {}\n", self.unit.as_deref().unwrap_or("none, taken as m"));
+        for (key, value) in self.lengths().iter().chain(&self.parameters) {
+            text += &format!("{key:<10} {}\n", value.map_or_else(|| "-".to_owned(), |v| format!("{v:.6e}")));
+        }
+        text
+    }
+}
+
+/// What a flat or tiny surface does not have.
+fn absent<T>(result: Result<T, InputError>) -> Option<T> {
+    result.ok()
+}
+
+/// Heights of the defined points \[m\].
+pub(crate) fn defined_heights(surface: &Heights) -> Vec<f64> {
+    match surface.defined() {
+        None => surface.heights().to_vec(),
+        Some(mask) => {
+            surface.heights().iter().zip(mask).filter(|(_, flag)| **flag).map(|(z, _)| *z).collect()
+        }
+    }
+}

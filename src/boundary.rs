@@ -1,0 +1,11 @@
+//! What lies beyond the edges of a field.
+
+/// What lies beyond the edges of a surface or a grid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Boundary {
+    /// The field repeats: opposite edges fit together.
+    #[default]
+    Periodic,
+    /// Nothing is known, as of a measured surface.
+    Open,
+}

@@ -1,0 +1,97 @@
+//! Alicona depth images (`.al3d`).
+
+use super::number::{Kind, NumberType};
+use super::source::{Found, Source, shortened};
+use crate::surface::{Heights, LengthUnit, SurfaceError};
+
+pub(super) const MAGIC: &[u8] = b"AliconaImaging\0\r\n";
+
+/// A tag: name, value, end of line.
+const NAME: usize = 20;
+const VALUE: usize = 30;
+const TAG: usize = NAME + VALUE + 2;
+const MAX_TAGS: usize = 1 << 10;
+/// Rows start at multiples of this many bytes.
+const ALIGNMENT: usize = 8;
+/// Relative difference below which a depth is the marker of undefined points, which is a rounded text.
+const MARKER_TOLERANCE: f64 = 1.5e-7;
+
+struct Tags<'a> {
+    source: Source<'a>,
+    tags: Vec<(String, String)>,
+}
+
+impl<'a> Tags<'a> {
+    fn read(source: Source<'a>) -> Result<Self, SurfaceError> {
+        let version = read_tag(source, 0)?;
+        let count = read_tag(source, 1)?;
+        let mut tags = Self { source, tags: vec![version, count] };
+        let further = tags.number::<usize>("TagCount")?;
+        if further > MAX_TAGS {
+            return Err(source.corrupt(format!("TagCount = {further}, at most {MAX_TAGS} are read")));
+        }
+        for index in 2..2 + further {
+            tags.tags.push(read_tag(source, index)?);
+        }
+        Ok(tags)
+    }
+
+    fn text(&self, name: &str) -> Option<&str> {
+        self.tags.iter().find(|(other, _)| other == name).map(|(_, value)| value.as_str())
+    }
+
+    fn number<T: std::str::FromStr>(&self, name: &str) -> Result<T, SurfaceError> {
+        let text = self.text(name).ok_or_else(|| self.source.corrupt(format!("tag {name} is missing")))?;
+        text.parse()
+            .map_err(|_| self.source.corrupt(format!("tag {name} = {} is not a number", shortened(text))))
+    }
+}
+
+fn read_tag(source: Source<'_>, index: usize) -> Result<(String, String), SurfaceError> {
+    let at = MAGIC.len() + index * TAG;
+    let what = format!("tag {index}");
+    if source.slice(at + NAME + VALUE, 2, &what)? != b"\r\n" {
+        return Err(source.corrupt(format!("{what} does not end with a line break")));
+    }
+    Ok((source.text(at, NAME, &what)?, source.text(at + NAME, VALUE, &what)?))
+}
+
+pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
+    let tags = Tags::read(source)?;
+    let (nx, ny) = (tags.number::<usize>("Cols")?, tags.number::<usize>("Rows")?);
+    let spacing = [tags.number("PixelSizeXMeter")?, tags.number("PixelSizeYMeter")?];
+    source.require_size(nx, ny, Some(spacing))?;
+    let marker = match tags.text("InvalidPixelValue") {
+        Some(_) => Some(tags.number::<f64>("InvalidPixelValue")?),
+        None => None,
+    };
+    let start = tags.number::<usize>("DepthImageOffset")?;
+    let number = NumberType::new(Kind::Float, 4, false).ok_or_else(|| source.unknown())?;
+    let row = nx * number.size();
+    let stride = row.next_multiple_of(ALIGNMENT);
+    // the padding of the last row may be missing
+    let what = format!("the depth image of {nx} x {ny} points");
+    let image = source.slice(start, stride * (ny - 1) + row, &what)?;
+    let heights: Vec<f64> = image.chunks(stride).flat_map(|line| number.decode(&line[..row])).collect();
+    let defined = heights.iter().map(|&depth| is_defined(depth, marker)).collect();
+    source.finish(Found {
+        nx,
+        ny,
+        spacing: Some(spacing),
+        unit: Some(LengthUnit::Metre),
+        heights,
+        defined: Some(defined),
+    })
+}
+
+/// Neither `NaN` nor the marker of undefined points.
+fn is_defined(depth: f64, marker: Option<f64>) -> bool {
+    let marked = marker.is_some_and(|marker| {
+        if marker.is_infinite() {
+            depth.is_infinite()
+        } else {
+            (depth - marker).abs() <= MARKER_TOLERANCE * marker.abs()
+        }
+    });
+    !depth.is_nan() && !marked
+}

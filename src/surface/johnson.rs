@@ -1,0 +1,234 @@
+//! The Johnson system: a normal deviate turned into one of given skewness and kurtosis.
+
+use crate::error::InputError;
+
+/// Largest skewness and kurtosis that are offered; heavier tails are not sampled by any surface.
+const MAX_SKEWNESS: f64 = 5.0;
+const MAX_KURTOSIS: f64 = 100.0;
+/// Distance kept from the limit `kurtosis = skewness^2 + 1`, where only two heights are left.
+const MARGIN: f64 = 0.2;
+/// Kurtosis this close to that of the lognormal curve counts as on it.
+const ON_CURVE: f64 = 1e-6;
+/// Smallest delta of either branch and largest that are tried.
+const DELTA_BOUNDED: f64 = 0.05;
+const DELTA_UNBOUNDED: f64 = 0.3;
+const DELTA_LARGEST: f64 = 1e3;
+const BISECTIONS: usize = 48;
+/// Quadrature over the normal deviate: trapezoids, which converge exponentially here.
+const REACH: f64 = 9.0;
+const POINTS: usize = 1801;
+/// Terms of the Hermite series for correlations.
+const TERMS: usize = 30;
+/// Nodes of the table of correlations.
+const TABLE: usize = 1025;
+
+/// The curve between two deviates, standardised to mean 0 and variance 1 and mirrored for a negative skewness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Johnson {
+    shape: Shape,
+    mirror: f64,
+    mean: f64,
+    deviation: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Shape {
+    Normal,
+    /// `exp(g / delta)`
+    Lognormal {
+        delta: f64,
+    },
+    /// `1 / (1 + exp(-(g - gamma) / delta))`
+    Bounded {
+        gamma: f64,
+        delta: f64,
+    },
+    /// `sinh((g - gamma) / delta)`
+    Unbounded {
+        gamma: f64,
+        delta: f64,
+    },
+}
+
+impl Shape {
+    fn at(self, deviate: f64) -> f64 {
+        match self {
+            Self::Normal => deviate,
+            Self::Lognormal { delta } => (deviate / delta).exp(),
+            Self::Bounded { gamma, delta } => 1.0 / (1.0 + ((gamma - deviate) / delta).exp()),
+            Self::Unbounded { gamma, delta } => ((deviate - gamma) / delta).sinh(),
+        }
+    }
+
+    /// Mean, standard deviation, skewness and kurtosis by quadrature.
+    fn moments(self) -> [f64; 4] {
+        let values: Vec<(f64, f64)> = quadrature().map(|(g, weight)| (self.at(g), weight)).collect();
+        let mean = values.iter().map(|(z, weight)| weight * z).sum::<f64>();
+        let central =
+            |power: i32| values.iter().map(|(z, weight)| weight * (z - mean).powi(power)).sum::<f64>();
+        let deviation = central(2).sqrt();
+        [mean, deviation, central(3) / deviation.powi(3), central(4) / deviation.powi(4)]
+    }
+}
+
+/// Normal deviates and their probabilities.
+fn quadrature() -> impl Iterator<Item = (f64, f64)> {
+    let step = 2.0 * REACH / (POINTS - 1) as f64;
+    let scale = step / std::f64::consts::TAU.sqrt();
+    (0..POINTS).map(move |k| {
+        let deviate = -REACH + step * k as f64;
+        (deviate, scale * (-0.5 * deviate * deviate).exp())
+    })
+}
+
+/// Argument in the middle of the last interval when `rises` tells on which side of the root a value lies.
+fn bisect([mut low, mut high]: [f64; 2], below: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (low + high);
+        if below(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    0.5 * (low + high)
+}
+
+impl Johnson {
+    /// The member of the system with these moments.
+    ///
+    /// Source: Johnson, N. L. (1949), Biometrika 36, 149-176.
+    pub(super) fn new(skewness: f64, kurtosis: f64) -> Result<Self, InputError> {
+        let finite = skewness.is_finite() && skewness.abs() <= MAX_SKEWNESS;
+        InputError::require(finite, "skewness", skewness, "between -5 and 5")?;
+        let lowest = skewness * skewness + 1.0 + MARGIN;
+        if !(lowest..=MAX_KURTOSIS).contains(&kurtosis) {
+            return Err(InputError::Conflict {
+                field: format!("kurtosis = {kurtosis}"),
+                reason: format!(
+                    "with skewness {skewness} it must be between skewness^2 + {:.1} = {lowest:.4} and {MAX_KURTOSIS}",
+                    1.0 + MARGIN
+                ),
+            });
+        }
+        let shape = Self::fit(skewness.abs(), kurtosis);
+        let [mean, deviation, ..] = shape.moments();
+        Ok(Self { shape, mirror: if skewness < 0.0 { -1.0 } else { 1.0 }, mean, deviation })
+    }
+
+    fn fit(skewness: f64, kurtosis: f64) -> Shape {
+        // the lognormal curve: skewness^2 = (w - 1)(w + 2)^2 with w = exp(1/delta^2)
+        let beta = skewness * skewness;
+        let w = bisect([1.0, 1.0 + beta], |w| (w - 1.0) * (w + 2.0) * (w + 2.0) < beta);
+        let curve = w.powi(4) + 2.0 * w.powi(3) + 3.0 * w * w - 3.0;
+        let delta = (1.0 / w.ln()).sqrt();
+        if (kurtosis - curve).abs() < ON_CURVE {
+            return if beta < ON_CURVE { Shape::Normal } else { Shape::Lognormal { delta } };
+        }
+        // at a given skewness the kurtosis is monotonic in delta: up to the curve when bounded, down to it when not
+        let largest = delta.min(DELTA_LARGEST);
+        if kurtosis < curve {
+            let at = |delta: f64| Shape::Bounded { gamma: gamma_bounded(delta, skewness), delta };
+            at(bisect([DELTA_BOUNDED, largest], |delta| at(delta).moments()[3] < kurtosis))
+        } else {
+            let at = |delta: f64| gamma_unbounded(delta, skewness);
+            let delta =
+                bisect([DELTA_UNBOUNDED, largest], |delta| unbounded_moments(delta, at(delta))[1] > kurtosis);
+            Shape::Unbounded { gamma: -at(delta) * delta, delta }
+        }
+    }
+
+    /// The deviate of the distribution that belongs to a normal one.
+    pub(super) fn at(&self, deviate: f64) -> f64 {
+        self.mirror * (self.shape.at(deviate) - self.mean) / self.deviation
+    }
+
+    /// Correlations that normal deviates need so that the turned ones have those asked for: pairs `(asked, needed)`,
+    /// rising, for needed correlations from -1 to 1.
+    ///
+    /// With the Hermite coefficients `a_n` of the curve, `asked = sum a_n^2 n! needed^n / sum a_n^2 n!`.
+    pub(super) fn correlations(&self) -> Vec<(f64, f64)> {
+        let mut shares = [0.0; TERMS];
+        for (deviate, weight) in quadrature() {
+            let value = weight * self.at(deviate);
+            // Hermite polynomials of unit norm
+            let (mut before, mut current) = (0.0, 1.0);
+            for (n, share) in shares.iter_mut().enumerate() {
+                *share += value * current;
+                let next = (deviate * current - (n as f64).sqrt() * before) / ((n + 1) as f64).sqrt();
+                (before, current) = (current, next);
+            }
+        }
+        let norm: f64 = shares.iter().skip(1).map(|a| a * a).sum();
+        let asked = |needed: f64| {
+            let terms = shares.iter().skip(1).rev();
+            terms.fold(0.0, |sum, a| (sum + a * a) * needed) / norm
+        };
+        let needed = (0..TABLE).map(|k| 2.0 * k as f64 / (TABLE - 1) as f64 - 1.0);
+        let mut table: Vec<(f64, f64)> = needed.map(|needed| (asked(needed), needed)).collect();
+        // strongly skewed curves cannot be anticorrelated beyond some value: what asks for more gets that
+        let middle = TABLE / 2;
+        let falling = (0..middle).rev().take_while(|&k| table[k].0 < table[k + 1].0).count();
+        table.drain(..middle - falling);
+        table
+    }
+}
+
+/// Shift that gives a bounded curve the skewness.
+fn gamma_bounded(delta: f64, skewness: f64) -> f64 {
+    // far out the curve is lognormal
+    let farthest = 12.0 + 40.0 * delta;
+    bisect([0.0, farthest], |gamma| Shape::Bounded { gamma, delta }.moments()[2] < skewness)
+}
+
+/// `-gamma / delta` that gives an unbounded curve the skewness.
+fn gamma_unbounded(delta: f64, skewness: f64) -> f64 {
+    bisect([0.0, 40.0], |omega| unbounded_moments(delta, omega)[0] < skewness)
+}
+
+/// Skewness and kurtosis of `sinh(g / delta + omega)`.
+fn unbounded_moments(delta: f64, omega: f64) -> [f64; 2] {
+    let w = (1.0 / (delta * delta)).exp();
+    let variance = 0.5 * (w - 1.0) * (w * (2.0 * omega).cosh() + 1.0);
+    let third =
+        0.25 * w.sqrt() * (w - 1.0).powi(2) * (w * (w + 2.0) * (3.0 * omega).sinh() + 3.0 * omega.sinh());
+    let fourth = (w - 1.0).powi(2) / 8.0
+        * (w * w * (w.powi(4) + 2.0 * w.powi(3) + 3.0 * w * w - 3.0) * (4.0 * omega).cosh()
+            + 4.0 * w * w * (w + 2.0) * (2.0 * omega).cosh()
+            + 3.0 * (2.0 * w + 1.0));
+    [third / variance.powf(1.5), fourth / (variance * variance)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_moments_asked_for_come_out() {
+        let cases = [
+            (0.0, 3.0),
+            (-1.0, 5.0),
+            (1.0, 4.0),
+            (0.0, 1.8),
+            (0.0, 1.2),
+            (0.0, 20.0),
+            (-2.0, 10.0),
+            (-2.0, 5.2),
+            (0.5, 3.0),
+            (0.3, 3.1607),
+            (3.0, 30.0),
+            (1e-3, 3.0),
+        ];
+        for (skewness, kurtosis) in cases {
+            let johnson = Johnson::new(skewness, kurtosis).unwrap();
+            let weighted = |power: i32| quadrature().map(|(g, w)| w * johnson.at(g).powi(power)).sum::<f64>();
+            assert!(weighted(1).abs() < 1e-9 && (weighted(2) - 1.0).abs() < 1e-9);
+            assert!(
+                (weighted(3) - skewness).abs() < 2e-3,
+                "{skewness} {kurtosis}: {} {johnson:?}",
+                weighted(3)
+            );
+            assert!((weighted(4) / kurtosis - 1.0).abs() < 2e-3, "{skewness} {kurtosis}: {}", weighted(4));
+        }
+    }
+}
