@@ -15,8 +15,8 @@ pub enum Status {
     MaxIterations,
     /// The residuals no longer fell.
     Stalled,
-    /// The mesh is too coarse to hold a positive film: films fall below the contact film although the film expected of
-    /// the contact is well above it.
+    /// The mesh is too coarse to hold a positive film: films fall to the contact film or below although the film expected
+    /// of the contact is well above it.
     MeshTooCoarse,
     /// The residuals grew without bound or were no longer finite.
     Diverged,

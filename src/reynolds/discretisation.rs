@@ -32,20 +32,6 @@ const SECOND_ORDER_WEIGHT: f64 = 1.25;
 /// Pressure difference over sum below which the secant of a potential is taken as the mean of its slopes.
 const SECANT_SHARE: f64 = 1e-6;
 
-/// Least tangent of a flow over its secant: at a fold of the balance there is none that can be relaxed with.
-const LEAST_TANGENT: f64 = 0.1;
-
-/// How pressure drives flow through a face between a node and the next one \[m/Pa\].
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Conductance {
-    /// Flow over pressure difference.
-    pub(super) secant: f64,
-    /// Growth of the flow with the pressure of the first node.
-    pub(super) near: f64,
-    /// Fall of the flow with the pressure of the second node.
-    pub(super) far: f64,
-}
-
 /// What the balance needs to know of one node; `_p` and `_h` are derivatives by pressure and film.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct NodeFlow {
@@ -199,25 +185,18 @@ impl Discretisation {
         self.rate
     }
 
-    /// Pressure flow across the faces to the east and to the north of node `k`, at the pressures of the last update.
-    pub(super) fn conductances(&self, k: usize, pressure: &[f64]) -> [Conductance; 2] {
+    /// Flow over pressure difference of the faces to the east and to the north of node `k` \[m/Pa\], at the pressures of
+    /// the last update.
+    pub(super) fn conductances(&self, k: usize, pressure: &[f64]) -> [f64; 2] {
         let towards = |o: usize, c: f64| {
             let (a, b) = (&self.nodes[k], &self.nodes[o]);
             let difference = pressure[k] - pressure[o];
-            let drop = a.potential - b.potential;
-            let mobility = c * self.face(k, o);
-            let secant = if difference.abs() > SECANT_SHARE * (pressure[k] + pressure[o]) {
-                drop / difference
+            let slope = if difference.abs() > SECANT_SHARE * (pressure[k] + pressure[o]) {
+                (a.potential - b.potential) / difference
             } else {
                 0.5 * (a.potential_p + b.potential_p)
             };
-            let secant = mobility * secant;
-            let least = LEAST_TANGENT * secant;
-            Conductance {
-                secant,
-                near: (mobility * a.potential_p + 0.5 * c * a.mobility_p * drop).max(least),
-                far: (mobility * b.potential_p - 0.5 * c * b.mobility_p * drop).max(least),
-            }
+            c * self.face(k, o) * slope
         };
         [towards(k + 1, self.face_x), towards(k + self.grid.nx(), self.face_y)]
     }

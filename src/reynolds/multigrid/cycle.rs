@@ -1,7 +1,7 @@
 //! The hierarchy of grids, its cycles and the full multigrid start.
 
 use super::level::{Influence, Level};
-use super::relax::LineRelaxation;
+use super::relax::{LineRelaxation, Shares};
 use super::transfer::Transfer;
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
@@ -15,6 +15,10 @@ use crate::reynolds::state::ContactState;
 /// dominates. Together they damp more modes than three equal shares; larger ones are unstable for thick films.
 const SHARES_BEFORE: [f64; 2] = [0.3, 0.2];
 const SHARES_AFTER: [f64; 1] = [0.5];
+/// Share of a change that nodes take where pressure flow dominates a little, at first and once cycles have become slow:
+/// on fine grids the pressure spike swings with the first.
+const NEAR_SHARE: f64 = 0.4;
+const CAREFUL_SHARE: f64 = 0.25;
 /// Corrections from the next coarser grid in a cycle: a W cycle.
 const CORRECTIONS: usize = 2;
 /// Sweeps on the coarsest grid.
@@ -25,7 +29,7 @@ const SMALLEST: usize = 24;
 /// Cells of the first grid of the start in Hertz half-widths: square root of film over displacement, within bounds.
 const START_CELL: (f64, f64) = (0.03, 0.12);
 /// Cycles on the grid of the start, and on the finer ones before the finest.
-const START_CYCLES: usize = 6;
+const START_CYCLES: usize = 5;
 const CYCLES: usize = 2;
 /// Share of the mean elastic displacement by which the approach follows a relative load error of one.
 const LOAD_GAIN: f64 = 0.12;
@@ -52,6 +56,8 @@ pub(super) struct Hierarchy {
     pub(super) approach: f64,
     /// Change of the approach for a relative load error of one \[m\].
     load_gain: f64,
+    /// Share of a change that nodes take where pressure flow dominates a little.
+    near_share: f64,
     /// In equivalents of the finest grid.
     pub(super) convolutions: f64,
     pub(super) sweeps: u64,
@@ -78,6 +84,7 @@ impl Hierarchy {
             relaxation: LineRelaxation::new(&body.grid()),
             approach: 0.0,
             load_gain: 0.0,
+            near_share: NEAR_SHARE,
             convolutions: 0.0,
             sweeps: 0,
         })
@@ -87,6 +94,13 @@ impl Hierarchy {
     pub(super) fn fits(&self, body: &dyn DeformationModel) -> bool {
         let finest = self.finest();
         finest.grid == body.grid() && finest.influence == Influence::new(body)
+    }
+
+    /// Relaxes the nodes beside the pressure spike more carefully from now on; says whether that is new.
+    pub(super) fn relax_carefully(&mut self) -> bool {
+        let is_new = self.near_share > CAREFUL_SHARE;
+        self.near_share = CAREFUL_SHARE;
+        is_new
     }
 
     fn top(&self) -> usize {
@@ -106,6 +120,7 @@ impl Hierarchy {
     pub(super) fn configure(&mut self, problem: &LubricatedContact<'_>) {
         self.convolutions = 0.0;
         self.sweeps = 0;
+        self.near_share = NEAR_SHARE;
         for level in &mut self.levels {
             level.fluid.configure(problem);
             level.source.fill(0.0);
@@ -138,7 +153,11 @@ impl Hierarchy {
 
     /// Full multigrid: from a Hertzian pressure and the film of a formula on a coarse grid up to the finest, solved on
     /// each to about its discretisation error.
-    pub(super) fn start(&mut self, problem: &mut LubricatedContact<'_>, lubricant: &Lubricant) -> Result<(), InputError> {
+    pub(super) fn start(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        lubricant: &Lubricant,
+    ) -> Result<(), InputError> {
         let (a, b) = problem.reference_half_widths;
         // The displacement of the Hertz contact is known on any grid.
         let film = expected_film(problem);
@@ -279,7 +298,8 @@ impl Hierarchy {
         for share in shares {
             self.evaluate(problem, lubricant, l)?;
             let largest = LARGEST_CHANGE * problem.reference_pressure;
-            self.relaxation.sweep(&mut self.levels[l], largest, *share);
+            let shares = Shares { dipole: *share, near: self.near_share };
+            self.relaxation.sweep(&mut self.levels[l], largest, shares);
             self.sweeps += 1;
         }
         Ok(())

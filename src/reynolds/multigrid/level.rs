@@ -3,7 +3,7 @@
 use crate::elastic::{DeformationModel, NEAR};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
-use crate::reynolds::discretisation::{Conductance, Discretisation};
+use crate::reynolds::discretisation::Discretisation;
 use crate::reynolds::problem::interior;
 
 /// The first influence coefficients along x \[m/Pa\], of a pressure change at one node and of one that the four
@@ -46,9 +46,9 @@ pub(super) struct Level {
     /// `rho/rho_0 h` of the previous time, where there is one.
     pub(super) previous: Option<Vec<f64>>,
     pub(super) load: f64,
-    /// Of the faces to the east and to the north of each node.
-    pub(super) east: Vec<Conductance>,
-    pub(super) north: Vec<Conductance>,
+    /// Flow over pressure difference of the faces to the east and to the north of each node.
+    pub(super) east: Vec<f64>,
+    pub(super) north: Vec<f64>,
     pub(super) is_boundary: Vec<bool>,
     /// Whether film and flow quantities are those of the pressure.
     pub(super) is_evaluated: bool,
@@ -75,8 +75,8 @@ impl Level {
             drive: zeros(),
             previous: None,
             load: 0.0,
-            east: vec![Conductance::default(); grid.len()],
-            north: vec![Conductance::default(); grid.len()],
+            east: zeros(),
+            north: zeros(),
             is_boundary,
             is_evaluated: false,
         }

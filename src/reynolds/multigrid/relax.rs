@@ -9,15 +9,14 @@
 
 use super::level::Level;
 use crate::grid::Grid;
-use crate::reynolds::discretisation::Conductance;
 
 /// Conductance over self-influence below which entrainment dominates a node.
-const SWITCH: f64 = 0.42;
-/// Above it, shares of a change that are taken where the ratio is at most the first and at least the second number.
+const SWITCH: f64 = 0.3;
+/// Above it, the share of a change that is taken is [`Shares::near`] where the ratio is at most the first number, and grows
+/// to one at the second.
 const FLOW_RATIOS: (f64, f64) = (2.0, 50.0);
-const FLOW_SHARES: (f64, f64) = (0.4, 1.0);
-/// Smallest over largest conductance of a node below which the first share is taken at any ratio: there the viscosity
-/// changes by much from node to node. The second share needs at least the second number.
+/// Smallest over largest conductance of a node below which that share is taken at any ratio: there the viscosity
+/// changes by much from node to node. A share of one needs at least the second number.
 const EVENNESS: (f64, f64) = (0.3, 0.7);
 /// Ratio above which films hardly follow, and passes over such nodes.
 const FAR_RATIO: f64 = 5.0;
@@ -47,55 +46,64 @@ fn is_idle(level: &Level, k: usize, nx: usize) -> bool {
     level.drive[k] <= 0.0 && p[k] + p[k + 1] + p[k - 1] + p[k + nx] + p[k - nx] <= 0.0
 }
 
-/// The faces of a node, first node of each first: east and north from here, west and south to here.
+/// Conductances of the faces of a node.
 #[derive(Debug, Clone, Copy)]
 struct Faces {
-    east: Conductance,
-    west: Conductance,
-    north: Conductance,
-    south: Conductance,
+    east: f64,
+    west: f64,
+    north: f64,
+    south: f64,
 }
 
 impl Faces {
     fn of(level: &Level, k: usize) -> Self {
         let nx = level.grid.nx();
-        Self { east: level.east[k], west: level.east[k - 1], north: level.north[k], south: level.north[k - nx] }
+        Self {
+            east: level.east[k],
+            west: level.east[k - 1],
+            north: level.north[k],
+            south: level.north[k - nx],
+        }
     }
 
-    fn secants(self) -> [f64; 4] {
-        [self.east.secant, self.west.secant, self.north.secant, self.south.secant]
-    }
-
-    /// Growth of the outflow with the own pressure.
-    fn own(self) -> f64 {
-        self.east.near + self.west.far + self.north.near + self.south.far
+    fn sum(self) -> f64 {
+        self.east + self.west + self.north + self.south
     }
 
     fn evenness(self) -> f64 {
-        self.secants().into_iter().fold(f64::INFINITY, f64::min) / self.largest()
+        self.east.min(self.west).min(self.north).min(self.south) / self.largest()
     }
 
     fn largest(self) -> f64 {
-        self.secants().into_iter().fold(0.0, f64::max)
+        self.east.max(self.west).max(self.north).max(self.south)
     }
 
     fn outflow(self, p: &[f64], k: usize, nx: usize) -> f64 {
-        self.east.secant * (p[k] - p[k + 1])
-            + self.west.secant * (p[k] - p[k - 1])
-            + self.north.secant * (p[k] - p[k + nx])
-            + self.south.secant * (p[k] - p[k - nx])
+        self.east * (p[k] - p[k + 1])
+            + self.west * (p[k] - p[k - 1])
+            + self.north * (p[k] - p[k + nx])
+            + self.south * (p[k] - p[k - nx])
     }
 }
 
+/// Shares of a change that nodes take.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shares {
+    /// Where entrainment dominates.
+    pub(super) dipole: f64,
+    /// Where pressure flow does, but not by far.
+    pub(super) near: f64,
+}
+
 /// Share of a change taken at a node whose pressure flow dominates by `ratio`, with conductances of this evenness.
-fn flow_share(ratio: f64, evenness: f64) -> f64 {
+fn flow_share(ratio: f64, evenness: f64, near: f64) -> f64 {
     let weight = ((evenness - EVENNESS.0) / (EVENNESS.1 - EVENNESS.0)).clamp(0.0, 1.0);
     let (low, high) = FLOW_RATIOS;
     if ratio <= low {
-        return FLOW_SHARES.0;
+        return near;
     }
     let position = weight * ((ratio - low) / (high - low)).min(1.0);
-    FLOW_SHARES.0 + position * (FLOW_SHARES.1 - FLOW_SHARES.0)
+    near + position * (1.0 - near)
 }
 
 impl LineRelaxation {
@@ -111,13 +119,13 @@ impl LineRelaxation {
     }
 
     /// One pass over all lines of an evaluated level, and more over the nodes far from the contact. No node changes by
-    /// more than `largest` \[Pa\] in a pass; nodes that entrainment dominates take `dipole_share` of their change.
-    pub(super) fn sweep(&mut self, level: &mut Level, largest: f64, dipole_share: f64) {
+    /// more than `largest` \[Pa\] in a pass.
+    pub(super) fn sweep(&mut self, level: &mut Level, largest: f64, shares: Shares) {
         level.before.copy_from_slice(&level.pressure);
         level.find_drive();
         let ny = level.grid.ny();
         for j in 1..ny - 1 {
-            self.assemble(level, j, dipole_share);
+            self.assemble(level, j, shares);
             self.solve(level.grid.nx() - 2);
             self.update(level, j, largest);
         }
@@ -131,7 +139,7 @@ impl LineRelaxation {
     }
 
     /// Rows of the interior nodes of line `j`; node `i` has row `i - 1`.
-    fn assemble(&mut self, level: &Level, j: usize, dipole_share: f64) {
+    fn assemble(&mut self, level: &Level, j: usize, shares: Shares) {
         let nx = level.grid.nx();
         let self_influence = level.influence.single[0];
         for i in 1..nx - 1 {
@@ -146,13 +154,13 @@ impl LineRelaxation {
             let is_flow = ratio > SWITCH;
             self.far_share[k] = 0.0;
             let (p, influence) = if is_flow {
-                self.share[r] = flow_share(ratio, faces.evenness());
+                self.share[r] = flow_share(ratio, faces.evenness(), shares.near);
                 if ratio > FAR_RATIO {
                     self.far_share[k] = self.share[r];
                 }
                 (&level.pressure, &level.influence.single)
             } else {
-                self.share[r] = -dipole_share;
+                self.share[r] = -shares.dipole;
                 (&level.before, &level.influence.dipole)
             };
             self.change[r] = level.drive[k] - faces.outflow(p, k, nx);
@@ -166,13 +174,9 @@ impl LineRelaxation {
                 let at = |upstream: usize| influence[(slot + upstream).abs_diff(OWN)];
                 masses[0] * at(0) + masses[1] * at(1) + masses[2] * at(2)
             };
-            let own = faces.own();
-            let (east, west) = (faces.east.far, faces.west.near);
+            let (sum, east, west) = (faces.sum(), faces.east, faces.west);
             let mut row = [0.0; BAND];
-            row[OWN] = transport(OWN) + own;
-            if !is_flow {
-                row[OWN] += 0.25 * (east + west + faces.north.far + faces.south.near);
-            }
+            row[OWN] = transport(OWN) + if is_flow { sum } else { 1.25 * sum };
             let wet = |i: usize| i == 0 || i == nx - 1 || level.pressure[j * nx + i] > 0.0;
             if wet(i - 1) && wet(i + 1) && (i < 2 || wet(i - 2)) && (i + 2 >= nx || wet(i + 2)) {
                 for slot in [0, 1, 2, 4, 5] {
@@ -183,8 +187,8 @@ impl LineRelaxation {
                     row[OWN + 1] -= east;
                 } else {
                     row[OWN - 2] += 0.25 * west;
-                    row[OWN - 1] -= west + 0.25 * own;
-                    row[OWN + 1] -= east + 0.25 * own;
+                    row[OWN - 1] -= west + 0.25 * sum;
+                    row[OWN + 1] -= east + 0.25 * sum;
                     row[OWN + 2] += 0.25 * east;
                 }
             }
@@ -206,9 +210,10 @@ impl LineRelaxation {
                 let p = &level.pressure;
                 let faces = Faces::of(level, k);
                 let wet = |i: usize| i == 0 || i == nx - 1 || p[j * nx + i] > 0.0;
-                let (west, east) = if wet(i - 1) && wet(i + 1) { (faces.west.near, faces.east.far) } else { (0.0, 0.0) };
+                let (west, east) =
+                    if wet(i - 1) && wet(i + 1) { (faces.west, faces.east) } else { (0.0, 0.0) };
                 let missing = level.drive[k] - faces.outflow(p, k, nx);
-                let pivot = 1.0 / (faces.own() - west * last_above);
+                let pivot = 1.0 / (faces.sum() - west * last_above);
                 last_change = (missing + west * last_change) * pivot;
                 last_above = east * pivot;
             }
