@@ -20,17 +20,18 @@ mod generate;
 mod johnson;
 mod measured;
 mod motion;
+mod random;
 mod resample;
+mod self_affine;
 mod unit;
 
 pub use error::SurfaceError;
 pub use form::Form;
 #[cfg(feature = "formats")]
 pub use format::{read, read_bytes, write_npy, write_text, write_x3p};
-pub use generate::{
-    Autocorrelation, HeightDistribution, HeightScale, RandomShape, RandomSurface, RoughnessSpec, SelfAffine,
-    Synthesis, generate,
-};
+pub use generate::{Autocorrelation, RoughnessSpec, generate};
 pub use measured::Heights;
 pub use motion::{RoughnessMotion, add_shifted, copy_shifted};
+pub use random::{HeightDistribution, HeightScale, RandomShape, RandomSurface};
+pub use self_affine::{SelfAffine, Synthesis};
 pub use unit::LengthUnit;
