@@ -53,7 +53,7 @@ fn parameters(criterion: &mut Criterion) {
     let [(_, surface), ..] = surfaces();
     let heights = surface.generate(&grid).unwrap();
     group.bench_function("bearing", |bencher| {
-        bencher.iter(|| BearingCurve::new(black_box(&heights)).unwrap().core())
+        bencher.iter(|| BearingCurve::new(black_box(&heights)).unwrap().core());
     });
     group.bench_function("autocorrelation", |bencher| {
         bencher.iter(|| AreaCorrelation::new(&grid, black_box(&heights), None, Boundary::Open).unwrap());

@@ -95,7 +95,18 @@ fn write_fields(path: &Path, solution: &ContactSolution) -> Result<(), Box<dyn E
 
 /// Everything in SI units; a number that is not finite becomes null.
 fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
-    let ContactSolution { report, grid, hertz, moes, film, contact, discretisation, state, .. } = solution;
+    let ContactSolution {
+        report,
+        grid,
+        hertz,
+        moes,
+        film,
+        contact,
+        discretisation,
+        error_estimate,
+        state,
+        ..
+    } = solution;
     json!({
         "status": report.status.to_string(),
         "solver": report.solver,
@@ -113,7 +124,7 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
         },
         "seconds": seconds,
         "hertz": {
-            "radius": (hertz.a_x * hertz.a_y).sqrt(),
+            "radius": hertz.radius,
             "half_width_x": hertz.a_x,
             "half_width_y": hertz.a_y,
             "pressure": hertz.p_max,
@@ -133,14 +144,20 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
             "area": contact.area,
             "plastic_area": contact.plastic_area,
         },
+        "friction": { "coefficient": solution.friction_coefficient },
         "approach": state.approach,
+        "error_estimate": error_estimate.map(|estimate| json!({
+            "central_film": estimate.central_film,
+            "minimum_film": estimate.minimum_film,
+            "max_pressure": estimate.max_pressure,
+        })),
         "grid": { "nx": grid.nx(), "ny": grid.ny(), "dx": grid.dx(), "dy": grid.dy() },
         "version": env!("CARGO_PKG_VERSION"),
     })
 }
 
 fn summary(solution: &ContactSolution, seconds: f64) -> String {
-    let ContactSolution { report, grid, hertz, moes, film, contact, state, .. } = solution;
+    let ContactSolution { report, grid, hertz, moes, film, contact, error_estimate, state, .. } = solution;
     let (residuals, work) = (report.residuals, report.work);
     let moes = moes.map_or_else(|| "dry".to_owned(), |(m, l)| format!("Moes M {m:.1}, L {l:.3}"));
     [
@@ -183,7 +200,19 @@ fn summary(solution: &ContactSolution, seconds: f64) -> String {
             contact.load_ratio * 100.0,
             contact.plastic_area * 1e12
         ),
+        format!("friction   {:.4}", solution.friction_coefficient),
         format!("approach   {:.3} nm", state.approach * 1e9),
+        error_estimate.map_or_else(
+            || "errors     not estimated: the grid is given".to_owned(),
+            |estimate| {
+                format!(
+                    "errors     central film {:.2} %, minimum film {:.2} %, maximum pressure {:.2} %",
+                    estimate.central_film * 100.0,
+                    estimate.minimum_film * 100.0,
+                    estimate.max_pressure * 100.0
+                )
+            },
+        ),
     ]
     .join("\n")
 }

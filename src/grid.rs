@@ -5,6 +5,8 @@ use crate::error::InputError;
 /// A uniform, cell-centred grid. Node `(i, j)` of a field is entry `j * nx + i`: x (the direction of
 /// entrainment) runs fastest. Lengths in metres.
 ///
+/// A grid with one row is a line contact: `dy` is then the length that all loads and areas refer to, one metre by custom.
+///
 /// ```
 /// use stribeck::Grid;
 /// let grid = Grid::from_edges(128, 64, [-0.25e-3, 0.25e-3], [-0.125e-3, 0.125e-3])?;

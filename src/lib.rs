@@ -64,7 +64,8 @@
 //!
 //! # Features
 //!
-//! None by default. `serde`: scenes as TOML. `formats`: files of measured surfaces. `npz`: fields as NumPy archives.
+//! None by default. `serde`: scenes as TOML. `formats`: files of measured surfaces. `npz`: fields as NumPy archives. `testing`:
+//! conformance of own laws and solvers. `fit`: constants of growth laws from measured films.
 #![forbid(unsafe_code)]
 
 pub mod analytic;
@@ -81,6 +82,8 @@ pub mod reynolds;
 mod rubbing;
 pub mod sim;
 pub mod surface;
+#[cfg(feature = "testing")]
+pub mod testing;
 pub mod tribochem;
 pub mod wear;
 

@@ -18,3 +18,19 @@ pub struct RubbingPoint {
     /// Whether the node counts as solid contact.
     pub in_contact: bool,
 }
+
+impl RubbingPoint {
+    /// The state of a point that lies `share` of the way from this node to `other`; the nearer one decides on contact.
+    pub(crate) fn towards(&self, other: &Self, share: f64) -> Self {
+        let mix = |here: f64, there: f64| here + share * (there - here);
+        Self {
+            pressure: mix(self.pressure, other.pressure),
+            solid_pressure: mix(self.solid_pressure, other.solid_pressure),
+            shear_stress: mix(self.shear_stress, other.shear_stress),
+            temperature: mix(self.temperature, other.temperature),
+            sliding_speed: mix(self.sliding_speed, other.sliding_speed),
+            film_thickness: mix(self.film_thickness, other.film_thickness),
+            in_contact: if share < 0.5 { self.in_contact } else { other.in_contact },
+        }
+    }
+}

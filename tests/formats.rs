@@ -57,7 +57,7 @@ fn check(folder: &Path, expected: &Expected) {
     }
 }
 
-/// Values that SurfaceTopography 1.27.1 reads, unlevelled.
+/// Values that `SurfaceTopography` 1.27.1 reads, unlevelled.
 const WHOLE: [Expected; 6] = [
     Expected {
         name: "x3p-2.x3p",

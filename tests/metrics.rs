@@ -2,6 +2,7 @@
 
 use approx::assert_relative_eq;
 use stribeck::Grid;
+use stribeck::lubricant::Rheology;
 use stribeck::metrics::{
     BearingCurve, average_central_film, composite_rq, contact_statistics, friction_coefficient,
     height_statistics, lambda_ratio, minimum_film, minimum_gap, viscous_shear_into,
@@ -173,15 +174,19 @@ fn contact_counts_area_and_load() {
 fn friction_adds_boundary_and_viscous_shares() {
     let grid = Grid::centred(10, 10, 1e-6, 1e-6).unwrap();
     let mut shear = vec![0.0; 100];
-    viscous_shear_into(&[0.01; 100], &[1e-6; 100], 2.0, None, &mut shear).unwrap();
+    viscous_shear_into(&[0.01; 100], &[1e-6; 100], 2.0, &Rheology::newtonian(), &mut shear).unwrap();
     assert_relative_eq!(shear[0], 2e4, max_relative = 1e-14);
     let mu = friction_coefficient(&grid, 0.115, &[0.5e9; 100], &shear, 0.1).unwrap();
     assert_relative_eq!(mu, (0.115 * 0.5e9 + 2e4) * 1e-10 / 0.1, max_relative = 1e-12);
     let mut film = vec![1e-9; 100];
     film[3] = -1e-9;
-    viscous_shear_into(&[1e5; 100], &film, 1.0, Some(5e7), &mut shear).unwrap();
+    let limited = Rheology::newtonian().with_limit(5e7).unwrap();
+    viscous_shear_into(&[1e5; 100], &film, 1.0, &limited, &mut shear).unwrap();
     assert_eq!((shear[0], shear[3]), (5e7, 0.0));
-    assert!(viscous_shear_into(&[-1.0], &[1.0], 1.0, None, &mut [0.0]).is_err());
-    assert!(viscous_shear_into(&[1.0], &[1.0], 1.0, Some(0.0), &mut [0.0]).is_err());
+    assert!(viscous_shear_into(&[-1.0], &[1.0], 1.0, &limited, &mut [0.0]).is_err());
+    assert!(Rheology::newtonian().with_limit(0.0).is_err());
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(Rheology::eyring(bad).is_err(), "{bad}");
+    }
     assert!(friction_coefficient(&grid, -0.1, &shear, &shear, 1.0).is_err());
 }

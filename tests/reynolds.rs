@@ -216,7 +216,11 @@ fn cold_solves_do_not_depend_on_what_the_solver_did_before() {
 fn loads_beyond_the_limit_are_refused_with_the_largest_one() {
     let mut scene = Scene::azam_2019(32);
     scene.roughness.ball = Roughness::None;
-    scene.plastic = Some(stribeck::sim::scene::PlasticSpec { hardness: 2e8, film_hardness: None });
+    scene.plastic = Some(stribeck::sim::scene::PlasticSpec {
+        hardness: 2e8,
+        film_hardness: None,
+        hardening_modulus: None,
+    });
     let error = solve_contact(&scene).unwrap_err().to_string();
     assert!(error.contains("plastic.hardness") && error.contains("less than"), "{error}");
 }

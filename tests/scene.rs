@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use stribeck::sim::scene::{FileRoughness, Roughness, SolverKind, TribofilmSpec, WearSpec};
+use stribeck::sim::scene::{FileRoughness, GridSpec, Roughness, SolverKind, TribofilmSpec, WearSpec};
 use stribeck::sim::{Scene, SimError, solve_contact, write_npz};
 use stribeck::surface::{Form, write_npy};
 
@@ -75,7 +75,12 @@ fn defaults_are_those_of_the_document() {
 /// Every key of the code is in the document, and every key of the document's scene is in its tables.
 #[test]
 fn document_lists_every_key() {
-    let code = [include_str!("../src/sim/scene.rs"), include_str!("../src/surface/form.rs")].concat();
+    let code = [
+        include_str!("../src/sim/scene/mod.rs"),
+        include_str!("../src/sim/scene/processes.rs"),
+        include_str!("../src/surface/form.rs"),
+    ]
+    .concat();
     let fields: BTreeSet<&str> = code
         .lines()
         .filter_map(|line| {
@@ -214,7 +219,7 @@ fn files_of_heights_are_taken_node_by_node() {
     }
 
     let mut other = scene.clone();
-    other.grid.nx = 17;
+    other.grid = GridSpec::Cells { nx: 17, ny: 16, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] };
     let message = solve_contact(&other).unwrap_err().to_string();
     assert!(message.contains("roughness.ball.path") && message.contains("16 x 16"), "{message}");
     std::fs::write(folder.path().join("ball.npy"), b"\x93NUMPY\x01\x00").unwrap();

@@ -8,8 +8,8 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 use stribeck::metrics::height_statistics;
 use stribeck::surface::{
-    Autocorrelation, Form, Heights, RoughnessMotion, RoughnessSpec, SurfaceError, add_shifted, copy_shifted,
-    generate, read, write_npy,
+    Autocorrelation, Form, FourierShift, Heights, Offset, RoughnessMotion, RoughnessSpec, SurfaceError,
+    add_blended, blend_shifted, copy_shifted, generate, read, write_npy,
 };
 use stribeck::{Grid, InputError};
 
@@ -145,13 +145,18 @@ fn extreme_and_bad_specifications() {
 
 #[test]
 fn shifts_depend_on_seed_body_and_step_and_fill_the_grid() {
-    let motion = RoughnessMotion::RandomShift { seed: 11 };
-    assert_eq!(motion.shift(0, 5, 128, 96), motion.shift(0, 5, 128, 96));
+    let shift = |seed, body, step, nx, ny| {
+        let grid = Grid::centred(nx, ny, 1e-6, 1e-6).unwrap();
+        let offset = RoughnessMotion::RandomShift { seed }.offset(body, step, 1.0, 0.1, &grid);
+        assert!(offset.fraction.abs() < f64::EPSILON);
+        (offset.columns, offset.rows)
+    };
+    assert_eq!(shift(11, 0, 5, 128, 96), shift(11, 0, 5, 128, 96));
     let mut seen = std::collections::HashSet::new();
     let (mut sum_x, mut sum_y) = (0, 0);
     for body in 0..2 {
         for step in 0..1000 {
-            let (sx, sy) = motion.shift(body, step, 128, 96);
+            let (sx, sy) = shift(11, body, step, 128, 96);
             assert!(sx < 128 && sy < 96);
             seen.insert((sx, sy));
             sum_x += sx;
@@ -160,14 +165,66 @@ fn shifts_depend_on_seed_body_and_step_and_fill_the_grid() {
     }
     assert!(seen.len() > 1700, "{} different shifts of 2000", seen.len());
     assert!((sum_x as f64 / 2000.0 - 63.5).abs() < 4.0 && (sum_y as f64 / 2000.0 - 47.5).abs() < 3.0);
-    assert_ne!(motion.shift(0, 5, 1 << 20, 1 << 20), motion.shift(1, 5, 1 << 20, 1 << 20));
-    assert_ne!(
-        motion.shift(0, 5, 1 << 20, 1 << 20),
-        RoughnessMotion::RandomShift { seed: 12 }.shift(0, 5, 1 << 20, 1 << 20)
-    );
+    assert_ne!(shift(11, 0, 5, 8192, 8192), shift(11, 1, 5, 8192, 8192));
+    assert_ne!(shift(11, 0, 5, 8192, 8192), shift(12, 0, 5, 8192, 8192));
     // recorded: a resumed run must repeat it
-    assert_eq!(motion.shift(1, 77, 1000, 1000), (669, 628));
-    assert_eq!(motion.shift(0, 0, 0, 0), (0, 0));
+    assert_eq!(shift(11, 1, 77, 1000, 1000), (669, 628));
+}
+
+#[test]
+fn a_convected_pattern_moves_with_its_body_and_comes_round() {
+    let grid = Grid::centred(64, 5, 2e-6, 1e-6).unwrap();
+    let at = |time, speed| RoughnessMotion::Convected.offset(0, 9, time, speed, &grid);
+    assert_eq!(at(0.0, 0.1), Offset::default());
+    // 1.5 cells downstream: column 0 of the grid sees what was 1.5 columns upstream.
+    let offset = at(3e-6, 1.0);
+    assert_eq!((offset.columns, offset.rows), (62, 0));
+    assert!((offset.fraction - 0.5).abs() < 1e-9);
+    let backwards = at(3e-6, -1.0);
+    assert_eq!(backwards.columns, 1);
+    assert!((backwards.fraction - 0.5).abs() < 1e-9);
+    let round = at(64.0 * 2e-6, 1.0);
+    assert!(round.fraction < 1e-9 || round.fraction > 1.0 - 1e-9, "{round:?}");
+    assert_eq!(at(f64::NAN, 1.0), Offset::default());
+}
+
+#[test]
+fn shifts_by_parts_of_a_cell_keep_what_they_must() {
+    for nx in [15, 16] {
+        let ny = 3;
+        // Two waves that the grid resolves in each row.
+        let wave = |x: f64, j: usize| {
+            let turn = std::f64::consts::TAU * x / nx as f64;
+            (3.0 * turn).sin() + 0.3 * (5.0 * turn + j as f64).cos() + j as f64
+        };
+        let field: Vec<f64> = (0..nx * ny).map(|k| wave((k % nx) as f64, k / nx)).collect();
+        let mut fourier = FourierShift::new(nx);
+        let offset = Offset { columns: 4, rows: 1, fraction: 0.3 };
+        let (mut seen, mut back) = (vec![0.0; nx * ny], vec![0.0; nx * ny]);
+        fourier.apply(&field, ny, offset, &mut seen).unwrap();
+        for (k, value) in seen.iter().enumerate() {
+            let expected = wave((k % nx) as f64 + 4.3, (k / nx + 1) % ny);
+            assert!((value - expected).abs() < 1e-12, "{nx}: {value} {expected}");
+        }
+        let inverse = Offset { columns: nx - 5, rows: ny - 1, fraction: 0.7 };
+        fourier.apply(&seen, ny, inverse, &mut back).unwrap();
+        assert!(field.iter().zip(&back).all(|(a, b)| (a - b).abs() < 1e-12));
+        // Linear blending there and adding back keep sums and signs.
+        let positive: Vec<f64> = field.iter().map(|v| v.max(0.0)).collect();
+        blend_shifted(&positive, nx, ny, offset, &mut seen).unwrap();
+        back.fill(0.0);
+        add_blended(&seen, nx, ny, offset, &mut back).unwrap();
+        let sums = [&positive, &seen, &back].map(|f| f.iter().sum::<f64>());
+        assert!((sums[0] - sums[1]).abs() < 1e-12 && (sums[0] - sums[2]).abs() < 1e-12, "{sums:?}");
+        assert!(seen.iter().chain(&back).all(|v| *v >= 0.0));
+        for fraction in [-0.1, 1.1, f64::NAN] {
+            let offset = Offset { fraction, ..offset };
+            assert!(fourier.apply(&field, ny, offset, &mut seen).is_err());
+            assert!(blend_shifted(&field, nx, ny, offset, &mut seen).is_err());
+            assert!(add_blended(&field, nx, ny, offset, &mut seen).is_err());
+        }
+        assert!(fourier.apply(&field[1..], ny, offset, &mut seen).is_err());
+    }
 }
 
 proptest! {
@@ -182,7 +239,7 @@ proptest! {
             }
         }
         let mut back = vec![0.0; nx * ny];
-        add_shifted(&seen, nx, ny, (sx, sy), &mut back).unwrap();
+        add_blended(&seen, nx, ny, Offset { columns: sx, rows: sy, fraction: 0.0 }, &mut back).unwrap();
         prop_assert_eq!(back, field);
     }
 }
@@ -191,8 +248,9 @@ proptest! {
 fn shifting_refuses_fields_of_the_wrong_size() {
     assert!(copy_shifted(&[0.0; 5], 2, 3, (0, 0), &mut [0.0; 6]).is_err());
     assert!(copy_shifted(&[0.0; 6], 2, 3, (0, 0), &mut [0.0; 5]).is_err());
-    assert!(add_shifted(&[0.0; 6], usize::MAX, 3, (0, 0), &mut [0.0; 6]).is_err());
-    assert!(add_shifted(&[], 0, 0, (1, 1), &mut []).is_ok());
+    let offset = Offset { columns: 1, rows: 1, fraction: 0.5 };
+    assert!(add_blended(&[0.0; 6], usize::MAX, 3, offset, &mut [0.0; 6]).is_err());
+    assert!(add_blended(&[], 0, 0, offset, &mut []).is_ok());
 }
 
 // ---------------------------------------------------------------- measured surfaces

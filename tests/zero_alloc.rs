@@ -104,7 +104,7 @@ struct Scene {
 impl Scene {
     fn new(nx: usize, ny: usize, rq: f64) -> Self {
         let hertz = HertzPoint::from_max_pressure(9.525e-3, 9.525e-3, 229.67e9, 1.15e9).unwrap();
-        let half = 1.7 * hertz.a_x;
+        let half = 3.0 * hertz.a_x;
         let grid = Grid::from_edges(nx, ny, [-half, half], [-half, half]).unwrap();
         let spec = RoughnessSpec {
             autocorrelation: Autocorrelation::Gaussian,
@@ -268,4 +268,26 @@ fn a_step_of_the_simulation() {
         counts.push(allocations);
     }
     assert_eq!(counts, [0; 10], "allocations in each step");
+}
+
+/// Roughness between nodes, steps by depth, a film, hardening and heat.
+#[test]
+fn a_step_of_the_simulation_with_everything() {
+    use stribeck::sim::scene::{Flash, SolverKind};
+    let mut scene = stribeck::sim::Scene::azam_2019(32).with_tribofilm();
+    scene.solver.kind = SolverKind::Dry;
+    scene.thermal.flash = Flash::On;
+    if let Some(plastic) = &mut scene.plastic {
+        (plastic.hardness, plastic.hardening_modulus) = (3e9, Some(1e16));
+    }
+    let builder = stribeck::sim::MixedLubricationSim::builder(scene);
+    let mut sim = builder.motion(stribeck::surface::RoughnessMotion::Convected).build().unwrap();
+    let control = stribeck::sim::StepControl { longest: 7.0001, depth: 1e-9 };
+    for _ in 0..10 {
+        let _ = sim.step_within(&control).unwrap();
+    }
+    for _ in 0..5 {
+        let (record, allocations) = counted(|| sim.step_within(&control).unwrap());
+        assert_eq!((record.report.status, allocations), (Status::Converged, 0));
+    }
 }

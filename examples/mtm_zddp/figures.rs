@@ -6,7 +6,7 @@ use std::path::Path;
 use stribeck::metrics::BearingCurve;
 use stribeck::sim::StepRecord;
 
-use crate::chart::{BLACK, BLUE, Figure, Line, Panel, Pen, VERMILION};
+use crate::chart::{BLACK, BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
 use crate::history::History;
 
 /// Points of a bearing area curve.
@@ -114,6 +114,7 @@ fn ball_roughness(pair: Pair<'_>) -> Figure {
     Figure {
         title: "Roughness of the ball".to_owned(),
         x_label: clock.label,
+        x_scale: XScale::FromZero,
         legend: legend(pair),
         panels: vec![Panel { y_label: "Rq of the ball, nm", lines }],
     }
@@ -125,6 +126,7 @@ fn lambda_old(pair: Pair<'_>) -> Figure {
     Figure {
         title: "\u{3bb} ratio by the film formula of Hamrock and Dowson".to_owned(),
         x_label: clock.label,
+        x_scale: XScale::FromZero,
         legend: legend(pair),
         panels: vec![Panel { y_label: "\u{3bb}_OLD = h_c / Rq", lines }],
     }
@@ -140,6 +142,7 @@ fn film_and_roughness(pair: Pair<'_>) -> Figure {
     Figure {
         title: "Average film within 2/3 of the contact radius, and roughness".to_owned(),
         x_label: clock.label,
+        x_scale: XScale::FromZero,
         legend,
         panels: vec![
             Panel { y_label: "h_avg, nm", lines: clock.scattered(pair, |r| 1e9 * r.average_film) },
@@ -153,6 +156,7 @@ fn lambda(pair: Pair<'_>) -> Figure {
     Figure {
         title: "\u{3bb} ratio by the average film".to_owned(),
         x_label: clock.label,
+        x_scale: XScale::FromZero,
         legend: scattered_legend(pair),
         panels: vec![Panel { y_label: "\u{3bb} = h_avg / Rq", lines: clock.scattered(pair, |r| r.lambda) }],
     }
@@ -163,6 +167,7 @@ fn contact(pair: Pair<'_>) -> Figure {
     Figure {
         title: "Solid contact: share of the Hertz area and of the load".to_owned(),
         x_label: clock.label,
+        x_scale: XScale::FromZero,
         legend: scattered_legend(pair),
         panels: vec![
             Panel { y_label: "area ratio", lines: clock.scattered(pair, |r| r.area_ratio) },
@@ -177,6 +182,7 @@ fn wear(pair: Pair<'_>) -> Figure {
     Figure {
         title: "Wear depth of the disc, mean over its patch".to_owned(),
         x_label: clock.label,
+        x_scale: XScale::FromZero,
         legend: legend(pair),
         panels: vec![Panel { y_label: "wear depth, nm", lines }],
     }
@@ -198,6 +204,7 @@ fn film_profile(pair: Pair<'_>) -> Result<Figure, Box<dyn Error>> {
     Ok(Figure {
         title: "Film along y at x = 0 in the last step (one random position of the roughness)".to_owned(),
         x_label: "y, \u{b5}m",
+        x_scale: XScale::FromZero,
         legend: legend(pair),
         panels: vec![Panel { y_label: "film thickness, nm", lines }],
     })
@@ -222,6 +229,7 @@ fn bearing_area(pair: Pair<'_>) -> Result<Figure, Box<dyn Error>> {
     Ok(Figure {
         title: "Bearing area curve of the disc".to_owned(),
         x_label: "material ratio, %",
+        x_scale: XScale::FromZero,
         legend,
         panels: vec![Panel {
             y_label: "height above the mean, nm",

@@ -9,6 +9,7 @@
 
 #![expect(clippy::print_stderr, reason = "a program that talks to its user")]
 
+#[path = "../chart/mod.rs"]
 mod chart;
 mod figures;
 mod history;

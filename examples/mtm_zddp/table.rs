@@ -35,7 +35,7 @@ const ROWS: [Row; 18] = [
     Row("tribofilm of the ball, mean", "nm", 1e9, 1, End::Last, |r| r.mean_film[0]),
     Row("tribofilm of the disc, mean", "nm", 1e9, 1, End::Last, |r| r.mean_film[1]),
     Row("volume flattened", "um^3", 1e18, 1, End::Last, |r| r.plastic_volume),
-    Row("flash temperature rise", "K", 1.0, 2, End::Mean, |r| r.flash_rise),
+    Row("flash temperature rise", "K", 1.0, 2, End::Mean, |r| r.flash_rise.unwrap_or(f64::NAN)),
     Row("friction coefficient", "", 1.0, 4, End::Mean, |r| r.friction_coefficient),
 ];
 

@@ -1,10 +1,11 @@
 //! Lubricant laws: viscosity and density as functions of pressure.
 //!
-//! [`ViscosityLaw`] and [`DensityLaw`] are open sets: implement one for an own fluid and hand it to
+//! [`Rheology`] is the shear stress that friction and heat are made of. [`ViscosityLaw`] and [`DensityLaw`] are open sets: implement one for an own fluid and hand it to
 //! [`Lubricant::new`], which tabulates both: solvers read the table, without a virtual call per node.
 
 mod barus;
 mod density;
+mod rheology;
 mod roelands;
 mod table;
 
@@ -12,6 +13,7 @@ use std::fmt::Debug;
 
 pub use barus::Barus;
 pub use density::{DowsonHigginson, Incompressible};
+pub use rheology::Rheology;
 pub use roelands::Roelands;
 pub use table::FluidPoint;
 use table::FluidTable;

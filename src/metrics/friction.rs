@@ -2,20 +2,23 @@
 
 use crate::error::InputError;
 use crate::grid::Grid;
+use crate::lubricant::Rheology;
 
-/// Overwrites `shear` \[Pa\] with the viscous shear stress `eta |u_s| / h` of each node, at most `limit` \[Pa\] when one is given.
+/// Overwrites `shear` \[Pa\] with the shear stress of the lubricant at each node, that of `rheology` at the shear rate
+/// `|u_s| / h`.
 ///
 /// `viscosity` \[Pa s\] and `film` \[m\] are fields of one length, `sliding_speed` \[m/s\] is the difference of the surface speeds
 /// (its sign does not matter). Nodes without a film (`film <= 0`) have no viscous shear: the boundary film carries
-/// them. Real lubricants shear at some 5 to 10 % of the pressure at most; without a limit the stress in a
-/// concentrated contact is far too high.
+/// them. Real lubricants shear at some 5 to 10 % of the pressure at most; a Newtonian one without a limit is far too
+/// stiff in a concentrated contact.
 ///
 /// # Errors
-/// Slices of different lengths, values that are not finite, a negative viscosity, a limit that is not positive.
+/// Slices of different lengths, values that are not finite, a negative viscosity.
 ///
 /// ```
 /// let mut shear = [0.0; 2];
-/// stribeck::metrics::viscous_shear_into(&[0.1, 10.0], &[1e-6, 1e-6], -0.5, Some(1e6), &mut shear)?;
+/// let oil = stribeck::lubricant::Rheology::newtonian().with_limit(1e6)?;
+/// stribeck::metrics::viscous_shear_into(&[0.1, 10.0], &[1e-6, 1e-6], -0.5, &oil, &mut shear)?;
 /// assert!((shear[0] - 5e4).abs() < 1e-9 && (shear[1] - 1e6).abs() < 1e-9);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
@@ -23,22 +26,19 @@ pub fn viscous_shear_into(
     viscosity: &[f64],
     film: &[f64],
     sliding_speed: f64,
-    limit: Option<f64>,
+    rheology: &Rheology,
     shear: &mut [f64],
 ) -> Result<(), InputError> {
     InputError::require_len("film", film, viscosity.len())?;
     InputError::require_len("shear", shear, viscosity.len())?;
     InputError::require_finite("film", film)?;
     InputError::require(sliding_speed.is_finite(), "sliding_speed", sliding_speed, "finite")?;
-    if let Some(limit) = limit {
-        InputError::require_positive("limit", limit)?;
-    }
     if let Some(&bad) = viscosity.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
         return InputError::require_non_negative("viscosity", bad);
     }
-    let (limit, speed) = (limit.unwrap_or(f64::INFINITY), sliding_speed.abs());
+    let speed = sliding_speed.abs();
     for ((tau, eta), h) in shear.iter_mut().zip(viscosity).zip(film) {
-        *tau = if *h > 0.0 { (eta * speed / h).min(limit) } else { 0.0 };
+        *tau = if *h > 0.0 { rheology.shear_stress(*eta, speed / h) } else { 0.0 };
     }
     Ok(())
 }

@@ -9,7 +9,7 @@
 //! | correlation | [`AreaCorrelation`], [`SpatialParameters`] (ISO 25178-2) |
 //! | spectrum | [`radial_spectrum`], [`profile_spectrum`] |
 //! | film | [`average_central_film`], [`minimum_film`], [`minimum_gap`], [`lambda_ratio`] |
-//! | contact | [`contact_statistics`] |
+//! | contact | [`contact_statistics`], [`peak`] |
 //! | patches | [`contact_patches`] |
 //! | friction | [`viscous_shear_into`], [`friction_coefficient`] |
 //!
@@ -24,6 +24,7 @@ mod histogram;
 mod hybrid;
 mod mask;
 mod patches;
+mod peak;
 mod roughness;
 mod spectrum;
 
@@ -35,5 +36,6 @@ pub use friction::{friction_coefficient, viscous_shear_into};
 pub use histogram::{HeightHistogram, height_histogram};
 pub use hybrid::{HybridParameters, hybrid_parameters};
 pub use patches::{ContactPatches, contact_patches};
+pub use peak::peak;
 pub use roughness::{HeightStatistics, composite_rq, height_statistics};
 pub use spectrum::{Axis, Spectrum, profile_spectrum, radial_spectrum};

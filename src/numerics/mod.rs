@@ -3,9 +3,9 @@
 mod convolution;
 mod fft;
 mod gmres;
-mod sparse_lu;
+mod grid_lu;
 
 pub(crate) use convolution::{Convolution, ConvolutionPlan, fast_length};
 pub(crate) use fft::Fft2;
 pub(crate) use gmres::{Gmres, PreconditionedOperator};
-pub(crate) use sparse_lu::{GridLu, STENCIL};
+pub(crate) use grid_lu::{GridLu, STENCIL};

@@ -1,28 +1,36 @@
 //! Plastic flattening of asperities: the pressure a node can carry, and the depth that is left behind.
 //!
-//! [`PlasticityModel`] is an open set; [`ElasticPerfectlyPlastic`] is the model of the reference scene.
+//! [`PlasticityModel`] is an open set; [`ElasticPerfectlyPlastic`] is the model of the reference scene,
+//! [`IsotropicHardening`] one whose limit grows with the depth.
 //! Solvers cap the pressure at the [contact limit](PlasticityModel::contact_limit_into) of the softer body;
 //! where the bodies then still overlap, [`split_depth`] says which of them gives way, and each body's
 //! [`PlasticDepth`] keeps it.
 
 mod elastic_perfectly_plastic;
 mod flattening;
+mod isotropic_hardening;
 
 use std::fmt::Debug;
 
 pub use elastic_perfectly_plastic::ElasticPerfectlyPlastic;
 pub use flattening::{PlasticDepth, split_depth, split_depth_into};
+pub use isotropic_hardening::IsotropicHardening;
 
 use crate::error::InputError;
 
 /// The largest pressure a body carries at a node.
 ///
-/// Contract: the limit is positive and not NaN for every finite argument; infinity means that the body never
-/// yields.
+/// Contract: the limit is positive and not NaN for every finite argument, and it does not fall with the plastic depth;
+/// infinity means that the body never yields.
 pub trait PlasticityModel: Debug + Send + Sync {
     /// Pressure limit \[Pa\] of one body at a node that carries `film_thickness` \[m\] of tribofilm and has
     /// been flattened by `plastic_depth` \[m\].
     fn pressure_limit(&self, film_thickness: f64, plastic_depth: f64) -> f64;
+
+    /// Whether the limit depends on the plastic depth: a simulation then finds limit and depth of a step together.
+    fn hardens(&self) -> bool {
+        false
+    }
 
     /// Overwrites `out` \[Pa\] with the limit of the pair, node by node the smaller of the two bodies'
     /// limits. `films` and `depths` \[m\] are those of the two bodies as they lie opposite each other.

@@ -21,6 +21,11 @@ impl Auto {
     pub fn new() -> Self {
         Self::default()
     }
+
+    /// A solver that takes a dry contact at the edge of the box as it is (see [`Dry::allowing_edge_contact`]).
+    pub fn allowing_edge_contact() -> Self {
+        Self { dry: Dry::allowing_edge_contact(), ..Self::default() }
+    }
 }
 
 impl ContactSolver for Auto {

@@ -105,7 +105,7 @@ impl Discretisation {
         // contact film itself would hide from Newton that a node just under it can open.
         self.film_floor = 0.5 * problem.contact_film();
         self.face_x = 1.0 / (speed * dx);
-        self.face_y = dx / (speed * dy * dy);
+        self.face_y = if self.grid.ny() == 1 { 0.0 } else { dx / (speed * dy * dy) };
         self.wedge = problem.entrainment_speed / speed;
         self.squeeze = grid_speed / speed;
         self.fluidity = problem.lubricant.map_or(0.0, |l| 1.0 / (12.0 * l.viscosity().viscosity(0.0)));
@@ -154,10 +154,11 @@ impl Discretisation {
         self.nodes[k].density
     }
 
-    /// Neighbours of node `k` (east, west, north, south) with their face coefficients.
+    /// Neighbours of node `k` (east, west, north, south) with their face coefficients; across a line contact they are the
+    /// node itself.
     #[inline]
     fn neighbours(&self, k: usize) -> [(usize, f64); 4] {
-        let nx = self.grid.nx();
+        let nx = if self.grid.ny() == 1 { 0 } else { self.grid.nx() };
         [(k + 1, self.face_x), (k - 1, self.face_x), (k + nx, self.face_y), (k - nx, self.face_y)]
     }
 
@@ -202,6 +203,12 @@ impl Discretisation {
         self.wedge * (self.nodes[k].density * near.own - self.nodes[k - 1].density * near.next_x)
             + self.squeeze * self.nodes[k].density * near.own
             + faces * self.nodes[k].potential_p
+    }
+
+    /// Pressure flow through the faces of node `k` over the entrainment and squeeze of its elastic response.
+    pub(super) fn flow_ratio(&self, k: usize, near: NearField) -> f64 {
+        let faces: f64 = self.neighbours(k).into_iter().map(|(o, c)| c * self.face(k, o)).sum();
+        faces * self.nodes[k].potential_p / ((self.wedge + self.squeeze) * self.nodes[k].density * near.own)
     }
 
     /// How strongly `F_k` depends on the own mass: entrainment and squeeze together.
@@ -314,9 +321,8 @@ impl Discretisation {
     /// Coefficients `(below, diagonal, above)` of an implicit step along x at node `k` with mobilities frozen,
     /// entrainment of first order and the elastic response of the line stiffened by `stiffness`.
     pub(super) fn line_row(&self, k: usize, near: NearField, stiffness: f64) -> (f64, f64, f64) {
-        let nx = self.grid.nx();
-        let (east, west) = (self.face_x * self.face(k, k + 1), self.face_x * self.face(k, k - 1));
-        let cross = self.face_y * (self.face(k, k + nx) + self.face(k, k - nx));
+        let [east, west, north, south] = self.neighbours(k).map(|(o, c)| c * self.face(k, o));
+        let cross = north + south;
         let slope = |q: usize| self.nodes[q].potential_p;
         let (own, up) = (self.nodes[k].density * stiffness, self.nodes[k - 1].density * stiffness);
         let (w, s) = (self.wedge, self.squeeze);

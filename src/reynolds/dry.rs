@@ -99,9 +99,11 @@ pub(super) fn hertzian(problem: &LubricatedContact<'_>, pressure: &mut [f64]) {
     }
 }
 
-/// Dry contact by active-set conjugate gradients; a lubricant in the problem is an error.
+/// Dry contact by active-set conjugate gradients; a lubricant in the problem is an error, and so is a contact that
+/// reaches the edge of the box: the bodies would touch beyond it, and what they carry there is missing.
 #[derive(Debug, Default)]
 pub struct Dry {
+    edge_contact: bool,
     workspace: Option<Box<(DryStart, Coupled)>>,
 }
 
@@ -110,6 +112,24 @@ impl Dry {
     pub fn new() -> Self {
         Self::default()
     }
+
+    /// A solver that takes the box as it is, contact at its edge or not.
+    pub fn allowing_edge_contact() -> Self {
+        Self { edge_contact: true, workspace: None }
+    }
+}
+
+/// Error if a node next to the outermost ring carries pressure.
+fn refuse_edge_contact(grid: &Grid, state: &ContactState) -> Result<(), ReynoldsError> {
+    let (nx, ny) = (grid.nx(), grid.ny());
+    for k in interior(grid) {
+        let (i, j) = (k % nx, k / nx);
+        let at_edge = i == 1 || i + 2 == nx || (ny > 1 && (j == 1 || j + 2 == ny));
+        if at_edge && state.pressure[k] > 0.0 {
+            return Err(ReynoldsError::EdgeContact { x: grid.x(i), y: grid.y(j) });
+        }
+    }
+    Ok(())
 }
 
 impl ContactSolver for Dry {
@@ -154,6 +174,9 @@ impl ContactSolver for Dry {
         } else {
             Status::MaxIterations
         };
+        if status == Status::Converged && !self.edge_contact {
+            refuse_edge_contact(&grid, state)?;
+        }
         let work = Work {
             convolutions: (outcome.convolutions + coupled.convolutions) as f64,
             iterations: outcome.passes,

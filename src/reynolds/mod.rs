@@ -117,6 +117,16 @@ pub enum ReynoldsError {
         /// What the problem has that the solver cannot treat.
         reason: &'static str,
     },
+    /// The contact reaches the edge of the box.
+    #[error(
+        "the contact reaches the edge of the box at x = {x:.6e}, y = {y:.6e}: enlarge the box or allow it"
+    )]
+    EdgeContact {
+        /// Where \[m\].
+        x: f64,
+        /// Where \[m\].
+        y: f64,
+    },
     /// Not enough memory for the factorisation.
     #[error("not enough memory to factorise the fluid equations of {nodes} nodes")]
     Memory {

@@ -22,6 +22,10 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::{GridLu, STENCIL};
 
+/// Ratio of pressure flow to the entrainment of the elastic response below which the preconditioner solves for the film
+/// of a fluid node, which upstream fixes, and finds the pressure from the film as it does in solid contact.
+const STIFF: f64 = 0.1;
+
 /// The product of the linearised equations with a vector.
 #[derive(Debug, Clone)]
 pub(super) struct Unknowns {
@@ -184,6 +188,9 @@ impl Unknowns {
 #[derive(Debug)]
 pub(super) struct BlockPreconditioner {
     stencil: Vec<f64>,
+    /// Sides of the nodes as the fluid block sees them: nodes too stiff to be moved by pressure flow count as fluid at
+    /// the limit.
+    kinds: Vec<Kind>,
     lu: GridLu,
     fluid: Vec<f64>,
     gap: Vec<f64>,
@@ -200,7 +207,8 @@ impl BlockPreconditioner {
         let zeros = || vec![0.0; grid.len()];
         Ok(Self {
             stencil: vec![0.0; STENCIL * grid.len()],
-            lu: GridLu::new(grid.nx(), grid.ny()).ok_or(ReynoldsError::Memory { nodes: grid.len() })?,
+            kinds: vec![Kind::BOUNDARY; grid.len()],
+            lu: GridLu::new(grid.nx(), grid.ny()),
             fluid: zeros(),
             gap: zeros(),
             contact: zeros(),
@@ -220,10 +228,18 @@ impl BlockPreconditioner {
         if problem.lubricant.is_none() {
             return Ok(());
         }
+        // On a line the inverse of the logarithmic kernel is too poor for that.
+        let by_film = coupled.fluid.grid.ny() > 1;
+        for (k, kind) in coupled.kinds.iter().enumerate() {
+            self.kinds[k] = *kind;
+            if by_film && kind.is_open_fluid() && coupled.fluid.flow_ratio(k, coupled.near) < STIFF {
+                self.kinds[k].fluid = Fluid::AtLimit;
+            }
+        }
         for (k, row) in self.stencil.chunks_exact_mut(STENCIL).enumerate() {
             let balanced = coupled.kinds[k].has_balance();
             let values = if balanced {
-                coupled.fluid.stencil_row(k, &coupled.kinds, &state.film, coupled.near)
+                coupled.fluid.stencil_row(k, &self.kinds, &state.film, coupled.near)
             } else {
                 [coupled.near.own, 0.0, 0.0, 0.0, 0.0]
             };
@@ -286,26 +302,37 @@ impl BlockPreconditioner {
         out: &mut [f64],
     ) -> Result<(), InputError> {
         let n = coupled.kinds.len();
-        let mut any_contact = false;
         for (k, kind) in coupled.kinds.iter().enumerate() {
-            let in_contact = kind.solid == Solid::Contact;
-            any_contact |= in_contact;
-            self.gap[k] = if in_contact { r[k] } else { 0.0 };
             self.fluid[k] = match (kind.has_balance(), kind.is_contact()) {
                 (true, false) => r[k],
                 (true, true) => r[n + k],
                 _ => 0.0,
             };
         }
+        if problem.lubricant.is_some() {
+            self.lu.solve(&mut self.fluid);
+        }
+        let mut any_contact = false;
+        for (k, kind) in coupled.kinds.iter().enumerate() {
+            let in_contact = kind.solid == Solid::Contact;
+            let stiff = self.kinds[k] != *kind;
+            any_contact |= in_contact || stiff;
+            self.gap[k] = if in_contact {
+                r[k]
+            } else if stiff {
+                coupled.near.own * self.fluid[k]
+            } else {
+                0.0
+            };
+        }
         if any_contact {
             problem.deformation.pressure_estimate(&self.gap, &mut self.contact)?;
             coupled.convolutions += 1;
         }
-        if problem.lubricant.is_some() {
-            self.lu.solve(&mut self.fluid);
-        }
         for (k, kind) in coupled.kinds.iter().enumerate() {
-            let (first, second) = placed(*kind, self.contact[k], self.fluid[k]);
+            // A stiff node's film has become a pressure.
+            let fluid = if self.kinds[k] == *kind { self.fluid[k] } else { self.contact[k] };
+            let (first, second) = placed(*kind, self.contact[k], fluid);
             out[k] = first;
             out[n + k] = second;
         }

@@ -48,6 +48,9 @@ pub struct Squeeze<'a> {
 /// - load balance: the integral of `p` is `load`.
 ///
 /// Without lubricant `p_f = 0` and `h_cut = 0`: dry contact. Pressure is zero on the outermost nodes.
+///
+/// On a grid with one row this is a line contact: the two ends of the row are its outermost nodes, nothing flows across
+/// it, and loads are those of the length `dy`.
 #[derive(Debug)]
 pub struct LubricatedContact<'a> {
     /// Undeformed gap per node \[m\]: form minus the heights of both surfaces.
@@ -105,9 +108,13 @@ impl LubricatedContact<'_> {
         InputError::require_positive("reference_half_widths.1", self.reference_half_widths.1)?;
         InputError::require_positive("reference_pressure", self.reference_pressure)?;
         InputError::require_non_negative("reference_film", self.reference_film)?;
-        for (field, n) in [("grid.nx", grid.nx()), ("grid.ny", grid.ny())] {
-            InputError::require(n >= 5, field, n as f64, "at least 5 for a contact solve")?;
-        }
+        InputError::require(grid.nx() >= 5, "grid.nx", grid.nx() as f64, "at least 5 for a contact solve")?;
+        InputError::require(
+            grid.ny() == 1 || grid.ny() >= 5,
+            "grid.ny",
+            grid.ny() as f64,
+            "at least 5 for a contact solve, or 1 for a line contact",
+        )?;
         if self.lubricant.is_some() {
             InputError::require_positive("film_cutoff", self.film_cutoff)?;
             InputError::require_non_negative("entrainment_speed", self.entrainment_speed)?;
@@ -144,8 +151,13 @@ impl LubricatedContact<'_> {
     }
 }
 
-/// Indices of the nodes that are not on the outermost ring.
+/// Rows without those at the edges; of a line contact, which has no edges across x, its only row.
+pub(super) fn inner_rows(grid: &Grid) -> std::ops::Range<usize> {
+    if grid.ny() == 1 { 0..1 } else { 1..grid.ny().saturating_sub(1) }
+}
+
+/// Indices of the nodes that are not on the outermost ring, or not at the two ends of a line contact.
 pub(super) fn interior(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
-    let (nx, ny) = (grid.nx(), grid.ny());
-    (1..ny.saturating_sub(1)).flat_map(move |j| (1..nx.saturating_sub(1)).map(move |i| j * nx + i))
+    let nx = grid.nx();
+    inner_rows(grid).flat_map(move |j| (1..nx.saturating_sub(1)).map(move |i| j * nx + i))
 }

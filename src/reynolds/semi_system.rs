@@ -3,7 +3,7 @@
 use super::active_set::{Fluid, Solid};
 use super::coupled::{Coupled, limit_of};
 use super::dry::hertzian;
-use super::problem::LubricatedContact;
+use super::problem::{LubricatedContact, inner_rows};
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::error::InputError;
@@ -206,7 +206,7 @@ impl Workspace {
     /// One pass over all lines.
     fn sweep(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState, knobs: (f64, f64)) {
         let grid = self.coupled.fluid.grid;
-        for j in 1..grid.ny() - 1 {
+        for j in inner_rows(&grid) {
             self.assemble_line(problem, state, j, knobs.1);
             self.solve_line();
             self.update_line(problem, state, j, knobs.0);

@@ -3,15 +3,15 @@
 use super::body::Body;
 use super::contact::{ContactModel, Overrides};
 use super::scene::{Flash, Scene};
-use super::simulation::{Laws, MixedLubricationSim};
+use super::simulation::{Heat, Laws, MixedLubricationSim, Travel};
 use super::{SimError, setup};
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
 use crate::lubricant::{DensityLaw, ViscosityLaw};
-use crate::plastic::{ElasticPerfectlyPlastic, PlasticityModel};
+use crate::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
 use crate::reynolds::ContactSolver;
 use crate::surface::RoughnessMotion;
-use crate::tribochem::{FilmGrowthLaw, FlashTemperature, Ghanbarzadeh, ThermalBody, estimate_maximum_rise};
+use crate::tribochem::{FilmGrowthLaw, FlashTemperature, ThermalBody, estimate_maximum_rise};
 use crate::wear::{Archard, WearLaw, WearPressure};
 
 /// Flash temperature rise below which the heat pass is left out unless asked for \[K\].
@@ -26,6 +26,7 @@ pub struct SimBuilder {
     growth: Option<Box<dyn FilmGrowthLaw>>,
     wear: Option<Box<dyn WearLaw>>,
     motion: RoughnessMotion,
+    squeeze: bool,
     heights: [Option<Vec<f64>>; 2],
 }
 
@@ -38,6 +39,7 @@ impl SimBuilder {
             growth: None,
             wear: None,
             motion: RoughnessMotion::RandomShift { seed: 0 },
+            squeeze: false,
             heights: [None, None],
         }
     }
@@ -98,6 +100,15 @@ impl SimBuilder {
         self
     }
 
+    /// Makes the history transient: each contact after the first feels the squeeze of the film of the one before, one
+    /// time step earlier. It belongs to [`RoughnessMotion::Convected`] and steps of the time that the surfaces need for a
+    /// cell; in the long steps of a wear history the squeeze is nothing.
+    #[must_use]
+    pub fn with_squeeze(mut self) -> Self {
+        self.squeeze = true;
+        self
+    }
+
     /// Replaces the heights of the ball, one value per node of the grid, positive out of the body \[m\].
     #[must_use]
     pub fn ball_heights(mut self, heights: Vec<f64>) -> Self {
@@ -122,29 +133,34 @@ impl SimBuilder {
         let laws = self.laws()?;
         let [ball, disc] = std::mem::take(&mut self.heights);
         let bodies = [self.body(ball, 0, &contact, &laws)?, self.body(disc, 1, &contact, &laws)?];
-        let flash = self.flash(&contact)?;
-        Ok(MixedLubricationSim::assemble(self.scene, contact, bodies, laws, flash, self.motion))
+        let (flash, flash_estimate) = self.flash(&contact)?;
+        let heat = Heat { flash, estimate: flash_estimate };
+        let travel = Travel { motion: self.motion, squeeze: self.squeeze };
+        Ok(MixedLubricationSim::assemble(self.scene, contact, bodies, laws, heat, travel)?)
     }
 
     fn laws(&mut self) -> Result<Laws, SimError> {
         let scene = &self.scene;
         let growth: Option<Box<dyn FilmGrowthLaw>> = match (self.growth.take(), scene.tribofilm) {
             (Some(law), _) => Some(law),
-            (None, Some(spec)) => Some(Box::new(Ghanbarzadeh::new(
-                spec.maximum_thickness,
-                spec.x_tribo,
-                spec.removal_limit,
-                spec.removal_rate,
-            )?)),
+            (None, Some(spec)) => Some(Box::new(setup::growth_law(&spec)?)),
             (None, None) => None,
         };
         let film_thickness = growth.as_ref().map(|law| law.maximum_thickness());
         let plasticity: Option<Box<dyn PlasticityModel>> = match (self.plasticity.take(), scene.plastic) {
             (Some(model), _) => Some(model),
-            (None, Some(spec)) => Some(Box::new(match (spec.film_hardness, film_thickness) {
-                (Some(film), Some(full)) => ElasticPerfectlyPlastic::with_film(spec.hardness, film, full)?,
-                _ => ElasticPerfectlyPlastic::uniform(spec.hardness)?,
-            })),
+            (None, Some(spec)) => {
+                let initial = match (spec.film_hardness, film_thickness) {
+                    (Some(film), Some(full)) => {
+                        ElasticPerfectlyPlastic::with_film(spec.hardness, film, full)?
+                    }
+                    _ => ElasticPerfectlyPlastic::uniform(spec.hardness)?,
+                };
+                Some(match spec.hardening_modulus {
+                    Some(modulus) => Box::new(IsotropicHardening::new(initial, modulus)?),
+                    None => Box::new(initial),
+                })
+            }
             (None, None) => None,
         };
         let wear: Option<Box<dyn WearLaw>> = match (self.wear.take(), scene.wear) {
@@ -152,14 +168,18 @@ impl SimBuilder {
             (None, Some(spec)) => {
                 // Without a film the reference thickness is never reached: any positive one will do.
                 let full = film_thickness.unwrap_or(1.0);
-                let law = Archard::new(spec.coefficient, spec.film_coefficient, full, spec.hardness)?;
+                let mut law = Archard::new(spec.coefficient, spec.film_coefficient, full, spec.hardness)?;
+                if let Some(film_hardness) = spec.film_hardness {
+                    law = law.with_film_hardness(film_hardness)?;
+                }
                 let pressure =
                     if spec.solid_pressure_only { WearPressure::Solid } else { WearPressure::Total };
                 Some(Box::new(law.with_pressure(pressure)))
             }
             (None, None) => None,
         };
-        Ok(Laws { plasticity, growth, wear })
+        let duty = self.scene.wear.map_or([1.0; 2], |spec| [spec.duty_factor_ball, spec.duty_factor_disc]);
+        Ok(Laws { plasticity, growth, wear, duty })
     }
 
     fn body(
@@ -184,26 +204,21 @@ impl SimBuilder {
         Ok(Body::new(initial, laws.growth.as_deref()))
     }
 
-    /// The heat pass, unless it is switched off or its estimate is negligible.
-    fn flash(&self, contact: &ContactModel) -> Result<Option<FlashTemperature>, SimError> {
+    /// The heat pass, unless it is switched off or its estimate is negligible, and the estimate \[K\].
+    fn flash(&self, contact: &ContactModel) -> Result<(Option<FlashTemperature>, f64), SimError> {
         let (thermal, motion) = (self.scene.thermal, self.scene.motion);
         let steel = ThermalBody { conductivity: thermal.conductivity, diffusivity: thermal.diffusivity };
         let speeds = motion.surface_speeds();
+        let radius = contact.hertz.radius;
+        let friction = self.scene.friction.boundary_coefficient;
+        let estimate = estimate_maximum_rise([steel; 2], speeds, friction, contact.hertz.p_max, radius)?;
         let wanted = match thermal.flash {
             Flash::On => true,
             Flash::Off => false,
-            Flash::Auto => {
-                let radius = (contact.hertz.a_x * contact.hertz.a_y).sqrt();
-                let rise = estimate_maximum_rise(
-                    [steel; 2],
-                    speeds,
-                    self.scene.friction.boundary_coefficient,
-                    contact.hertz.p_max,
-                    radius,
-                )?;
-                rise >= NEGLIGIBLE_RISE
-            }
+            Flash::Auto => estimate >= NEGLIGIBLE_RISE,
         };
-        Ok(if wanted { Some(FlashTemperature::new(&contact.grid, [steel; 2], speeds)?) } else { None })
+        let flash =
+            if wanted { Some(FlashTemperature::new(&contact.grid, [steel; 2], speeds)?) } else { None };
+        Ok((flash, estimate))
     }
 }

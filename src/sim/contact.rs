@@ -1,21 +1,26 @@
 //! One quasi-static contact: the pieces that stay fixed while surfaces change, and its solution in numbers.
 
-use super::scene::Scene;
+use super::accuracy::{self, ErrorEstimate};
+use super::friction::FrictionFields;
+use super::hertz::HertzContact;
+use super::scene::{GridSpec, Scene};
+use super::setup::FormulaFilm;
 use super::{SimError, setup};
-use crate::analytic::HertzPoint;
-use crate::elastic::{DeformationModel, HalfSpace};
+use crate::elastic::{DeformationModel, HalfSpace, LineHalfSpace};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::metrics;
 use crate::report::SolveReport;
-use crate::reynolds::{ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme, StoppingRule};
+use crate::reynolds::{
+    ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme, Squeeze, StoppingRule,
+};
 
 /// Grid, elastic body, lubricant, load and solver of a scene.
 #[derive(Debug)]
 pub(super) struct ContactModel {
     pub(super) grid: Grid,
-    pub(super) hertz: HertzPoint,
+    pub(super) hertz: HertzContact,
     /// Gap of the smooth, undeformed bodies \[m\].
     pub(super) form_gap: Vec<f64>,
     pub(super) deformation: Box<dyn DeformationModel>,
@@ -26,8 +31,8 @@ pub(super) struct ContactModel {
     face_mobility: FaceMobility,
     film_cutoff: f64,
     entrainment_speed: f64,
-    /// Hamrock-Dowson central film of the smooth contact; zero without lubricant \[m\].
-    pub(super) formula_film: f64,
+    /// Film formulas of the smooth contact; none without lubricant.
+    formulas: Option<FormulaFilm>,
 }
 
 /// What a user puts in place of the scene's own parts.
@@ -44,7 +49,7 @@ impl ContactModel {
         setup::validate(scene)?;
         let grid = scene.grid()?;
         let hertz = scene.hertz()?;
-        setup::validate_box(&grid, &hertz)?;
+        setup::validate_box(&grid, &hertz, scene.form.is_line())?;
         let mut form_gap = vec![0.0; grid.len()];
         scene.form.gap_into(&grid, &mut form_gap)?;
         let deformation = match overrides.deformation {
@@ -55,7 +60,7 @@ impl ContactModel {
                 }));
             }
             Some(model) => model,
-            None => Box::new(HalfSpace::new(grid, scene.elastic.equivalent_modulus)?),
+            None => half_space(scene, grid)?,
         };
         let influence = deformation.influence(0, 0);
         if !influence.is_normal() || influence < 0.0 {
@@ -76,12 +81,9 @@ impl ContactModel {
             _ => None,
         };
         let law = lubricant.as_ref().map(Lubricant::viscosity);
-        let formula_film = match setup::film_conditions(scene, &hertz, law) {
-            Some(conditions) => conditions.hamrock_dowson_central()?,
-            None => 0.0,
-        };
+        let formulas = setup::formula_film(scene, &hertz, law)?;
         Ok(Self {
-            formula_film,
+            formulas,
             grid,
             hertz,
             form_gap,
@@ -96,19 +98,26 @@ impl ContactModel {
         })
     }
 
-    /// Solves the contact with the undeformed gap `gap` and pressure limit `limit`, from `state`.
+    /// Central film of the smooth contact by formula; zero without lubricant \[m\].
+    pub(super) fn formula_film(&self) -> f64 {
+        self.formulas.map_or(0.0, |formulas| formulas.central)
+    }
+
+    /// Solves the contact with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`, from `state`.
     pub(super) fn solve(
         &mut self,
         gap: &[f64],
         limit: Option<&[f64]>,
+        squeeze: Option<Squeeze<'_>>,
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
+        let reference_film = self.formula_film();
         let mut problem = LubricatedContact {
             gap,
             deformation: &mut *self.deformation,
             lubricant: self.lubricant.as_ref(),
             entrainment_speed: self.entrainment_speed,
-            squeeze: None,
+            squeeze,
             load: self.hertz.load,
             pressure_limit: limit,
             film_cutoff: self.film_cutoff,
@@ -116,7 +125,7 @@ impl ContactModel {
             face_mobility: self.face_mobility,
             reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
             reference_pressure: self.hertz.p_max,
-            reference_film: self.formula_film,
+            reference_film,
         };
         Ok(self.solver.solve(&mut problem, state, &self.rule)?)
     }
@@ -130,7 +139,7 @@ pub struct ContactSolution {
     /// The grid.
     pub grid: Grid,
     /// Hertz contact of the smooth bodies.
-    pub hertz: HertzPoint,
+    pub hertz: HertzContact,
     /// Moes parameters `(M, L)`; none for a dry contact.
     pub moes: Option<(f64, f64)>,
     /// Entrainment scheme and pressure flow; none for a dry contact.
@@ -139,10 +148,15 @@ pub struct ContactSolution {
     pub state: ContactState,
     /// Undeformed gap, form and roughness \[m\].
     pub gap: Vec<f64>,
+    /// Estimated errors; only where the scene asks for an accuracy in place of a grid.
+    pub error_estimate: Option<ErrorEstimate>,
     /// Film numbers.
     pub film: FilmNumbers,
     /// Contact numbers.
     pub contact: ContactNumbers,
+    /// Friction coefficient, from boundary friction under the solid pressure and shear of the fluid; zero without
+    /// sliding.
+    pub friction_coefficient: f64,
 }
 
 /// Film thickness of a solution \[m\].
@@ -166,7 +180,7 @@ impl FilmNumbers {
 /// Pressure and contact of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactNumbers {
-    /// Largest pressure \[Pa\].
+    /// Largest pressure, between nodes where the peak is resolved (see [`metrics::peak`]) \[Pa\].
     pub max_pressure: f64,
     /// Pressure at x = y = 0 \[Pa\].
     pub central_pressure: f64,
@@ -191,7 +205,8 @@ impl ContactNumbers {
     };
 }
 
-/// Solves the single contact of `scene`, surfaces as they are.
+/// Solves the single contact of `scene`, surfaces as they are. With an accuracy in place of a grid the contact is solved on
+/// finer and finer meshes, the last of which is returned.
 ///
 /// # Errors
 /// A scene that does not fit; a load that the pressure limit cannot carry. Not converging is a status of the report.
@@ -208,6 +223,17 @@ impl ContactNumbers {
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {
+    match scene.grid {
+        GridSpec::Accuracy { accuracy } => accuracy::solve(scene, accuracy),
+        _ => solve_on_grid(scene, |grid| Ok(ContactState::new(grid))),
+    }
+}
+
+/// Solves the contact on the grid of the scene from the state that `start` makes.
+pub(super) fn solve_on_grid(
+    scene: &Scene,
+    start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
+) -> Result<ContactSolution, SimError> {
     let mut model = ContactModel::new(scene, Overrides::default())?;
     let grid = model.grid;
     let ball = setup::heights(&scene.roughness.ball, &grid, "ball")?;
@@ -221,23 +247,45 @@ pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {
             Some(vec![plastic.hardness; grid.len()])
         }
     };
-    let mut state = ContactState::new(&grid);
-    let report = model.solve(&gap, limit.as_deref(), &mut state)?;
-    let (film, contact) = if state.pressure.iter().chain(&state.film).all(|value| value.is_finite()) {
-        let solid: Vec<f64> = (0..grid.len()).map(|k| state.solid_pressure(k)).collect();
-        (film_numbers(&model, &state)?, contact_numbers(&model, &state, &solid, limit.as_deref())?)
-    } else {
-        // A solve that diverged is a status; its numbers are unknown.
-        (FilmNumbers::UNKNOWN, ContactNumbers::UNKNOWN)
-    };
-    let (hertz, moes) = (model.hertz, moes(scene, &model));
+    let mut state = start(&grid)?;
+    let report = model.solve(&gap, limit.as_deref(), None, &mut state)?;
+    let (film, contact, friction_coefficient) =
+        if state.pressure.iter().chain(&state.film).all(|value| value.is_finite()) {
+            let mut friction = FrictionFields::new(scene, grid.len())?;
+            friction.update(&model, &state)?;
+            let contact = contact_numbers(&model, &state, &friction.solid, limit.as_deref())?;
+            (film_numbers(&model, &state)?, contact, friction.coefficient(&model)?)
+        } else {
+            // A solve that diverged is a status; its numbers are unknown.
+            (FilmNumbers::UNKNOWN, ContactNumbers::UNKNOWN, f64::NAN)
+        };
+    let (hertz, moes) = (model.hertz, model.formulas.map(|formulas| formulas.moes));
     let discretisation = model.lubricant.is_some().then_some((model.scheme, model.face_mobility));
-    Ok(ContactSolution { report, grid, hertz, moes, film, contact, discretisation, state, gap })
+    Ok(ContactSolution {
+        report,
+        grid,
+        hertz,
+        moes,
+        film,
+        contact,
+        friction_coefficient,
+        discretisation,
+        state,
+        gap,
+        error_estimate: None,
+    })
 }
 
-fn moes(scene: &Scene, model: &ContactModel) -> Option<(f64, f64)> {
-    let viscosity = model.lubricant.as_ref().map(Lubricant::viscosity);
-    setup::film_conditions(scene, &model.hertz, viscosity).map(|c| (c.moes_load(), c.moes_lubricant()))
+/// The elastic bodies of the scene. Displacements of a line contact count from the distance of the radius, or the length of
+/// the box where that is longer.
+fn half_space(scene: &Scene, grid: Grid) -> Result<Box<dyn DeformationModel>, InputError> {
+    let modulus = scene.elastic.equivalent_modulus;
+    Ok(if scene.form.is_line() {
+        let reference = scene.form.radii().0.max(grid.size_x());
+        Box::new(LineHalfSpace::new(grid, modulus, reference)?)
+    } else {
+        Box::new(HalfSpace::new(grid, modulus)?)
+    })
 }
 
 pub(super) fn film_numbers(model: &ContactModel, state: &ContactState) -> Result<FilmNumbers, InputError> {
@@ -268,11 +316,13 @@ pub(super) fn contact_numbers(
         model.hertz.a_x,
         model.hertz.a_y,
     )?;
+    let ellipse = std::f64::consts::PI * model.hertz.a_x * model.hertz.a_y;
+    let hardest = limit.map_or(f64::INFINITY, |limit| limit.iter().copied().fold(0.0, f64::max));
     let at_limit = limit.map_or(0, |limit| state.pressure.iter().zip(limit).filter(|(p, l)| p >= l).count());
     Ok(ContactNumbers {
-        max_pressure: state.pressure.iter().copied().fold(0.0, f64::max),
+        max_pressure: metrics::peak(&model.grid, &state.pressure)?.min(hardest),
         central_pressure: model.grid.interpolate(&state.pressure, 0.0, 0.0)?,
-        area_ratio: statistics.area_ratio,
+        area_ratio: statistics.area_ratio * ellipse / model.hertz.area,
         load_ratio: statistics.load_ratio,
         area: statistics.area,
         plastic_area: at_limit as f64 * model.grid.cell_area(),

@@ -11,6 +11,8 @@ pub struct StepRecord {
     pub step: u64,
     /// Time at the end of the step \[s\].
     pub time: f64,
+    /// Length of the step \[s\].
+    pub time_step: f64,
     /// Root mean square heights of ball and disc over their patches, after the step \[m\].
     pub rq: [f64; 2],
     /// Composite `sqrt(rq_ball^2 + rq_disc^2)` \[m\].
@@ -37,9 +39,10 @@ pub struct StepRecord {
     pub mean_film: [f64; 2],
     /// Volume flattened away, both bodies \[m^3\].
     pub plastic_volume: f64,
-    /// Largest flash temperature rise \[K\]; zero where it is not modelled.
-    pub flash_rise: f64,
-    /// Friction coefficient.
+    /// Largest flash temperature rise \[K\]; none where it is not modelled.
+    pub flash_rise: Option<f64>,
+    /// Friction coefficient, from boundary friction under the solid pressure and shear of the fluid; zero without
+    /// sliding.
     pub friction_coefficient: f64,
     /// Smallest film over all nodes \[m\].
     pub minimum_gap: f64,
@@ -51,19 +54,21 @@ pub struct StepRecord {
 
 impl StepRecord {
     /// Names of the columns that [`StepRecord::write_csv`] writes, with units.
-    pub const CSV_HEADER: &'static str = "step,time_s,rq_ball_m,rq_disc_m,rq_composite_m,h_avg_m,lambda,lambda_old,\
+    pub const CSV_HEADER: &'static str = "step,time_s,time_step_s,rq_ball_m,rq_disc_m,rq_composite_m,h_avg_m,lambda,lambda_old,\
         contact_area_ratio,contact_load_ratio,max_pressure_pa,mean_pressure_pa,mean_wear_ball_m,mean_wear_disc_m,\
         max_wear_ball_m,max_wear_disc_m,mean_film_ball_m,mean_film_disc_m,plastic_volume_m3,flash_rise_k,\
         friction_coefficient,minimum_gap_m,attempts,solver,status,mass_residual,load_residual,\
         complementarity_residual,convolutions,iterations,inner_iterations";
 
-    /// Writes the record as one line of comma-separated values, every digit kept.
+    /// Writes the record as one line of comma-separated values, every digit kept; a flash temperature that is not
+    /// modelled is an empty cell.
     ///
     /// # Errors
     /// Those of the writer.
     pub fn write_csv(&self, out: &mut impl Write) -> io::Result<()> {
         let numbers = [
             self.time,
+            self.time_step,
             self.rq[0],
             self.rq[1],
             self.composite_rq,
@@ -81,14 +86,16 @@ impl StepRecord {
             self.mean_film[0],
             self.mean_film[1],
             self.plastic_volume,
-            self.flash_rise,
-            self.friction_coefficient,
-            self.minimum_gap,
         ];
         write!(out, "{}", self.step)?;
         for number in numbers {
             write!(out, ",{number:e}")?;
         }
+        match self.flash_rise {
+            Some(rise) => write!(out, ",{rise:e}")?,
+            None => write!(out, ",")?,
+        }
+        write!(out, ",{:e},{:e}", self.friction_coefficient, self.minimum_gap)?;
         let (report, residuals) = (&self.report, &self.report.residuals);
         writeln!(
             out,

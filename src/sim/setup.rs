@@ -1,8 +1,11 @@
 //! From a scene to the pieces of a contact problem.
 
 use super::SimError;
-use super::scene::{FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind};
-use crate::analytic::{FilmConditions, HertzPoint};
+use super::hertz::{HertzContact, LINE_LENGTH};
+use super::scene::{
+    FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind, TribofilmSpec,
+};
+use crate::analytic::{FilmConditions, LineFilmConditions};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, DowsonHigginson, Roelands, ViscosityLaw};
@@ -22,7 +25,7 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     InputError::require(ratio.is_finite(), "motion.slide_roll_ratio", ratio, "finite")?;
     let friction = scene.friction;
     InputError::require_non_negative("friction.boundary_coefficient", friction.boundary_coefficient)?;
-    InputError::require_positive("friction.limiting_shear_stress", friction.limiting_shear_stress)?;
+    friction.rheology()?;
     let thermal = scene.thermal;
     InputError::require_positive("thermal.bulk_temperature", thermal.bulk_temperature)?;
     InputError::require_positive("thermal.conductivity", thermal.conductivity)?;
@@ -32,13 +35,16 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
         if let Some(film) = plastic.film_hardness {
             InputError::require_positive("plastic.film_hardness", film)?;
         }
+        if let Some(modulus) = plastic.hardening_modulus {
+            InputError::require_non_negative("plastic.hardening_modulus", modulus)?;
+        }
     }
     if let Some(spec) = scene.lubricant {
         roelands(&spec)?;
         DowsonHigginson::new(spec.density_a, spec.density_b)?;
     }
     if let Some(spec) = scene.tribofilm {
-        Ghanbarzadeh::new(spec.maximum_thickness, spec.x_tribo, spec.removal_limit, spec.removal_rate)?;
+        growth_law(&spec)?;
     }
     if let Some(wear) = scene.wear {
         InputError::require_non_negative("wear.coefficient", wear.coefficient)?;
@@ -49,6 +55,15 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
             "between 0 and wear.coefficient",
         )?;
         InputError::require_positive("wear.hardness", wear.hardness)?;
+        if let Some(film) = wear.film_hardness {
+            InputError::require_positive("wear.film_hardness", film)?;
+        }
+        for (field, share) in [
+            ("wear.duty_factor_ball", wear.duty_factor_ball),
+            ("wear.duty_factor_disc", wear.duty_factor_disc),
+        ] {
+            InputError::require((0.0..=1.0).contains(&share), field, share, "from 0 to 1")?;
+        }
     }
     InputError::require_positive("solver.film_cutoff", scene.solver.film_cutoff)?;
     SemiSystem::new(scene.solver.relaxation, scene.solver.stiffness)?;
@@ -57,9 +72,9 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
 }
 
 /// Checks that the box holds the point of first touch and resolves the contact.
-pub(super) fn validate_box(grid: &Grid, hertz: &HertzPoint) -> Result<(), InputError> {
-    for (field, n) in [("grid.nx", grid.nx()), ("grid.ny", grid.ny())] {
-        InputError::require(n >= 5, field, n as f64, "at least 5 for a contact solve")?;
+pub(super) fn validate_box(grid: &Grid, hertz: &HertzContact, is_line: bool) -> Result<(), InputError> {
+    for (field, n, free) in [("grid.nx", grid.nx(), false), ("grid.ny", grid.ny(), is_line)] {
+        InputError::require(free || n >= 5, field, n as f64, "at least 5 for a contact solve")?;
     }
     let axes = [
         ("grid.x", grid.x(0) - 0.5 * grid.dx(), grid.size_x()),
@@ -91,8 +106,9 @@ pub(super) fn validate_box(grid: &Grid, hertz: &HertzPoint) -> Result<(), InputE
 }
 
 /// Checks that a uniform `hardness` \[Pa\] can carry the load; the outermost nodes carry none.
-pub(super) fn validate_hardness(hardness: f64, grid: &Grid, hertz: &HertzPoint) -> Result<(), InputError> {
-    let nodes = grid.nx().saturating_sub(2) * grid.ny().saturating_sub(2);
+pub(super) fn validate_hardness(hardness: f64, grid: &Grid, hertz: &HertzContact) -> Result<(), InputError> {
+    let rows = if grid.ny() == 1 { 1 } else { grid.ny().saturating_sub(2) };
+    let nodes = grid.nx().saturating_sub(2) * rows;
     let largest = hardness * nodes as f64 * grid.cell_area();
     if nodes == 0 || hertz.load < largest {
         return Ok(());
@@ -192,6 +208,12 @@ fn rescale(heights: &mut [f64], rq: f64, body: &str) -> Result<(), InputError> {
     Ok(())
 }
 
+/// The growth law of a scene with a tribofilm.
+pub(super) fn growth_law(spec: &TribofilmSpec) -> Result<Ghanbarzadeh, InputError> {
+    let law = Ghanbarzadeh::new(spec.maximum_thickness, spec.x_tribo, spec.removal_limit, spec.removal_rate)?;
+    Ok(law.with_activation(spec.activation))
+}
+
 /// The viscosity law of the scene.
 pub(super) fn viscosity(scene: &Scene) -> Result<Option<Box<dyn ViscosityLaw>>, InputError> {
     let Some(spec) = scene.lubricant.filter(|_| scene.is_lubricated()) else { return Ok(None) };
@@ -213,9 +235,12 @@ pub(super) fn density(scene: &Scene) -> Result<Option<Box<dyn DensityLaw>>, Inpu
 
 /// The solver of the scene.
 pub(super) fn solver(scene: &Scene) -> Result<Box<dyn ContactSolver>, InputError> {
+    let edge_contact = scene.solver.edge_contact;
     Ok(match scene.solver.kind {
-        SolverKind::Auto => Box::new(Auto::new()) as Box<dyn ContactSolver>,
+        SolverKind::Auto if edge_contact => Box::new(Auto::allowing_edge_contact()) as Box<dyn ContactSolver>,
+        SolverKind::Auto => Box::new(Auto::new()),
         SolverKind::NewtonKrylov => Box::new(NewtonKrylov::new()),
+        SolverKind::Dry if edge_contact => Box::new(Dry::allowing_edge_contact()),
         SolverKind::Dry => Box::new(Dry::new()),
         SolverKind::SemiSystem => Box::new(SemiSystem::new(scene.solver.relaxation, scene.solver.stiffness)?),
     })
@@ -228,20 +253,52 @@ pub(super) fn stopping_rule(scene: &Scene) -> Result<StoppingRule, InputError> {
     Ok(rule)
 }
 
-/// Conditions of the film formulas; none without a lubricant.
-pub(super) fn film_conditions(
+/// What the film formulas make of a scene.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FormulaFilm {
+    /// Moes parameters `(M, L)`.
+    pub(super) moes: (f64, f64),
+    /// Central film, Hamrock and Dowson of a point contact, Dowson and Toyoda of a line contact \[m\].
+    pub(super) central: f64,
+}
+
+/// The film formulas; none without a lubricant.
+pub(super) fn formula_film(
     scene: &Scene,
-    hertz: &HertzPoint,
+    hertz: &HertzContact,
     viscosity: Option<&dyn ViscosityLaw>,
-) -> Option<FilmConditions> {
-    let law = viscosity?;
-    Some(FilmConditions {
-        entrainment_speed: scene.motion.entrainment_speed,
-        viscosity: law.viscosity(0.0),
-        pressure_viscosity: law.log_slope(0.0),
-        equivalent_modulus: scene.elastic.equivalent_modulus,
-        radius: scene.form.radii().0,
-        load: hertz.load,
-        ellipticity: hertz.a_y / hertz.a_x,
-    })
+) -> Result<Option<FormulaFilm>, InputError> {
+    let Some(law) = viscosity else { return Ok(None) };
+    let (entrainment_speed, equivalent_modulus) =
+        (scene.motion.entrainment_speed, scene.elastic.equivalent_modulus);
+    let (viscosity, pressure_viscosity) = (law.viscosity(0.0), law.log_slope(0.0));
+    let (radius, load) = (scene.form.radii().0, hertz.load);
+    Ok(Some(if scene.form.is_line() {
+        let line = LineFilmConditions {
+            entrainment_speed,
+            viscosity,
+            pressure_viscosity,
+            equivalent_modulus,
+            radius,
+            load: load / LINE_LENGTH,
+        };
+        FormulaFilm {
+            moes: (line.moes_load(), line.moes_lubricant()),
+            central: line.dowson_toyoda_central()?,
+        }
+    } else {
+        let point = FilmConditions {
+            entrainment_speed,
+            viscosity,
+            pressure_viscosity,
+            equivalent_modulus,
+            radius,
+            load,
+            ellipticity: hertz.a_y / hertz.a_x,
+        };
+        FormulaFilm {
+            moes: (point.moes_load(), point.moes_lubricant()),
+            central: point.hamrock_dowson_central()?,
+        }
+    }))
 }

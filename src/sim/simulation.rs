@@ -6,23 +6,34 @@ use super::SimError;
 use super::body::Body;
 use super::builder::SimBuilder;
 use super::contact::{ContactModel, contact_numbers, film_numbers};
+use super::friction::FrictionFields;
+use super::hertz::HertzContact;
 use super::observer::Observer;
 use super::record::StepRecord;
 use super::scene::Scene;
-use crate::analytic::HertzPoint;
+use super::step_control::StepControl;
+use super::yielding::Yielding;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::metrics;
-use crate::plastic::{PlasticityModel, split_depth_into};
-use crate::report::SolveReport;
-use crate::reynolds::ContactState;
+use crate::plastic::PlasticityModel;
+use crate::report::{SolveReport, Status};
+use crate::reynolds::{ContactState, Squeeze};
 use crate::rubbing::RubbingPoint;
-use crate::surface::{RoughnessMotion, add_shifted, copy_shifted};
+use crate::surface::{FourierShift, Offset, RoughnessMotion, add_blended, blend_shifted, copy_shifted};
 use crate::tribochem::{FilmGrowthLaw, FlashTemperature};
 use crate::wear::WearLaw;
 
 /// Positions of the roughness that a step tries before it gives up.
 const MAX_ATTEMPTS: u32 = 8;
+/// Solves in which limit and depth of a hardening contact must have met.
+const MAX_HARDENING: usize = 40;
+/// Accepted distance between both, relative to the limit.
+const HARDENING_TOLERANCE: f64 = 1e-3;
+/// A patch of nodes that yield together gives way more than a single one, by about this factor.
+const PATCH_COMPLIANCE: f64 = 4.0;
+/// Attempts to find the length of a step.
+const MAX_CUTS: usize = 40;
 
 /// The laws of a run; absent ones cost nothing.
 #[derive(Debug)]
@@ -30,10 +41,29 @@ pub(super) struct Laws {
     pub(super) plasticity: Option<Box<dyn PlasticityModel>>,
     pub(super) growth: Option<Box<dyn FilmGrowthLaw>>,
     pub(super) wear: Option<Box<dyn WearLaw>>,
+    /// Share of the time that ball and disc wear.
+    pub(super) duty: [f64; 2],
 }
 
-/// Where the roughness of ball and disc stands, in nodes.
-type Shifts = [(usize, usize); 2];
+/// The heat pass.
+#[derive(Debug)]
+pub(super) struct Heat {
+    /// None where it is left out.
+    pub(super) flash: Option<FlashTemperature>,
+    /// Estimate of the largest rise \[K\].
+    pub(super) estimate: f64,
+}
+
+/// How the contact moves on from step to step.
+#[derive(Debug)]
+pub(super) struct Travel {
+    pub(super) motion: RoughnessMotion,
+    /// Whether a contact feels the squeeze of the film before it.
+    pub(super) squeeze: bool,
+}
+
+/// Where the roughness of ball and disc stands.
+type Offsets = [Offset; 2];
 
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -71,11 +101,16 @@ pub struct MixedLubricationSim {
     scene: Scene,
     contact: ContactModel,
     laws: Laws,
-    flash: Option<FlashTemperature>,
-    motion: RoughnessMotion,
+    heat: Heat,
+    travel: Travel,
+    between_nodes: FourierShift,
     bodies: [Body; 2],
     state: ContactState,
+    /// `rho/rho_0 h` of the contact before \[m\].
+    carried_mass: Vec<f64>,
     time: f64,
+    /// Length of the last step \[s\].
+    last_step: f64,
     step: u64,
     draws: u64,
     fields: Fields,
@@ -89,36 +124,28 @@ struct Fields {
     heights: Vec<f64>,
     films: [Vec<f64>; 2],
     depths: [Vec<f64>; 2],
-    limit: Vec<f64>,
-    body_limits: [Vec<f64>; 2],
-    split: [Vec<f64>; 2],
     on_body: Vec<f64>,
-    solid: Vec<f64>,
-    viscosity: Vec<f64>,
-    shear: Vec<f64>,
     heat: Vec<f64>,
     rise: Vec<f64>,
+    friction: FrictionFields,
+    yielding: Yielding,
 }
 
 impl Fields {
-    fn new(n: usize) -> Self {
+    fn new(scene: &Scene, n: usize) -> Result<Self, InputError> {
         let zeros = || vec![0.0; n];
         let pair = || [zeros(), zeros()];
-        Self {
+        Ok(Self {
             gap: zeros(),
             heights: zeros(),
             films: pair(),
             depths: pair(),
-            limit: zeros(),
-            body_limits: pair(),
-            split: pair(),
             on_body: zeros(),
-            solid: zeros(),
-            viscosity: zeros(),
-            shear: zeros(),
             heat: zeros(),
             rise: zeros(),
-        }
+            friction: FrictionFields::new(scene, n)?,
+            yielding: Yielding::new(n),
+        })
     }
 }
 
@@ -133,24 +160,27 @@ impl MixedLubricationSim {
         contact: ContactModel,
         bodies: [Body; 2],
         laws: Laws,
-        flash: Option<FlashTemperature>,
-        motion: RoughnessMotion,
-    ) -> Self {
+        heat: Heat,
+        travel: Travel,
+    ) -> Result<Self, InputError> {
         let grid = contact.grid;
-        Self {
-            scene,
+        Ok(Self {
             state: ContactState::new(&grid),
-            fields: Fields::new(grid.len()),
+            carried_mass: vec![0.0; grid.len()],
+            fields: Fields::new(&scene, grid.len())?,
+            between_nodes: FourierShift::new(grid.nx()),
+            scene,
             contact,
             laws,
-            flash,
-            motion,
+            heat,
+            travel,
             backup: bodies.clone(),
             bodies,
             time: 0.0,
+            last_step: 0.0,
             step: 0,
             draws: 0,
-        }
+        })
     }
 
     /// The grid of the contact and of both bodies' patches.
@@ -164,7 +194,7 @@ impl MixedLubricationSim {
     }
 
     /// Hertz contact of the smooth bodies.
-    pub fn hertz(&self) -> HertzPoint {
+    pub fn hertz(&self) -> HertzContact {
         self.contact.hertz
     }
 
@@ -190,7 +220,13 @@ impl MixedLubricationSim {
 
     /// Whether the flash temperature is modelled.
     pub fn models_flash_temperature(&self) -> bool {
-        self.flash.is_some()
+        self.heat.flash.is_some()
+    }
+
+    /// Largest flash temperature rise that the smooth contact would have \[K\], by which it is modelled or left out
+    /// unless the scene says which (see [`estimate_maximum_rise`](crate::tribochem::estimate_maximum_rise)).
+    pub fn flash_estimate(&self) -> f64 {
+        self.heat.estimate
     }
 
     /// Largest difference over both bodies between the surface and `initial - wear - plastic + film` \[m\].
@@ -221,40 +257,107 @@ impl MixedLubricationSim {
         Ok(RunEnd::Finished)
     }
 
+    /// Steps until the time `end` \[s\], each as long as `control` allows; `observer` sees each and may stop the run.
+    ///
+    /// # Errors
+    /// See [`MixedLubricationSim::step_within`]; the steps before are committed.
+    pub fn run_until(
+        &mut self,
+        end: f64,
+        control: &StepControl,
+        observer: &mut impl Observer,
+    ) -> Result<RunEnd, SimError> {
+        InputError::require(end.is_finite(), "end", end, "finite")?;
+        control.validate()?;
+        // What rounding leaves of the last step is none.
+        while end - self.time > 1e-9 * control.longest {
+            let record =
+                self.step_within(&StepControl { longest: control.longest.min(end - self.time), ..*control })?;
+            if observer.after_step(self, &record) == ControlFlow::Break(()) {
+                return Ok(RunEnd::Stopped);
+            }
+        }
+        Ok(RunEnd::Finished)
+    }
+
     /// Takes one step of `time_step` \[s\].
     ///
     /// # Errors
     /// A time step that is negative or not finite; a contact that did not converge at any tried position of the
     /// roughness; a law that returned a value that is not finite. Bodies and time are then as before.
     pub fn step(&mut self, time_step: f64) -> Result<StepRecord, SimError> {
-        InputError::require_positive("time_step", time_step)?;
-        let (report, shifts, attempts) = self.solve_somewhere()?;
+        self.step_within(&StepControl::fixed(time_step))
+    }
+
+    /// Takes one step, as long as `control` allows: one solve of the contact, and then the longest step under its
+    /// pressures in which no node wears or grows by more than the depth. The record holds its length.
+    ///
+    /// # Errors
+    /// As of [`MixedLubricationSim::step`], and laws that change a node by more than the depth in any time.
+    pub fn step_within(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
+        control.validate()?;
+        let (report, offsets, attempts) = self.solve_somewhere()?;
         let flash_rise = self.rub()?;
         for (backup, body) in self.backup.iter_mut().zip(&self.bodies) {
             backup.clone_from(body);
         }
-        if let Err(error) = self.commit(time_step, shifts) {
-            std::mem::swap(&mut self.bodies, &mut self.backup);
-            return Err(error);
-        }
+        let time_step = match self.commit_within(control, offsets) {
+            Ok(time_step) => time_step,
+            Err(error) => {
+                std::mem::swap(&mut self.bodies, &mut self.backup);
+                return Err(error);
+            }
+        };
         self.time += time_step;
+        self.last_step = time_step;
+        self.carried_mass.copy_from_slice(&self.state.mass);
         let record = self.record(report, attempts, flash_rise)?;
         self.step += 1;
         Ok(record)
     }
 
+    /// Commits the longest step that `control` allows and returns its length.
+    fn commit_within(&mut self, control: &StepControl, offsets: Offsets) -> Result<f64, SimError> {
+        let mut time_step = control.longest;
+        for _ in 0..MAX_CUTS {
+            self.commit(time_step, offsets)?;
+            let change = self.largest_change();
+            if change <= control.depth {
+                return Ok(time_step);
+            }
+            for (body, backup) in self.bodies.iter_mut().zip(&self.backup) {
+                body.clone_from(backup);
+            }
+            time_step *= (0.98 * control.depth / change).clamp(0.02, 0.98);
+        }
+        Err(SimError::Input(InputError::Conflict {
+            field: format!("step.depth = {:?}", control.depth),
+            reason: format!("the laws change a node by more than it even within {time_step:e} s"),
+        }))
+    }
+
+    /// Largest change of wear or film of any node since the backup \[m\].
+    fn largest_change(&self) -> f64 {
+        let fields = self.bodies.iter().zip(&self.backup).flat_map(|(now, before)| {
+            let wear = now.wear_depth().iter().zip(before.wear_depth());
+            wear.chain(now.film_thickness().iter().zip(before.film_thickness()))
+        });
+        fields.fold(0.0, |largest, (now, before)| largest.max((now - before).abs()))
+    }
+
     /// Solves the contact at the next position of the roughness, or at further ones where that fails.
-    fn solve_somewhere(&mut self) -> Result<(SolveReport, Shifts, u32), SimError> {
-        let (nx, ny) = (self.contact.grid.nx(), self.contact.grid.ny());
-        let tries = if self.motion == RoughnessMotion::Fixed { 1 } else { MAX_ATTEMPTS };
+    fn solve_somewhere(&mut self) -> Result<(SolveReport, Offsets, u32), SimError> {
+        let random = matches!(self.travel.motion, RoughnessMotion::RandomShift { .. });
+        let tries = if random { MAX_ATTEMPTS } else { 1 };
+        let speeds = self.scene.motion.surface_speeds();
         let mut attempt = 1;
         loop {
-            let draw = self.draws;
-            let shifts = [0, 1].map(|body| self.motion.shift(body, draw, nx, ny));
+            let (draw, time, grid) = (self.draws, self.time, self.contact.grid);
+            let offsets = [0, 1].map(|body| self.travel.motion.offset(body, draw, time, speeds[body], &grid));
             self.draws += 1;
-            let report = self.solve_at(shifts)?;
+            let report = self.solve_at(offsets)?;
             match report.require_converged() {
-                Ok(report) => return Ok((report, shifts, attempt)),
+                Ok(report) => return Ok((report, offsets, attempt)),
                 Err(source) if attempt >= tries => {
                     return Err(SimError::NotConverged { step: self.step, attempts: attempt, source });
                 }
@@ -263,90 +366,112 @@ impl MixedLubricationSim {
         }
     }
 
-    fn solve_at(&mut self, shifts: Shifts) -> Result<SolveReport, SimError> {
+    /// Surfaces, films and depths of both bodies as they lie at `offsets`.
+    fn place(&mut self, offsets: Offsets) -> Result<(), InputError> {
         let (nx, ny) = (self.contact.grid.nx(), self.contact.grid.ny());
-        let Self { fields, bodies, contact, laws, state, .. } = self;
+        let Self { fields, bodies, contact, between_nodes, .. } = self;
         fields.gap.copy_from_slice(&contact.form_gap);
         for (index, body) in bodies.iter().enumerate() {
-            copy_shifted(&body.surface, nx, ny, shifts[index], &mut fields.heights)?;
+            let offset = offsets[index];
+            if offset.fraction == 0.0 {
+                copy_shifted(&body.surface, nx, ny, (offset.columns, offset.rows), &mut fields.heights)?;
+            } else {
+                between_nodes.apply(&body.surface, ny, offset, &mut fields.heights)?;
+            }
             for (gap, z) in fields.gap.iter_mut().zip(&fields.heights) {
                 *gap -= z;
             }
-            copy_shifted(body.film_thickness(), nx, ny, shifts[index], &mut fields.films[index])?;
-            copy_shifted(body.plastic_depth(), nx, ny, shifts[index], &mut fields.depths[index])?;
+            blend_shifted(body.film_thickness(), nx, ny, offset, &mut fields.films[index])?;
+            blend_shifted(body.plastic_depth(), nx, ny, offset, &mut fields.depths[index])?;
         }
-        let limit = match &laws.plasticity {
-            None => None,
-            Some(model) => {
-                let [ball_film, disc_film] = &fields.films;
-                let [ball_depth, disc_depth] = &fields.depths;
-                model.contact_limit_into(
-                    [ball_film, disc_film],
-                    [ball_depth, disc_depth],
-                    &mut fields.limit,
-                )?;
-                Some(fields.limit.as_slice())
-            }
-        };
-        // The roughness has moved: the last pressures are no better a start than the dry contact.
-        state.pressure.fill(0.0);
-        contact.solve(&fields.gap, limit, state)
+        Ok(())
     }
 
-    /// Shear, heat and temperature under the solved pressures; returns the largest flash rise \[K\].
-    fn rub(&mut self) -> Result<f64, SimError> {
-        let Self { fields, contact, state, scene, flash, .. } = self;
-        let sliding = scene.motion.sliding_speed();
-        for (k, solid) in fields.solid.iter_mut().enumerate() {
-            *solid = state.solid_pressure(k);
+    fn solve_at(&mut self, offsets: Offsets) -> Result<SolveReport, SimError> {
+        self.place(offsets)?;
+        let Self { fields, contact, laws, state, .. } = self;
+        let squeeze = (self.travel.squeeze && self.step > 0)
+            .then_some(Squeeze { previous_mass: &self.carried_mass, time_step: self.last_step });
+        // A film that is squeezed was there a moment ago; roughness that has moved far makes the last pressures no better
+        // a start than the dry contact.
+        if squeeze.is_none() {
+            state.pressure.fill(0.0);
         }
-        fields.shear.fill(0.0);
-        if let Some(lubricant) = &contact.lubricant {
-            lubricant.viscosity().fill(&state.fluid_pressure, &mut fields.viscosity);
-            let limit = Some(scene.friction.limiting_shear_stress);
-            metrics::viscous_shear_into(&fields.viscosity, &state.film, sliding, limit, &mut fields.shear)?;
+        let Some(model) = &laws.plasticity else {
+            return contact.solve(&fields.gap, None, squeeze, state);
+        };
+        fields.yielding.start(model.as_ref(), &fields.films, &fields.depths)?;
+        let mut report = contact.solve(&fields.gap, Some(&fields.yielding.limit), squeeze, state)?;
+        if !model.hardens() {
+            return Ok(report);
         }
-        let boundary = scene.friction.boundary_coefficient;
-        for (heat, (solid, shear)) in fields.heat.iter_mut().zip(fields.solid.iter().zip(&fields.shear)) {
-            *heat = (boundary * solid + shear) * sliding;
+        let compliance = PATCH_COMPLIANCE * contact.deformation.influence(0, 0);
+        for _ in 0..MAX_HARDENING {
+            let (films, depths) = (&fields.films, &fields.depths);
+            let distance =
+                fields.yielding.harden(model.as_ref(), films, depths, &state.plastic_depth, compliance);
+            if report.status != Status::Converged || distance <= HARDENING_TOLERANCE {
+                return Ok(report);
+            }
+            let work = report.work;
+            report = contact.solve(&fields.gap, Some(&fields.yielding.limit), squeeze, state)?;
+            report.work += work;
         }
-        match flash {
-            None => Ok(0.0),
-            Some(flash) => Ok(flash.rise(&fields.heat, &mut fields.rise)?.maximum),
+        report.status = Status::MaxIterations;
+        Ok(report)
+    }
+
+    /// Shear, heat and temperature under the solved pressures; returns the largest flash rise \[K\], none where it is not
+    /// modelled.
+    fn rub(&mut self) -> Result<Option<f64>, SimError> {
+        let Self { fields, contact, state, heat, .. } = self;
+        fields.friction.update(contact, state)?;
+        let Some(flash) = &mut heat.flash else { return Ok(None) };
+        for (k, heat) in fields.heat.iter_mut().enumerate() {
+            *heat = fields.friction.heat(k);
         }
+        Ok(Some(flash.rise(&fields.heat, &mut fields.rise)?.maximum))
     }
 
     /// Applies wear, film growth and flattening to the bodies. The film grows half before and half after the wear, so
     /// that the wear coefficient is that of the middle of the step.
-    fn commit(&mut self, time_step: f64, shifts: Shifts) -> Result<(), SimError> {
+    fn commit(&mut self, time_step: f64, offsets: Offsets) -> Result<(), SimError> {
         let Self { fields, bodies, contact, laws, state, scene, .. } = self;
         let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
-        let boundary = scene.friction.boundary_coefficient;
         let (bulk, sliding) = (scene.thermal.bulk_temperature, scene.motion.sliding_speed());
-        if let Some(model) = &laws.plasticity {
-            flatten(model.as_ref(), fields, bodies, state, (nx, ny), shifts)?;
+        if laws.plasticity.is_some() {
+            fields.yielding.share(&state.plastic_depth)?;
+            for (index, body) in bodies.iter_mut().enumerate() {
+                fields.on_body.fill(0.0);
+                add_blended(&fields.yielding.split[index], nx, ny, offsets[index], &mut fields.on_body)?;
+                body.plastic.add(&fields.on_body)?;
+            }
         }
-        for (body, (sx, sy)) in bodies.iter_mut().zip(shifts) {
+        let on_grid = |k: usize| RubbingPoint {
+            pressure: state.pressure[k],
+            solid_pressure: fields.friction.solid[k],
+            shear_stress: fields.friction.stress(k),
+            temperature: bulk + fields.rise[k],
+            sliding_speed: sliding,
+            film_thickness: state.film[k],
+            in_contact: state.in_contact[k],
+        };
+        for ((body, offset), duty) in bodies.iter_mut().zip(offsets).zip(laws.duty) {
             let point = |node: usize| {
-                // Where this node of the body stands in the frame of the contact.
-                let (i, j) = ((node % nx + nx - sx) % nx, (node / nx + ny - sy) % ny);
-                let k = j * nx + i;
-                RubbingPoint {
-                    pressure: state.pressure[k],
-                    solid_pressure: fields.solid[k],
-                    shear_stress: boundary * fields.solid[k] + fields.shear[k],
-                    temperature: bulk + fields.rise[k],
-                    sliding_speed: sliding,
-                    film_thickness: state.film[k],
-                    in_contact: state.in_contact[k],
+                // Where this node of the body stands in the frame of the contact: on a node, or short of it.
+                let (i, j) = ((node % nx + nx - offset.columns) % nx, (node / nx + ny - offset.rows) % ny);
+                let at = on_grid(j * nx + i);
+                if offset.fraction == 0.0 {
+                    return at;
                 }
+                at.towards(&on_grid(j * nx + (i + nx - 1) % nx), offset.fraction)
             };
             if let (Some(law), Some(film)) = (&laws.growth, &mut body.film) {
                 film.advance(law.as_ref(), 0.5 * time_step, point)?;
             }
             if let Some(law) = &laws.wear {
                 let thickness = body.film.as_ref().map(|film| film.thickness());
-                body.wear.advance(law.as_ref(), time_step, |node| {
+                body.wear.advance(law.as_ref(), duty * time_step, |node| {
                     (point(node), thickness.map_or(0.0, |thickness| thickness[node]))
                 })?;
             }
@@ -358,10 +483,15 @@ impl MixedLubricationSim {
         Ok(())
     }
 
-    fn record(&self, report: SolveReport, attempts: u32, flash_rise: f64) -> Result<StepRecord, SimError> {
+    fn record(
+        &self,
+        report: SolveReport,
+        attempts: u32,
+        flash_rise: Option<f64>,
+    ) -> Result<StepRecord, SimError> {
         let (state, grid) = (&self.state, self.contact.grid);
         let film = film_numbers(&self.contact, state)?;
-        let contact = contact_numbers(&self.contact, state, &self.fields.solid, None)?;
+        let contact = contact_numbers(&self.contact, state, &self.fields.friction.solid, None)?;
         let rq = [
             metrics::height_statistics(&self.bodies[0].surface)?.sq,
             metrics::height_statistics(&self.bodies[1].surface)?.sq,
@@ -376,11 +506,12 @@ impl MixedLubricationSim {
         Ok(StepRecord {
             step: self.step,
             time: self.time,
+            time_step: self.last_step,
             rq,
             composite_rq,
             average_film: film.mean_central,
             lambda: over_rq(film.mean_central),
-            lambda_old: over_rq(self.contact.formula_film),
+            lambda_old: over_rq(self.contact.formula_film()),
             area_ratio: contact.area_ratio,
             load_ratio: contact.load_ratio,
             max_pressure: contact.max_pressure,
@@ -390,42 +521,10 @@ impl MixedLubricationSim {
             mean_film: [mean(ball.film_thickness()), mean(disc.film_thickness())],
             plastic_volume: ball.volumes(area)?.plastic + disc.volumes(area)?.plastic,
             flash_rise,
-            friction_coefficient: metrics::friction_coefficient(
-                &grid,
-                self.scene.friction.boundary_coefficient,
-                &self.fields.solid,
-                &self.fields.shear,
-                self.contact.hertz.load,
-            )?,
+            friction_coefficient: self.fields.friction.coefficient(&self.contact)?,
             minimum_gap: film.minimum_gap,
             attempts,
             report,
         })
     }
-}
-
-/// Adds the plastic depth of the solve to the softer body of each node.
-fn flatten(
-    model: &dyn PlasticityModel,
-    fields: &mut Fields,
-    bodies: &mut [Body; 2],
-    state: &ContactState,
-    (nx, ny): (usize, usize),
-    shifts: Shifts,
-) -> Result<(), SimError> {
-    for index in 0..2 {
-        let nodes = fields.films[index].iter().zip(&fields.depths[index]);
-        for (limit, (film, depth)) in fields.body_limits[index].iter_mut().zip(nodes) {
-            *limit = model.pressure_limit(*film, *depth);
-        }
-    }
-    let [ball, disc] = &mut fields.split;
-    let [ball_limit, disc_limit] = &fields.body_limits;
-    split_depth_into(&state.plastic_depth, [ball_limit, disc_limit], [ball, disc])?;
-    for (index, body) in bodies.iter_mut().enumerate() {
-        fields.on_body.fill(0.0);
-        add_shifted(&fields.split[index], nx, ny, shifts[index], &mut fields.on_body)?;
-        body.plastic.add(&fields.on_body)?;
-    }
-    Ok(())
 }

@@ -3,7 +3,7 @@
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Undeformed gap between the smooth bodies, `x^2/(2 Rx) + y^2/(2 Ry)`: the parabolic approximation, valid while the
+/// Undeformed gap between the smooth bodies, `x^2/(2 Rx) + y^2/(2 Ry)` (of a cylinder the first term alone): the parabolic approximation, valid while the
 /// contact is small against the radii.
 ///
 /// With two curved bodies the radii are the equivalent ones, `1/R = 1/R1 + 1/R2` in each direction.
@@ -18,11 +18,7 @@ use crate::grid::Grid;
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(tag = "kind", rename_all = "snake_case"))]
 pub enum Form {
     /// A ball on a flat.
     Sphere {
@@ -36,6 +32,11 @@ pub enum Form {
         /// Radius of curvature along y \[m\].
         radius_y: f64,
     },
+    /// Parallel cylinders along y: a line contact, solved on one row of nodes.
+    Cylinder {
+        /// Radius \[m\].
+        radius: f64,
+    },
 }
 
 impl Form {
@@ -45,7 +46,9 @@ impl Form {
     /// [`InputError::Value`] naming the radius that is not finite and positive.
     pub fn validate(&self) -> Result<(), InputError> {
         match *self {
-            Self::Sphere { radius } => InputError::require_positive("form.radius", radius),
+            Self::Sphere { radius } | Self::Cylinder { radius } => {
+                InputError::require_positive("form.radius", radius)
+            }
             Self::Ellipsoid { radius_x, radius_y } => {
                 InputError::require_positive("form.radius_x", radius_x)?;
                 InputError::require_positive("form.radius_y", radius_y)
@@ -53,13 +56,20 @@ impl Form {
         }
     }
 
-    /// Radii of curvature along x and y \[m\].
+    /// Radii of curvature along x and y \[m\]; infinite along a cylinder.
     #[must_use]
     pub fn radii(&self) -> (f64, f64) {
         match *self {
             Self::Sphere { radius } => (radius, radius),
+            Self::Cylinder { radius } => (radius, f64::INFINITY),
             Self::Ellipsoid { radius_x, radius_y } => (radius_x, radius_y),
         }
+    }
+
+    /// Whether the contact is a line.
+    #[must_use]
+    pub fn is_line(&self) -> bool {
+        matches!(self, Self::Cylinder { .. })
     }
 
     /// Overwrites `out` \[m\] with the undeformed gap at the nodes of `grid`, zero at the origin.

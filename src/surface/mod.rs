@@ -8,7 +8,7 @@
 //! | [`Heights`] | a measured surface: levelling, filling of holes, transfer to a grid |
 //! | `read`, `read_bytes` (feature `formats`) | instrument files: x3p, sur, sdf, plu, al3d, npy, text |
 //! | `write_x3p`, `write_npy`, `write_text` (feature `formats`) | files that come back bit by bit |
-//! | [`RoughnessMotion`] | shift of periodic roughness from step to step |
+//! | [`RoughnessMotion`], [`FourierShift`] | shift of periodic roughness from step to step, by less than a cell too |
 //!
 //! Heights are in metres and point out of the body: a positive height narrows the gap.
 
@@ -23,6 +23,7 @@ mod motion;
 mod random;
 mod resample;
 mod self_affine;
+mod subcell;
 mod unit;
 
 pub use error::SurfaceError;
@@ -31,7 +32,8 @@ pub use form::Form;
 pub use format::{read, read_bytes, write_npy, write_text, write_x3p};
 pub use generate::{Autocorrelation, RoughnessSpec, generate};
 pub use measured::Heights;
-pub use motion::{RoughnessMotion, add_shifted, copy_shifted};
+pub use motion::{Offset, RoughnessMotion, add_blended, copy_shifted};
 pub use random::{HeightDistribution, HeightScale, RandomShape, RandomSurface};
 pub use self_affine::{SelfAffine, Synthesis};
+pub use subcell::{FourierShift, blend_shifted};
 pub use unit::LengthUnit;

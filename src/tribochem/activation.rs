@@ -14,6 +14,7 @@ use crate::rubbing::RubbingPoint;
 /// assert!(!Activation::ShearStress.is_active(&at));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Activation {
     /// The node counts as solid contact (default; boundary films on asperities).
     #[default]

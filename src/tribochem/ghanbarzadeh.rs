@@ -1,11 +1,11 @@
 //! The film law of Ghanbarzadeh and co-workers.
 
+use super::barrier::BOLTZMANN;
+use super::first_order::relax;
 use super::{Activation, FilmGrowthLaw};
 use crate::error::InputError;
 use crate::rubbing::RubbingPoint;
 
-/// Boltzmann constant \[J/K\].
-const BOLTZMANN: f64 = 1.380649e-23;
 /// Planck constant \[J s\].
 const PLANCK: f64 = 6.62607015e-34;
 
@@ -97,11 +97,6 @@ impl Ghanbarzadeh {
     pub fn rate_constant(&self, temperature: f64) -> f64 {
         if temperature.is_finite() { self.rate_per_kelvin * temperature.max(0.0) } else { 0.0 }
     }
-}
-
-/// `state` after relaxing towards `limit` at `rate` for `time`.
-fn relax(state: f64, limit: f64, rate: f64, time: f64) -> f64 {
-    state - (limit - state) * (-rate * time).exp_m1()
 }
 
 impl FilmGrowthLaw for Ghanbarzadeh {

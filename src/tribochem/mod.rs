@@ -1,25 +1,51 @@
 //! Tribochemistry: growth and removal of anti-wear films, and the flash temperature that drives some of it.
 //!
 //! [`FilmGrowthLaw`] is an open set: an own law needs a rate and a largest thickness, nothing else.
-//! [`Ghanbarzadeh`] is the law of the reference scene. [`Tribofilm`] is the film of one body, carried on the
+//!
+//! | law | growth | removal |
+//! |---|---|---|
+//! | [`Ghanbarzadeh`] | first order, by temperature | first order, with the time of rubbing; the law of the reference scene |
+//! | [`ThermalArrhenius`] | first order, over an energy barrier | |
+//! | [`StressActivated`] | first order, over a barrier that shear or normal stress lowers | |
+//! | [`ProportionalRemoval`] | steady, over a barrier that shear stress lowers | in proportion to the film |
+//!
+//! [`Activation`] is the condition under which a node takes part. [`Tribofilm`] is the film of one body, carried on the
 //! nodes of that body's own surface; [`FlashTemperature`] is the temperature rise that friction heat causes.
+//! With the feature `fit`, `fit_growth_law` finds the constants of a law from a measured film.
 //! The hardness of a film belongs to [`crate::plastic`].
 
 mod activation;
+mod barrier;
 mod film;
+mod first_order;
+#[cfg(feature = "fit")]
+mod fit;
 mod flash_temperature;
 mod ghanbarzadeh;
+#[cfg(feature = "fit")]
+mod growth_curve;
 mod heat_partition;
 mod integrate;
 mod moving_source;
+mod proportional_removal;
+mod stress_activated;
+mod thermal_arrhenius;
 
 use std::fmt::Debug;
 
 pub use activation::Activation;
+pub use barrier::ELECTRON_VOLT;
 pub use film::Tribofilm;
+#[cfg(feature = "fit")]
+pub use fit::{FitError, FittedConstant, GrowthFit, fit_growth_law};
 pub use flash_temperature::{FlashReport, FlashTemperature, estimate_maximum_rise};
 pub use ghanbarzadeh::Ghanbarzadeh;
+#[cfg(feature = "fit")]
+pub use growth_curve::GrowthCurve;
 pub use moving_source::ThermalBody;
+pub use proportional_removal::ProportionalRemoval;
+pub use stress_activated::StressActivated;
+pub use thermal_arrhenius::ThermalArrhenius;
 
 use crate::rubbing::RubbingPoint;
 

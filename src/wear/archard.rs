@@ -15,7 +15,7 @@ pub enum WearPressure {
 }
 
 /// `dz/dt = K(h)/H p |u_s|` with `K(h) = K_steel - (K_steel - K_min) clamp(h / h_max, 0, 1)`; K
-/// dimensionless, H the hardness of the substrate, constant. With one K and all pressure counted the mean
+/// dimensionless, H the hardness of the substrate, constant, or the [local one](Self::with_film_hardness). With one K and all pressure counted the mean
 /// depth over an area A after the sliding distance s is `K F s / (H A)`, however rough the surfaces are.
 ///
 /// Sources: Archard (1953), Journal of Applied Physics 24, 981-988; coefficient and film: Ghanbarzadeh and
@@ -33,9 +33,12 @@ pub enum WearPressure {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Archard {
+    hardness: f64,
     bare: f64,
     drop: f64,
     per_thickness: f64,
+    /// Hardness under a full film over that of the substrate, less 1.
+    softening: f64,
     pressure: WearPressure,
 }
 
@@ -66,9 +69,11 @@ impl Archard {
 
     fn from_valid(bare: f64, filmed: f64, reference_thickness: f64, hardness: f64) -> Self {
         Self {
+            hardness,
             bare: bare / hardness,
             drop: (bare - filmed) / hardness,
             per_thickness: 1.0 / reference_thickness,
+            softening: 0.0,
             pressure: WearPressure::default(),
         }
     }
@@ -80,6 +85,25 @@ impl Archard {
         self
     }
 
+    /// The same law divided by the local hardness: it falls linearly with the film, from that of the substrate to
+    /// `film_hardness` \[Pa\] under a film of the reference thickness.
+    ///
+    /// # Errors
+    /// A hardness that is not finite and positive.
+    ///
+    /// ```
+    /// use stribeck::wear::Archard;
+    /// let law = Archard::azam_2019().with_film_hardness(2e9)?;
+    /// // Half the film: K is 0.55 of the bare one, H 4 GPa.
+    /// assert!((law.specific_rate(100e-9) - 0.55 * 5.45e-8 / 4e9).abs() < 1e-23);
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    pub fn with_film_hardness(mut self, film_hardness: f64) -> Result<Self, InputError> {
+        InputError::require_positive("wear.film_hardness", film_hardness)?;
+        self.softening = film_hardness / self.hardness - 1.0;
+        Ok(self)
+    }
+
     /// Specific wear rate `K(h)/H` \[m^3/(N m)\] under `film_thickness` \[m\].
     ///
     /// ```
@@ -87,7 +111,8 @@ impl Archard {
     /// assert!((rate - 9.0833e-18).abs() < 1e-21);
     /// ```
     pub fn specific_rate(&self, film_thickness: f64) -> f64 {
-        self.bare - self.drop * (film_thickness * self.per_thickness).clamp(0.0, 1.0)
+        let filling = (film_thickness * self.per_thickness).clamp(0.0, 1.0);
+        (self.bare - self.drop * filling) / (1.0 + self.softening * filling)
     }
 }
 

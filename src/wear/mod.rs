@@ -1,25 +1,30 @@
 //! Wear: how fast the substrate of a body is lost, and the account of what became of its surface.
 //!
-//! [`WearLaw`] is an open set; [`Archard`] is the law of the reference scene. [`WearDepth`] is what one body
+//! [`WearLaw`] is an open set; [`Archard`] is the law of the reference scene, [`FrictionalEnergy`] one by the
+//! energy of friction. [`WearDepth`] is what one body
 //! has lost, node by node of its own surface; [`SurfaceLedger`] puts initial heights, wear, plastic depth and
 //! film together.
 
 mod archard;
 mod depth;
+mod duty;
+mod frictional_energy;
 mod ledger;
 
 use std::fmt::Debug;
 
 pub use archard::{Archard, WearPressure};
 pub use depth::WearDepth;
+pub use duty::track_duty_factor;
+pub use frictional_energy::FrictionalEnergy;
 pub use ledger::{SurfaceLedger, Volumes};
 
 use crate::rubbing::RubbingPoint;
 
 /// The rate at which one body loses height at a node.
 ///
-/// Contract: finite and never negative for every finite input; the film itself is not worn, only the
-/// substrate.
+/// Contract: finite and never negative for every finite input, zero at rest and without load, not falling with sliding
+/// speed and load; the film itself is not worn, only the substrate.
 pub trait WearLaw: Debug + Send + Sync {
     /// Rate of wear \[m/s\] at a node in the state `at` that carries `film_thickness` \[m\] of tribofilm.
     fn depth_rate(&self, at: &RubbingPoint, film_thickness: f64) -> f64;

@@ -81,7 +81,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Heights, SurfaceError> {
 /// let text = "# Width: 3 um\n# Height: 2 um\n# Value units: nm\n1 2 3\n4 BAD 6\n";
 /// let surface = read_bytes(text.as_bytes(), "heights.txt")?;
 /// assert_eq!((surface.nx(), surface.ny(), surface.undefined()), (3, 2, 1));
-/// assert_eq!((surface.heights()[5], surface.unit()), (6e-9, Some(LengthUnit::Nanometre)));
+/// assert_eq!((surface.heights()[0], surface.unit()), (1e-9, Some(LengthUnit::Nanometre)));
 /// # Ok::<(), stribeck::surface::SurfaceError>(())
 /// ```
 pub fn read_bytes(bytes: &[u8], name: impl AsRef<Path>) -> Result<Heights, SurfaceError> {

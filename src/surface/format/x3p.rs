@@ -272,7 +272,7 @@ pub fn write_x3p(path: impl AsRef<Path>, surface: &Heights) -> Result<(), Surfac
 }
 
 fn write_archive(path: &Path, surface: &Heights, dx: f64, dy: f64) -> std::io::Result<()> {
-    let mut data = Vec::with_capacity(surface.heights().len() * size_of::<f64>());
+    let mut data = Vec::with_capacity(size_of_val(surface.heights()));
     for (k, height) in surface.heights().iter().enumerate() {
         let defined = surface.defined().is_none_or(|mask| mask[k]);
         data.extend(if defined { *height } else { f64::NAN }.to_le_bytes());

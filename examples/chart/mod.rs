@@ -1,4 +1,5 @@
-//! Line charts: panels stacked in one SVG, with a legend above that covers no data.
+//! Line charts: panels stacked in one SVG, with a legend above that covers no data. Shared by the examples.
+#![allow(dead_code, reason = "not every example draws every kind of line")]
 
 use std::error::Error;
 use std::ops::Range;
@@ -67,10 +68,20 @@ pub(crate) struct Panel {
     pub(crate) lines: Vec<Line>,
 }
 
+/// What the numbers of an x axis are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum XScale {
+    /// The values, from zero on.
+    FromZero,
+    /// Logarithms to base 10, labelled with the values.
+    Decades,
+}
+
 /// A figure.
 pub(crate) struct Figure {
     pub(crate) title: String,
     pub(crate) x_label: &'static str,
+    pub(crate) x_scale: XScale,
     /// A sample of the line before each text.
     pub(crate) legend: Vec<(Pen, String)>,
     pub(crate) panels: Vec<Panel>,
@@ -140,6 +151,11 @@ impl Figure {
     ) -> Result<(), Box<dyn Error>> {
         let y = y_range(&panel.lines);
         let (x_decimals, y_decimals) = (decimals(&x), decimals(&y));
+        let x_number = |v: &f64| match self.x_scale {
+            XScale::FromZero => format!("{v:.x_decimals$}"),
+            XScale::Decades if (v - v.round()).abs() < 1e-9 => format!("{}", 10_f64.powi(v.round() as i32)),
+            XScale::Decades => String::new(),
+        };
         let many = self.panels.len() > 1;
         let mut chart = ChartBuilder::on(area)
             .margin_left(10)
@@ -157,7 +173,7 @@ impl Figure {
             .label_style(text_style(TICK_FONT))
             .x_labels(9)
             .y_labels(if many { 4 } else { 7 })
-            .x_label_formatter(&|v| format!("{v:.x_decimals$}"))
+            .x_label_formatter(&x_number)
             .y_label_formatter(&|v| format!("{v:.y_decimals$}"))
             .light_line_style(TRANSPARENT)
             .bold_line_style(BLACK.mix(0.12))
@@ -173,10 +189,13 @@ impl Figure {
         Ok(())
     }
 
-    /// From zero, or from the lowest point where it is negative, to the last point of all lines.
+    /// From zero, or from the lowest point where it is negative, to the last point of all lines; decades are whole.
     fn x_range(&self) -> Range<f64> {
         let lines = self.panels.iter().flat_map(|panel| &panel.lines);
         let (low, high) = extremes(lines.flat_map(|line| &line.points).map(|point| point.0));
+        if self.x_scale == XScale::Decades {
+            return low.floor()..(high.ceil()).max(low.floor() + 1.0);
+        }
         let low = low.min(0.0);
         if high > low { low..high } else { low..low + 1.0 }
     }

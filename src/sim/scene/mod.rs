@@ -1,11 +1,20 @@
 //! The physical description of a contact and its history: what a scene file holds.
 
+#[cfg(feature = "serde")]
+mod files;
+mod processes;
+#[cfg(feature = "serde")]
+mod tables;
+
 use std::path::PathBuf;
 
-use crate::analytic::HertzPoint;
+pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec, WearSpec};
+
+use crate::analytic::{HertzLine, HertzPoint};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::{FaceMobility, Scheme};
+use crate::sim::hertz::{HertzContact, LINE_LENGTH};
 use crate::surface::Form;
 
 /// Everything that defines a contact. All SI; every table that is absent is physics that is not modelled.
@@ -29,6 +38,7 @@ pub struct Scene {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lubricant: Option<LubricantSpec>,
     /// The grid.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::grid"))]
     pub grid: GridSpec,
     /// Roughness of the two bodies.
     #[cfg_attr(feature = "serde", serde(default))]
@@ -72,7 +82,7 @@ pub struct Load {
     /// Maximum Hertz pressure of the smooth contact \[Pa\].
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub hertz_pressure: Option<f64>,
-    /// Force \[N\].
+    /// Force \[N\]; of a line contact force per length \[N/m\].
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
 }
@@ -127,20 +137,34 @@ pub struct LubricantSpec {
     pub density_b: f64,
 }
 
-/// The grid by its box.
+/// The grid, or what is asked of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct GridSpec {
-    /// Cells along x.
-    pub nx: usize,
-    /// Cells along y.
-    pub ny: usize,
-    /// Outer edges along x \[m\]; the flow goes along +x.
-    #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::edges"))]
-    pub x: [f64; 2],
-    /// Outer edges along y \[m\].
-    #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::edges"))]
-    pub y: [f64; 2],
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(untagged))]
+pub enum GridSpec {
+    /// Cells that fill a box. A line contact is solved on one row of them: `ny` and `y` are checked and not used.
+    Cells {
+        /// Cells along x.
+        nx: usize,
+        /// Cells along y.
+        ny: usize,
+        /// Outer edges along x \[m\]; the flow goes along +x.
+        x: [f64; 2],
+        /// Outer edges along y \[m\].
+        y: [f64; 2],
+    },
+    /// The cells of a line contact.
+    Row {
+        /// Cells along x.
+        nx: usize,
+        /// Outer edges along x \[m\]; the flow goes along +x.
+        x: [f64; 2],
+    },
+    /// Box and cells are picked for a relative error of the central film (of the maximum pressure in a dry contact),
+    /// which is estimated from coarser grids; single smooth contacts only.
+    Accuracy {
+        /// Largest relative error.
+        accuracy: f64,
+    },
 }
 
 /// Roughness of ball and disc.
@@ -215,124 +239,6 @@ pub struct FileRoughness {
     pub rq: Option<f64>,
 }
 
-/// Pressure limit.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct PlasticSpec {
-    /// Hardness of the substrate \[Pa\].
-    pub hardness: f64,
-    /// Hardness of a tribofilm of full thickness \[Pa\]; the limit falls linearly with the film.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub film_hardness: Option<f64>,
-}
-
-/// Friction of solid contact and of the fluid.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default, deny_unknown_fields)
-)]
-pub struct FrictionSpec {
-    /// Boundary friction coefficient of solid contact.
-    pub boundary_coefficient: f64,
-    /// Largest shear stress that the fluid carries \[Pa\].
-    pub limiting_shear_stress: f64,
-}
-
-impl Default for FrictionSpec {
-    fn default() -> Self {
-        Self { boundary_coefficient: 0.115, limiting_shear_stress: 1e8 }
-    }
-}
-
-/// Two-state growth and removal of a tribofilm (see [`crate::tribochem::Ghanbarzadeh`]).
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default, deny_unknown_fields)
-)]
-pub struct TribofilmSpec {
-    /// Thickness that growth alone approaches \[m\].
-    pub maximum_thickness: f64,
-    /// Mechanical activation factor.
-    pub x_tribo: f64,
-    /// Thickness that removal takes in the end \[m\].
-    pub removal_limit: f64,
-    /// Rate of removal \[1/s\].
-    pub removal_rate: f64,
-}
-
-impl Default for TribofilmSpec {
-    /// The constants of Azam et al. (2019).
-    fn default() -> Self {
-        Self { maximum_thickness: 200e-9, x_tribo: 1.66e-16, removal_limit: 54.32e-9, removal_rate: 4.022e-4 }
-    }
-}
-
-/// Archard wear with a film-dependent coefficient.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default, deny_unknown_fields)
-)]
-pub struct WearSpec {
-    /// Dimensionless coefficient of the bare surface.
-    pub coefficient: f64,
-    /// Dimensionless coefficient under a film of full thickness.
-    pub film_coefficient: f64,
-    /// Hardness that divides the coefficient \[Pa\].
-    pub hardness: f64,
-    /// Whether only solid pressure wears, or all pressure.
-    pub solid_pressure_only: bool,
-}
-
-impl Default for WearSpec {
-    /// The constants of Azam et al. (2019), all pressure.
-    fn default() -> Self {
-        Self { coefficient: 5.45e-8, film_coefficient: 5.45e-9, hardness: 6e9, solid_pressure_only: false }
-    }
-}
-
-/// Temperatures and thermal constants of both bodies.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default, deny_unknown_fields)
-)]
-pub struct ThermalSpec {
-    /// Bulk temperature \[K\].
-    pub bulk_temperature: f64,
-    /// Flash temperature: computed, left out, or by its estimate.
-    pub flash: Flash,
-    /// Thermal conductivity \[W/(m K)\].
-    pub conductivity: f64,
-    /// Thermal diffusivity \[m^2/s\].
-    pub diffusivity: f64,
-}
-
-impl Default for ThermalSpec {
-    fn default() -> Self {
-        Self { bulk_temperature: 353.15, flash: Flash::Auto, conductivity: 46.0, diffusivity: 1.27e-5 }
-    }
-}
-
-/// Whether the flash temperature is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum Flash {
-    /// Computed where its estimate is 1 K or more.
-    #[default]
-    Auto,
-    /// Computed.
-    On,
-    /// Left out.
-    Off,
-}
-
 /// How the contact problem is solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
@@ -353,6 +259,8 @@ pub struct SolverSpec {
     pub face_mobility: Option<FaceMobility>,
     /// Film thickness at which solids touch \[m\].
     pub film_cutoff: f64,
+    /// Whether a dry contact may reach the edge of the box.
+    pub edge_contact: bool,
     /// Under-relaxation of the semi-system sweeps.
     pub relaxation: f64,
     /// Stiffening of the implicit deformation in the semi-system sweeps.
@@ -368,6 +276,7 @@ impl Default for SolverSpec {
             scheme: Scheme::default(),
             face_mobility: None,
             film_cutoff: 1e-9,
+            edge_contact: false,
             relaxation: 0.2,
             stiffness: 6.0,
         }
@@ -428,9 +337,9 @@ impl Scene {
                 density_a: 0.6e-9,
                 density_b: 1.7e-9,
             }),
-            grid: GridSpec { nx: n, ny: n, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] },
+            grid: GridSpec::Cells { nx: n, ny: n, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] },
             roughness: RoughnessPair { ball: random(20e-9, 1), disc: random(130e-9, 2) },
-            plastic: Some(PlasticSpec { hardness: 6e9, film_hardness: Some(2e9) }),
+            plastic: Some(PlasticSpec { hardness: 6e9, film_hardness: Some(2e9), hardening_modulus: None }),
             friction: FrictionSpec::default(),
             tribofilm: None,
             wear: Some(WearSpec::default()),
@@ -446,36 +355,62 @@ impl Scene {
         self
     }
 
-    /// The grid.
+    /// The grid; of a line contact one row of cells one metre wide.
     ///
     /// # Errors
-    /// Counts or edges out of range.
+    /// Counts or edges out of range; a row for a point contact; an accuracy in place of a grid.
     pub fn grid(&self) -> Result<Grid, InputError> {
-        Grid::from_edges(self.grid.nx, self.grid.ny, self.grid.x, self.grid.y)
+        let row = |nx, x| Grid::from_edges(nx, 1, x, [-0.5 * LINE_LENGTH, 0.5 * LINE_LENGTH]);
+        let conflict = |field: &str, reason: &str| {
+            Err(InputError::Conflict { field: field.to_owned(), reason: reason.to_owned() })
+        };
+        match self.grid {
+            GridSpec::Cells { nx, ny, x, y } => {
+                let grid = Grid::from_edges(nx, ny, x, y)?;
+                if self.form.is_line() { row(nx, x) } else { Ok(grid) }
+            }
+            GridSpec::Row { nx, x } if self.form.is_line() => row(nx, x),
+            GridSpec::Row { .. } => conflict("grid", "ny and y are missing; only a cylinder needs none"),
+            GridSpec::Accuracy { .. } => conflict(
+                "grid.accuracy",
+                "only a single smooth contact picks its grid, this needs nx, ny, x and y",
+            ),
+        }
     }
 
     /// The Hertz contact of the smooth bodies.
     ///
     /// # Errors
     /// Form, modulus or load out of range, or both kinds of load, or none.
-    pub fn hertz(&self) -> Result<HertzPoint, InputError> {
+    pub fn hertz(&self) -> Result<HertzContact, InputError> {
         self.form.validate()?;
         let (radius_x, radius_y) = self.form.radii();
+        let line = self.form.is_line();
         let ratio = radius_x / radius_y;
         let largest = HertzPoint::MAX_RADIUS_RATIO;
-        let fits = (1.0 / largest..=largest).contains(&ratio);
+        let fits = line || (1.0 / largest..=largest).contains(&ratio);
         InputError::require(fits, "form.radius_x / form.radius_y", ratio, "between 1e-8 and 1e8")?;
         let modulus = self.elastic.equivalent_modulus;
         InputError::require_positive("elastic.equivalent_modulus", modulus)?;
         let (field, value, contact) = match (self.load.hertz_pressure, self.load.force) {
             (Some(pressure), None) => {
                 InputError::require_positive("load.hertz_pressure", pressure)?;
-                let contact = HertzPoint::from_max_pressure(radius_x, radius_y, modulus, pressure);
+                let contact = if line {
+                    HertzLine::from_max_pressure(radius_x, modulus, pressure).map(HertzContact::from)
+                } else {
+                    HertzPoint::from_max_pressure(radius_x, radius_y, modulus, pressure)
+                        .map(HertzContact::from)
+                };
                 ("load.hertz_pressure", pressure, contact)
             }
             (None, Some(force)) => {
                 InputError::require_positive("load.force", force)?;
-                ("load.force", force, HertzPoint::from_load(radius_x, radius_y, modulus, force))
+                let contact = if line {
+                    HertzLine::from_load(radius_x, modulus, force).map(HertzContact::from)
+                } else {
+                    HertzPoint::from_load(radius_x, radius_y, modulus, force).map(HertzContact::from)
+                };
+                ("load.force", force, contact)
             }
             (Some(pressure), Some(force)) => {
                 return Err(InputError::Conflict {
@@ -513,205 +448,5 @@ impl Scene {
             Scheme::FirstOrder if smooth => FaceMobility::Arithmetic,
             _ => FaceMobility::ReducedPressure,
         })
-    }
-}
-
-#[cfg(feature = "serde")]
-mod files {
-    use std::path::Path;
-
-    use serde::Deserialize;
-
-    use super::{Roughness, Scene};
-    use crate::sim::SimError;
-
-    /// Characters of a line that a syntax error quotes.
-    const LONGEST_QUOTE: usize = 80;
-
-    impl Scene {
-        /// A scene from TOML text.
-        ///
-        /// # Errors
-        /// [`SimError::Scene`] naming the key and the line of what does not fit.
-        pub fn from_toml(text: &str) -> Result<Self, SimError> {
-            let scene = |reason| SimError::Scene { reason };
-            let tree = toml::Deserializer::parse(text).map_err(|error| {
-                let line = text.lines().nth(line_of(text, &error)).unwrap_or_default().trim();
-                let shown: String = line.chars().filter(|c| !c.is_control()).take(LONGEST_QUOTE).collect();
-                scene(format!("{} in `{shown}`", in_one_line(text, error)))
-            })?;
-            Self::deserialize(tree).map_err(|error| scene(in_one_line(text, error)))
-        }
-
-        /// The scene as TOML text.
-        ///
-        /// # Errors
-        /// [`SimError::Scene`] when a path is not UTF-8.
-        pub fn to_toml(&self) -> Result<String, SimError> {
-            toml::to_string(self).map_err(|e| SimError::Scene { reason: e.to_string() })
-        }
-
-        /// Reads a scene file; paths of roughness files in it are taken relative to its folder.
-        ///
-        /// # Errors
-        /// [`SimError::Io`] when the file cannot be read, [`SimError::Scene`] when it does not fit.
-        pub fn load(path: impl AsRef<Path>) -> Result<Self, SimError> {
-            let path = path.as_ref();
-            let text = std::fs::read_to_string(path)
-                .map_err(|source| SimError::Io { path: path.to_owned(), source })?;
-            let mut scene = Self::from_toml(&text)?;
-            let folder = path.parent().unwrap_or(Path::new(""));
-            for roughness in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
-                if let Roughness::File(file) = roughness {
-                    file.path = folder.join(&file.path);
-                }
-            }
-            Ok(scene)
-        }
-    }
-
-    /// The parser's message with line and key in one line.
-    fn in_one_line(text: &str, mut error: toml::de::Error) -> String {
-        let line = 1 + line_of(text, &error);
-        // With the text at hand the message would be a picture of the place instead of the key.
-        error.set_input(None);
-        let message = error.to_string();
-        let words: Vec<&str> = message.split_whitespace().collect();
-        format!("line {line}: {}", words.join(" "))
-    }
-
-    /// The line of the error, from 0.
-    fn line_of(text: &str, error: &toml::de::Error) -> usize {
-        let start = error.span().map_or(0, |span| span.start.min(text.len()));
-        text.as_bytes()[..start].iter().filter(|byte| **byte == b'\n').count()
-    }
-}
-
-/// What the derived readers are too lenient for. Tables whose keys depend on `kind` are read flat: derived enums would
-/// take stray keys of a unit variant and lose the key of a value that does not fit.
-#[cfg(feature = "serde")]
-mod tables {
-    use std::path::PathBuf;
-
-    use serde::de::Error;
-    use serde::{Deserialize, Deserializer};
-
-    use super::{FileRoughness, RandomRoughness, Roughness};
-    use crate::surface::Form;
-
-    #[derive(Deserialize)]
-    #[serde(deny_unknown_fields)]
-    struct FormTable {
-        kind: FormKind,
-        radius: Option<f64>,
-        radius_x: Option<f64>,
-        radius_y: Option<f64>,
-    }
-
-    #[derive(Deserialize, Clone, Copy)]
-    #[serde(rename_all = "snake_case")]
-    enum FormKind {
-        Sphere,
-        Ellipsoid,
-    }
-
-    pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D::Error> {
-        let table = FormTable::deserialize(deserializer)?;
-        let given = [
-            ("radius", table.radius.is_some()),
-            ("radius_x", table.radius_x.is_some()),
-            ("radius_y", table.radius_y.is_some()),
-        ];
-        match table.kind {
-            FormKind::Sphere => refuse_strays("sphere", &given, &["radius"])
-                .and_then(|()| Ok(Form::Sphere { radius: required("radius", table.radius)? })),
-            FormKind::Ellipsoid => {
-                refuse_strays("ellipsoid", &given, &["radius_x", "radius_y"]).and_then(|()| {
-                    Ok(Form::Ellipsoid {
-                        radius_x: required("radius_x", table.radius_x)?,
-                        radius_y: required("radius_y", table.radius_y)?,
-                    })
-                })
-            }
-        }
-        .map_err(D::Error::custom)
-    }
-
-    #[derive(Deserialize)]
-    #[serde(deny_unknown_fields)]
-    pub(super) struct RoughnessTable {
-        kind: RoughnessKind,
-        rq: Option<f64>,
-        length_x: Option<f64>,
-        length_y: Option<f64>,
-        seed: Option<u64>,
-        path: Option<PathBuf>,
-    }
-
-    #[derive(Deserialize, Clone, Copy)]
-    #[serde(rename_all = "snake_case")]
-    enum RoughnessKind {
-        None,
-        Gaussian,
-        Exponential,
-        File,
-    }
-
-    const RANDOM: [&str; 4] = ["rq", "length_x", "length_y", "seed"];
-
-    impl TryFrom<RoughnessTable> for Roughness {
-        type Error = String;
-
-        fn try_from(table: RoughnessTable) -> Result<Self, String> {
-            let given = [
-                ("rq", table.rq.is_some()),
-                ("length_x", table.length_x.is_some()),
-                ("length_y", table.length_y.is_some()),
-                ("seed", table.seed.is_some()),
-                ("path", table.path.is_some()),
-            ];
-            let random = |kind| {
-                refuse_strays(kind, &given, &RANDOM)?;
-                Ok::<_, String>(RandomRoughness {
-                    rq: required("rq", table.rq)?,
-                    length_x: required("length_x", table.length_x)?,
-                    length_y: required("length_y", table.length_y)?,
-                    seed: table.seed.unwrap_or_default(),
-                })
-            };
-            Ok(match table.kind {
-                RoughnessKind::None => {
-                    refuse_strays("none", &given, &[])?;
-                    Self::None
-                }
-                RoughnessKind::Gaussian => Self::Gaussian(random("gaussian")?),
-                RoughnessKind::Exponential => Self::Exponential(random("exponential")?),
-                RoughnessKind::File => {
-                    refuse_strays("file", &given, &["path", "rq"])?;
-                    Self::File(FileRoughness { path: required("path", table.path)?, rq: table.rq })
-                }
-            })
-        }
-    }
-
-    /// Exactly two numbers: the parser would drop further ones in silence.
-    pub(super) fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; 2], D::Error> {
-        let edges = Vec::<f64>::deserialize(deserializer)?;
-        <[f64; 2]>::try_from(edges.as_slice())
-            .map_err(|_| D::Error::invalid_length(edges.len(), &"the two outer edges"))
-    }
-
-    fn refuse_strays(kind: &str, given: &[(&str, bool)], known: &[&str]) -> Result<(), String> {
-        match given.iter().find(|(key, present)| *present && !known.contains(key)) {
-            None => Ok(()),
-            Some((key, _)) => Err(match known {
-                [] => format!("unknown field `{key}`, kind = \"{kind}\" has no other fields"),
-                _ => format!("unknown field `{key}`, kind = \"{kind}\" has `{}`", known.join("`, `")),
-            }),
-        }
-    }
-
-    fn required<T>(key: &str, value: Option<T>) -> Result<T, String> {
-        value.ok_or_else(|| format!("missing field `{key}`"))
     }
 }

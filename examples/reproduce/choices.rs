@@ -1,0 +1,167 @@
+//! What the paper leaves open: one flip each against the scene of the crate.
+
+use stribeck::reynolds::{FaceMobility, Scheme};
+use stribeck::sim::Scene;
+use stribeck::sim::scene::{Flash, GridSpec, Roughness};
+use stribeck::surface::RoughnessMotion;
+use stribeck::tribochem::Activation;
+use stribeck::wear::track_duty_factor;
+
+/// One flip.
+#[derive(Debug)]
+pub(crate) struct Choice {
+    /// Name of its files.
+    pub(crate) name: &'static str,
+    /// What is changed, in words.
+    pub(crate) text: &'static str,
+    pub(crate) flip: fn(&mut Scene),
+    pub(crate) motion: Motion,
+    /// Factor of the time step; the steps are fewer by it.
+    pub(crate) time_step: u64,
+}
+
+/// Motion of the roughness.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Motion {
+    Random,
+    Fixed,
+    Convected,
+}
+
+impl Motion {
+    pub(crate) fn of_seed(self, seed: u64) -> RoughnessMotion {
+        match self {
+            Self::Random => RoughnessMotion::RandomShift { seed },
+            Self::Fixed => RoughnessMotion::Fixed,
+            Self::Convected => RoughnessMotion::Convected,
+        }
+    }
+}
+
+/// The scene as it is.
+pub(crate) const BASE: Choice =
+    Choice { name: "base", text: "none", flip: |_| {}, motion: Motion::Random, time_step: 1 };
+
+/// Radius of the track on the disc, as printed, and of the ball \[m\].
+const TRACK_RADII: [f64; 2] = [9.525e-3, 23e-3];
+
+/// All flips.
+pub(crate) const CHOICES: [Choice; 23] = [
+    flip("alpha", "alpha 14.94 1/GPa as stated, instead of 14.39 by Roelands", |scene| {
+        if let Some(oil) = &mut scene.lubricant {
+            oil.alpha = Some(14.94e-9);
+        }
+    }),
+    flip("hardness4", "hardness of the steel 4 GPa instead of 6, yield and wear", |scene| {
+        if let Some(plastic) = &mut scene.plastic {
+            plastic.hardness = 4e9;
+        }
+        if let Some(wear) = &mut scene.wear {
+            wear.hardness = 4e9;
+        }
+    }),
+    flip("hardness_uniform", "no softening by the film: 6 GPa everywhere", |scene| {
+        if let Some(plastic) = &mut scene.plastic {
+            plastic.film_hardness = None;
+        }
+    }),
+    flip("hardening", "hardening by 1 GPa per 100 nm instead of perfect plasticity", |scene| {
+        if let Some(plastic) = &mut scene.plastic {
+            plastic.hardening_modulus = Some(1e16);
+        }
+    }),
+    flip("c3_nanometres", "C3 read as nanometres: no removal to speak of", |scene| {
+        if let Some(film) = &mut scene.tribofilm {
+            film.removal_limit = 0.05432e-9;
+        }
+    }),
+    flip("active_pressure", "film grows under any pressure instead of solid contact", |scene| {
+        if let Some(film) = &mut scene.tribofilm {
+            film.activation = Activation::Pressure;
+        }
+    }),
+    flip("active_shear", "film grows under any shear stress instead of solid contact", |scene| {
+        if let Some(film) = &mut scene.tribofilm {
+            film.activation = Activation::ShearStress;
+        }
+    }),
+    flip("wear_solid", "only solid pressure wears instead of all", |scene| {
+        if let Some(wear) = &mut scene.wear {
+            wear.solid_pressure_only = true;
+        }
+    }),
+    flip(
+        "wear_local_hardness",
+        "wear divided by the hardness under the film instead of that of steel",
+        |scene| {
+            if let Some(wear) = &mut scene.wear {
+                wear.film_hardness = Some(2e9);
+            }
+        },
+    ),
+    flip("duty", "track duty factor instead of none", |scene| {
+        let Ok(hertz) = scene.hertz() else { return };
+        let shares = TRACK_RADII.map(|radius| track_duty_factor(hertz.a_x, radius).unwrap_or(1.0));
+        if let Some(wear) = &mut scene.wear {
+            [wear.duty_factor_ball, wear.duty_factor_disc] = shares;
+        }
+    }),
+    Choice { motion: Motion::Fixed, ..flip("fixed", "roughness fixed instead of moved at random", |_| {}) },
+    Choice {
+        motion: Motion::Convected,
+        ..flip("convected", "roughness carried by the bodies instead of moved at random", |_| {})
+    },
+    Choice { time_step: 3, ..flip("time_step", "steps three times as long", |_| {}) },
+    flip("cutoff", "contact below 0.47 nm instead of 1 nm", |scene| scene.solver.film_cutoff = 0.47e-9),
+    flip("arithmetic", "arithmetic face mobility instead of reduced pressure", |scene| {
+        scene.solver.face_mobility = Some(FaceMobility::Arithmetic);
+    }),
+    flip("second_order", "second-order entrainment instead of first", |scene| {
+        scene.solver.scheme = Scheme::SecondOrder;
+    }),
+    flip(
+        "inlet",
+        "box from -2.5 to 1.5 contact radii instead of centred (its mean wear is over a larger box)",
+        |scene| {
+            let Ok(hertz) = scene.hertz() else { return };
+            if let GridSpec::Cells { x, .. } = &mut scene.grid {
+                *x = [-2.5 * hertz.a_x, 1.5 * hertz.a_x];
+            }
+        },
+    ),
+    flip("exponential", "exponential autocorrelation instead of Gaussian", |scene| {
+        for body in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
+            if let Roughness::Gaussian(random) = *body {
+                *body = Roughness::Exponential(random);
+            }
+        }
+    }),
+    flip("length20", "autocorrelation length 20 um instead of 10", |scene| set_length(scene, 20e-6)),
+    flip("friction", "boundary friction 0.14 instead of 0.115", |scene| {
+        scene.friction.boundary_coefficient = 0.14;
+    }),
+    flip("flash", "flash temperature left out instead of computed", |scene| scene.thermal.flash = Flash::Off),
+    flip("disc_faster", "disc faster than ball", |scene| {
+        scene.motion.slide_roll_ratio = -scene.motion.slide_roll_ratio;
+    }),
+    flip("dry", "no lubricant at all", |scene| scene.lubricant = None),
+];
+
+const fn flip(name: &'static str, text: &'static str, flip: fn(&mut Scene)) -> Choice {
+    Choice { name, text, flip, motion: Motion::Random, time_step: 1 }
+}
+
+fn set_length(scene: &mut Scene, length: f64) {
+    for body in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
+        if let Roughness::Gaussian(random) = body {
+            (random.length_x, random.length_y) = (length, length);
+        }
+    }
+}
+
+/// What stays as it is, and why it is not among the flips.
+pub(crate) const NOT_FLIPPED: &str = "\
+Not flipped: the reading of 1.15 GPa as the mean (182 N, beyond the machine); film on one body alone and average instead of
+smaller hardness (the simulation has neither); removal of film outside contact; squeeze (a history of two hours would take
+some 10^8 steps of the time that the surfaces need for a cell); cavitation with mass conservation (it always is).
+";

@@ -1,0 +1,261 @@
+//! The page: statements over the seeds, the paper's two numbers under each reading, open choices and what they turn.
+
+use std::f64::consts::PI;
+use std::fmt::Write as _;
+
+use stribeck::sim::Scene;
+
+use crate::choices::{Choice, NOT_FLIPPED};
+use crate::history::{self, History};
+use crate::options::Options;
+use crate::plan::Run;
+use crate::statements::{Pair, STATEMENTS};
+
+/// The paper's wear of the disc without and with film \[nm\].
+const PAPER_WEAR: [f64; 2] = [152.0, 132.0];
+
+/// All pairs of histories.
+pub(crate) struct Results {
+    /// One pair a seed, choices as they are.
+    pub(crate) seeds: Vec<Pair>,
+    fine: Option<Pair>,
+    choices: Vec<(&'static Choice, Pair)>,
+}
+
+impl Results {
+    /// Reads what was run.
+    ///
+    /// # Errors
+    /// A file that is missing or does not fit.
+    pub(crate) fn gather(runs: &[Run], options: &Options) -> Result<Self, String> {
+        let mut results = Self { seeds: Vec::new(), fine: None, choices: Vec::new() };
+        for run in runs.iter().filter(|run| run.film) {
+            let pair = Pair {
+                with: history::read(run, options)?,
+                without: history::read(&Run { film: false, ..*run }, options)?,
+            };
+            if run.grid != options.grid {
+                results.fine = Some(pair);
+            } else if run.choice.name == "base" {
+                results.seeds.push(pair);
+            } else {
+                results.choices.push((run.choice, pair));
+            }
+        }
+        Ok(results)
+    }
+
+    /// The mean histories of the seeds.
+    fn mean_pair(&self) -> Option<Pair> {
+        let with: Vec<&History> = self.seeds.iter().map(|pair| &pair.with).collect();
+        let without: Vec<&History> = self.seeds.iter().map(|pair| &pair.without).collect();
+        Some(Pair { with: History::mean_of(&with)?, without: History::mean_of(&without)? })
+    }
+
+    fn mean(&self, value: impl Fn(&Pair) -> f64) -> f64 {
+        self.seeds.iter().map(value).sum::<f64>() / self.seeds.len() as f64
+    }
+
+    /// Sample standard deviation; none for one seed.
+    fn spread(&self, value: impl Fn(&Pair) -> f64) -> Option<f64> {
+        let (n, mean) = (self.seeds.len(), self.mean(&value));
+        let sum: f64 = self.seeds.iter().map(|pair| (value(pair) - mean).powi(2)).sum();
+        (n > 1).then(|| (sum / (n - 1) as f64).sqrt())
+    }
+}
+
+/// The page as Markdown. Writing to a string cannot fail.
+pub(crate) fn page(results: &Results, options: &Options) -> String {
+    let mut page = String::new();
+    introduction(&mut page, results, options);
+    quantities(&mut page, results);
+    statements(&mut page, results);
+    wear_readings(&mut page, results);
+    choices(&mut page, results);
+    for number in 1..=8 {
+        let _ = write!(page, "\n![Figure {number}](figures/reproduction{number}.svg)\n");
+    }
+    page
+}
+
+fn introduction(page: &mut String, results: &Results, options: &Options) {
+    let (seeds, grid, steps, step) = (results.seeds.len(), options.grid, options.steps, options.time_step);
+    let _ = write!(
+        page,
+        "# The paper's experiment\n\n\
+         Written by `cargo run --release --example reproduce -- --seeds {seeds} --grid {grid} --steps {steps} \
+         --time-step {step}`: Azam, Ghanbarzadeh, Neville, Morina, Wilson (2019), Tribology International 135, 161-169. \
+         {seeds} seeds of roughness and motion, {grid} x {grid} nodes, {steps} steps of {step} s, residuals of 1e-3, \
+         contact below 1 nm, random shift of both roughnesses each step. What the paper leaves open is chosen as in \
+         `Scene::azam_2019`; nothing was tuned.\n\n"
+    );
+    if steps as f64 * step < 7200.0 {
+        let _ = write!(
+            page,
+            "**A trial of {:.0} s, not the paper's two hours: the numbers below are no reproduction.**\n\n",
+            steps as f64 * step
+        );
+    }
+    let all = results.seeds.iter().flat_map(|pair| [&pair.with, &pair.without]);
+    let (mut taken, mut moved, mut early) = (0, 0, 0);
+    for history in all {
+        taken += history.steps();
+        moved += history.column("attempts").iter().filter(|attempts| **attempts > 1.0).count();
+        early += usize::from(history.failure.is_some());
+    }
+    let _ = write!(
+        page,
+        "{moved} of {taken} steps needed another position of the roughness because the solver did not converge at the \
+         first; {early} of {} histories ended early. Positions passed over make the rest a selection.\n\n",
+        2 * seeds
+    );
+}
+
+fn quantities(page: &mut String, results: &Results) {
+    let fine = if results.fine.is_some() { " finer grid, with | without |" } else { "" };
+    let rule = if results.fine.is_some() { "---|---|" } else { "" };
+    let _ = write!(
+        page,
+        "## Start and end\n\nMean of the seeds and their standard deviation; scattered quantities are means over the first \
+         or last steps of a history.\n\n\
+         | quantity | start | end, with | end, without |{fine}\n|---|---|---|---|{rule}\n"
+    );
+    for (name, column, unit, decimals) in [
+        ("Rq ball, nm", "rq_ball_m", 1e9, 1),
+        ("Rq disc, nm", "rq_disc_m", 1e9, 1),
+        ("Rq composite, nm", "rq_composite_m", 1e9, 1),
+        ("h_avg, nm", "h_avg_m", 1e9, 1),
+        ("lambda", "lambda", 1.0, 3),
+        ("lambda_OLD", "lambda_old", 1.0, 4),
+        ("area ratio", "area_ratio", 1.0, 3),
+        ("load ratio", "load_ratio", 1.0, 3),
+        ("largest pressure, GPa", "max_pressure_pa", 1e-9, 2),
+        ("mean wear ball, nm", "mean_wear_ball_m", 1e9, 2),
+        ("mean wear disc, nm", "mean_wear_disc_m", 1e9, 2),
+        ("mean film disc, nm", "mean_film_disc_m", 1e9, 1),
+        ("friction coefficient", "friction_coefficient", 1.0, 4),
+        ("largest flash temperature, K", "flash_rise_k", 1.0, 2),
+    ] {
+        let cell = |value: &dyn Fn(&Pair) -> f64| {
+            let mean = unit * results.mean(value);
+            let spread =
+                results.spread(value).map_or_else(String::new, |s| format!(" +- {:.decimals$}", unit * s));
+            format!("{mean:.decimals$}{spread}")
+        };
+        let start = cell(&|pair| pair.with.first(column));
+        let (with, without) = (cell(&|pair| pair.with.end(column)), cell(&|pair| pair.without.end(column)));
+        let _ = write!(page, "| {name} | {start} | {with} | {without} |");
+        if let Some(fine) = &results.fine {
+            let ends = [&fine.with, &fine.without].map(|history| unit * history.end(column));
+            let _ = write!(page, " {:.decimals$} | {:.decimals$} |", ends[0], ends[1]);
+        }
+        page.push('\n');
+    }
+}
+
+fn statements(page: &mut String, results: &Results) {
+    let seeds = results.seeds.len();
+    let _ = write!(
+        page,
+        "\n## What the paper says\n\nAsked of the mean history of the seeds and of each seed. The last column names the open \
+         choices that turn the first seed's answer when flipped alone.\n\n\
+         | statement | mean | seeds that agree | turned by |\n|---|---|---|---|\n"
+    );
+    let mean = results.mean_pair();
+    for statement in &STATEMENTS {
+        let agree = results.seeds.iter().filter(|pair| (statement.holds)(pair)).count();
+        let verdict = match &mean {
+            Some(mean) if (statement.holds)(mean) => "agrees",
+            _ => "**disagrees**",
+        };
+        let base = results.seeds.first().is_some_and(statement.holds);
+        let turned: Vec<&str> = results
+            .choices
+            .iter()
+            .filter(|(_, pair)| (statement.holds)(pair) != base)
+            .map(|(choice, _)| choice.name)
+            .collect();
+        let turned = match (results.choices.is_empty(), turned.is_empty()) {
+            (true, _) => "not run".to_owned(),
+            (false, true) => "none found".to_owned(),
+            (false, false) => turned.join(", "),
+        };
+        let _ = writeln!(page, "| {} | {verdict} | {agree} of {seeds} | {turned} |", statement.text);
+    }
+}
+
+/// The paper's 152 and 132 nm do not say which area or pressure.
+fn wear_readings(page: &mut String, results: &Results) {
+    let _ = write!(
+        page,
+        "\n## The paper's two numbers\n\nWear of the disc after two hours: {} nm without, {} nm with film, ratio {:.3}. The \
+         paper does not say over which area it averages, nor which pressure wears. Seen from the contact \
+         nearly all wear falls inside the Hertz circle: the mean over it is taken as that of the box times the ratio of the areas.\n\n\
+         | reading | without, nm | with, nm | ratio |\n|---|---|---|---|\n",
+        PAPER_WEAR[0],
+        PAPER_WEAR[1],
+        PAPER_WEAR[1] / PAPER_WEAR[0]
+    );
+    let scene = Scene::azam_2019(128);
+    let areas = scene.hertz().map_or(f64::NAN, |hertz| {
+        scene
+            .grid()
+            .map_or(f64::NAN, |grid| grid.len() as f64 * grid.cell_area() / (PI * hertz.a_x * hertz.a_y))
+    });
+    let mut row = |reading: &str, without: f64, with: f64| {
+        let ratio = with / without;
+        let _ = writeln!(page, "| {reading} | {:.1} | {:.1} | {ratio:.3} |", 1e9 * without, 1e9 * with);
+    };
+    let mean = |column: &'static str| {
+        [results.mean(|pair| pair.without.last(column)), results.mean(|pair| pair.with.last(column))]
+    };
+    let [without, with] = mean("mean_wear_disc_m");
+    row("all pressure, mean over the box", without, with);
+    row("all pressure, mean over the Hertz circle", areas * without, areas * with);
+    let [without, with] = mean("max_wear_disc_m");
+    row("all pressure, deepest node", without, with);
+    if let Some((_, pair)) = results.choices.iter().find(|(choice, _)| choice.name == "wear_solid") {
+        let [without, with] = [&pair.without, &pair.with].map(|h| h.last("mean_wear_disc_m"));
+        row("solid pressure, mean over the box (first seed)", without, with);
+        row("solid pressure, mean over the Hertz circle (first seed)", areas * without, areas * with);
+    }
+}
+
+fn choices(page: &mut String, results: &Results) {
+    let Some(base) = results.seeds.first() else { return };
+    if results.choices.is_empty() {
+        return;
+    }
+    let _ = write!(
+        page,
+        "\n## Open choices\n\nEach flipped alone, first seed; the first row is the scene as it is. Compare with the spread over \
+         the seeds above.\n\n\
+         | flip | wear ratio | wear without, nm | film, nm | lambda with / without | area with / without | load with / without \
+         | steps |\n|---|---|---|---|---|---|---|---|\n"
+    );
+    let mut row = |name: &str, pair: &Pair| {
+        let both = |column: &str, decimals: usize| {
+            format!("{:.decimals$} / {:.decimals$}", pair.with.end(column), pair.without.end(column))
+        };
+        let wear = [&pair.with, &pair.without].map(|history| history.last("mean_wear_disc_m"));
+        let early =
+            if pair.with.failure.is_some() || pair.without.failure.is_some() { " (early)" } else { "" };
+        let _ = writeln!(
+            page,
+            "| {name} | {:.3} | {:.3} | {:.1} | {} | {} | {} | {} / {}{early} |",
+            wear[0] / wear[1],
+            1e9 * wear[1],
+            1e9 * pair.with.last("mean_film_disc_m"),
+            both("lambda", 3),
+            both("area_ratio", 3),
+            both("load_ratio", 3),
+            pair.with.steps(),
+            pair.without.steps()
+        );
+    };
+    row("none", base);
+    for (choice, pair) in &results.choices {
+        row(&format!("{} (`{}`)", choice.text, choice.name), pair);
+    }
+    let _ = write!(page, "\n{NOT_FLIPPED}");
+}

@@ -1,0 +1,140 @@
+//! Nested dissection of a grid: the order in which its nodes are eliminated, and what each elimination touches
+//! (George 1973, SIAM J. Numer. Anal. 10, 345-363).
+
+use std::ops::Range;
+
+/// Largest number of nodes that are eliminated together without being split further.
+const LEAF: usize = 16;
+
+/// Nodes that are eliminated together.
+#[derive(Debug, Clone)]
+pub(super) struct Front {
+    /// Their places in the order of elimination.
+    pub(super) pivots: Range<usize>,
+    /// Places of the nodes around them that are eliminated later, ascending.
+    pub(super) border: Vec<usize>,
+    /// Fronts whose remainders are added to this one, with the place of each entry of their border in this front:
+    /// pivots first, then border.
+    pub(super) children: Vec<(usize, Vec<usize>)>,
+}
+
+/// All fronts, children before their parents.
+#[derive(Debug, Clone)]
+pub(super) struct Dissection {
+    pub(super) fronts: Vec<Front>,
+    /// Place of each node in the order of elimination.
+    pub(super) place: Vec<usize>,
+}
+
+/// A rectangle of nodes.
+#[derive(Debug, Clone, Copy)]
+struct Region {
+    x: (usize, usize),
+    y: (usize, usize),
+}
+
+impl Region {
+    fn nodes(self, nx: usize) -> impl Iterator<Item = usize> {
+        (self.y.0..self.y.1).flat_map(move |j| (self.x.0..self.x.1).map(move |i| j * nx + i))
+    }
+
+    /// The two halves and the line of nodes between them, across the longer side.
+    fn split(self) -> [Self; 3] {
+        let middle = |(start, end): (usize, usize)| start + (end - start) / 2;
+        let (x, y) = (self.x, self.y);
+        if x.1 - x.0 >= y.1 - y.0 {
+            let m = middle(x);
+            [(x.0, m), (m + 1, x.1), (m, m + 1)].map(|x| Self { x, y })
+        } else {
+            let m = middle(y);
+            [(y.0, m), (m + 1, y.1), (m, m + 1)].map(|y| Self { x, y })
+        }
+    }
+
+    /// Nodes of the grid next to the region.
+    fn neighbours(self, nx: usize, ny: usize) -> Vec<usize> {
+        let mut found = Vec::new();
+        let sides = [(self.y.0 > 0, self.y.0.wrapping_sub(1)), (self.y.1 < ny, self.y.1)];
+        for (_, j) in sides.into_iter().filter(|side| side.0) {
+            found.extend((self.x.0..self.x.1).map(|i| j * nx + i));
+        }
+        let sides = [(self.x.0 > 0, self.x.0.wrapping_sub(1)), (self.x.1 < nx, self.x.1)];
+        for (_, i) in sides.into_iter().filter(|side| side.0) {
+            found.extend((self.y.0..self.y.1).map(|j| j * nx + i));
+        }
+        found
+    }
+}
+
+impl Dissection {
+    pub(super) fn new(nx: usize, ny: usize) -> Self {
+        let mut dissection = Self { fronts: Vec::new(), place: vec![0; nx * ny] };
+        let mut eliminated = 0;
+        dissection.dissect(Region { x: (0, nx), y: (0, ny) }, nx, ny, &mut eliminated);
+        dissection.link();
+        dissection
+    }
+
+    /// Adds the fronts of a region; returns the last one. Borders hold nodes, not places yet.
+    fn dissect(&mut self, region: Region, nx: usize, ny: usize, eliminated: &mut usize) -> usize {
+        let size = (region.x.1 - region.x.0) * (region.y.1 - region.y.0);
+        let (parts, last) = if size <= LEAF {
+            (Vec::new(), region)
+        } else {
+            let [one, other, between] = region.split();
+            (vec![one, other], between)
+        };
+        let children =
+            parts.into_iter().map(|part| (self.dissect(part, nx, ny, eliminated), Vec::new())).collect();
+        let start = *eliminated;
+        for node in last.nodes(nx) {
+            self.place[node] = *eliminated;
+            *eliminated += 1;
+        }
+        self.fronts.push(Front { pivots: start..*eliminated, border: region.neighbours(nx, ny), children });
+        self.fronts.len() - 1
+    }
+
+    /// Turns nodes into places, and places of borders into places within the parent.
+    fn link(&mut self) {
+        for front in &mut self.fronts {
+            for node in &mut front.border {
+                *node = self.place[*node];
+            }
+            front.border.sort_unstable();
+        }
+        let mut within = vec![0; self.place.len()];
+        for parent in 0..self.fronts.len() {
+            let front = &self.fronts[parent];
+            for (slot, place) in front.pivots.clone().chain(front.border.iter().copied()).enumerate() {
+                within[place] = slot;
+            }
+            let mut children = front.children.clone();
+            for (child, slots) in &mut children {
+                *slots = self.fronts[*child].border.iter().map(|&place| within[place]).collect();
+            }
+            self.fronts[parent].children = children;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_node_has_one_place_and_borders_come_later() {
+        for (nx, ny) in [(1, 1), (1, 50), (7, 5), (40, 3), (33, 64)] {
+            let dissection = Dissection::new(nx, ny);
+            let mut places = dissection.place.clone();
+            places.sort_unstable();
+            assert!(places.iter().copied().eq(0..nx * ny), "{nx} x {ny}");
+            let mut end = 0;
+            for front in &dissection.fronts {
+                assert_eq!(front.pivots.start, end, "fronts follow one another");
+                end = front.pivots.end;
+                assert!(front.border.iter().all(|&place| place >= end), "borders are eliminated later");
+            }
+        }
+    }
+}

@@ -1,0 +1,293 @@
+//! A smooth contact to a wanted accuracy: box and mesh by the film's own scale, coarse to fine, with an error estimate.
+
+use super::SimError;
+use super::contact::{ContactSolution, solve_on_grid};
+use super::hertz::HertzContact;
+use super::scene::{GridSpec, Scene};
+use super::setup;
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::report::{Status, Work};
+use crate::reynolds::{ContactState, Scheme};
+
+/// Ratio of the cells of one mesh to those of the next finer one.
+const RATIO: f64 = 2.0;
+/// Meshes of one estimate.
+const LEVELS: u32 = 3;
+/// Cells on either side of the origin are a multiple of this: it stays on a face on every mesh.
+const MULTIPLE: usize = 4;
+/// Largest ratio of successive differences that is extrapolated; beyond it a number is not seen to converge.
+const SLOWEST: f64 = 0.8;
+/// The estimate over what the differences say.
+const SAFETY: f64 = 1.5;
+/// How much higher a pressure spike may become on finer meshes, of its height: it grows by up to a third when cells of
+/// this size are halved twice.
+const SPIKE_GROWTH: f64 = 0.4;
+/// Exponent of the viscosity under the Hertz pressure from which spikes are that sharp; milder ones are rounder.
+const SHARP: f64 = 10.0;
+/// A spike is a local maximum of the pressure behind this share of the half-width.
+const SPIKE_FROM: f64 = 0.5;
+/// Share of the wanted error that the first mesh aims at.
+const AIM: f64 = 0.3;
+/// Share of the wanted error that the box may make.
+const BOX_SHARE: f64 = 0.5;
+/// A box that ends at the distance `X` before a contact of film `H` (both in Hertz units) makes the film thinner by
+/// `c H^1.3 X^-3.2`: `c` of a line and of a point contact, fitted to boxes of 3 to 12.
+const BOX_CONSTANT: [f64; 2] = [6.5, 4.0];
+const BOX_BY_FILM: f64 = 1.3;
+const BOX_BY_INLET: f64 = -3.2;
+/// Meshes that are refined once more before what has been reached is handed back.
+const ROUNDS: u32 = 3;
+/// More nodes than these are refused.
+const MAX_NODES: usize = 1 << 22;
+
+/// Estimated relative errors of a solution: that of the mesh, from the differences to coarser ones, and of the films that
+/// of the box, which no mesh shows.
+///
+/// Of three meshes whose cells halve, a number changes by `d_2` and then `d_1`. The estimate is 1.5 times the largest of
+/// `|d_1|/3` and `|d_2|/15`, which are the error at second order, and `|d_1| r/(1 - r)` with `r = |d_1/d_2|`, which is that at
+/// the order observed. The box ends at a finite distance `X` before the contact, in Hertz half-widths, which makes a film
+/// `h = H a^2/R` thinner by about `4 H^1.3 X^-3.2` (line contact: 6.5).
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct ErrorEstimate {
+    /// Of the central film; 0 in a dry contact, whose film is none.
+    pub central_film: f64,
+    /// Of the minimum film; 0 in a dry contact.
+    pub minimum_film: f64,
+    /// Of the maximum pressure. A pressure spike at the outlet does not converge on such meshes: where it is, or may still
+    /// become, the maximum, the estimate says so and is large.
+    pub max_pressure: f64,
+}
+
+/// Box and cell size in Hertz units.
+#[derive(Debug, Clone, Copy)]
+struct Plan {
+    inlet: f64,
+    outlet: f64,
+    side: f64,
+    cell: f64,
+    /// Relative error of the films that the box makes.
+    box_error: f64,
+}
+
+impl Plan {
+    /// A box that makes the share [`BOX_SHARE`] of the error, and cells whose error of second order, `C h^2` of the film `h R/a^2`, is the share
+    /// [`AIM`] of the accuracy.
+    fn of(scene: &Scene, hertz: &HertzContact, accuracy: f64) -> Result<Self, InputError> {
+        let viscosity = setup::viscosity(scene)?;
+        let Some(formulas) = setup::formula_film(scene, hertz, viscosity.as_deref())? else {
+            let (side, cell) = (1.5, 0.25 * accuracy.sqrt());
+            return Ok(Self { inlet: side, outlet: side, side, cell, box_error: 0.0 });
+        };
+        let film = formulas.central * scene.form.radii().0 / hertz.a_x.powi(2);
+        let constant = 1.5 * (formulas.moes.0 / 20.0).max(1.0).powf(0.2);
+        let [line, point] = BOX_CONSTANT;
+        let flooded = if scene.form.is_line() { line } else { point } * film.powf(BOX_BY_FILM);
+        let inlet = (BOX_SHARE * accuracy / flooded).powf(1.0 / BOX_BY_INLET).max(2.5);
+        Ok(Self {
+            inlet,
+            outlet: 1.5,
+            side: (inlet / 1.5).max(1.75),
+            cell: (AIM * accuracy * film / constant).sqrt().min(0.1),
+            box_error: flooded * inlet.powf(BOX_BY_INLET),
+        })
+    }
+
+    /// The cells of the mesh `level` times coarser than the finest.
+    fn cells(&self, hertz: &HertzContact, level: u32, is_line: bool) -> Result<GridSpec, InputError> {
+        let count =
+            |length: f64| MULTIPLE * (length / (MULTIPLE as f64 * self.cell)).ceil().max(1.0) as usize;
+        let coarser = |n: usize| n >> level;
+        let edge = |cells: usize, axis: f64| cells as f64 * self.cell * axis;
+        let [inlet, outlet, side] = [self.inlet, self.outlet, self.side].map(count);
+        let x = [-edge(inlet, hertz.a_x), edge(outlet, hertz.a_x)];
+        let y = edge(side, hertz.a_y);
+        let rows = if is_line { 1 } else { 2 * side };
+        let nodes = (inlet + outlet) as f64 * rows as f64;
+        if nodes > MAX_NODES as f64 {
+            return Err(InputError::Conflict {
+                field: "grid.accuracy".to_owned(),
+                reason: format!(
+                    "the film needs {nodes:.2e} nodes for it, more than {MAX_NODES}: allow a larger error"
+                ),
+            });
+        }
+        let nx = coarser(inlet + outlet);
+        Ok(if is_line {
+            GridSpec::Row { nx, x }
+        } else {
+            GridSpec::Cells { nx, ny: coarser(rows), x, y: [-y, y] }
+        })
+    }
+}
+
+/// Solves the single contact of `scene` so that the estimated error of the central film (of the maximum pressure where it
+/// is dry) is at most `accuracy`, or reports the estimate that was reached.
+pub(super) fn solve(scene: &Scene, accuracy: f64) -> Result<ContactSolution, SimError> {
+    InputError::require((1e-4..=0.1).contains(&accuracy), "grid.accuracy", accuracy, "between 1e-4 and 0.1")?;
+    if !(scene.roughness.ball.is_smooth() && scene.roughness.disc.is_smooth()) {
+        return Err(SimError::Input(InputError::Conflict {
+            field: "grid.accuracy".to_owned(),
+            reason: "a rough contact needs nx, ny, x and y: its film has the scale of the roughness"
+                .to_owned(),
+        }));
+    }
+    setup::validate(scene)?;
+    let hertz = scene.hertz()?;
+    let mut scene = scene.clone();
+    scene.solver.scheme = Scheme::SecondOrder;
+    let mut plan = Plan::of(&scene, &hertz, accuracy)?;
+    let exponent = setup::viscosity(&scene)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.p_max);
+    let growth = SPIKE_GROWTH * (exponent / SHARP).min(1.0).powi(2);
+    let mut work = Spent::default();
+    let mut round = 0;
+    loop {
+        round += 1;
+        let meshes = Meshes::solve(&mut scene, &hertz, &plan, &mut work)?;
+        let (mut solution, estimate) = meshes.estimate(scene.is_lubricated(), plan.box_error, growth);
+        let reached = estimate
+            .map_or(f64::INFINITY, |e| if scene.is_lubricated() { e.central_film } else { e.max_pressure });
+        let mesh = (reached - plan.box_error) / (accuracy - plan.box_error);
+        let finer = Plan { cell: plan.cell * (0.8 / mesh).sqrt().clamp(0.5, 0.9), ..plan };
+        let affordable = finer.cells(&hertz, 0, scene.form.is_line()).is_ok();
+        if reached <= accuracy || round == ROUNDS || !affordable {
+            solution.report.work = work.on(&solution.grid);
+            solution.error_estimate = estimate;
+            return Ok(solution);
+        }
+        plan = finer;
+    }
+}
+
+/// Work of all meshes, convolutions as node counts.
+#[derive(Debug, Default)]
+struct Spent {
+    convolved_nodes: f64,
+    iterations: u64,
+    inner_iterations: u64,
+}
+
+impl Spent {
+    fn add(&mut self, solution: &ContactSolution) {
+        let work = solution.report.work;
+        self.convolved_nodes += work.convolutions * solution.grid.len() as f64;
+        self.iterations += work.iterations;
+        self.inner_iterations += work.inner_iterations;
+    }
+
+    fn on(&self, grid: &Grid) -> Work {
+        Work {
+            convolutions: self.convolved_nodes / grid.len() as f64,
+            iterations: self.iterations,
+            inner_iterations: self.inner_iterations,
+        }
+    }
+}
+
+/// The finest solution and the numbers `[central film, minimum film, maximum pressure]` of all converged meshes, finest
+/// last.
+struct Meshes {
+    finest: ContactSolution,
+    numbers: Vec<[f64; 3]>,
+}
+
+impl Meshes {
+    fn solve(
+        scene: &mut Scene,
+        hertz: &HertzContact,
+        plan: &Plan,
+        work: &mut Spent,
+    ) -> Result<Self, SimError> {
+        let mut numbers = Vec::new();
+        let mut previous: Option<ContactSolution> = None;
+        for level in (0..LEVELS).rev() {
+            scene.grid = plan.cells(hertz, level, scene.form.is_line())?;
+            let solution = solve_on_grid(scene, |grid| match &previous {
+                Some(coarse) if coarse.report.status == Status::Converged => prolonged(coarse, grid),
+                _ => Ok(ContactState::new(grid)),
+            })?;
+            work.add(&solution);
+            if solution.report.status == Status::Converged {
+                numbers.push([solution.film.central, solution.film.minimum, solution.contact.max_pressure]);
+            } else {
+                // A mesh too coarse for a film, or one that is not solved, says nothing of the others.
+                numbers.clear();
+            }
+            previous = Some(solution);
+        }
+        let finest = previous.ok_or_else(|| InputError::Conflict {
+            field: "grid.accuracy".to_owned(),
+            reason: "no mesh was solved".to_owned(),
+        })?;
+        Ok(Self { finest, numbers })
+    }
+
+    /// The finest solution and its estimate, which takes two converged meshes.
+    fn estimate(
+        self,
+        lubricated: bool,
+        box_error: f64,
+        spike_growth: f64,
+    ) -> (ContactSolution, Option<ErrorEstimate>) {
+        let estimate = match self.numbers.as_slice() {
+            [.., coarsest, middle, finest] => Some((Some(coarsest), middle, finest)),
+            [middle, finest] => Some((None, middle, finest)),
+            _ => None,
+        };
+        let errors = estimate.map(|(coarsest, middle, finest)| {
+            let of = |k: usize| relative_error(coarsest.map(|c| c[k]), middle[k], finest[k]);
+            let film = |k| if lubricated { of(k) + box_error } else { 0.0 };
+            let spike = highest_spike(&self.finest);
+            let overtaken = (1.0 + spike_growth) * spike / self.finest.contact.max_pressure - 1.0;
+            ErrorEstimate { central_film: film(0), minimum_film: film(1), max_pressure: of(2).max(overtaken) }
+        });
+        (self.finest, errors)
+    }
+}
+
+/// The highest local maximum of the pressure along the middle row in the outlet half \[Pa\]; zero without one.
+fn highest_spike(solution: &ContactSolution) -> f64 {
+    let (nx, ny) = (solution.grid.nx(), solution.grid.ny());
+    let row = solution.state.pressure.chunks_exact(nx).nth(ny / 2).unwrap_or_default();
+    let behind = |i: usize| solution.grid.x(i) > SPIKE_FROM * solution.hertz.a_x;
+    row.windows(3)
+        .enumerate()
+        .filter(|(i, p)| behind(i + 1) && p[1] > p[0] && p[1] >= p[2])
+        .map(|(_, p)| p[1])
+        .fold(0.0, f64::max)
+}
+
+/// Estimated relative error of the last of up to three values, see [`ErrorEstimate`].
+fn relative_error(coarsest: Option<f64>, middle: f64, finest: f64) -> f64 {
+    // The error itself is the difference over these at second order.
+    let (by_last, by_before) = (RATIO.powi(2) - 1.0, RATIO.powi(4) - 1.0);
+    let last = (finest - middle).abs();
+    let error = match coarsest {
+        // Without a third mesh the order is unknown: first order at worst.
+        None => last,
+        Some(coarsest) => {
+            let before = (middle - coarsest).abs();
+            let ratio = if before > 0.0 { (last / before).min(SLOWEST) } else { SLOWEST };
+            let observed = last * ratio / (1.0 - ratio);
+            observed.max(last / by_last).max(before / by_before)
+        }
+    };
+    SAFETY * error / finest.abs()
+}
+
+/// The state of a coarser mesh as a start on `grid`.
+fn prolonged(coarse: &ContactSolution, grid: &Grid) -> Result<ContactState, InputError> {
+    let mut state = ContactState::new(grid);
+    for (k, (x, y)) in grid.nodes().enumerate() {
+        let on_ring = k % grid.nx() == 0 || (k + 1) % grid.nx() == 0;
+        let on_side = grid.ny() > 1 && (k < grid.nx() || k + grid.nx() >= grid.len());
+        if on_ring || on_side {
+            continue;
+        }
+        state.pressure[k] = coarse.grid.interpolate(&coarse.state.pressure, x, y)?;
+        state.fluid_pressure[k] = coarse.grid.interpolate(&coarse.state.fluid_pressure, x, y)?;
+    }
+    state.approach = coarse.state.approach;
+    Ok(state)
+}

@@ -1,0 +1,48 @@
+//! The smooth dry contact of a scene in numbers, point or line.
+
+use std::f64::consts::PI;
+
+use crate::analytic::{HertzLine, HertzPoint};
+
+/// Length of a line contact that loads, areas and fields refer to \[m\].
+pub(super) const LINE_LENGTH: f64 = 1.0;
+
+/// Size, pressure and load of the Hertz contact of the smooth bodies. Of a line contact these are those of one metre of its
+/// length, so that its load in N is its load per length in N/m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct HertzContact {
+    /// Semi-axis along x; half-width of a line contact \[m\].
+    pub a_x: f64,
+    /// Semi-axis along y; half a metre of a line contact \[m\].
+    pub a_y: f64,
+    /// Geometric mean of the semi-axes; half-width of a line contact \[m\].
+    pub radius: f64,
+    /// Contact area \[m^2\].
+    pub area: f64,
+    /// Maximum pressure \[Pa\].
+    pub p_max: f64,
+    /// Load \[N\].
+    pub load: f64,
+}
+
+impl From<HertzPoint> for HertzContact {
+    fn from(point: HertzPoint) -> Self {
+        let HertzPoint { a_x, a_y, p_max, load, .. } = point;
+        Self { a_x, a_y, radius: (a_x * a_y).sqrt(), area: PI * a_x * a_y, p_max, load }
+    }
+}
+
+impl From<HertzLine> for HertzContact {
+    fn from(line: HertzLine) -> Self {
+        let a_x = line.half_width;
+        Self {
+            a_x,
+            a_y: 0.5 * LINE_LENGTH,
+            radius: a_x,
+            area: 2.0 * a_x * LINE_LENGTH,
+            p_max: line.p_max,
+            load: line.load * LINE_LENGTH,
+        }
+    }
+}

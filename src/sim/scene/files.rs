@@ -1,0 +1,69 @@
+//! Scenes as TOML text and files.
+
+use std::path::Path;
+
+use serde::Deserialize;
+
+use super::{Roughness, Scene};
+use crate::sim::SimError;
+
+/// Characters of a line that a syntax error quotes.
+const LONGEST_QUOTE: usize = 80;
+
+impl Scene {
+    /// A scene from TOML text.
+    ///
+    /// # Errors
+    /// [`SimError::Scene`] naming the key and the line of what does not fit.
+    pub fn from_toml(text: &str) -> Result<Self, SimError> {
+        let scene = |reason| SimError::Scene { reason };
+        let tree = toml::Deserializer::parse(text).map_err(|error| {
+            let line = text.lines().nth(line_of(text, &error)).unwrap_or_default().trim();
+            let shown: String = line.chars().filter(|c| !c.is_control()).take(LONGEST_QUOTE).collect();
+            scene(format!("{} in `{shown}`", in_one_line(text, error)))
+        })?;
+        Self::deserialize(tree).map_err(|error| scene(in_one_line(text, error)))
+    }
+
+    /// The scene as TOML text.
+    ///
+    /// # Errors
+    /// [`SimError::Scene`] when a path is not UTF-8.
+    pub fn to_toml(&self) -> Result<String, SimError> {
+        toml::to_string(self).map_err(|e| SimError::Scene { reason: e.to_string() })
+    }
+
+    /// Reads a scene file; paths of roughness files in it are taken relative to its folder.
+    ///
+    /// # Errors
+    /// [`SimError::Io`] when the file cannot be read, [`SimError::Scene`] when it does not fit.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, SimError> {
+        let path = path.as_ref();
+        let text =
+            std::fs::read_to_string(path).map_err(|source| SimError::Io { path: path.to_owned(), source })?;
+        let mut scene = Self::from_toml(&text)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        for roughness in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
+            if let Roughness::File(file) = roughness {
+                file.path = folder.join(&file.path);
+            }
+        }
+        Ok(scene)
+    }
+}
+
+/// The parser's message with line and key in one line.
+fn in_one_line(text: &str, mut error: toml::de::Error) -> String {
+    let line = 1 + line_of(text, &error);
+    // With the text at hand the message would be a picture of the place instead of the key.
+    error.set_input(None);
+    let message = error.to_string();
+    let words: Vec<&str> = message.split_whitespace().collect();
+    format!("line {line}: {}", words.join(" "))
+}
+
+/// The line of the error, from 0.
+fn line_of(text: &str, error: &toml::de::Error) -> usize {
+    let start = error.span().map_or(0, |span| span.start.min(text.len()));
+    text.as_bytes()[..start].iter().filter(|byte| **byte == b'\n').count()
+}

@@ -1,0 +1,163 @@
+//! What changes the surfaces: flattening, friction, tribofilm, wear and heat.
+
+use crate::error::InputError;
+use crate::lubricant::Rheology;
+use crate::tribochem::Activation;
+
+/// Pressure limit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct PlasticSpec {
+    /// Hardness of the substrate \[Pa\].
+    pub hardness: f64,
+    /// Hardness of a tribofilm of full thickness \[Pa\]; the limit falls linearly with the film.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub film_hardness: Option<f64>,
+    /// Growth of the hardness with the plastic depth \[Pa/m\] in a history; absent: perfectly plastic.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub hardening_modulus: Option<f64>,
+}
+
+/// Friction of solid contact and of the fluid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
+pub struct FrictionSpec {
+    /// Boundary friction coefficient of solid contact.
+    pub boundary_coefficient: f64,
+    /// Largest shear stress that the fluid carries \[Pa\].
+    pub limiting_shear_stress: f64,
+    /// Eyring stress of the fluid \[Pa\]; absent: Newtonian.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub eyring_stress: Option<f64>,
+}
+
+impl FrictionSpec {
+    /// Shear stress law of the fluid.
+    ///
+    /// # Errors
+    /// A stress that is not finite and positive.
+    pub fn rheology(&self) -> Result<Rheology, InputError> {
+        let fluid = self.eyring_stress.map_or_else(|| Ok(Rheology::newtonian()), Rheology::eyring)?;
+        fluid.with_limit(self.limiting_shear_stress)
+    }
+}
+
+impl Default for FrictionSpec {
+    fn default() -> Self {
+        Self { boundary_coefficient: 0.115, limiting_shear_stress: 1e8, eyring_stress: None }
+    }
+}
+
+/// Two-state growth and removal of a tribofilm (see [`crate::tribochem::Ghanbarzadeh`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
+pub struct TribofilmSpec {
+    /// Thickness that growth alone approaches \[m\].
+    pub maximum_thickness: f64,
+    /// Mechanical activation factor.
+    pub x_tribo: f64,
+    /// Thickness that removal takes in the end \[m\].
+    pub removal_limit: f64,
+    /// Rate of removal \[1/s\].
+    pub removal_rate: f64,
+    /// Which nodes grow and lose film.
+    pub activation: Activation,
+}
+
+impl Default for TribofilmSpec {
+    /// The constants of Azam et al. (2019).
+    fn default() -> Self {
+        Self {
+            maximum_thickness: 200e-9,
+            x_tribo: 1.66e-16,
+            removal_limit: 54.32e-9,
+            removal_rate: 4.022e-4,
+            activation: Activation::SolidContact,
+        }
+    }
+}
+
+/// Archard wear with a film-dependent coefficient.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
+pub struct WearSpec {
+    /// Dimensionless coefficient of the bare surface.
+    pub coefficient: f64,
+    /// Dimensionless coefficient under a film of full thickness.
+    pub film_coefficient: f64,
+    /// Hardness that divides the coefficient \[Pa\].
+    pub hardness: f64,
+    /// Hardness under a tribofilm of full thickness \[Pa\], the divisor falling linearly with the film; absent: constant.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub film_hardness: Option<f64>,
+    /// Whether only solid pressure wears, or all pressure.
+    pub solid_pressure_only: bool,
+    /// Share of the time that a point of the ball's track wears.
+    pub duty_factor_ball: f64,
+    /// Share of the time that a point of the disc's track wears.
+    pub duty_factor_disc: f64,
+}
+
+impl Default for WearSpec {
+    /// The constants of Azam et al. (2019), all pressure.
+    fn default() -> Self {
+        Self {
+            coefficient: 5.45e-8,
+            film_coefficient: 5.45e-9,
+            hardness: 6e9,
+            film_hardness: None,
+            solid_pressure_only: false,
+            duty_factor_ball: 1.0,
+            duty_factor_disc: 1.0,
+        }
+    }
+}
+
+/// Temperatures and thermal constants of both bodies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
+pub struct ThermalSpec {
+    /// Bulk temperature \[K\].
+    pub bulk_temperature: f64,
+    /// Flash temperature: computed, left out, or by its estimate.
+    pub flash: Flash,
+    /// Thermal conductivity \[W/(m K)\].
+    pub conductivity: f64,
+    /// Thermal diffusivity \[m^2/s\].
+    pub diffusivity: f64,
+}
+
+impl Default for ThermalSpec {
+    fn default() -> Self {
+        Self { bulk_temperature: 353.15, flash: Flash::Auto, conductivity: 46.0, diffusivity: 1.27e-5 }
+    }
+}
+
+/// Whether the flash temperature is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum Flash {
+    /// Computed where its estimate is 1 K or more.
+    #[default]
+    Auto,
+    /// Computed.
+    On,
+    /// Left out.
+    Off,
+}

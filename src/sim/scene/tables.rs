@@ -1,0 +1,164 @@
+//! What the derived readers are too lenient for. Tables whose keys depend on `kind` are read flat: derived enums would
+//! take stray keys of a unit variant and lose the key of a value that does not fit.
+
+use std::path::PathBuf;
+
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+
+use super::{FileRoughness, GridSpec, RandomRoughness, Roughness};
+use crate::surface::Form;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FormTable {
+    kind: FormKind,
+    radius: Option<f64>,
+    radius_x: Option<f64>,
+    radius_y: Option<f64>,
+}
+
+#[derive(Deserialize, Clone, Copy)]
+#[serde(rename_all = "snake_case")]
+enum FormKind {
+    Sphere,
+    Ellipsoid,
+    Cylinder,
+}
+
+pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D::Error> {
+    let table = FormTable::deserialize(deserializer)?;
+    let given = [
+        ("radius", table.radius.is_some()),
+        ("radius_x", table.radius_x.is_some()),
+        ("radius_y", table.radius_y.is_some()),
+    ];
+    match table.kind {
+        FormKind::Sphere => refuse_strays("sphere", &given, &["radius"])
+            .and_then(|()| Ok(Form::Sphere { radius: required("radius", table.radius)? })),
+        FormKind::Cylinder => refuse_strays("cylinder", &given, &["radius"])
+            .and_then(|()| Ok(Form::Cylinder { radius: required("radius", table.radius)? })),
+        FormKind::Ellipsoid => refuse_strays("ellipsoid", &given, &["radius_x", "radius_y"]).and_then(|()| {
+            Ok(Form::Ellipsoid {
+                radius_x: required("radius_x", table.radius_x)?,
+                radius_y: required("radius_y", table.radius_y)?,
+            })
+        }),
+    }
+    .map_err(D::Error::custom)
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct GridTable {
+    nx: Option<usize>,
+    ny: Option<usize>,
+    #[serde(default, deserialize_with = "edges")]
+    x: Option<[f64; 2]>,
+    #[serde(default, deserialize_with = "edges")]
+    y: Option<[f64; 2]>,
+    accuracy: Option<f64>,
+}
+
+pub(super) fn grid<'de, D: Deserializer<'de>>(deserializer: D) -> Result<GridSpec, D::Error> {
+    GridTable::deserialize(deserializer)?.into_spec().map_err(D::Error::custom)
+}
+
+impl GridTable {
+    fn into_spec(self) -> Result<GridSpec, String> {
+        let Self { nx, ny, x, y, accuracy } = self;
+        if let Some(accuracy) = accuracy {
+            let given = [("nx", nx.is_some()), ("ny", ny.is_some()), ("x", x.is_some()), ("y", y.is_some())];
+            return match given.iter().find(|(_, present)| *present) {
+                Some((key, _)) => {
+                    Err(format!("`accuracy` stands in place of nx, ny, x and y, not with `{key}`"))
+                }
+                None => Ok(GridSpec::Accuracy { accuracy }),
+            };
+        }
+        let (nx, x) = (required("nx", nx)?, required("x", x)?);
+        if ny.is_none() && y.is_none() {
+            return Ok(GridSpec::Row { nx, x });
+        }
+        Ok(GridSpec::Cells { nx, ny: required("ny", ny)?, x, y: required("y", y)? })
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RoughnessTable {
+    kind: RoughnessKind,
+    rq: Option<f64>,
+    length_x: Option<f64>,
+    length_y: Option<f64>,
+    seed: Option<u64>,
+    path: Option<PathBuf>,
+}
+
+#[derive(Deserialize, Clone, Copy)]
+#[serde(rename_all = "snake_case")]
+enum RoughnessKind {
+    None,
+    Gaussian,
+    Exponential,
+    File,
+}
+
+const RANDOM: [&str; 4] = ["rq", "length_x", "length_y", "seed"];
+
+impl TryFrom<RoughnessTable> for Roughness {
+    type Error = String;
+
+    fn try_from(table: RoughnessTable) -> Result<Self, String> {
+        let given = [
+            ("rq", table.rq.is_some()),
+            ("length_x", table.length_x.is_some()),
+            ("length_y", table.length_y.is_some()),
+            ("seed", table.seed.is_some()),
+            ("path", table.path.is_some()),
+        ];
+        let random = |kind| {
+            refuse_strays(kind, &given, &RANDOM)?;
+            Ok::<_, String>(RandomRoughness {
+                rq: required("rq", table.rq)?,
+                length_x: required("length_x", table.length_x)?,
+                length_y: required("length_y", table.length_y)?,
+                seed: table.seed.unwrap_or_default(),
+            })
+        };
+        Ok(match table.kind {
+            RoughnessKind::None => {
+                refuse_strays("none", &given, &[])?;
+                Self::None
+            }
+            RoughnessKind::Gaussian => Self::Gaussian(random("gaussian")?),
+            RoughnessKind::Exponential => Self::Exponential(random("exponential")?),
+            RoughnessKind::File => {
+                refuse_strays("file", &given, &["path", "rq"])?;
+                Self::File(FileRoughness { path: required("path", table.path)?, rq: table.rq })
+            }
+        })
+    }
+}
+
+/// Exactly two numbers: the parser would drop further ones in silence.
+fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 2]>, D::Error> {
+    let edges = Vec::<f64>::deserialize(deserializer)?;
+    <[f64; 2]>::try_from(edges.as_slice())
+        .map(Some)
+        .map_err(|_| D::Error::invalid_length(edges.len(), &"the two outer edges"))
+}
+
+fn refuse_strays(kind: &str, given: &[(&str, bool)], known: &[&str]) -> Result<(), String> {
+    match given.iter().find(|(key, present)| *present && !known.contains(key)) {
+        None => Ok(()),
+        Some((key, _)) => Err(match known {
+            [] => format!("unknown field `{key}`, kind = \"{kind}\" has no other fields"),
+            _ => format!("unknown field `{key}`, kind = \"{kind}\" has `{}`", known.join("`, `")),
+        }),
+    }
+}
+
+fn required<T>(key: &str, value: Option<T>) -> Result<T, String> {
+    value.ok_or_else(|| format!("missing field `{key}`"))
+}

@@ -1,0 +1,37 @@
+//! How long a step may be.
+
+use crate::error::InputError;
+
+/// Bounds of a step: one contact solve stands for all of it, so the surfaces must not change much within.
+///
+/// ```
+/// use stribeck::sim::StepControl;
+/// // A minute, less while something wears or grows fast.
+/// StepControl { longest: 60.0, depth: 3e-9 }.validate()?;
+/// assert!(StepControl { longest: 0.0, depth: 3e-9 }.validate().is_err());
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepControl {
+    /// Longest step \[s\].
+    pub longest: f64,
+    /// Largest change of wear or tribofilm of any node of either body in a step \[m\]; infinite: no bound. Plastic depth
+    /// does not count, it does not depend on the length of the step.
+    pub depth: f64,
+}
+
+impl StepControl {
+    /// Steps of one length \[s\].
+    pub fn fixed(time_step: f64) -> Self {
+        Self { longest: time_step, depth: f64::INFINITY }
+    }
+
+    /// Checks both bounds.
+    ///
+    /// # Errors
+    /// A longest step that is not finite and positive, a depth that is not positive.
+    pub fn validate(&self) -> Result<(), InputError> {
+        InputError::require_positive("time_step", self.longest)?;
+        InputError::require(self.depth > 0.0, "step.depth", self.depth, "> 0")
+    }
+}

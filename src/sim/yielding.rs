@@ -1,0 +1,71 @@
+//! The pressure limit of a contact and the depth that yielding leaves on each body.
+
+use crate::error::InputError;
+use crate::plastic::{PlasticityModel, split_depth, split_depth_into};
+
+/// Limits and depths of the contact in progress, in its frame.
+#[derive(Debug)]
+pub(super) struct Yielding {
+    /// Pressure limit of the pair \[Pa\].
+    pub(super) limit: Vec<f64>,
+    body_limits: [Vec<f64>; 2],
+    /// What each body gives way \[m\].
+    pub(super) split: [Vec<f64>; 2],
+}
+
+impl Yielding {
+    pub(super) fn new(n: usize) -> Self {
+        let zeros = || vec![0.0; n];
+        Self { limit: zeros(), body_limits: [zeros(), zeros()], split: [zeros(), zeros()] }
+    }
+
+    /// Limits of the bodies as they lie opposite each other with `films` and `depths` \[m\].
+    pub(super) fn start(
+        &mut self,
+        model: &dyn PlasticityModel,
+        films: &[Vec<f64>; 2],
+        depths: &[Vec<f64>; 2],
+    ) -> Result<(), InputError> {
+        for body in 0..2 {
+            let nodes = films[body].iter().zip(&depths[body]);
+            for (limit, (film, depth)) in self.body_limits[body].iter_mut().zip(nodes) {
+                *limit = model.pressure_limit(*film, *depth);
+            }
+        }
+        let ([first, second], [above, below]) = (films, depths);
+        model.contact_limit_into([first, second], [above, below], &mut self.limit)
+    }
+
+    /// Moves the limit towards that of the bodies once they have given way by `plastic` \[m\], and returns the largest
+    /// distance from it, relative. A limit that rises by dH lets the node give way by some `compliance` dH \[m\] less,
+    /// which the length of the move allows for.
+    pub(super) fn harden(
+        &mut self,
+        model: &dyn PlasticityModel,
+        films: &[Vec<f64>; 2],
+        depths: &[Vec<f64>; 2],
+        plastic: &[f64],
+        compliance: f64,
+    ) -> f64 {
+        let mut largest = 0.0_f64;
+        for (k, limit) in self.limit.iter_mut().enumerate() {
+            let softer = self.body_limits[0][k].min(self.body_limits[1][k]);
+            let split = split_depth(plastic[k], [self.body_limits[0][k], self.body_limits[1][k]]);
+            let [first, second] =
+                [0, 1].map(|body| model.pressure_limit(films[body][k], depths[body][k] + split[body]));
+            let distance = first.min(second) - *limit;
+            largest = largest.max(distance.abs() / *limit);
+            let slope =
+                if plastic[k] > 0.0 { (first.min(second) - softer).max(0.0) / plastic[k] } else { 0.0 };
+            *limit += distance / (1.0 + slope * compliance);
+        }
+        largest
+    }
+
+    /// Splits `plastic` \[m\] between the bodies by their limits at the start.
+    pub(super) fn share(&mut self, plastic: &[f64]) -> Result<(), InputError> {
+        let [ball, disc] = &mut self.split;
+        let [ball_limit, disc_limit] = &self.body_limits;
+        split_depth_into(plastic, [ball_limit, disc_limit], [ball, disc])
+    }
+}

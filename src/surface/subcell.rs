@@ -1,0 +1,145 @@
+//! Shifts by less than a cell.
+
+use std::f64::consts::PI;
+use std::fmt;
+use std::sync::Arc;
+
+use num_complex::Complex64;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+
+use super::motion::{Offset, copy_shifted};
+use crate::error::InputError;
+
+/// Moves periodic heights along x by any distance through their Fourier series: exact for waves that the grid
+/// resolves; what was smooth stays smooth, and moving back restores the field.
+///
+/// Use [`blend_shifted`] for fields that must stay positive.
+///
+/// ```
+/// use stribeck::surface::{FourierShift, Offset};
+/// use std::f64::consts::TAU;
+/// let wave = |x: f64| (TAU * x / 16.0).cos() + 0.2 * (TAU * 5.0 * x / 16.0).sin();
+/// let field: Vec<f64> = (0..16).map(|i| wave(f64::from(i))).collect();
+/// let mut out = vec![0.0; 16];
+/// FourierShift::new(16).apply(&field, 1, Offset { columns: 3, rows: 0, fraction: 0.37 }, &mut out)?;
+/// assert!((out[2] - wave(5.37)).abs() < 1e-12);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Clone)]
+pub struct FourierShift {
+    nx: usize,
+    forward: Arc<dyn RealToComplex<f64>>,
+    inverse: Arc<dyn ComplexToReal<f64>>,
+    spectrum: Vec<Complex64>,
+    row: Vec<f64>,
+    scratch: Vec<Complex64>,
+}
+
+impl fmt::Debug for FourierShift {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("FourierShift").field("nx", &self.nx).finish_non_exhaustive()
+    }
+}
+
+impl FourierShift {
+    /// Plan for rows of `nx` nodes.
+    pub fn new(nx: usize) -> Self {
+        let mut planner = RealFftPlanner::new();
+        let (forward, inverse) = (planner.plan_fft_forward(nx.max(1)), planner.plan_fft_inverse(nx.max(1)));
+        let scratch = forward.get_scratch_len().max(inverse.get_scratch_len());
+        Self {
+            nx: nx.max(1),
+            spectrum: forward.make_output_vec(),
+            row: vec![0.0; nx.max(1)],
+            scratch: vec![Complex64::default(); scratch],
+            forward,
+            inverse,
+        }
+    }
+
+    /// Overwrites `out` with the periodic `field` of `ny` rows as seen at `offset`. Allocates nothing.
+    ///
+    /// # Errors
+    /// Slices that have not `nx * ny` values, a fraction outside 0 to 1.
+    pub fn apply(
+        &mut self,
+        field: &[f64],
+        ny: usize,
+        offset: Offset,
+        out: &mut [f64],
+    ) -> Result<(), InputError> {
+        offset.validate()?;
+        copy_shifted(field, self.nx, ny, (offset.columns, offset.rows), out)?;
+        if offset.fraction == 0.0 {
+            return Ok(());
+        }
+        for row in out.chunks_exact_mut(self.nx) {
+            self.shift_row(row, offset.fraction)?;
+        }
+        Ok(())
+    }
+
+    fn shift_row(&mut self, row: &mut [f64], fraction: f64) -> Result<(), InputError> {
+        let misfit = |error: realfft::FftError| InputError::Conflict {
+            field: "row".to_owned(),
+            reason: error.to_string(),
+        };
+        self.row.copy_from_slice(row);
+        let spectrum = &mut self.spectrum;
+        self.forward.process_with_scratch(&mut self.row, spectrum, &mut self.scratch).map_err(misfit)?;
+        let (nx, scale) = (self.nx, 1.0 / self.nx as f64);
+        for (wave, value) in spectrum.iter_mut().enumerate() {
+            let turn = 2.0 * PI * wave as f64 * fraction * scale;
+            *value *= if 2 * wave == nx {
+                // The shortest wave has no direction: what is left of it between the nodes.
+                Complex64::from(turn.cos() * scale)
+            } else {
+                Complex64::from_polar(scale, turn)
+            };
+        }
+        // Rounding leaves imaginary parts where a real field has none.
+        if let Some(mean) = spectrum.first_mut() {
+            mean.im = 0.0;
+        }
+        if nx.is_multiple_of(2)
+            && let Some(shortest) = spectrum.last_mut()
+        {
+            shortest.im = 0.0;
+        }
+        self.inverse.process_with_scratch(spectrum, row, &mut self.scratch).map_err(misfit)
+    }
+}
+
+/// Overwrites `out` with the periodic `field` as seen at `offset`, linear between columns: positive fields stay so.
+///
+/// # Errors
+/// Slices that have not `nx * ny` values, a fraction outside 0 to 1.
+///
+/// ```
+/// use stribeck::surface::{Offset, blend_shifted};
+/// let mut out = [0.0; 4];
+/// blend_shifted(&[1.0, 2.0, 3.0, 4.0], 4, 1, Offset { columns: 1, rows: 0, fraction: 0.25 }, &mut out)?;
+/// assert_eq!(out, [2.25, 3.25, 3.25, 1.25]);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+pub fn blend_shifted(
+    field: &[f64],
+    nx: usize,
+    ny: usize,
+    offset: Offset,
+    out: &mut [f64],
+) -> Result<(), InputError> {
+    offset.validate()?;
+    copy_shifted(field, nx, ny, (offset.columns, offset.rows), out)?;
+    if offset.fraction == 0.0 || nx == 0 {
+        return Ok(());
+    }
+    for row in out.chunks_exact_mut(nx) {
+        let first = row[0];
+        for i in 0..nx {
+            let next = if i + 1 < nx { row[i + 1] } else { first };
+            row[i] += offset.fraction * (next - row[i]);
+        }
+    }
+    Ok(())
+}

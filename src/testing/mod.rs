@@ -1,0 +1,129 @@
+//! Conformance of laws, models and solvers to the contracts of their traits, for tests of one's own (feature `testing`).
+//!
+//! Each function probes one implementation over a wide range of arguments and returns the first [`Violation`] it
+//! finds. Passing is necessary, not sufficient: a law can keep its contract and still be wrong.
+//!
+//! | function | checks |
+//! |---|---|
+//! | [`film_growth_law`] | finite rates, bounds, frozen idle nodes, rate = derivative, any cut of the time step |
+//! | [`wear_law`] | finite, never negative, none without sliding or load, monotone in both |
+//! | [`viscosity_law`] | finite, positive, monotone, slope = derivative, negative pressures |
+//! | [`density_law`] | 1 at ambient pressure, monotone, slope = derivative, negative pressures |
+//! | [`plasticity_model`] | positive limits that do not fall with depth, the pair's limit the smaller |
+//! | [`deformation_model`] | linear, symmetric, translation invariant, positive; errors of shape |
+//! | [`contact_solver`] | a smooth contact solved: load, bounds, residuals, restart; bad input refused |
+
+mod contact_solver;
+mod deformation;
+mod film_growth;
+mod fluid;
+mod plasticity;
+mod wear;
+
+use std::fmt::Debug;
+
+pub use contact_solver::contact_solver;
+pub use deformation::deformation_model;
+pub use film_growth::film_growth_law;
+pub use fluid::{density_law, viscosity_law};
+pub use plasticity::plasticity_model;
+use thiserror::Error;
+pub use wear::wear_law;
+
+use crate::rubbing::RubbingPoint;
+
+/// The first broken clause of a contract that was found.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("{subject}: {clause}: {finding}")]
+pub struct Violation {
+    /// The implementation, as `Debug` prints it.
+    pub subject: String,
+    /// What must hold.
+    pub clause: &'static str,
+    /// What was found instead, with the arguments.
+    pub finding: String,
+}
+
+/// Collects the words of a violation.
+struct Contract {
+    subject: String,
+}
+
+impl Contract {
+    fn of(subject: &(impl Debug + ?Sized)) -> Self {
+        Self { subject: format!("{subject:?}") }
+    }
+
+    fn require(
+        &self,
+        holds: bool,
+        clause: &'static str,
+        finding: impl FnOnce() -> String,
+    ) -> Result<(), Violation> {
+        if holds { Ok(()) } else { Err(self.broken(clause, finding())) }
+    }
+
+    fn broken(&self, clause: &'static str, finding: String) -> Violation {
+        Violation { subject: self.subject.clone(), clause, finding }
+    }
+}
+
+/// Equal to the tolerance, relative to `scale`; false for numbers that are not finite.
+fn close(a: f64, b: f64, scale: f64, tolerance: f64) -> bool {
+    (a - b).abs() <= tolerance * scale.abs()
+}
+
+/// Equal to the last bit, infinities included; false for what is not a number.
+fn same(a: f64, b: f64) -> bool {
+    a <= b && b <= a
+}
+
+/// A node in boundary lubrication, 1 GPa at 80 C.
+const IN_CONTACT: RubbingPoint = RubbingPoint {
+    pressure: 1e9,
+    solid_pressure: 1e9,
+    shear_stress: 1.15e8,
+    temperature: 353.15,
+    sliding_speed: 0.005,
+    film_thickness: 1e-9,
+    in_contact: true,
+};
+
+/// A node that nothing touches, presses or shears.
+const IDLE: RubbingPoint = RubbingPoint {
+    pressure: 0.0,
+    solid_pressure: 0.0,
+    shear_stress: 0.0,
+    temperature: 353.15,
+    sliding_speed: 0.005,
+    film_thickness: 1e-6,
+    in_contact: false,
+};
+
+/// Nodes from idle to far beyond any contact.
+fn rubbing_points() -> [RubbingPoint; 9] {
+    [
+        IDLE,
+        IN_CONTACT,
+        RubbingPoint { temperature: 293.15, ..IN_CONTACT },
+        RubbingPoint { temperature: 473.15, ..IN_CONTACT },
+        RubbingPoint { pressure: 6e9, solid_pressure: 6e9, shear_stress: 6.9e8, ..IN_CONTACT },
+        RubbingPoint {
+            solid_pressure: 0.0,
+            shear_stress: 1e7,
+            film_thickness: 50e-9,
+            in_contact: false,
+            ..IN_CONTACT
+        },
+        RubbingPoint { sliding_speed: 10.0, ..IN_CONTACT },
+        RubbingPoint { temperature: 0.0, ..IN_CONTACT },
+        RubbingPoint {
+            pressure: 1e12,
+            solid_pressure: 1e12,
+            shear_stress: 1e12,
+            temperature: 1e4,
+            sliding_speed: 1e3,
+            ..IN_CONTACT
+        },
+    ]
+}

@@ -1,0 +1,64 @@
+//! The contract of wear.
+
+use super::{Contract, Violation, rubbing_points};
+use crate::rubbing::RubbingPoint;
+use crate::wear::WearLaw;
+
+/// Films \[m\] that rates are asked for.
+const FILMS: [f64; 4] = [0.0, 20e-9, 200e-9, 1e-6];
+
+/// Checks `law` against the contract of [`WearLaw`]: rates are finite and never negative; nothing wears at rest or
+/// without load; faster sliding and, in contact, higher load never wear less.
+///
+/// # Errors
+/// The first violation.
+///
+/// ```
+/// stribeck::testing::wear_law(&stribeck::wear::Archard::azam_2019())?;
+/// # Ok::<(), stribeck::testing::Violation>(())
+/// ```
+pub fn wear_law(law: &dyn WearLaw) -> Result<(), Violation> {
+    let contract = Contract::of(law);
+    for at in rubbing_points() {
+        for film in FILMS {
+            check_at(&contract, law, &at, film)?;
+        }
+    }
+    Ok(())
+}
+
+fn check_at(contract: &Contract, law: &dyn WearLaw, at: &RubbingPoint, film: f64) -> Result<(), Violation> {
+    let rate = law.depth_rate(at, film);
+    contract.require(rate.is_finite() && rate >= 0.0, "rates are finite and never negative", || {
+        format!("{rate} m/s under {film} m of film at {at:?}")
+    })?;
+    let resting = law.depth_rate(&RubbingPoint { sliding_speed: 0.0, ..*at }, film);
+    contract
+        .require(resting == 0.0, "nothing wears at rest", || format!("{resting} m/s at {at:?} at rest"))?;
+    let unloaded = loaded(at, 0.0);
+    let idle = law.depth_rate(&unloaded, film);
+    contract.require(idle == 0.0, "nothing wears without load", || format!("{idle} m/s at {unloaded:?}"))?;
+    for factor in [1.5, 4.0] {
+        let faster = RubbingPoint { sliding_speed: factor * at.sliding_speed, ..*at };
+        let heavier = loaded(at, factor);
+        for (clause, harder) in
+            [("faster sliding never wears less", faster), ("higher load never wears less", heavier)]
+        {
+            let more = law.depth_rate(&harder, film);
+            contract.require(more >= rate * (1.0 - 1e-12), clause, || {
+                format!("{more} m/s at {harder:?}, {rate} m/s at {at:?}")
+            })?;
+        }
+    }
+    Ok(())
+}
+
+/// The same node with all its stresses times `factor`.
+fn loaded(at: &RubbingPoint, factor: f64) -> RubbingPoint {
+    RubbingPoint {
+        pressure: factor * at.pressure,
+        solid_pressure: factor * at.solid_pressure,
+        shear_stress: factor * at.shear_stress,
+        ..*at
+    }
+}

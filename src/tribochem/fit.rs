@@ -1,0 +1,287 @@
+//! Constants of growth laws from measured films.
+
+use std::path::PathBuf;
+
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
+use nalgebra::storage::Owned;
+use nalgebra::{DMatrix, DVector, Dyn};
+use statrs::distribution::{ContinuousCDF, StudentsT};
+use thiserror::Error;
+
+use super::{FilmGrowthLaw, GrowthCurve};
+use crate::error::InputError;
+use crate::rubbing::RubbingPoint;
+
+/// Step of the difference quotients in the logarithm of a constant.
+const PROBE: f64 = 1e-5;
+/// Largest quotient of singular values at which the constants count as independent.
+const MAX_CONDITION: f64 = 1e6;
+/// A 95 % interval that reaches beyond this factor on either side leaves a constant undetermined.
+const WIDEST_FACTOR: f64 = 10.0;
+/// A constant that has moved by more than this factor when the fit fails has run away.
+const FARTHEST_FACTOR: f64 = 1e4;
+/// Two-sided level of the intervals.
+const LEVEL: f64 = 0.95;
+
+/// Why constants could not be had from a measurement.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum FitError {
+    /// A value out of range.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// A file could not be read.
+    #[error("{}: {source}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// A row of a table does not fit.
+    #[error("line {line}: {reason}")]
+    Csv {
+        /// Line, from 1.
+        line: u64,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// Not more points than constants.
+    #[error("{points} points cannot determine {constants} constants and their errors")]
+    TooFewPoints {
+        /// Points of the curve.
+        points: usize,
+        /// Constants of the law.
+        constants: usize,
+    },
+    /// The least squares found no minimum.
+    #[error("no best fit was found: {reason}")]
+    NotConverged {
+        /// What the minimiser says.
+        reason: String,
+    },
+    /// The measurement says too little about a constant.
+    #[error("the measurement does not determine `{constant}`: {reason}")]
+    Undetermined {
+        /// The constant.
+        constant: String,
+        /// Why.
+        reason: String,
+    },
+}
+
+/// One constant as the measurement has it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FittedConstant {
+    /// Its name.
+    pub name: String,
+    /// Best value.
+    pub value: f64,
+    /// Ends of the 95 % confidence interval.
+    pub interval: [f64; 2],
+}
+
+/// A law with the constants that fit a measurement best.
+#[derive(Debug, Clone)]
+pub struct GrowthFit<L> {
+    /// The law.
+    pub law: L,
+    /// Its constants, in the order of the start values.
+    pub constants: Vec<FittedConstant>,
+    /// Root of the sum of squared deviations over the degrees of freedom \[m\].
+    pub standard_deviation: f64,
+}
+
+/// Fits the constants of a law to a film that was measured under constant conditions `at`.
+///
+/// `start` names the constants, all positive, with a value to start from; `law` makes the law from their values. The
+/// sum of squared deviations is minimised over the logarithms of the constants (Levenberg-Marquardt). Intervals are
+/// those of the linearised problem in the logarithms, `ln c +- t s sqrt[(J^T J)^-1]`, `t` the quantile of Student for
+/// the degrees of freedom; errors of the measurement count as independent and equal.
+///
+/// # Errors
+/// Not more points than constants; constants that `law` refuses; no minimum found; a constant that the measurement does
+/// not determine: its effect cannot be told from that of others, or its interval reaches beyond a factor of 10.
+///
+/// ```
+/// use stribeck::RubbingPoint;
+/// use stribeck::tribochem::{FilmGrowthLaw, Ghanbarzadeh, GrowthCurve, fit_growth_law};
+/// let at = RubbingPoint { pressure: 1e9, solid_pressure: 1e9, shear_stress: 1e8, temperature: 353.15,
+///     sliding_speed: 0.005, film_thickness: 0.0, in_contact: true };
+/// // A film that follows the law, rounded to 0.1 nm.
+/// let truth = Ghanbarzadeh::azam_2019();
+/// let times: Vec<f64> = (1..=60).map(|k| 200.0 * f64::from(k)).collect();
+/// let films = times.iter().map(|&time| {
+///     let mut states = [0.0; 2];
+///     truth.advance(&at, time, &mut states);
+///     (truth.thickness(&states) * 1e10).round() * 1e-10
+/// });
+/// let curve = GrowthCurve::new(times.clone(), films.collect())?;
+/// let start = [("h_max", 150e-9), ("x_tribo", 1e-16), ("C3", 20e-9), ("C4", 1e-3)];
+/// let fit = fit_growth_law(&curve, &at, &start, |c| Ghanbarzadeh::new(c[0], c[1], c[2], c[3]))?;
+/// for (constant, expected) in fit.constants.iter().zip([200e-9, 1.66e-16, 54.32e-9, 4.022e-4]) {
+///     let [low, high] = constant.interval;
+///     assert!(low < expected && expected < high, "{constant:?}");
+/// }
+/// # Ok::<(), stribeck::tribochem::FitError>(())
+/// ```
+pub fn fit_growth_law<L: FilmGrowthLaw>(
+    curve: &GrowthCurve,
+    at: &RubbingPoint,
+    start: &[(&str, f64)],
+    law: impl Fn(&[f64]) -> Result<L, InputError>,
+) -> Result<GrowthFit<L>, FitError> {
+    let (points, constants) = (curve.times().len(), start.len());
+    if points <= constants {
+        return Err(FitError::TooFewPoints { points, constants });
+    }
+    for (name, value) in start {
+        InputError::require_positive(name, *value)?;
+    }
+    let values: Vec<f64> = start.iter().map(|(_, value)| *value).collect();
+    law(&values)?;
+    let scale = curve.thicknesses().iter().fold(0.0_f64, |largest, h| largest.max(h.abs()));
+    if scale == 0.0 {
+        let constant = start.first().map_or_else(String::new, |(name, _)| (*name).to_owned());
+        return Err(FitError::Undetermined { constant, reason: "there is no film".to_owned() });
+    }
+    let logarithms = DVector::from_iterator(constants, values.iter().map(|value| value.ln()));
+    let problem = Problem { curve, at, law: &law, scale, logarithms };
+    let (problem, report) = LevenbergMarquardt::new().with_patience(200).minimize(problem);
+    if !report.termination.was_successful() {
+        return Err(problem.failure(start, &report.termination));
+    }
+    problem.conclude(start)
+}
+
+struct Problem<'a, F> {
+    curve: &'a GrowthCurve,
+    at: &'a RubbingPoint,
+    law: &'a F,
+    /// Largest thickness: deviations are relative to it.
+    scale: f64,
+    logarithms: DVector<f64>,
+}
+
+impl<L: FilmGrowthLaw, F: Fn(&[f64]) -> Result<L, InputError>> Problem<'_, F> {
+    fn build(&self, logarithms: &DVector<f64>) -> Result<L, InputError> {
+        let values: Vec<f64> = logarithms.iter().map(|l| l.exp()).collect();
+        (self.law)(&values)
+    }
+
+    /// Relative deviations from the measurement; none where there is no such law.
+    fn deviations(&self, logarithms: &DVector<f64>) -> Option<DVector<f64>> {
+        let law = self.build(logarithms).ok()?;
+        let mut states = vec![0.0; law.n_states().max(1)];
+        let mut time = 0.0;
+        let measured = self.curve.times().iter().zip(self.curve.thicknesses());
+        let deviations = measured.map(|(&next, film)| {
+            law.advance(self.at, next - time, &mut states);
+            time = next;
+            (law.thickness(&states) - film) / self.scale
+        });
+        let deviations = DVector::from_iterator(self.curve.times().len(), deviations);
+        deviations.iter().all(|d| d.is_finite()).then_some(deviations)
+    }
+
+    fn sensitivities(&self) -> Option<DMatrix<f64>> {
+        let mut matrix = DMatrix::zeros(self.curve.times().len(), self.logarithms.len());
+        for (k, mut column) in matrix.column_iter_mut().enumerate() {
+            let [up, down] = [PROBE, -PROBE].map(|probe| {
+                let mut moved = self.logarithms.clone();
+                moved[k] += probe;
+                self.deviations(&moved)
+            });
+            column.copy_from(&((up? - down?) / (2.0 * PROBE)));
+        }
+        Some(matrix)
+    }
+
+    /// Why the minimisation ended early: a constant that ran away is one that the measurement says nothing about.
+    fn failure(&self, start: &[(&str, f64)], termination: &TerminationReason) -> FitError {
+        let ways =
+            start.iter().zip(self.logarithms.iter()).map(|((name, value), l)| (name, (l - value.ln()).abs()));
+        match ways.max_by(|a, b| a.1.total_cmp(&b.1)) {
+            Some((name, way)) if way.is_nan() || way > FARTHEST_FACTOR.ln() => FitError::Undetermined {
+                constant: (*name).to_owned(),
+                reason: "the deviations fall however far it moves from its start".to_owned(),
+            },
+            _ => FitError::NotConverged { reason: format!("{termination:?}") },
+        }
+    }
+
+    fn conclude(self, start: &[(&str, f64)]) -> Result<GrowthFit<L>, FitError> {
+        let lost = || FitError::NotConverged { reason: "no law at the constants found".to_owned() };
+        let freedom = (self.curve.times().len() - start.len()) as f64;
+        let deviations = self.deviations(&self.logarithms).ok_or_else(lost)?;
+        let spread = (deviations.norm_squared() / freedom).sqrt();
+        let variances = variances(&self.sensitivities().ok_or_else(lost)?, start)?;
+        let quantile = StudentsT::new(0.0, 1.0, freedom)
+            .map_err(|error| FitError::NotConverged { reason: error.to_string() })?
+            .inverse_cdf(0.5 + 0.5 * LEVEL);
+        let mut constants = Vec::with_capacity(start.len());
+        for ((name, _), (logarithm, variance)) in start.iter().zip(self.logarithms.iter().zip(variances)) {
+            let half = quantile * spread * variance.sqrt();
+            if half > WIDEST_FACTOR.ln() {
+                return Err(FitError::Undetermined {
+                    constant: (*name).to_owned(),
+                    reason: format!("its 95 % interval reaches to {:.1e} times its value", half.exp()),
+                });
+            }
+            constants.push(FittedConstant {
+                name: (*name).to_owned(),
+                value: logarithm.exp(),
+                interval: [(logarithm - half).exp(), (logarithm + half).exp()],
+            });
+        }
+        Ok(GrowthFit {
+            law: self.build(&self.logarithms)?,
+            constants,
+            standard_deviation: spread * self.scale,
+        })
+    }
+}
+
+/// Diagonal of `(J^T J)^-1`, refused where a combination of constants has no effect.
+fn variances(sensitivities: &DMatrix<f64>, start: &[(&str, f64)]) -> Result<Vec<f64>, FitError> {
+    let svd = sensitivities.clone().svd(false, true);
+    let failed = || FitError::NotConverged { reason: "no singular values".to_owned() };
+    let directions = svd.v_t.ok_or_else(failed)?;
+    let largest = svd.singular_values.max();
+    let (weakest, smallest) = svd.singular_values.argmin();
+    if smallest.is_nan() || smallest * MAX_CONDITION <= largest {
+        let (column, _) = directions.row(weakest).transpose().abs().argmax();
+        let constant = start.get(column).map_or_else(String::new, |(name, _)| (*name).to_owned());
+        let reason = "its effect on the film cannot be told from that of the other constants".to_owned();
+        return Err(FitError::Undetermined { constant, reason });
+    }
+    let scaled = |k: usize| {
+        let rows = directions.column(k);
+        rows.iter().zip(svd.singular_values.iter()).map(|(v, s)| (v / s).powi(2)).sum()
+    };
+    Ok((0..start.len()).map(scaled).collect())
+}
+
+impl<L: FilmGrowthLaw, F: Fn(&[f64]) -> Result<L, InputError>> LeastSquaresProblem<f64, Dyn, Dyn>
+    for Problem<'_, F>
+{
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+    type ParameterStorage = Owned<f64, Dyn>;
+
+    fn set_params(&mut self, logarithms: &DVector<f64>) {
+        self.logarithms.copy_from(logarithms);
+    }
+
+    fn params(&self) -> DVector<f64> {
+        self.logarithms.clone()
+    }
+
+    fn residuals(&self) -> Option<DVector<f64>> {
+        self.deviations(&self.logarithms)
+    }
+
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        self.sensitivities()
+    }
+}

@@ -1,0 +1,103 @@
+//! Measured film thickness against time.
+
+use std::io::Read;
+use std::path::Path;
+
+use super::fit::FitError;
+use crate::error::InputError;
+
+/// A film that was measured at several times while it rubbed, bare at the start.
+///
+/// ```
+/// use stribeck::tribochem::GrowthCurve;
+/// let table = "time_s,thickness_m\n60,12.8e-9\n600,92.3e-9\n1800,149.8e-9\n";
+/// let curve = GrowthCurve::from_csv(table.as_bytes())?;
+/// assert_eq!(curve.times(), [60.0, 600.0, 1800.0]);
+/// assert_eq!(curve.thicknesses()[1], 92.3e-9);
+/// assert!(GrowthCurve::from_csv("60,12.8e-9\n600,thick\n".as_bytes()).is_err());
+/// # Ok::<(), stribeck::tribochem::FitError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct GrowthCurve {
+    times: Vec<f64>,
+    thicknesses: Vec<f64>,
+}
+
+impl GrowthCurve {
+    /// From `times` \[s\] since the surface was bare, ascending, and the `thicknesses` \[m\] then; noise may make a
+    /// thickness negative.
+    ///
+    /// # Errors
+    /// Slices of different length, a value not finite, a negative time, times that do not ascend.
+    pub fn new(times: Vec<f64>, thicknesses: Vec<f64>) -> Result<Self, InputError> {
+        InputError::require_len("thickness", &thicknesses, times.len())?;
+        InputError::require_finite("time", &times)?;
+        InputError::require_finite("thickness", &thicknesses)?;
+        for pair in times.windows(2) {
+            if let [before, after] = pair {
+                InputError::require(after > before, "time", *after, "later than the one before it")?;
+            }
+        }
+        if let Some(&first) = times.first() {
+            InputError::require_non_negative("time", first)?;
+        }
+        Ok(Self { times, thicknesses })
+    }
+
+    /// From comma-separated text of two columns, time \[s\] and thickness \[m\]; a first row that holds no numbers is a
+    /// heading, lines that start with `#` are skipped.
+    ///
+    /// # Errors
+    /// [`FitError::Csv`] with the line of a row that is not two numbers; those of [`GrowthCurve::new`].
+    pub fn from_csv(reader: impl Read) -> Result<Self, FitError> {
+        let (mut times, mut thicknesses) = (Vec::new(), Vec::new());
+        let mut table = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .comment(Some(b'#'))
+            .trim(csv::Trim::All)
+            .from_reader(reader);
+        for (row, record) in table.records().enumerate() {
+            let record = record.map_err(|error| FitError::Csv {
+                line: error.position().map_or(0, csv::Position::line),
+                reason: error.to_string(),
+            })?;
+            let line = record.position().map_or(0, csv::Position::line);
+            let fields: Vec<&str> = record.iter().collect();
+            let numbers: Vec<Option<f64>> = fields.iter().map(|field| field.parse().ok()).collect();
+            match numbers.as_slice() {
+                [Some(time), Some(thickness)] => {
+                    times.push(*time);
+                    thicknesses.push(*thickness);
+                }
+                [None, None] if row == 0 => {}
+                _ => {
+                    let reason = format!("`{}` is not a time and a thickness", fields.join(","));
+                    return Err(FitError::Csv { line, reason });
+                }
+            }
+        }
+        Ok(Self::new(times, thicknesses)?)
+    }
+
+    /// Reads a file; see [`GrowthCurve::from_csv`].
+    ///
+    /// # Errors
+    /// [`FitError::Io`] where the file cannot be opened; those of [`GrowthCurve::from_csv`].
+    pub fn read_csv(path: impl AsRef<Path>) -> Result<Self, FitError> {
+        let path = path.as_ref();
+        let file =
+            std::fs::File::open(path).map_err(|source| FitError::Io { path: path.to_owned(), source })?;
+        Self::from_csv(file)
+    }
+
+    /// Times since the surface was bare \[s\].
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// Thickness at each time \[m\].
+    pub fn thicknesses(&self) -> &[f64] {
+        &self.thicknesses
+    }
+}

@@ -1,0 +1,97 @@
+//! Growth against removal in proportion to the film.
+
+use super::barrier::Barrier;
+use super::first_order::relax;
+use super::{Activation, FilmGrowthLaw};
+use crate::error::InputError;
+use crate::rubbing::RubbingPoint;
+
+/// `dh/dt = G exp[-(E - tau V) / (k_B T)] - a h` at active nodes: growth by shear stress `tau` at a rate that does not
+/// know the film, removal in proportion to it, since thick films are softer on top. The film settles where both are
+/// equal, at most at its maximum thickness. Exact in any time step.
+///
+/// Source: form of Akchurin and Bosman (2017), Tribology Letters 65, doi 10.1007/s11249-017-0842-8; the constants are
+/// the user's, they were fitted per experiment.
+///
+/// ```
+/// use stribeck::RubbingPoint;
+/// use stribeck::tribochem::{FilmGrowthLaw, ProportionalRemoval};
+/// // 0.2 nm/s whatever the stress against 2e-3 1/s: 100 nm in the end.
+/// let law = ProportionalRemoval::new(200e-9, 0.2e-9, 0.0, 0.0, 2e-3)?;
+/// let at = RubbingPoint { pressure: 1e9, solid_pressure: 1e9, shear_stress: 1e8, temperature: 353.15,
+///     sliding_speed: 0.005, film_thickness: 0.0, in_contact: true };
+/// let mut states = [0.0];
+/// law.advance(&at, 500.0, &mut states);
+/// assert!((states[0] - 100e-9 * (1.0 - (-1.0_f64).exp())).abs() < 1e-18);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProportionalRemoval {
+    maximum: f64,
+    barrier: Barrier,
+    removal_rate: f64,
+    activation: Activation,
+}
+
+impl ProportionalRemoval {
+    /// Law with the largest film `maximum_thickness` \[m\], the `growth_rate` G \[m/s\] without barrier, the
+    /// `activation_energy` E \[J\], the `shear_activation_volume` V \[m^3\] and the `removal_rate` a \[1/s\]. Every sheared
+    /// node is active.
+    ///
+    /// # Errors
+    /// A thickness or growth rate that is not positive, another constant that is negative, a value not finite.
+    pub fn new(
+        maximum_thickness: f64,
+        growth_rate: f64,
+        activation_energy: f64,
+        shear_activation_volume: f64,
+        removal_rate: f64,
+    ) -> Result<Self, InputError> {
+        InputError::require_positive("tribofilm.maximum_thickness", maximum_thickness)?;
+        InputError::require_positive("tribofilm.growth_rate", growth_rate)?;
+        InputError::require_non_negative("tribofilm.removal_rate", removal_rate)?;
+        let barrier = Barrier::new(growth_rate, activation_energy, shear_activation_volume)?;
+        Ok(Self { maximum: maximum_thickness, barrier, removal_rate, activation: Activation::ShearStress })
+    }
+
+    /// The same law with another condition for activity.
+    #[must_use]
+    pub fn with_activation(mut self, activation: Activation) -> Self {
+        self.activation = activation;
+        self
+    }
+
+    fn growth(&self, at: &RubbingPoint) -> f64 {
+        self.barrier.rate(at.shear_stress, at.temperature)
+    }
+}
+
+impl FilmGrowthLaw for ProportionalRemoval {
+    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+        if !self.activation.is_active(at) {
+            return 0.0;
+        }
+        let net = self.growth(at) - self.removal_rate * thickness;
+        if thickness < self.maximum { net } else { net.min(0.0) }
+    }
+
+    fn maximum_thickness(&self) -> f64 {
+        self.maximum
+    }
+
+    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+        let [thickness, ..] = states else { return };
+        if !(self.activation.is_active(at) && time_step > 0.0) {
+            return;
+        }
+        let growth = self.growth(at);
+        let balance = growth / self.removal_rate;
+        // Far below the balance, or without removal, the exponential is a straight line.
+        let next = if balance.is_finite() && self.removal_rate * time_step > 1e-12 {
+            relax(*thickness, balance, self.removal_rate, time_step)
+        } else {
+            *thickness + growth * time_step
+        };
+        *thickness = next.min(self.maximum.max(*thickness));
+    }
+}

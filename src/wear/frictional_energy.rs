@@ -1,0 +1,59 @@
+//! Wear in proportion to the energy that friction dissipates.
+
+use super::WearLaw;
+use crate::error::InputError;
+use crate::rubbing::RubbingPoint;
+
+/// `dz/dt = a(h) tau |u_s|`: the volume worn is proportional to the energy of friction, with the volume per energy
+/// `a(h) = a_bare - (a_bare - a_film) clamp(h / h_ref, 0, 1)` \[m^3/J\] falling as the tribofilm grows. Shear of contact and
+/// fluid both count.
+///
+/// Under one friction coefficient `mu` and no fluid shear it is [`Archard`](super::Archard) with `a = K / (mu H)`; it
+/// differs where friction varies over the contact.
+///
+/// Source: Fouvry, Kapsa, Vincent (1996), Wear 200, 186-205.
+///
+/// ```
+/// use stribeck::RubbingPoint;
+/// use stribeck::wear::{Archard, FrictionalEnergy, WearLaw};
+/// let at = RubbingPoint { pressure: 1e9, solid_pressure: 1e9, shear_stress: 1.15e8, temperature: 353.15,
+///     sliding_speed: 0.005, film_thickness: 0.0, in_contact: true };
+/// let energy = FrictionalEnergy::new(5.45e-8 / (0.115 * 6e9), 5.45e-9 / (0.115 * 6e9), 200e-9)?;
+/// let archard = Archard::azam_2019();
+/// for film in [0.0, 70e-9, 200e-9] {
+///     assert!((energy.depth_rate(&at, film) / archard.depth_rate(&at, film) - 1.0).abs() < 1e-12);
+/// }
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrictionalEnergy {
+    bare: f64,
+    drop: f64,
+    per_thickness: f64,
+}
+
+impl FrictionalEnergy {
+    /// Law with the volumes per energy `bare` and `filmed` \[m^3/J\] of a surface without film and under a film of
+    /// `reference_thickness` \[m\] or more.
+    ///
+    /// # Errors
+    /// A negative volume, `filmed` above `bare`, a thickness that is not positive, a value not finite.
+    pub fn new(bare: f64, filmed: f64, reference_thickness: f64) -> Result<Self, InputError> {
+        InputError::require_non_negative("wear.bare_volume_per_energy", bare)?;
+        InputError::require(
+            filmed.is_finite() && (0.0..=bare).contains(&filmed),
+            "wear.filmed_volume_per_energy",
+            filmed,
+            "finite, >= 0 and not above that of the bare surface",
+        )?;
+        InputError::require_positive("wear.reference_thickness", reference_thickness)?;
+        Ok(Self { bare, drop: bare - filmed, per_thickness: 1.0 / reference_thickness })
+    }
+}
+
+impl WearLaw for FrictionalEnergy {
+    fn depth_rate(&self, at: &RubbingPoint, film_thickness: f64) -> f64 {
+        let volume = self.bare - self.drop * (film_thickness * self.per_thickness).clamp(0.0, 1.0);
+        volume * at.shear_stress.abs() * at.sliding_speed.abs()
+    }
+}

@@ -1,0 +1,206 @@
+//! Every law, model and solver of the crate keeps the contract of its trait, and the checks find those who do not.
+
+use stribeck::elastic::HalfSpace;
+use stribeck::lubricant::{Barus, DensityLaw, DowsonHigginson, Incompressible, Roelands, ViscosityLaw};
+use stribeck::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
+use stribeck::reynolds::{Auto, Dry, NewtonKrylov, SemiSystem};
+use stribeck::testing::{
+    contact_solver, deformation_model, density_law, film_growth_law, plasticity_model, viscosity_law,
+    wear_law,
+};
+use stribeck::tribochem::{
+    Activation, ELECTRON_VOLT, FilmGrowthLaw, Ghanbarzadeh, ProportionalRemoval, StressActivated,
+    ThermalArrhenius,
+};
+use stribeck::wear::{Archard, FrictionalEnergy, WearLaw, WearPressure};
+use stribeck::{Grid, RubbingPoint};
+
+#[test]
+fn growth_laws() {
+    let energy = 0.8 * ELECTRON_VOLT;
+    let thermal = ThermalArrhenius::new(200e-9, 1.0, energy).unwrap().calibrated(1.2215e-3, 353.15).unwrap();
+    let shear = StressActivated::by_shear_stress(200e-9, 1.0, energy, 0.13e-27).unwrap();
+    let shear = shear.calibrated(1.2215e-3, 1.3e8, 353.15).unwrap();
+    let normal = StressActivated::by_normal_stress(150e-9, 1.0, energy, 3.8e-30).unwrap();
+    let normal = normal.calibrated(1.2215e-3, 6e9, 353.15).unwrap();
+    let removal = ProportionalRemoval::new(200e-9, 50.0, energy, 0.09e-27, 1e-3).unwrap();
+    let steady = ProportionalRemoval::new(200e-9, 1e-10, 0.0, 0.0, 0.0).unwrap();
+    for activation in [Activation::SolidContact, Activation::Pressure, Activation::ShearStress] {
+        film_growth_law(&Ghanbarzadeh::azam_2019().with_activation(activation)).unwrap();
+        film_growth_law(&thermal.clone().with_activation(activation)).unwrap();
+        film_growth_law(&shear.clone().with_activation(activation)).unwrap();
+        film_growth_law(&normal.clone().with_activation(activation)).unwrap();
+        film_growth_law(&removal.clone().with_activation(activation)).unwrap();
+        film_growth_law(&steady.clone().with_activation(activation)).unwrap();
+    }
+}
+
+/// Three rates that the default integration carries: smooth, stiff, and with a kink.
+#[derive(Debug)]
+struct Quadratic;
+
+impl FilmGrowthLaw for Quadratic {
+    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+        let left = 1.0 - thickness / 100e-9;
+        if at.in_contact { 1e-10 * left * left } else { 0.0 }
+    }
+    fn maximum_thickness(&self) -> f64 {
+        100e-9
+    }
+}
+
+#[derive(Debug)]
+struct Kinked;
+
+impl FilmGrowthLaw for Kinked {
+    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+        if at.in_contact {
+            1e-2 * (70e-9 - thickness).max(0.0) - 1e-3 * (thickness - 50e-9).max(0.0)
+        } else {
+            0.0
+        }
+    }
+    fn maximum_thickness(&self) -> f64 {
+        100e-9
+    }
+}
+
+#[test]
+fn laws_that_are_only_a_rate() {
+    film_growth_law(&Quadratic).unwrap();
+    film_growth_law(&Kinked).unwrap();
+}
+
+#[test]
+fn wear_laws() {
+    wear_law(&Archard::azam_2019()).unwrap();
+    wear_law(&Archard::azam_2019().with_pressure(WearPressure::Solid)).unwrap();
+    wear_law(&Archard::azam_2019().with_film_hardness(2e9).unwrap()).unwrap();
+    wear_law(&FrictionalEnergy::new(7.9e-17, 7.9e-18, 200e-9).unwrap()).unwrap();
+}
+
+#[test]
+fn fluids() {
+    viscosity_law(&Roelands::new(0.004, 0.68, 1.96e8).unwrap()).unwrap();
+    viscosity_law(&Roelands::from_alpha(0.004, 14.94e-9, 0.68, 1.96e8).unwrap()).unwrap();
+    viscosity_law(&Barus::new(0.04, 20e-9).unwrap()).unwrap();
+    density_law(&DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap()).unwrap();
+    density_law(&Incompressible).unwrap();
+}
+
+#[test]
+fn plasticity_models() {
+    plasticity_model(&ElasticPerfectlyPlastic::azam_2019()).unwrap();
+    plasticity_model(&ElasticPerfectlyPlastic::uniform(2e9).unwrap()).unwrap();
+    plasticity_model(&IsotropicHardening::new(ElasticPerfectlyPlastic::azam_2019(), 1e16).unwrap()).unwrap();
+}
+
+#[test]
+fn deformation_models() {
+    for (nx, ny) in [(8, 8), (7, 13), (16, 9)] {
+        let grid = Grid::centred(nx, ny, 1e-6, 1.5e-6).unwrap();
+        deformation_model(&mut HalfSpace::new(grid, 230e9).unwrap()).unwrap();
+    }
+}
+
+#[test]
+fn solvers() {
+    contact_solver(&mut Dry::new(), false).unwrap();
+    contact_solver(&mut Auto::new(), false).unwrap();
+    contact_solver(&mut Auto::new(), true).unwrap();
+    contact_solver(&mut NewtonKrylov::new(), true).unwrap();
+    contact_solver(&mut SemiSystem::new(0.2, 6.0).unwrap(), true).unwrap();
+}
+
+/// One broken clause each.
+#[derive(Debug)]
+enum Broken {
+    GrowsIdle,
+    Overshoots,
+    CountsSteps,
+    NotANumber,
+}
+
+impl FilmGrowthLaw for Broken {
+    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+        match self {
+            Self::NotANumber => f64::NAN,
+            Self::GrowsIdle => 1e-3 * (100e-9 - thickness),
+            _ if at.in_contact => 1e-3 * (100e-9 - thickness),
+            _ => 0.0,
+        }
+    }
+    fn maximum_thickness(&self) -> f64 {
+        100e-9
+    }
+    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+        if !at.in_contact && !matches!(self, Self::GrowsIdle) {
+            return;
+        }
+        let step = match self {
+            // Forward Euler.
+            Self::Overshoots => 1e-3 * time_step,
+            // Backward Euler: stable, but another film for every cut.
+            _ => 1e-3 * time_step / (1.0 + 1e-3 * time_step),
+        };
+        states[0] += step * (100e-9 - states[0]);
+    }
+}
+
+#[derive(Debug)]
+struct Softening;
+
+impl PlasticityModel for Softening {
+    fn pressure_limit(&self, _film: f64, depth: f64) -> f64 {
+        6e9 / (1.0 + depth / 1e-7)
+    }
+}
+
+#[derive(Debug)]
+struct Healing;
+
+impl WearLaw for Healing {
+    fn depth_rate(&self, _at: &RubbingPoint, _film: f64) -> f64 {
+        -1e-9
+    }
+}
+
+#[derive(Debug)]
+struct Thinning;
+
+impl ViscosityLaw for Thinning {
+    fn viscosity(&self, pressure: f64) -> f64 {
+        0.01 / (1.0 + pressure.max(0.0) / 1e9)
+    }
+}
+
+#[derive(Debug)]
+struct WrongSlope;
+
+impl DensityLaw for WrongSlope {
+    fn ratio(&self, pressure: f64) -> f64 {
+        1.0 + 1e-10 * pressure.max(0.0)
+    }
+    fn slope(&self, _pressure: f64) -> f64 {
+        2e-10
+    }
+}
+
+#[test]
+fn broken_contracts_are_found() {
+    for (law, clause) in [
+        (Broken::GrowsIdle, "any"),
+        (Broken::Overshoots, "between zero and the largest"),
+        (Broken::CountsSteps, "cut anywhere"),
+        (Broken::NotANumber, "rates are finite"),
+    ] {
+        let violation = film_growth_law(&law).unwrap_err();
+        assert!(clause == "any" || violation.to_string().contains(clause), "{violation}");
+    }
+    assert!(plasticity_model(&Softening).unwrap_err().clause.contains("do not fall"));
+    assert!(wear_law(&Healing).unwrap_err().clause.contains("never negative"));
+    assert!(viscosity_law(&Thinning).unwrap_err().clause.contains("does not fall"));
+    assert!(density_law(&WrongSlope).unwrap_err().clause.contains("derivative"));
+    // A dry solver cannot do a lubricated contact, and the check says so instead of passing.
+    assert!(contact_solver(&mut Dry::new(), true).is_err());
+}

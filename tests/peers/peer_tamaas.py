@@ -1,0 +1,60 @@
+"""The work in tamaas: non-periodic operator for convolution and Hertz; its capped solver is periodic."""
+import time
+
+import numpy as np
+import tamaas as tm
+from common import CAP, CONTACT_MODULUS, HALF_BOX, LOAD, attempt, gap, hertz_pressure, median_time, report
+
+tm.set_log_level(tm.LogLevel.error)
+SIZE = 2 * HALF_BOX
+
+
+def model(n):
+    made = tm.ModelFactory.createModel(tm.model_type.basic_2d, [SIZE, SIZE], [n, n])
+    made.E, made.nu = CONTACT_MODULUS, 0.0
+    tm.ModelFactory.registerNonPeriodic(made, "dcfft")
+    return made
+
+
+def convolution(n):
+    made = model(n)
+    operator = made.operators["dcfft"]
+    made.traction[...] = hertz_pressure(n)
+    seconds = median_time(lambda: operator(made.traction, made.displacement), 30 if n < 512 else 7)
+    report("convolution", n, seconds=seconds, value=made.displacement.max())
+
+
+def hertz(n):
+    start = time.perf_counter()
+    made = model(n)
+    solver = tm.PolonskyKeerRey(made, -gap("smooth", n), 1e-12)
+    solver.setIntegralOperator("dcfft")
+    solver.max_iter = 5000
+    error = solver.solve(LOAD / SIZE**2)
+    seconds = time.perf_counter() - start
+    report("hertz", n, seconds=seconds, value=made.traction.max(), note=f"error {error:.0e}")
+
+
+def capped(n):
+    start = time.perf_counter()
+    made = model(n)
+    solver = tm.KatoSaturated(made, -gap("rough", n), 1e-9, CAP)
+    solver.max_iter = 2000
+    periodic = ""
+    try:
+        solver.setIntegralOperator("dcfft")
+    except Exception:  # noqa: BLE001
+        periodic = ", periodic"
+    error = solver.solve(LOAD / SIZE**2)
+    seconds = time.perf_counter() - start
+    carried = made.traction.sum() * (SIZE / n) ** 2 / LOAD
+    area = np.count_nonzero(made.traction > 0) * (SIZE / n) ** 2
+    report("capped", n, seconds=seconds, value=area, note=f"error {error:.0e}, load {carried:.4f}{periodic}")
+
+
+report("version", 0, note=tm.__version__)
+for n in (128, 256, 512, 1024):
+    attempt("convolution", n, convolution)
+for n in (128, 256):
+    attempt("hertz", n, hertz)
+    attempt("capped", n, capped)
