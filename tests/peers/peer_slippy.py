@@ -20,7 +20,7 @@ def influence(n):
 
 def convolution(n):
     pressure = np.array(hertz_pressure(n))
-    product = contact.plan_convolve(pressure, influence(n), None, circular=False)
+    product = contact.plan_convolve(pressure, influence(n), None, circular=False, fft_im=False)
     seconds = median_time(lambda: product(pressure), 30 if n < 512 else 7)
     report("convolution", n, seconds=seconds, value=np.max(product(pressure)))
 
@@ -28,7 +28,7 @@ def convolution(n):
 def dry(kind, n, cap):
     ball = surface.Surface(profile=-gap(kind, n), grid_spacing=SIZE / n)
     flat = surface.FlatSurface(shift=(0, 0))
-    ball.material = contact.Elastic("ball", {"E": CONTACT_MODULUS, "v": 0.0}, max_load=cap)
+    ball.material = contact.Elastic(f"{kind}_{n}", {"E": CONTACT_MODULUS, "v": 0.0}, max_load=cap)
     flat.material = contact.rigid
     start = time.perf_counter()
     model = contact.ContactModel(f"{kind}_{n}", ball, flat)
@@ -53,12 +53,12 @@ def capped(n):
 def film(n):
     """The ball of its example: 19.05 mm, 800 N, 4 m/s, steel, on a box of four Hertz radii."""
     radius, load, speed, modulus, ratio, viscosity = 0.01905, 800.0, 4.0, 200e9, 0.3, 0.096
-    hertz_result = contact.hertz_full([radius, np.inf], [radius, np.inf], [modulus] * 2, [ratio] * 2, load)
+    hertz_result = contact.hertz_full([radius, radius], [np.inf, np.inf], [modulus] * 2, [ratio] * 2, load)
     p_max, half_width = hertz_result["max_pressure"], hertz_result["contact_radii"][0]
     ball = surface.RoundSurface((radius,) * 3, shape=(n, n), extent=(4 * half_width,) * 2, generate=True)
     flat = surface.FlatSurface()
-    ball.material = flat.material = contact.Elastic("steel", {"E": modulus, "v": ratio})
-    oil = contact.Lubricant("oil")
+    ball.material = flat.material = contact.Elastic(f"steel_{n}", {"E": modulus, "v": ratio})
+    oil = contact.Lubricant(f"oil_{n}")
     models = contact.lubricant_models
     oil.add_sub_model("nd_viscosity", models.nd_roelands(viscosity, 1 / 5.1e-9, p_max, 0.68))
     oil.add_sub_model("nd_density", models.nd_dowson_higginson(p_max))
