@@ -48,12 +48,12 @@ impl HalfSpace {
         InputError::require_positive("elastic.equivalent_modulus", equivalent_modulus)?;
         let table = influence_table(&grid, equivalent_modulus);
         let nx = grid.nx();
-        let plan =
-            ConvolutionPlan::new(nx, grid.ny(), |di, dj| table[dj.unsigned_abs() * nx + di.unsigned_abs()]);
+        let kernel = |di: isize, dj: isize| table[dj.unsigned_abs() * nx + di.unsigned_abs()];
+        let plan = ConvolutionPlan::new(nx, grid.ny(), kernel);
         let near = std::array::from_fn(|dj| {
             std::array::from_fn(|di| influence_coefficient(&grid, equivalent_modulus, di, dj))
         });
-        let inverse = Convolution::new(Arc::new(plan.pseudo_inverse()));
+        let inverse = Convolution::new(Arc::new(ConvolutionPlan::periodic_inverse(nx, grid.ny(), kernel)));
         Ok(Self { grid, equivalent_modulus, near, convolution: Convolution::new(Arc::new(plan)), inverse })
     }
 }

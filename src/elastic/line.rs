@@ -60,8 +60,9 @@ impl LineHalfSpace {
             let x = grid.dx() * offset as f64;
             strip_displacement(x, 0.5 * grid.dx(), reference, 1.0, equivalent_modulus)
         };
-        let plan = ConvolutionPlan::new(grid.nx(), 1, |di, _| coefficient(di.unsigned_abs()));
-        let inverse = Convolution::new(Arc::new(plan.pseudo_inverse()));
+        let kernel = |di: isize, _| coefficient(di.unsigned_abs());
+        let plan = ConvolutionPlan::new(grid.nx(), 1, kernel);
+        let inverse = Convolution::new(Arc::new(ConvolutionPlan::periodic_inverse(grid.nx(), 1, kernel)));
         Ok(Self {
             grid,
             near: std::array::from_fn(coefficient),

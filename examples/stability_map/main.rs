@@ -1,0 +1,156 @@
+//! Where each solver converges, stalls, diverges or lies: more than 450 scenes from full film to dry contact.
+//!
+//! ```text
+//! cargo run --release --example stability_map                     # all scenes, all solvers
+//! cargo run --release --example stability_map -- --quick          # a few coarse ones
+//! cargo run --release --example stability_map -- --solver auto    # one solver
+//! ```
+//!
+//! A solve that calls itself converged is checked from its fields alone: no pressure or gap may be negative, no film under
+//! solid contact off the contact film, and the pressures must carry the load. One that fails the check is listed as a lie.
+
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
+
+mod map;
+mod outcome;
+mod scenes;
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use lexopt::prelude::*;
+use outcome::{Entry, SOLVERS, Solver, Verdict, solve};
+use scenes::{Case, Group};
+
+const USAGE: &str = "\
+usage: cargo run --release --example stability_map -- [--quick] [--solver NAME] [--out DIR]
+
+  --quick        a few coarse scenes
+  --solver NAME  auto, newton_krylov or semi_system alone (default: all three)
+  --out DIR      where to write stability.csv and stability.svg (default target/stability_map)
+";
+const THREADS: usize = 2;
+
+struct Options {
+    quick: bool,
+    solver: Option<Solver>,
+    out: PathBuf,
+}
+
+fn main() -> ExitCode {
+    let outcome = match options() {
+        Ok(Some(options)) => run(&options),
+        Ok(None) => {
+            print!("{USAGE}");
+            Ok(())
+        }
+        Err(error) => Err(format!("{error}\n{USAGE}").into()),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("stability_map: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn options() -> Result<Option<Options>, lexopt::Error> {
+    let mut options = Options { quick: false, solver: None, out: PathBuf::from("target/stability_map") };
+    let mut parser = lexopt::Parser::from_env();
+    while let Some(argument) = parser.next()? {
+        match argument {
+            Long("quick") => options.quick = true,
+            Long("solver") => {
+                let name = parser.value()?.string()?;
+                let known = SOLVERS.into_iter().find(|solver| solver.to_string() == name);
+                options.solver = Some(known.ok_or_else(|| format!("no solver is called {name:?}"))?);
+            }
+            Long("out") => options.out = PathBuf::from(parser.value()?),
+            Long("help") | Short('h') => return Ok(None),
+            other => return Err(other.unexpected()),
+        }
+    }
+    Ok(Some(options))
+}
+
+fn run(options: &Options) -> Result<(), Box<dyn Error>> {
+    let cases = scenes::cases(options.quick);
+    let jobs: Vec<(&Case, Solver)> = SOLVERS
+        .into_iter()
+        .filter(|solver| options.solver.is_none_or(|only| only == *solver))
+        .flat_map(|solver| cases.iter().map(move |case| (case, solver)))
+        .collect();
+    let entries = solve_all(&jobs);
+    let folder = &options.out;
+    std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let table = folder.join("stability.csv");
+    std::fs::write(&table, outcome::table(&entries)).map_err(|error| format!("{}: {error}", table.display()))?;
+    map::draw(&entries, &folder.join("stability.svg"))?;
+    print!("{}", summary(&entries)?);
+    println!("table and map are in {}", folder.display());
+    Ok(())
+}
+
+/// Solves all jobs on two threads; the entries come in the order of the jobs.
+fn solve_all(jobs: &[(&Case, Solver)]) -> Vec<Entry> {
+    let next = AtomicUsize::new(0);
+    let found = Mutex::new(Vec::with_capacity(jobs.len()));
+    std::thread::scope(|scope| {
+        for _ in 0..THREADS {
+            scope.spawn(|| {
+                loop {
+                    let k = next.fetch_add(1, Ordering::Relaxed);
+                    let Some((case, solver)) = jobs.get(k) else { break };
+                    let entry = solve(case, *solver);
+                    if let Ok(mut found) = found.lock() {
+                        found.push((k, entry));
+                        if found.len() % 50 == 0 {
+                            eprintln!("{} of {} solved", found.len(), jobs.len());
+                        }
+                    }
+                }
+            });
+        }
+    });
+    let mut found = found.into_inner().unwrap_or_default();
+    found.sort_by_key(|(k, _)| *k);
+    found.into_iter().map(|(_, entry)| entry).collect()
+}
+
+/// Counts per solver and group.
+fn summary(entries: &[Entry]) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
+    write!(text, "{:<14} {:<12} {:>6}", "solver", "scenes", "all")?;
+    for verdict in Verdict::ALL {
+        write!(text, " {:>12}", verdict.to_string())?;
+    }
+    writeln!(text)?;
+    let groups = [
+        Group::Battery,
+        Group::Finer,
+        Group::Anisotropic,
+        Group::Exponential,
+        Group::Measured,
+        Group::Infeasible,
+    ];
+    for solver in SOLVERS {
+        for group in groups {
+            let of: Vec<&Entry> =
+                entries.iter().filter(|entry| entry.solver == solver && entry.case.group == group).collect();
+            if of.is_empty() {
+                continue;
+            }
+            write!(text, "{:<14} {:<12} {:>6}", solver.to_string(), group.to_string(), of.len())?;
+            for verdict in Verdict::ALL {
+                write!(text, " {:>12}", of.iter().filter(|entry| entry.verdict == verdict).count())?;
+            }
+            writeln!(text)?;
+        }
+    }
+    Ok(text)
+}

@@ -1,0 +1,189 @@
+//! What became of a scene, and whether it is what the solver says.
+
+use std::fmt;
+use std::fmt::Write as _;
+
+use stribeck::report::{SolveReport, Status};
+use stribeck::sim::scene::SolverKind;
+use stribeck::sim::{ContactSolution, Scene, solve_contact};
+
+use crate::scenes::Case;
+
+/// Residual at which a scene counts as converged.
+const TOLERANCE: f64 = 1e-6;
+/// Sweeps that the semi-system is given: where it converges it mostly does so within 2000.
+const SWEEPS: u64 = 3000;
+/// Distance below the contact film that no gap may have \[m\].
+const SLACK: f64 = 0.1e-9;
+
+/// The solvers of the map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Solver {
+    Auto,
+    NewtonKrylov,
+    SemiSystem,
+}
+
+pub(crate) const SOLVERS: [Solver; 3] = [Solver::Auto, Solver::NewtonKrylov, Solver::SemiSystem];
+
+impl fmt::Display for Solver {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Auto => "auto",
+            Self::NewtonKrylov => "newton_krylov",
+            Self::SemiSystem => "semi_system",
+        })
+    }
+}
+
+/// How a solve ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Verdict {
+    Converged,
+    MeshTooCoarse,
+    Stalled,
+    MaxIterations,
+    Diverged,
+    Refused,
+    Lie,
+}
+
+impl Verdict {
+    pub(crate) const ALL: [Self; 7] = [
+        Self::Converged,
+        Self::MeshTooCoarse,
+        Self::Stalled,
+        Self::MaxIterations,
+        Self::Diverged,
+        Self::Refused,
+        Self::Lie,
+    ];
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Converged => "converged",
+            Self::MeshTooCoarse => "too coarse",
+            Self::Stalled => "stalled",
+            Self::MaxIterations => "out of time",
+            Self::Diverged => "diverged",
+            Self::Refused => "refused",
+            Self::Lie => "lies",
+        })
+    }
+}
+
+/// A scene, a solver and what became of them.
+#[derive(Debug)]
+pub(crate) struct Entry {
+    pub(crate) case: Case,
+    pub(crate) solver: Solver,
+    pub(crate) verdict: Verdict,
+    report: Option<SolveReport>,
+    /// Least gap \[m\], load ratio and area ratio.
+    numbers: [f64; 3],
+    /// What the error or the check says.
+    remark: String,
+}
+
+pub(crate) fn solve(case: &Case, solver: Solver) -> Entry {
+    let mut scene = case.scene();
+    scene.solver.tolerance = TOLERANCE;
+    scene.solver.kind = match solver {
+        Solver::Auto => SolverKind::Auto,
+        Solver::NewtonKrylov => SolverKind::NewtonKrylov,
+        Solver::SemiSystem => SolverKind::SemiSystem,
+    };
+    if solver == Solver::SemiSystem {
+        scene.solver.max_iterations = SWEEPS;
+    }
+    let entry = |verdict, remark| Entry {
+        case: case.clone(),
+        solver,
+        verdict,
+        report: None,
+        numbers: [f64::NAN; 3],
+        remark,
+    };
+    match solve_contact(&scene) {
+        Err(error) => entry(Verdict::Refused, error.to_string()),
+        Ok(solution) => {
+            let fault = fault(&scene, &solution);
+            let verdict = match (solution.report.status, &fault) {
+                (Status::Converged, Some(_)) => Verdict::Lie,
+                (Status::Converged, None) => Verdict::Converged,
+                (Status::MeshTooCoarse, _) => Verdict::MeshTooCoarse,
+                (Status::Stalled, _) => Verdict::Stalled,
+                (Status::MaxIterations, _) => Verdict::MaxIterations,
+                (Status::Diverged, _) => Verdict::Diverged,
+            };
+            let remark = if verdict == Verdict::Lie { fault.unwrap_or_default() } else { String::new() };
+            let numbers =
+                [solution.film.minimum_gap, solution.contact.load_ratio, solution.contact.area_ratio];
+            Entry { report: Some(solution.report), numbers, ..entry(verdict, remark) }
+        }
+    }
+}
+
+/// What in the fields contradicts a converged solve.
+fn fault(scene: &Scene, solution: &ContactSolution) -> Option<String> {
+    let state = &solution.state;
+    let cutoff = scene.solver.film_cutoff;
+    let fields = [&state.pressure, &state.fluid_pressure, &state.film];
+    if fields.into_iter().flatten().any(|value| !value.is_finite()) {
+        return Some("a field is not finite".to_owned());
+    }
+    let least = |field: &[f64]| field.iter().copied().fold(f64::INFINITY, f64::min);
+    let (pressure, gap) = (least(&state.fluid_pressure).min(least(&state.pressure)), least(&state.film));
+    if pressure < 0.0 {
+        return Some(format!("a pressure of {pressure:.3e} Pa"));
+    }
+    if gap < cutoff - SLACK {
+        return Some(format!("a gap of {gap:.3e} m"));
+    }
+    let touching = state.in_contact.iter().zip(&state.film).filter(|(touches, _)| **touches);
+    let furthest = touching.fold(0.0_f64, |most, (_, film)| most.max((film - cutoff).abs()));
+    if furthest > SLACK {
+        return Some(format!("solid contact {furthest:.3e} m off the contact film"));
+    }
+    let carried = state.pressure.iter().sum::<f64>() * solution.grid.cell_area();
+    let error = (carried / solution.hertz.load - 1.0).abs();
+    (error > 2.0 * TOLERANCE).then(|| format!("a relative load error of {error:.1e}"))
+}
+
+/// All entries as CSV.
+pub(crate) fn table(entries: &[Entry]) -> String {
+    let mut text = String::from(
+        "solver,group,nodes,entrainment_speed_m_per_s,rq_m,length_x_m,length_y_m,hertz_pressure_pa,hardness_pa,verdict,\
+         ran,mass_residual,load_residual,complementarity_residual,iterations,convolutions,minimum_gap_m,load_ratio,\
+         area_ratio,remark\n",
+    );
+    for entry in entries {
+        let Case { group, nodes, speed, rq, lengths, pressure, hardness } = &entry.case;
+        let hardness = hardness.map_or_else(String::new, |value| format!("{value:e}"));
+        // Writing to a string cannot fail.
+        let _ = write!(
+            text,
+            "{},{group},{nodes},{speed:e},{rq:e},{:e},{:e},{pressure:e},{hardness},{}",
+            entry.solver, lengths[0], lengths[1], entry.verdict
+        );
+        let _ = match &entry.report {
+            Some(SolveReport { solver, residuals, work, .. }) => write!(
+                text,
+                ",{solver},{:.2e},{:.2e},{:.2e},{},{:.0}",
+                residuals.mass,
+                residuals.load,
+                residuals.complementarity,
+                work.iterations,
+                work.convolutions
+            ),
+            None => write!(text, ",,,,,,"),
+        };
+        for number in entry.numbers {
+            let _ = write!(text, ",{number:.4e}");
+        }
+        let _ = writeln!(text, ",\"{}\"", entry.remark.replace('"', "'"));
+    }
+    text
+}

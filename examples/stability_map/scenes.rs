@@ -1,0 +1,179 @@
+//! The scenes of the map.
+
+use std::fmt;
+use std::path::PathBuf;
+
+use stribeck::sim::Scene;
+use stribeck::sim::scene::{FileRoughness, GridSpec, PlasticSpec, RandomRoughness, Roughness, RoughnessPair};
+
+/// Hertz pressure of the reference scene \[Pa\] and half of its box \[m\]; boxes grow with the Hertz radius, which grows with
+/// the pressure.
+const REFERENCE: (f64, f64) = (1.15e9, 0.25e-3);
+/// Share of ball and disc in the composite roughness, those of the reference scene.
+const SHARES: [f64; 2] = [20.0 / 131.529, 130.0 / 131.529];
+
+pub(crate) const SPEEDS: [f64; 5] = [10.0, 1.0, 0.1, 0.01, 0.001];
+pub(crate) const ROUGHNESSES: [f64; 5] = [0.0, 20e-9, 60e-9, 130e-9, 300e-9];
+pub(crate) const LENGTHS: [f64; 2] = [10e-6, 40e-6];
+pub(crate) const PRESSURES: [f64; 3] = [0.5e9, 1.15e9, 2.0e9];
+pub(crate) const HARDNESSES: [Option<f64>; 3] = [None, Some(6e9), Some(2e9)];
+
+/// Which part of the map a scene belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Group {
+    /// Every combination on the coarse grid.
+    Battery,
+    /// A choice of them on finer grids.
+    Finer,
+    /// Roughness ten times longer along or across the flow.
+    Anisotropic,
+    /// Exponential autocorrelation: no shortest wavelength but that of the mesh.
+    Exponential,
+    /// A measured disc.
+    Measured,
+    /// More load than the hardness can carry in the box: to be refused.
+    Infeasible,
+}
+
+impl fmt::Display for Group {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Battery => "battery",
+            Self::Finer => "finer",
+            Self::Anisotropic => "anisotropic",
+            Self::Exponential => "exponential",
+            Self::Measured => "measured",
+            Self::Infeasible => "infeasible",
+        })
+    }
+}
+
+/// What varies between the scenes.
+#[derive(Debug, Clone)]
+pub(crate) struct Case {
+    pub(crate) group: Group,
+    pub(crate) nodes: usize,
+    /// Entrainment speed \[m/s\].
+    pub(crate) speed: f64,
+    /// Composite roughness \[m\].
+    pub(crate) rq: f64,
+    /// Autocorrelation lengths along and across the flow \[m\].
+    pub(crate) lengths: [f64; 2],
+    /// Hertz pressure \[Pa\].
+    pub(crate) pressure: f64,
+    pub(crate) hardness: Option<f64>,
+}
+
+impl Case {
+    fn new(group: Group, nodes: usize, speed: f64, rq: f64) -> Self {
+        Self {
+            group,
+            nodes,
+            speed,
+            rq,
+            lengths: [LENGTHS[0]; 2],
+            pressure: REFERENCE.0,
+            hardness: HARDNESSES[1],
+        }
+    }
+
+    /// The scene of this case.
+    pub(crate) fn scene(&self) -> Scene {
+        let mut scene = Scene::azam_2019(self.nodes);
+        let half = REFERENCE.1 * self.pressure / REFERENCE.0;
+        scene.grid = GridSpec::Cells { nx: self.nodes, ny: self.nodes, x: [-half, half], y: [-half, half] };
+        scene.load.hertz_pressure = Some(self.pressure);
+        scene.motion.entrainment_speed = self.speed;
+        scene.plastic =
+            self.hardness.map(|hardness| PlasticSpec { hardness, film_hardness: None, hardening_modulus: None });
+        let rough = |body: usize| self.roughness(body);
+        scene.roughness = RoughnessPair { ball: rough(0), disc: rough(1) };
+        scene
+    }
+
+    fn roughness(&self, body: usize) -> Roughness {
+        let rq = self.rq * SHARES[body];
+        let [length_x, length_y] = self.lengths;
+        let random = RandomRoughness { rq, length_x, length_y, seed: 1 + 100 * body as u64 };
+        match self.group {
+            _ if self.rq <= 0.0 => Roughness::None,
+            Group::Exponential => Roughness::Exponential(random),
+            Group::Measured if body == 1 => Roughness::File(FileRoughness {
+                path: PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/surfaces/cut.txt"),
+                rq: Some(rq),
+            }),
+            _ => Roughness::Gaussian(random),
+        }
+    }
+}
+
+/// All cases; with `quick` a handful of the battery on a coarser grid.
+pub(crate) fn cases(quick: bool) -> Vec<Case> {
+    if quick {
+        return battery(32).into_iter().step_by(37).chain(infeasible(32)).collect();
+    }
+    let mut cases = battery(64);
+    cases.extend(finer());
+    cases.extend(variants());
+    cases.extend(infeasible(64));
+    cases
+}
+
+fn battery(nodes: usize) -> Vec<Case> {
+    let mut cases = Vec::new();
+    for speed in SPEEDS {
+        for rq in ROUGHNESSES {
+            for length in LENGTHS {
+                if rq <= 0.0 && length > LENGTHS[0] {
+                    continue; // smooth: no length
+                }
+                for pressure in PRESSURES {
+                    for hardness in HARDNESSES {
+                        let case = Case::new(Group::Battery, nodes, speed, rq);
+                        cases.push(Case { lengths: [length; 2], pressure, hardness, ..case });
+                    }
+                }
+            }
+        }
+    }
+    cases
+}
+
+fn finer() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for nodes in [128, 256] {
+        for speed in [1.0, 0.1, 0.01] {
+            for rq in [20e-9, 130e-9] {
+                cases.push(Case::new(Group::Finer, nodes, speed, rq));
+            }
+        }
+    }
+    cases
+}
+
+fn variants() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for speed in [1.0, 0.1, 0.01] {
+        for rq in [20e-9, 130e-9] {
+            for lengths in [[100e-6, 10e-6], [10e-6, 100e-6]] {
+                cases.push(Case { lengths, ..Case::new(Group::Anisotropic, 64, speed, rq) });
+            }
+            for hardness in HARDNESSES {
+                cases.push(Case { hardness, ..Case::new(Group::Exponential, 64, speed, rq) });
+            }
+            cases.push(Case::new(Group::Measured, 64, speed, rq));
+        }
+    }
+    cases
+}
+
+/// Hardness times box is less than the load.
+fn infeasible(nodes: usize) -> Vec<Case> {
+    PRESSURES
+        .iter()
+        .map(|&pressure| {
+            let hardness = Some(0.05 * pressure);
+            Case { pressure, hardness, ..Case::new(Group::Infeasible, nodes, 0.1, 60e-9) }
+        })
+        .collect()
+}
