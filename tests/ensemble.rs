@@ -1,5 +1,4 @@
 //! Ensembles: the order and the numbers do not depend on threads, failures stay alone, stopped ones go on.
-#![expect(clippy::unwrap_used, reason = "tests")]
 
 use stribeck::sim::Scene;
 use stribeck::sim::ensemble::{self, Member, Outcome};

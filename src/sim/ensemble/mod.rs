@@ -15,6 +15,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::builder::SimBuilder;
 use super::error::SimError;
+#[cfg(all(feature = "serde", feature = "npz"))]
 use super::observer::Observer;
 use super::record::StepRecord;
 use super::scene::Scene;
