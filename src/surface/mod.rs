@@ -20,7 +20,9 @@ mod generate;
 mod johnson;
 mod measured;
 mod motion;
+mod random;
 mod resample;
+mod self_affine;
 mod subcell;
 mod unit;
 
@@ -28,11 +30,10 @@ pub use error::SurfaceError;
 pub use form::Form;
 #[cfg(feature = "formats")]
 pub use format::{read, read_bytes, write_npy, write_text, write_x3p};
-pub use generate::{
-    Autocorrelation, HeightDistribution, HeightScale, RandomShape, RandomSurface, RoughnessSpec, SelfAffine,
-    Synthesis, generate,
-};
+pub use generate::{Autocorrelation, RoughnessSpec, generate};
 pub use measured::Heights;
 pub use motion::{Offset, RoughnessMotion, add_blended, copy_shifted};
+pub use random::{HeightDistribution, HeightScale, RandomShape, RandomSurface};
+pub use self_affine::{SelfAffine, Synthesis};
 pub use subcell::{FourierShift, blend_shifted};
 pub use unit::LengthUnit;

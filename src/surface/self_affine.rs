@@ -1,0 +1,71 @@
+//! Self-affine spectra.
+
+use num_complex::Complex64;
+
+use crate::error::InputError;
+use crate::grid::Grid;
+
+/// A spectrum that falls as `q^(-2 (1 + hurst))` from the roll-off on, `q = 2 pi / wavelength`; constant above the roll-off
+/// wavelength, zero outside the cut-offs.
+///
+/// Source: Jacobs, T. D. B., Junge, T. and Pastewka, L. (2017), Surface Topography: Metrology and Properties 5, 013001.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SelfAffine {
+    /// Hurst exponent, above 0 and at most 1: 1 is smoothest.
+    pub hurst: f64,
+    /// Longest wavelength \[m\]; infinite for the size of the grid.
+    pub longest: f64,
+    /// Wavelength where the spectrum starts to fall \[m\], at most `longest`.
+    pub roll_off: f64,
+    /// Shortest wavelength \[m\], below `roll_off`; 0 for that of the grid.
+    pub shortest: f64,
+    /// Where randomness enters.
+    pub synthesis: Synthesis,
+}
+
+/// How modes are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Synthesis {
+    /// Amplitude and phase of every mode are random: white noise filtered.
+    #[default]
+    FilteredNoise,
+    /// Phases alone are random: every surface has exactly the spectrum asked for.
+    RandomPhase,
+}
+
+impl SelfAffine {
+    pub(super) fn validate(&self) -> Result<(), InputError> {
+        let Self { hurst, longest, roll_off, shortest, .. } = *self;
+        let exists = hurst > 0.0 && hurst <= 1.0;
+        InputError::require(exists, "roughness.hurst", hurst, "above 0 and at most 1")?;
+        InputError::require(longest > 0.0, "roughness.longest", longest, "> 0")?;
+        let ordered = roll_off > 0.0 && roll_off <= longest && roll_off.is_finite();
+        let range = "> 0 and at most the longest wavelength";
+        InputError::require(ordered, "roughness.roll_off", roll_off, range)?;
+        let ordered = shortest >= 0.0 && shortest < roll_off;
+        let range = ">= 0 and below the roll-off wavelength";
+        InputError::require(ordered, "roughness.shortest", shortest, range)
+    }
+
+    /// Rows 0 to `ny / 2` of the density, of any scale and in the order of the transform; the other rows mirror them.
+    pub(super) fn density_rows(&self, grid: &Grid) -> Vec<Complex64> {
+        let nx = grid.nx();
+        // relative slack, so that modes on a cut-off are not lost to rounding
+        let (lowest, highest) = ((1.0 - 1e-9) / self.longest, (1.0 + 1e-9) / self.shortest);
+        let mut field = Vec::with_capacity(nx * (grid.ny() / 2 + 1));
+        for j in 0..=grid.ny() / 2 {
+            let y = j as f64 / grid.size_y();
+            let row = field.len();
+            for i in 0..=nx / 2 {
+                let frequency = (i as f64 / grid.size_x()).hypot(y);
+                let inside = (lowest..=highest).contains(&frequency);
+                let falling = (frequency * self.roll_off).max(1.0).powf(-2.0 * (1.0 + self.hurst));
+                field.push(Complex64::new(if inside { falling } else { 0.0 }, 0.0));
+            }
+            for i in nx / 2 + 1..nx {
+                field.push(field[row + nx - i]);
+            }
+        }
+        field
+    }
+}
