@@ -7,6 +7,7 @@
 //! | solver | method | use |
 //! |---|---|---|
 //! | [`NewtonKrylov`] | semismooth Newton, block-preconditioned GMRES | mixed and full film |
+//! | [`Multigrid`] | full multigrid, hybrid line relaxation | smooth full film |
 //! | [`SemiSystem`] | tridiagonal line sweeps with implicit near-field deformation | smooth full film |
 //! | [`Dry`] | active-set conjugate gradients | no lubricant |
 //! | [`Auto`] | picks and falls back | default |
@@ -18,6 +19,7 @@ mod discretisation;
 mod dry;
 mod evaluation;
 mod local;
+mod multigrid;
 mod newton_krylov;
 mod preconditioner;
 mod problem;
@@ -29,6 +31,7 @@ use std::fmt::Debug;
 pub use auto::Auto;
 pub use dry::Dry;
 pub use evaluation::Evaluation;
+pub use multigrid::Multigrid;
 pub use newton_krylov::NewtonKrylov;
 pub use problem::{FaceMobility, LubricatedContact, Scheme, Squeeze};
 pub use semi_system::SemiSystem;

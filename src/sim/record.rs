@@ -6,7 +6,8 @@ use crate::error::InputError;
 use crate::report::{Residuals, SolveReport, Status, Work};
 
 /// Solvers that a line can name.
-const SOLVERS: [&str; 4] = ["newton_krylov", "semi_system", "dry", "auto"];
+const SOLVERS: [&str; 6] =
+    ["newton_krylov", "semi_system", "dry", "auto", "multigrid", "multigrid+newton_krylov"];
 
 /// The numbers of one committed step; all SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -149,7 +150,13 @@ impl StepRecord {
         let (_, name) = next()?;
         let solver = SOLVERS.into_iter().find(|solver| *solver == name).unwrap_or("other");
         let (column, cell) = next()?;
-        let statuses = [Status::Converged, Status::MaxIterations, Status::Stalled, Status::Diverged];
+        let statuses = [
+            Status::Converged,
+            Status::MaxIterations,
+            Status::Stalled,
+            Status::Diverged,
+            Status::MeshTooCoarse,
+        ];
         let status = statuses.into_iter().find(|status| status.to_string() == cell);
         let status = status.ok_or_else(|| unreadable(column, cell))?;
         let mut number = || next().and_then(|(column, cell)| parsed::<f64>(column, cell));

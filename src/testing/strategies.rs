@@ -81,6 +81,7 @@ fn solvers() -> impl Strategy<Value = SolverSpec> {
         1 => Just(SolverKind::NewtonKrylov),
         1 => Just(SolverKind::Dry),
         1 => Just(SolverKind::SemiSystem),
+        1 => Just(SolverKind::Multigrid),
     ];
     (kinds, decades(1e-6, 1e-2), any::<bool>(), decades(1e-10, 1e-8)).prop_map(
         |(kind, tolerance, edge_contact, film_cutoff)| SolverSpec {

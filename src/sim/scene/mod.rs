@@ -289,6 +289,8 @@ impl Default for SolverSpec {
 pub enum SolverKind {
     /// By what the scene holds, with fallback.
     Auto,
+    /// Full multigrid.
+    Multigrid,
     /// Semi-system line sweeps.
     SemiSystem,
     /// Semismooth Newton with Krylov steps.
