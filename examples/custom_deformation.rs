@@ -47,6 +47,7 @@ fn main() -> Result<(), SimError> {
     // Smooth, elastic and in oil.
     scene.roughness = RoughnessPair::default();
     (scene.plastic, scene.wear) = (None, None);
+    scene.motion.entrainment_speed = 1.0;
     scene.solver.tolerance = 1e-4;
     let (grid, modulus) = (scene.grid()?, scene.elastic.equivalent_modulus);
     println!("{:>14} {:>18} {:>13}", "coating", "largest pressure", "central film");

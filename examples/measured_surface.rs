@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use stribeck::metrics::height_statistics;
 use stribeck::sim::scene::GridSpec;
 use stribeck::sim::{MixedLubricationSim, Scene, StepRecord};
-use stribeck::surface;
+use stribeck::surface::{self, Form};
 
 /// A cut out of a file of an instrument.
 const SAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/surfaces/cut.x3p");
@@ -31,8 +31,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         measured.undefined()
     );
 
-    // A contact of a light ball that needs no finer mesh than the measurement has.
+    // A small ball: a patch of the size of its contact was measured, not one of the size of a large one.
     let mut scene = Scene::azam_2019(64).with_tribofilm();
+    scene.form = Form::Sphere { radius: 1e-3 };
     scene.load.hertz_pressure = Some(0.8e9);
     let a = scene.hertz()?.a_x;
     scene.grid = GridSpec::Cells { nx: 64, ny: 64, x: [-2.0 * a, 2.0 * a], y: [-2.0 * a, 2.0 * a] };

@@ -30,10 +30,17 @@ struct Map<'a> {
 pub(crate) fn draw(history: &History, path: &Path) -> Result<(), Box<dyn Error>> {
     let Some(contact) = &history.last_contact else { return Ok(()) };
     let film = history.sim.bodies()[1].film_thickness();
+    let thickest = film.iter().copied().fold(0.0, f64::max);
     let maps = [
         Map { title: "film thickness", field: &contact.film, factor: 1e9, darkest: 200.0, unit: "nm" },
         Map { title: "pressure", field: &contact.pressure, factor: 1e-9, darkest: 4.0, unit: "GPa" },
-        Map { title: "tribofilm on the disc", field: film, factor: 1e9, darkest: 150.0, unit: "nm" },
+        Map {
+            title: "tribofilm on the disc",
+            field: film,
+            factor: 1e9,
+            darkest: round_up(1e9 * thickest),
+            unit: "nm",
+        },
     ];
     let size = (3 * (EDGE + GAP) + GAP, EDGE + ABOVE + BELOW);
     let root = SVGBackend::new(path, (size.0 as u32, size.1 as u32)).into_drawing_area();
@@ -77,12 +84,24 @@ fn draw_map(
             root.draw(&Rectangle::new(corners, colour(shade(row[first])).filled()))?;
         }
     }
+    // The film is seen on the patch of the disc, wherever that stands in the contact.
+    if std::ptr::eq(map.field, history.sim.bodies()[1].film_thickness()) {
+        return draw_scale(root, map, left);
+    }
     let ring = (0..=120).map(|k| (f64::from(k) * std::f64::consts::TAU / 120.0).sin_cos());
     root.draw(&PathElement::new(
         ring.map(|(s, c)| pixel(radius * c, radius * s)).collect::<Vec<_>>(),
         BLACK,
     ))?;
-    // The scale.
+    draw_scale(root, map, left)
+}
+
+fn draw_scale(
+    root: &DrawingArea<SVGBackend<'_>, Shift>,
+    map: &Map<'_>,
+    left: i32,
+) -> Result<(), Box<dyn Error>> {
+    let text = |size: u32| ("sans-serif", size).into_font().color(&BLACK);
     let (top, steps) = (ABOVE + EDGE + 12, i32::from(SHADES) + 1);
     for k in 0..=SHADES {
         let [from, to] = [0, 1].map(|next| left + EDGE * (i32::from(k) + next) / steps);
@@ -97,6 +116,12 @@ fn draw_map(
         root.draw(&Text::new(words, (x, top + 32), text(17).pos(Pos::new(side, VPos::Center))))?;
     }
     Ok(())
+}
+
+/// The next of 1, 2, 5, 10, 20, ... from `value` on.
+fn round_up(value: f64) -> f64 {
+    let decade = 10_f64.powf(value.max(1e-3).log10().floor());
+    [1.0, 2.0, 5.0, 10.0].into_iter().map(|step| step * decade).find(|step| *step >= value).unwrap_or(value)
 }
 
 /// From pale yellow over green to dark blue: ascending darkness, also without colours.

@@ -1,6 +1,6 @@
 //! Many histories side by side: sweeps of a parameter, seeds of the roughness.
 //!
-//! [`run`] keeps the records; [`run_in`] (features `serde` and `npz`) also writes a folder for each member and goes on
+//! [`run`] keeps the records; `run_in` (features `serde` and `npz`) also writes a folder for each member and goes on
 //! where it was stopped. Members are independent: each is computed as if it were alone, and one that fails leaves its error
 //! in its own outcome. With the feature `mpi`, `run_over_ranks` does so over the processes of an MPI program. Outcomes come in the order of the members, whatever the number of threads.
 
