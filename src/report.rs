@@ -65,7 +65,8 @@ impl Residuals {
 /// Work done, by cause.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Work {
-    /// Elastic convolutions in equivalents of the finest grid: a coarser one counts by its share of nodes.
+    /// Elastic convolutions in equivalents of the finest grid: a coarser one counts by its share of nodes, a
+    /// pressure estimate, whose transforms need no padding, as a quarter.
     pub convolutions: f64,
     /// Outer iterations: sweeps, Newton steps or active-set passes.
     pub iterations: u64,

@@ -89,7 +89,8 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let folder = &options.out;
     std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let table = folder.join("stability.csv");
-    std::fs::write(&table, outcome::table(&entries)).map_err(|error| format!("{}: {error}", table.display()))?;
+    std::fs::write(&table, outcome::table(&entries))
+        .map_err(|error| format!("{}: {error}", table.display()))?;
     map::draw(&entries, &folder.join("stability.svg"))?;
     print!("{}", summary(&entries)?);
     println!("table and map are in {}", folder.display());

@@ -43,11 +43,7 @@ pub(crate) fn draw(entries: &[Entry], path: &Path) -> Result<(), Box<dyn Error>>
         let root = SVGBackend::new(path, (width as u32, height as u32)).into_drawing_area();
         root.fill(&WHITE)?;
         let style = |size: u32| ("sans-serif", size).into_font().color(&BLACK);
-        root.draw(&Text::new(
-            "Scenes at 64 x 64 nodes, tolerance 1e-6",
-            (10, 8),
-            style(FONT + 3),
-        ))?;
+        root.draw(&Text::new("Scenes at 64 x 64 nodes, tolerance 1e-6", (10, 8), style(FONT + 3)))?;
         for (k, verdict) in Verdict::ALL.into_iter().enumerate() {
             let x = 10 + 98 * k as i32;
             root.draw(&Rectangle::new([(x, 38), (x + 12, 50)], colour(verdict).filled()))?;
@@ -55,8 +51,7 @@ pub(crate) fn draw(entries: &[Entry], path: &Path) -> Result<(), Box<dyn Error>>
         }
         for (k, solver) in solvers.iter().enumerate() {
             let y0 = TOP + panel * k as i32;
-            let battery =
-                || entries.iter().filter(|e| e.solver == *solver && e.case.group == Group::Battery);
+            let battery = || entries.iter().filter(|e| e.solver == *solver && e.case.group == Group::Battery);
             let converged = battery().filter(|e| e.verdict == Verdict::Converged).count();
             let title = format!("{solver}: {converged} of {} converge", battery().count());
             root.draw(&Text::new(title, (10, y0 + 6), style(FONT + 2)))?;

@@ -172,11 +172,7 @@ pub(crate) fn table(entries: &[Entry]) -> String {
             Some(SolveReport { solver, residuals, work, .. }) => write!(
                 text,
                 ",{solver},{:.2e},{:.2e},{:.2e},{},{:.0}",
-                residuals.mass,
-                residuals.load,
-                residuals.complementarity,
-                work.iterations,
-                work.convolutions
+                residuals.mass, residuals.load, residuals.complementarity, work.iterations, work.convolutions
             ),
             None => write!(text, ",,,,,,"),
         };

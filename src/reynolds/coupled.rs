@@ -18,7 +18,8 @@ pub(super) struct Coupled {
     pub(super) balance: Vec<f64>,
     pub(super) kinds: Vec<Kind>,
     pub(super) near: NearField,
-    pub(super) convolutions: u64,
+    /// In equivalents of one on the padded grid.
+    pub(super) convolutions: f64,
 }
 
 impl Coupled {
@@ -33,7 +34,7 @@ impl Coupled {
             balance: vec![0.0; grid.len()],
             kinds,
             near: NearField { own: 1.0, next_x: 0.0, second_x: 0.0 },
-            convolutions: 0,
+            convolutions: 0.0,
         }
     }
 
@@ -41,7 +42,7 @@ impl Coupled {
         let influence = |di, dj| problem.deformation.influence(di, dj);
         self.near = NearField { own: influence(0, 0), next_x: influence(1, 0), second_x: influence(2, 0) };
         self.fluid.configure(problem);
-        self.convolutions = 0;
+        self.convolutions = 0.0;
         for kind in &mut self.kinds {
             if kind.fluid != Fluid::Boundary {
                 *kind = Kind { fluid: Fluid::Cavitated, solid: Solid::Open };
@@ -56,7 +57,7 @@ impl Coupled {
         state: &mut ContactState,
     ) -> Result<(), InputError> {
         problem.deformation.displacement(&state.pressure, &mut self.elastic_film)?;
-        self.convolutions += 1;
+        self.convolutions += 1.0;
         for (h, gap) in self.elastic_film.iter_mut().zip(problem.gap) {
             *h += gap - state.approach;
         }

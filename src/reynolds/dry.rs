@@ -182,7 +182,7 @@ impl ContactSolver for Dry {
             refuse_edge_contact(&grid, state)?;
         }
         let work = Work {
-            convolutions: (outcome.convolutions + coupled.convolutions) as f64,
+            convolutions: outcome.convolutions as f64 + coupled.convolutions,
             iterations: outcome.passes,
             inner_iterations: outcome.steps,
         };

@@ -20,11 +20,34 @@ const MAX_KRYLOV_STEPS: usize = 100;
 const KRYLOV_TOLERANCE: f64 = 0.01;
 /// Largest pressure change of one step, in reference pressures.
 const MAX_PRESSURE_CHANGE: f64 = 1.0;
-/// How far the local equations may take a pressure from where the linear step puts it, in reference pressures. A solve
-/// that stalls with the first starts again from the dry contact with the next.
-const TRUSTS: [f64; 3] = [0.03, 0.01, 0.1];
+/// What a solve tries, one after the other while it stalls, each but the first from the dry contact. What one cannot do
+/// another often can: the ways through the changes of sides are many and short.
+const ATTEMPTS: [Attempt; 6] = [
+    Attempt { trust: 0.03, first_contact_film: 30.0, careful: true },
+    Attempt { trust: 0.03, first_contact_film: 1.0, careful: false },
+    Attempt { trust: 0.01, first_contact_film: 1.0, careful: false },
+    Attempt { trust: 0.03, first_contact_film: 1.0, careful: true },
+    Attempt { trust: 0.1, first_contact_film: 1.0, careful: false },
+    Attempt { trust: 0.01, first_contact_film: 30.0, careful: true },
+];
+/// Contact film of a Newton step over that of the step before, down to the one of the problem.
+const CONTACT_FILM_REDUCTION: f64 = 0.5;
+/// Growth of the residual after which a careful attempt takes the step again at [`SHORTER`] length.
+const JUMP: f64 = 4.0;
+const SHORTER: f64 = 0.5;
 /// Steps without a new best residual after which that distance is halved.
 const PATIENCE: u32 = 5;
+
+/// How the nonlinear equations are approached.
+#[derive(Debug, Clone, Copy)]
+struct Attempt {
+    /// How far the local equations may take a pressure from where the linear step puts it, in reference pressures.
+    trust: f64,
+    /// Contact film of the first step over that of the problem: solids that part early let the fluid find its way.
+    first_contact_film: f64,
+    /// Whether steps that make the residual jump are shortened.
+    careful: bool,
+}
 
 /// Semismooth Newton solver with approach and load balance inside the system.
 ///
@@ -54,6 +77,8 @@ struct Workspace {
     best: ContactState,
     best_residuals: Residuals,
     best_kinds: Vec<Kind>,
+    before: ContactState,
+    kinds_before: Vec<Kind>,
     scale: Vec<f64>,
     scaled: Vec<f64>,
 }
@@ -81,6 +106,8 @@ impl NewtonKrylov {
                 best: ContactState::new(&grid),
                 best_residuals: Residuals::default(),
                 best_kinds: vec![Kind::BOUNDARY; grid.len()],
+                before: ContactState::new(&grid),
+                kinds_before: vec![Kind::BOUNDARY; grid.len()],
                 scale: vec![1.0; length],
                 scaled: vec![0.0; length],
             }));
@@ -122,17 +149,24 @@ impl Workspace {
     ) -> Result<(Status, Residuals), ReynoldsError> {
         self.best_residuals = Residuals { mass: f64::INFINITY, ..Residuals::default() };
         let mut status = Status::Stalled;
-        for share in TRUSTS {
+        for attempt in ATTEMPTS {
             if status != Status::Stalled {
                 break;
             }
-            if work.iterations > 0 || state.pressure.iter().all(|&p| p <= 0.0) {
+            let cold = work.iterations > 0 || state.pressure.iter().all(|&p| p <= 0.0);
+            if cold {
                 state.pressure.fill(0.0);
                 *work += self.start.run(problem, state)?;
             }
+            let film_cutoff = problem.film_cutoff;
+            if cold {
+                problem.film_cutoff *= attempt.first_contact_film;
+            }
             self.coupled.configure(problem);
-            status = self.newton(problem, state, stop, share * problem.reference_pressure, work)?;
-            work.convolutions += self.coupled.convolutions as f64;
+            let ended = self.newton(problem, state, stop, attempt, film_cutoff, work);
+            problem.film_cutoff = film_cutoff;
+            status = ended?;
+            work.convolutions += self.coupled.convolutions;
         }
         if status != Status::Converged && self.best_residuals.is_finite() {
             state.clone_from(&self.best);
@@ -143,13 +177,15 @@ impl Workspace {
         Ok((status, self.best_residuals))
     }
 
-    /// Newton steps until `stop` or a stall; keeps the best state of all attempts.
+    /// Newton steps until `stop` or a stall, the cut-off of the problem falling to `film_cutoff`; keeps the best state of
+    /// all attempts.
     fn newton(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
-        mut trust: f64,
+        attempt: Attempt,
+        film_cutoff: f64,
         work: &mut Work,
     ) -> Result<Status, ReynoldsError> {
         self.coupled.evaluate(problem, state)?;
@@ -157,6 +193,7 @@ impl Workspace {
         self.coupled.settle(problem, state);
         let left = stop.max_iterations.saturating_sub(work.iterations);
         let limit = left.min(MAX_NEWTON_STEPS);
+        let mut trust = attempt.trust * problem.reference_pressure;
         let (mut lowest, mut fruitless) = (f64::INFINITY, 0);
         let mut status = if limit == left { Status::MaxIterations } else { Status::Stalled };
         for iteration in 0..=limit {
@@ -165,17 +202,18 @@ impl Workspace {
                 status = Status::Diverged;
                 break;
             }
-            if residuals.max() < lowest {
-                (lowest, fruitless) = (residuals.max(), 0);
+            let eased = problem.film_cutoff > film_cutoff;
+            if eased || residuals.max() < lowest {
+                (lowest, fruitless) = (if eased { f64::INFINITY } else { residuals.max() }, 0);
             } else {
                 fruitless += 1;
             }
-            if residuals.max() < self.best_residuals.max() {
+            if !eased && residuals.max() < self.best_residuals.max() {
                 self.best_residuals = residuals;
                 self.best.clone_from(state);
                 self.best_kinds.copy_from_slice(&self.coupled.kinds);
             }
-            if residuals.max() <= stop.tolerance {
+            if !eased && residuals.max() <= stop.tolerance {
                 return Ok(Status::Converged);
             }
             if iteration == limit {
@@ -185,10 +223,39 @@ impl Workspace {
                 (trust, fruitless) = (0.5 * trust, 0);
             }
             work.iterations += 1;
+            if eased {
+                problem.film_cutoff = (CONTACT_FILM_REDUCTION * problem.film_cutoff).max(film_cutoff);
+                self.coupled.fluid.configure(problem);
+                self.coupled.settle(problem, state);
+            }
             work.inner_iterations += self.newton_step(problem, state)?;
-            self.advance(problem, state, trust)?;
+            if attempt.careful {
+                self.advance_carefully(problem, state, trust, residuals.max())?;
+            } else {
+                self.advance(problem, state, trust, 1.0)?;
+            }
         }
         Ok(status)
+    }
+
+    /// Takes the step, or a shorter one if the residual `before` jumps under it.
+    fn advance_carefully(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        trust: f64,
+        before: f64,
+    ) -> Result<(), ReynoldsError> {
+        self.before.clone_from(state);
+        self.kinds_before.copy_from_slice(&self.coupled.kinds);
+        self.advance(problem, state, trust, 1.0)?;
+        if self.coupled.residuals(problem, state).max() <= JUMP * before {
+            return Ok(());
+        }
+        state.clone_from(&self.before);
+        self.coupled.kinds.copy_from_slice(&self.kinds_before);
+        self.coupled.evaluate(problem, state)?;
+        self.advance(problem, state, SHORTER * trust, SHORTER)
     }
 
     /// Solves the linearised equations into `self.step`; returns the Krylov steps.
@@ -258,14 +325,15 @@ impl Workspace {
         Ok(outcome.steps)
     }
 
-    /// Takes the step; every node then settles by its own equations.
+    /// Takes at most the share `most` of the step; every node then settles by its own equations.
     fn advance(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         trust: f64,
+        most: f64,
     ) -> Result<(), ReynoldsError> {
-        let length = self.step_length(problem);
+        let length = most * self.step_length(problem);
         self.unknowns.expand(&mut self.coupled, problem, &self.step)?;
         let (contact_film, own_influence) = (problem.contact_film(), self.coupled.near.own);
         for k in interior(&self.coupled.fluid.grid) {

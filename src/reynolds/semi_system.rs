@@ -116,7 +116,7 @@ impl ContactSolver for SemiSystem {
         let mut work = Work::default();
         let (status, residuals) = workspace.iterate(problem, state, stop, knobs, cold, &mut work)?;
         workspace.coupled.mark_contact(state);
-        work.convolutions += workspace.coupled.convolutions as f64;
+        work.convolutions += workspace.coupled.convolutions;
         Ok(SolveReport { solver: "semi_system", status, residuals, work })
     }
 }

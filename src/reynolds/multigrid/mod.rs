@@ -129,7 +129,7 @@ impl ContactSolver for Multigrid {
         let (status, residuals) = workspace.run(problem, lubricant, state, stop, most_cycles, &mut work)?;
         workspace.coupled.mark_contact(state);
         work.inner_iterations = workspace.hierarchy.sweeps;
-        work.convolutions += workspace.hierarchy.convolutions + workspace.coupled.convolutions as f64;
+        work.convolutions += workspace.hierarchy.convolutions + workspace.coupled.convolutions;
         Ok(SolveReport { solver, status, residuals, work })
     }
 }
