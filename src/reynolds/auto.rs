@@ -97,7 +97,16 @@ impl Auto {
         }
         let given = self.kept.get_or_insert_with(|| state.clone());
         given.clone_from(state);
-        let first = self.multigrid.solve(problem, state, stop)?;
+        let first = match self.multigrid.solve(problem, state, stop) {
+            // A deformation model of the user's that knows no coarser grids.
+            Err(ReynoldsError::WrongSolver { .. }) => {
+                if let Some(given) = &self.kept {
+                    state.clone_from(given);
+                }
+                return self.newton_then_sweeps(problem, state, stop);
+            }
+            first => first?,
+        };
         if first.status == Status::Converged {
             return Ok(first);
         }
