@@ -110,13 +110,18 @@ fn any_file_can_be_the_disc_of_the_test_rig() {
             .output()
             .unwrap()
     };
-    let rough = folder.path().join("rough.x3p");
-    let heights = stribeck::surface::read(data("cut.x3p")).unwrap();
-    stribeck::surface::write_x3p(&rough, &heights).unwrap();
-    for file in [data("cut.x3p"), data("compressed.sur"), data("binary.sdf"), data("cut.txt"), rough] {
+    // the small files cover a few micrometres; with other spacings they cover enough
+    let wide = stribeck::surface::read(data("cut.x3p")).unwrap().with_spacing(3e-6, 5e-6).unwrap();
+    let (x3p, text) = (folder.path().join("wide.x3p"), folder.path().join("wide.txt"));
+    stribeck::surface::write_x3p(&x3p, &wide).unwrap();
+    stribeck::surface::write_text(&text, &wide).unwrap();
+    let npy = folder.path().join("nodes.npy");
+    stribeck::surface::write_npy(&npy, 32, 32, &[0.0; 1024]).unwrap();
+    for file in [x3p, text, npy, data("compressed.sur"), data("binary.sdf"), data("cut.plu")] {
         let output = with(&file);
-        assert!(output.status.success(), "{file:?}: {output:?}");
+        assert!(output.status.success(), "{}: {output:?}", file.display());
     }
+    refused(&with(&data("cut.x3p")), "repeated more often");
     refused(&with(&data("README.md")), "README.md");
     let small = folder.path().join("small.npy");
     stribeck::surface::write_npy(&small, 2, 2, &[0.0; 4]).unwrap();

@@ -6,6 +6,6 @@ mod gmres;
 mod grid_lu;
 
 pub(crate) use convolution::{Convolution, ConvolutionPlan, fast_length};
-pub(crate) use fft::Fft2;
+pub(crate) use fft::{Fft2, RealFft2};
 pub(crate) use gmres::{Gmres, PreconditionedOperator};
 pub(crate) use grid_lu::{GridLu, STENCIL};

@@ -251,12 +251,16 @@ impl Heights {
     pub fn resample_mirrored(&self, grid: &Grid) -> Result<Vec<f64>, SurfaceError> {
         let [dx, dy] = self.usable_spacing()?;
         let axes = [
-            ("grid.x", grid.size_x(), dx * self.nx as f64, grid.nx()),
-            ("grid.y", grid.size_y(), dy * self.ny as f64, grid.ny()),
+            (grid.size_x(), dx * self.nx as f64, grid.nx()),
+            (grid.size_y(), dy * self.ny as f64, grid.ny()),
         ];
-        for (field, size, measured, nodes) in axes {
-            let fits = size / measured <= nodes as f64;
-            InputError::require(fits, field, size, "at most one measured extent per node")?;
+        for (size, measured, nodes) in axes {
+            if size / measured > nodes as f64 {
+                let reason = format!(
+                    "the measured {measured:.3e} m would be repeated more often than the {size:.3e} m of the grid have nodes, {nodes}"
+                );
+                return Err(InputError::Conflict { field: "surface".to_owned(), reason }.into());
+            }
         }
         Ok(resample(&self.heights, [self.nx, self.ny], [dx, dy], grid, Tiling::Mirrored))
     }
