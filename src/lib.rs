@@ -5,21 +5,26 @@
 //!
 //! | equation | meaning |
 //! |---|---|
-//! | `h = gap - approach + K p + d` | film: undeformed gap, elastic displacement, plastic depth |
-//! | `F = u d(rho h)/dx + d(rho h)/dt - div(rho h^3/(12 eta) grad p_f)`; `p_f >= 0`, `F >= 0`, one of them zero | Reynolds balance or cavitation |
-//! | `p - p_f >= 0`, `h >= h_cut`, one of them an equality | solid contact or none |
-//! | `p <= H`, `d >= 0`, one of them an equality | elastic or yielded |
-//! | `integral of p = load` | load balance |
-//! | `z = z_0 - wear - plastic + film` on each body | the surfaces of the next step |
+//! | $h = g - \delta + K p + d$ | film: undeformed gap less approach, elastic displacement, plastic depth |
+//! | $0 \le p_{f} \perp F \ge 0$, $F = u \partial_{x} (\rho h) + \partial_{t} (\rho h) - \nabla \cdot (\rho h^3/(12 \eta) \nabla p_{f})$ | Reynolds balance or cavitation |
+//! | $0 \le p - p_{f} \perp h - h_{cut} \ge 0$ | solid contact or none |
+//! | $0 \le H - p \perp d \ge 0$ | elastic or yielded |
+//! | $\int p \mathrm{d}A = W$ | load balance |
+//! | $z = z_{0} - w - d + f$ on each body | the surfaces of the next step: wear, plastic depth, tribofilm |
+//!
+//! Of two terms around $\perp$ neither is negative and one is zero.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | `p`, `p_f` | total and fluid pressure | Pa |
 //! | `h`, `h_cut` | film thickness, film at which solids touch | m |
+//! | `g`, `delta` | gap of the undeformed bodies at first touch; rigid-body approach, positive is closer | m |
+//! | `K` | elastic displacement of both bodies per pressure | m/Pa |
 //! | `u` | entrainment speed, mean of both surfaces, along +x | m/s |
-//! | `eta`, `rho` | viscosity, density ratio | Pa s, 1 |
+//! | `eta`, `rho` | viscosity, density over that at ambient pressure | Pa s, 1 |
 //! | `H` | hardness of the softer surface | Pa |
-//! | `approach` | rigid-body approach, positive is closer; smooth Hertz gives `a^2/R` | m |
+//! | `W` | load | N |
+//! | `z`, `w`, `d`, `f` | height of a body, worn depth, plastic depth, tribofilm | m |
 //!
 //! # Types and roles
 //!
@@ -31,6 +36,8 @@
 //! | [`reynolds::LubricatedContact`], [`reynolds::ContactSolver`] | the coupled problem and who solves it |
 //! | [`elastic::DeformationModel`] | elastic response; [`elastic::HalfSpace`] by DC-FFT |
 //! | [`lubricant::ViscosityLaw`], [`lubricant::DensityLaw`] | the fluid |
+//! | [`sim::Observer`] | sees every step; `sim::RunFolder` (features `serde`, `npz`) writes, checkpoints and resumes |
+//! | [`sim::ensemble`] | many histories over threads |
 //! | [`plastic::PlasticityModel`], [`tribochem::FilmGrowthLaw`], [`wear::WearLaw`] | what changes the surfaces |
 //! | [`SolveReport`], [`Status`], [`Residuals`] | how a solve ended; not converging is a status, never silent |
 //!
@@ -64,8 +71,10 @@
 //!
 //! # Features
 //!
-//! None by default. `serde`: scenes as TOML. `formats`: files of measured surfaces. `npz`: fields as NumPy archives. `testing`:
-//! conformance of own laws and solvers. `fit`: constants of growth laws from measured films.
+//! None by default. `serde`: scenes as TOML, checkpoints. `formats`: files of measured surfaces. `npz`, `vtk`: fields for `NumPy`
+//! and `ParaView`. `parallel`: several threads on large grids, with the same results. `testing`: conformance of own laws and
+//! solvers, random scenes. `fit`: constants of growth laws from measured films.
+#![deny(missing_docs)]
 #![forbid(unsafe_code)]
 
 pub mod analytic;

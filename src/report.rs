@@ -15,6 +15,9 @@ pub enum Status {
     MaxIterations,
     /// The residuals no longer fell.
     Stalled,
+    /// The mesh is too coarse to hold a positive film: films fall to the contact film or below although the film expected
+    /// of the contact is well above it.
+    MeshTooCoarse,
     /// The residuals grew without bound or were no longer finite.
     Diverged,
 }
@@ -25,6 +28,7 @@ impl fmt::Display for Status {
             Self::Converged => "converged",
             Self::MaxIterations => "max_iterations",
             Self::Stalled => "stalled",
+            Self::MeshTooCoarse => "mesh_too_coarse",
             Self::Diverged => "diverged",
         })
     }

@@ -3,7 +3,7 @@
 use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{Barus, DensityLaw, DowsonHigginson, Incompressible, Roelands, ViscosityLaw};
 use stribeck::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
-use stribeck::reynolds::{Auto, Dry, NewtonKrylov, SemiSystem};
+use stribeck::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem};
 use stribeck::testing::{
     contact_solver, deformation_model, density_law, film_growth_law, plasticity_model, viscosity_law,
     wear_law,
@@ -110,6 +110,7 @@ fn solvers() {
     contact_solver(&mut Auto::new(), true).unwrap();
     contact_solver(&mut NewtonKrylov::new(), true).unwrap();
     contact_solver(&mut SemiSystem::new(0.2, 6.0).unwrap(), true).unwrap();
+    contact_solver(&mut Multigrid::new(), true).unwrap();
 }
 
 /// One broken clause each.

@@ -8,7 +8,8 @@ use stribeck::analytic::HertzPoint;
 use stribeck::elastic::{DeformationModel, HalfSpace};
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
 use stribeck::reynolds::{
-    ContactSolver, ContactState, Dry, LubricatedContact, NewtonKrylov, Scheme, SemiSystem, StoppingRule,
+    ContactSolver, ContactState, Dry, LubricatedContact, Multigrid, NewtonKrylov, Scheme, SemiSystem,
+    StoppingRule,
 };
 use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
 use stribeck::tribochem::{FilmGrowthLaw, FlashTemperature, Ghanbarzadeh, ThermalBody, Tribofilm};
@@ -197,6 +198,19 @@ fn semi_system() {
         let stop = StoppingRule { tolerance: 1e-6, max_iterations: 50 };
         let mut problem = scene.problem(Some(&oil));
         for (_, allocations) in solve_again(&mut SemiSystem::default(), &mut problem, &stop) {
+            assert_eq!(allocations, 0, "{nx} x {ny}");
+        }
+    }
+}
+
+#[test]
+fn multigrid() {
+    let oil = oil();
+    for (nx, ny) in [(48, 48), (51, 37)] {
+        let mut scene = Scene::new(nx, ny, 0.0);
+        let stop = StoppingRule { tolerance: 1e-6, max_iterations: 5 };
+        let mut problem = scene.problem(Some(&oil));
+        for (_, allocations) in solve_again(&mut Multigrid::new(), &mut problem, &stop) {
             assert_eq!(allocations, 0, "{nx} x {ny}");
         }
     }

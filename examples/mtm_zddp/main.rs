@@ -1,9 +1,10 @@
 //! Two hours of a rough ball rubbing on a rough disc in a mini traction machine, with and without a ZDDP tribofilm:
-//! the histories of Azam et al. (2019), their figures and their closing numbers.
+//! the histories of Azam et al. (2019), their figures and their closing numbers. Runs can be stopped and resumed.
 //!
 //! ```text
 //! cargo run --release --example mtm_zddp               # 128 x 128 nodes, 720 steps of 10 s
 //! cargo run --release --example mtm_zddp -- --quick    # 64 x 64 nodes, 24 steps of 10 s
+//! cargo run --release --example mtm_zddp -- --resume   # goes on where it was stopped
 //! cargo run --release --example mtm_zddp -- --help
 //! ```
 
@@ -13,6 +14,7 @@
 mod chart;
 mod figures;
 mod history;
+mod maps;
 mod options;
 mod setup;
 mod table;
@@ -54,10 +56,8 @@ fn run(options: &Options) -> Result<bool, Box<dyn Error>> {
         .map_err(|source| SimError::Io { path: options.out.clone(), source })?;
     let sims = setup::pair(options)?;
     let [with, without] = rub(sims, options)?;
-    for history in [&with, &without] {
-        history.write_fields(&options.out)?;
-    }
     figures::draw_all(&with, &without, &options.out)?;
+    maps::draw(&with, &options.out.join("maps.svg"))?;
     say(&format!(
         "{}\n{} for both histories; tables, fields and figures are in {}\n",
         table::closing(&with, &without),

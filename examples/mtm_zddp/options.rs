@@ -16,9 +16,12 @@ usage: cargo run --release --example mtm_zddp -- [options]
   --steps N       number of steps
   --grid N        nodes along each side of the grid
   --out DIR       where to write (default target/mtm_zddp)
+  --checkpoint N  steps from one checkpoint to the next (default 10)
+  --resume        goes on from the checkpoints in DIR, of a run with the same options that was stopped
   --help          this text
 
-Writes with.csv, without.csv (a row per step), with.npz, without.npz (final fields) and figure1.svg to figure8.svg.
+Writes figure1.svg to figure8.svg, maps.svg (the last contact from above) and the folders with and without: scene.toml, run.toml, history.csv (a row per step),
+checkpoint and fields.npz (final fields).
 Exit status: 0 done, 1 wrong option or file, 2 a history ended early (what there is of it is written).
 ";
 
@@ -45,6 +48,10 @@ pub(crate) struct Options {
     pub(crate) surface: Option<PathBuf>,
     /// Folder of the output.
     pub(crate) out: PathBuf,
+    /// Steps from one checkpoint to the next.
+    pub(crate) every: u64,
+    /// Whether the run goes on from its checkpoints.
+    pub(crate) resume: bool,
 }
 
 /// Reads the command line; the options may stand in any order.
@@ -52,6 +59,7 @@ pub(crate) fn parse() -> Result<Command, lexopt::Error> {
     let mut parser = lexopt::Parser::from_env();
     let (mut quick, mut grid, mut steps) = (false, None, None);
     let (mut seed, mut surface, mut out) = (1, None, PathBuf::from("target/mtm_zddp"));
+    let (mut every, mut resume) = (10, false);
     while let Some(argument) = parser.next()? {
         match argument {
             Long("quick") => quick = true,
@@ -60,6 +68,8 @@ pub(crate) fn parse() -> Result<Command, lexopt::Error> {
             Long("steps") => steps = Some(at_least_one("--steps", parser.value()?.parse()?)?),
             Long("grid") => grid = Some(at_least_one("--grid", parser.value()?.parse()?)?),
             Long("out") => out = PathBuf::from(parser.value()?),
+            Long("checkpoint") => every = at_least_one("--checkpoint", parser.value()?.parse()?)?,
+            Long("resume") => resume = true,
             Long("help") | Short('h') => return Ok(Command::Help),
             other => return Err(other.unexpected()),
         }
@@ -69,7 +79,8 @@ pub(crate) fn parse() -> Result<Command, lexopt::Error> {
         Some(grid) => usize::try_from(grid).map_err(|_| format!("--grid {grid} is too large"))?,
         None => default_grid,
     };
-    Ok(Command::Run(Options { grid, steps: steps.unwrap_or(default_steps), time_step, seed, surface, out }))
+    let steps = steps.unwrap_or(default_steps);
+    Ok(Command::Run(Options { grid, steps, time_step, seed, surface, out, every, resume }))
 }
 
 fn at_least_one(option: &str, count: u64) -> Result<u64, lexopt::Error> {

@@ -33,6 +33,7 @@ use crate::numerics::{Convolution, ConvolutionPlan};
 #[derive(Debug, Clone)]
 pub struct HalfSpace {
     grid: Grid,
+    equivalent_modulus: f64,
     near: [[f64; NEAR + 1]; NEAR + 1],
     convolution: Convolution,
     inverse: Convolution,
@@ -53,7 +54,7 @@ impl HalfSpace {
             std::array::from_fn(|di| influence_coefficient(&grid, equivalent_modulus, di, dj))
         });
         let inverse = Convolution::new(Arc::new(plan.pseudo_inverse()));
-        Ok(Self { grid, near, convolution: Convolution::new(Arc::new(plan)), inverse })
+        Ok(Self { grid, equivalent_modulus, near, convolution: Convolution::new(Arc::new(plan)), inverse })
     }
 }
 
@@ -91,6 +92,11 @@ impl DeformationModel for HalfSpace {
         InputError::require_len("out", out, self.grid.len())?;
         self.inverse.apply(displacement, out);
         Ok(())
+    }
+
+    fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
+        let body = Self::new(grid, self.equivalent_modulus).ok()?;
+        Some(Box::new(body))
     }
 
     fn influence(&self, di: usize, dj: usize) -> f64 {

@@ -38,6 +38,11 @@ pub trait DeformationModel: Debug + Send {
     /// [`NEAR`]): line relaxations solve for these implicitly.
     fn influence(&self, di: usize, dj: usize) -> f64;
 
+    /// The same bodies on another grid, for multigrid; none (the default) where the model lives on one grid alone.
+    fn on_grid(&self, _grid: Grid) -> Option<Box<dyn DeformationModel>> {
+        None
+    }
+
     /// Overwrites `out` \[Pa\] with an estimate of the pressure that causes `displacement` \[m\]: the preconditioner of
     /// contact equations. It must be linear and positive; the better it inverts `displacement`, the fewer
     /// iterations a solve takes. By default a division by the self-influence.

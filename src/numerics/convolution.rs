@@ -8,6 +8,8 @@ use num_complex::Complex64;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftPlanner};
 
+use super::lanes::{lanes_for, share_lines};
+
 /// Edge length of the square blocks in which spectra are transposed: two blocks fit the first-level cache.
 const BLOCK: usize = 16;
 
@@ -89,21 +91,22 @@ impl ConvolutionPlan {
 
     fn kernel_spectrum(&self, kernel: impl Fn(isize, isize) -> f64) -> Vec<Complex64> {
         let (half, px, py) = (self.half(), self.padded_x, self.padded_y);
-        let mut work = Convolution::buffers(self);
+        let mut lane = Convolution::lane(self);
+        let mut line = vec![Complex64::default(); half];
         let mut spectrum = vec![Complex64::default(); half * py];
         for j in (0..self.ny).chain(py.saturating_sub(self.ny - 1).max(self.ny)..py) {
             let dj = if j < self.ny { j as isize } else { j as isize - py as isize };
-            work.row.fill(0.0);
+            lane.row.fill(0.0);
             for i in (0..self.nx).chain((px - (self.nx - 1)).max(self.nx)..px) {
                 let di = if i < self.nx { i as isize } else { i as isize - px as isize };
-                work.row[i] = kernel(di, dj);
+                lane.row[i] = kernel(di, dj);
             }
-            self.forward_row(&mut work.row, &mut work.rows[..half], &mut work.scratch);
-            for (kx, value) in work.rows[..half].iter().enumerate() {
+            self.forward_row(&mut lane.row, &mut line, &mut lane.scratch);
+            for (kx, value) in line.iter().enumerate() {
                 spectrum[kx * py + j] = *value;
             }
         }
-        self.columns_forward.process_with_scratch(&mut spectrum, &mut work.scratch);
+        self.columns_forward.process_with_scratch(&mut spectrum, &mut lane.scratch);
         let scale = 1.0 / (px as f64 * py as f64);
         for value in &mut spectrum {
             *value *= scale;
@@ -133,9 +136,16 @@ pub(crate) struct Convolution {
 }
 
 struct Buffers {
-    row: Vec<f64>,
     rows: Vec<Complex64>,
     columns: Vec<Complex64>,
+    lanes: Vec<Lane>,
+}
+
+/// What one thread needs.
+struct Lane {
+    row: Vec<f64>,
+    /// Spectra of a block of rows.
+    spectra: Vec<Complex64>,
     scratch: Vec<Complex64>,
 }
 
@@ -158,68 +168,105 @@ impl Convolution {
     }
 
     fn buffers(plan: &ConvolutionPlan) -> Buffers {
+        Buffers {
+            rows: vec![Complex64::default(); plan.half() * plan.ny],
+            columns: vec![Complex64::default(); plan.half() * plan.padded_y],
+            lanes: (0..lanes_for(plan.nx * plan.ny)).map(|_| Self::lane(plan)).collect(),
+        }
+    }
+
+    fn lane(plan: &ConvolutionPlan) -> Lane {
         let scratch = plan
             .rows_forward
             .get_scratch_len()
             .max(plan.rows_inverse.get_scratch_len())
             .max(plan.columns_forward.get_inplace_scratch_len())
             .max(plan.columns_inverse.get_inplace_scratch_len());
-        Buffers {
+        Lane {
             row: vec![0.0; plan.padded_x],
-            rows: vec![Complex64::default(); plan.half() * plan.ny],
-            columns: vec![Complex64::default(); plan.half() * plan.padded_y],
+            spectra: vec![Complex64::default(); plan.half() * plan.ny.min(BLOCK)],
             scratch: vec![Complex64::default(); scratch],
         }
     }
 
-    /// Overwrites `out` with the convolution of `field`. Both must hold `nx * ny` values: the callers check.
+    /// Overwrites `out` with the convolution of `field`. Both must hold `nx * ny` values: the callers check. Lines are
+    /// transformed one by one, whichever thread does it: the result does not depend on their number.
     pub(crate) fn apply(&mut self, field: &[f64], out: &mut [f64]) {
         let plan = &*self.plan;
-        let work = &mut self.work;
+        let Buffers { rows, columns, lanes } = &mut self.work;
         let (nx, ny, half, py) = (plan.nx, plan.ny, plan.half(), plan.padded_y);
-        for (row, spectrum) in field.chunks_exact(nx).zip(work.rows.chunks_exact_mut(half)) {
-            work.row[..nx].copy_from_slice(row);
-            work.row[nx..].fill(0.0);
-            plan.forward_row(&mut work.row, spectrum, &mut work.scratch);
-        }
-        transpose(&work.rows, half, ny, &mut work.columns, py);
-        for (column, kernel) in work.columns.chunks_exact_mut(py).zip(plan.spectrum.chunks_exact(py)) {
-            column[ny..].fill(Complex64::default());
-            plan.columns_forward.process_with_scratch(column, &mut work.scratch);
-            for (value, k) in column.iter_mut().zip(kernel) {
-                *value *= k;
+        share_lines(lanes, rows, half, |first, rows, lane| {
+            for (row, spectrum) in field[first * nx..].chunks_exact(nx).zip(rows.chunks_exact_mut(half)) {
+                lane.row[..nx].copy_from_slice(row);
+                lane.row[nx..].fill(0.0);
+                plan.forward_row(&mut lane.row, spectrum, &mut lane.scratch);
             }
-            plan.columns_inverse.process_with_scratch(column, &mut work.scratch);
-        }
-        transpose_back(&work.columns, py, &mut work.rows, half, ny);
-        for (row, spectrum) in out.chunks_exact_mut(nx).zip(work.rows.chunks_exact_mut(half)) {
-            plan.inverse_row(spectrum, &mut work.row, &mut work.scratch);
-            row.copy_from_slice(&work.row[..nx]);
-        }
+        });
+        share_lines(lanes, columns, py, |first, columns, lane| {
+            transpose(rows, half, first, columns, py, ny);
+            let kernels = plan.spectrum[first * py..].chunks_exact(py);
+            for (column, kernel) in columns.chunks_exact_mut(py).zip(kernels) {
+                column[ny..].fill(Complex64::default());
+                plan.columns_forward.process_with_scratch(column, &mut lane.scratch);
+                for (value, k) in column.iter_mut().zip(kernel) {
+                    *value *= k;
+                }
+                plan.columns_inverse.process_with_scratch(column, &mut lane.scratch);
+            }
+        });
+        share_lines(lanes, out, nx, |first, out, lane| {
+            for (block, out) in out.chunks_mut(BLOCK * nx).enumerate() {
+                let spectra = &mut lane.spectra[..out.len() / nx * half];
+                transpose(columns, py, first + block * BLOCK, spectra, half, half);
+                for (row, spectrum) in out.chunks_exact_mut(nx).zip(spectra.chunks_exact_mut(half)) {
+                    plan.inverse_row(spectrum, &mut lane.row, &mut lane.scratch);
+                    row.copy_from_slice(&lane.row[..nx]);
+                }
+            }
+        });
     }
 }
 
-/// `columns[kx * stride + j] = rows[j * half + kx]` for `ny` rows, in blocks.
-fn transpose(rows: &[Complex64], half: usize, ny: usize, columns: &mut [Complex64], stride: usize) {
-    for j0 in (0..ny).step_by(BLOCK) {
-        for k0 in (0..half).step_by(BLOCK) {
-            for kx in k0..(k0 + BLOCK).min(half) {
-                for j in j0..(j0 + BLOCK).min(ny) {
-                    columns[kx * stride + j] = rows[j * half + kx];
+/// Line `first + k` of `source`, seen the other way round, into line `k` of `lines`: `n` values, in blocks.
+fn transpose(
+    source: &[Complex64],
+    source_stride: usize,
+    first: usize,
+    lines: &mut [Complex64],
+    stride: usize,
+    n: usize,
+) {
+    let count = lines.len() / stride;
+    for k0 in (0..count).step_by(BLOCK) {
+        for j0 in (0..n).step_by(BLOCK) {
+            for k in k0..(k0 + BLOCK).min(count) {
+                for j in j0..(j0 + BLOCK).min(n) {
+                    lines[k * stride + j] = source[j * source_stride + first + k];
                 }
             }
         }
     }
 }
 
-/// The reverse of [`transpose`].
-fn transpose_back(columns: &[Complex64], stride: usize, rows: &mut [Complex64], half: usize, ny: usize) {
-    for j0 in (0..ny).step_by(BLOCK) {
-        for k0 in (0..half).step_by(BLOCK) {
-            for j in j0..(j0 + BLOCK).min(ny) {
-                for kx in k0..(k0 + BLOCK).min(half) {
-                    rows[j * half + kx] = columns[kx * stride + j];
-                }
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lanes_change_no_bit() {
+        for (nx, ny) in [(64, 48), (33, 7), (5, 65), (40, 1)] {
+            let kernel = |i: isize, j: isize| 1.0 / (1.0 + (i * i + 2 * j * j) as f64).sqrt();
+            let plan = Arc::new(ConvolutionPlan::new(nx, ny, kernel));
+            let field: Vec<f64> = (0..nx * ny).map(|k| (k as f64).sin()).collect();
+            let mut single = Convolution::new(Arc::clone(&plan));
+            let mut expected = vec![0.0; nx * ny];
+            single.apply(&field, &mut expected);
+            for count in [2, 3, 8, 100] {
+                let mut many = Convolution::new(Arc::clone(&plan));
+                many.work.lanes = (0..count).map(|_| Convolution::lane(&plan)).collect();
+                let mut out = vec![f64::NAN; nx * ny];
+                many.apply(&field, &mut out);
+                assert_eq!(out, expected, "{nx} x {ny} in {count} lanes");
             }
         }
     }

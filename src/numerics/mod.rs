@@ -4,6 +4,7 @@ mod convolution;
 mod fft;
 mod gmres;
 mod grid_lu;
+mod lanes;
 
 pub(crate) use convolution::{Convolution, ConvolutionPlan, fast_length};
 pub(crate) use fft::{Fft2, RealFft2};

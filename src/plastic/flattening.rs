@@ -95,6 +95,17 @@ impl PlasticDepth {
         Self { values: vec![0.0; n_nodes] }
     }
 
+    /// A body that has yielded by `values` \[m\] already.
+    ///
+    /// # Errors
+    /// A depth that is negative or not finite.
+    pub fn from_values(values: Vec<f64>) -> Result<Self, InputError> {
+        for &value in &values {
+            InputError::require_non_negative("plastic.depth", value)?;
+        }
+        Ok(Self { values })
+    }
+
     /// Depth of every node so far \[m\].
     pub fn values(&self) -> &[f64] {
         &self.values

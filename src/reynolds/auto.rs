@@ -1,16 +1,33 @@
 //! Picks the solver by what the scene holds.
 
+use super::multigrid::expects_full_film;
 use super::problem::LubricatedContact;
 use super::state::ContactState;
-use super::{ContactSolver, Dry, NewtonKrylov, ReynoldsError, SemiSystem, StoppingRule};
+use super::{
+    ContactSolver, Dry, Multigrid, NewtonKrylov, ReynoldsError, SemiSystem, StoppingRule, check_call,
+};
 use crate::report::{SolveReport, Status};
 
-/// [`Dry`] without a lubricant, else [`NewtonKrylov`]; where that does not converge although no solids touch,
-/// [`SemiSystem`] tries, which in solid contact would not. The report names the solver whose state was kept and counts
-/// the work of all.
-#[derive(Debug, Default)]
+/// Cycles that multigrid is given: Newton's method finishes for less where it would need more.
+const MOST_CYCLES: u64 = 11;
+/// Residuals from which Newton's method goes on instead of starting anew.
+const NEAR: f64 = 1.0;
+
+/// Expected film over contact film above which solid contact on a smooth surface is the fault of the mesh; the minimum
+/// film is a quarter of the central one at least.
+const FILM_OVER_CONTACT: f64 = 10.0;
+
+/// [`Dry`] without a lubricant. [`Multigrid`] where a smooth full film is expected; [`NewtonKrylov`] finishes what
+/// that leaves above the tolerance, and solves all the rest. Where it does not converge although no solids touch,
+/// [`SemiSystem`] tries, which in solid contact would not. The report names the solver whose state was kept
+/// (`"multigrid+newton_krylov"` if the second finished what the first began) and counts the work of all.
+///
+/// A smooth contact whose film by formula is ten times the contact film and more, but whose solids touch on this mesh,
+/// ends as [`Status::MeshTooCoarse`].
+#[derive(Debug)]
 pub struct Auto {
     dry: Dry,
+    multigrid: Multigrid,
     newton: NewtonKrylov,
     sweeps: SemiSystem,
     kept: Option<ContactState>,
@@ -19,12 +36,28 @@ pub struct Auto {
 impl Auto {
     /// A solver; each method makes its buffers when it is first used.
     pub fn new() -> Self {
-        Self::default()
+        Self::with_dry(Dry::new())
     }
 
     /// A solver that takes a dry contact at the edge of the box as it is (see [`Dry::allowing_edge_contact`]).
     pub fn allowing_edge_contact() -> Self {
-        Self { dry: Dry::allowing_edge_contact(), ..Self::default() }
+        Self::with_dry(Dry::allowing_edge_contact())
+    }
+
+    fn with_dry(dry: Dry) -> Self {
+        Self {
+            dry,
+            multigrid: Multigrid::ending_after(MOST_CYCLES),
+            newton: NewtonKrylov::new(),
+            sweeps: SemiSystem::default(),
+            kept: None,
+        }
+    }
+}
+
+impl Default for Auto {
+    fn default() -> Self {
+        Self::new()
     }
 }
 
@@ -42,6 +75,62 @@ impl ContactSolver for Auto {
         if problem.lubricant.is_none() {
             return self.dry.solve(problem, state, stop);
         }
+        check_call(problem, state, stop)?;
+        let mut report = self.lubricated(problem, state, stop)?;
+        let touches = state.in_contact.contains(&true);
+        if touches && problem.squeeze.is_none() && expects_full_film(problem, FILM_OVER_CONTACT) {
+            report.status = Status::MeshTooCoarse;
+        }
+        Ok(report)
+    }
+}
+
+impl Auto {
+    fn lubricated(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<SolveReport, ReynoldsError> {
+        if !Multigrid::suits(problem) {
+            return self.newton_then_sweeps(problem, state, stop);
+        }
+        let given = self.kept.get_or_insert_with(|| state.clone());
+        given.clone_from(state);
+        let first = match self.multigrid.solve(problem, state, stop) {
+            // A deformation model of the user's that knows no coarser grids.
+            Err(ReynoldsError::WrongSolver { .. }) => {
+                if let Some(given) = &self.kept {
+                    state.clone_from(given);
+                }
+                return self.newton_then_sweeps(problem, state, stop);
+            }
+            first => first?,
+        };
+        if first.status == Status::Converged {
+            return Ok(first);
+        }
+        let is_near = first.status != Status::MeshTooCoarse && first.residuals.max() < NEAR;
+        if !is_near && let Some(given) = &self.kept {
+            state.clone_from(given);
+        }
+        let mut second = self.newton_then_sweeps(problem, state, stop)?;
+        second.work += first.work;
+        if is_near && second.status == Status::Converged && second.solver == self.newton.name() {
+            second.solver = "multigrid+newton_krylov";
+        }
+        if first.status == Status::MeshTooCoarse && second.status != Status::Converged {
+            second.status = Status::MeshTooCoarse;
+        }
+        Ok(second)
+    }
+
+    fn newton_then_sweeps(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<SolveReport, ReynoldsError> {
         let first = self.newton.solve(problem, state, stop)?;
         if first.status == Status::Converged || state.in_contact.contains(&true) {
             return Ok(first);

@@ -29,6 +29,9 @@ use crate::numerics::STENCIL;
 /// (smooth fields) and 2 (from node to node).
 const SECOND_ORDER_WEIGHT: f64 = 1.25;
 
+/// Pressure difference over sum below which the secant of a potential is taken as the mean of its slopes.
+const SECANT_SHARE: f64 = 1e-6;
+
 /// What the balance needs to know of one node; `_p` and `_h` are derivatives by pressure and film.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct NodeFlow {
@@ -67,6 +70,8 @@ pub(super) struct Discretisation {
     squeeze: f64,
     /// `1 / (12 eta_0)`.
     fluidity: f64,
+    /// `U / dx` \[1/s\].
+    rate: f64,
     nodes: Vec<NodeFlow>,
 }
 
@@ -90,6 +95,7 @@ impl Discretisation {
             wedge: 0.0,
             squeeze: 0.0,
             fluidity: 0.0,
+            rate: 1.0,
             nodes: vec![NodeFlow::default(); grid.len()],
         }
     }
@@ -104,6 +110,7 @@ impl Discretisation {
         // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor at the
         // contact film itself would hide from Newton that a node just under it can open.
         self.film_floor = 0.5 * problem.contact_film();
+        self.rate = speed / dx;
         self.face_x = 1.0 / (speed * dx);
         self.face_y = if self.grid.ny() == 1 { 0.0 } else { dx / (speed * dy * dy) };
         self.wedge = problem.entrainment_speed / speed;
@@ -167,10 +174,37 @@ impl Discretisation {
         0.5 * (self.nodes[a].mobility + self.nodes[b].mobility)
     }
 
+    /// Overrides the schemes of the problem until the next [`Self::configure`].
+    pub(super) fn set_scheme(&mut self, scheme: Scheme, face_mobility: FaceMobility) {
+        self.scheme = scheme;
+        self.face_mobility = face_mobility;
+    }
+
+    /// Physical imbalance per `F`: `U / dx` \[1/s\].
+    pub(super) fn rate(&self) -> f64 {
+        self.rate
+    }
+
+    /// Flow over pressure difference of the faces to the east and to the north of node `k` \[m/Pa\], at the pressures of
+    /// the last update.
+    pub(super) fn conductances(&self, k: usize, pressure: &[f64]) -> [f64; 2] {
+        let towards = |o: usize, c: f64| {
+            let (a, b) = (&self.nodes[k], &self.nodes[o]);
+            let difference = pressure[k] - pressure[o];
+            let slope = if difference.abs() > SECANT_SHARE * (pressure[k] + pressure[o]) {
+                (a.potential - b.potential) / difference
+            } else {
+                0.5 * (a.potential_p + b.potential_p)
+            };
+            c * self.face(k, o) * slope
+        };
+        [towards(k + 1, self.face_x), towards(k + self.grid.nx(), self.face_y)]
+    }
+
     /// Coefficients of `m` at `k`, `k - 1` and `k - 2` in the entrainment term. The second-order scheme starts one cell
     /// behind the inlet, where there is a second node upstream.
     #[inline]
-    fn upwind(&self, k: usize) -> [f64; 3] {
+    pub(super) fn upwind(&self, k: usize) -> [f64; 3] {
         let w = self.wedge;
         match self.scheme {
             Scheme::SecondOrder if k % self.grid.nx() >= 2 => [1.5 * w, -2.0 * w, 0.5 * w],
@@ -181,6 +215,15 @@ impl Discretisation {
 
     /// `F_k` for an interior node.
     pub(super) fn balance(&self, k: usize, film: &[f64], previous: Option<&[f64]>) -> f64 {
+        let mut sum = self.transport(k, film, previous);
+        for (o, c) in self.neighbours(k) {
+            sum += c * self.face(k, o) * (self.nodes[k].potential - self.nodes[o].potential);
+        }
+        sum
+    }
+
+    /// Entrainment and squeeze of `F_k`.
+    pub(super) fn transport(&self, k: usize, film: &[f64], previous: Option<&[f64]>) -> f64 {
         let mass = |q: usize| self.nodes[q].density * film[q];
         let own = mass(k);
         let [here, up, second] = self.upwind(k);
@@ -190,9 +233,6 @@ impl Discretisation {
         }
         if let Some(previous) = previous {
             sum += self.squeeze * (own - previous[k]);
-        }
-        for (o, c) in self.neighbours(k) {
-            sum += c * self.face(k, o) * (self.nodes[k].potential - self.nodes[o].potential);
         }
         sum
     }

@@ -91,7 +91,11 @@ impl DryStart {
 
 /// A Hertzian pressure of the reference size as the first guess.
 pub(super) fn hertzian(problem: &LubricatedContact<'_>, pressure: &mut [f64]) {
-    let grid = problem.grid();
+    hertzian_on(&problem.grid(), problem, pressure);
+}
+
+/// The same on another grid.
+pub(super) fn hertzian_on(grid: &Grid, problem: &LubricatedContact<'_>, pressure: &mut [f64]) {
     let (a, b) = problem.reference_half_widths;
     for (p, (x, y)) in pressure.iter_mut().zip(grid.nodes()) {
         let inside = 1.0 - (x / a).powi(2) - (y / b).powi(2);

@@ -7,6 +7,7 @@
 //! | solver | method | use |
 //! |---|---|---|
 //! | [`NewtonKrylov`] | semismooth Newton, block-preconditioned GMRES | mixed and full film |
+//! | [`Multigrid`] | full multigrid, hybrid line relaxation | smooth full film |
 //! | [`SemiSystem`] | tridiagonal line sweeps with implicit near-field deformation | smooth full film |
 //! | [`Dry`] | active-set conjugate gradients | no lubricant |
 //! | [`Auto`] | picks and falls back | default |
@@ -16,7 +17,9 @@ mod auto;
 mod coupled;
 mod discretisation;
 mod dry;
+mod evaluation;
 mod local;
+mod multigrid;
 mod newton_krylov;
 mod preconditioner;
 mod problem;
@@ -27,6 +30,8 @@ use std::fmt::Debug;
 
 pub use auto::Auto;
 pub use dry::Dry;
+pub use evaluation::Evaluation;
+pub use multigrid::Multigrid;
 pub use newton_krylov::NewtonKrylov;
 pub use problem::{FaceMobility, LubricatedContact, Scheme, Squeeze};
 pub use semi_system::SemiSystem;
@@ -72,7 +77,8 @@ impl StoppingRule {
 ///
 /// Contract: start from `state` (a state without any pressure asks for a cold start), leave the best state found in it,
 /// and report residuals of exactly that state. Buffers may be made at the first solve; later ones on the same grid do
-/// not allocate. Never report [`Status::Converged`](crate::Status::Converged) with a residual above the tolerance.
+/// not allocate. What is found depends on problem, state and rule alone, so that a resumed run is the uninterrupted one.
+/// Residuals are those of [`Evaluation`]. Never report [`Status::Converged`](crate::Status::Converged) with a residual above the tolerance.
 pub trait ContactSolver: Debug + Send {
     /// Name for reports.
     fn name(&self) -> &'static str;

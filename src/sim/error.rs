@@ -32,6 +32,19 @@ pub enum SimError {
         /// The last attempt.
         source: NotConverged,
     },
+    /// A checkpoint could not be used.
+    #[cfg(feature = "serde")]
+    #[error(transparent)]
+    Checkpoint(#[from] super::CheckpointError),
+    /// A member of an ensemble failed on a rank of an MPI program.
+    #[cfg(feature = "mpi")]
+    #[error("{reason}")]
+    Remote {
+        /// The rank.
+        rank: i32,
+        /// What the error says.
+        reason: String,
+    },
     /// A scene file does not fit.
     #[error("{reason}")]
     Scene {

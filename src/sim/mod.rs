@@ -6,7 +6,10 @@
 mod accuracy;
 mod body;
 mod builder;
+#[cfg(feature = "serde")]
+mod checkpoint;
 mod contact;
+pub mod ensemble;
 mod error;
 mod friction;
 mod hertz;
@@ -14,15 +17,23 @@ mod hertz;
 mod npz;
 mod observer;
 mod record;
+#[cfg(all(feature = "serde", feature = "npz"))]
+mod run_folder;
 pub mod scene;
 mod setup;
 mod simulation;
 mod step_control;
+#[cfg(feature = "vtk")]
+mod vtk;
+#[cfg(feature = "serde")]
+mod whole_file;
 mod yielding;
 
 pub use accuracy::ErrorEstimate;
 pub use body::Body;
 pub use builder::SimBuilder;
+#[cfg(feature = "serde")]
+pub use checkpoint::CheckpointError;
 pub use contact::{ContactNumbers, ContactSolution, FilmNumbers, solve_contact};
 pub use error::SimError;
 pub use hertz::HertzContact;
@@ -30,6 +41,10 @@ pub use hertz::HertzContact;
 pub use npz::write_npz;
 pub use observer::Observer;
 pub use record::StepRecord;
+#[cfg(all(feature = "serde", feature = "npz"))]
+pub use run_folder::RunFolder;
 pub use scene::Scene;
 pub use simulation::{MixedLubricationSim, RunEnd};
 pub use step_control::StepControl;
+#[cfg(feature = "vtk")]
+pub use vtk::write_vtk;

@@ -2,7 +2,12 @@
 
 use std::io::{self, Write};
 
-use crate::report::SolveReport;
+use crate::error::InputError;
+use crate::report::{Residuals, SolveReport, Status, Work};
+
+/// Solvers that a line can name.
+const SOLVERS: [&str; 6] =
+    ["newton_krylov", "semi_system", "dry", "auto", "multigrid", "multigrid+newton_krylov"];
 
 /// The numbers of one committed step; all SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,4 +116,87 @@ impl StepRecord {
             report.work.inner_iterations
         )
     }
+
+    /// The record that [`write_csv`](Self::write_csv) wrote as `line`, every bit of it, but for the name of a solver that is
+    /// not one of the crate: it reads `other`.
+    ///
+    /// # Errors
+    /// A cell that is missing, too many or not what its column holds.
+    pub fn from_csv(line: &str) -> Result<Self, InputError> {
+        let mut columns = Self::CSV_HEADER.split(',');
+        let mut cells = line.trim_end().split(',');
+        let mut next = || {
+            let column = columns.next().unwrap_or("history");
+            match cells.next() {
+                Some(cell) => Ok((column, cell)),
+                None => Err(unreadable(column, "")),
+            }
+        };
+        let mut whole = || next().and_then(|(column, cell)| parsed::<u64>(column, cell));
+        let step = whole()?;
+        let mut number = || next().and_then(|(column, cell)| parsed::<f64>(column, cell));
+        let (time, time_step) = (number()?, number()?);
+        let (rq, composite_rq, average_film) = ([number()?, number()?], number()?, number()?);
+        let (lambda, lambda_old, area_ratio, load_ratio) = (number()?, number()?, number()?, number()?);
+        let (max_pressure, mean_pressure) = (number()?, number()?);
+        let (mean_wear, max_wear) = ([number()?, number()?], [number()?, number()?]);
+        let (mean_film, plastic_volume) = ([number()?, number()?], number()?);
+        let (column, cell) = next()?;
+        let flash_rise = if cell.is_empty() { None } else { Some(parsed(column, cell)?) };
+        let mut number = || next().and_then(|(column, cell)| parsed::<f64>(column, cell));
+        let (friction_coefficient, minimum_gap) = (number()?, number()?);
+        let (column, cell) = next()?;
+        let attempts = parsed(column, cell)?;
+        let (_, name) = next()?;
+        let solver = SOLVERS.into_iter().find(|solver| *solver == name).unwrap_or("other");
+        let (column, cell) = next()?;
+        let statuses = [
+            Status::Converged,
+            Status::MaxIterations,
+            Status::Stalled,
+            Status::Diverged,
+            Status::MeshTooCoarse,
+        ];
+        let status = statuses.into_iter().find(|status| status.to_string() == cell);
+        let status = status.ok_or_else(|| unreadable(column, cell))?;
+        let mut number = || next().and_then(|(column, cell)| parsed::<f64>(column, cell));
+        let residuals = Residuals { mass: number()?, load: number()?, complementarity: number()? };
+        let convolutions = number()?;
+        let mut whole = || next().and_then(|(column, cell)| parsed::<u64>(column, cell));
+        let work = Work { convolutions, iterations: whole()?, inner_iterations: whole()? };
+        if let Some(stray) = cells.next() {
+            return Err(unreadable("history", stray));
+        }
+        Ok(Self {
+            step,
+            time,
+            time_step,
+            rq,
+            composite_rq,
+            average_film,
+            lambda,
+            lambda_old,
+            area_ratio,
+            load_ratio,
+            max_pressure,
+            mean_pressure,
+            mean_wear,
+            max_wear,
+            mean_film,
+            plastic_volume,
+            flash_rise,
+            friction_coefficient,
+            minimum_gap,
+            attempts,
+            report: SolveReport { solver, status, residuals, work },
+        })
+    }
+}
+
+fn parsed<T: std::str::FromStr>(column: &str, cell: &str) -> Result<T, InputError> {
+    cell.parse().map_err(|_| unreadable(column, cell))
+}
+
+fn unreadable(column: &str, cell: &str) -> InputError {
+    InputError::Conflict { field: column.to_owned(), reason: format!("`{cell}` is no value of this column") }
 }

@@ -10,7 +10,7 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, DowsonHigginson, Roelands, ViscosityLaw};
 use crate::metrics::{average_central_film, height_statistics};
-use crate::reynolds::{Auto, ContactSolver, Dry, NewtonKrylov, SemiSystem, StoppingRule};
+use crate::reynolds::{Auto, ContactSolver, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule};
 use crate::surface::{Autocorrelation, RoughnessSpec, generate};
 use crate::tribochem::Ghanbarzadeh;
 
@@ -240,6 +240,7 @@ pub(super) fn solver(scene: &Scene) -> Result<Box<dyn ContactSolver>, InputError
         SolverKind::Auto if edge_contact => Box::new(Auto::allowing_edge_contact()) as Box<dyn ContactSolver>,
         SolverKind::Auto => Box::new(Auto::new()),
         SolverKind::NewtonKrylov => Box::new(NewtonKrylov::new()),
+        SolverKind::Multigrid => Box::new(Multigrid::new()),
         SolverKind::Dry if edge_contact => Box::new(Dry::allowing_edge_contact()),
         SolverKind::Dry => Box::new(Dry::new()),
         SolverKind::SemiSystem => Box::new(SemiSystem::new(scene.solver.relaxation, scene.solver.stiffness)?),

@@ -15,6 +15,8 @@ use super::step_control::StepControl;
 use super::yielding::Yielding;
 use crate::error::InputError;
 use crate::grid::Grid;
+#[cfg(feature = "serde")]
+use crate::lubricant::Lubricant;
 use crate::metrics;
 use crate::plastic::PlasticityModel;
 use crate::report::{SolveReport, Status};
@@ -99,22 +101,43 @@ pub enum RunEnd {
 #[derive(Debug)]
 pub struct MixedLubricationSim {
     scene: Scene,
-    contact: ContactModel,
-    laws: Laws,
+    pub(super) contact: ContactModel,
+    pub(super) laws: Laws,
     heat: Heat,
     travel: Travel,
     between_nodes: FourierShift,
-    bodies: [Body; 2],
-    state: ContactState,
+    pub(super) bodies: [Body; 2],
+    pub(super) state: ContactState,
     /// `rho/rho_0 h` of the contact before \[m\].
-    carried_mass: Vec<f64>,
-    time: f64,
+    pub(super) carried_mass: Vec<f64>,
+    pub(super) time: f64,
     /// Length of the last step \[s\].
-    last_step: f64,
-    step: u64,
-    draws: u64,
+    pub(super) last_step: f64,
+    pub(super) step: u64,
+    /// Positions of the roughness that were tried; with the seed the state of the random numbers.
+    pub(super) draws: u64,
     fields: Fields,
-    backup: [Body; 2],
+    pub(super) backup: [Body; 2],
+}
+
+/// What tells one simulation from another: the scene and what was put in place of its parts, in words.
+#[cfg(feature = "serde")]
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub(super) struct Identity {
+    parts: Vec<(String, String)>,
+}
+
+#[cfg(feature = "serde")]
+impl Identity {
+    /// The first part in which both differ.
+    pub(super) fn difference<'a>(&'a self, other: &'a Self) -> Option<&'a str> {
+        let longer = if self.parts.len() >= other.parts.len() { self } else { other };
+        let shorter = if self.parts.len() >= other.parts.len() { other } else { self };
+        let differs = |(k, part): (usize, &'a (String, String))| {
+            (shorter.parts.get(k) != Some(part)).then_some(part.0.as_str())
+        };
+        longer.parts.iter().enumerate().find_map(differs)
+    }
 }
 
 /// Fields of the step in progress, all in the frame of the contact unless a name says otherwise.
@@ -181,6 +204,35 @@ impl MixedLubricationSim {
             step: 0,
             draws: 0,
         })
+    }
+
+    /// How the roughness moves from step to step.
+    pub fn motion(&self) -> RoughnessMotion {
+        self.travel.motion
+    }
+
+    /// Whether each contact feels the squeeze of the film before it.
+    pub fn has_squeeze(&self) -> bool {
+        self.travel.squeeze
+    }
+
+    /// The scene and the parts in its place by what `Debug` prints of them, which for laws are their constants.
+    #[cfg(feature = "serde")]
+    pub(super) fn identity(&self) -> Identity {
+        let (laws, lubricant) = (&self.laws, &self.contact.lubricant);
+        let parts = [
+            ("scene", format!("{:?}", self.scene)),
+            ("motion", format!("{:?}", self.travel.motion)),
+            ("squeeze", format!("{:?}", self.travel.squeeze)),
+            // First: the film of the law is in those of the scene that follow.
+            ("growth law", format!("{:?}", laws.growth)),
+            ("plasticity model", format!("{:?}", laws.plasticity)),
+            ("wear law", format!("{:?}", laws.wear)),
+            ("viscosity law", format!("{:?}", lubricant.as_ref().map(Lubricant::viscosity))),
+            ("density law", format!("{:?}", lubricant.as_ref().map(Lubricant::density))),
+            ("solver", self.contact.solver.name().to_owned()),
+        ];
+        Identity { parts: parts.into_iter().map(|(part, words)| (part.to_owned(), words)).collect() }
     }
 
     /// The grid of the contact and of both bodies' patches.

@@ -12,12 +12,15 @@
 //! | [`plasticity_model`] | positive limits that do not fall with depth, the pair's limit the smaller |
 //! | [`deformation_model`] | linear, symmetric, translation invariant, positive; errors of shape |
 //! | [`contact_solver`] | a smooth contact solved: load, bounds, residuals, restart; bad input refused |
+//!
+//! For proptest there are strategies: [`scenes`], [`absurd_scenes`] and [`pressures`].
 
 mod contact_solver;
 mod deformation;
 mod film_growth;
 mod fluid;
 mod plasticity;
+mod strategies;
 mod wear;
 
 use std::fmt::Debug;
@@ -27,6 +30,7 @@ pub use deformation::deformation_model;
 pub use film_growth::film_growth_law;
 pub use fluid::{density_law, viscosity_law};
 pub use plasticity::plasticity_model;
+pub use strategies::{absurd_scenes, pressures, scenes};
 use thiserror::Error;
 pub use wear::wear_law;
 

@@ -83,6 +83,32 @@ impl Tribofilm {
         Ok(film)
     }
 
+    /// A film with the `states` that [`states`](Self::states) gave, and the thicknesses `changes` that nodes have gained
+    /// and lost in sum \[m\], as [`changes`](Self::changes) gave them.
+    ///
+    /// # Errors
+    /// States that do not belong to `law` or give a thickness that is not finite.
+    #[cfg(feature = "serde")]
+    pub(crate) fn from_states(
+        law: &dyn FilmGrowthLaw,
+        states: Vec<f64>,
+        changes: [f64; 2],
+    ) -> Result<Self, InputError> {
+        let n_states = law.n_states().max(1);
+        let n_nodes = states.len() / n_states;
+        InputError::require_len("tribofilm.states", &states, n_states * n_nodes)?;
+        let thickness: Vec<f64> = states.chunks_exact(n_states).map(|states| law.thickness(states)).collect();
+        InputError::require_finite("tribofilm.thickness", &thickness)?;
+        let [gained, lost] = changes;
+        Ok(Self { n_states, states, thickness, gained, lost })
+    }
+
+    /// Thickness that nodes have gained and lost in sum \[m\].
+    #[cfg(feature = "serde")]
+    pub(crate) fn changes(&self) -> [f64; 2] {
+        [self.gained, self.lost]
+    }
+
     /// Advances every node by `time_step` \[s\] under the conditions `point(node)`, node counted on the
     /// body's own surface. Allocates nothing.
     ///

@@ -38,6 +38,17 @@ impl WearDepth {
         Self { values: vec![0.0; n_nodes] }
     }
 
+    /// A body that is worn by `values` \[m\] already.
+    ///
+    /// # Errors
+    /// A depth that is negative or not finite.
+    pub fn from_values(values: Vec<f64>) -> Result<Self, InputError> {
+        for &value in &values {
+            InputError::require_non_negative("wear.depth", value)?;
+        }
+        Ok(Self { values })
+    }
+
     /// Worn depth of every node \[m\].
     pub fn values(&self) -> &[f64] {
         &self.values

@@ -222,7 +222,7 @@ pub struct RandomRoughness {
     /// Length along y where the autocorrelation is 10 % \[m\].
     pub length_y: f64,
     /// Seed.
-    #[cfg_attr(feature = "serde", serde(default))]
+    #[cfg_attr(feature = "serde", serde(default, with = "tables::seed"))]
     pub seed: u64,
 }
 
@@ -289,6 +289,8 @@ impl Default for SolverSpec {
 pub enum SolverKind {
     /// By what the scene holds, with fallback.
     Auto,
+    /// Full multigrid.
+    Multigrid,
     /// Semi-system line sweeps.
     SemiSystem,
     /// Semismooth Newton with Krylov steps.

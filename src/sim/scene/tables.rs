@@ -91,6 +91,7 @@ pub(super) struct RoughnessTable {
     rq: Option<f64>,
     length_x: Option<f64>,
     length_y: Option<f64>,
+    #[serde(default, deserialize_with = "seed::optional")]
     seed: Option<u64>,
     path: Option<PathBuf>,
 }
@@ -161,4 +162,36 @@ fn refuse_strays(kind: &str, given: &[(&str, bool)], known: &[&str]) -> Result<(
 
 fn required<T>(key: &str, value: Option<T>) -> Result<T, String> {
     value.ok_or_else(|| format!("missing field `{key}`"))
+}
+
+/// Seeds have 64 bits, integers of TOML 63: larger ones are written as text.
+pub(super) mod seed {
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Seed {
+        Number(u64),
+        Text(String),
+    }
+
+    pub(in super::super) fn serialize<S: Serializer>(seed: &u64, serializer: S) -> Result<S::Ok, S::Error> {
+        match i64::try_from(*seed) {
+            Ok(_) => serializer.serialize_u64(*seed),
+            Err(_) => serializer.serialize_str(&seed.to_string()),
+        }
+    }
+
+    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
+        match Seed::deserialize(deserializer) {
+            Ok(Seed::Number(number)) => Ok(number),
+            Ok(Seed::Text(text)) => text.parse().map_err(D::Error::custom),
+            Err(_) => Err(D::Error::custom("invalid seed, expected a whole number from 0 to 2^64 - 1")),
+        }
+    }
+
+    pub(super) fn optional<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<u64>, D::Error> {
+        deserialize(deserializer).map(Some)
+    }
 }

@@ -1,0 +1,57 @@
+//! Time of whole contacts at 128 and 256 cells, each from a cold start with kernel, plan and buffers still to be made: a full
+//! film (M = 20, L = 10), a highly loaded one (M = 1000, L = 10), both of second order, and a dry rough contact.
+#![expect(clippy::unwrap_used, reason = "benchmark")]
+
+use std::time::Duration;
+
+use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use stribeck::Status;
+use stribeck::reynolds::Scheme;
+use stribeck::sim::scene::{GridSpec, Load};
+use stribeck::sim::{Scene, solve_contact};
+use stribeck::surface::Form;
+
+/// A smooth ball by its Moes load parameter, L = 10.
+fn ball(moes_load: f64, n: usize) -> Scene {
+    const MODULUS: f64 = 226e9;
+    let mut scene = Scene::azam_2019(n);
+    let oil = scene.lubricant.as_mut().unwrap();
+    (oil.eta0, oil.alpha) = (0.04, Some(2.2e-8));
+    let speed = (10.0 / (2.2e-8 * MODULUS)).powi(4);
+    scene.form = Form::Sphere { radius: 1.0 };
+    scene.elastic.equivalent_modulus = MODULUS;
+    scene.load = Load { hertz_pressure: None, force: Some(moes_load * speed.powf(0.75) * MODULUS) };
+    scene.motion.entrainment_speed = 0.5 * speed * MODULUS / 0.04;
+    scene.roughness = Default::default();
+    scene.plastic = None;
+    scene.solver.scheme = Scheme::SecondOrder;
+    let a = scene.hertz().unwrap().a_x;
+    scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-4.5 * a, 1.5 * a], y: [-3.0 * a, 3.0 * a] };
+    scene
+}
+
+fn scenes(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("solve");
+    group
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(200))
+        .measurement_time(Duration::from_millis(1000));
+    for n in [128, 256] {
+        let dry = Scene { lubricant: None, ..Scene::azam_2019(n) };
+        for (name, scene) in
+            [("full_film", ball(20.0, n)), ("highly_loaded", ball(1000.0, n)), ("dry_rough", dry)]
+        {
+            group.bench_function(BenchmarkId::new(name, n), |bencher| {
+                bencher.iter(|| {
+                    let solution = solve_contact(&scene).unwrap();
+                    assert_eq!(solution.report.status, Status::Converged);
+                    solution.state.approach
+                });
+            });
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, scenes);
+criterion_main!(benches);

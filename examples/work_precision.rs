@@ -1,0 +1,456 @@
+//! What accuracy costs: errors of four contacts against seconds and convolutions, one line per solver.
+//!
+//! ```text
+//! cargo run --release --example work_precision                      # docs/work_precision.{csv,svg}, some minutes
+//! cargo run --release --example work_precision -- --quick --out DIR # coarse grids, seconds
+//! ```
+//!
+//! Errors are relative differences to a finer grid, solved to 1e-8. Seconds are those of one solve from a cold start with
+//! all buffers still to be made, the kernel's spectrum apart; what did not converge is in the table and not in the figure.
+
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
+
+use std::error::Error;
+use std::f64::consts::{PI, TAU};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+
+use lexopt::prelude::*;
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use stribeck::analytic::FilmConditions;
+use stribeck::elastic::HalfSpace;
+use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
+use stribeck::metrics::average_central_film;
+use stribeck::reynolds::{
+    Auto, ContactSolver, ContactState, Dry, FaceMobility, LubricatedContact, Multigrid, NewtonKrylov, Scheme,
+    SemiSystem, StoppingRule,
+};
+use stribeck::sim::Scene;
+use stribeck::sim::scene::{GridSpec, Load};
+use stribeck::surface::Form;
+use stribeck::{SolveReport, Status};
+
+const USAGE: &str = "\
+usage: cargo run --release --example work_precision -- [--quick] [--out DIR]
+
+  --quick    coarse grids and few tolerances
+  --out DIR  where to write work_precision.csv and .svg (default docs)
+";
+const TIGHT: f64 = 1e-6;
+const REFERENCE: f64 = 1e-8;
+/// Root mean square of the roughness and its longest and shortest wavelength \[m\].
+const RQ: f64 = 100e-9;
+const WAVELENGTHS: (f64, f64) = (100e-6, 25e-6);
+const WAVES: u32 = 60;
+const SIZE: (u32, u32) = (1000, 1240);
+const HEAD: i32 = 44;
+/// Blue, vermilion, green and purple of the palette of Okabe and Ito.
+const COLOURS: [(&str, RGBColor); 5] = [
+    ("auto", RGBColor(0, 0, 0)),
+    ("multigrid", RGBColor(0, 114, 178)),
+    ("newton_krylov", RGBColor(213, 94, 0)),
+    ("semi_system", RGBColor(0, 158, 115)),
+    ("dry", RGBColor(204, 121, 167)),
+];
+
+/// One contact and what is solved of it.
+struct Case {
+    name: &'static str,
+    title: &'static str,
+    /// What the two errors are of.
+    quantities: [&'static str; 2],
+    scene: fn(usize) -> Scene,
+    rough: bool,
+    grids: &'static [usize],
+    /// Solvers and the cells along each side of the finest grid each is given.
+    solvers: &'static [(&'static str, usize)],
+    /// Cells along each side of the reference.
+    reference: usize,
+}
+
+const FILMS: [&str; 2] = ["central film", "minimum film"];
+const CASES: [Case; 4] = [
+    Case {
+        name: "full_film",
+        title: "full film, M = 20",
+        quantities: FILMS,
+        scene: |n| ball(20.0, n),
+        rough: false,
+        grids: &[32, 64, 128, 256, 512],
+        solvers: &[("auto", 512), ("multigrid", 512), ("newton_krylov", 256), ("semi_system", 64)],
+        reference: 1024,
+    },
+    Case {
+        name: "highly_loaded",
+        title: "highly loaded, M = 1000",
+        quantities: FILMS,
+        scene: |n| ball(1000.0, n),
+        rough: false,
+        grids: &[64, 128, 256, 512],
+        solvers: &[("auto", 512), ("multigrid", 512), ("newton_krylov", 256), ("semi_system", 128)],
+        reference: 1024,
+    },
+    Case {
+        name: "dry_rough",
+        title: "dry, rough",
+        quantities: ["contact area", "mean gap"],
+        scene: |n| Scene { lubricant: None, ..Scene::azam_2019(n) },
+        rough: true,
+        grids: &[32, 64, 128, 256, 512],
+        solvers: &[("dry", 512)],
+        reference: 1024,
+    },
+    Case {
+        name: "mixed",
+        title: "mixed, rough",
+        quantities: ["load ratio", "mean film"],
+        scene: |n| Scene::azam_2019(n),
+        rough: true,
+        grids: &[32, 64, 128],
+        solvers: &[("newton_krylov", 128), ("semi_system", 64)],
+        reference: 256,
+    },
+];
+
+struct Options {
+    quick: bool,
+    out: PathBuf,
+}
+
+/// One solve.
+struct Row {
+    case: &'static str,
+    solver: &'static str,
+    cells: usize,
+    tolerance: f64,
+    report: SolveReport,
+    seconds: f64,
+    errors: [f64; 2],
+}
+
+impl Row {
+    fn converged(&self) -> bool {
+        self.report.status == Status::Converged
+    }
+}
+
+fn main() -> ExitCode {
+    let outcome = match options() {
+        Ok(Some(options)) => run(&options),
+        Ok(None) => {
+            print!("{USAGE}");
+            Ok(())
+        }
+        Err(error) => Err(format!("{error}\n{USAGE}").into()),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("work_precision: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn options() -> Result<Option<Options>, lexopt::Error> {
+    let mut options = Options { quick: false, out: PathBuf::from("docs") };
+    let mut parser = lexopt::Parser::from_env();
+    while let Some(argument) = parser.next()? {
+        match argument {
+            Long("quick") => options.quick = true,
+            Long("out") => options.out = PathBuf::from(parser.value()?),
+            Long("help") | Short('h') => return Ok(None),
+            other => return Err(other.unexpected()),
+        }
+    }
+    Ok(Some(options))
+}
+
+/// A smooth ball by its Moes load parameter, L = 10, in second order; the Moes parameters hold all of it.
+fn ball(moes_load: f64, n: usize) -> Scene {
+    const RADIUS: f64 = 1.0;
+    const MODULUS: f64 = 226e9;
+    let mut scene = Scene::azam_2019(n);
+    let Some(oil) = &mut scene.lubricant else { return scene };
+    (oil.eta0, oil.alpha) = (0.04, Some(2.2e-8));
+    let speed = (10.0 / (2.2e-8 * MODULUS)).powi(4);
+    scene.form = Form::Sphere { radius: RADIUS };
+    scene.elastic.equivalent_modulus = MODULUS;
+    scene.load =
+        Load { hertz_pressure: None, force: Some(moes_load * speed.powf(0.75) * MODULUS * RADIUS * RADIUS) };
+    scene.motion.entrainment_speed = 0.5 * speed * MODULUS * RADIUS / 0.04;
+    scene.roughness = Default::default();
+    scene.plastic = None;
+    scene.solver.scheme = Scheme::SecondOrder;
+    if let Ok(hertz) = scene.hertz() {
+        let a = hertz.a_x;
+        scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-4.5 * a, 1.5 * a], y: [-3.0 * a, 3.0 * a] };
+    }
+    scene
+}
+
+/// Height of a roughness that is the same on every grid: waves of equal height in all directions.
+fn height(x: f64, y: f64) -> f64 {
+    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let (longest, shortest) = WAVELENGTHS;
+    let waves = (0..WAVES).map(|k| {
+        let share = f64::from(k) / f64::from(WAVES - 1);
+        let number = TAU / longest * (longest / shortest).powf(share);
+        let (angle, phase) = (PI * (golden * f64::from(k)).fract(), TAU * (0.7548 * f64::from(k)).fract());
+        (number * (x * angle.cos() + y * angle.sin()) + phase).cos()
+    });
+    RQ * (2.0 / f64::from(WAVES)).sqrt() * waves.sum::<f64>()
+}
+
+fn solver(name: &str) -> Box<dyn ContactSolver> {
+    match name {
+        "multigrid" => Box::new(Multigrid::new()),
+        "newton_krylov" => Box::new(NewtonKrylov::new()),
+        "semi_system" => Box::new(SemiSystem::default()),
+        "dry" => Box::new(Dry::new()),
+        _ => Box::new(Auto::new()),
+    }
+}
+
+/// Solves one case on `n` by `n` cells: the report, the seconds and the two quantities.
+fn solve(
+    case: &Case,
+    name: &str,
+    n: usize,
+    tolerance: f64,
+) -> Result<(SolveReport, f64, [f64; 2]), Box<dyn Error>> {
+    let scene = (case.scene)(n);
+    let (grid, hertz, modulus) = (scene.grid()?, scene.hertz()?, scene.elastic.equivalent_modulus);
+    let mut gap = vec![0.0; grid.len()];
+    scene.form.gap_into(&grid, &mut gap)?;
+    if case.rough {
+        for (gap, (x, y)) in gap.iter_mut().zip(grid.nodes()) {
+            *gap -= height(x, y);
+        }
+    }
+    let mut body = HalfSpace::new(grid, modulus)?;
+    let oil = match scene.lubricant {
+        None => None,
+        Some(spec) => {
+            let viscosity = match spec.alpha {
+                None => Roelands::new(spec.eta0, spec.roelands_z, spec.roelands_p0)?,
+                Some(alpha) => Roelands::from_alpha(spec.eta0, alpha, spec.roelands_z, spec.roelands_p0)?,
+            };
+            Some(Lubricant::new(viscosity, DowsonHigginson::new(spec.density_a, spec.density_b)?))
+        }
+    };
+    let reference_film = match &oil {
+        None => 0.0,
+        Some(oil) => FilmConditions {
+            entrainment_speed: scene.motion.entrainment_speed,
+            viscosity: oil.viscosity().viscosity(0.0),
+            pressure_viscosity: oil.pressure_viscosity_coefficient(),
+            equivalent_modulus: modulus,
+            radius: scene.form.radii().0,
+            load: hertz.load,
+            ellipticity: 1.0,
+        }
+        .hamrock_dowson_central()?,
+    };
+    let limit = scene.plastic.map(|plastic| vec![plastic.hardness; grid.len()]);
+    let mut problem = LubricatedContact {
+        gap: &gap,
+        deformation: &mut body,
+        lubricant: oil.as_ref(),
+        entrainment_speed: scene.motion.entrainment_speed,
+        squeeze: None,
+        load: hertz.load,
+        pressure_limit: limit.as_deref(),
+        film_cutoff: scene.solver.film_cutoff,
+        scheme: scene.solver.scheme,
+        face_mobility: if case.rough { FaceMobility::ReducedPressure } else { scene.face_mobility() },
+        reference_half_widths: (hertz.a_x, hertz.a_y),
+        reference_pressure: hertz.p_max,
+        reference_film,
+    };
+    let mut state = ContactState::new(&grid);
+    let mut solver = solver(name);
+    let start = Instant::now();
+    let report =
+        solver.solve(&mut problem, &mut state, &StoppingRule { tolerance, ..StoppingRule::default() })?;
+    let seconds = start.elapsed().as_secs_f64();
+    let mean = average_central_film(&grid, &state.film, hertz.a_x, hertz.a_y)?;
+    let touching = state.in_contact.iter().filter(|flag| **flag).count() as f64 * grid.cell_area();
+    let solid: f64 = (0..grid.len()).map(|k| state.solid_pressure(k)).sum::<f64>() * grid.cell_area();
+    let under_pressure = state.film.iter().zip(&state.pressure).filter(|(_, p)| **p > 0.0);
+    let minimum = under_pressure.fold(f64::INFINITY, |least, (h, _)| least.min(*h));
+    let values = match case.name {
+        "dry_rough" => [touching, mean],
+        "mixed" => [solid / hertz.load, mean],
+        _ => [grid.interpolate(&state.film, 0.0, 0.0)?, minimum],
+    };
+    Ok((report, seconds, values))
+}
+
+fn run(options: &Options) -> Result<(), Box<dyn Error>> {
+    let (largest, tolerances): (usize, &[f64]) =
+        if options.quick { (64, &[1e-3, TIGHT]) } else { (usize::MAX, &[1e-2, 1e-3, 1e-4, 1e-5, TIGHT]) };
+    let mut rows = Vec::new();
+    for case in &CASES {
+        let finest = if options.quick { 2 * largest } else { case.reference };
+        let best = if case.name == "dry_rough" { "dry" } else { "auto" };
+        let (report, _, exact) = solve(case, best, finest, REFERENCE)?;
+        println!("{}: reference on {finest} x {finest} cells {}, {exact:?}", case.name, report.status);
+        for (name, most) in case.solvers {
+            for &cells in case.grids.iter().filter(|n| **n <= largest.min(*most)) {
+                for &tolerance in tolerances {
+                    let (report, seconds, values) = solve(case, name, cells, tolerance)?;
+                    let errors = [0, 1].map(|k: usize| (values[k] / exact[k] - 1.0).abs());
+                    rows.push(Row {
+                        case: case.name,
+                        solver: name,
+                        cells,
+                        tolerance,
+                        report,
+                        seconds,
+                        errors,
+                    });
+                }
+            }
+        }
+    }
+    std::fs::create_dir_all(&options.out).map_err(|error| format!("{}: {error}", options.out.display()))?;
+    write_table(&rows, &options.out.join("work_precision.csv"))?;
+    draw(&rows, &options.out.join("work_precision.svg"))?;
+    println!("table and figure are in {}", options.out.display());
+    Ok(())
+}
+
+fn write_table(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
+    let mut text = String::from(
+        "scene,solver,cells,tolerance,status,ran,seconds,convolutions,iterations,first_quantity,first_error,second_quantity,second_error\n",
+    );
+    for row in rows {
+        let [first, second] =
+            CASES.iter().find(|case| case.name == row.case).map_or(FILMS, |case| case.quantities);
+        let (report, work) = (&row.report, row.report.work);
+        writeln!(
+            text,
+            "{},{},{},{:e},{},{},{:.4},{:.1},{},{first},{:.3e},{second},{:.3e}",
+            row.case,
+            row.solver,
+            row.cells,
+            row.tolerance,
+            report.status,
+            report.solver,
+            row.seconds,
+            work.convolutions,
+            work.iterations,
+            row.errors[0],
+            row.errors[1]
+        )?;
+    }
+    std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()).into())
+}
+
+/// A row of two panels for every case: errors over seconds and over convolutions.
+fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::new(path, SIZE).into_drawing_area();
+    root.fill(&WHITE)?;
+    let (head, body) = root.split_vertically(HEAD);
+    let font = |size: u32| ("sans-serif", size).into_font();
+    for (k, (name, colour)) in COLOURS.iter().enumerate() {
+        let x = 20 + 165 * k as i32;
+        head.draw(&PathElement::new(vec![(x, 22), (x + 28, 22)], colour.stroke_width(3)))?;
+        head.draw(&Text::new(*name, (x + 34, 13), font(18)))?;
+    }
+    head.draw(&Text::new("tolerance", (848, 2), font(16)))?;
+    head.draw(&Circle::new((930, 12), 4, BLACK.filled()))?;
+    head.draw(&Text::new("1e-6", (940, 2), font(16)))?;
+    head.draw(&Circle::new((930, 32), 3, BLACK.stroke_width(1)))?;
+    head.draw(&Text::new("looser", (940, 22), font(16)))?;
+    for (areas, case) in body.split_evenly((CASES.len(), 2)).chunks(2).zip(&CASES) {
+        let shown: Vec<&Row> = rows.iter().filter(|row| row.case == case.name && row.converged()).collect();
+        let [seconds, convolutions] = areas else { continue };
+        panel(seconds, case, &shown, "seconds", |row| row.seconds)?;
+        panel(convolutions, case, &shown, "convolutions of the grid", |row| row.report.work.convolutions)?;
+    }
+    root.present()?;
+    Ok(())
+}
+
+/// The first error with full lines, the second with broken ones; dots at the tight tolerance, circles at looser ones.
+fn panel(
+    area: &DrawingArea<SVGBackend<'_>, Shift>,
+    case: &Case,
+    rows: &[&Row],
+    x_label: &str,
+    cost: fn(&Row) -> f64,
+) -> Result<(), Box<dyn Error>> {
+    let errors = || rows.iter().flat_map(|row| row.errors).filter(|error| *error > 0.0);
+    // Two at least.
+    let decades = |low: f64, high: f64| {
+        let first = low.log10().floor();
+        10_f64.powf(first)..10_f64.powf(high.log10().ceil().max(first + 2.0))
+    };
+    let least = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min);
+    let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+    let y = decades(least(&mut errors()).clamp(1e-6, 1e-2), most(&mut errors()).clamp(0.1, 10.0));
+    let x = decades(
+        least(&mut rows.iter().map(|row| cost(row))).clamp(1e-4, 1e3),
+        most(&mut rows.iter().map(|row| cost(row))).clamp(1e-2, 1e5),
+    );
+    let font = |size: u32| ("sans-serif", size).into_font();
+    let mut chart = ChartBuilder::on(area)
+        .caption(
+            format!("{}: {} (solid), {} (broken)", case.title, case.quantities[0], case.quantities[1]),
+            font(16),
+        )
+        .margin(8)
+        .margin_right(24)
+        .x_label_area_size(44)
+        .y_label_area_size(70)
+        .build_cartesian_2d(x.log_scale(), y.log_scale())?;
+    chart
+        .configure_mesh()
+        .x_desc(x_label)
+        .y_desc("relative error")
+        .label_style(font(15))
+        .axis_desc_style(font(17))
+        .x_label_formatter(&|v| power(*v))
+        .y_label_formatter(&|v| power(*v))
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(BLACK.mix(0.12))
+        .draw()?;
+    for (name, colour) in COLOURS {
+        let of_solver = || rows.iter().filter(move |row| row.solver == name);
+        for k in [0, 1] {
+            let tight: Vec<(f64, f64)> = of_solver()
+                .filter(|row| row.tolerance <= TIGHT && row.errors[k] > 0.0)
+                .map(|row| (cost(row), row.errors[k]))
+                .collect();
+            let style = colour.stroke_width(2);
+            if k == 0 {
+                chart.draw_series(LineSeries::new(tight.iter().copied(), style))?;
+            } else {
+                chart.draw_series(DashedLineSeries::new(tight.iter().copied(), 7, 5, style))?;
+            }
+            chart.draw_series(tight.iter().map(|point| Circle::new(*point, 4, colour.filled())))?;
+        }
+        let loose = of_solver().filter(|row| row.tolerance > TIGHT && row.errors[0] > 0.0);
+        chart.draw_series(
+            loose.map(|row| Circle::new((cost(row), row.errors[0]), 3, colour.stroke_width(1))),
+        )?;
+    }
+    Ok(())
+}
+
+/// A power of ten as it is read; nothing between them.
+fn power(value: f64) -> String {
+    let exponent = value.log10().round();
+    if (value.log10() - exponent).abs() > 1e-6 {
+        String::new()
+    } else if (-2.0..=3.0).contains(&exponent) {
+        format!("{}", 10_f64.powi(exponent as i32))
+    } else {
+        format!("1e{exponent}")
+    }
+}

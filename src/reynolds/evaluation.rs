@@ -1,0 +1,65 @@
+//! What follows from the pressures of a state: for solvers of one's own.
+
+use super::coupled::Coupled;
+use super::problem::LubricatedContact;
+use super::state::ContactState;
+use super::{ReynoldsError, StoppingRule, check_call};
+use crate::grid::Grid;
+use crate::report::Residuals;
+
+/// Films and residuals of a state as all solvers of the crate compute them, so that a solver of one's own reports the
+/// same numbers. Owns its buffers; an evaluation allocates nothing.
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::elastic::HalfSpace;
+/// use stribeck::reynolds::{ContactState, Evaluation, LubricatedContact, Scheme};
+/// let grid = Grid::centred(32, 32, 1e-5, 1e-5)?;
+/// let gap: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / 0.02).collect();
+/// let mut problem = LubricatedContact {
+///     gap: &gap, deformation: &mut HalfSpace::new(grid, 230e9)?, lubricant: None, entrainment_speed: 0.0,
+///     squeeze: None, load: 1.0, pressure_limit: None, film_cutoff: 1e-9, scheme: Scheme::default(),
+///     face_mobility: Default::default(), reference_half_widths: (4e-5, 4e-5), reference_pressure: 3e8,
+///     reference_film: 0.0,
+/// };
+/// // Half of the load on one node.
+/// let mut state = ContactState::new(&grid);
+/// state.pressure[16 * 32 + 16] = 0.5 / grid.cell_area();
+/// let residuals = Evaluation::new(grid).evaluate(&mut problem, &mut state)?;
+/// assert!((residuals.load - 0.5).abs() < 1e-12);
+/// assert!(state.film[16 * 32 + 16] > state.film[0] - gap[0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Evaluation {
+    coupled: Coupled,
+}
+
+impl Evaluation {
+    /// Buffers for contacts on `grid`.
+    pub fn new(grid: Grid) -> Self {
+        Self { coupled: Coupled::new(grid) }
+    }
+
+    /// Overwrites film, plastic depth, mass and contact flags of `state` with those that follow from its pressures and
+    /// approach, and returns how far it is from a solution; one elastic displacement.
+    ///
+    /// # Errors
+    /// A problem or a state that breaks the contract of [`LubricatedContact`], or one of another grid.
+    pub fn evaluate(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+    ) -> Result<Residuals, ReynoldsError> {
+        let grid = check_call(problem, state, &StoppingRule::default())?;
+        if grid != self.coupled.fluid.grid {
+            self.coupled = Coupled::new(grid);
+        }
+        self.coupled.configure(problem);
+        self.coupled.evaluate(problem, state)?;
+        self.coupled.classify(problem, state);
+        self.coupled.settle(problem, state);
+        self.coupled.mark_contact(state);
+        Ok(self.coupled.residuals(problem, state))
+    }
+}

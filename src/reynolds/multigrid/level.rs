@@ -1,0 +1,130 @@
+//! One grid of the hierarchy: its equations and fields.
+
+use crate::elastic::{DeformationModel, NEAR};
+use crate::grid::Grid;
+use crate::lubricant::Lubricant;
+use crate::reynolds::discretisation::Discretisation;
+use crate::reynolds::problem::interior;
+
+/// The first influence coefficients along x \[m/Pa\], of a pressure change at one node and of one that the four
+/// neighbours take back.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Influence {
+    pub(super) single: [f64; NEAR],
+    pub(super) dipole: [f64; NEAR],
+}
+
+impl Influence {
+    pub(super) fn new(body: &dyn DeformationModel) -> Self {
+        let at = |di, dj| body.influence(di, dj);
+        Self {
+            single: std::array::from_fn(|m| at(m, 0)),
+            dipole: std::array::from_fn(|m| {
+                at(m, 0) - 0.25 * (at(m + 1, 0) + at(m.abs_diff(1), 0) + 2.0 * at(m, 1))
+            }),
+        }
+    }
+}
+
+/// Equations `F(p, h) = source` (or `>=` where `p = 0`), `h = gap - approach + K p`, integral of `p` = `load`.
+#[derive(Debug, Clone)]
+pub(super) struct Level {
+    pub(super) grid: Grid,
+    pub(super) fluid: Discretisation,
+    pub(super) influence: Influence,
+    pub(super) pressure: Vec<f64>,
+    /// Pressure before the sweep under way.
+    pub(super) before: Vec<f64>,
+    /// Pressure that came from the finer grid.
+    pub(super) start: Vec<f64>,
+    pub(super) film: Vec<f64>,
+    pub(super) gap: Vec<f64>,
+    pub(super) source: Vec<f64>,
+    pub(super) residual: Vec<f64>,
+    /// Source less entrainment and squeeze.
+    pub(super) drive: Vec<f64>,
+    /// `rho/rho_0 h` of the previous time, where there is one.
+    pub(super) previous: Option<Vec<f64>>,
+    pub(super) load: f64,
+    /// Flow over pressure difference of the faces to the east and to the north of each node.
+    pub(super) east: Vec<f64>,
+    pub(super) north: Vec<f64>,
+    pub(super) is_boundary: Vec<bool>,
+    /// Whether film and flow quantities are those of the pressure.
+    pub(super) is_evaluated: bool,
+}
+
+impl Level {
+    pub(super) fn new(grid: Grid) -> Self {
+        let zeros = || vec![0.0; grid.len()];
+        let mut is_boundary = vec![true; grid.len()];
+        for k in interior(&grid) {
+            is_boundary[k] = false;
+        }
+        Self {
+            grid,
+            fluid: Discretisation::new(grid),
+            influence: Influence::default(),
+            pressure: zeros(),
+            before: zeros(),
+            start: zeros(),
+            film: zeros(),
+            gap: zeros(),
+            source: zeros(),
+            residual: zeros(),
+            drive: zeros(),
+            previous: None,
+            load: 0.0,
+            east: zeros(),
+            north: zeros(),
+            is_boundary,
+            is_evaluated: false,
+        }
+    }
+
+    /// No pressure on the outermost nodes.
+    pub(super) fn clear_boundary(&mut self) {
+        for (p, is_boundary) in self.pressure.iter_mut().zip(&self.is_boundary) {
+            if *is_boundary {
+                *p = 0.0;
+            }
+        }
+    }
+
+    /// Flow quantities of pressure and film as they are.
+    pub(super) fn take_film(&mut self, lubricant: &Lubricant) {
+        self.fluid.update(lubricant, &self.pressure, &self.film);
+        self.is_evaluated = true;
+        let (nx, ny) = (self.grid.nx(), self.grid.ny());
+        for j in 0..ny - 1 {
+            for k in j * nx..(j + 1) * nx - 1 {
+                [self.east[k], self.north[k]] = self.fluid.conductances(k, &self.pressure);
+            }
+        }
+    }
+
+    /// `F_k` as evaluated.
+    pub(super) fn balance(&self, k: usize) -> f64 {
+        self.fluid.balance(k, &self.film, self.previous.as_deref())
+    }
+
+    /// What is missing of the source in cells that hold fluid under pressure, zero elsewhere; as evaluated.
+    pub(super) fn find_residual(&mut self) {
+        for k in interior(&self.grid) {
+            self.residual[k] = if self.pressure[k] > 0.0 { self.source[k] - self.balance(k) } else { 0.0 };
+        }
+    }
+
+    /// What pressure flow has to balance; as evaluated.
+    pub(super) fn find_drive(&mut self) {
+        for k in interior(&self.grid) {
+            let transport = self.fluid.transport(k, &self.film, self.previous.as_deref());
+            self.drive[k] = self.source[k] - transport;
+        }
+    }
+
+    /// The load that the pressure carries \[N\].
+    pub(super) fn carried(&self) -> f64 {
+        self.pressure.iter().sum::<f64>() * self.grid.cell_area()
+    }
+}

@@ -1,0 +1,276 @@
+//! Checkpoints: a simulation in a file, to the last bit.
+//!
+//! | bytes | content |
+//! |---|---|
+//! | 0..20 | `stribeck checkpoint\n` |
+//! | 20..24 | format version, little-endian |
+//! | 24..32 | length of the content, little-endian |
+//! | 32..36 | CRC-32 of the content, little-endian |
+//! | 36.. | content in the `postcard` format |
+
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::body::Body;
+use super::simulation::{Identity, MixedLubricationSim};
+use super::whole_file;
+use crate::error::InputError;
+use crate::plastic::PlasticDepth;
+use crate::reynolds::ContactState;
+use crate::tribochem::{FilmGrowthLaw, Tribofilm};
+use crate::wear::WearDepth;
+
+const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
+/// Format that this version writes and reads.
+const FORMAT: u32 = 1;
+/// Bytes before the content.
+const HEADER: usize = 36;
+
+/// Why a checkpoint could not be written or used.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum CheckpointError {
+    /// The file could not be read or written.
+    #[error("{}: {source}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// The file is no checkpoint.
+    #[error("{} is no checkpoint", path.display())]
+    Foreign {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A later version of the crate has written the file.
+    #[error("{} has format {found}, this version reads formats up to {known}", path.display())]
+    Newer {
+        /// The file.
+        path: PathBuf,
+        /// Its format.
+        found: u32,
+        /// The latest format that can be read.
+        known: u32,
+    },
+    /// The file is cut short or its content has changed.
+    #[error("{} is damaged: {reason}", path.display())]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// How that shows.
+        reason: String,
+    },
+    /// The file belongs to another simulation.
+    #[error("{} belongs to another run: {part} differs", path.display())]
+    Other {
+        /// The file.
+        path: PathBuf,
+        /// What differs.
+        part: String,
+    },
+}
+
+/// What is kept of a body.
+#[derive(Serialize, Deserialize)]
+struct BodyPart<'a> {
+    initial: Cow<'a, [f64]>,
+    surface: Cow<'a, [f64]>,
+    wear: Cow<'a, [f64]>,
+    plastic: Cow<'a, [f64]>,
+    film: Option<FilmPart<'a>>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct FilmPart<'a> {
+    states: Cow<'a, [f64]>,
+    changes: [f64; 2],
+}
+
+/// Everything that later steps depend on, and what tells one run from another.
+#[derive(Serialize, Deserialize)]
+struct Content<'a> {
+    identity: Identity,
+    bodies: [BodyPart<'a>; 2],
+    state: Cow<'a, ContactState>,
+    carried_mass: Cow<'a, [f64]>,
+    time: f64,
+    last_step: f64,
+    step: u64,
+    draws: u64,
+}
+
+impl<'a> BodyPart<'a> {
+    fn of(body: &'a Body) -> Self {
+        Self {
+            initial: body.initial().into(),
+            surface: body.surface().into(),
+            wear: body.wear_depth().into(),
+            plastic: body.plastic_depth().into(),
+            film: body
+                .film
+                .as_ref()
+                .map(|film| FilmPart { states: film.states().into(), changes: film.changes() }),
+        }
+    }
+
+    fn into_body(self, law: Option<&dyn FilmGrowthLaw>, n: usize) -> Result<Body, InputError> {
+        let mut body = Body::new(self.initial.into_owned(), None);
+        body.wear = WearDepth::from_values(self.wear.into_owned())?;
+        body.plastic = PlasticDepth::from_values(self.plastic.into_owned())?;
+        body.film = match (law, self.film) {
+            (Some(law), Some(film)) => {
+                Some(Tribofilm::from_states(law, film.states.into_owned(), film.changes)?)
+            }
+            (None, None) => None,
+            _ => {
+                return Err(InputError::Conflict {
+                    field: "tribofilm".to_owned(),
+                    reason: "there is a law or a film, not both".to_owned(),
+                });
+            }
+        };
+        body.surface = self.surface.into_owned();
+        for (field, values) in [
+            ("initial heights", body.initial()),
+            ("surface", body.surface()),
+            ("wear", body.wear_depth()),
+            ("plastic depth", body.plastic_depth()),
+            ("tribofilm", body.film_thickness()),
+        ] {
+            InputError::require_len(field, values, n)?;
+            InputError::require_finite(field, values)?;
+        }
+        Ok(body)
+    }
+}
+
+impl MixedLubricationSim {
+    /// Writes all that later steps depend on into one file: a simulation of the same scene and laws that
+    /// [restores](Self::restore) it goes on as this one, equal to the last bit on the same kind of processor. The file
+    /// is replaced as a whole: a process killed meanwhile leaves the old one.
+    ///
+    /// Own laws and solvers must not remember anything between calls that changes what they return.
+    ///
+    /// # Errors
+    /// [`CheckpointError::Io`] when the file cannot be written.
+    ///
+    /// ```
+    /// # let folder = tempfile::tempdir()?;
+    /// # let path = folder.path().join("checkpoint");
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let build = || MixedLubricationSim::builder(Scene::azam_2019(32).with_tribofilm()).build();
+    /// let mut sim = build()?;
+    /// sim.step(10.0)?;
+    /// sim.save(&path)?;
+    /// let mut other = build()?;
+    /// other.restore(&path)?;
+    /// assert_eq!(other.step(10.0)?, sim.step(10.0)?);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<(), CheckpointError> {
+        let path = path.as_ref();
+        let io = |source| CheckpointError::Io { path: path.to_owned(), source };
+        let [ball, disc] = self.bodies();
+        let content = Content {
+            identity: self.identity(),
+            bodies: [BodyPart::of(ball), BodyPart::of(disc)],
+            state: Cow::Borrowed(&self.state),
+            carried_mass: Cow::Borrowed(&self.carried_mass),
+            time: self.time,
+            last_step: self.last_step,
+            step: self.step,
+            draws: self.draws,
+        };
+        let content = postcard::to_stdvec(&content).map_err(|error| io(std::io::Error::other(error)))?;
+        let mut bytes = Vec::with_capacity(HEADER + content.len());
+        bytes.extend_from_slice(MAGIC);
+        bytes.extend_from_slice(&FORMAT.to_le_bytes());
+        bytes.extend_from_slice(&(content.len() as u64).to_le_bytes());
+        bytes.extend_from_slice(&crc32fast::hash(&content).to_le_bytes());
+        bytes.extend_from_slice(&content);
+        whole_file::replace(path, &bytes).map_err(io)
+    }
+
+    /// Takes over what [`save`](Self::save) wrote. The simulation must be built from the same scene, laws, motion and
+    /// heights; time, steps and all fields are then those of the file. On an error it is as before.
+    ///
+    /// # Errors
+    /// A file that cannot be read, is no checkpoint, is damaged, has a newer format or belongs to another simulation.
+    pub fn restore(&mut self, path: impl AsRef<Path>) -> Result<(), CheckpointError> {
+        let path = path.as_ref();
+        let bytes =
+            std::fs::read(path).map_err(|source| CheckpointError::Io { path: path.to_owned(), source })?;
+        let content = checked_content(path, &bytes)?;
+        let damaged = |reason: String| CheckpointError::Damaged { path: path.to_owned(), reason };
+        let content: Content<'_> =
+            postcard::from_bytes(content).map_err(|error| damaged(error.to_string()))?;
+        let other = |part: &str| CheckpointError::Other { path: path.to_owned(), part: part.to_owned() };
+        if let Some(part) = self.identity().difference(&content.identity) {
+            return Err(other(part));
+        }
+        for (name, (own, saved)) in
+            ["ball heights", "disc heights"].into_iter().zip(self.bodies.iter().zip(&content.bodies))
+        {
+            if !same_bits(own.initial(), &saved.initial) {
+                return Err(other(name));
+            }
+        }
+        let grid = self.contact.grid;
+        let law = self.laws.growth.as_deref();
+        let Content { bodies: [ball, disc], state, carried_mass, time, last_step, step, draws, .. } = content;
+        let bodies = [ball.into_body(law, grid.len()), disc.into_body(law, grid.len())];
+        let [Ok(ball), Ok(disc)] = bodies else {
+            let reasons: Vec<String> =
+                bodies.into_iter().filter_map(Result::err).map(|error| error.to_string()).collect();
+            return Err(damaged(reasons.join("; ")));
+        };
+        state
+            .validate(&grid)
+            .and_then(|()| InputError::require_len("carried mass", &carried_mass, grid.len()))
+            .and_then(|()| InputError::require_non_negative("time", time))
+            .and_then(|()| InputError::require_non_negative("last step", last_step))
+            .map_err(|error| damaged(error.to_string()))?;
+        self.bodies = [ball, disc];
+        self.backup.clone_from(&self.bodies);
+        self.state = state.into_owned();
+        self.carried_mass = carried_mass.into_owned();
+        (self.time, self.last_step, self.step, self.draws) = (time, last_step, step, draws);
+        Ok(())
+    }
+}
+
+fn same_bits(a: &[f64], b: &[f64]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
+}
+
+/// The content behind a valid header.
+fn checked_content<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a [u8], CheckpointError> {
+    let damaged =
+        |reason: &str| CheckpointError::Damaged { path: path.to_owned(), reason: reason.to_owned() };
+    let Some(rest) = bytes.strip_prefix(MAGIC) else {
+        return Err(CheckpointError::Foreign { path: path.to_owned() });
+    };
+    let Some((header, content)) = rest.split_first_chunk::<{ HEADER - MAGIC.len() }>() else {
+        return Err(damaged("it ends within its header"));
+    };
+    let [f0, f1, f2, f3, length @ .., c0, c1, c2, c3] = header;
+    let found = u32::from_le_bytes([*f0, *f1, *f2, *f3]);
+    if found > FORMAT {
+        return Err(CheckpointError::Newer { path: path.to_owned(), found, known: FORMAT });
+    }
+    if found < FORMAT {
+        return Err(damaged("its format was never written"));
+    }
+    if length != (content.len() as u64).to_le_bytes().as_slice() {
+        return Err(damaged("its length is not the one it was written with"));
+    }
+    if crc32fast::hash(content) != u32::from_le_bytes([*c0, *c1, *c2, *c3]) {
+        return Err(damaged("its checksum does not fit"));
+    }
+    Ok(content)
+}

@@ -1,0 +1,174 @@
+//! Many histories side by side: sweeps of a parameter, seeds of the roughness.
+//!
+//! [`run`] keeps the records; `run_in` (features `serde` and `npz`) also writes a folder for each member and goes on
+//! where it was stopped. Members are independent: each is computed as if it were alone, and one that fails leaves its error
+//! in its own outcome. With the feature `mpi`, `run_over_ranks` does so over the processes of an MPI program. Outcomes come in the order of the members, whatever the number of threads.
+
+#[cfg(feature = "mpi")]
+mod over_ranks;
+
+use std::ops::ControlFlow;
+#[cfg(all(feature = "serde", feature = "npz"))]
+use std::path::Path;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use super::builder::SimBuilder;
+use super::error::SimError;
+#[cfg(all(feature = "serde", feature = "npz"))]
+use super::observer::Observer;
+use super::record::StepRecord;
+use super::scene::Scene;
+use super::simulation::MixedLubricationSim;
+#[cfg(all(feature = "serde", feature = "npz"))]
+use crate::error::InputError;
+#[cfg(all(feature = "serde", feature = "npz"))]
+use crate::sim::RunFolder;
+use crate::surface::RoughnessMotion;
+
+#[cfg(feature = "mpi")]
+pub use over_ranks::run_over_ranks;
+
+/// One history of an ensemble.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Member {
+    /// Name, and of a member that is written the name of its folder.
+    pub name: String,
+    /// The scene.
+    pub scene: Scene,
+    /// How its roughness moves.
+    pub motion: RoughnessMotion,
+    /// Number of steps.
+    pub steps: u64,
+    /// Length of a step \[s\].
+    pub time_step: f64,
+}
+
+impl Member {
+    fn builder(&self) -> SimBuilder {
+        MixedLubricationSim::builder(self.scene.clone()).motion(self.motion)
+    }
+}
+
+/// What became of a member.
+#[derive(Debug)]
+pub struct Outcome {
+    /// The committed steps.
+    pub records: Vec<StepRecord>,
+    /// Why it ended before its last step.
+    pub failure: Option<SimError>,
+}
+
+/// Runs `members` on `threads` threads (at least one).
+///
+/// ```
+/// use stribeck::sim::ensemble::{self, Member};
+/// use stribeck::sim::Scene;
+/// use stribeck::surface::RoughnessMotion;
+/// let members: Vec<Member> = [1.0e9, -1.0, 1.15e9]
+///     .map(|pressure| {
+///         let mut scene = Scene::azam_2019(32);
+///         scene.load.hertz_pressure = Some(pressure);
+///         let motion = RoughnessMotion::RandomShift { seed: 7 };
+///         Member { name: format!("{pressure:e}"), scene, motion, steps: 1, time_step: 10.0 }
+///     })
+///     .into();
+/// let outcomes = ensemble::run(&members, 2);
+/// let wear = |k: usize| outcomes[k].records[0].mean_wear[1];
+/// assert!(wear(0) < wear(2));
+/// // The second cannot be built; the others do not mind.
+/// assert_eq!(
+///     outcomes[1].failure.as_ref().map(ToString::to_string).as_deref(),
+///     Some("load.hertz_pressure = -1: must be finite and > 0")
+/// );
+/// ```
+pub fn run(members: &[Member], threads: usize) -> Vec<Outcome> {
+    share(members, threads, |member| {
+        let mut records = Vec::with_capacity(usize::try_from(member.steps).unwrap_or(0).min(1 << 16));
+        let outcome = member.builder().build().and_then(|mut sim| {
+            sim.run(member.steps, member.time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
+                records.push(*record);
+                ControlFlow::Continue(())
+            })
+        });
+        Outcome { records, failure: outcome.err() }
+    })
+}
+
+/// Runs `members` on `threads` threads and writes each into a folder of its name in `folder`, with a checkpoint after each
+/// `every` steps (see [`RunFolder`]). Called again after it was stopped, it goes on from the checkpoints; finished members
+/// are read, not computed.
+///
+/// # Errors
+/// A name that is taken, empty or no name of a folder. Everything else is the failure of a member.
+#[cfg(all(feature = "serde", feature = "npz"))]
+pub fn run_in(
+    folder: impl AsRef<Path>,
+    members: &[Member],
+    threads: usize,
+    every: u64,
+) -> Result<Vec<Outcome>, SimError> {
+    let folder = folder.as_ref();
+    check_names(members)?;
+    Ok(share(members, threads, |member| run_member(folder, member, every)))
+}
+
+#[cfg(all(feature = "serde", feature = "npz"))]
+fn check_names(members: &[Member]) -> Result<(), InputError> {
+    let mut taken = std::collections::BTreeSet::new();
+    for member in members {
+        let name = member.name.as_str();
+        let plain = !name.is_empty() && name != "." && name != ".." && !name.contains(['/', '\\', '\0']);
+        if !plain || !taken.insert(name) {
+            return Err(InputError::Conflict {
+                field: format!("name \"{name}\" of a member"),
+                reason: "every member needs the name of a folder of its own".to_owned(),
+            });
+        }
+    }
+    Ok(())
+}
+
+#[cfg(all(feature = "serde", feature = "npz"))]
+fn run_member(folder: &Path, member: &Member, every: u64) -> Outcome {
+    let mut records = Vec::new();
+    let mut run = || {
+        let mut sim = member.builder().build()?;
+        let (mut files, before) = RunFolder::resume(folder.join(&member.name), &mut sim, every)?;
+        records = before;
+        let left = member.steps.saturating_sub(sim.steps());
+        let outcome =
+            sim.run(left, member.time_step, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
+                records.push(*record);
+                files.after_step(sim, record)
+            });
+        // What there is of a history that failed is written all the same.
+        files.finish(&sim).and(outcome)
+    };
+    let failure = run().err();
+    Outcome { records, failure }
+}
+
+/// Maps `members` in order; threads take the next one as they come free.
+fn share<T: Send>(members: &[Member], threads: usize, work: impl Fn(&Member) -> T + Sync) -> Vec<T> {
+    let slots: Vec<Mutex<Option<T>>> = members.iter().map(|_| Mutex::new(None)).collect();
+    let next = AtomicUsize::new(0);
+    let take = || {
+        while let Some((member, slot)) = {
+            let k = next.fetch_add(1, Ordering::Relaxed);
+            members.get(k).zip(slots.get(k))
+        } {
+            let result = work(member);
+            if let Ok(mut slot) = slot.lock() {
+                *slot = Some(result);
+            }
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 1..threads.min(members.len()) {
+            scope.spawn(take);
+        }
+        take();
+    });
+    slots.into_iter().filter_map(|slot| slot.into_inner().ok().flatten()).collect()
+}

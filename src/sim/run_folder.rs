@@ -1,0 +1,252 @@
+//! The folder of a run: what it takes to repeat it, to go on with it and to read it.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+
+use super::checkpoint::CheckpointError;
+use super::npz::write_npz;
+use super::observer::Observer;
+use super::record::StepRecord;
+use super::simulation::MixedLubricationSim;
+use super::{SimError, whole_file};
+use crate::error::InputError;
+use crate::reynolds::ContactState;
+use crate::surface::RoughnessMotion;
+
+/// Writes a run into a folder, as an [`Observer`] or called by one.
+///
+/// | file | content |
+/// |---|---|
+/// | `scene.toml` | the scene |
+/// | `run.toml` | version of the crate, motion of the roughness and its seed |
+/// | `history.csv` | a line per step ([`StepRecord::CSV_HEADER`]) |
+/// | `checkpoint` | the simulation after the last multiple of `every` steps and at the end |
+/// | `fields.npz` | heights, wear, plastic depth and tribofilm of both bodies, pressures and film; at the end |
+///
+/// A run that was killed, whenever that was, goes on from its checkpoint and leaves the same files as one that was not.
+///
+/// ```
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("run");
+/// use stribeck::sim::{MixedLubricationSim, RunFolder, Scene};
+/// let build = || MixedLubricationSim::builder(Scene::azam_2019(32)).build();
+/// let mut sim = build()?;
+/// let mut folder = RunFolder::create(&path, &sim, 2)?;
+/// sim.run(3, 10.0, &mut folder)?; // ... and is killed: the checkpoint is that of two steps.
+/// let mut sim = build()?;
+/// let (mut folder, records) = RunFolder::resume(&path, &mut sim, 2)?;
+/// assert_eq!((sim.steps(), records.len()), (2, 2));
+/// sim.run(4 - sim.steps(), 10.0, &mut folder)?;
+/// folder.finish(&sim)?;
+/// assert!(path.join("fields.npz").exists());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct RunFolder {
+    path: PathBuf,
+    history: BufWriter<File>,
+    every: u64,
+    /// The contact of the last committed step: a solve that fails leaves a half-way state in the simulation.
+    last_contact: Option<ContactState>,
+    saved_steps: Option<u64>,
+    /// Positions of the roughness that were drawn until the last committed step.
+    draws: u64,
+    failure: Option<SimError>,
+}
+
+/// What is not in the scene.
+#[derive(Serialize)]
+struct RunTable {
+    /// Version of the crate.
+    stribeck: &'static str,
+    motion: &'static str,
+    /// As text: integers of TOML are too short for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    seed: Option<String>,
+    squeeze: bool,
+}
+
+impl RunFolder {
+    /// Makes the folder for a run from its start, with a checkpoint after each `every` steps (0: at the end alone). What
+    /// an earlier run left there is replaced.
+    ///
+    /// # Errors
+    /// [`SimError::Io`] for a file that cannot be written.
+    pub fn create(path: impl Into<PathBuf>, sim: &MixedLubricationSim, every: u64) -> Result<Self, SimError> {
+        let path = path.into();
+        fs::create_dir_all(&path).map_err(|source| SimError::Io { path: path.clone(), source })?;
+        // First, so that no checkpoint of another run stands beside the history of this one.
+        for name in ["checkpoint", "fields.npz"] {
+            match fs::remove_file(path.join(name)) {
+                Err(source) if source.kind() != io::ErrorKind::NotFound => {
+                    return Err(SimError::Io { path: path.join(name), source });
+                }
+                _ => {}
+            }
+        }
+        let (motion, seed) = match sim.motion() {
+            RoughnessMotion::Fixed => ("fixed", None),
+            RoughnessMotion::RandomShift { seed } => ("random_shift", Some(seed.to_string())),
+            RoughnessMotion::Convected => ("convected", None),
+        };
+        let run = RunTable { stribeck: env!("CARGO_PKG_VERSION"), motion, seed, squeeze: sim.has_squeeze() };
+        let run = toml::to_string(&run).map_err(|error| SimError::Scene { reason: error.to_string() })?;
+        let header = format!("{}\n", StepRecord::CSV_HEADER);
+        for (name, text) in
+            [("scene.toml", &sim.scene().to_toml()?), ("run.toml", &run), ("history.csv", &header)]
+        {
+            let file = path.join(name);
+            whole_file::replace(&file, text.as_bytes())
+                .map_err(|source| SimError::Io { path: file, source })?;
+        }
+        let mut history = Self::open_history(&path)?;
+        let end = history.get_mut().seek(SeekFrom::End(0));
+        end.map_err(|source| SimError::Io { path: path.join("history.csv"), source })?;
+        Ok(Self {
+            path,
+            history,
+            every,
+            last_contact: None,
+            saved_steps: None,
+            draws: sim.draws,
+            failure: None,
+        })
+    }
+
+    /// Goes on with the run in the folder: `sim`, built as for its start, is brought to the checkpoint and the history is
+    /// cut to its steps, which are returned. Without a checkpoint this is [`create`](Self::create).
+    ///
+    /// # Errors
+    /// A checkpoint that cannot be used (see [`CheckpointError`]), a history that does not reach it.
+    pub fn resume(
+        path: impl Into<PathBuf>,
+        sim: &mut MixedLubricationSim,
+        every: u64,
+    ) -> Result<(Self, Vec<StepRecord>), SimError> {
+        let path = path.into();
+        let checkpoint = path.join("checkpoint");
+        match sim.restore(&checkpoint) {
+            Ok(()) => {}
+            Err(CheckpointError::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
+                return Ok((Self::create(path, sim, every)?, Vec::new()));
+            }
+            Err(error) => return Err(error.into()),
+        }
+        let mut history = Self::open_history(&path)?;
+        let file = path.join("history.csv");
+        let io = |source| SimError::Io { path: file.clone(), source };
+        let mut text = String::new();
+        history.get_mut().read_to_string(&mut text).map_err(io)?;
+        let (records, length) = Self::rows(&text, sim.steps(), &file)?;
+        history.get_mut().set_len(length).map_err(io)?;
+        history.get_mut().seek(SeekFrom::End(0)).map_err(io)?;
+        let (last_contact, saved_steps) = (Some(sim.state().clone()), Some(sim.steps()));
+        let draws = sim.draws;
+        Ok((Self { path, history, every, last_contact, saved_steps, draws, failure: None }, records))
+    }
+
+    fn open_history(path: &Path) -> Result<BufWriter<File>, SimError> {
+        let file = path.join("history.csv");
+        let opened = File::options().read(true).write(true).open(&file);
+        opened.map(BufWriter::new).map_err(|source| SimError::Io { path: file, source })
+    }
+
+    /// The first `steps` records in `text`, and how many bytes they take with the header.
+    fn rows(text: &str, steps: u64, file: &Path) -> Result<(Vec<StepRecord>, u64), SimError> {
+        let short = |records: &[StepRecord]| {
+            SimError::Input(InputError::Conflict {
+                field: file.display().to_string(),
+                reason: format!("{} whole steps, the checkpoint is that of {steps}", records.len()),
+            })
+        };
+        let mut lines = text.split_inclusive('\n');
+        let mut records = Vec::new();
+        let mut length = lines.next().map_or(0, str::len);
+        while (records.len() as u64) < steps {
+            let Some(line) = lines.next().and_then(|line| line.strip_suffix('\n')) else {
+                return Err(short(&records));
+            };
+            records.push(StepRecord::from_csv(line)?);
+            length += line.len() + 1;
+        }
+        Ok((records, length as u64))
+    }
+
+    fn write_step(&mut self, sim: &MixedLubricationSim, record: &StepRecord) -> Result<(), SimError> {
+        let file = self.path.join("history.csv");
+        let written = record.write_csv(&mut self.history).and_then(|()| self.history.flush());
+        written.map_err(|source| SimError::Io { path: file, source })?;
+        self.last_contact.get_or_insert_with(|| sim.state().clone()).clone_from(sim.state());
+        self.draws = sim.draws;
+        if self.every > 0 && sim.steps().is_multiple_of(self.every) { self.save(sim) } else { Ok(()) }
+    }
+
+    /// The history reaches the disk before the checkpoint that counts its lines.
+    fn save(&mut self, sim: &MixedLubricationSim) -> Result<(), SimError> {
+        let synced = self.history.get_ref().sync_data();
+        synced.map_err(|source| SimError::Io { path: self.path.join("history.csv"), source })?;
+        sim.save(self.path.join("checkpoint"))?;
+        self.saved_steps = Some(sim.steps());
+        Ok(())
+    }
+
+    /// Writes the last checkpoint, unless the last step failed, and the fields.
+    ///
+    /// # Errors
+    /// The error that stopped the run if a step could not be written; a file that cannot be written.
+    pub fn finish(mut self, sim: &MixedLubricationSim) -> Result<(), SimError> {
+        if let Some(failure) = self.failure.take() {
+            return Err(failure);
+        }
+        // A step that failed has drawn further positions: from a checkpoint of it a resumed run would try others.
+        let failed = sim.draws != self.draws;
+        if self.saved_steps != Some(sim.steps()) && !failed {
+            self.save(sim)?;
+        }
+        let [ball, disc] = sim.bodies();
+        let mut fields = vec![
+            ("ball_initial_m", ball.initial()),
+            ("ball_surface_m", ball.surface()),
+            ("ball_wear_m", ball.wear_depth()),
+            ("ball_plastic_m", ball.plastic_depth()),
+            ("ball_tribofilm_m", ball.film_thickness()),
+            ("disc_initial_m", disc.initial()),
+            ("disc_surface_m", disc.surface()),
+            ("disc_wear_m", disc.wear_depth()),
+            ("disc_plastic_m", disc.plastic_depth()),
+            ("disc_tribofilm_m", disc.film_thickness()),
+        ];
+        if let Some(contact) = &self.last_contact {
+            fields.extend([
+                ("pressure_pa", contact.pressure.as_slice()),
+                ("fluid_pressure_pa", &contact.fluid_pressure),
+                ("film_m", &contact.film),
+            ]);
+        }
+        let (file, grid) = (self.path.join("fields.npz"), sim.grid());
+        write_npz(whole_file::draft(&file), grid.nx(), grid.ny(), &fields)?;
+        whole_file::put_in_place(&file).map_err(|source| SimError::Io { path: file, source })
+    }
+
+    /// The contact of the last committed step; none before the first.
+    pub fn last_contact(&self) -> Option<&ContactState> {
+        self.last_contact.as_ref()
+    }
+}
+
+impl Observer for RunFolder {
+    /// Writes the step; where that fails the run ends, and [`finish`](RunFolder::finish) says why.
+    fn after_step(&mut self, sim: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()> {
+        match self.write_step(sim, record) {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(error) => {
+                self.failure = Some(error);
+                ControlFlow::Break(())
+            }
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Fields as files of the Visualization Toolkit.
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::Path;
+
+use super::SimError;
+use crate::error::InputError;
+use crate::grid::Grid;
+
+/// Writes `fields` on `grid` as point data of a legacy VTK file (structured points, binary, 64 bit floats, lengths in m),
+/// which `ParaView` and `VisIt` open. Names must not hold blanks.
+///
+/// Source: VTK file formats, Kitware, legacy format 3.0.
+///
+/// # Errors
+/// [`SimError::Input`] naming the field that does not fit the grid or whose name is empty, taken or holds a blank;
+/// [`SimError::Io`] when the file cannot be written.
+///
+/// ```
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("fields.vtk");
+/// let grid = stribeck::Grid::centred(3, 2, 1e-6, 1e-6)?;
+/// stribeck::sim::write_vtk(&path, &grid, &[("film_m", &[1e-9; 6]), ("pressure_pa", &[0.0; 6])])?;
+/// assert!(std::fs::read(&path)?.starts_with(b"# vtk DataFile Version 3.0\n"));
+/// let error = stribeck::sim::write_vtk(&path, &grid, &[("film m", &[1e-9; 6])]).unwrap_err();
+/// assert_eq!(error.to_string(), "field name \"film m\": every field needs its own name, without blanks");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_vtk(path: impl AsRef<Path>, grid: &Grid, fields: &[(&str, &[f64])]) -> Result<(), SimError> {
+    for (index, &(name, field)) in fields.iter().enumerate() {
+        InputError::require_len(name, field, grid.len())?;
+        let taken = fields[..index].iter().any(|(other, _)| *other == name);
+        if name.is_empty() || taken || name.contains(|c: char| c.is_whitespace() || c.is_control()) {
+            let reason = "every field needs its own name, without blanks".to_owned();
+            return Err(InputError::Conflict { field: format!("field name \"{name}\""), reason }.into());
+        }
+    }
+    let path = path.as_ref();
+    write(path, grid, fields).map_err(|source| SimError::Io { path: path.to_owned(), source })
+}
+
+fn write(path: &Path, grid: &Grid, fields: &[(&str, &[f64])]) -> std::io::Result<()> {
+    let mut out = BufWriter::new(File::create(path)?);
+    writeln!(out, "# vtk DataFile Version 3.0\nstribeck\nBINARY\nDATASET STRUCTURED_POINTS")?;
+    writeln!(out, "DIMENSIONS {} {} 1", grid.nx(), grid.ny())?;
+    writeln!(out, "ORIGIN {:e} {:e} 0", grid.x(0), grid.y(0))?;
+    writeln!(out, "SPACING {:e} {:e} {:e}", grid.dx(), grid.dy(), grid.dy())?;
+    writeln!(out, "POINT_DATA {}", grid.len())?;
+    let mut bytes = Vec::with_capacity(grid.nx() * size_of::<f64>());
+    for (name, field) in fields {
+        writeln!(out, "SCALARS {name} double 1\nLOOKUP_TABLE default")?;
+        for row in field.chunks(grid.nx()) {
+            bytes.clear();
+            bytes.extend(row.iter().flat_map(|value| value.to_be_bytes()));
+            out.write_all(&bytes)?;
+        }
+        writeln!(out)?;
+    }
+    out.flush()
+}

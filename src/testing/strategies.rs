@@ -1,0 +1,286 @@
+//! Random scenes and pressures for proptest.
+
+use proptest::prelude::*;
+
+use crate::grid::Grid;
+use crate::sim::Scene;
+use crate::sim::scene::{
+    Elastic, Flash, FrictionSpec, GridSpec, Load, LubricantSpec, Motion, PlasticSpec, RandomRoughness,
+    Roughness, RoughnessPair, SolverKind, SolverSpec, ThermalSpec, TribofilmSpec, WearSpec,
+};
+use crate::surface::Form;
+use crate::tribochem::Activation;
+
+/// Values that no physical quantity should have, or hardly any.
+const ABSURD: [f64; 12] = [
+    0.0,
+    -0.0,
+    -1.0,
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::MIN_POSITIVE,
+    1e-300,
+    1e-30,
+    1e30,
+    1e300,
+    f64::MAX,
+];
+
+/// Between `low` and `high`, every decade as likely.
+fn decades(low: f64, high: f64) -> impl Strategy<Value = f64> {
+    (low.ln()..high.ln()).prop_map(f64::exp)
+}
+
+fn forms() -> impl Strategy<Value = Form> {
+    prop_oneof![
+        4 => decades(1e-3, 0.1).prop_map(|radius| Form::Sphere { radius }),
+        1 => (decades(1e-3, 0.1), decades(0.2, 5.0))
+            .prop_map(|(radius_x, ratio)| Form::Ellipsoid { radius_x, radius_y: ratio * radius_x }),
+        1 => decades(1e-3, 0.1).prop_map(|radius| Form::Cylinder { radius }),
+    ]
+}
+
+fn roughness() -> impl Strategy<Value = Roughness> {
+    let random = || {
+        (decades(1e-9, 5e-7), decades(5e-6, 5e-5), decades(5e-6, 5e-5), any::<u64>())
+            .prop_map(|(rq, length_x, length_y, seed)| RandomRoughness { rq, length_x, length_y, seed })
+    };
+    prop_oneof![
+        2 => Just(Roughness::None),
+        2 => random().prop_map(Roughness::Gaussian),
+        1 => random().prop_map(Roughness::Exponential),
+    ]
+}
+
+fn lubricants() -> impl Strategy<Value = Option<LubricantSpec>> {
+    let oil =
+        (decades(1e-3, 0.5), 0.3..0.8, any::<bool>()).prop_map(|(eta0, roelands_z, given)| LubricantSpec {
+            eta0,
+            roelands_z,
+            roelands_p0: 1.96e8,
+            alpha: given.then_some(1.5e-8),
+            density_a: 0.6e-9,
+            density_b: 1.7e-9,
+        });
+    prop::option::weighted(0.75, oil)
+}
+
+fn grids() -> impl Strategy<Value = GridSpec> {
+    let half = || decades(1e-4, 1e-3);
+    prop_oneof![
+        6 => (8_usize..32, 8_usize..32, half(), half())
+            .prop_map(|(nx, ny, a, b)| GridSpec::Cells { nx, ny, x: [-a, a], y: [-b, b] }),
+        1 => (5_usize..200, half()).prop_map(|(nx, a)| GridSpec::Row { nx, x: [-a, a] }),
+    ]
+}
+
+fn solvers() -> impl Strategy<Value = SolverSpec> {
+    let kinds = prop_oneof![
+        6 => Just(SolverKind::Auto),
+        1 => Just(SolverKind::NewtonKrylov),
+        1 => Just(SolverKind::Dry),
+        1 => Just(SolverKind::SemiSystem),
+        1 => Just(SolverKind::Multigrid),
+    ];
+    (kinds, decades(1e-6, 1e-2), any::<bool>(), decades(1e-10, 1e-8)).prop_map(
+        |(kind, tolerance, edge_contact, film_cutoff)| SolverSpec {
+            kind,
+            tolerance,
+            edge_contact,
+            film_cutoff,
+            max_iterations: 500,
+            ..SolverSpec::default()
+        },
+    )
+}
+
+fn processes()
+-> impl Strategy<Value = (Option<PlasticSpec>, Option<TribofilmSpec>, Option<WearSpec>, ThermalSpec)> {
+    let plastic =
+        (decades(5e8, 2e10), prop::option::of(decades(5e8, 5e9)), prop::option::of(decades(1e14, 1e17)))
+            .prop_map(|(hardness, film_hardness, hardening_modulus)| PlasticSpec {
+                hardness,
+                film_hardness,
+                hardening_modulus,
+            });
+    let activation = prop_oneof![
+        Just(Activation::SolidContact),
+        Just(Activation::Pressure),
+        Just(Activation::ShearStress)
+    ];
+    let film = (activation, decades(1e-18, 1e-14)).prop_map(|(activation, x_tribo)| TribofilmSpec {
+        activation,
+        x_tribo,
+        ..TribofilmSpec::default()
+    });
+    let wear = (decades(1e-9, 1e-5), 0.0..1.0).prop_map(|(coefficient, share)| WearSpec {
+        coefficient,
+        film_coefficient: share * coefficient,
+        ..WearSpec::default()
+    });
+    let flash = prop_oneof![Just(Flash::Auto), Just(Flash::On), Just(Flash::Off)];
+    let thermal = (250.0..500.0, flash).prop_map(|(bulk_temperature, flash)| ThermalSpec {
+        bulk_temperature,
+        flash,
+        ..ThermalSpec::default()
+    });
+    (prop::option::of(plastic), prop::option::of(film), prop::option::of(wear), thermal)
+}
+
+/// Scenes of every kind with values in their ranges on small grids, from dry to full film. Not all fit their box: some
+/// are refused, and some do not converge.
+pub fn scenes() -> impl Strategy<Value = Scene> {
+    let load = prop_oneof![
+        3 => decades(1e8, 3e9).prop_map(|p| Load { hertz_pressure: Some(p), force: None }),
+        1 => decades(0.1, 1e3).prop_map(|f| Load { hertz_pressure: None, force: Some(f) }),
+    ];
+    let motion = (decades(1e-4, 20.0), -2.0..2.0)
+        .prop_map(|(entrainment_speed, slide_roll_ratio)| Motion { entrainment_speed, slide_roll_ratio });
+    let friction =
+        (0.0..0.3, prop::option::of(decades(1e6, 1e8))).prop_map(|(boundary_coefficient, eyring)| {
+            FrictionSpec { boundary_coefficient, eyring_stress: eyring, ..FrictionSpec::default() }
+        });
+    let physics = (forms(), decades(5e10, 5e11), load, motion, friction);
+    let numerics = (lubricants(), grids(), roughness(), roughness(), solvers());
+    (physics, numerics, processes()).prop_map(|(physics, numerics, processes)| {
+        let (form, equivalent_modulus, load, motion, friction) = physics;
+        let (lubricant, grid, ball, disc, solver) = numerics;
+        let (plastic, tribofilm, wear, thermal) = processes;
+        // A row belongs to a cylinder.
+        let form = match (form, grid) {
+            (form, GridSpec::Row { .. }) => Form::Cylinder { radius: form.radii().0 },
+            (form, _) => form,
+        };
+        Scene {
+            form,
+            elastic: Elastic { equivalent_modulus },
+            load,
+            motion,
+            lubricant,
+            grid,
+            roughness: RoughnessPair { ball, disc },
+            plastic,
+            friction,
+            tribofilm,
+            wear,
+            thermal,
+            solver,
+        }
+    })
+}
+
+/// Scenes of [`scenes`] of which up to three values are absurd: zero, negative, huge, tiny or no number, boxes beside the
+/// contact, grids of one or two nodes, a hardness that cannot carry the load, an accuracy that cannot be reached.
+pub fn absurd_scenes() -> impl Strategy<Value = Scene> {
+    let values = prop_oneof![prop::sample::select(&ABSURD[..]), any::<f64>(), decades(1e-12, 1e12)];
+    let changes = prop::collection::vec((0_usize..CHANGES, values), 0..4);
+    (scenes(), changes).prop_map(|(mut scene, changes)| {
+        for (change, value) in changes {
+            distort(&mut scene, change, value);
+        }
+        scene
+    })
+}
+
+/// Fields of `grid` from no pressure to that of a loaded contact \[Pa\], never negative.
+pub fn pressures(grid: &Grid) -> impl Strategy<Value = Vec<f64>> + use<> {
+    let node = prop_oneof![1 => Just(0.0), 2 => decades(1e3, 5e9)];
+    prop::collection::vec(node, grid.len())
+}
+
+/// Kinds of changes that [`distort`] knows.
+const CHANGES: usize = 40;
+
+fn distort(scene: &mut Scene, change: usize, value: f64) {
+    let small = |value: f64| value.abs().min(3.0) as usize;
+    let lubricant = |scene: &mut Scene, set: fn(&mut LubricantSpec, f64), value: f64| {
+        if let Some(spec) = &mut scene.lubricant {
+            set(spec, value);
+        }
+    };
+    match change {
+        0 => scene.form = Form::Sphere { radius: value },
+        1 => scene.form = Form::Ellipsoid { radius_x: value, radius_y: 1e-2 },
+        2 => scene.form = Form::Cylinder { radius: value },
+        3 => scene.elastic.equivalent_modulus = value,
+        4 => scene.load = Load { hertz_pressure: Some(value), force: None },
+        5 => scene.load = Load { hertz_pressure: None, force: Some(value) },
+        6 => scene.load = Load { hertz_pressure: Some(value), force: Some(value) },
+        7 => scene.load = Load::default(),
+        8 => scene.motion.entrainment_speed = value,
+        9 => scene.motion.slide_roll_ratio = value,
+        10 => lubricant(scene, |spec, value| spec.eta0 = value, value),
+        11 => lubricant(scene, |spec, value| spec.roelands_z = value, value),
+        12 => lubricant(scene, |spec, value| spec.roelands_p0 = value, value),
+        13 => lubricant(scene, |spec, value| spec.alpha = Some(value), value),
+        14 => lubricant(scene, |spec, value| spec.density_a = value, value),
+        15 => lubricant(scene, |spec, value| spec.density_b = value, value),
+        16 => scene.grid = GridSpec::Cells { nx: 1, ny: 16, x: [-3e-4, 3e-4], y: [-3e-4, 3e-4] },
+        17 => scene.grid = GridSpec::Cells { nx: 16, ny: small(value), x: [-3e-4, 3e-4], y: [-3e-4, 3e-4] },
+        18 => {
+            scene.grid =
+                GridSpec::Cells { nx: small(value), ny: small(value), x: [-1.0, 1.0], y: [-1.0, 1.0] }
+        }
+        // The contact over the edge of the box, or outside.
+        19 => scene.grid = GridSpec::Cells { nx: 16, ny: 16, x: [-2e-5, 4e-4], y: [-3e-4, 3e-4] },
+        20 => scene.grid = GridSpec::Cells { nx: 16, ny: 16, x: [value, 4e-4], y: [-3e-4, value] },
+        21 => scene.grid = GridSpec::Cells { nx: 16, ny: 16, x: [1e-5, 4e-4], y: [-3e-4, 3e-4] },
+        22 => scene.grid = GridSpec::Cells { nx: usize::MAX, ny: usize::MAX, x: [-1.0, 1.0], y: [-1.0, 1.0] },
+        23 => scene.grid = GridSpec::Row { nx: small(value), x: [-value, value] },
+        24 => scene.grid = GridSpec::Accuracy { accuracy: if value < 0.1 { value } else { 0.5 } },
+        25 => {
+            scene.roughness.ball =
+                Roughness::Gaussian(RandomRoughness { rq: value, length_x: 1e-5, length_y: 1e-5, seed: 1 });
+        }
+        26 => {
+            scene.roughness.disc = Roughness::Exponential(RandomRoughness {
+                rq: 1e-7,
+                length_x: value,
+                length_y: 1e-5,
+                seed: 1,
+            });
+        }
+        27 => {
+            scene.roughness.disc = Roughness::File(crate::sim::scene::FileRoughness {
+                path: "there is no such file.npy".into(),
+                rq: Some(value),
+            });
+        }
+        28 => {
+            scene.plastic =
+                Some(PlasticSpec { hardness: value, film_hardness: None, hardening_modulus: None });
+        }
+        // Below the mean pressure: nothing carries the load.
+        29 => {
+            scene.plastic = Some(PlasticSpec { hardness: 1e6, film_hardness: None, hardening_modulus: None });
+        }
+        30 => {
+            scene.plastic = Some(PlasticSpec {
+                hardness: 6e9,
+                film_hardness: Some(value),
+                hardening_modulus: Some(value),
+            });
+        }
+        31 => scene.friction = FrictionSpec { boundary_coefficient: value, ..scene.friction },
+        32 => {
+            scene.friction =
+                FrictionSpec { limiting_shear_stress: value, eyring_stress: Some(value), ..scene.friction };
+        }
+        33 => scene.tribofilm = Some(TribofilmSpec { maximum_thickness: value, ..TribofilmSpec::default() }),
+        34 => {
+            scene.tribofilm =
+                Some(TribofilmSpec { x_tribo: value, removal_rate: value, ..TribofilmSpec::default() });
+        }
+        35 => {
+            scene.wear = Some(WearSpec { coefficient: value, film_coefficient: 0.0, ..WearSpec::default() });
+        }
+        36 => scene.wear = Some(WearSpec { hardness: value, duty_factor_ball: value, ..WearSpec::default() }),
+        37 => scene.thermal = ThermalSpec { bulk_temperature: value, conductivity: value, ..scene.thermal },
+        38 => scene.solver = SolverSpec { tolerance: value, max_iterations: 0, ..scene.solver },
+        _ => {
+            scene.solver =
+                SolverSpec { film_cutoff: value, relaxation: value, stiffness: value, ..scene.solver };
+        }
+    }
+}

@@ -1,0 +1,330 @@
+//! Smooth full films: known values, orders of convergence, costs that do not grow with the grid, meshes that are too coarse.
+#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+use stribeck::elastic::{DeformationModel, HalfSpace};
+use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
+use stribeck::reynolds::{
+    ContactSolver, ContactState, FaceMobility, LubricatedContact, Multigrid, NewtonKrylov, Scheme, Squeeze,
+    StoppingRule,
+};
+use stribeck::sim::scene::{GridSpec, Load, LubricantSpec, SolverKind};
+use stribeck::sim::{ContactSolution, Scene, solve_contact};
+use stribeck::surface::Form;
+use stribeck::{Grid, Status};
+
+const RADIUS: f64 = 1.0;
+const MODULUS: f64 = 226e9;
+const ALPHA: f64 = 2.2e-8;
+const ETA0: f64 = 0.04;
+
+/// A ball by its Moes parameters (with the sum of the speeds), second order, on a box of six by six half-widths.
+fn ball(moes_load: f64, moes_lubricant: f64, n: usize) -> Scene {
+    let speed = (moes_lubricant / (ALPHA * MODULUS)).powi(4);
+    let mut scene = Scene::azam_2019(n);
+    scene.form = Form::Sphere { radius: RADIUS };
+    scene.elastic.equivalent_modulus = MODULUS;
+    let force = moes_load * speed.powf(0.75) * MODULUS * RADIUS * RADIUS;
+    scene.load = Load { hertz_pressure: None, force: Some(force) };
+    scene.motion.entrainment_speed = 0.5 * speed * MODULUS * RADIUS / ETA0;
+    scene.lubricant = Some(LubricantSpec {
+        eta0: ETA0,
+        roelands_z: 0.68,
+        roelands_p0: 1.96e8,
+        alpha: Some(ALPHA),
+        density_a: 0.34 / 5.9e8,
+        density_b: 1.0 / 5.9e8,
+    });
+    scene.roughness = Default::default();
+    scene.plastic = None;
+    scene.solver.scheme = Scheme::SecondOrder;
+    let a = scene.hertz().unwrap().a_x;
+    scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-4.5 * a, 1.5 * a], y: [-3.0 * a, 3.0 * a] };
+    scene
+}
+
+fn converged(scene: &Scene) -> ContactSolution {
+    let solution = solve_contact(scene).unwrap();
+    let _ = solution.report.require_converged().unwrap();
+    assert!(solution.report.residuals.max() <= scene.solver.tolerance, "{:?}", solution.report);
+    solution
+}
+
+/// Central and minimum film in units of `a^2/R`.
+fn films(solution: &ContactSolution) -> (f64, f64) {
+    let unit = solution.hertz.radius.powi(2) / RADIUS;
+    (solution.film.central / unit, solution.film.minimum / unit)
+}
+
+/// Hertz pressure and the speed parameter `12 eta0 u R^2 / (a^3 p_h)` of the known films below.
+#[test]
+fn moes_parameters_give_the_scales_of_the_known_films() {
+    for (m, pressure, lambda) in [
+        (20.0, 0.449_574e9, 0.202_211_62),
+        (100.0, 0.768_761e9, 0.023_650_815),
+        (200.0, 0.968_578e9, 0.009_385_832_2),
+    ] {
+        let scene = ball(m, 10.0, 64);
+        let hertz = scene.hertz().unwrap();
+        assert!((hertz.p_max / pressure - 1.0).abs() < 1e-5, "{}", hertz.p_max);
+        let speed = scene.motion.entrainment_speed;
+        let found = 12.0 * ETA0 * speed * RADIUS * RADIUS / (hertz.a_x.powi(3) * hertz.p_max);
+        assert!((found / lambda - 1.0).abs() < 1e-5, "{found}");
+    }
+}
+
+/// Converged values by two independent programs (multigrid and Newton, extrapolated from 256 to 1024 cells).
+#[test]
+fn films_converge_to_known_values_at_second_order() {
+    for (m, central, minimum) in [(20.0, 0.4325, 0.2928), (100.0, 0.1372, 0.0735), (200.0, 0.0824, 0.0391)] {
+        let solved = [128, 256, 512].map(|n| {
+            let solution = converged(&ball(m, 10.0, n));
+            let work = solution.report.work.convolutions;
+            assert!(work <= 120.0, "M {m}, {n} cells: {work} convolutions");
+            films(&solution)
+        });
+        let [coarse, middle, fine] = solved;
+        assert!((fine.0 / central - 1.0).abs() < 0.01, "M {m}: central film {}", fine.0);
+        assert!((fine.1 / minimum - 1.0).abs() < 0.015, "M {m}: minimum film {}", fine.1);
+        let order = ((middle.0 - coarse.0) / (fine.0 - middle.0)).log2();
+        assert!(order > 1.8 && order < 2.2, "M {m}: order {order}, films {solved:?}");
+    }
+}
+
+#[test]
+fn first_order_films_are_a_little_too_thick() {
+    // 0.96 % at M = 20: the arithmetic means of a smooth contact of first order make its film thinner.
+    for (m, central, least) in [(20.0, 0.4325, 0.009), (100.0, 0.1372, 0.01), (200.0, 0.0824, 0.01)] {
+        let mut scene = ball(m, 10.0, 512);
+        scene.solver.scheme = Scheme::FirstOrder;
+        let error = films(&converged(&scene)).0 / central - 1.0;
+        assert!(error > least && error < 0.04, "M {m}: {error}");
+    }
+}
+
+/// The example of a public code of sweeps whose load loop ends in a limit cycle at 128 and at 256 cells.
+#[test]
+fn steel_ball_in_thick_oil_converges_on_every_grid() {
+    let modulus = 200e9 / (1.0 - 0.3_f64.powi(2));
+    for (n, central) in [(64, Some(1.52e-6)), (128, Some(1.49e-6)), (256, None), (512, None)] {
+        let mut scene = Scene::azam_2019(n);
+        scene.form = Form::Sphere { radius: 19.05e-3 };
+        scene.elastic.equivalent_modulus = modulus;
+        scene.load = Load { hertz_pressure: None, force: Some(800.0) };
+        scene.motion.entrainment_speed = 4.0;
+        scene.lubricant = Some(LubricantSpec {
+            eta0: 0.096,
+            roelands_z: 0.68,
+            roelands_p0: 196.08e6,
+            alpha: None,
+            density_a: 0.34 / 5.9e8,
+            density_b: 1.0 / 5.9e8,
+        });
+        scene.roughness = Default::default();
+        scene.plastic = None;
+        let a = scene.hertz().unwrap().a_x;
+        scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-2.0 * a, 2.0 * a], y: [-2.0 * a, 2.0 * a] };
+        let film = converged(&scene).film;
+        assert!(film.minimum > 0.0 && film.minimum < film.central, "{n} cells: {film:?}");
+        if let Some(central) = central {
+            assert!(
+                (film.central / central - 1.0).abs() < 0.02,
+                "{n} cells: central film {:e}",
+                film.central
+            );
+        }
+    }
+}
+
+/// The problem of a scene on its grid, for solvers called one by one.
+fn with_problem<T>(scene: &Scene, run: impl FnOnce(&mut LubricatedContact<'_>) -> T) -> T {
+    let (grid, hertz) = (scene.grid().unwrap(), scene.hertz().unwrap());
+    let mut gap = vec![0.0; grid.len()];
+    scene.form.gap_into(&grid, &mut gap).unwrap();
+    let mut body = HalfSpace::new(grid, MODULUS).unwrap();
+    let oil = Lubricant::new(
+        Roelands::from_alpha(ETA0, ALPHA, 0.68, 1.96e8).unwrap(),
+        DowsonHigginson::new(0.34 / 5.9e8, 1.0 / 5.9e8).unwrap(),
+    );
+    let mut problem = LubricatedContact {
+        gap: &gap,
+        deformation: &mut body,
+        lubricant: Some(&oil),
+        entrainment_speed: scene.motion.entrainment_speed,
+        squeeze: None,
+        load: hertz.load,
+        pressure_limit: None,
+        film_cutoff: 1e-9,
+        scheme: scene.solver.scheme,
+        face_mobility: scene.face_mobility(),
+        reference_half_widths: (hertz.a_x, hertz.a_y),
+        reference_pressure: hertz.p_max,
+        reference_film: 0.1 * hertz.a_x.powi(2) / RADIUS,
+    };
+    run(&mut problem)
+}
+
+#[test]
+fn the_multigrid_start_costs_less_than_thirty_convolutions() {
+    for n in [128, 256] {
+        for (m, error) in [(20.0, 0.01), (200.0, 0.06), (1000.0, 0.25)] {
+            let mut scene = ball(m, 10.0, n);
+            let exact = films(&converged(&scene)).0;
+            scene.solver.kind = SolverKind::Multigrid;
+            scene.solver.max_iterations = 0;
+            let start = solve_contact(&scene).unwrap();
+            assert_eq!(start.report.status, Status::MaxIterations);
+            let work = start.report.work.convolutions;
+            assert!(work <= 30.0, "M {m}, {n} cells: {work} convolutions");
+            // The error of discretisation falls by four from 128 to 256 cells.
+            let discretisation = error * (128.0 / n as f64).powi(2);
+            let algebraic = (films(&start).0 / exact - 1.0).abs();
+            assert!(algebraic < discretisation, "M {m}, {n} cells: {algebraic}");
+        }
+    }
+}
+
+#[test]
+fn highly_loaded_films_cost_no_more() {
+    for (n, m) in [(128, 500.0), (128, 1000.0), (256, 50.0), (256, 1000.0)] {
+        let report = converged(&ball(m, 10.0, n)).report;
+        assert!(report.work.convolutions <= 120.0, "M {m}, {n} cells: {report:?}");
+    }
+}
+
+/// Krylov steps of one Newton step at the same distance from the solution. From 64 to 512 cells they grow by 1.3 at M = 20,
+/// but by 1.7 to 2 from M = 100 on, which is asserted as it is.
+#[test]
+fn krylov_steps_hardly_grow_with_the_grid() {
+    for (m, growth) in [(20.0, 1.5), (200.0, 2.0)] {
+        let [coarse, fine] = [64, 512].map(|n| {
+            with_problem(&ball(m, 10.0, n), |problem| {
+                let mut state = ContactState::new(&problem.grid());
+                let start = StoppingRule { tolerance: 1e-6, max_iterations: 0 };
+                let _ = Multigrid::new().solve(problem, &mut state, &start).unwrap();
+                let report =
+                    NewtonKrylov::new().solve(problem, &mut state, &StoppingRule::default()).unwrap();
+                assert_eq!(report.status, Status::Converged);
+                report.work.inner_iterations as f64 / report.work.iterations as f64
+            })
+        });
+        assert!(fine < growth * coarse, "M {m}: {coarse} steps at 64 cells, {fine} at 512");
+    }
+}
+
+#[test]
+fn meshes_without_a_positive_film_are_named() {
+    for m in [1000.0, 5000.0] {
+        for kind in [SolverKind::Auto, SolverKind::Multigrid] {
+            let mut scene = ball(m, 10.0, 64);
+            scene.solver.kind = kind;
+            let solution = solve_contact(&scene).unwrap();
+            assert_eq!(solution.report.status, Status::MeshTooCoarse, "M {m} by {kind:?}");
+            assert!(solution.report.residuals.is_finite() && solution.film.central.is_finite());
+            assert!(solution.report.require_converged().unwrap_err().to_string().contains("mesh_too_coarse"));
+        }
+    }
+}
+
+#[test]
+fn multigrid_refuses_what_it_cannot_do() {
+    let mut scene = ball(100.0, 10.0, 64);
+    scene.form = Form::Cylinder { radius: RADIUS };
+    scene.load = Load { hertz_pressure: Some(0.5e9), force: None };
+    scene.solver.kind = SolverKind::Multigrid;
+    let message = solve_contact(&scene).unwrap_err().to_string();
+    assert!(message.contains("multigrid"), "{message}");
+    let mut rough = Scene::azam_2019(64);
+    rough.solver.kind = SolverKind::Multigrid;
+    let solution = solve_contact(&rough).unwrap();
+    assert_ne!(solution.report.status, Status::Converged);
+    assert!(solution.state.pressure.iter().chain(&solution.state.film).all(|v| v.is_finite()));
+}
+
+/// A made-up pressure that is zero at the edge, and a made-up film, on the square of -1 to 1 in units of `LENGTH`.
+const LENGTH: f64 = 1e-4;
+const PEAK: f64 = 2e8;
+/// Fast enough that entrainment is as large as pressure flow.
+const SPEED: f64 = 20.0;
+
+fn made_pressure(x: f64, y: f64) -> f64 {
+    let (x, y) = (x / LENGTH, y / LENGTH);
+    PEAK * (1.0 - x * x) * (1.0 - y * y)
+}
+
+fn made_film(x: f64, y: f64) -> f64 {
+    let (x, y) = (x / LENGTH, y / LENGTH);
+    1e-6 * (1.0 + 0.3 * (2.0 * x).sin() + 0.2 * y * y)
+}
+
+/// Largest pressure error over the peak of a made-up solution on `n` by `n` nodes, the outermost at the edge. What the
+/// equations leave over for it goes into the previous mass of the squeeze term.
+fn manufactured_error(n: usize, scheme: Scheme, face_mobility: FaceMobility) -> f64 {
+    let step = 2.0 * LENGTH / (n - 1) as f64;
+    let grid = Grid::centred(n, n, step, step).unwrap();
+    let oil = Lubricant::new(
+        Roelands::from_alpha(0.01, 1e-8, 0.6, 1.96e8).unwrap(),
+        DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap(),
+    );
+    let mass = |x: f64, y: f64| oil.at(made_pressure(x, y)).density * made_film(x, y);
+    // Differences of the exact functions over lengths far below the cells.
+    let tiny = 1e-4 * LENGTH;
+    let flow = |x: f64, y: f64, along: [f64; 2]| {
+        let at = |sign: f64| made_pressure(x + sign * tiny * along[0], y + sign * tiny * along[1]);
+        let viscosity = oil.viscosity().viscosity(made_pressure(x, y));
+        let mobility = mass(x, y) * made_film(x, y).powi(2) / (12.0 * viscosity);
+        mobility * (at(1.0) - at(-1.0)) / (2.0 * tiny)
+    };
+    let divergence = |x: f64, y: f64| {
+        (flow(x + tiny, y, [1.0, 0.0]) - flow(x - tiny, y, [1.0, 0.0]) + flow(x, y + tiny, [0.0, 1.0])
+            - flow(x, y - tiny, [0.0, 1.0]))
+            / (2.0 * tiny)
+    };
+    let entrained = |x: f64, y: f64| SPEED * (mass(x + tiny, y) - mass(x - tiny, y)) / (2.0 * tiny);
+    let time_step = LENGTH / SPEED;
+    let nodes: Vec<(f64, f64)> = grid.nodes().collect();
+    let previous_mass: Vec<f64> =
+        nodes.iter().map(|&(x, y)| mass(x, y) + time_step * (entrained(x, y) - divergence(x, y))).collect();
+    let exact: Vec<f64> = nodes.iter().map(|&(x, y)| made_pressure(x, y).max(0.0)).collect();
+    let mut body = HalfSpace::new(grid, MODULUS).unwrap();
+    let mut displacement = vec![0.0; grid.len()];
+    body.displacement(&exact, &mut displacement).unwrap();
+    let gap: Vec<f64> = nodes.iter().zip(&displacement).map(|(&(x, y), u)| made_film(x, y) - u).collect();
+    let load = exact.iter().sum::<f64>() * grid.cell_area();
+    let mut problem = LubricatedContact {
+        gap: &gap,
+        deformation: &mut body,
+        lubricant: Some(&oil),
+        entrainment_speed: SPEED,
+        squeeze: Some(Squeeze { previous_mass: &previous_mass, time_step }),
+        load,
+        pressure_limit: None,
+        film_cutoff: 1e-9,
+        scheme,
+        face_mobility,
+        reference_half_widths: (LENGTH, LENGTH),
+        reference_pressure: PEAK,
+        reference_film: 1e-6,
+    };
+    let mut state = ContactState::new(&grid);
+    state.pressure.copy_from_slice(&exact);
+    state.fluid_pressure.copy_from_slice(&exact);
+    let stop = StoppingRule { tolerance: 1e-9, max_iterations: 50 };
+    let report = NewtonKrylov::new().solve(&mut problem, &mut state, &stop).unwrap();
+    assert_eq!(report.status, Status::Converged, "{n} nodes: {report:?}");
+    let errors = state.pressure.iter().zip(&exact).map(|(p, e)| (p - e).abs());
+    errors.fold(0.0, f64::max) / PEAK
+}
+
+#[test]
+fn manufactured_solutions_are_found_at_the_order_of_the_scheme() {
+    for face_mobility in [FaceMobility::Arithmetic, FaceMobility::ReducedPressure] {
+        for (scheme, least, most) in [(Scheme::FirstOrder, 0.85, 1.3), (Scheme::SecondOrder, 1.8, 2.3)] {
+            let errors = [33, 65, 129].map(|n| manufactured_error(n, scheme, face_mobility));
+            let order = (errors[1] / errors[2]).log2();
+            assert!(
+                order > least && order < most,
+                "{scheme:?}, {face_mobility:?}: order {order}, {errors:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,322 @@
+//! Checkpoints: a resumed run is the uninterrupted one to the last bit, whoever stopped it; files that do not fit are refused.
+
+#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test stops at what it did not expect")]
+
+use std::fs;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::OnceLock;
+use std::time::Duration;
+
+use stribeck::sim::scene::PlasticSpec;
+use stribeck::sim::{
+    CheckpointError, MixedLubricationSim, RunFolder, Scene, SimBuilder, SimError, StepRecord,
+};
+use stribeck::surface::RoughnessMotion;
+use stribeck::tribochem::ThermalArrhenius;
+
+fn scene() -> Scene {
+    let mut scene = Scene::azam_2019(32).with_tribofilm();
+    scene.solver.tolerance = 1e-3;
+    scene
+}
+
+fn hardening() -> Scene {
+    let mut scene = scene();
+    scene.plastic =
+        Some(PlasticSpec { hardness: 4e9, film_hardness: Some(2e9), hardening_modulus: Some(1e16) });
+    scene
+}
+
+fn ignore(_: &MixedLubricationSim, _: &StepRecord) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+/// Everything that can be seen of a simulation, bit by bit.
+fn bits(sim: &MixedLubricationSim) -> Vec<u64> {
+    let state = sim.state();
+    let fields = sim.bodies().iter().flat_map(|body| {
+        [body.surface(), body.wear_depth(), body.plastic_depth(), body.film_thickness(), body.initial()]
+    });
+    let contact = [&state.pressure, &state.fluid_pressure, &state.film, &state.mass, &state.plastic_depth];
+    let mut bits: Vec<u64> = fields.flatten().map(|value| value.to_bits()).collect();
+    bits.extend(contact.into_iter().flatten().map(|value| value.to_bits()));
+    bits.extend([sim.time().to_bits(), state.approach.to_bits(), sim.steps()]);
+    bits
+}
+
+fn resumed_equals_uninterrupted(build: impl Fn() -> SimBuilder, time_step: f64) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("checkpoint");
+    let mut whole = build().build().unwrap();
+    let mut first = build().build().unwrap();
+    whole.run(5, time_step, &mut ignore).unwrap();
+    first.run(2, time_step, &mut ignore).unwrap();
+    first.save(&path).unwrap();
+    drop(first);
+    let mut second = build().build().unwrap();
+    second.restore(&path).unwrap();
+    assert_eq!(second.steps(), 2);
+    second.run(3, time_step, &mut ignore).unwrap();
+    assert!(bits(&second) == bits(&whole), "the resumed run differs");
+}
+
+#[test]
+fn wear_history_with_film() {
+    resumed_equals_uninterrupted(|| MixedLubricationSim::builder(scene()), 60.0);
+}
+
+#[test]
+fn hardening_history() {
+    resumed_equals_uninterrupted(
+        || MixedLubricationSim::builder(hardening()).motion(RoughnessMotion::RandomShift { seed: u64::MAX }),
+        60.0,
+    );
+}
+
+#[test]
+fn squeezed_history_starts_from_its_last_contact() {
+    // Each solve starts from the pressures before: they belong to the checkpoint.
+    resumed_equals_uninterrupted(
+        || MixedLubricationSim::builder(scene()).motion(RoughnessMotion::Convected).with_squeeze(),
+        3e-5,
+    );
+}
+
+#[test]
+fn a_dry_history_without_film_or_wear() {
+    let mut dry = scene();
+    (dry.lubricant, dry.tribofilm, dry.wear) = (None, None, None);
+    resumed_equals_uninterrupted(|| MixedLubricationSim::builder(dry.clone()), 60.0);
+}
+
+#[test]
+fn files_that_do_not_fit_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("checkpoint");
+    let build = |scene: Scene| MixedLubricationSim::builder(scene).build().unwrap();
+    let mut sim = build(scene());
+    sim.step(10.0).unwrap();
+    sim.save(&path).unwrap();
+    let good = fs::read(&path).unwrap();
+
+    let mut fresh = build(scene());
+    let before = bits(&fresh);
+    let mut refuse = |bytes: &[u8]| {
+        fs::write(&path, bytes).unwrap();
+        let error = fresh.restore(&path).unwrap_err();
+        assert!(bits(&fresh) == before, "a refused file changed the simulation");
+        error
+    };
+    assert!(matches!(refuse(b""), CheckpointError::Foreign { .. }));
+    assert!(matches!(refuse(b"step,time_s\n1,2\n"), CheckpointError::Foreign { .. }));
+    let mut newer = good.clone();
+    newer[20] = 2;
+    let error = refuse(&newer);
+    assert!(matches!(error, CheckpointError::Newer { found: 2, known: 1, .. }), "{error}");
+    // Cut short anywhere, or a byte changed anywhere.
+    for length in [20, 30, 36, 37, good.len() / 2, good.len() - 1] {
+        let error = refuse(&good[..length]);
+        assert!(matches!(error, CheckpointError::Damaged { .. }), "{length} bytes: {error}");
+    }
+    for position in (0..good.len()).step_by(good.len() / 97) {
+        let mut changed = good.clone();
+        changed[position] ^= 0x10;
+        refuse(&changed);
+    }
+    let mut longer = good.clone();
+    longer.push(0);
+    assert!(matches!(refuse(&longer), CheckpointError::Damaged { .. }));
+    fs::remove_file(&path).unwrap();
+    assert!(matches!(fresh.restore(&path).unwrap_err(), CheckpointError::Io { .. }));
+
+    fs::write(&path, &good).unwrap();
+    let part = |builder: SimBuilder| match builder.build().unwrap().restore(&path).unwrap_err() {
+        CheckpointError::Other { part, .. } => part,
+        other => panic!("{other}"),
+    };
+    let mut other = scene();
+    other.load.hertz_pressure = Some(1.1500000000000002e9);
+    assert_eq!(part(MixedLubricationSim::builder(other)), "scene");
+    let motion = RoughnessMotion::RandomShift { seed: 1 };
+    assert_eq!(part(MixedLubricationSim::builder(scene()).motion(motion)), "motion");
+    let law = ThermalArrhenius::new(100e-9, 1e-3, 0.1).unwrap();
+    assert_eq!(part(MixedLubricationSim::builder(scene()).growth_law(law)), "growth law");
+    let heights = vec![1e-9; 32 * 32];
+    assert_eq!(part(MixedLubricationSim::builder(scene()).ball_heights(heights)), "ball heights");
+}
+
+/// The files below `folder` with their contents.
+fn contents(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let mut found = Vec::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(current) = folders.pop() {
+        for entry in fs::read_dir(&current).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                found.push((path.strip_prefix(folder).unwrap().to_owned(), fs::read(&path).unwrap()));
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+#[test]
+fn folder_of_a_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let (whole, parts) = (folder.path().join("whole"), folder.path().join("parts"));
+    let build = || MixedLubricationSim::builder(scene()).build().unwrap();
+    let mut sim = build();
+    let mut files = RunFolder::create(&whole, &sim, 2).unwrap();
+    let mut seen = Vec::new();
+    sim.run(5, 10.0, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
+        seen.push(*record);
+        stribeck::sim::Observer::after_step(&mut files, sim, record)
+    })
+    .unwrap();
+    files.finish(&sim).unwrap();
+
+    let mut sim = build();
+    let mut files = RunFolder::create(&parts, &sim, 2).unwrap();
+    sim.run(3, 10.0, &mut files).unwrap();
+    drop(files);
+    // What a kill leaves of a line that was being written.
+    let mut history = fs::read(parts.join("history.csv")).unwrap();
+    history.extend_from_slice(b"3,4e1,1e1,9.");
+    fs::write(parts.join("history.csv"), history).unwrap();
+    fs::write(parts.join("checkpoint.partial"), b"half").unwrap();
+    let mut sim = build();
+    let (mut files, records) = RunFolder::resume(&parts, &mut sim, 2).unwrap();
+    assert_eq!(records, seen[..2]);
+    sim.run(3, 10.0, &mut files).unwrap();
+    files.finish(&sim).unwrap();
+    assert_eq!(contents(&parts), contents(&whole));
+
+    // A finished run is as it was when it is resumed once more.
+    let mut sim = build();
+    let (files, records) = RunFolder::resume(&parts, &mut sim, 2).unwrap();
+    assert_eq!(records, seen);
+    files.finish(&sim).unwrap();
+    assert_eq!(contents(&parts), contents(&whole));
+
+    // The folder alone repeats the run.
+    let scene = Scene::load(parts.join("scene.toml")).unwrap();
+    assert_eq!(&scene, sim.scene());
+    let run = fs::read_to_string(parts.join("run.toml")).unwrap();
+    assert!(run.contains(env!("CARGO_PKG_VERSION")) && run.contains("seed = \"0\""), "{run}");
+
+    // A history that does not reach the checkpoint.
+    fs::write(parts.join("history.csv"), format!("{}\n", StepRecord::CSV_HEADER)).unwrap();
+    let error = RunFolder::resume(&parts, &mut build(), 2).unwrap_err();
+    assert!(matches!(error, SimError::Input(_)) && error.to_string().contains("history.csv"), "{error}");
+}
+
+#[test]
+fn a_line_of_the_history_is_read_to_the_last_bit() {
+    let mut sim = MixedLubricationSim::builder(scene()).build().unwrap();
+    let record = sim.step(7.3).unwrap();
+    let mut line = Vec::new();
+    record.write_csv(&mut line).unwrap();
+    let line = String::from_utf8(line).unwrap();
+    assert_eq!(StepRecord::from_csv(&line).unwrap(), record);
+    for broken in ["", "1,2", &line[1..], &line.replace("converged", "fine"), &format!("{},7", line.trim())] {
+        assert!(StepRecord::from_csv(broken).is_err(), "{broken}");
+    }
+}
+
+/// The example, brought up to date.
+fn program() -> &'static Path {
+    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
+    PROGRAM.get_or_init(|| {
+        let test = std::env::current_exe().unwrap();
+        let folder = test.parent().and_then(Path::parent).unwrap();
+        let profile = match folder.file_name().and_then(|name| name.to_str()).unwrap() {
+            "debug" => "test",
+            other => other,
+        };
+        let built = Command::new(env!("CARGO"))
+            .args(["build", "--quiet", "--offline", "--example", "mtm_zddp", "--profile", profile])
+            .arg("--target-dir")
+            .arg(folder.parent().unwrap())
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .unwrap();
+        assert!(built.status.success(), "{built:?}");
+        folder.join("examples").join(format!("mtm_zddp{}", std::env::consts::EXE_SUFFIX))
+    })
+}
+
+fn start(out: &Path, threads: &str) -> Child {
+    Command::new(program())
+        .args(["--grid", "32", "--steps", "30", "--checkpoint", "1", "--resume", "--out"])
+        .arg(out)
+        .env("RAYON_NUM_THREADS", threads)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap()
+}
+
+/// A run that is killed `kills` times at random moments (SIGKILL) ends with the files of one that is not, byte by byte;
+/// returns how many kills hit a run in progress.
+fn killed_runs(kills: u32) -> u32 {
+    let folder = tempfile::tempdir().unwrap();
+    let whole = folder.path().join("whole");
+    let begin = std::time::Instant::now();
+    assert!(start(&whole, "1").wait().unwrap().success());
+    let length = begin.elapsed();
+    let expected = contents(&whole);
+    assert!(expected.len() >= 18, "{} files", expected.len());
+    let (mut hits, mut random) = (0, 0x2545_f491_4f6c_dd1d_u64);
+    let mut runs = 0;
+    while hits < kills {
+        let out = folder.path().join(format!("killed{runs}"));
+        loop {
+            let mut child = start(&out, if hits % 2 == 0 { "1" } else { "2" });
+            random ^= random << 13;
+            random ^= random >> 7;
+            random ^= random << 17;
+            // Four kills a run or so.
+            let share = (random >> 11) as f64 / (1_u64 << 53) as f64;
+            std::thread::sleep(Duration::from_secs_f64(0.5 * share * length.as_secs_f64()));
+            match child.try_wait().unwrap() {
+                Some(status) => {
+                    assert!(status.success(), "{status}");
+                    break;
+                }
+                None if hits < kills => {
+                    child.kill().unwrap();
+                    child.wait().unwrap();
+                    hits += 1;
+                }
+                None => {
+                    assert!(child.wait().unwrap().success());
+                    break;
+                }
+            }
+        }
+        for (path, bytes) in contents(&out) {
+            let whole = expected.iter().find(|(name, _)| *name == path);
+            assert!(whole.is_some_and(|(_, whole)| *whole == bytes), "{} differs", path.display());
+        }
+        assert!(expected.iter().all(|(name, _)| out.join(name).exists()), "a file is missing");
+        runs += 1;
+    }
+    println!("{hits} kills in {runs} runs of {length:.1?}");
+    hits
+}
+
+#[test]
+fn killed_runs_end_as_uninterrupted_ones() {
+    assert!(killed_runs(4) >= 4);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn fifty_kills() {
+    assert!(killed_runs(50) >= 50);
+}
