@@ -213,7 +213,7 @@ fn draw_spectra(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
     }
     chart
         .configure_series_labels()
-        .position(SeriesLabelPosition::LowerLeft)
+        .position(SeriesLabelPosition::UpperRight)
         .background_style(WHITE)
         .label_font(("sans-serif", FONT))
         .draw()?;
