@@ -6,7 +6,8 @@
 //! ```
 //!
 //! Errors are relative differences to a finer grid, solved to 1e-8. Seconds are those of one solve from a cold start with
-//! all buffers still to be made, the kernel's spectrum apart; what did not converge is in the table and not in the figure.
+//! all buffers still to be made, the kernel's spectrum apart: processor time where the system tells it (Linux), so that other
+//! programs on the machine matter less, else time on the clock. What did not converge is in the table and not in the figure.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
@@ -40,6 +41,9 @@ usage: cargo run --release --example work_precision -- [--quick] [--out DIR]
   --out DIR  where to write work_precision.csv and .svg (default docs)
 ";
 const TIGHT: f64 = 1e-6;
+/// A solve is repeated until it has taken this long \[s\]: the system counts processor time in steps of milliseconds.
+const LEAST_SECONDS: f64 = 0.1;
+const MOST_REPEATS: f64 = 30.0;
 const REFERENCE: f64 = 1e-8;
 /// Root mean square of the roughness and its longest and shortest wavelength \[m\].
 const RQ: f64 = 100e-9;
@@ -79,9 +83,9 @@ const CASES: [Case; 4] = [
         quantities: FILMS,
         scene: |n| ball(20.0, n),
         rough: false,
-        grids: &[32, 64, 128, 256, 512],
-        solvers: &[("auto", 512), ("multigrid", 512), ("newton_krylov", 256), ("semi_system", 64)],
-        reference: 1024,
+        grids: &[32, 64, 128, 256],
+        solvers: &[("auto", 256), ("multigrid", 256), ("newton_krylov", 256), ("semi_system", 64)],
+        reference: 512,
     },
     Case {
         name: "highly_loaded",
@@ -89,9 +93,9 @@ const CASES: [Case; 4] = [
         quantities: FILMS,
         scene: |n| ball(1000.0, n),
         rough: false,
-        grids: &[64, 128, 256, 512],
-        solvers: &[("auto", 512), ("multigrid", 512), ("newton_krylov", 256), ("semi_system", 128)],
-        reference: 1024,
+        grids: &[64, 128, 256],
+        solvers: &[("auto", 256), ("multigrid", 256), ("newton_krylov", 256), ("semi_system", 64)],
+        reference: 512,
     },
     Case {
         name: "dry_rough",
@@ -205,6 +209,32 @@ fn height(x: f64, y: f64) -> f64 {
     RQ * (2.0 / f64::from(WAVES)).sqrt() * waves.sum::<f64>()
 }
 
+/// Time since a start.
+struct Stopwatch {
+    clock: Instant,
+    processor: Option<f64>,
+}
+
+impl Stopwatch {
+    fn start() -> Self {
+        Self { clock: Instant::now(), processor: Self::processor() }
+    }
+
+    /// Seconds that this thread, the only one, has run.
+    fn processor() -> Option<f64> {
+        let text = std::fs::read_to_string("/proc/self/schedstat").ok()?;
+        let nanoseconds: f64 = text.split_whitespace().next()?.parse().ok()?;
+        Some(1e-9 * nanoseconds)
+    }
+
+    fn seconds(&self) -> f64 {
+        match (self.processor, Self::processor()) {
+            (Some(from), Some(to)) => to - from,
+            _ => self.clock.elapsed().as_secs_f64(),
+        }
+    }
+}
+
 fn solver(name: &str) -> Box<dyn ContactSolver> {
     match name {
         "multigrid" => Box::new(Multigrid::new()),
@@ -271,12 +301,17 @@ fn solve(
         reference_pressure: hertz.p_max,
         reference_film,
     };
-    let mut state = ContactState::new(&grid);
-    let mut solver = solver(name);
-    let start = Instant::now();
-    let report =
-        solver.solve(&mut problem, &mut state, &StoppingRule { tolerance, ..StoppingRule::default() })?;
-    let seconds = start.elapsed().as_secs_f64();
+    let stop = StoppingRule { tolerance, ..StoppingRule::default() };
+    let (start, mut repeats) = (Stopwatch::start(), 0.0);
+    let (state, report) = loop {
+        let (mut state, mut solver) = (ContactState::new(&grid), solver(name));
+        let report = solver.solve(&mut problem, &mut state, &stop)?;
+        repeats += 1.0;
+        if repeats >= MOST_REPEATS || start.seconds() > LEAST_SECONDS {
+            break (state, report);
+        }
+    };
+    let seconds = start.seconds() / repeats;
     let mean = average_central_film(&grid, &state.film, hertz.a_x, hertz.a_y)?;
     let touching = state.in_contact.iter().filter(|flag| **flag).count() as f64 * grid.cell_area();
     let solid: f64 = (0..grid.len()).map(|k| state.solid_pressure(k)).sum::<f64>() * grid.cell_area();
@@ -292,7 +327,7 @@ fn solve(
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let (largest, tolerances): (usize, &[f64]) =
-        if options.quick { (64, &[1e-3, TIGHT]) } else { (usize::MAX, &[1e-2, 1e-3, 1e-4, 1e-5, TIGHT]) };
+        if options.quick { (64, &[1e-2, TIGHT]) } else { (usize::MAX, &[1e-2, 1e-4, TIGHT]) };
     let mut rows = Vec::new();
     for case in &CASES {
         let finest = if options.quick { 2 * largest } else { case.reference };

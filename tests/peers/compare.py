@@ -24,7 +24,7 @@ ROOT = HERE.parent.parent
 PACKAGES = {"slippy": "peer_slippy.py", "tamaas": "peer_tamaas.py", "ContactMechanics": "peer_contact_mechanics.py"}
 MARKS = ("<!-- peers -->", "<!-- /peers -->")
 ONE_THREAD = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS", "PYFFTW_NUM_THREADS")}
-TIME_LIMIT = 600  # s for all the work of one package
+TIME_LIMIT = 300  # s for all the work of one package
 TASKS = [
     ("convolution", (128, 256, 512, 1024), "largest displacement / nm", 1e9),
     ("hertz", (128, 256), "largest pressure / GPa", 1e-9),

@@ -192,7 +192,8 @@ impl Workspace {
                 best = residuals;
                 self.best.clone_from(state);
             }
-            if residuals.max() <= stop.tolerance && within_limit(problem, state) {
+            let touches = touches(problem, state);
+            if residuals.max() <= stop.tolerance && within_limit(problem, state) && !touches {
                 return Ok((Status::Converged, residuals));
             }
             if best.max() < GAIN * mark {
@@ -210,7 +211,7 @@ impl Workspace {
                 status = Status::Stalled;
                 break;
             }
-            touching = if touches(problem, state) { touching + 1 } else { 0 };
+            touching = if touches { touching + 1 } else { 0 };
             if fruitless > PATIENCE || touching > TOUCHING_CYCLES {
                 status = Status::Stalled;
                 break;
