@@ -1,19 +1,15 @@
 //! A solver of one's own, driven by the same simulation, and its work beside that of the solver of the crate.
 #![expect(clippy::print_stdout, reason = "a program that talks to its user")]
 
-use stribeck::reynolds::{
-    ContactSolver, ContactState, Evaluation, LubricatedContact, ReynoldsError, StoppingRule,
-};
+use stribeck::reynolds::{ContactSolver, ContactState, Evaluation, LubricatedContact};
+use stribeck::reynolds::{ReynoldsError, StoppingRule};
 use stribeck::sim::{MixedLubricationSim, Scene, SimError};
 use stribeck::{SolveReport, Status, Work};
 
-/// Dry elastic contact by steepest descent on the nodes that touch; pressures that turn negative are cut off and the load
+/// Dry elastic contact by steepest descent on the nodes that touch; pressures that turn negative are cut off, and the load
 /// is shared out anew.
-#[derive(Debug, Default)]
-struct SteepestDescent {
-    step: Vec<f64>,
-    answer: Vec<f64>,
-}
+#[derive(Debug)]
+struct SteepestDescent;
 
 impl ContactSolver for SteepestDescent {
     fn name(&self) -> &'static str {
@@ -35,13 +31,13 @@ impl ContactSolver for SteepestDescent {
         if state.pressure.iter().all(|p| *p <= 0.0) {
             (0..nx * ny).filter(|k| inner(*k)).for_each(|k| state.pressure[k] = problem.reference_pressure);
         }
-        self.step.resize(nx * ny, 0.0);
-        self.answer.resize(nx * ny, 0.0);
+        let (mut step, mut answer) = (vec![0.0; nx * ny], vec![0.0; nx * ny]);
         loop {
             let carried = state.pressure.iter().sum::<f64>() * grid.cell_area();
             state.pressure.iter_mut().for_each(|p| *p *= problem.load / carried);
+            // Films and residuals as all solvers report them.
             let residuals = evaluation.evaluate(problem, state)?;
-            work.convolutions += 1.0;
+            work.convolutions += 2.0;
             let converged = residuals.max() <= stop.tolerance;
             if converged || work.iterations == stop.max_iterations {
                 let status = if converged { Status::Converged } else { Status::MaxIterations };
@@ -49,20 +45,17 @@ impl ContactSolver for SteepestDescent {
             }
             work.iterations += 1;
             // The bodies come closer until the gaps under pressure are those of contact on average.
-            let touching = || (0..grid.len()).filter(|k| state.pressure[*k] > 0.0);
+            let touching = || (0..nx * ny).filter(|k| state.pressure[*k] > 0.0);
             let level = touching().map(|k| state.film[k]).sum::<f64>() / touching().count() as f64;
-            for (k, step) in self.step.iter_mut().enumerate() {
+            for (k, step) in step.iter_mut().enumerate() {
                 let gap = state.film[k] - level;
                 *step = if inner(k) && (state.pressure[k] > 0.0 || gap < 0.0) { -gap } else { 0.0 };
             }
             state.approach += level - problem.contact_film();
-            problem.deformation.displacement(&self.step, &mut self.answer)?;
-            work.convolutions += 1.0;
-            let along: f64 = self.step.iter().map(|s| s * s).sum();
-            let curvature: f64 = self.step.iter().zip(&self.answer).map(|(s, a)| s * a).sum();
-            for (p, step) in state.pressure.iter_mut().zip(&self.step) {
-                *p = (*p + along / curvature * step).max(0.0);
-            }
+            problem.deformation.displacement(&step, &mut answer)?;
+            let sum = |other: &[f64]| step.iter().zip(other).map(|(s, o)| s * o).sum::<f64>();
+            let length = sum(&step) / sum(&answer);
+            state.pressure.iter_mut().zip(&step).for_each(|(p, s)| *p = (*p + length * s).max(0.0));
         }
     }
 }
@@ -70,14 +63,14 @@ impl ContactSolver for SteepestDescent {
 fn main() -> Result<(), SimError> {
     let mut scene = Scene::azam_2019(48);
     (scene.lubricant, scene.plastic) = (None, None);
-    println!("{:>9} {:>22} {:>22}", "residual", "own: convolutions", "crate: convolutions");
+    println!("{:>9} {:>19} {:>21}", "residual", "own: convolutions", "crate: convolutions");
     for tolerance in [1e-2, 1e-3, 1e-4] {
         scene.solver.tolerance = tolerance;
-        let build = || MixedLubricationSim::builder(scene.clone());
-        let own = build().solver(SteepestDescent::default()).build()?.step(10.0)?;
-        let crates = build().build()?.step(10.0)?;
+        let step = |builder: stribeck::sim::SimBuilder| builder.build()?.step(10.0);
+        let own = step(MixedLubricationSim::builder(scene.clone()).solver(SteepestDescent))?;
+        let crates = step(MixedLubricationSim::builder(scene.clone()))?;
         println!(
-            "{tolerance:9.0e} {:22} {:22}",
+            "{tolerance:9.0e} {:19} {:21}",
             own.report.work.convolutions, crates.report.work.convolutions
         );
         assert!((own.area_ratio / crates.area_ratio - 1.0).abs() < 0.05, "both find the same contact");

@@ -11,7 +11,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use stribeck::Status;
-use stribeck::sim::scene::GridSpec;
+use stribeck::sim::scene::{GridSpec, PlasticSpec, SolverKind, WearSpec};
 use stribeck::sim::{MixedLubricationSim, Scene, SimError, solve_contact};
 use stribeck::testing::{absurd_scenes, pressures, scenes};
 
@@ -135,6 +135,24 @@ fn scenes_end_as_they_may() {
 #[ignore = "takes minutes"]
 fn a_thousand_scenes_end_as_they_may() {
     try_scenes(1000);
+}
+
+/// What random scenes have found: a start above the pressure limit, wear beyond the range of numbers.
+#[test]
+fn scenes_that_once_did_not() {
+    let mut start = Scene::azam_2019(16);
+    start.solver.kind = SolverKind::SemiSystem;
+    start.solver.max_iterations = 500;
+    start.plastic = Some(PlasticSpec { hardness: 6e8, film_hardness: None, hardening_modulus: None });
+    let mut worn = Scene::azam_2019(16);
+    worn.lubricant = None;
+    worn.solver.edge_contact = true;
+    worn.wear = Some(WearSpec { coefficient: 1e300, film_coefficient: 0.0, ..WearSpec::default() });
+    for scene in [start, worn] {
+        if let Err(reason) = tried(&scene, 11) {
+            panic!("{reason}: {scene:?}");
+        }
+    }
 }
 
 proptest! {

@@ -272,6 +272,8 @@ impl Workspace {
             if wanted == 0.0 && fluid < NEGLIGIBLE_PRESSURE * problem.reference_pressure {
                 fluid = 0.0;
             }
+            // A start may lie above the limit.
+            let fluid = fluid.min(limit);
             state.fluid_pressure[k] = fluid;
             state.pressure[k] = match self.coupled.kinds[k].solid {
                 Solid::Open => fluid,

@@ -2,6 +2,7 @@
 
 use super::SimError;
 use crate::error::InputError;
+use crate::metrics;
 use crate::plastic::PlasticDepth;
 use crate::tribochem::{FilmGrowthLaw, Tribofilm};
 use crate::wear::{SurfaceLedger, Volumes, WearDepth};
@@ -96,7 +97,7 @@ impl Body {
         Ok(self.ledger()?.volumes(cell_area))
     }
 
-    /// Brings the surface up to date with its account.
+    /// Brings the surface up to date with its account; heights beyond the range of numbers are an error.
     pub(super) fn rebuild(&mut self) -> Result<(), SimError> {
         let ledger = SurfaceLedger::new(
             &self.initial,
@@ -105,6 +106,7 @@ impl Body {
             self.film.as_ref().map_or(&self.no_film, Tribofilm::thickness),
         )?;
         ledger.surface_into(&mut self.surface)?;
-        Ok(())
+        let sq = metrics::height_statistics(&self.surface)?.sq;
+        Ok(InputError::require(sq.is_finite(), "sq of a body after the step", sq, "finite: wear less")?)
     }
 }
