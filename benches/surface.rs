@@ -4,6 +4,8 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use num_complex::Complex64;
+use rustfft::FftPlanner;
 use stribeck::metrics::{AreaCorrelation, BearingCurve};
 use stribeck::surface::{
     Autocorrelation, HeightDistribution, RandomShape, RandomSurface, SelfAffine, Synthesis,
@@ -34,11 +36,36 @@ fn surfaces() -> [(&'static str, RandomSurface); 4] {
     ]
 }
 
+/// In place, block by block.
+fn transpose(field: &mut [Complex64]) {
+    for (row, column) in (0..64 * 64).map(|block| (block / 64 * 32, block % 64 * 32)).filter(|(r, c)| r <= c)
+    {
+        for j in row..row + 32 {
+            for i in (column..column + 32).filter(|i| *i > j) {
+                field.swap(j * 2048 + i, i * 2048 + j);
+            }
+        }
+    }
+}
+
 fn generation(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("generate_2048");
     group.sample_size(10);
     let grid = Grid::centred(2048, 2048, 1e-6, 1e-6).unwrap();
     group.throughput(Throughput::Elements(grid.len() as u64));
+    // what a surface cannot be faster than: one complex transform there and one back, as plain as it gets
+    group.bench_function("two_transforms", |bencher| {
+        let mut field = vec![Complex64::new(1.0, 0.0); grid.len()];
+        let plan = FftPlanner::new().plan_fft_forward(2048);
+        bencher.iter(|| {
+            for _ in 0..4 {
+                plan.process(&mut field);
+                transpose(&mut field);
+                field.iter_mut().for_each(|value| *value /= 2048_f64.sqrt());
+            }
+            black_box(&field);
+        });
+    });
     for (name, surface) in surfaces() {
         group.bench_function(name, |bencher| bencher.iter(|| black_box(surface.generate(&grid).unwrap())));
     }

@@ -1,12 +1,13 @@
 //! The metrics against distributions and fields whose values are known in closed form.
 
 use approx::assert_relative_eq;
-use stribeck::Grid;
 use stribeck::lubricant::Rheology;
 use stribeck::metrics::{
-    BearingCurve, average_central_film, composite_rq, contact_statistics, friction_coefficient,
-    height_statistics, lambda_ratio, minimum_film, minimum_gap, viscous_shear_into,
+    AreaCorrelation, Axis, BearingCurve, average_central_film, composite_rq, contact_patches,
+    contact_statistics, friction_coefficient, height_histogram, height_statistics, hybrid_parameters,
+    lambda_ratio, minimum_film, minimum_gap, profile_spectrum, radial_spectrum, viscous_shear_into,
 };
+use stribeck::{Boundary, Grid};
 
 /// The quantile of the standard normal distribution by Newton's method on the series of its distribution function.
 fn quantile(share: f64) -> f64 {
@@ -189,4 +190,195 @@ fn friction_adds_boundary_and_viscous_shares() {
         assert!(Rheology::eyring(bad).is_err(), "{bad}");
     }
     assert!(friction_coefficient(&grid, -0.1, &shear, &shear, 1.0).is_err());
+}
+
+/// Heights without any order, of mean square near 1e-18.
+fn scattered(count: usize) -> Vec<f64> {
+    (0..count).map(|k| 1e-9 * ((k as f64 * 12.9898).sin() * 43_758.547).fract()).collect()
+}
+
+#[test]
+fn spectra_add_up_to_the_mean_square() {
+    use std::f64::consts::{PI, TAU};
+    for (nx, ny) in [(64, 48), (63, 32), (40, 41)] {
+        let grid = Grid::centred(nx, ny, 1e-6, 2e-6).unwrap();
+        let heights = scattered(grid.len());
+        let square = height_statistics(&heights).unwrap().sq.powi(2);
+        // every profile has its own mean, which is a part of the mean square that its spectrum lacks
+        for (axis, profiles) in [(Axis::X, ny), (Axis::Y, nx)] {
+            let spectrum = profile_spectrum(&grid, &heights, axis, Boundary::Periodic).unwrap();
+            let sum: f64 = spectrum.density.iter().sum::<f64>() * spectrum.wavenumber[0] / PI;
+            let mean = heights.iter().sum::<f64>() / heights.len() as f64;
+            let along = |line: usize| {
+                let part = heights
+                    .iter()
+                    .enumerate()
+                    .filter(|(k, _)| if axis == Axis::X { k / nx == line } else { k % nx == line });
+                part.map(|(_, z)| z - mean).sum::<f64>() / (heights.len() / profiles) as f64
+            };
+            let means = (0..profiles).map(|line| along(line).powi(2)).sum::<f64>() / profiles as f64;
+            assert_relative_eq!(sum + means, square, max_relative = 1e-10);
+        }
+    }
+    // white noise: the same density in every ring, variance times the area of a cell
+    let grid = Grid::centred(256, 256, 1e-6, 1e-6).unwrap();
+    let heights = scattered(grid.len());
+    let square = height_statistics(&heights).unwrap().sq.powi(2);
+    for boundary in [Boundary::Periodic, Boundary::Open] {
+        let spectrum = radial_spectrum(&grid, &heights, boundary).unwrap();
+        let rings = &spectrum.density[20..];
+        assert_relative_eq!(
+            rings.iter().sum::<f64>() / rings.len() as f64,
+            square * 1e-12,
+            max_relative = 0.03
+        );
+        assert_relative_eq!(spectrum.wavenumber[0], TAU / 256e-6, max_relative = 1e-9);
+        assert_eq!(spectrum.wavenumber.len(), 128);
+    }
+    let few = Grid::centred(3, 8, 1e-6, 1e-6).unwrap();
+    assert!(radial_spectrum(&few, &[0.0; 24], Boundary::Open).is_err());
+    assert!(profile_spectrum(&few, &[0.0; 24], Axis::X, Boundary::Open).is_err());
+    assert!(profile_spectrum(&few, &[0.0; 23], Axis::Y, Boundary::Open).is_err());
+}
+
+#[test]
+fn autocorrelation_is_the_mean_over_pairs_of_defined_points() {
+    let (nx, ny) = (14, 11);
+    let grid = Grid::centred(nx, ny, 1e-6, 2e-6).unwrap();
+    let heights: Vec<f64> = scattered(nx * ny).iter().map(|z| z + 0.01).collect();
+    let mask: Vec<bool> = (0..nx * ny).map(|k| k % 6 != 2).collect();
+    for (defined, boundary) in [
+        (None, Boundary::Open),
+        (Some(mask.as_slice()), Boundary::Open),
+        (None, Boundary::Periodic),
+        (Some(mask.as_slice()), Boundary::Periodic),
+    ] {
+        let found = AreaCorrelation::new(&grid, &heights, defined, boundary).unwrap();
+        let has = |k: usize| defined.is_none_or(|mask| mask[k]);
+        let count = (0..nx * ny).filter(|&k| has(k)).count() as f64;
+        let mean = (0..nx * ny).filter(|&k| has(k)).map(|k| heights[k]).sum::<f64>() / count;
+        let pairs = |di: isize, dj: isize| {
+            let (mut sum, mut pairs) = (0.0, 0.0);
+            for k in (0..nx * ny).filter(|&k| has(k)) {
+                let (i, j) = ((k % nx) as isize + di, (k / nx) as isize + dj);
+                let (inside_x, inside_y) = ((0..nx as isize).contains(&i), (0..ny as isize).contains(&j));
+                if boundary == Boundary::Open && !(inside_x && inside_y) {
+                    continue;
+                }
+                let l = (j.rem_euclid(ny as isize) * nx as isize + i.rem_euclid(nx as isize)) as usize;
+                if has(l) {
+                    sum += (heights[k] - mean) * (heights[l] - mean);
+                    pairs += 1.0;
+                }
+            }
+            sum / pairs
+        };
+        let square = pairs(0, 0);
+        for (di, dj) in [(0, 0), (1, 0), (0, 1), (-3, 2), (7, 5), (-7, -5), (4, -4)] {
+            assert_relative_eq!(found.at(di, dj).unwrap(), pairs(di, dj) / square, epsilon = 1e-7);
+        }
+        assert_eq!((found.reach(), found.at(8, 0)), ((7, 5), None));
+    }
+    assert!(AreaCorrelation::new(&grid, &[1.0; 154], None, Boundary::Open).is_err());
+}
+
+#[test]
+fn texture_aspect_ratio_is_that_of_the_lengths() {
+    // correlations that fall to 0.2 at 20 and 50 nodes; waves of many directions are too few for a perfect one
+    let grid = Grid::centred(512, 512, 1e-6, 1e-6).unwrap();
+    let lengths = [20e-6, 50e-6].map(|length: f64| length / (0.2_f64.ln() / -std::f64::consts::LN_10).sqrt());
+    let spec = stribeck::surface::RoughnessSpec {
+        autocorrelation: stribeck::surface::Autocorrelation::Gaussian,
+        rq: 1e-7,
+        length_x: lengths[0],
+        length_y: lengths[1],
+        seed: 4,
+    };
+    let heights = stribeck::surface::generate(&grid, &spec).unwrap();
+    let correlation = AreaCorrelation::new(&grid, &heights, None, Boundary::Periodic).unwrap();
+    let spatial = correlation.spatial(0.2).unwrap();
+    assert_relative_eq!(spatial.sal.unwrap(), 20e-6, max_relative = 0.1);
+    assert_relative_eq!(spatial.str.unwrap(), 0.4, max_relative = 0.2);
+    for threshold in [0.0, 1.0, -0.1, f64::NAN] {
+        assert!(correlation.spatial(threshold).is_err());
+    }
+    // grooves never decorrelate along themselves
+    let grooves: Vec<f64> = grid.nodes().map(|(x, _)| (x / 5e-6).sin()).collect();
+    let spatial = AreaCorrelation::new(&grid, &grooves, None, Boundary::Open).unwrap().spatial(0.2).unwrap();
+    // cos(x / 5 um) = 0.2
+    assert_relative_eq!(spatial.sal.unwrap(), 5e-6 * 0.2_f64.acos(), max_relative = 0.01);
+    assert_eq!(spatial.str, None);
+}
+
+#[test]
+fn slopes_and_areas_of_known_shapes() {
+    let grid = Grid::centred(400, 400, 1e-7, 1e-7).unwrap();
+    let wave = std::f64::consts::TAU / 10e-6;
+    let heights: Vec<f64> = grid.nodes().map(|(x, y)| 0.3e-6 * (wave * x).sin() * (wave * y).cos()).collect();
+    let hybrid = hybrid_parameters(&grid, &heights, None).unwrap();
+    // rms of each slope is half the amplitude times the wavenumber
+    assert_relative_eq!(hybrid.sdq, 0.3e-6 * wave / 2f64.sqrt(), max_relative = 1e-3);
+    // small slopes: half the mean square gradient, less an eighth of its mean square
+    assert!((hybrid.sdr / (0.5 * hybrid.sdq * hybrid.sdq) - 1.0).abs() < 0.02, "{hybrid:?}");
+    // a roof with a hole: the same slope wherever it is defined
+    let roof: Vec<f64> = grid.nodes().map(|(x, _)| x.abs()).collect();
+    let mask: Vec<bool> = (0..grid.len()).map(|k| k % 17 != 3).collect();
+    let hybrid = hybrid_parameters(&grid, &roof, Some(&mask)).unwrap();
+    assert_relative_eq!(hybrid.sdq, 1.0, max_relative = 2e-3);
+    assert_relative_eq!(hybrid.sdr, 2f64.sqrt() - 1.0, max_relative = 4e-3);
+    assert!(hybrid_parameters(&grid, &roof, Some(&mask[1..])).is_err());
+    let lone = Grid::centred(1, 1, 1.0, 1.0).unwrap();
+    assert!(hybrid_parameters(&lone, &[0.0], None).is_err());
+}
+
+#[test]
+fn patches_are_counted_measured_and_corrected() {
+    // discs of known area, one of them across the corner of a periodic grid
+    let n = 256;
+    let grid = Grid::centred(n, n, 1e-6, 1e-6).unwrap();
+    let radii = [30e-6, 20e-6];
+    let wrapped = |d: f64| (d + 128e-6).rem_euclid(256e-6) - 128e-6;
+    let flags: Vec<bool> = grid
+        .nodes()
+        .map(|(x, y)| x.hypot(y) < radii[0] || wrapped(x - 127e-6).hypot(wrapped(y - 126e-6)) < radii[1])
+        .collect();
+    let periodic = contact_patches(&grid, &flags, Boundary::Periodic).unwrap();
+    let open = contact_patches(&grid, &flags, Boundary::Open).unwrap();
+    assert_eq!((periodic.areas.len(), open.areas.len()), (2, 5));
+    for (area, radius) in periodic.areas.iter().zip(radii) {
+        assert_relative_eq!(*area, std::f64::consts::PI * radius * radius, max_relative = 0.01);
+    }
+    // the outline of a disc of pixels is that of the square around it
+    assert_relative_eq!(periodic.perimeter, 8.0 * (radii[0] + radii[1]), max_relative = 0.03);
+    let whole: f64 = periodic.areas.iter().sum();
+    let factor = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
+    assert_relative_eq!(
+        periodic.corrected_area,
+        whole - factor * 1e-6 * periodic.perimeter,
+        max_relative = 1e-12
+    );
+    let none = contact_patches(&grid, &vec![false; n * n], Boundary::Open).unwrap();
+    assert!(none.areas.is_empty() && none.perimeter == 0.0 && none.corrected_area == 0.0);
+    let all = contact_patches(&grid, &vec![true; n * n], Boundary::Periodic).unwrap();
+    assert_eq!((all.areas.len(), all.perimeter), (1, 0.0));
+    assert!(contact_patches(&grid, &[true], Boundary::Open).is_err());
+}
+
+#[test]
+fn histograms_hold_every_height_once() {
+    let heights = scattered(1000);
+    for classes in [1, 7, 1000] {
+        let histogram = height_histogram(&heights, classes).unwrap();
+        assert_eq!(histogram.density.len(), classes);
+        assert_relative_eq!(
+            histogram.density.iter().sum::<f64>() * histogram.width,
+            1.0,
+            max_relative = 1e-12
+        );
+    }
+    for (heights, classes) in
+        [(&[][..], 3), (&[1.0, 1.0], 3), (&[0.0, f64::NAN], 3), (&[0.0, 1.0], 0), (&[0.0, 1.0], usize::MAX)]
+    {
+        assert!(height_histogram(heights, classes).is_err());
+    }
 }

@@ -2,7 +2,7 @@
 
 use indicatif::ProgressBar;
 use stribeck::reynolds::ContactState;
-use stribeck::sim::{MixedLubricationSim, Observer, RunFolder, SimError, StepRecord};
+use stribeck::sim::{MixedLubricationSim, Observer, RunFolder, SimError, StepRecord, write_vtk};
 
 use crate::options::Options;
 
@@ -35,9 +35,9 @@ pub(crate) fn run(
     bar.set_prefix(title.clone());
     let path = options.out.join(name);
     let (mut folder, mut records) = if options.resume {
-        RunFolder::resume(path, &mut sim, options.every)?
+        RunFolder::resume(&path, &mut sim, options.every)?
     } else {
-        (RunFolder::create(path, &sim, options.every)?, Vec::new())
+        (RunFolder::create(&path, &sim, options.every)?, Vec::new())
     };
     bar.set_position(sim.steps());
     let left = options.steps.saturating_sub(sim.steps());
@@ -48,6 +48,10 @@ pub(crate) fn run(
     });
     let last_contact = folder.last_contact().cloned();
     folder.finish(&sim)?;
+    if let Some(contact) = &last_contact {
+        let fields: [(&str, &[f64]); 2] = [("pressure_pa", &contact.pressure), ("film_m", &contact.film)];
+        write_vtk(path.join("contact.vtk"), &sim.grid(), &fields)?;
+    }
     if outcome.is_ok() {
         bar.finish();
     } else {

@@ -21,7 +21,7 @@ usage: cargo run --release --example mtm_zddp -- [options]
   --help          this text
 
 Writes figure1.svg to figure8.svg, maps.svg (the last contact from above) and the folders with and without: scene.toml, run.toml, history.csv (a row per step),
-checkpoint and fields.npz (final fields).
+checkpoint, fields.npz (final fields) and contact.vtk (pressure and film for ParaView).
 Exit status: 0 done, 1 wrong option or file, 2 a history ended early (what there is of it is written).
 ";
 

@@ -22,6 +22,8 @@ const SQUARES: usize = 100;
 /// Most points of a curve.
 const POINTS: usize = 400;
 const CLASSES: usize = 60;
+/// Share of the highest and of the lowest points that have no colour of their own.
+const OUTLIERS: f64 = 0.005;
 const CUBIC_NANOMETRES: f64 = 1e27;
 /// Blue, vermilion and green of the palette of Okabe and Ito.
 const BLUE: RGBColor = RGBColor(0, 114, 178);
@@ -73,10 +75,21 @@ fn draw_heights(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
     };
     let heights = defined_heights(surface);
     let (low, high) = range(&heights);
+    let middle = 0.5 * (low + high);
+    // a spike must not take all colours
+    let mean = high - numbers.curve.height_at(0.0);
+    let colours = [1.0 - OUTLIERS, OUTLIERS].map(|ratio| mean + numbers.curve.height_at(ratio));
+    let colours = if colours[0] < colours[1] { (colours[0], colours[1]) } else { (middle, middle + 1.0) };
     draw_map(
         area,
         &Map {
-            title: format!("Height, {:.4} to {:.4} um", low * 1e6, high * 1e6),
+            title: format!(
+                "Height, {:.4} to {:.4} um (colours {:.4} to {:.4} um)",
+                low * 1e6,
+                high * 1e6,
+                colours.0 * 1e6,
+                colours.1 * 1e6
+            ),
             x_label,
             y_label,
             x: 0.0..width,
@@ -86,7 +99,7 @@ fn draw_heights(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
             values: surface.heights(),
             defined: surface.defined(),
         },
-        (low, high),
+        colours,
     )
 }
 
@@ -200,7 +213,7 @@ fn draw_spectra(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
     }
     chart
         .configure_series_labels()
-        .position(SeriesLabelPosition::LowerLeft)
+        .position(SeriesLabelPosition::UpperRight)
         .background_style(WHITE)
         .label_font(("sans-serif", FONT))
         .draw()?;

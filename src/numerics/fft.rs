@@ -1,8 +1,9 @@
-//! The complex Fourier transform of a periodic field.
+//! Fourier transforms of periodic fields.
 
 use std::sync::Arc;
 
 use num_complex::Complex64;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftDirection, FftPlanner};
 
 /// Columns transformed together, so that the field is read in whole cache lines.
@@ -31,59 +32,102 @@ impl Fft2 {
             columns.scatter(field, start);
         }
     }
+}
 
-    /// Transforms a field that mirrors itself (row `j` is row `ny - j`), given as its rows 0 to `ny / 2`, to the same form.
-    /// Both directions are the same.
-    pub(crate) fn process_symmetric(&mut self, half: &mut [Complex64]) {
-        let rows = self.planner.plan_fft_forward(self.nx);
-        rows.process(half);
-        let mut columns = Columns::new(&mut self.planner, self.nx, self.ny, FftDirection::Forward);
-        for start in (0..self.nx).step_by(BLOCK) {
-            columns.gather(half, start);
+/// Transforms of real `nx` x `ny` fields, of which `nx / 2 + 1` columns of the spectrum tell all.
+pub(crate) struct RealFft2 {
+    nx: usize,
+    ny: usize,
+    forward: Arc<dyn RealToComplex<f64>>,
+    inverse: Arc<dyn ComplexToReal<f64>>,
+    planner: FftPlanner<f64>,
+}
+
+impl RealFft2 {
+    pub(crate) fn new(nx: usize, ny: usize) -> Self {
+        let mut real = RealFftPlanner::new();
+        let (forward, inverse) = (real.plan_fft_forward(nx), real.plan_fft_inverse(nx));
+        Self { nx, ny, forward, inverse, planner: FftPlanner::new() }
+    }
+
+    /// Columns of the spectrum that are kept.
+    fn width(&self) -> usize {
+        self.nx / 2 + 1
+    }
+
+    /// Overwrites `field` with its transform, changed by `each` and transformed back (without normalisation). `each` gets the
+    /// index of a wave in a quarter of `nx / 2 + 1` x `ny / 2 + 1` waves, how many waves along x its value stands for,
+    /// and the value.
+    pub(crate) fn filter(&mut self, field: &mut [f64], mut each: impl FnMut(usize, f64, &mut Complex64)) {
+        let (nx, ny, width) = (self.nx, self.ny, self.width());
+        let mut spectrum = vec![Complex64::default(); width * ny];
+        let mut scratch = self.forward.make_scratch_vec();
+        for (row, out) in field.chunks_exact_mut(nx).zip(spectrum.chunks_exact_mut(width)) {
+            let result = self.forward.process_with_scratch(row, out, &mut scratch);
+            debug_assert!(result.is_ok(), "lengths fit");
+        }
+        let mut columns = Columns::new(&mut self.planner, width, ny, FftDirection::Forward);
+        let mut back = Columns::new(&mut self.planner, width, ny, FftDirection::Inverse);
+        for start in (0..width).step_by(BLOCK) {
+            columns.gather(&spectrum, start);
             columns.transform();
-            columns.scatter(half, start);
+            for (at, column) in columns.values.chunks_exact_mut(ny).enumerate() {
+                let i = start + at;
+                let waves = if i == 0 || 2 * i == nx { 1.0 } else { 2.0 };
+                for (j, value) in column.iter_mut().enumerate() {
+                    each(j.min(ny - j) * width + i, waves, value);
+                }
+            }
+            std::mem::swap(&mut columns.values, &mut back.values);
+            back.transform();
+            back.scatter(&mut spectrum, start);
+            std::mem::swap(&mut columns.values, &mut back.values);
+        }
+        let mut scratch = self.inverse.make_scratch_vec();
+        for (row, values) in field.chunks_exact_mut(nx).zip(spectrum.chunks_exact_mut(width)) {
+            // these are real but for rounding
+            values[0].im = 0.0;
+            if nx.is_multiple_of(2) {
+                values[width - 1].im = 0.0;
+            }
+            let result = self.inverse.process_with_scratch(values, row, &mut scratch);
+            debug_assert!(result.is_ok(), "lengths fit");
         }
     }
 
-    /// Overwrites `field` with its forward transform and each value of that with what `each` makes of it and of the transform
-    /// of `half` (rows 0 to `ny / 2` of a field that mirrors itself, used up). `each` also gets the index of the value,
-    /// in no order.
-    pub(crate) fn filter(
-        &mut self,
-        field: &mut [Complex64],
-        half: &mut [Complex64],
-        mut each: impl FnMut(usize, &mut Complex64, Complex64),
-    ) {
-        let rows = self.planner.plan_fft_forward(self.nx);
-        rows.process(field);
-        rows.process(half);
-        let mut columns = Columns::new(&mut self.planner, self.nx, self.ny, FftDirection::Forward);
-        let mut filters = Columns::new(&mut self.planner, self.nx, self.ny, FftDirection::Forward);
-        for start in (0..self.nx).step_by(BLOCK) {
-            columns.gather(field, start);
-            columns.transform();
-            filters.gather(half, start);
-            filters.transform();
-            for (at, (value, filter)) in columns.values.iter_mut().zip(&filters.values).enumerate() {
-                each(at % self.ny * self.nx + start + at / self.ny, value, *filter);
+    /// Transform of a field that mirrors itself along both axes, given and returned as its `nx / 2 + 1` x `ny / 2 + 1` first
+    /// values. Both directions are the same.
+    pub(crate) fn symmetric(&mut self, quarter: &[f64]) -> Vec<f64> {
+        let (nx, ny, width) = (self.nx, self.ny, self.width());
+        let mut rows = Vec::with_capacity(quarter.len());
+        let (mut row, mut out) = (vec![0.0; nx], vec![Complex64::default(); width]);
+        let mut scratch = self.forward.make_scratch_vec();
+        for values in quarter.chunks_exact(width) {
+            row[..width].copy_from_slice(values);
+            for i in width..nx {
+                row[i] = values[nx - i];
             }
-            columns.scatter(field, start);
+            let result = self.forward.process_with_scratch(&mut row, &mut out, &mut scratch);
+            debug_assert!(result.is_ok(), "lengths fit");
+            rows.extend(out.iter().map(|value| value.re));
         }
-    }
-
-    /// Calls `each` for every value of `field` with that of the mirrored field whose rows 0 to `ny / 2` are `half`.
-    pub(crate) fn for_symmetric(
-        &self,
-        field: &mut [Complex64],
-        half: &[Complex64],
-        mut each: impl FnMut(&mut Complex64, Complex64),
-    ) {
-        for (j, row) in field.chunks_exact_mut(self.nx).enumerate() {
-            let mirrored = j.min(self.ny - j) * self.nx;
-            for (value, other) in row.iter_mut().zip(&half[mirrored..mirrored + self.nx]) {
-                each(value, *other);
+        let plan = self.planner.plan_fft_forward(ny);
+        let mut column = vec![Complex64::default(); ny];
+        let mut scratch = vec![Complex64::default(); plan.get_inplace_scratch_len()];
+        // transforms of mirrored columns are real, so two share one
+        for start in (0..width).step_by(2) {
+            let second = (start + 1).min(width - 1);
+            for (j, value) in column.iter_mut().enumerate() {
+                let row = j.min(ny - j) * width;
+                *value = Complex64::new(rows[row + start], rows[row + second]);
+            }
+            plan.process_with_scratch(&mut column, &mut scratch);
+            for (values, result) in rows.chunks_exact_mut(width).zip(&column) {
+                values[second] = result.im;
+                values[start] = result.re;
             }
         }
+        rows
     }
 }
 
@@ -103,15 +147,13 @@ impl Columns {
         Self { nx, ny, plan, values: Vec::new(), scratch }
     }
 
-    /// Takes the columns from `start` on; rows that the field lacks mirror those that it has.
+    /// Takes the columns from `start` on.
     fn gather(&mut self, field: &[Complex64], start: usize) {
         let width = BLOCK.min(self.nx - start);
         let ny = self.ny;
         self.values.resize(width * ny, Complex64::default());
-        let given = field.len() / self.nx;
-        for j in 0..ny {
-            let row = if j < given { j } else { ny - j } * self.nx + start;
-            for (i, value) in field[row..row + width].iter().enumerate() {
+        for (j, row) in field.chunks_exact(self.nx).enumerate() {
+            for (i, value) in row[start..start + width].iter().enumerate() {
                 self.values[i * ny + j] = *value;
             }
         }
@@ -121,7 +163,7 @@ impl Columns {
         self.plan.process_with_scratch(&mut self.values, &mut self.scratch);
     }
 
-    /// Puts the columns back, as many rows as the field has.
+    /// Puts the columns back.
     fn scatter(&self, field: &mut [Complex64], start: usize) {
         let width = BLOCK.min(self.nx - start);
         for (j, row) in field.chunks_exact_mut(self.nx).enumerate() {
@@ -156,32 +198,49 @@ mod tests {
         }
     }
 
+    const SHAPES: [(usize, usize); 8] = [(64, 48), (17, 9), (8, 1), (1, 8), (5, 2), (2, 5), (1, 1), (40, 37)];
+
     #[test]
-    fn half_of_a_mirrored_field_gives_the_bits_of_the_whole() {
-        for (nx, ny) in [(64, 48), (17, 9), (8, 1), (1, 8), (5, 2)] {
-            let at = |k: usize| Complex64::new(1.0 / (1.0 + k as f64), 0.0);
-            let whole: Vec<Complex64> = (0..nx * ny)
-                .map(|k| (k % nx, k / nx))
-                .map(|(i, j)| at(i.min(nx - i) + 3 * j.min(ny - j)))
-                .collect();
-            let noise: Vec<Complex64> = (0..nx * ny).map(|k| Complex64::new((k as f64).sin(), 0.0)).collect();
-            let mut half = whole[..nx * (ny / 2 + 1)].to_vec();
-            let mut transform = Fft2::new(nx, ny);
-            let (mut expected, mut filter, mut found) = (noise.clone(), whole, noise);
-            transform.process(&mut expected, FftDirection::Forward);
-            transform.process(&mut filter, FftDirection::Forward);
-            let rows = half.len();
-            let mut symmetric = half.clone();
-            transform.process_symmetric(&mut symmetric);
-            assert_eq!(symmetric, filter[..rows]);
-            let mut seen = vec![0; nx * ny];
-            transform.filter(&mut found, &mut half, |k, value, density| {
-                assert_eq!(density, filter[k]);
-                seen[k] += 1;
-                *value *= density.re;
+    fn mirrored_fields_need_a_quarter() {
+        for (nx, ny) in SHAPES {
+            let at = |k: usize| 1.0 / (1.0 + (k * k) as f64);
+            let folded = |k: usize| [(k % nx).min(nx - k % nx), (k / nx).min(ny - k / nx)];
+            let mut whole: Vec<Complex64> =
+                (0..nx * ny).map(folded).map(|[i, j]| Complex64::from(at(i + 3 * j))).collect();
+            let (width, height) = (nx / 2 + 1, ny / 2 + 1);
+            let quarter: Vec<f64> = (0..width * height).map(|k| at(k % width + 3 * (k / width))).collect();
+            let found = RealFft2::new(nx, ny).symmetric(&quarter);
+            Fft2::new(nx, ny).process(&mut whole, FftDirection::Forward);
+            for (k, value) in whole.iter().enumerate() {
+                let [i, j] = folded(k);
+                assert!((found[j * width + i] - value).norm() < 1e-12, "{nx} x {ny}: {k}");
+            }
+        }
+    }
+
+    #[test]
+    fn filters_of_real_fields_are_those_of_complex_ones() {
+        for (nx, ny) in SHAPES {
+            let width = nx / 2 + 1;
+            let start: Vec<f64> = (0..nx * ny).map(|k| (k as f64 * 1.7).sin()).collect();
+            let factor = |wave: usize| 1.0 / (1.0 + wave as f64);
+            let mut found = start.clone();
+            let mut count = 0.0;
+            RealFft2::new(nx, ny).filter(&mut found, |wave, waves, value| {
+                count += waves;
+                *value *= factor(wave);
             });
-            for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
-                assert_eq!((*found, seen[k]), (*expected * filter[k].re, 1));
+            assert!((count - (nx * ny) as f64).abs() < 1e-12, "{nx} x {ny}: {count} waves");
+            let mut field: Vec<Complex64> = start.into_iter().map(Complex64::from).collect();
+            let mut transform = Fft2::new(nx, ny);
+            transform.process(&mut field, FftDirection::Forward);
+            for (k, value) in field.iter_mut().enumerate() {
+                let (i, j) = ((k % nx).min(nx - k % nx), (k / nx).min(ny - k / nx));
+                *value *= factor(j * width + i);
+            }
+            transform.process(&mut field, FftDirection::Inverse);
+            for (a, b) in found.iter().zip(&field) {
+                assert!((a - b.re).abs() < 1e-11, "{nx} x {ny}: {a} {b}");
             }
         }
     }

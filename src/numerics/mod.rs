@@ -7,6 +7,6 @@ mod grid_lu;
 mod lanes;
 
 pub(crate) use convolution::{Convolution, ConvolutionPlan, fast_length};
-pub(crate) use fft::Fft2;
+pub(crate) use fft::{Fft2, RealFft2};
 pub(crate) use gmres::{Gmres, PreconditionedOperator};
 pub(crate) use grid_lu::{GridLu, STENCIL};

@@ -1,7 +1,5 @@
 //! A measured surface: heights on a rectangle of points, some of them perhaps undefined.
 
-use faer::{Mat, Side};
-
 use super::error::SurfaceError;
 use super::resample::{Tiling, resample};
 use super::unit::LengthUnit;
@@ -25,13 +23,13 @@ const FILL_SWEEPS: usize = 200;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heights {
-    nx: usize,
-    ny: usize,
-    spacing: Option<[f64; 2]>,
-    heights: Vec<f64>,
+    pub(super) nx: usize,
+    pub(super) ny: usize,
+    pub(super) spacing: Option<[f64; 2]>,
+    pub(super) heights: Vec<f64>,
     /// `None`: all points are defined.
-    defined: Option<Vec<bool>>,
-    unit: Option<LengthUnit>,
+    pub(super) defined: Option<Vec<bool>>,
+    pub(super) unit: Option<LengthUnit>,
 }
 
 impl Heights {
@@ -200,101 +198,8 @@ impl Heights {
         [left, right, below, above].into_iter().flatten()
     }
 
-    /// Subtracts the plane of least squares through the defined points. A direction in which they do not extend
-    /// keeps its slope.
-    ///
-    /// # Errors
-    /// [`SurfaceError::AllUndefined`] when nothing is known; [`SurfaceError::Input`] for heights so large that the sums
-    /// overflow.
-    ///
-    /// ```
-    /// # use stribeck::surface::Heights;
-    /// let tilted = (0..12).map(|k| 1e-6 * f64::from(k % 4) - 2e-6 * f64::from(k / 4)).collect();
-    /// let mut surface = Heights::new(4, 3, None, tilted, None)?;
-    /// surface.remove_plane()?;
-    /// assert!(surface.heights().iter().all(|z| z.abs() < 1e-18));
-    /// # Ok::<(), stribeck::surface::SurfaceError>(())
-    /// ```
-    pub fn remove_plane(&mut self) -> Result<(), SurfaceError> {
-        let [c0, c1, c2] = self.fit_plane()?;
-        for k in 0..self.heights.len() {
-            let (u, v) = self.centred_position(k);
-            if self.is_defined(k) {
-                self.heights[k] -= c0 + c1 * u + c2 * v;
-            }
-        }
-        Ok(())
-    }
-
-    fn is_defined(&self, k: usize) -> bool {
+    pub(super) fn is_defined(&self, k: usize) -> bool {
         self.defined.as_ref().is_none_or(|mask| mask[k])
-    }
-
-    /// Position of point `k` in the square from -1 to 1.
-    fn centred_position(&self, k: usize) -> (f64, f64) {
-        let scaled = |i: usize, n: usize| (2.0 * i as f64 + 1.0) / n as f64 - 1.0;
-        (scaled(k % self.nx, self.nx), scaled(k / self.nx, self.ny))
-    }
-
-    /// Coefficients of `c0 + c1 u + c2 v` of least squares and least norm, by the eigenvectors of the 3 x 3 normal
-    /// matrix (the positions are centred and scaled, so it is well conditioned unless the points are collinear).
-    fn fit_plane(&self) -> Result<[f64; 3], SurfaceError> {
-        let points = self.heights.len();
-        let mut matrix = Mat::<f64>::zeros(3, 3);
-        let mut right = [0.0; 3];
-        let count = points - self.undefined();
-        if count == 0 {
-            return Err(SurfaceError::AllUndefined { points });
-        }
-        for k in (0..points).filter(|&k| self.is_defined(k)) {
-            let (u, v) = self.centred_position(k);
-            let basis = [1.0, u, v];
-            for (row, a) in basis.iter().enumerate() {
-                right[row] += a * self.heights[k] / count as f64;
-                for (column, b) in basis.iter().enumerate() {
-                    matrix[(row, column)] += a * b / count as f64;
-                }
-            }
-        }
-        InputError::require_finite("heights, summed over all points", &right)?;
-        let eigen = matrix.self_adjoint_eigen(Side::Lower).map_err(|_| InputError::Conflict {
-            field: "heights".to_owned(),
-            reason: "the plane of least squares cannot be found".to_owned(),
-        })?;
-        let mut plane = [0.0; 3];
-        for mode in 0..3 {
-            let (value, vector) = (eigen.S()[mode], eigen.U().col(mode));
-            if value > 1e-12 {
-                let weight = (0..3).map(|row| vector[row] * right[row]).sum::<f64>() / value;
-                (0..3).for_each(|row| plane[row] += weight * vector[row]);
-            }
-        }
-        Ok(plane)
-    }
-
-    /// The central `nx` x `ny` points.
-    ///
-    /// # Errors
-    /// [`SurfaceError::Input`] for a count of zero or above that of the surface.
-    ///
-    /// ```
-    /// # use stribeck::surface::Heights;
-    /// let surface = Heights::new(4, 1, None, vec![0.0, 1.0, 2.0, 3.0], None)?;
-    /// assert_eq!(surface.crop_to(2, 1)?.heights(), [1.0, 2.0]);
-    /// # Ok::<(), stribeck::surface::SurfaceError>(())
-    /// ```
-    pub fn crop_to(&self, nx: usize, ny: usize) -> Result<Self, SurfaceError> {
-        for (field, wanted, available) in [("nx", nx, self.nx), ("ny", ny, self.ny)] {
-            let fits = (1..=available).contains(&wanted);
-            InputError::require(fits, field, wanted as f64, "at least 1 and at most that of the surface")?;
-        }
-        let (left, bottom) = ((self.nx - nx) / 2, (self.ny - ny) / 2);
-        let start = |j: usize| (j + bottom) * self.nx + left;
-        let heights = (0..ny).flat_map(|j| &self.heights[start(j)..start(j) + nx]).copied().collect();
-        let mask = self.defined.as_ref();
-        let defined =
-            mask.map(|mask| (0..ny).flat_map(|j| &mask[start(j)..start(j) + nx]).copied().collect());
-        Self::new(nx, ny, self.spacing, heights, defined)
     }
 
     /// Heights \[m\] on `grid`, from a window of its size in the middle of the surface; positions of the grid do not matter.
@@ -346,12 +251,16 @@ impl Heights {
     pub fn resample_mirrored(&self, grid: &Grid) -> Result<Vec<f64>, SurfaceError> {
         let [dx, dy] = self.usable_spacing()?;
         let axes = [
-            ("grid.x", grid.size_x(), dx * self.nx as f64, grid.nx()),
-            ("grid.y", grid.size_y(), dy * self.ny as f64, grid.ny()),
+            (grid.size_x(), dx * self.nx as f64, grid.nx()),
+            (grid.size_y(), dy * self.ny as f64, grid.ny()),
         ];
-        for (field, size, measured, nodes) in axes {
-            let fits = size / measured <= nodes as f64;
-            InputError::require(fits, field, size, "at most one measured extent per node")?;
+        for (size, measured, nodes) in axes {
+            if size / measured > nodes as f64 {
+                let reason = format!(
+                    "the measured {measured:.3e} m would be repeated more often than the {size:.3e} m of the grid have nodes, {nodes}"
+                );
+                return Err(InputError::Conflict { field: "surface".to_owned(), reason }.into());
+            }
         }
         Ok(resample(&self.heights, [self.nx, self.ny], [dx, dy], grid, Tiling::Mirrored))
     }

@@ -5,17 +5,22 @@
 //! | [`Form`] | undeformed gap of the smooth bodies |
 //! | [`RoughnessSpec`], [`generate`] | random roughness of a given height and correlation length |
 //! | [`RandomSurface`] | the same with more choice: self-affine, skewed, open, ensemble height |
-//! | [`Heights`] | a measured surface: levelling, filling of holes, transfer to a grid |
+//! | [`Texture`] | dimples and grooves |
+//! | [`Heights`] | a measured surface: removal of form, filters, filling of holes, transfer to a grid |
 //! | `read`, `read_bytes` (feature `formats`) | instrument files: x3p, sur, sdf, plu, al3d, npy, text |
 //! | `write_x3p`, `write_npy`, `write_text` (feature `formats`) | files that come back bit by bit |
 //! | [`RoughnessMotion`], [`FourierShift`] | shift of periodic roughness from step to step, by less than a cell too |
 //!
 //! Heights are in metres and point out of the body: a positive height narrows the gap.
 
+mod arrangement;
 mod error;
 mod form;
+mod form_removal;
 #[cfg(feature = "formats")]
 mod format;
+mod fourier_resampling;
+mod gaussian_filter;
 mod generate;
 mod johnson;
 mod measured;
@@ -24,6 +29,7 @@ mod random;
 mod resample;
 mod self_affine;
 mod subcell;
+mod texture;
 mod unit;
 
 pub use error::SurfaceError;
@@ -36,4 +42,5 @@ pub use motion::{Offset, RoughnessMotion, add_blended, copy_shifted};
 pub use random::{HeightDistribution, HeightScale, RandomShape, RandomSurface};
 pub use self_affine::{SelfAffine, Synthesis};
 pub use subcell::{FourierShift, blend_shifted};
+pub use texture::{DimpleLayout, GrooveDirection, Texture};
 pub use unit::LengthUnit;

@@ -4,15 +4,14 @@ use num_complex::Complex64;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
-use rustfft::FftDirection;
 
-use super::generate::{Autocorrelation, RoughnessSpec, autocorrelation_rows};
+use super::generate::{Autocorrelation, RoughnessSpec, autocorrelation_quarter};
 use super::johnson::Johnson;
 use super::self_affine::{SelfAffine, Synthesis};
 use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::numerics::{Fft2, fast_length};
+use crate::numerics::{RealFft2, fast_length};
 
 /// What the root mean square height of a random surface refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -132,15 +131,14 @@ impl RandomSurface {
             Boundary::Periodic => *grid,
             Boundary::Open => self.shape.period(grid)?,
         };
-        let mut transform = Fft2::new(period.nx(), period.ny());
-        let mut filter = self.shape.filter(&period);
+        let mut transform = RealFft2::new(period.nx(), period.ny());
+        let mut density = self.shape.density(&period, &mut transform);
         if let Some(johnson) = &johnson {
-            filter = filter.corrected(&johnson.correlations(), &mut transform);
+            density = corrected(&density, &johnson.correlations(), &mut transform);
         }
         let mut field = white_noise(period.len(), self.seed);
-        let power = self.impose(filter, &mut field, &mut transform);
-        transform.process(&mut field, FftDirection::Inverse);
-        let mut heights = cut(&field, &period, grid);
+        let power = self.impose(&density, &mut field, &mut transform);
+        let mut heights = cut(field, &period, grid);
         // standard deviation over all seeds of what the transforms leave unnormalised
         let deviation = (power * period.len() as f64).sqrt();
         if let Some(johnson) = &johnson {
@@ -157,8 +155,9 @@ impl RandomSurface {
         Ok(heights)
     }
 
-    /// Turns noise into modes of the density and returns the sum of the density, its mean left out.
-    fn impose(&self, filter: Filter, field: &mut [Complex64], transform: &mut Fft2) -> f64 {
+    /// Gives noise the density (a quarter of the waves, the others mirror it) and returns the sum of the density, its mean
+    /// left out.
+    fn impose(&self, density: &[f64], field: &mut [f64], transform: &mut RealFft2) -> f64 {
         let phase_only = match self.shape {
             RandomShape::SelfAffine(SelfAffine { synthesis: Synthesis::RandomPhase, .. }) => {
                 Some((field.len() as f64).sqrt())
@@ -166,36 +165,21 @@ impl RandomSurface {
             _ => None,
         };
         let mut power = 0.0;
-        let mut impose = |value: &mut Complex64, density: f64| {
-            let density = density.max(0.0);
-            power += density;
+        transform.filter(field, |wave, waves, value| {
+            if wave == 0 {
+                *value = Complex64::default();
+                return;
+            }
+            let density = density[wave].max(0.0);
+            power += waves * density;
             if let Some(amplitude) = phase_only {
                 let size = value.norm();
                 *value =
                     if size > 0.0 { *value * (amplitude / size) } else { Complex64::new(amplitude, 0.0) };
             }
             *value *= density.sqrt();
-        };
-        let mut mean = 0.0;
-        match filter {
-            Filter::Autocorrelation(mut rows) => {
-                transform.filter(field, &mut rows, |k, value, density| {
-                    if k == 0 {
-                        mean = density.re.max(0.0);
-                    }
-                    impose(value, density.re);
-                });
-            }
-            Filter::Density(rows) => {
-                transform.process(field, FftDirection::Forward);
-                mean = rows.first().map_or(0.0, |density| density.re);
-                transform.for_symmetric(field, &rows, |value, density| impose(value, density.re));
-            }
-        }
-        if let Some(value) = field.first_mut() {
-            *value = Complex64::default();
-        }
-        power - mean
+        });
+        power
     }
 }
 
@@ -225,38 +209,25 @@ impl RandomShape {
         Grid::centred(nx, ny, grid.dx(), grid.dy())
     }
 
-    fn filter(&self, grid: &Grid) -> Filter {
+    /// Density of 0 to `nx / 2` by 0 to `ny / 2` waves; small negative values, which rounding and wrapping leave, count as zero.
+    fn density(&self, grid: &Grid, transform: &mut RealFft2) -> Vec<f64> {
         match *self {
             Self::Correlated { autocorrelation, length_x, length_y } => {
-                Filter::Autocorrelation(autocorrelation_rows(grid, autocorrelation, [length_x, length_y]))
+                let quarter = autocorrelation_quarter(grid, autocorrelation, [length_x, length_y]);
+                transform.symmetric(&quarter)
             }
-            Self::SelfAffine(spectrum) => Filter::Density(spectrum.density_rows(grid)),
+            Self::SelfAffine(spectrum) => spectrum.density_quarter(grid),
         }
     }
 }
 
-/// What the noise is filtered to, as rows 0 to `ny / 2` of a field that is its own mirror image.
-enum Filter {
-    Autocorrelation(Vec<Complex64>),
-    Density(Vec<Complex64>),
-}
-
-impl Filter {
-    /// The autocorrelation that normal deviates need so that the curve of the table turns it into the present one.
-    fn corrected(self, table: &[(f64, f64)], transform: &mut Fft2) -> Self {
-        let mut rows = match self {
-            Self::Autocorrelation(rows) => rows,
-            Self::Density(mut rows) => {
-                transform.process_symmetric(&mut rows);
-                rows
-            }
-        };
-        let variance = rows.first().map_or(0.0, |value| value.re);
-        for value in &mut rows {
-            *value = Complex64::new(interpolate(table, value.re / variance), 0.0);
-        }
-        Self::Autocorrelation(rows)
-    }
+/// The density that normal deviates need so that the curve of the table gives them the present one.
+fn corrected(density: &[f64], table: &[(f64, f64)], transform: &mut RealFft2) -> Vec<f64> {
+    let density: Vec<f64> = density.iter().map(|value| value.max(0.0)).collect();
+    let mut correlation = transform.symmetric(&density);
+    let variance = correlation.first().copied().unwrap_or(1.0);
+    correlation.iter_mut().for_each(|value| *value = interpolate(table, *value / variance));
+    transform.symmetric(&correlation)
 }
 
 /// Linear between the pairs of a table with rising first entries, constant beyond its ends.
@@ -267,16 +238,18 @@ fn interpolate(table: &[(f64, f64)], x: f64) -> f64 {
 }
 
 /// The corner of the larger field that lies on `grid`.
-fn cut(field: &[Complex64], period: &Grid, grid: &Grid) -> Vec<f64> {
-    let rows = field.chunks_exact(period.nx()).take(grid.ny());
-    rows.flat_map(|row| &row[..grid.nx()]).map(|value| value.re).collect()
+fn cut(field: Vec<f64>, period: &Grid, grid: &Grid) -> Vec<f64> {
+    if field.len() == grid.len() {
+        return field;
+    }
+    field.chunks_exact(period.nx()).take(grid.ny()).flat_map(|row| &row[..grid.nx()]).copied().collect()
 }
 
-fn white_noise(count: usize, seed: u64) -> Vec<Complex64> {
+fn white_noise(count: usize, seed: u64) -> Vec<f64> {
     let mut bytes = [0; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());
     let mut generator = ChaCha8Rng::from_seed(bytes);
-    (0..count).map(|_| Complex64::new(StandardNormal.sample(&mut generator), 0.0)).collect()
+    (0..count).map(|_| StandardNormal.sample(&mut generator)).collect()
 }
 
 /// Removes the mean and scales to the root mean square `rq`.

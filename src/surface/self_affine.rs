@@ -1,7 +1,5 @@
 //! Self-affine spectra.
 
-use num_complex::Complex64;
-
 use crate::error::InputError;
 use crate::grid::Grid;
 
@@ -47,25 +45,20 @@ impl SelfAffine {
         InputError::require(ordered, "roughness.shortest", shortest, range)
     }
 
-    /// Rows 0 to `ny / 2` of the density, of any scale and in the order of the transform; the other rows mirror them.
-    pub(super) fn density_rows(&self, grid: &Grid) -> Vec<Complex64> {
-        let nx = grid.nx();
+    /// The density of 0 to `nx / 2` by 0 to `ny / 2` waves, of any scale.
+    pub(super) fn density_quarter(&self, grid: &Grid) -> Vec<f64> {
         // relative slack, so that modes on a cut-off are not lost to rounding
         let (lowest, highest) = ((1.0 - 1e-9) / self.longest, (1.0 + 1e-9) / self.shortest);
-        let mut field = Vec::with_capacity(nx * (grid.ny() / 2 + 1));
+        let mut quarter = Vec::with_capacity((grid.nx() / 2 + 1) * (grid.ny() / 2 + 1));
         for j in 0..=grid.ny() / 2 {
             let y = j as f64 / grid.size_y();
-            let row = field.len();
-            for i in 0..=nx / 2 {
+            for i in 0..=grid.nx() / 2 {
                 let frequency = (i as f64 / grid.size_x()).hypot(y);
                 let inside = (lowest..=highest).contains(&frequency);
                 let falling = (frequency * self.roll_off).max(1.0).powf(-2.0 * (1.0 + self.hurst));
-                field.push(Complex64::new(if inside { falling } else { 0.0 }, 0.0));
-            }
-            for i in nx / 2 + 1..nx {
-                field.push(field[row + nx - i]);
+                quarter.push(if inside { falling } else { 0.0 });
             }
         }
-        field
+        quarter
     }
 }

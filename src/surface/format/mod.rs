@@ -41,7 +41,7 @@ const MAX_FILE: u64 = 1 << 31;
 /// undefined go into the mask; a height that is not finite without being so marked is an error.
 ///
 /// Of x3p: areal surfaces on an equidistant grid with binary heights (16 or 32 bit integers, 32 or 64 bit floats, `NaN`
-/// undefined) or a list in the XML (up to 16 MiB). The checksum of the archive (CRC-32) is verified, the MD5 sums of the
+/// undefined), scaled by the increment and offset of the height axis where given, or a list in the XML (up to 16 MiB). The checksum of the archive (CRC-32) is verified, the MD5 sums of the
 /// standard are not. Of sur and plu: the first object or layer. Of sdf: uncompressed. Of al3d: the depth image
 /// (`NaN` undefined). Of npy: versions 1 to 3, integers and floats of any size up to 8 bytes, both byte orders, C and
 /// Fortran order. Of text: fields separated by blanks, commas or semicolons, `BAD` or an empty field undefined; headers

@@ -30,10 +30,6 @@ impl NumberType {
         self.size
     }
 
-    pub(super) fn kind(self) -> Kind {
-        self.kind
-    }
-
     /// The numbers in `bytes`; an incomplete one at the end is left out.
     pub(super) fn decode(self, bytes: &[u8]) -> Vec<f64> {
         bytes.chunks_exact(self.size).map(|chunk| self.value(chunk)).collect()

@@ -122,7 +122,8 @@ fn value_of<'a>(source: Source<'_>, header: &'a str, key: &str) -> Result<&'a st
         .lines()
         .filter_map(|line| line.split_once('='))
         .find(|(name, _)| name.trim().eq_ignore_ascii_case(key))
-        .map(|(_, value)| value.trim())
+        // a comment may follow
+        .map(|(_, value)| value.split(';').next().unwrap_or(value).trim())
         .ok_or_else(|| source.corrupt(format!("the header lacks {key}")))
 }
 

@@ -58,15 +58,26 @@ impl Header {
         match key.as_str() {
             "x pixels" | "nx" | "w" => self.nx = Some(count(value)?),
             "y pixels" | "ny" | "h" => self.ny = Some(count(value)?),
-            "width" | "x length" => self.size[0] = Some(length(value)?),
-            "height" | "y length" => self.size[1] = Some(length(value)?),
+            // Gwyddion writes them in the language of its user
+            "width"
+            | "x length"
+            | "breite"
+            | "largeur"
+            | "larghezza"
+            | "anchura"
+            | "largura"
+            | "\u{161}\u{ed}\u{159}ka" => self.size[0] = Some(length(value)?),
+            "height" | "y length" | "h\u{f6}he" | "hauteur" | "altezza" | "altura" | "v\u{fd}\u{161}ka" => {
+                self.size[1] = Some(length(value)?);
+            }
             "spacing x" | "scale x" | "dx" => self.spacing[0] = Some(length(value)?),
             "spacing y" | "scale y" | "dy" => self.spacing[1] = Some(length(value)?),
             "pixel size" => self.spacing = [Some(length(value)?), Some(length(value)?)],
             "x unit" => value.clone_into(&mut self.lateral_unit[0]),
             "y unit" => value.clone_into(&mut self.lateral_unit[1]),
             "unit x" | "lateral unit" => self.lateral_unit = [value.to_owned(), value.to_owned()],
-            "value units" | "value unit" | "z unit" | "unit data" | "height unit" => {
+            "value units" | "value unit" | "z unit" | "unit data" | "height unit" | "einheiten"
+            | "unit\u{e9}s" | "unit\u{e0} valore" | "unidades de valor" | "jednotky hodnot" => {
                 value.clone_into(&mut self.height_unit);
             }
             "bit2nm" => self.nanometres = Some(length(value)?.0),
@@ -133,7 +144,9 @@ impl Separator {
             Self::Semicolon
         } else if !line.contains(',') {
             Self::Blanks
-        } else if line.contains('\t') {
+        } else if line.contains('\t')
+            || line.split_whitespace().nth(1).is_some() && line.split_whitespace().all(has_decimal_comma)
+        {
             Self::BlanksDecimalComma
         } else {
             Self::Comma
@@ -165,6 +178,15 @@ impl Separator {
                 .flatten()
         })
     }
+}
+
+/// Whether a number has digits on both sides of its only comma, if it has one.
+fn has_decimal_comma(number: &str) -> bool {
+    number.split_once(',').is_none_or(|(whole, rest)| {
+        whole.ends_with(|c: char| c.is_ascii_digit())
+            && rest.starts_with(|c: char| c.is_ascii_digit())
+            && !rest.contains(',')
+    })
 }
 
 /// The numbers of the rows read so far.

@@ -10,7 +10,7 @@ use zip::ZipArchive;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
 use super::number::{Kind, NumberType};
-use super::source::{Found, Source, shortened};
+use super::source::{Found, Source, decode_text, shortened};
 use crate::surface::{Heights, LengthUnit, SurfaceError};
 
 /// Longest description accepted \[bytes\]; one with the heights as a list of text is long.
@@ -53,8 +53,8 @@ pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
         return Err(source.unknown());
     }
     let xml = context.part(&mut archive, "main.xml", MAX_XML)?;
-    let xml = String::from_utf8(xml).map_err(|_| source.corrupt("main.xml is not UTF-8 text".to_owned()))?;
-    let Description { nx, ny, spacing, number, scale, offset, points, mask } = context.describe(&xml)?;
+    let Description { nx, ny, spacing, number, scale, offset, points, mask } =
+        context.describe(&decode_text(&xml))?;
     let stored = match points {
         Points::List(values) => values,
         Points::Part(name) => {
@@ -68,10 +68,7 @@ pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
             *flag &= bits.get(k / 8).is_some_and(|byte| byte >> (k % 8) & 1 == 1);
         }
     }
-    let heights = match number.kind() {
-        Kind::Float => stored,
-        _ => stored.iter().map(|value| offset + scale * value).collect(),
-    };
+    let heights = stored.iter().map(|value| offset + scale * value).collect();
     let (spacing, unit) = (Some(spacing), Some(LengthUnit::Metre));
     source.finish(Found { nx, ny, spacing, unit, heights, defined: Some(defined) })
 }
@@ -92,7 +89,15 @@ impl Context<'_> {
 
     /// The content of a part, refused when longer than `limit`.
     fn part(&self, archive: &mut Archive<'_>, name: &str, limit: u64) -> Result<Vec<u8>, SurfaceError> {
-        let part = archive.by_name(name).map_err(|error| self.corrupt(format!("part {name}: {error}")))?;
+        let same = |k: usize| {
+            let other = archive.name_for_index(k).and_then(Result::ok);
+            other.is_some_and(|other| plain(&other).eq_ignore_ascii_case(&plain(name)))
+        };
+        let exact = archive.index_for_name(name);
+        let index = exact.or_else(|| (0..archive.len()).find(|&k| same(k)));
+        let index =
+            index.ok_or_else(|| self.corrupt(format!("part {} is not in the archive", shortened(name))))?;
+        let part = archive.by_index(index).map_err(|error| self.corrupt(format!("part {name}: {error}")))?;
         let mut bytes = Vec::new();
         part.take(limit + 1)
             .read_to_end(&mut bytes)
@@ -181,7 +186,7 @@ impl Context<'_> {
         self.number(root, &["Record1", "Axes", axis, "Increment"])
     }
 
-    /// Type of the stored heights and their scale and offset, which count for integers only.
+    /// Type of the stored heights and their scale and offset.
     fn heights_axis(&self, root: Node<'_, '_>) -> Result<(NumberType, f64, f64), SurfaceError> {
         let name = self.text(root, &["Record1", "Axes", "CZ", "DataType"])?;
         let number = match name {
@@ -195,13 +200,12 @@ impl Context<'_> {
             number.ok_or_else(|| self.unsupported(format!("heights of type {}", shortened(name))))?;
         let optional = |name: &str, default: f64| {
             let names = ["Record1", "Axes", "CZ", name];
-            if number.kind() == Kind::Signed && find(root, &names).is_some() {
-                self.number(root, &names)
-            } else {
-                Ok(default)
-            }
+            if find(root, &names).is_some() { self.number(root, &names) } else { Ok(default) }
         };
-        Ok((number, optional("Increment", 1.0)?, optional("Offset", 0.0)?))
+        // heights that are floats may come with an increment of nothing
+        let scale = Some(optional("Increment", 1.0)?).filter(|scale| *scale != 0.0).unwrap_or(1.0);
+        // what is added to nothing must leave a negative zero as it is
+        Ok((number, scale, optional("Offset", -0.0)?))
     }
 
     fn points(&self, root: Node<'_, '_>, expected: usize) -> Result<Points, SurfaceError> {
@@ -227,6 +231,11 @@ impl Context<'_> {
             Err(self.corrupt(format!("main.xml lists {} heights instead of {expected}", values.len())))
         }
     }
+}
+
+/// Name of a part as archives should write it: some have backslashes or a leading one.
+fn plain(name: &str) -> String {
+    name.replace('\\', "/").trim_start_matches("./").trim_start_matches('/').to_owned()
 }
 
 /// Element names regardless of their namespace.

@@ -1,0 +1,255 @@
+//! Removal of form: the plane, polynomial or sphere of least squares.
+
+use faer::{Mat, Side};
+
+use super::error::SurfaceError;
+use super::measured::Heights;
+use crate::error::InputError;
+
+/// Highest degree of a polynomial.
+const MAX_DEGREE: usize = 10;
+/// Share of the largest eigenvalue below which a direction is left as it is.
+const DEGENERATE: f64 = 1e-12;
+/// Steps of the fit of a sphere, halvings of a step that leaves the sphere, and change at which the fit ends, in
+/// half the length of the surface.
+const STEPS: usize = 50;
+const HALVINGS: usize = 30;
+const CONVERGED: f64 = 1e-13;
+
+impl Heights {
+    /// Subtracts the plane of least squares through the defined points. A direction in which they do not extend
+    /// keeps its slope.
+    ///
+    /// # Errors
+    /// [`SurfaceError::AllUndefined`] when nothing is known; [`SurfaceError::Input`] for heights so large that the sums
+    /// overflow.
+    ///
+    /// ```
+    /// # use stribeck::surface::Heights;
+    /// let tilted = (0..12).map(|k| 1e-6 * f64::from(k % 4) - 2e-6 * f64::from(k / 4)).collect();
+    /// let mut surface = Heights::new(4, 3, None, tilted, None)?;
+    /// surface.remove_plane()?;
+    /// assert!(surface.heights().iter().all(|z| z.abs() < 1e-18));
+    /// # Ok::<(), stribeck::surface::SurfaceError>(())
+    /// ```
+    pub fn remove_plane(&mut self) -> Result<(), SurfaceError> {
+        self.remove_polynomial(1)
+    }
+
+    /// Subtracts the polynomial `sum c_mn x^m y^n` over `m + n <= degree` of least squares through the defined points. What
+    /// they leave open (a slope across a single row) is not changed.
+    ///
+    /// # Errors
+    /// A degree above 10; those of [`Heights::remove_plane`].
+    ///
+    /// ```
+    /// # use stribeck::surface::Heights;
+    /// let bowl = (0..35).map(|k| 1e-8 * f64::from((k % 7) * (k / 7)) + 1e-9 * f64::from(k % 7).powi(2)).collect();
+    /// let mut surface = Heights::new(7, 5, None, bowl, None)?;
+    /// surface.remove_polynomial(2)?;
+    /// assert!(surface.heights().iter().all(|z| z.abs() < 1e-20));
+    /// # Ok::<(), stribeck::surface::SurfaceError>(())
+    /// ```
+    pub fn remove_polynomial(&mut self, degree: usize) -> Result<(), SurfaceError> {
+        InputError::require(degree <= MAX_DEGREE, "degree", degree as f64, "at most 10")?;
+        let mean = self.mean()?;
+        let terms: Vec<[usize; 2]> =
+            (0..=degree).flat_map(|a| (0..=degree - a).map(move |b| [a, b])).collect();
+        let along_x: Vec<Vec<f64>> = (0..self.nx).map(|i| legendre(centred(i, self.nx), degree)).collect();
+        let along_y: Vec<Vec<f64>> = (0..self.ny).map(|j| legendre(centred(j, self.ny), degree)).collect();
+        let share = 1.0 / (self.heights.len() - self.undefined()) as f64;
+        let mut matrix = Mat::<f64>::zeros(terms.len(), terms.len());
+        let mut right = vec![0.0; terms.len()];
+        let count = degree + 1;
+        let (mut products, mut sums) = (vec![0.0; count * count], vec![0.0; count]);
+        for (j, q) in along_y.iter().enumerate() {
+            products.fill(0.0);
+            sums.fill(0.0);
+            for (i, p) in along_x.iter().enumerate() {
+                let k = j * self.nx + i;
+                if !self.is_defined(k) {
+                    continue;
+                }
+                let height = self.heights[k] - mean;
+                for (a, pa) in p.iter().enumerate() {
+                    sums[a] += pa * height;
+                    for (b, pb) in p.iter().enumerate() {
+                        products[a * count + b] += pa * pb;
+                    }
+                }
+            }
+            for (row, [a, c]) in terms.iter().enumerate() {
+                right[row] += share * sums[*a] * q[*c];
+                for (column, [b, d]) in terms.iter().enumerate() {
+                    matrix[(row, column)] += share * products[a * count + b] * q[*c] * q[*d];
+                }
+            }
+        }
+        let form = least_squares(&matrix, &right)?;
+        for (j, q) in along_y.iter().enumerate() {
+            sums.fill(0.0);
+            terms.iter().zip(&form).for_each(|([a, c], factor)| sums[*a] += factor * q[*c]);
+            for (i, p) in along_x.iter().enumerate() {
+                let k = j * self.nx + i;
+                if self.is_defined(k) {
+                    self.heights[k] -= mean + p.iter().zip(&sums).map(|(p, sum)| p * sum).sum::<f64>();
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Subtracts the sphere of least squares of the vertical distances through the defined points and returns its radius \[m\]:
+    /// positive for a ball, negative for a socket, very large for a flat.
+    ///
+    /// # Errors
+    /// [`SurfaceError::NoSpacing`]; [`SurfaceError::Input`] when no sphere is found (the surface reaches beyond its
+    /// equator); those of [`Heights::remove_plane`].
+    ///
+    /// ```
+    /// # use stribeck::{Grid, surface::Heights};
+    /// let grid = Grid::centred(40, 30, 10e-6, 10e-6)?;
+    /// let ball = grid.nodes().map(|(x, y)| (9.525e-3_f64.powi(2) - x * x - y * y).sqrt()).collect();
+    /// let mut surface = Heights::new(40, 30, Some([10e-6, 10e-6]), ball, None)?;
+    /// assert!((surface.remove_sphere()? / 9.525e-3 - 1.0).abs() < 1e-9);
+    /// assert!(surface.heights().iter().all(|z| z.abs() < 1e-15));
+    /// # Ok::<(), stribeck::surface::SurfaceError>(())
+    /// ```
+    pub fn remove_sphere(&mut self) -> Result<f64, SurfaceError> {
+        let [dx, dy] = self.spacing.ok_or(SurfaceError::NoSpacing)?;
+        let mean = self.mean()?;
+        let unit = 0.5 * (dx * self.nx as f64).max(dy * self.ny as f64);
+        let (width, length) = (0.5 * dx * self.nx as f64 / unit, 0.5 * dy * self.ny as f64 / unit);
+        let points: Vec<(usize, [f64; 3])> = (0..self.heights.len())
+            .filter(|&k| self.is_defined(k))
+            .map(|k| {
+                let (u, v) = (centred(k % self.nx, self.nx), centred(k / self.nx, self.ny));
+                (k, [u * width, v * length, (self.heights[k] - mean) / unit])
+            })
+            .collect();
+        let cap = Cap::fit(&points)?;
+        for (k, [x, y, z]) in points {
+            let (sphere, _) = cap.at(x, y).ok_or_else(no_sphere)?;
+            self.heights[k] = (z - sphere) * unit;
+        }
+        Ok(-unit / cap.0[3])
+    }
+
+    /// Mean of the defined heights.
+    pub(super) fn mean(&self) -> Result<f64, SurfaceError> {
+        let points = self.heights.len();
+        let count = points - self.undefined();
+        if count == 0 {
+            return Err(SurfaceError::AllUndefined { points });
+        }
+        let defined = self.heights.iter().enumerate().filter(|(k, _)| self.is_defined(*k));
+        let mean = defined.map(|(_, z)| z / count as f64).sum::<f64>();
+        InputError::require_finite("heights, summed over all points", &[mean])?;
+        Ok(mean)
+    }
+}
+
+/// Position of point `i` of `n` between -1 and 1.
+fn centred(i: usize, n: usize) -> f64 {
+    (2.0 * i as f64 + 1.0) / n as f64 - 1.0
+}
+
+/// Legendre polynomials up to `degree` with mean square 1 between -1 and 1.
+fn legendre(x: f64, degree: usize) -> Vec<f64> {
+    let mut values = vec![1.0, x];
+    for n in 1..degree {
+        let n_real = n as f64;
+        values.push(((2.0 * n_real + 1.0) * x * values[n] - n_real * values[n - 1]) / (n_real + 1.0));
+    }
+    values.truncate(degree + 1);
+    for (n, value) in values.iter_mut().enumerate() {
+        *value *= (2.0 * n as f64 + 1.0).sqrt();
+    }
+    values
+}
+
+/// Solution of least norm of the normal equations, by the eigenvectors of their matrix.
+fn least_squares(matrix: &Mat<f64>, right: &[f64]) -> Result<Vec<f64>, SurfaceError> {
+    InputError::require_finite("heights, summed over all points", right)?;
+    let eigen = matrix.self_adjoint_eigen(Side::Lower).map_err(|_| InputError::Conflict {
+        field: "heights".to_owned(),
+        reason: "the form of least squares cannot be found".to_owned(),
+    })?;
+    let largest = (0..right.len()).map(|mode| eigen.S()[mode]).fold(0.0, f64::max);
+    let mut solution = vec![0.0; right.len()];
+    for mode in 0..right.len() {
+        let (value, vector) = (eigen.S()[mode], eigen.U().col(mode));
+        if value > DEGENERATE * largest {
+            let weight = right.iter().enumerate().map(|(row, r)| vector[row] * r).sum::<f64>() / value;
+            solution.iter_mut().enumerate().for_each(|(row, part)| *part += weight * vector[row]);
+        }
+    }
+    Ok(solution)
+}
+
+fn no_sphere() -> SurfaceError {
+    InputError::Conflict { field: "heights".to_owned(), reason: "no sphere fits them".to_owned() }.into()
+}
+
+/// A sphere by height, slopes and curvature at the origin, so that a flat is one of them:
+/// `curvature (w^2 + r^2) - 2 (w - p x - q y) / m = 0` with `w` the height above the origin and `m^2 = 1 + p^2 + q^2`.
+#[derive(Clone, Copy)]
+struct Cap([f64; 4]);
+
+impl Cap {
+    fn fit(points: &[(usize, [f64; 3])]) -> Result<Self, SurfaceError> {
+        let mut cap = Self([0.0; 4]);
+        let mut normal = cap.normal_equations(points).ok_or_else(no_sphere)?;
+        for _ in 0..STEPS {
+            let step = least_squares(&normal.0, &normal.1)?;
+            let mut share = 1.0;
+            let mut next = None;
+            for _ in 0..HALVINGS {
+                let mut moved = cap;
+                moved.0.iter_mut().zip(&step).for_each(|(value, change)| *value += share * change);
+                next = moved.normal_equations(points).map(|normal| (moved, normal));
+                if next.is_some() {
+                    break;
+                }
+                share *= 0.5;
+            }
+            (cap, normal) = next.ok_or_else(no_sphere)?;
+            if step.iter().all(|change| change.abs() < CONVERGED) {
+                return Ok(cap);
+            }
+        }
+        Err(no_sphere())
+    }
+
+    /// Height and its derivatives by the four parameters, `None` beyond the equator.
+    fn at(&self, x: f64, y: f64) -> Option<(f64, [f64; 4])> {
+        let [height, p, q, curvature] = self.0;
+        let m = (1.0 + p * p + q * q).sqrt();
+        let (plane, square) = (p * x + q * y, x * x + y * y);
+        let gap = curvature * square + 2.0 * plane / m;
+        let under = 1.0 / (m * m) - curvature * gap;
+        if under.is_nan() || under <= 0.0 {
+            return None;
+        }
+        let root = under.sqrt();
+        let w = gap / (1.0 / m + root);
+        let tilt = (w - plane) / (m * m * m);
+        let slope = |along: f64, coordinate: f64| (coordinate / m + along * tilt) / root;
+        Some((height + w, [1.0, slope(p, x), slope(q, y), 0.5 * (w * w + square) / root]))
+    }
+
+    fn normal_equations(&self, points: &[(usize, [f64; 3])]) -> Option<(Mat<f64>, [f64; 4])> {
+        let (mut matrix, mut right) = (Mat::<f64>::zeros(4, 4), [0.0; 4]);
+        let share = 1.0 / points.len() as f64;
+        for (_, [x, y, z]) in points {
+            let (sphere, derivatives) = self.at(*x, *y)?;
+            for (row, a) in derivatives.iter().enumerate() {
+                right[row] += share * a * (z - sphere);
+                for (column, b) in derivatives.iter().enumerate() {
+                    matrix[(row, column)] += share * a * b;
+                }
+            }
+        }
+        Some((matrix, right))
+    }
+}
