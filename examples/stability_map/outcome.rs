@@ -3,9 +3,9 @@
 use std::fmt;
 use std::fmt::Write as _;
 
-use stribeck::report::{SolveReport, Status};
 use stribeck::sim::scene::SolverKind;
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
+use stribeck::{SolveReport, Status};
 
 use crate::scenes::Case;
 
@@ -114,9 +114,10 @@ pub(crate) fn solve(case: &Case, solver: Solver) -> Entry {
                 (Status::Converged, Some(_)) => Verdict::Lie,
                 (Status::Converged, None) => Verdict::Converged,
                 (Status::MeshTooCoarse, _) => Verdict::MeshTooCoarse,
-                (Status::Stalled, _) => Verdict::Stalled,
                 (Status::MaxIterations, _) => Verdict::MaxIterations,
                 (Status::Diverged, _) => Verdict::Diverged,
+                // Stalled, or a status that is new to this example.
+                _ => Verdict::Stalled,
             };
             let remark = if verdict == Verdict::Lie { fault.unwrap_or_default() } else { String::new() };
             let numbers =
