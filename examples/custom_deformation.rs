@@ -43,11 +43,11 @@ impl DeformationModel for Coated {
 }
 
 fn main() -> Result<(), SimError> {
-    let mut scene = Scene::azam_2019(48);
+    let mut scene = Scene::azam_2019(96);
     // Smooth, elastic and in oil.
     scene.roughness = RoughnessPair::default();
     (scene.plastic, scene.wear) = (None, None);
-    scene.motion.entrainment_speed = 1.0;
+    scene.motion.entrainment_speed = 5.0;
     scene.solver.tolerance = 1e-4;
     let (grid, modulus) = (scene.grid()?, scene.elastic.equivalent_modulus);
     println!("{:>14} {:>18} {:>13}", "coating", "largest pressure", "central film");
