@@ -20,7 +20,7 @@ const MAX_KRYLOV_STEPS: usize = 100;
 const KRYLOV_TOLERANCE: f64 = 0.01;
 /// Largest pressure change of one step, in reference pressures.
 const MAX_PRESSURE_CHANGE: f64 = 1.0;
-/// What a solve tries, one after the other while it stalls, each but the first from the dry contact. What one cannot do
+/// What a solve tries, one after the other while it stalls or diverges, each but the first from the dry contact. What one cannot do
 /// another often can: the ways through the changes of sides are many and short.
 const ATTEMPTS: [Attempt; 6] = [
     Attempt { trust: 0.03, first_contact_film: 30.0, careful: true },
@@ -150,7 +150,7 @@ impl Workspace {
         self.best_residuals = Residuals { mass: f64::INFINITY, ..Residuals::default() };
         let mut status = Status::Stalled;
         for attempt in ATTEMPTS {
-            if status != Status::Stalled {
+            if matches!(status, Status::Converged | Status::MaxIterations) {
                 break;
             }
             let cold = work.iterations > 0 || state.pressure.iter().all(|&p| p <= 0.0);
