@@ -1,13 +1,12 @@
 //! The elastic half-space by DC-FFT.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
+use super::response::ElasticResponse;
 use super::{DeformationModel, NEAR};
 use crate::analytic::rectangle_potential;
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::numerics::{Convolution, ConvolutionPlan};
 
 /// Two half-spaces pressed together: `u(x, y) = 2/(pi E') * integral of p / r` with the pressure constant in each
 /// cell (influence coefficients of Love 1929), summed as a discrete convolution through FFTs of the doubled size.
@@ -32,11 +31,9 @@ use crate::numerics::{Convolution, ConvolutionPlan};
 /// ```
 #[derive(Debug, Clone)]
 pub struct HalfSpace {
-    grid: Grid,
     equivalent_modulus: f64,
     near: [[f64; NEAR + 1]; NEAR + 1],
-    convolution: Convolution,
-    inverse: Convolution,
+    response: ElasticResponse,
 }
 
 impl HalfSpace {
@@ -49,12 +46,10 @@ impl HalfSpace {
         let table = influence_table(&grid, equivalent_modulus);
         let nx = grid.nx();
         let kernel = |di: isize, dj: isize| table[dj.unsigned_abs() * nx + di.unsigned_abs()];
-        let plan = ConvolutionPlan::new(nx, grid.ny(), kernel);
         let near = std::array::from_fn(|dj| {
             std::array::from_fn(|di| influence_coefficient(&grid, equivalent_modulus, di, dj))
         });
-        let inverse = Convolution::new(Arc::new(ConvolutionPlan::periodic_inverse(nx, grid.ny(), kernel)));
-        Ok(Self { grid, equivalent_modulus, near, convolution: Convolution::new(Arc::new(plan)), inverse })
+        Ok(Self { equivalent_modulus, near, response: ElasticResponse::new(grid, kernel) })
     }
 }
 
@@ -77,21 +72,15 @@ pub(super) fn influence_table(grid: &Grid, equivalent_modulus: f64) -> Vec<f64> 
 
 impl DeformationModel for HalfSpace {
     fn grid(&self) -> Grid {
-        self.grid
+        self.response.grid
     }
 
     fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        InputError::require_len("pressure", pressure, self.grid.len())?;
-        InputError::require_len("out", out, self.grid.len())?;
-        self.convolution.apply(pressure, out);
-        Ok(())
+        self.response.displacement(pressure, out)
     }
 
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        InputError::require_len("displacement", displacement, self.grid.len())?;
-        InputError::require_len("out", out, self.grid.len())?;
-        self.inverse.apply(displacement, out);
-        Ok(())
+        self.response.pressure_estimate(displacement, out)
     }
 
     fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {

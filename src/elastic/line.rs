@@ -1,12 +1,10 @@
 //! The elastic half-space under line loads, plane strain, by DC-FFT.
 
-use std::sync::Arc;
-
+use super::response::ElasticResponse;
 use super::{DeformationModel, NEAR};
 use crate::analytic::strip_displacement;
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::numerics::{Convolution, ConvolutionPlan};
 
 /// Two half-spaces pressed together along lines: `u(x) = 4/(pi E') * integral of p ln(reference/|x - s|) ds` with the
 /// pressure constant in each cell, the influence coefficients of the strips exact, summed through FFTs of twice the line.
@@ -34,10 +32,8 @@ use crate::numerics::{Convolution, ConvolutionPlan};
 /// ```
 #[derive(Debug, Clone)]
 pub struct LineHalfSpace {
-    grid: Grid,
     near: [f64; NEAR + 1],
-    convolution: Convolution,
-    inverse: Convolution,
+    response: ElasticResponse,
 }
 
 impl LineHalfSpace {
@@ -61,34 +57,21 @@ impl LineHalfSpace {
             strip_displacement(x, 0.5 * grid.dx(), reference, 1.0, equivalent_modulus)
         };
         let kernel = |di: isize, _| coefficient(di.unsigned_abs());
-        let plan = ConvolutionPlan::new(grid.nx(), 1, kernel);
-        let inverse = Convolution::new(Arc::new(ConvolutionPlan::periodic_inverse(grid.nx(), 1, kernel)));
-        Ok(Self {
-            grid,
-            near: std::array::from_fn(coefficient),
-            convolution: Convolution::new(Arc::new(plan)),
-            inverse,
-        })
+        Ok(Self { near: std::array::from_fn(coefficient), response: ElasticResponse::new(grid, kernel) })
     }
 }
 
 impl DeformationModel for LineHalfSpace {
     fn grid(&self) -> Grid {
-        self.grid
+        self.response.grid
     }
 
     fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        InputError::require_len("pressure", pressure, self.grid.len())?;
-        InputError::require_len("out", out, self.grid.len())?;
-        self.convolution.apply(pressure, out);
-        Ok(())
+        self.response.displacement(pressure, out)
     }
 
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        InputError::require_len("displacement", displacement, self.grid.len())?;
-        InputError::require_len("out", out, self.grid.len())?;
-        self.inverse.apply(displacement, out);
-        Ok(())
+        self.response.pressure_estimate(displacement, out)
     }
 
     fn influence(&self, di: usize, dj: usize) -> f64 {

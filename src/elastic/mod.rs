@@ -8,6 +8,7 @@ mod direct;
 mod dry;
 mod half_space;
 mod line;
+mod response;
 
 use std::fmt::Debug;
 

@@ -237,9 +237,14 @@ impl Discretisation {
         sum
     }
 
+    /// Flow through all faces of node `k` per potential, neighbours held.
+    fn conductance(&self, k: usize) -> f64 {
+        self.neighbours(k).into_iter().map(|(o, c)| c * self.face(k, o)).sum()
+    }
+
     /// Sum of the coefficients that multiply the own pressure: how strongly `F_k` resists it \[m/Pa\].
     pub(super) fn diagonal(&self, k: usize, near: NearField) -> f64 {
-        let faces: f64 = self.neighbours(k).into_iter().map(|(o, c)| c * self.face(k, o)).sum();
+        let faces = self.conductance(k);
         self.wedge * (self.nodes[k].density * near.own - self.nodes[k - 1].density * near.next_x)
             + self.squeeze * self.nodes[k].density * near.own
             + faces * self.nodes[k].potential_p
@@ -247,8 +252,8 @@ impl Discretisation {
 
     /// Pressure flow through the faces of node `k` over the entrainment and squeeze of its elastic response.
     pub(super) fn flow_ratio(&self, k: usize, near: NearField) -> f64 {
-        let faces: f64 = self.neighbours(k).into_iter().map(|(o, c)| c * self.face(k, o)).sum();
-        faces * self.nodes[k].potential_p / ((self.wedge + self.squeeze) * self.nodes[k].density * near.own)
+        self.conductance(k) * self.nodes[k].potential_p
+            / ((self.wedge + self.squeeze) * self.nodes[k].density * near.own)
     }
 
     /// How strongly `F_k` depends on the own mass: entrainment and squeeze together.

@@ -8,6 +8,7 @@ use super::preconditioner::{BlockPreconditioner, Unknowns};
 use super::problem::{LubricatedContact, interior};
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
+use crate::grid::Grid;
 use crate::numerics::{Gmres, PreconditionedOperator};
 use crate::report::{Residuals, SolveReport, Status, Work};
 
@@ -20,8 +21,8 @@ const MAX_KRYLOV_STEPS: usize = 100;
 const KRYLOV_TOLERANCE: f64 = 0.01;
 /// Largest pressure change of one step, in reference pressures.
 const MAX_PRESSURE_CHANGE: f64 = 1.0;
-/// What a solve tries, one after the other while it stalls or diverges, each but the first from the dry contact. What one cannot do
-/// another often can: the ways through the changes of sides are many and short.
+/// What a solve tries, one after the other while it stalls or diverges, each but the first from the dry contact. What one
+/// cannot do another often can: the ways through the changes of sides are many and short.
 const ATTEMPTS: [Attempt; 6] = [
     Attempt { trust: 0.03, first_contact_film: 30.0, careful: true },
     Attempt { trust: 0.03, first_contact_film: 1.0, careful: false },
@@ -35,7 +36,7 @@ const CONTACT_FILM_REDUCTION: f64 = 0.5;
 /// Growth of the residual after which a careful attempt takes the step again at [`SHORTER`] length.
 const JUMP: f64 = 4.0;
 const SHORTER: f64 = 0.5;
-/// Steps without a new best residual after which that distance is halved.
+/// Steps without a new best residual after which the trust is halved.
 const PATIENCE: u32 = 5;
 
 /// How the nonlinear equations are approached.
@@ -74,13 +75,41 @@ struct Workspace {
     step: Vec<f64>,
     pinned: Vec<f64>,
     start: DryStart,
-    best: ContactState,
+    best: Snapshot,
     best_residuals: Residuals,
-    best_kinds: Vec<Kind>,
-    before: ContactState,
-    kinds_before: Vec<Kind>,
+    before: Snapshot,
     scale: Vec<f64>,
     scaled: Vec<f64>,
+}
+
+/// A state with the sides of its nodes, to come back to.
+#[derive(Debug)]
+struct Snapshot {
+    state: ContactState,
+    kinds: Vec<Kind>,
+}
+
+impl Snapshot {
+    fn new(grid: Grid) -> Self {
+        Self { state: ContactState::new(&grid), kinds: vec![Kind::BOUNDARY; grid.len()] }
+    }
+
+    fn keep(&mut self, coupled: &Coupled, state: &ContactState) {
+        self.state.clone_from(state);
+        self.kinds.copy_from_slice(&coupled.kinds);
+    }
+
+    /// Puts state and sides back; one convolution.
+    fn restore(
+        &self,
+        coupled: &mut Coupled,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+    ) -> Result<(), ReynoldsError> {
+        state.clone_from(&self.state);
+        coupled.kinds.copy_from_slice(&self.kinds);
+        Ok(coupled.evaluate(problem, state)?)
+    }
 }
 
 impl NewtonKrylov {
@@ -103,11 +132,9 @@ impl NewtonKrylov {
                 step: vec![0.0; length],
                 pinned: vec![0.0; length],
                 start: DryStart::new(grid),
-                best: ContactState::new(&grid),
+                best: Snapshot::new(grid),
                 best_residuals: Residuals::default(),
-                best_kinds: vec![Kind::BOUNDARY; grid.len()],
-                before: ContactState::new(&grid),
-                kinds_before: vec![Kind::BOUNDARY; grid.len()],
+                before: Snapshot::new(grid),
                 scale: vec![1.0; length],
                 scaled: vec![0.0; length],
             }));
@@ -169,9 +196,7 @@ impl Workspace {
             work.convolutions += self.coupled.convolutions;
         }
         if status != Status::Converged && self.best_residuals.is_finite() {
-            state.clone_from(&self.best);
-            self.coupled.kinds.copy_from_slice(&self.best_kinds);
-            self.coupled.evaluate(problem, state)?;
+            self.best.restore(&mut self.coupled, problem, state)?;
             work.convolutions += 1.0;
         }
         Ok((status, self.best_residuals))
@@ -203,18 +228,20 @@ impl Workspace {
                 break;
             }
             let eased = problem.film_cutoff > film_cutoff;
-            if eased || residuals.max() < lowest {
-                (lowest, fruitless) = (if eased { f64::INFINITY } else { residuals.max() }, 0);
-            } else {
-                fruitless += 1;
-            }
-            if !eased && residuals.max() < self.best_residuals.max() {
-                self.best_residuals = residuals;
-                self.best.clone_from(state);
-                self.best_kinds.copy_from_slice(&self.coupled.kinds);
-            }
-            if !eased && residuals.max() <= stop.tolerance {
-                return Ok(Status::Converged);
+            // Residuals with another contact film than that of the problem tell nothing of its solution.
+            if !eased {
+                if residuals.max() < lowest {
+                    (lowest, fruitless) = (residuals.max(), 0);
+                } else {
+                    fruitless += 1;
+                }
+                if residuals.max() < self.best_residuals.max() {
+                    self.best_residuals = residuals;
+                    self.best.keep(&self.coupled, state);
+                }
+                if residuals.max() <= stop.tolerance {
+                    return Ok(Status::Converged);
+                }
             }
             if iteration == limit {
                 break;
@@ -246,15 +273,12 @@ impl Workspace {
         trust: f64,
         before: f64,
     ) -> Result<(), ReynoldsError> {
-        self.before.clone_from(state);
-        self.kinds_before.copy_from_slice(&self.coupled.kinds);
+        self.before.keep(&self.coupled, state);
         self.advance(problem, state, trust, 1.0)?;
         if self.coupled.residuals(problem, state).max() <= JUMP * before {
             return Ok(());
         }
-        state.clone_from(&self.before);
-        self.coupled.kinds.copy_from_slice(&self.kinds_before);
-        self.coupled.evaluate(problem, state)?;
+        self.before.restore(&mut self.coupled, problem, state)?;
         self.advance(problem, state, SHORTER * trust, SHORTER)
     }
 
