@@ -8,31 +8,44 @@ use num_complex::Complex64;
 use rustfft::FftPlanner;
 use stribeck::metrics::{AreaCorrelation, BearingCurve};
 use stribeck::surface::{
-    Autocorrelation, HeightDistribution, RandomShape, RandomSurface, SelfAffine, Synthesis,
+    Autocorrelation, DimpleLayout, GrooveDirection, HeightDistribution, RandomShape, RandomSurface,
+    SelfAffine, Synthesis, Texture,
 };
 use stribeck::{Boundary, Grid};
 
-fn surfaces() -> [(&'static str, RandomSurface); 4] {
-    let correlated = |autocorrelation| {
-        RandomSurface::new(
-            RandomShape::Correlated { autocorrelation, length_x: 20e-6, length_y: 10e-6 },
-            1e-7,
-            1,
-        )
+fn surfaces() -> Vec<(&'static str, RandomSurface)> {
+    let correlated = |autocorrelation, length_x, length_y| {
+        RandomSurface::new(RandomShape::Correlated { autocorrelation, length_x, length_y }, 1e-7, 1)
     };
-    let self_affine = SelfAffine {
-        hurst: 0.8,
-        longest: f64::INFINITY,
-        roll_off: 100e-6,
-        shortest: 0.0,
-        synthesis: Synthesis::RandomPhase,
+    let self_affine = |synthesis| {
+        let (longest, roll_off) = (f64::INFINITY, 100e-6);
+        let shape = SelfAffine { hurst: 0.8, longest, roll_off, shortest: 0.0, synthesis };
+        RandomSurface::new(RandomShape::SelfAffine(shape), 1e-7, 1)
     };
-    let skewed = HeightDistribution::Johnson { skewness: -1.0, kurtosis: 5.0 };
-    [
-        ("gaussian", correlated(Autocorrelation::Gaussian)),
-        ("exponential", correlated(Autocorrelation::Exponential)),
-        ("skewed", RandomSurface { distribution: skewed, ..correlated(Autocorrelation::Gaussian) }),
-        ("self_affine", RandomSurface::new(RandomShape::SelfAffine(self_affine), 1e-7, 1)),
+    let skewed = |surface| RandomSurface {
+        distribution: HeightDistribution::Johnson { skewness: -1.0, kurtosis: 5.0 },
+        ..surface
+    };
+    let bounded = |surface| RandomSurface {
+        distribution: HeightDistribution::Johnson { skewness: -0.5, kurtosis: 2.2 },
+        ..surface
+    };
+    let open = |surface| RandomSurface { boundary: Boundary::Open, ..surface };
+    let gaussian = correlated(Autocorrelation::Gaussian, 20e-6, 20e-6);
+    let exponential = correlated(Autocorrelation::Exponential, 20e-6, 20e-6);
+    let (noise, phase) = (self_affine(Synthesis::FilteredNoise), self_affine(Synthesis::RandomPhase));
+    vec![
+        ("gaussian", gaussian),
+        ("anisotropic", correlated(Autocorrelation::Gaussian, 200e-6, 10e-6)),
+        ("exponential", exponential),
+        ("self_affine_noise", noise),
+        ("self_affine_phase", phase),
+        ("gaussian_open", open(gaussian)),
+        ("self_affine_open", open(noise)),
+        ("gaussian_skewed", skewed(gaussian)),
+        ("gaussian_bounded", bounded(gaussian)),
+        ("exponential_skewed", skewed(exponential)),
+        ("self_affine_skewed", skewed(phase)),
     ]
 }
 
@@ -69,6 +82,13 @@ fn generation(criterion: &mut Criterion) {
     for (name, surface) in surfaces() {
         group.bench_function(name, |bencher| bencher.iter(|| black_box(surface.generate(&grid).unwrap())));
     }
+    let layout = DimpleLayout::Random { seed: 1 };
+    let dimples = Texture::Dimples { radius: 20e-6, depth: 1e-6, pitch: 50e-6, layout };
+    let direction = GrooveDirection::Crossed;
+    let grooves = Texture::Grooves { width: 10e-6, depth: 1e-6, pitch: 25e-6, direction };
+    for (name, texture) in [("dimples", dimples), ("grooves", grooves)] {
+        group.bench_function(name, |bencher| bencher.iter(|| black_box(texture.generate(&grid).unwrap())));
+    }
     group.finish();
 }
 
@@ -77,7 +97,7 @@ fn parameters(criterion: &mut Criterion) {
     group.sample_size(10);
     let grid = Grid::centred(1024, 1024, 1e-6, 1e-6).unwrap();
     group.throughput(Throughput::Elements(grid.len() as u64));
-    let [(_, surface), ..] = surfaces();
+    let (_, surface) = surfaces()[0];
     let heights = surface.generate(&grid).unwrap();
     group.bench_function("bearing", |bencher| {
         bencher.iter(|| BearingCurve::new(black_box(&heights)).unwrap().core());

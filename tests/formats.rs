@@ -233,6 +233,11 @@ fn headers_of_several_programs_give_sizes_and_units() {
         "Spacing X: 1 um\nSpacing Y: 2 um\nz unit: mm\n1e-6;0,000002;3e-6\n4e-6;5e-6;6e-6\n",
         "scale x = 1\nscale y = 2\nunit x = um\nheight conversion factor (-> m) = 1e-9\n1,0\t2,0\t3,0\n4,0\t5,0\t6,0",
         "# Width: 3 um\n# Height: 4 um\n# Value units: nm\n1 2 3\n4 5 6\n\n# Channel: second\n7 8\n",
+        "# Width: 3,0 um\n# Height: 4,0 um\n# Value units: nm\n1,0\t2,0\t3,0\n4,0\t5,0\t6,0\n",
+        "# unit: um\n# dx: 1\n# dy: 2\n1e-3,2e-3,3e-3\n4e-3,5e-3,6e-3\n",
+        "# units = nm\n# x-pixel-size = 1 um\n# y-pixel-size = 2 [um]\n1,2,3\n4,5,6\n",
+        "# Heights [nm]\n# dx [um]: 1\n# dy (um) = 2\n1;2;3\n4;5;6\n",
+        "# z unit: nm\n# xy unit: um\n# x step: 1\n# y step: 2\n1 2 3\n4 5 6\n",
     ];
     for case in cases {
         let surface = text(case).unwrap();
@@ -241,6 +246,14 @@ fn headers_of_several_programs_give_sizes_and_units() {
         assert_relative_eq!(surface.dy().unwrap(), 2e-6, max_relative = 1e-14);
         for (k, z) in surface.heights().iter().enumerate() {
             assert_relative_eq!(*z, (k + 1) as f64 * 1e-9, max_relative = 1e-14);
+        }
+        // as some programs of Windows write text
+        for (mark, order) in
+            [([0xff, 0xfe], u16::to_le_bytes as fn(u16) -> [u8; 2]), ([0xfe, 0xff], u16::to_be_bytes)]
+        {
+            let units = case.trim_start_matches('\u{feff}').encode_utf16().flat_map(order);
+            let wide: Vec<u8> = mark.into_iter().chain(units).collect();
+            assert_eq!(read_bytes(&wide, "wide.txt").unwrap(), surface, "{case}");
         }
     }
     // Latin-1 micro sign
@@ -339,7 +352,7 @@ fn damaged_files_are_refused_by_name_and_place() {
         (patched("cut.al3d", &[])[..2000].to_vec(), "the depth image of 23 x 18 points"),
         (replaced("cut.al3d", "Cols\0", "Colx\0"), "tag Cols is missing"),
         (replaced("cut.al3d", "4.38027e-07", "4,38027e-07"), "4,38027e-07 is not a number"),
-        (patched("cut.al3d", &[(1261 + 4, &infinite)]), "height (1, 0) = inf"),
+        (patched("cut.al3d", &[(1261 + 4, &f32::NEG_INFINITY.to_le_bytes())]), "height (1, 0) = -inf"),
         (patched("cut.plu", &[])[..1500].to_vec(), "the data of 24 x 18 points needs 1728 bytes"),
         (patched("cut.plu", &[(428, &[1])]), "type 1 instead of 3"),
         (patched("cut.plu", &[(489, &[0])]), "no layer"),
@@ -351,6 +364,38 @@ fn damaged_files_are_refused_by_name_and_place() {
     for (bytes, expected) in cases {
         let error = read_bytes(&bytes, "damaged.bin").unwrap_err().to_string();
         assert!(error.contains(expected) && error.contains("damaged.bin"), "{expected}: {error}");
+    }
+}
+
+#[test]
+fn digital_surf_files_of_motorola_processors_are_read() {
+    let plain = std::fs::read(data("cut.sur")).unwrap();
+    let mut swapped = plain.clone();
+    swapped[13] = 1;
+    for at in [18, 86, 98, 290, 334, 336] {
+        swapped[at..at + 2].reverse();
+    }
+    for at in [100, 104, 108, 112, 116, 120, 124, 128, 474] {
+        swapped[at..at + 4].reverse();
+    }
+    let start = plain.len() - 24 * 18 * 4;
+    swapped[start..].chunks_exact_mut(4).for_each(<[u8]>::reverse);
+    let found = read_bytes(&swapped, "motorola.sur").unwrap();
+    assert_eq!(found, read_bytes(&plain, "cut.sur").unwrap());
+    assert!(found.undefined() > 0);
+}
+
+#[test]
+fn depths_beyond_all_heights_are_undefined() {
+    let plain = read(data("cut.al3d")).unwrap();
+    for depth in [f32::INFINITY, f32::NAN, 3e15] {
+        let found =
+            read_bytes(&patched("cut.al3d", &[(1261 + 4, &depth.to_le_bytes())]), "depth.al3d").unwrap();
+        assert_eq!(
+            (found.undefined(), found.defined().unwrap()[1]),
+            (plain.undefined() + 1, false),
+            "{depth}"
+        );
     }
 }
 

@@ -480,6 +480,9 @@ fn npy_types_and_orders_are_understood() {
     }
     let path = folder.write("d.npy", &npy(&header("|u1", false, "(1, 2)"), &[0, 255]));
     assert_eq!(read(&path).unwrap().heights(), [0.0, 255.0]);
+    let path = folder.write("e.npy", &npy(&header("|u1", true, "(3,)"), &[1, 2, 3]));
+    let profile = read(&path).unwrap();
+    assert_eq!((profile.nx(), profile.ny(), profile.heights()), (3, 1, [1.0, 2.0, 3.0].as_slice()));
 }
 
 #[test]
@@ -494,7 +497,9 @@ fn damaged_npy_files_are_refused_by_name() {
         (npy(&header("<f8", false, "(1, 3)"), &nan), "found more"),
         (npy(&header("<f8", false, "(4294967296, 4294967296)"), &nan), "at most 2^26"),
         (npy(&header("<f8", false, "(0, 4)"), &nan), "at least 1"),
-        (npy(&header("<f8", false, "(4,)"), &nan), "1 dimensions"),
+        (npy(&header("<f8", false, "(4,)"), &nan), "height (3, 0) = NaN"),
+        (npy(&header("<f8", false, "(2, 2, 1)"), &nan), "3 dimensions"),
+        (npy(&header("<f8", false, "()"), &nan), "0 dimensions"),
         (npy(&header("<f8", false, "(99999999999999999999999, 1)"), &nan), "shape"),
         (npy(&header("<c16", false, "(2, 1)"), &nan), "not supported"),
         (npy(&header("<f16", false, "(2, 1)"), &nan), "not supported"),
@@ -575,6 +580,22 @@ fn x3p_files_of_every_type_are_read() {
 }
 
 #[test]
+fn x3p_profiles_are_surfaces_of_one_row() {
+    let folder = Folder::new();
+    let data: Vec<u8> = [1e-6, 2e-6, -3e-6].iter().flat_map(|v: &f64| v.to_le_bytes()).collect();
+    let row = main_xml("D", "<Increment/>", LINK).replace("<SizeY>2", "<SizeY>1");
+    let found = read_x3p(&folder, &row, &data).unwrap();
+    assert_eq!((found.nx(), found.ny(), found.dx(), found.dy()), (3, 1, Some(1e-6), Some(2e-6)));
+    let start = row.find("<CY>").unwrap();
+    let end = row.find("</CY>").unwrap();
+    let axis = "<CY><AxisType>A</AxisType>";
+    let profile = format!("{}{axis}{}", &row[..start], &row[end..]).replace("SUR", "PRF");
+    let found = read_x3p(&folder, &profile, &data).unwrap();
+    assert_eq!((found.nx(), found.ny(), found.dx(), found.dy()), (3, 1, Some(1e-6), Some(1e-6)));
+    assert_eq!(found.heights(), [1e-6, 2e-6, -3e-6]);
+}
+
+#[test]
 fn x3p_undefined_points_and_lists_are_understood() {
     let folder = Folder::new();
     let data: Vec<u8> =
@@ -607,7 +628,8 @@ fn damaged_x3p_files_are_refused_by_name() {
         (good.replace(">1e-6<", ">-1e-6<"), &data, "grid.dx"),
         (good.replace(">D</DataType></CZ>", ">Q</DataType></CZ>"), &data, "heights of type Q"),
         (good.replace("data.bin", "other.bin"), &data, "other.bin"),
-        (good.replace("SUR", "PRF"), &data, "feature type PRF"),
+        (good.replace("SUR", "PCL"), &data, "feature type PCL"),
+        (good.replace("SUR", "PRF"), &data, "a profile of 2 rows"),
         (good.replace("<SizeZ>1", "<SizeZ>2"), &data, "SizeZ"),
         (good.replace("</DataLink>", "<ValidPointsLink>v</ValidPointsLink></DataLink>"), &data, "part v"),
         (good.replace(LINK, ""), &data, "PointDataLink"),

@@ -9,9 +9,7 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftPlanner};
 
 use super::lanes::{lanes_for, share_lines};
-
-/// Edge length of the square blocks in which spectra are transposed: two blocks fit the first-level cache.
-const BLOCK: usize = 16;
+use super::transpose::{BLOCK, transpose};
 
 /// What is fixed by grid and kernel: transforms and the spectrum of the kernel. Shared by `Arc`.
 #[derive(Clone)]
@@ -234,27 +232,6 @@ impl Convolution {
                 }
             }
         });
-    }
-}
-
-/// Line `first + k` of `source`, seen the other way round, into line `k` of `lines`: `n` values, in blocks.
-fn transpose(
-    source: &[Complex64],
-    source_stride: usize,
-    first: usize,
-    lines: &mut [Complex64],
-    stride: usize,
-    n: usize,
-) {
-    let count = lines.len() / stride;
-    for k0 in (0..count).step_by(BLOCK) {
-        for j0 in (0..n).step_by(BLOCK) {
-            for k in k0..(k0 + BLOCK).min(count) {
-                for j in j0..(j0 + BLOCK).min(n) {
-                    lines[k * stride + j] = source[j * source_stride + first + k];
-                }
-            }
-        }
     }
 }
 

@@ -31,6 +31,16 @@ pub(super) fn share_lines<T: Send, L: Send>(
     split(lanes, 0, field, length, &work);
 }
 
+/// Changes the lines of `field`, `length` values each; `work` gets the number of a line and the line.
+pub(crate) fn map_lines<T: Send>(field: &mut [T], length: usize, work: impl Fn(usize, &mut [T]) + Sync) {
+    let mut lanes = vec![(); lanes_for(field.len())];
+    share_lines(&mut lanes, field, length, |first, lines, ()| {
+        for (line, values) in (first..).zip(lines.chunks_exact_mut(length)) {
+            work(line, values);
+        }
+    });
+}
+
 fn split<T: Send, L: Send>(
     lanes: &mut [L],
     first: usize,
@@ -55,13 +65,20 @@ fn split<T: Send, L: Send>(
     }
 }
 
+/// What two pieces of work give, on two threads where there are.
 #[cfg(feature = "parallel")]
-fn both(first: impl FnOnce() + Send, second: impl FnOnce() + Send) {
-    rayon::join(first, second);
+pub(crate) fn both<A: Send, B: Send>(
+    first: impl FnOnce() -> A + Send,
+    second: impl FnOnce() -> B + Send,
+) -> (A, B) {
+    rayon::join(first, second)
 }
 
+/// What two pieces of work give: there are no threads.
 #[cfg(not(feature = "parallel"))]
-fn both(first: impl FnOnce() + Send, second: impl FnOnce() + Send) {
-    first();
-    second();
+pub(crate) fn both<A: Send, B: Send>(
+    first: impl FnOnce() -> A + Send,
+    second: impl FnOnce() -> B + Send,
+) -> (A, B) {
+    (first(), second())
 }

@@ -5,8 +5,12 @@ mod fft;
 mod gmres;
 mod grid_lu;
 mod lanes;
+mod real_fft;
+mod transpose;
 
 pub(crate) use convolution::{Convolution, ConvolutionPlan, fast_length};
-pub(crate) use fft::{Fft2, RealFft2};
+pub(crate) use fft::Fft2;
 pub(crate) use gmres::{Gmres, PreconditionedOperator};
 pub(crate) use grid_lu::{GridLu, STENCIL};
+pub(crate) use lanes::{both, map_lines};
+pub(crate) use real_fft::RealFft2;

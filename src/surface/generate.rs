@@ -3,6 +3,7 @@
 use super::random::RandomSurface;
 use crate::error::InputError;
 use crate::grid::Grid;
+use crate::numerics::map_lines;
 
 /// Shape of the autocorrelation function, with `s^2 = (x/length_x)^2 + (y/length_y)^2`.
 ///
@@ -18,12 +19,27 @@ pub enum Autocorrelation {
 }
 
 impl Autocorrelation {
-    fn at(self, squared: f64) -> f64 {
+    /// The function of `s^2`.
+    pub(super) fn at(self, squared: f64) -> f64 {
         let exponent = match self {
             Self::Gaussian => squared,
             Self::Exponential => squared.sqrt(),
         };
         (-std::f64::consts::LN_10 * exponent).exp()
+    }
+
+    /// Values at lags of 0 to `nx / 2` by 0 to `ny / 2` nodes, the shortest periodic distances from node 0.
+    pub(super) fn quarter(self, grid: &Grid, [length_x, length_y]: [f64; 2]) -> Vec<f64> {
+        let width = grid.nx() / 2 + 1;
+        let mut quarter = vec![0.0; width * (grid.ny() / 2 + 1)];
+        map_lines(&mut quarter, width, |j, row| {
+            let y = j as f64 * grid.dy() / length_y;
+            for (i, value) in row.iter_mut().enumerate() {
+                let x = i as f64 * grid.dx() / length_x;
+                *value = self.at(x * x + y * y);
+            }
+        });
+        quarter
     }
 }
 
@@ -94,21 +110,4 @@ impl RoughnessSpec {
 /// ```
 pub fn generate(grid: &Grid, spec: &RoughnessSpec) -> Result<Vec<f64>, InputError> {
     RandomSurface::from(*spec).generate(grid)
-}
-
-/// The autocorrelation at lags of 0 to `nx / 2` by 0 to `ny / 2` nodes, the shortest periodic distances from node 0.
-pub(super) fn autocorrelation_quarter(
-    grid: &Grid,
-    autocorrelation: Autocorrelation,
-    [length_x, length_y]: [f64; 2],
-) -> Vec<f64> {
-    let mut quarter = Vec::with_capacity((grid.nx() / 2 + 1) * (grid.ny() / 2 + 1));
-    for j in 0..=grid.ny() / 2 {
-        let y = j as f64 * grid.dy() / length_y;
-        for i in 0..=grid.nx() / 2 {
-            let x = i as f64 * grid.dx() / length_x;
-            quarter.push(autocorrelation.at(x * x + y * y));
-        }
-    }
-    quarter
 }

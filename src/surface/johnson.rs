@@ -16,7 +16,9 @@ const DELTA_LARGEST: f64 = 1e3;
 const BISECTIONS: usize = 48;
 /// Quadrature over the normal deviate: trapezoids, which converge exponentially here.
 const REACH: f64 = 9.0;
-const POINTS: usize = 1801;
+const POINTS: usize = 601;
+/// Intervals of the table of the curve.
+const INTERVALS: usize = 8192;
 /// Terms of the Hermite series for correlations.
 const TERMS: usize = 30;
 /// Nodes of the table of correlations.
@@ -57,6 +59,16 @@ impl Shape {
             Self::Lognormal { delta } => (deviate / delta).exp(),
             Self::Bounded { gamma, delta } => 1.0 / (1.0 + ((gamma - deviate) / delta).exp()),
             Self::Unbounded { gamma, delta } => ((deviate - gamma) / delta).sinh(),
+        }
+    }
+
+    fn slope(self, deviate: f64) -> f64 {
+        let value = self.at(deviate);
+        match self {
+            Self::Normal => 1.0,
+            Self::Lognormal { delta } => value / delta,
+            Self::Bounded { delta, .. } => value * (1.0 - value) / delta,
+            Self::Unbounded { gamma, delta } => ((deviate - gamma) / delta).cosh() / delta,
         }
     }
 
@@ -143,6 +155,16 @@ impl Johnson {
         self.mirror * (self.shape.at(deviate) - self.mean) / self.deviation
     }
 
+    /// [`Self::at`] as a table.
+    pub(super) fn tabulated(&self) -> Curve<'_> {
+        let step = 2.0 * REACH / INTERVALS as f64;
+        let node = |k: usize| {
+            let deviate = -REACH + step * k as f64;
+            [self.at(deviate), self.mirror * self.shape.slope(deviate) / self.deviation * step]
+        };
+        Curve { johnson: self, nodes: (0..=INTERVALS).map(node).collect() }
+    }
+
     /// Correlations that normal deviates need so that the turned ones have those asked for: pairs `(asked, needed)`,
     /// rising, for needed correlations from -1 to 1.
     ///
@@ -171,6 +193,34 @@ impl Johnson {
         let falling = (0..middle).rev().take_while(|&k| table[k].0 < table[k + 1].0).count();
         table.drain(..middle - falling);
         table
+    }
+}
+
+/// A curve as cubic polynomials between nodes (Hermite), at most 1e-8 off.
+pub(super) struct Curve<'a> {
+    johnson: &'a Johnson,
+    /// Values and slopes, these times the distance of the nodes, from `-REACH` to `REACH`.
+    nodes: Vec<[f64; 2]>,
+}
+
+impl Curve<'_> {
+    /// The deviate of the distribution that belongs to a normal one.
+    pub(super) fn at(&self, deviate: f64) -> f64 {
+        let position = (deviate + REACH) * (INTERVALS as f64 / (2.0 * REACH));
+        let index = position as usize;
+        let (Some([low, slope_low]), Some([high, slope_high])) =
+            (self.nodes.get(index), self.nodes.get(index + 1))
+        else {
+            return self.johnson.at(deviate);
+        };
+        if position < 0.0 {
+            return self.johnson.at(deviate);
+        }
+        let t = position - index as f64;
+        let rise = high - low;
+        low + t
+            * (slope_low
+                + t * (3.0 * rise - 2.0 * slope_low - slope_high + t * (slope_low + slope_high - 2.0 * rise)))
     }
 }
 
@@ -229,6 +279,13 @@ mod tests {
                 weighted(3)
             );
             assert!((weighted(4) / kurtosis - 1.0).abs() < 2e-3, "{skewness} {kurtosis}: {}", weighted(4));
+            let curve = johnson.tabulated();
+            for k in 0..200_003 {
+                let deviate = f64::from(k) * 1e-4 - 10.0;
+                let exact = johnson.at(deviate);
+                let error = (curve.at(deviate) - exact).abs() / exact.abs().max(1.0);
+                assert!(error < 1e-8, "{skewness} {kurtosis}: {error:e} at {deviate}");
+            }
         }
     }
 }

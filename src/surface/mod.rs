@@ -13,6 +13,7 @@
 //!
 //! Heights are in metres and point out of the body: a positive height narrows the gap.
 
+mod amplitudes;
 mod arrangement;
 mod error;
 mod form;

@@ -5,13 +5,14 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::generate::{Autocorrelation, RoughnessSpec, autocorrelation_quarter};
+use super::amplitudes::Amplitudes;
+use super::generate::{Autocorrelation, RoughnessSpec};
 use super::johnson::Johnson;
 use super::self_affine::{SelfAffine, Synthesis};
 use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::numerics::{RealFft2, fast_length};
+use crate::numerics::{RealFft2, both, fast_length, map_lines};
 
 /// What the root mean square height of a random surface refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -131,55 +132,47 @@ impl RandomSurface {
             Boundary::Periodic => *grid,
             Boundary::Open => self.shape.period(grid)?,
         };
-        let mut transform = RealFft2::new(period.nx(), period.ny());
-        let mut density = self.shape.density(&period, &mut transform);
-        if let Some(johnson) = &johnson {
-            density = corrected(&density, &johnson.correlations(), &mut transform);
-        }
-        let mut field = white_noise(period.len(), self.seed);
-        let power = self.impose(&density, &mut field, &mut transform);
+        let transform = RealFft2::new(period.nx(), period.ny());
+        let (amplitudes, mut field) = both(
+            || Amplitudes::new(&self.shape, johnson.as_ref(), &period, &transform),
+            || white_noise(period.len(), self.seed),
+        );
+        self.impose(&amplitudes, &mut field, &transform);
         let mut heights = cut(field, &period, grid);
         // standard deviation over all seeds of what the transforms leave unnormalised
-        let deviation = (power * period.len() as f64).sqrt();
+        let deviation = (amplitudes.power * period.len() as f64).sqrt();
         if let Some(johnson) = &johnson {
-            heights.iter_mut().for_each(|z| *z = johnson.at(*z / deviation));
+            let curve = johnson.tabulated();
+            map_lines(&mut heights, grid.nx(), |_, row| {
+                row.iter_mut().for_each(|z| *z = curve.at(*z / deviation));
+            });
         }
         match (self.height, johnson) {
-            (HeightScale::Exact, _) => rescale(&mut heights, self.rq)?,
-            (HeightScale::Ensemble, Some(_)) => heights.iter_mut().for_each(|z| *z *= self.rq),
+            (HeightScale::Exact, _) => rescale(&mut heights, grid.nx(), self.rq)?,
+            (HeightScale::Ensemble, Some(_)) => scale(&mut heights, grid.nx(), self.rq),
             (HeightScale::Ensemble, None) => {
                 require_scale(self.rq / deviation)?;
-                heights.iter_mut().for_each(|z| *z *= self.rq / deviation);
+                scale(&mut heights, grid.nx(), self.rq / deviation);
             }
         }
         Ok(heights)
     }
 
-    /// Gives noise the density (a quarter of the waves, the others mirror it) and returns the sum of the density, its mean
-    /// left out.
-    fn impose(&self, density: &[f64], field: &mut [f64], transform: &mut RealFft2) -> f64 {
-        let phase_only = match self.shape {
-            RandomShape::SelfAffine(SelfAffine { synthesis: Synthesis::RandomPhase, .. }) => {
-                Some((field.len() as f64).sqrt())
-            }
-            _ => None,
-        };
-        let mut power = 0.0;
-        transform.filter(field, |wave, waves, value| {
-            if wave == 0 {
-                *value = Complex64::default();
-                return;
-            }
-            let density = density[wave].max(0.0);
-            power += waves * density;
-            if let Some(amplitude) = phase_only {
-                let size = value.norm();
-                *value =
-                    if size > 0.0 { *value * (amplitude / size) } else { Complex64::new(amplitude, 0.0) };
-            }
-            *value *= density.sqrt();
+    /// Gives noise the amplitudes.
+    fn impose(&self, amplitudes: &Amplitudes, field: &mut [f64], transform: &RealFft2) {
+        if !matches!(
+            self.shape,
+            RandomShape::SelfAffine(SelfAffine { synthesis: Synthesis::RandomPhase, .. })
+        ) {
+            transform.filter(field, |wave, value| *value *= amplitudes.waves[wave]);
+            return;
+        }
+        let amplitude = (field.len() as f64).sqrt();
+        transform.filter(field, |wave, value| {
+            let size = value.norm_sqr().sqrt();
+            *value = if size > 0.0 { *value * (amplitude / size) } else { Complex64::new(amplitude, 0.0) };
+            *value *= amplitudes.waves[wave];
         });
-        power
     }
 }
 
@@ -200,7 +193,10 @@ impl RandomShape {
     fn period(&self, grid: &Grid) -> Result<Grid, InputError> {
         let margins = match *self {
             Self::Correlated { length_x, length_y, .. } => [2.0 * length_x, 2.0 * length_y],
-            Self::SelfAffine(_) => [grid.size_x(), grid.size_y()],
+            // waves longer than the roll-off are independent
+            Self::SelfAffine(SelfAffine { roll_off, .. }) => {
+                [grid.size_x(), grid.size_y()].map(|size| size.min(2.0 * roll_off))
+            }
         };
         let longer = |n: usize, d: f64, margin: f64| {
             if n == 1 { 1 } else { fast_length(n + (margin / d) as usize + 1) }
@@ -208,33 +204,6 @@ impl RandomShape {
         let (nx, ny) = (longer(grid.nx(), grid.dx(), margins[0]), longer(grid.ny(), grid.dy(), margins[1]));
         Grid::centred(nx, ny, grid.dx(), grid.dy())
     }
-
-    /// Density of 0 to `nx / 2` by 0 to `ny / 2` waves; small negative values, which rounding and wrapping leave, count as zero.
-    fn density(&self, grid: &Grid, transform: &mut RealFft2) -> Vec<f64> {
-        match *self {
-            Self::Correlated { autocorrelation, length_x, length_y } => {
-                let quarter = autocorrelation_quarter(grid, autocorrelation, [length_x, length_y]);
-                transform.symmetric(&quarter)
-            }
-            Self::SelfAffine(spectrum) => spectrum.density_quarter(grid),
-        }
-    }
-}
-
-/// The density that normal deviates need so that the curve of the table gives them the present one.
-fn corrected(density: &[f64], table: &[(f64, f64)], transform: &mut RealFft2) -> Vec<f64> {
-    let density: Vec<f64> = density.iter().map(|value| value.max(0.0)).collect();
-    let mut correlation = transform.symmetric(&density);
-    let variance = correlation.first().copied().unwrap_or(1.0);
-    correlation.iter_mut().for_each(|value| *value = interpolate(table, *value / variance));
-    transform.symmetric(&correlation)
-}
-
-/// Linear between the pairs of a table with rising first entries, constant beyond its ends.
-fn interpolate(table: &[(f64, f64)], x: f64) -> f64 {
-    let high = table.partition_point(|pair| pair.0 < x).clamp(1, table.len() - 1);
-    let ((x0, y0), (x1, y1)) = (table[high - 1], table[high]);
-    y0 + (y1 - y0) * ((x - x0) / (x1 - x0)).clamp(0.0, 1.0)
 }
 
 /// The corner of the larger field that lies on `grid`.
@@ -253,18 +222,27 @@ fn white_noise(count: usize, seed: u64) -> Vec<f64> {
 }
 
 /// Removes the mean and scales to the root mean square `rq`.
-fn rescale(heights: &mut [f64], rq: f64) -> Result<(), InputError> {
+fn rescale(heights: &mut [f64], nx: usize, rq: f64) -> Result<(), InputError> {
     let count = heights.len() as f64;
-    let mean = heights.iter().sum::<f64>() / count;
-    let mut square = 0.0;
-    for height in heights.iter_mut() {
-        *height -= mean;
-        square += *height * *height;
-    }
-    let factor = rq / (square / count).sqrt();
+    let mean = sum(heights, nx, |height| height) / count;
+    let square = sum(heights, nx, |height| (height - mean) * (height - mean)) / count;
+    let factor = rq / square.sqrt();
     require_scale(factor)?;
-    heights.iter_mut().for_each(|h| *h *= factor);
+    map_lines(heights, nx, |_, row| row.iter_mut().for_each(|z| *z = factor * (*z - mean)));
     Ok(())
+}
+
+fn scale(heights: &mut [f64], nx: usize, factor: f64) {
+    map_lines(heights, nx, |_, row| row.iter_mut().for_each(|z| *z *= factor));
+}
+
+/// Sum over rows of the sums of `each` along them, which threads share.
+fn sum(heights: &[f64], nx: usize, each: impl Fn(f64) -> f64 + Sync) -> f64 {
+    let mut rows: Vec<f64> = vec![0.0; heights.len() / nx];
+    map_lines(&mut rows, 1, |row, sum| {
+        sum[0] = heights[row * nx..][..nx].iter().map(|height| each(*height)).sum();
+    });
+    rows.iter().sum()
 }
 
 /// Error unless the factor to the height asked for is finite.

@@ -2,6 +2,7 @@
 
 use crate::error::InputError;
 use crate::grid::Grid;
+use crate::numerics::map_lines;
 
 /// A spectrum that falls as `q^(-2 (1 + hurst))` from the roll-off on, `q = 2 pi / wavelength`; constant above the roll-off
 /// wavelength, zero outside the cut-offs.
@@ -49,16 +50,18 @@ impl SelfAffine {
     pub(super) fn density_quarter(&self, grid: &Grid) -> Vec<f64> {
         // relative slack, so that modes on a cut-off are not lost to rounding
         let (lowest, highest) = ((1.0 - 1e-9) / self.longest, (1.0 + 1e-9) / self.shortest);
-        let mut quarter = Vec::with_capacity((grid.nx() / 2 + 1) * (grid.ny() / 2 + 1));
-        for j in 0..=grid.ny() / 2 {
+        let width = grid.nx() / 2 + 1;
+        let mut quarter = vec![0.0; width * (grid.ny() / 2 + 1)];
+        map_lines(&mut quarter, width, |j, row| {
             let y = j as f64 / grid.size_y();
-            for i in 0..=grid.nx() / 2 {
-                let frequency = (i as f64 / grid.size_x()).hypot(y);
-                let inside = (lowest..=highest).contains(&frequency);
-                let falling = (frequency * self.roll_off).max(1.0).powf(-2.0 * (1.0 + self.hurst));
-                quarter.push(if inside { falling } else { 0.0 });
+            for (i, value) in row.iter_mut().enumerate() {
+                let x = i as f64 / grid.size_x();
+                let frequency = (x * x + y * y).sqrt();
+                if (lowest..=highest).contains(&frequency) {
+                    *value = (frequency * self.roll_off).max(1.0).powf(-2.0 * (1.0 + self.hurst));
+                }
             }
-        }
+        });
         quarter
     }
 }

@@ -15,6 +15,8 @@ const MAX_TAGS: usize = 1 << 10;
 const ALIGNMENT: usize = 8;
 /// Relative difference below which a depth is the marker of undefined points, which is a rounded text.
 const MARKER_TOLERANCE: f64 = 1.5e-7;
+/// Depths from here on are undefined too; files without a marker of their own use it \[m\].
+const MARKER: f64 = 3e15;
 
 struct Tags<'a> {
     source: Source<'a>,
@@ -62,9 +64,10 @@ pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
     let spacing = [tags.number("PixelSizeXMeter")?, tags.number("PixelSizeYMeter")?];
     source.require_size(nx, ny, Some(spacing))?;
     let marker = match tags.text("InvalidPixelValue") {
-        Some(_) => Some(tags.number::<f64>("InvalidPixelValue")?),
-        None => None,
+        Some(_) => tags.number::<f64>("InvalidPixelValue")?,
+        None => MARKER,
     };
+    let marker = if marker.is_finite() { marker } else { MARKER };
     let start = tags.number::<usize>("DepthImageOffset")?;
     let number = NumberType::new(Kind::Float, 4, false).ok_or_else(|| source.unknown())?;
     let row = nx * number.size();
@@ -84,14 +87,8 @@ pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
     })
 }
 
-/// Neither `NaN` nor the marker of undefined points.
-fn is_defined(depth: f64, marker: Option<f64>) -> bool {
-    let marked = marker.is_some_and(|marker| {
-        if marker.is_infinite() {
-            depth.is_infinite()
-        } else {
-            (depth - marker).abs() <= MARKER_TOLERANCE * marker.abs()
-        }
-    });
-    !depth.is_nan() && !marked
+/// Neither `NaN` nor the marker of undefined points nor beyond all heights.
+fn is_defined(depth: f64, marker: f64) -> bool {
+    let marked = (depth - marker).abs() <= MARKER_TOLERANCE * marker.abs();
+    !depth.is_nan() && !marked && depth < MARKER
 }

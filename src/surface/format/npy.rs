@@ -62,7 +62,10 @@ fn parse_header(source: Source<'_>, text: &str) -> Result<(NumberType, bool, usi
     let missing = |key: &str| source.corrupt(format!("header without a usable '{key}'"));
     let descr = value_of(text, "descr").ok_or_else(|| missing("descr"))?;
     let number = parse_number_type(descr).ok_or_else(|| {
-        source.unsupported(format!("array of type {}", descr.chars().take(16).collect::<String>()))
+        source.unsupported(format!(
+            "array of type {}",
+            descr.split(',').next().unwrap_or(descr).chars().take(16).collect::<String>()
+        ))
     })?;
     let fortran_order = match value_of(text, "fortran_order") {
         Some(value) if value.starts_with("True") => true,
@@ -76,8 +79,15 @@ fn parse_header(source: Source<'_>, text: &str) -> Result<(NumberType, bool, usi
     let sizes: Result<Vec<usize>, _> =
         shape.split(',').filter(|part| !part.trim().is_empty()).map(|part| part.trim().parse()).collect();
     let sizes = sizes.map_err(|_| missing("shape"))?;
-    let &[ny, nx] = sizes.as_slice() else {
-        return Err(source.unsupported(format!("array of {} dimensions instead of 2", sizes.len())));
+    let (ny, nx) = match *sizes.as_slice() {
+        [ny, nx] => (ny, nx),
+        [nx] => (1, nx),
+        _ => {
+            let count = sizes.len();
+            return Err(
+                source.unsupported(format!("array of {count} dimensions instead of 2, or 1 for a profile"))
+            );
+        }
     };
     source.require_size(nx, ny, None)?;
     Ok((number, fortran_order, ny, nx))

@@ -11,6 +11,8 @@ pub(super) struct Source<'a> {
     /// Its name, for errors.
     pub(super) path: &'a Path,
     pub(super) bytes: &'a [u8],
+    /// Whether numbers have their most significant byte first; most formats know one order alone.
+    pub(super) big_endian: bool,
 }
 
 /// What a reader found, lengths in metres, not yet checked.
@@ -45,9 +47,13 @@ impl<'a> Source<'a> {
         })
     }
 
+    /// `N` bytes of a number, the least significant first.
     fn array<const N: usize>(&self, at: usize, what: &str) -> Result<[u8; N], SurfaceError> {
         let mut array = [0; N];
         array.copy_from_slice(self.slice(at, N, what)?);
+        if self.big_endian {
+            array.reverse();
+        }
         Ok(array)
     }
 
@@ -115,8 +121,24 @@ impl<'a> Source<'a> {
     }
 }
 
-/// Text that is UTF-8 or else Latin-1.
+/// The marks that tell in which order the bytes of UTF-16 come.
+const UTF_16: [[u8; 2]; 2] = [[0xff, 0xfe], [0xfe, 0xff]];
+
+/// Whether text starts with a mark of UTF-16.
+pub(super) fn is_utf_16(bytes: &[u8]) -> bool {
+    UTF_16.iter().any(|mark| bytes.starts_with(mark))
+}
+
+/// Text that is UTF-16 with its mark, UTF-8 or else Latin-1, without marks.
 pub(super) fn decode_text(bytes: &[u8]) -> String {
+    if is_utf_16(bytes) {
+        let order = if bytes.starts_with(&UTF_16[0]) { u16::from_le_bytes } else { u16::from_be_bytes };
+        let units = bytes[2..].chunks_exact(2).map(|pair| order([pair[0], pair[1]]));
+        return char::decode_utf16(units)
+            .map(|letter| letter.unwrap_or(char::REPLACEMENT_CHARACTER))
+            .collect();
+    }
+    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
     match std::str::from_utf8(bytes) {
         Ok(text) => text.to_owned(),
         Err(_) => bytes.iter().copied().map(char::from).collect(),

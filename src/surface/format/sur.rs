@@ -43,6 +43,7 @@ struct Header {
 
 /// The first object of the file.
 pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
+    let source = with_byte_order(source)?;
     let header = read_header(source)?;
     let Header { nx, ny, number, .. } = header;
     let expected = nx * ny * number.size();
@@ -78,17 +79,24 @@ fn turn<T: Copy>(field: Vec<T>, nx: usize, inversion: Inversion) -> Vec<T> {
     }
 }
 
+/// The source with the byte order that its field `format` tells: 0 of PCs, 1 of Motorola processors.
+fn with_byte_order(source: Source<'_>) -> Result<Source<'_>, SurfaceError> {
+    match source.slice(12, 2, "the format")? {
+        [0, 0] => Ok(source),
+        [0, 1] => Ok(Source { big_endian: true, ..source }),
+        other => Err(source.unsupported(format!("byte order {other:?}, neither of PCs nor of Motorola"))),
+    }
+}
+
 fn read_header(source: Source<'_>) -> Result<Header, SurfaceError> {
     source.slice(0, HEADER, "the header")?;
-    if source.u16(12, "format")? != 0 {
-        return Err(source.unsupported("a byte order other than that of PCs".to_owned()));
-    }
     let kind = source.u16(18, "object type")?;
     if WITHOUT_HEIGHTS.contains(&kind) {
         return Err(source.unsupported(format!("an object of type {kind} instead of a surface")));
     }
     let bits = source.u16(98, "bits per point")?;
-    let number = matches!(bits, 16 | 32).then(|| NumberType::new(Kind::Signed, usize::from(bits / 8), false));
+    let number = matches!(bits, 16 | 32)
+        .then(|| NumberType::new(Kind::Signed, usize::from(bits / 8), source.big_endian));
     let number = number.flatten().ok_or_else(|| source.corrupt(format!("{bits} bits per point")))?;
     let (nx, ny) = (count(source, 108, "points per line")?, count(source, 112, "lines")?);
     let spacing = [

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use super::source::{Found, Source, decode_text, shortened};
+use super::source::{Found, Source, decode_text, is_utf_16, shortened};
 use crate::grid::Grid;
 use crate::surface::{Heights, LengthUnit, SurfaceError};
 
@@ -14,8 +14,9 @@ const LOOK: usize = 4096;
 /// Whether the start of the file holds no bytes that text does not hold.
 pub(super) fn recognises(bytes: &[u8]) -> bool {
     let start = &bytes[..bytes.len().min(LOOK)];
-    !start.is_empty()
-        && start.iter().all(|&byte| byte >= 0x20 || matches!(byte, b'\t' | b'\n' | b'\r' | 0x0c))
+    is_utf_16(start)
+        || !start.is_empty()
+            && start.iter().all(|&byte| byte >= 0x20 || matches!(byte, b'\t' | b'\n' | b'\r' | 0x0c))
 }
 
 /// A height of a text file; the inner `None` is an undefined point.
@@ -33,6 +34,8 @@ struct Header {
     spacing: [Option<(f64, String)>; 2],
     lateral_unit: [String; 2],
     height_unit: String,
+    /// The one for both.
+    unit: String,
     height_factor: Option<f64>,
     /// Heights to nanometres, of files without a height unit.
     nanometres: Option<f64>,
@@ -44,16 +47,25 @@ impl Header {
     /// Takes what a line says, if its key is known.
     fn take(&mut self, source: Source<'_>, line: &str) -> Result<(), SurfaceError> {
         let line = line.trim_start_matches(['#', '%', ';']).trim();
-        let Some((key, value)) = line.split_once(['=', ':']) else { return Ok(()) };
-        let (key, value) = (key.trim().to_lowercase().replace(['-', '_'], " "), value.trim());
+        let Some((key, value)) = line.split_once(['=', ':']) else {
+            // "Height [nm]" as the title of what follows
+            let (key, unit) = split_unit(line);
+            if !unit.is_empty() && matches!(key.to_lowercase().as_str(), "z" | "height" | "heights") {
+                unit.clone_into(&mut self.height_unit);
+            }
+            return Ok(());
+        };
+        let (key, unit) = split_unit(key);
+        let (key, value) = (key.to_lowercase().replace(['-', '_'], " "), value.trim());
         let count = |value: &str| {
             value
                 .parse::<usize>()
                 .map_err(|_| source.corrupt(format!("{key} = {} is not a count", shortened(value))))
         };
         let length = |value: &str| {
-            quantity(value)
-                .ok_or_else(|| source.corrupt(format!("{key} = {} is not a length", shortened(value))))
+            let found = quantity(value)
+                .ok_or_else(|| source.corrupt(format!("{key} = {} is not a length", shortened(value))))?;
+            Ok::<_, SurfaceError>(if found.1.is_empty() { (found.0, unit.to_owned()) } else { found })
         };
         match key.as_str() {
             "x pixels" | "nx" | "w" => self.nx = Some(count(value)?),
@@ -61,23 +73,33 @@ impl Header {
             // Gwyddion writes them in the language of its user
             "width"
             | "x length"
+            | "x size"
+            | "size x"
             | "breite"
             | "largeur"
             | "larghezza"
             | "anchura"
             | "largura"
             | "\u{161}\u{ed}\u{159}ka" => self.size[0] = Some(length(value)?),
-            "height" | "y length" | "h\u{f6}he" | "hauteur" | "altezza" | "altura" | "v\u{fd}\u{161}ka" => {
+            "height" | "y length" | "y size" | "size y" | "h\u{f6}he" | "hauteur" | "altezza" | "altura"
+            | "v\u{fd}\u{161}ka" => {
                 self.size[1] = Some(length(value)?);
             }
-            "spacing x" | "scale x" | "dx" => self.spacing[0] = Some(length(value)?),
-            "spacing y" | "scale y" | "dy" => self.spacing[1] = Some(length(value)?),
-            "pixel size" => self.spacing = [Some(length(value)?), Some(length(value)?)],
+            "spacing x" | "x spacing" | "scale x" | "x scale" | "step x" | "x step" | "pixel size x"
+            | "x pixel size" | "dx" => self.spacing[0] = Some(length(value)?),
+            "spacing y" | "y spacing" | "scale y" | "y scale" | "step y" | "y step" | "pixel size y"
+            | "y pixel size" | "dy" => self.spacing[1] = Some(length(value)?),
+            "pixel size" | "spacing" | "step" => self.spacing = [Some(length(value)?), Some(length(value)?)],
             "x unit" => value.clone_into(&mut self.lateral_unit[0]),
             "y unit" => value.clone_into(&mut self.lateral_unit[1]),
-            "unit x" | "lateral unit" => self.lateral_unit = [value.to_owned(), value.to_owned()],
-            "value units" | "value unit" | "z unit" | "unit data" | "height unit" | "einheiten"
-            | "unit\u{e9}s" | "unit\u{e0} valore" | "unidades de valor" | "jednotky hodnot" => {
+            "unit x" | "lateral unit" | "lateral units" | "xy unit" | "xy units" => {
+                self.lateral_unit = [value.to_owned(), value.to_owned()];
+            }
+            // one unit for all that has none of its own
+            "unit" | "units" => value.clone_into(&mut self.unit),
+            "value units" | "value unit" | "z unit" | "z units" | "unit z" | "unit data" | "height unit"
+            | "height units" | "einheiten" | "unit\u{e9}s" | "unit\u{e0} valore" | "unidades de valor"
+            | "jednotky hodnot" => {
                 value.clone_into(&mut self.height_unit);
             }
             "bit2nm" => self.nanometres = Some(length(value)?.0),
@@ -96,13 +118,14 @@ impl Header {
     /// Unit of the heights and metres per stored number.
     fn heights(&self, source: Source<'_>) -> Result<(Option<LengthUnit>, f64), SurfaceError> {
         let factor = self.height_factor.unwrap_or(1.0);
-        if self.height_unit.is_empty() {
+        let name = if self.height_unit.is_empty() { &self.unit } else { &self.height_unit };
+        if name.is_empty() {
             return Ok(match self.nanometres {
                 Some(nanometres) => (Some(LengthUnit::Nanometre), factor * nanometres * 1e-9),
                 None => (None, factor),
             });
         }
-        let unit = source.unit(&self.height_unit, "height")?;
+        let unit = source.unit(name, "height")?;
         Ok((Some(unit), factor * unit.metres()))
     }
 
@@ -114,18 +137,31 @@ impl Header {
             (None, None) => return Ok(None),
         };
         let (value, beside) = length;
-        let name = if beside.is_empty() { &self.lateral_unit[axis] } else { beside };
+        let names = [beside, &self.lateral_unit[axis], &self.unit];
+        let name = names.into_iter().find(|name| !name.is_empty()).unwrap_or(beside);
         let metres = if name.is_empty() { 1.0 } else { source.unit(name, "lateral")?.metres() };
         Ok(Some(value * metres / shares as f64))
     }
 }
 
-/// A number and what follows it, which is its unit.
+/// A key and the unit that follows it in brackets.
+fn split_unit(key: &str) -> (&str, &str) {
+    let key = key.trim();
+    let inside = key.strip_suffix([')', ']']).and_then(|rest| rest.rsplit_once(['(', '[']));
+    match inside {
+        Some((key, unit)) if LengthUnit::parse(unit).is_some() => (key.trim(), unit.trim()),
+        _ => (key, ""),
+    }
+}
+
+/// A number, perhaps with a decimal comma, and what follows it, which is its unit.
 fn quantity(text: &str) -> Option<(f64, String)> {
-    let end =
-        text.find(|c: char| !matches!(c, '0'..='9' | '+' | '-' | '.' | 'e' | 'E')).unwrap_or(text.len());
-    let value: f64 = text[..end].parse().ok()?;
-    value.is_finite().then(|| (value, text[end..].trim().to_owned()))
+    let end = text
+        .find(|c: char| !matches!(c, '0'..='9' | '+' | '-' | '.' | ',' | 'e' | 'E'))
+        .unwrap_or(text.len());
+    let value: f64 = text[..end].replacen(',', ".", 1).parse().ok()?;
+    let unit = text[end..].trim().trim_start_matches(['(', '[']).trim_end_matches([')', ']']);
+    value.is_finite().then(|| (value, unit.trim().to_owned()))
 }
 
 /// What stands between the numbers of a line.
@@ -260,7 +296,7 @@ impl Rows {
 pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
     let content = decode_text(source.bytes);
     let (mut header, mut rows) = (Header::default(), None::<Rows>);
-    for (index, line) in content.trim_start_matches('\u{feff}').lines().enumerate() {
+    for (index, line) in content.lines().enumerate() {
         if line.trim().is_empty() {
             continue;
         }

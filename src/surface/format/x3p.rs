@@ -32,6 +32,13 @@ struct Description {
     mask: Option<String>,
 }
 
+/// What is described.
+enum Feature {
+    Surface,
+    /// A surface of one row; the step across it is taken as that along it.
+    Profile,
+}
+
 /// Where the heights are.
 enum Points {
     /// Name of the binary part.
@@ -130,9 +137,14 @@ impl Context<'_> {
         let document = Document::parse_with_options(xml, options)
             .map_err(|error| self.corrupt(format!("main.xml: {error}")))?;
         let root = document.root_element();
-        self.require_surface(root)?;
+        let feature = self.feature(root)?;
         let (nx, ny) = (self.count(root, "SizeX")?, self.count(root, "SizeY")?);
-        let spacing = [self.increment(root, "CX")?, self.increment(root, "CY")?];
+        let along_x = self.increment(root, "CX")?;
+        let spacing = match feature {
+            Feature::Surface => [along_x, self.increment(root, "CY")?],
+            Feature::Profile if ny == 1 => [along_x, along_x],
+            Feature::Profile => return Err(self.corrupt(format!("a profile of {ny} rows (SizeY)"))),
+        };
         self.source.require_size(nx, ny, Some(spacing))?;
         let (number, scale, offset) = self.heights_axis(root)?;
         let points = self.points(root, nx * ny)?;
@@ -143,18 +155,22 @@ impl Context<'_> {
         Ok(Description { nx, ny, spacing, number, scale, offset, points, mask })
     }
 
-    /// Refuses what is not a single areal surface with all points in one matrix.
-    fn require_surface(&self, root: Node<'_, '_>) -> Result<(), SurfaceError> {
-        let feature = self.text(root, &["Record1", "FeatureType"])?;
-        if feature != "SUR" {
-            return Err(self.unsupported(format!("feature type {feature} instead of SUR")));
-        }
+    /// Refuses what is not a single surface or profile with all points in one matrix.
+    fn feature(&self, root: Node<'_, '_>) -> Result<Feature, SurfaceError> {
+        let feature = match self.text(root, &["Record1", "FeatureType"])? {
+            "SUR" => Feature::Surface,
+            "PRF" => Feature::Profile,
+            other => {
+                let what = format!("feature type {} instead of SUR or PRF", shortened(other));
+                return Err(self.unsupported(what));
+            }
+        };
         if let Some(layers) = find(root, &["Record3", "MatrixDimension", "SizeZ"])
             && layers.text().map(str::trim) != Some("1")
         {
             return Err(self.unsupported("more than one layer (SizeZ)".to_owned()));
         }
-        Ok(())
+        Ok(feature)
     }
 
     fn text<'a>(&self, root: Node<'a, '_>, names: &[&str]) -> Result<&'a str, SurfaceError> {
@@ -200,7 +216,10 @@ impl Context<'_> {
             number.ok_or_else(|| self.unsupported(format!("heights of type {}", shortened(name))))?;
         let optional = |name: &str, default: f64| {
             let names = ["Record1", "Axes", "CZ", name];
-            if find(root, &names).is_some() { self.number(root, &names) } else { Ok(default) }
+            match find(root, &names).and_then(|node| node.text()) {
+                Some(text) if !text.trim().is_empty() => self.number(root, &names),
+                _ => Ok(default),
+            }
         };
         // heights that are floats may come with an increment of nothing
         let scale = Some(optional("Increment", 1.0)?).filter(|scale| *scale != 0.0).unwrap_or(1.0);

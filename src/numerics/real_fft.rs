@@ -1,0 +1,206 @@
+//! Fourier transforms of real periodic fields.
+
+use std::sync::Arc;
+
+use num_complex::Complex64;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use rustfft::{Fft, FftPlanner};
+
+use super::lanes::{lanes_for, share_lines};
+use super::transpose::{BLOCK, transpose};
+
+/// Transforms of real `nx` x `ny` fields, of which `nx / 2 + 1` columns of the spectrum tell all. Lines are transformed one by
+/// one, whichever thread does it: no bit depends on their number.
+pub(crate) struct RealFft2 {
+    nx: usize,
+    ny: usize,
+    rows_forward: Arc<dyn RealToComplex<f64>>,
+    rows_inverse: Arc<dyn ComplexToReal<f64>>,
+    columns_forward: Arc<dyn Fft<f64>>,
+    columns_inverse: Arc<dyn Fft<f64>>,
+}
+
+/// What one thread needs.
+struct Lane {
+    row: Vec<f64>,
+    /// Spectra of a block of rows, or a column.
+    spectra: Vec<Complex64>,
+    scratch: Vec<Complex64>,
+}
+
+impl RealFft2 {
+    pub(crate) fn new(nx: usize, ny: usize) -> Self {
+        let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
+        Self {
+            nx,
+            ny,
+            rows_forward: real.plan_fft_forward(nx),
+            rows_inverse: real.plan_fft_inverse(nx),
+            columns_forward: complex.plan_fft_forward(ny),
+            columns_inverse: complex.plan_fft_inverse(ny),
+        }
+    }
+
+    /// Columns of the spectrum that are kept.
+    fn width(&self) -> usize {
+        self.nx / 2 + 1
+    }
+
+    fn lanes(&self) -> Vec<Lane> {
+        let scratch = self
+            .rows_forward
+            .get_scratch_len()
+            .max(self.rows_inverse.get_scratch_len())
+            .max(self.columns_forward.get_inplace_scratch_len())
+            .max(self.columns_inverse.get_inplace_scratch_len());
+        let lane = |_| Lane {
+            row: vec![0.0; self.nx],
+            spectra: vec![Complex64::default(); (self.width() * self.ny.min(BLOCK)).max(self.ny)],
+            scratch: vec![Complex64::default(); scratch],
+        };
+        (0..lanes_for(self.nx * self.ny)).map(lane).collect()
+    }
+
+    /// Overwrites `field` with its transform, changed by `each` and transformed back (without normalisation). `each` gets the
+    /// index of a wave in a quarter of `nx / 2 + 1` x `ny / 2 + 1` waves, and its value.
+    pub(crate) fn filter(&self, field: &mut [f64], each: impl Fn(usize, &mut Complex64) + Sync) {
+        let (nx, ny, width) = (self.nx, self.ny, self.width());
+        let mut lanes = self.lanes();
+        let mut rows = vec![Complex64::default(); width * ny];
+        share_lines(&mut lanes, &mut rows, width, |first, rows, lane| {
+            for (row, out) in field[first * nx..].chunks_exact(nx).zip(rows.chunks_exact_mut(width)) {
+                lane.row.copy_from_slice(row);
+                self.forward_row(lane, out);
+            }
+        });
+        let mut columns = vec![Complex64::default(); width * ny];
+        share_lines(&mut lanes, &mut columns, ny, |first, columns, lane| {
+            transpose(&rows, width, first, columns, ny, ny);
+            for (i, column) in (first..).zip(columns.chunks_exact_mut(ny)) {
+                self.columns_forward.process_with_scratch(column, &mut lane.scratch);
+                for (j, value) in column.iter_mut().enumerate() {
+                    each(j.min(ny - j) * width + i, value);
+                }
+                self.columns_inverse.process_with_scratch(column, &mut lane.scratch);
+            }
+        });
+        share_lines(&mut lanes, field, nx, |first, field, lane| {
+            for (block, out) in field.chunks_mut(BLOCK * nx).enumerate() {
+                let spectra = &mut lane.spectra[..out.len() / nx * width];
+                transpose(&columns, ny, first + block * BLOCK, spectra, width, width);
+                for (row, spectrum) in out.chunks_exact_mut(nx).zip(spectra.chunks_exact_mut(width)) {
+                    self.inverse_row(spectrum, row, &mut lane.scratch);
+                }
+            }
+        });
+    }
+
+    /// Transform of a field that mirrors itself along both axes, given and returned as its `nx / 2 + 1` x `ny / 2 + 1` first
+    /// values. Both directions are the same.
+    pub(crate) fn symmetric(&self, quarter: &[f64]) -> Vec<f64> {
+        let (nx, ny, width) = (self.nx, self.ny, self.width());
+        let height = ny / 2 + 1;
+        let mut lanes = self.lanes();
+        let mut rows = vec![0.0; width * height];
+        share_lines(&mut lanes, &mut rows, width, |first, rows, lane| {
+            let mut spectrum = vec![Complex64::default(); width];
+            for (values, out) in
+                quarter[first * width..].chunks_exact(width).zip(rows.chunks_exact_mut(width))
+            {
+                for (i, value) in lane.row.iter_mut().enumerate() {
+                    *value = values[i.min(nx - i)];
+                }
+                self.forward_row(lane, &mut spectrum);
+                out.iter_mut().zip(&spectrum).for_each(|(out, value)| *out = value.re);
+            }
+        });
+        // transforms of mirrored columns are real, so two share one
+        let pairs = width.div_ceil(2);
+        let mut columns = vec![0.0; 2 * pairs * height];
+        share_lines(&mut lanes, &mut columns, 2 * height, |first, columns, lane| {
+            let last = width.min(2 * first + columns.len() / height) - 2 * first;
+            transpose(&rows, width, 2 * first, &mut columns[..last * height], height, height);
+            for pair in columns.chunks_exact_mut(2 * height) {
+                let (left, right) = pair.split_at_mut(height);
+                let column = &mut lane.spectra[..ny];
+                for (j, value) in column.iter_mut().enumerate() {
+                    let j = j.min(ny - j);
+                    *value = Complex64::new(left[j], right[j]);
+                }
+                self.columns_forward.process_with_scratch(column, &mut lane.scratch);
+                for (j, value) in column[..height].iter().enumerate() {
+                    (left[j], right[j]) = (value.re, value.im);
+                }
+            }
+        });
+        share_lines(&mut lanes, &mut rows, width, |first, rows, _| {
+            transpose(&columns, height, first, rows, width, width);
+        });
+        rows
+    }
+
+    fn forward_row(&self, lane: &mut Lane, out: &mut [Complex64]) {
+        let result = self.rows_forward.process_with_scratch(&mut lane.row, out, &mut lane.scratch);
+        debug_assert!(result.is_ok(), "lengths fit");
+    }
+
+    fn inverse_row(&self, spectrum: &mut [Complex64], out: &mut [f64], scratch: &mut [Complex64]) {
+        // these are real but for rounding
+        spectrum[0].im = 0.0;
+        if self.nx.is_multiple_of(2) {
+            spectrum[self.width() - 1].im = 0.0;
+        }
+        let result = self.rows_inverse.process_with_scratch(spectrum, out, scratch);
+        debug_assert!(result.is_ok(), "lengths fit");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rustfft::FftDirection;
+
+    use super::super::fft::Fft2;
+    use super::*;
+
+    const SHAPES: [(usize, usize); 8] = [(64, 48), (17, 9), (8, 1), (1, 8), (5, 2), (2, 5), (1, 1), (40, 37)];
+
+    #[test]
+    fn mirrored_fields_need_a_quarter() {
+        for (nx, ny) in SHAPES {
+            let at = |k: usize| 1.0 / (1.0 + (k * k) as f64);
+            let folded = |k: usize| [(k % nx).min(nx - k % nx), (k / nx).min(ny - k / nx)];
+            let mut whole: Vec<Complex64> =
+                (0..nx * ny).map(folded).map(|[i, j]| Complex64::from(at(i + 3 * j))).collect();
+            let (width, height) = (nx / 2 + 1, ny / 2 + 1);
+            let quarter: Vec<f64> = (0..width * height).map(|k| at(k % width + 3 * (k / width))).collect();
+            let found = RealFft2::new(nx, ny).symmetric(&quarter);
+            Fft2::new(nx, ny).process(&mut whole, FftDirection::Forward);
+            for (k, value) in whole.iter().enumerate() {
+                let [i, j] = folded(k);
+                assert!((found[j * width + i] - value).norm() < 1e-12, "{nx} x {ny}: {k}");
+            }
+        }
+    }
+
+    #[test]
+    fn filters_of_real_fields_are_those_of_complex_ones() {
+        for (nx, ny) in SHAPES {
+            let width = nx / 2 + 1;
+            let start: Vec<f64> = (0..nx * ny).map(|k| (k as f64 * 1.7).sin()).collect();
+            let factor = |wave: usize| 1.0 / (1.0 + wave as f64);
+            let mut found = start.clone();
+            RealFft2::new(nx, ny).filter(&mut found, |wave, value| *value *= factor(wave));
+            let mut field: Vec<Complex64> = start.into_iter().map(Complex64::from).collect();
+            let mut transform = Fft2::new(nx, ny);
+            transform.process(&mut field, FftDirection::Forward);
+            for (k, value) in field.iter_mut().enumerate() {
+                let (i, j) = ((k % nx).min(nx - k % nx), (k / nx).min(ny - k / nx));
+                *value *= factor(j * width + i);
+            }
+            transform.process(&mut field, FftDirection::Inverse);
+            for (a, b) in found.iter().zip(&field) {
+                assert!((a - b.re).abs() < 1e-11, "{nx} x {ny}: {a} {b}");
+            }
+        }
+    }
+}
