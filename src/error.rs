@@ -75,7 +75,7 @@ impl InputError {
     ///
     /// # Errors
     /// [`InputError::Shape`] naming `field`.
-    pub fn require_len(field: &str, values: &[f64], expected: usize) -> Result<(), Self> {
+    pub fn require_len<T>(field: &str, values: &[T], expected: usize) -> Result<(), Self> {
         if values.len() == expected {
             Ok(())
         } else {

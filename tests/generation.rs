@@ -222,11 +222,11 @@ fn every_kind_is_pinned_by_its_seed() {
         [0, 1, 48, 1919].map(|k| heights[k])
     });
     let pairs = found.iter().flatten().zip(RECORDED.iter().flatten());
-    let close = pairs.into_iter().all(|(z, value)| (z - value).abs() < 5e-8 * RQ);
+    let close = pairs.into_iter().all(|(z, value)| (z - value).abs() < 2e-9 * RQ);
     assert!(close, "{found:?} instead of {RECORDED:?}");
 }
 
-/// Points 0, 1, 48 and 1919 of each kind as recorded. Other transforms gave values that differ by 1.3e-8 of Rq.
+/// Points 0, 1, 48 and 1919 of each kind as recorded. Transforms without vector units differ by at most 4e-10 of Rq.
 const RECORDED: [[f64; 4]; 3] = [
     [
         4.554_922_164_241_156e-8,
@@ -234,12 +234,7 @@ const RECORDED: [[f64; 4]; 3] = [
         -2.187_977_521_883_687e-8,
         5.160_201_380_470_997_5e-8,
     ],
-    [
-        5.104_065_226_817_65e-8,
-        3.713_416_165_405_972e-8,
-        7.946_434_412_042_019e-8,
-        -3.605_082_905_391_863_5e-8,
-    ],
+    [5.104_065_085_343_85e-8, 3.713_416_063_268_956_4e-8, 7.946_434_402_584_9e-8, -3.605_082_746_747_875e-8],
     [
         -8.245_495_006_917_577e-8,
         -1.036_647_570_689_508_6e-7,

@@ -19,6 +19,8 @@ const TITLE_FONT: u32 = 22;
 const FONT: u32 = 15;
 /// Most squares along a side of a map.
 const SQUARES: usize = 100;
+/// Size of a square over their distance: without overlap, viewers show seams.
+const OVERLAP: f64 = 1.5;
 /// Most points of a curve.
 const POINTS: usize = 400;
 const CLASSES: usize = 60;
@@ -142,8 +144,8 @@ fn draw_map(area: &Canvas<'_>, map: &Map<'_>, (low, high): (f64, f64)) -> Result
         .label_style(("sans-serif", FONT))
         .draw()?;
     let (columns, rows) = (map.nx.min(SQUARES), map.ny.min(SQUARES));
-    let edge = |range: &Range<f64>, k: usize, n: usize| {
-        range.start + (range.end - range.start) * k as f64 / n as f64
+    let edge = |range: &Range<f64>, k: f64, n: usize| {
+        range.start + (range.end - range.start) * (k / n as f64).min(1.0)
     };
     let squares = (0..columns * rows).filter_map(|square| {
         let (i, j) = (square % columns, square / columns);
@@ -151,8 +153,9 @@ fn draw_map(area: &Canvas<'_>, map: &Map<'_>, (low, high): (f64, f64)) -> Result
         let defined = map.defined.is_none_or(|mask| mask.get(point) == Some(&true));
         let value = *map.values.get(point)?;
         defined.then(|| {
+            let (i, j) = (i as f64, j as f64);
             let from = (edge(&map.x, i, columns), edge(&map.y, j, rows));
-            let to = (edge(&map.x, i + 1, columns), edge(&map.y, j + 1, rows));
+            let to = (edge(&map.x, i + OVERLAP, columns), edge(&map.y, j + OVERLAP, rows));
             Rectangle::new([from, to], colour((value - low) / (high - low)).filled())
         })
     });
@@ -195,7 +198,7 @@ fn draw_spectra(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
             (q_low..q_high).log_scale(),
             (c_low.max(c_high * 1e-12)..c_high * 1.5).log_scale(),
         )?;
-    let power = |value: &f64| format!("1e{:.0}", value.log10());
+    let power = |value: &f64| format!("{value:.0e}");
     chart
         .configure_mesh()
         .x_desc("wavenumber (1/m)")
@@ -247,10 +250,11 @@ fn draw_bearing(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
         .caption("Bearing curve and height distribution", ("sans-serif", FONT + 2))
         .margin(10)
         .x_label_area_size(38)
-        .y_label_area_size(58)
+        .y_label_area_size(70)
         .build_cartesian_2d(0.0..1.0, bottom..top)?;
     chart
         .configure_mesh()
+        .y_label_formatter(&|height| format!("{}", (height * 1e6).round() / 1e6 + 0.0))
         .x_desc("material ratio")
         .y_desc("height about the mean (um)")
         .light_line_style(WHITE)

@@ -42,10 +42,7 @@ pub fn contact_statistics(
     a_x: f64,
     a_y: f64,
 ) -> Result<ContactStatistics, InputError> {
-    if in_contact.len() != grid.len() {
-        let (expected, found) = (grid.len(), in_contact.len());
-        return Err(InputError::Shape { field: "in_contact".to_owned(), expected, found });
-    }
+    InputError::require_len("in_contact", in_contact, grid.len())?;
     InputError::require_len("solid_pressure", solid_pressure, grid.len())?;
     InputError::require_finite("solid_pressure", solid_pressure)?;
     InputError::require_positive("load", load)?;

@@ -1,5 +1,6 @@
 //! Heights of which some are undefined.
 
+use super::roughness::mean;
 use crate::error::InputError;
 use crate::grid::Grid;
 
@@ -13,11 +14,8 @@ impl<'a> Mask<'a> {
     /// Error unless both slices fit the grid and the defined heights, one at least, are finite.
     pub(super) fn new(grid: &Grid, heights: &[f64], defined: Option<&'a [bool]>) -> Result<Self, InputError> {
         InputError::require_len("heights", heights, grid.len())?;
-        if let Some(flags) = defined
-            && flags.len() != heights.len()
-        {
-            let (expected, found) = (heights.len(), flags.len());
-            return Err(InputError::Shape { field: "defined".to_owned(), expected, found });
+        if let Some(flags) = defined {
+            InputError::require_len("defined", flags, heights.len())?;
         }
         let mask = Self { defined };
         let wrong = heights.iter().enumerate().find(|&(k, z)| !z.is_finite() && mask.has(k));
@@ -35,13 +33,7 @@ impl<'a> Mask<'a> {
 
     /// Deviations of the defined heights from their mean, zero elsewhere.
     pub(super) fn deviations(&self, heights: &[f64]) -> Vec<f64> {
-        let count = (0..heights.len()).filter(|&k| self.has(k)).count() as f64;
-        let sum = |shift: f64| {
-            let part = heights.iter().enumerate().filter(|&(k, _)| self.has(k));
-            part.map(|(_, z)| (z - shift) / count).sum::<f64>()
-        };
-        let rough = sum(0.0);
-        let mean = rough + sum(rough);
+        let mean = mean(heights.iter().enumerate().filter(|&(k, _)| self.has(k)).map(|(_, z)| *z));
         heights.iter().enumerate().map(|(k, z)| if self.has(k) { z - mean } else { 0.0 }).collect()
     }
 }

@@ -44,10 +44,7 @@ pub fn contact_patches(
     in_contact: &[bool],
     boundary: Boundary,
 ) -> Result<ContactPatches, InputError> {
-    if in_contact.len() != grid.len() {
-        let (expected, found) = (grid.len(), in_contact.len());
-        return Err(InputError::Shape { field: "in_contact".to_owned(), expected, found });
-    }
+    InputError::require_len("in_contact", in_contact, grid.len())?;
     let mut seen = vec![false; grid.len()];
     let (mut sizes, mut edges_x, mut edges_y) = (Vec::new(), 0_usize, 0_usize);
     let mut open = Vec::new();

@@ -40,9 +40,7 @@ pub struct HeightStatistics {
 pub fn height_statistics(heights: &[f64]) -> Result<HeightStatistics, InputError> {
     require_heights(heights)?;
     let count = heights.len() as f64;
-    let rough_mean = heights.iter().map(|h| h / count).sum::<f64>();
-    // the second pass removes the rounding of the first
-    let mean = rough_mean + heights.iter().map(|h| (h - rough_mean) / count).sum::<f64>();
+    let mean = mean(heights.iter().copied());
     let (mut absolute, mut square) = (0.0, 0.0);
     let (mut highest, mut lowest) = (0.0_f64, 0.0_f64);
     for height in heights {
@@ -65,6 +63,13 @@ pub fn height_statistics(heights: &[f64]) -> Result<HeightStatistics, InputError
         sv: -lowest,
         sz: highest - lowest,
     })
+}
+
+/// Mean of some heights; a second pass removes the rounding of the first.
+pub(super) fn mean(heights: impl Iterator<Item = f64> + Clone) -> f64 {
+    let count = heights.clone().count() as f64;
+    let rough: f64 = heights.clone().map(|z| z / count).sum();
+    rough + heights.map(|z| (z - rough) / count).sum::<f64>()
 }
 
 /// Skewness and kurtosis, from scaled heights so that nanometres to the fourth power do not underflow.

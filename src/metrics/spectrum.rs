@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 use rustfft::FftDirection;
 
-use super::roughness::require_heights;
+use super::roughness::{mean, require_heights};
 use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -139,7 +139,7 @@ fn transformed(
 ) -> Result<Vec<Complex64>, InputError> {
     InputError::require_len("heights", heights, grid.len())?;
     require_heights(heights)?;
-    let mean = heights.iter().map(|z| z / heights.len() as f64).sum::<f64>();
+    let mean = mean(heights.iter().copied());
     let (wx, wy) = (window(grid.nx(), along_x), window(grid.ny(), along_y));
     let mut field = Vec::with_capacity(grid.len());
     for (row, y) in heights.chunks_exact(grid.nx()).zip(&wy) {

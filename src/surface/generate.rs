@@ -85,8 +85,8 @@ impl RoughnessSpec {
 /// White noise (`ChaCha8`, normal deviates, in the order of the field) is convolved with the filter whose spectrum
 /// is the root of the transform of the periodic autocorrelation; small negative parts of that transform, which
 /// wrapping can leave, are cut. Opposite edges fit together, so the surface may be shifted around
-/// ([`super::RoughnessMotion`]). The same seed gives the same surface everywhere: other roundings of the
-/// transforms change it by some 1e-8 of `rq`.
+/// ([`super::RoughnessMotion`]). The same seed gives the same surface: to the last bit on one processor with any number of
+/// threads, to some 1e-9 of `rq` on others, whose transforms round otherwise.
 ///
 /// Source: Hu, Y. Z. and Tonder, K. (1992), International Journal of Machine Tools and Manufacture 32, 83-90.
 ///

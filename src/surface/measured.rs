@@ -50,12 +50,11 @@ impl Heights {
         let [dx, dy] = spacing.unwrap_or([1.0, 1.0]);
         let points = Grid::centred(nx, ny, dx, dy)?.len();
         InputError::require_len("heights", &heights, points)?;
-        let defined = defined.filter(|mask| mask.len() != points || mask.contains(&false));
         if let Some(mask) = &defined {
-            if mask.len() != points {
-                let (expected, found) = (points, mask.len());
-                return Err(InputError::Shape { field: "defined".to_owned(), expected, found }.into());
-            }
+            InputError::require_len("defined", mask, points)?;
+        }
+        let defined = defined.filter(|mask| mask.contains(&false));
+        if let Some(mask) = &defined {
             for (height, _) in heights.iter_mut().zip(mask).filter(|(_, defined)| !**defined) {
                 *height = 0.0;
             }
