@@ -226,6 +226,25 @@ fn every_kind_is_pinned_by_its_seed() {
     assert!(close, "{found:?} instead of {RECORDED:?}");
 }
 
+#[test]
+fn threads_change_no_bit() {
+    let grid = Grid::centred(256, 250, 1e-6, 1e-6).unwrap();
+    let skewed = HeightDistribution::Johnson { skewness: -1.0, kurtosis: 5.0 };
+    let fractal = RandomShape::SelfAffine(self_affine(0.8, Synthesis::RandomPhase));
+    let kinds = [
+        RandomSurface { distribution: skewed, ..correlated(Autocorrelation::Exponential, 8e-6, 5e-6, 9) },
+        RandomSurface { boundary: Boundary::Open, ..correlated(Autocorrelation::Gaussian, 8e-6, 5e-6, 9) },
+        RandomSurface::new(fractal, RQ, 9),
+    ];
+    for kind in kinds {
+        let [one, three] = [1, 3].map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| kind.generate(&grid).unwrap())
+        });
+        assert_eq!(one, three, "{kind:?}");
+    }
+}
+
 /// Points 0, 1, 48 and 1919 of each kind as recorded. Transforms without vector units differ by at most 4e-10 of Rq.
 const RECORDED: [[f64; 4]; 3] = [
     [
