@@ -1,4 +1,5 @@
-//! What accuracy costs: errors of four contacts against seconds and convolutions, one line per solver.
+//! What accuracy costs: errors of four contacts against seconds and convolutions, one line per solver, that of the example
+//! `custom_solver` among them.
 //!
 //! ```text
 //! cargo run --release --example work_precision                      # docs/work_precision.{csv,svg}, some minutes
@@ -11,6 +12,9 @@
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
+#[path = "custom_solver/steepest_descent.rs"]
+mod steepest_descent;
+
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write as _;
@@ -21,6 +25,7 @@ use std::time::Instant;
 use lexopt::prelude::*;
 use plotters::coord::Shift;
 use plotters::prelude::*;
+use steepest_descent::SteepestDescent;
 use stribeck::analytic::FilmConditions;
 use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
@@ -45,19 +50,22 @@ const TIGHT: f64 = 1e-6;
 const LEAST_SECONDS: f64 = 0.1;
 const MOST_REPEATS: f64 = 30.0;
 const REFERENCE: f64 = 1e-8;
+/// The solver that is not of the crate.
+const OWN: &str = "steepest_descent";
 /// Root mean square of the roughness and its longest and shortest wavelength \[m\].
 const RQ: f64 = 100e-9;
 const WAVELENGTHS: (f64, f64) = (100e-6, 25e-6);
 const WAVES: u32 = 60;
-const SIZE: (u32, u32) = (1000, 1240);
-const HEAD: i32 = 44;
-/// Blue, vermilion, green and purple of the palette of Okabe and Ito.
-const COLOURS: [(&str, RGBColor); 5] = [
+const SIZE: (u32, u32) = (1000, 1260);
+const HEAD: i32 = 64;
+/// Blue, vermilion, green, purple and orange of the palette of Okabe and Ito.
+const COLOURS: [(&str, RGBColor); 6] = [
     ("auto", RGBColor(0, 0, 0)),
     ("multigrid", RGBColor(0, 114, 178)),
     ("newton_krylov", RGBColor(213, 94, 0)),
     ("semi_system", RGBColor(0, 158, 115)),
     ("dry", RGBColor(204, 121, 167)),
+    (OWN, RGBColor(230, 159, 0)),
 ];
 
 /// One contact and what is solved of it.
@@ -101,10 +109,11 @@ const CASES: [Case; 4] = [
         name: "dry_rough",
         title: "dry, rough",
         quantities: ["contact area", "mean gap"],
-        scene: |n| Scene { lubricant: None, ..Scene::azam_2019(n) },
+        // Elastic: no asperity of these waves reaches the hardness.
+        scene: |n| Scene { lubricant: None, plastic: None, ..Scene::azam_2019(n) },
         rough: true,
         grids: &[32, 64, 128, 256, 512],
-        solvers: &[("dry", 512)],
+        solvers: &[("dry", 512), (OWN, 256)],
         reference: 1024,
     },
     Case {
@@ -241,6 +250,7 @@ fn solver(name: &str) -> Box<dyn ContactSolver> {
         "newton_krylov" => Box::new(NewtonKrylov::new()),
         "semi_system" => Box::new(SemiSystem::default()),
         "dry" => Box::new(Dry::new()),
+        OWN => Box::new(SteepestDescent),
         _ => Box::new(Auto::new()),
     }
 }
@@ -393,9 +403,9 @@ fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
     let (head, body) = root.split_vertically(HEAD);
     let font = |size: u32| ("sans-serif", size).into_font();
     for (k, (name, colour)) in COLOURS.iter().enumerate() {
-        let x = 20 + 165 * k as i32;
-        head.draw(&PathElement::new(vec![(x, 22), (x + 28, 22)], colour.stroke_width(3)))?;
-        head.draw(&Text::new(*name, (x + 34, 13), font(18)))?;
+        let (x, y) = (20 + 200 * (k as i32 % 4), 20 + 24 * (k as i32 / 4));
+        head.draw(&PathElement::new(vec![(x, y), (x + 28, y)], colour.stroke_width(3)))?;
+        head.draw(&Text::new(*name, (x + 34, y - 9), font(18)))?;
     }
     head.draw(&Text::new("tolerance", (848, 2), font(16)))?;
     head.draw(&Circle::new((930, 12), 4, BLACK.filled()))?;

@@ -7,7 +7,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum InputError {
     /// A single value lies outside its valid range.
-    #[error("{field} = {value}: must be {requirement}")]
+    #[error("{field} = {}: must be {requirement}", legible(*value))]
     Value {
         /// The field as the user wrote it, for example `load.force`.
         field: String,
@@ -44,6 +44,12 @@ pub enum InputError {
         /// What is wrong with it.
         reason: String,
     },
+}
+
+/// Digits of a number of everyday size, powers of ten of one beyond.
+pub(crate) fn legible(value: f64) -> String {
+    let everyday = value == 0.0 || (1e-4..1e10).contains(&value.abs());
+    if everyday { value.to_string() } else { format!("{value:e}") }
 }
 
 impl InputError {

@@ -11,8 +11,9 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use stribeck::Status;
-use stribeck::sim::scene::{GridSpec, PlasticSpec, SolverKind, WearSpec};
+use stribeck::sim::scene::{GridSpec, Load, PlasticSpec, SolverKind, WearSpec};
 use stribeck::sim::{MixedLubricationSim, Scene, SimError, solve_contact};
+use stribeck::surface::Form;
 use stribeck::testing::{absurd_scenes, pressures, scenes};
 
 /// Time after which a scene counts as hanging: the slowest takes seconds.
@@ -153,6 +154,174 @@ fn scenes_that_once_did_not() {
             panic!("{reason}: {scene:?}");
         }
     }
+}
+
+/// Every key of a scene file that has a number, in a contact of 12 x 12 nodes.
+fn every_number() -> String {
+    let document = include_str!("../docs/scene.md");
+    let scene = document.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    scene
+        .replace("nx = 128", "nx = 12")
+        .replace("ny = 128", "ny = 12")
+        .replace("max_iterations = 20000", "max_iterations = 300")
+        .replace("10e-6", "1e-4")
+        .replace("[grid]", "alpha = 1.5e-8\n[grid]")
+        .replace("[friction]", "hardening_modulus = 1e16\n[friction]")
+        .replace("[tribofilm]", "eyring_stress = 5e6\n[tribofilm]")
+        .replace("[thermal]", "film_hardness = 2e9\n[thermal]")
+}
+
+#[test]
+fn every_number_of_a_scene_file_may_be_absurd() {
+    let text = every_number();
+    assert!(solve_contact(&Scene::from_toml(&text).unwrap()).is_ok());
+    let lines: Vec<&str> = text.lines().collect();
+    let (mut keys, mut failures) = (0, Vec::new());
+    for (place, line) in lines.iter().enumerate() {
+        let Some((key, old)) = line.split_once(" = ") else { continue };
+        if !old.contains(|c: char| c.is_ascii_digit()) {
+            continue;
+        }
+        keys += 1;
+        for new in [
+            "nan",
+            "inf",
+            "-inf",
+            "-1.0",
+            "-1",
+            "0.0",
+            "0",
+            "1e-300",
+            "1e300",
+            "-1e300",
+            "9223372036854775807",
+        ] {
+            let new_line = if old.starts_with('[') {
+                format!("{key} = [{new}, 0.25e-3]")
+            } else {
+                format!("{key} = {new}")
+            };
+            let mut changed = lines.clone();
+            changed[place] = &new_line;
+            let end = match Scene::from_toml(&changed.join("\n")) {
+                Ok(scene) => match (tried(&scene, 11), solve_contact(&scene)) {
+                    (Err(reason), _) => Err(reason),
+                    (Ok(end), Ok(_)) => Ok(end),
+                    (Ok(_), Err(error)) => Err(error.to_string()),
+                },
+                Err(error) => Err(error.to_string()),
+            };
+            let no_number = new.contains("n");
+            match end {
+                Ok(end) if no_number => failures.push(format!("{new_line}: {end}")),
+                Err(text) if no_number && !text.contains(key) => failures.push(format!("{new_line}: {text}")),
+                Err(text) if !text.contains(['=', '`', ':']) => failures.push(format!("{new_line}: {text}")),
+                _ => {}
+            }
+        }
+    }
+    assert!(keys >= 40, "{keys} keys with numbers");
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// A contact of 12 x 12 nodes with a change.
+fn changed(change: impl FnOnce(&mut Scene)) -> Scene {
+    let mut scene = Scene::azam_2019(12);
+    scene.solver.max_iterations = 300;
+    change(&mut scene);
+    scene
+}
+
+fn cells(nx: usize, ny: usize, half_x: f64, half_y: f64) -> GridSpec {
+    GridSpec::Cells { nx, ny, x: [-half_x, half_x], y: [-half_y, half_y] }
+}
+
+const KINDS: [SolverKind; 5] = [
+    SolverKind::Auto,
+    SolverKind::NewtonKrylov,
+    SolverKind::Multigrid,
+    SolverKind::SemiSystem,
+    SolverKind::Dry,
+];
+
+/// What nobody should ask for, by hand; each with its name.
+fn absurd_by_hand() -> Vec<(String, Scene)> {
+    let mut list: Vec<(String, Scene)> = Vec::new();
+    for force in [0.0, 5e-324, 1e-30, 1e-9, 1e6, 1e12, 1e30, 1e300] {
+        list.push((
+            format!("{force:e} N"),
+            changed(|s| s.load = Load { hertz_pressure: None, force: Some(force) }),
+        ));
+        let dry =
+            changed(|s| (s.load, s.lubricant) = (Load { hertz_pressure: None, force: Some(force) }, None));
+        list.push((format!("{force:e} N, dry"), dry));
+    }
+    for (nx, ny) in
+        [(1, 1), (1, 12), (12, 1), (1, 512), (512, 1), (5, 512), (512, 5), (2, 2), (4, 4), (5, 5), (0, 12)]
+    {
+        list.push((format!("{nx} x {ny}"), changed(|s| s.grid = cells(nx, ny, 0.25e-3, 0.25e-3))));
+        let line = changed(|s| {
+            (s.grid, s.form) = (cells(nx, ny, 0.25e-3, 0.25e-3), Form::Cylinder { radius: 9.525e-3 });
+        });
+        list.push((format!("{nx} x {ny}, line"), line));
+    }
+    for n in [usize::MAX, 1 << 32, 1 << 26, 1 << 13] {
+        list.push((format!("{n} x {n}"), changed(|s| s.grid = cells(n, n, 0.25e-3, 0.25e-3))));
+        list.push((format!("{n} x 1"), changed(|s| s.grid = cells(n, 1, 0.25e-3, 0.25e-3))));
+    }
+    for half in [1e-300, 1e-9, 1e-5, 5e-5, 1.4e-4, 1.0, 1e150, 1e300] {
+        for (lubricant, edge_contact) in [(true, false), (false, false), (false, true)] {
+            let scene = changed(|s| {
+                s.grid = cells(12, 12, half, half);
+                s.solver.edge_contact = edge_contact;
+                if !lubricant {
+                    s.lubricant = None;
+                }
+            });
+            list.push((format!("box of {half:e} m, {lubricant} {edge_contact}"), scene));
+        }
+    }
+    for hardness in [5e-324, 1.0, 1e8, 3e8, 7.66e8, 7.7e8, 1e300] {
+        let plastic = PlasticSpec { hardness, film_hardness: Some(hardness), hardening_modulus: Some(1e300) };
+        list.push((format!("hardness of {hardness:e} Pa"), changed(|s| s.plastic = Some(plastic))));
+        list.push((
+            format!("hardness of {hardness:e} Pa, dry"),
+            changed(|s| (s.plastic, s.lubricant) = (Some(plastic), None)),
+        ));
+    }
+    for kind in KINDS {
+        for tolerance in [0.0, 5e-324, 1e-300, 1e-17, 1e-15, 1e300, f64::NAN] {
+            for smooth in [true, false] {
+                let scene = changed(|s| {
+                    (s.solver.kind, s.solver.tolerance) = (kind, tolerance);
+                    s.solver.max_iterations = u64::MAX;
+                    if smooth {
+                        s.roughness = Default::default();
+                    }
+                });
+                list.push((format!("{kind:?} to {tolerance:e}, smooth {smooth}"), scene));
+            }
+        }
+        for film_cutoff in [5e-324, 1e-300, 1e-15, 1e-7, 1e-6, 9e-6, 1e-2, 1e300] {
+            let scene = changed(|s| (s.solver.kind, s.solver.film_cutoff) = (kind, film_cutoff));
+            list.push((format!("{kind:?}, cut-off of {film_cutoff:e} m"), scene));
+        }
+    }
+    for speed in [5e-324, 1e-30, 1e6, 1e30, 1e300] {
+        list.push((format!("{speed:e} m/s"), changed(|s| s.motion.entrainment_speed = speed)));
+    }
+    list
+}
+
+#[test]
+fn scenes_that_nobody_should_ask_for() {
+    let mut failures = Vec::new();
+    for (name, scene) in absurd_by_hand() {
+        if let Err(reason) = tried(&scene, 11) {
+            failures.push(format!("{name}: {reason}"));
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
 proptest! {

@@ -71,6 +71,36 @@ fn laws_that_are_only_a_rate() {
     film_growth_law(&Kinked).unwrap();
 }
 
+/// A state that is no number behind a thickness that is one.
+#[derive(Debug)]
+struct Hidden;
+
+impl FilmGrowthLaw for Hidden {
+    fn rate(&self, _: &RubbingPoint, _: f64) -> f64 {
+        0.0
+    }
+    fn maximum_thickness(&self) -> f64 {
+        100e-9
+    }
+    fn thickness(&self, states: &[f64]) -> f64 {
+        states[0].max(0.0)
+    }
+    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+        if at.in_contact && states[0] == 0.0 && time_step > 0.0 {
+            states[0] = f64::NAN;
+        }
+    }
+}
+
+#[test]
+fn hidden_states_are_found() {
+    assert_eq!(film_growth_law(&Hidden).unwrap_err().clause, "states are finite");
+    let scene = stribeck::sim::Scene::azam_2019(16);
+    let mut sim = stribeck::sim::MixedLubricationSim::builder(scene).growth_law(Hidden).build().unwrap();
+    let error = sim.step(10.0).unwrap_err().to_string();
+    assert!(error.contains("tribofilm.states"), "{error}");
+}
+
 #[test]
 fn wear_laws() {
     wear_law(&Archard::azam_2019()).unwrap();

@@ -104,3 +104,14 @@ fn contact_at_the_edge_of_the_box_is_an_error_unless_allowed() {
         }
     }
 }
+
+#[test]
+fn what_rounding_does_not_allow_ends_as_stalled() {
+    for tolerance in [1e-300, 1e-17] {
+        let mut scene = dry(64);
+        (scene.solver.tolerance, scene.solver.max_iterations) = (tolerance, u64::MAX);
+        let report = solve_contact(&scene).unwrap().report;
+        assert_eq!(report.status, Status::Stalled, "{report:?}");
+        assert!(report.work.iterations < 1000 && report.residuals.max() < 1e-12, "{report:?}");
+    }
+}

@@ -8,11 +8,13 @@
 
 use std::ops::ControlFlow;
 
-use stribeck::RubbingPoint;
+use stribeck::elastic::{DeformationModel, HalfSpace};
+use stribeck::lubricant::{Barus, Incompressible};
 use stribeck::sim::scene::{Flash, SolverKind};
-use stribeck::sim::{MixedLubricationSim, RunEnd, Scene, SimError, StepRecord};
+use stribeck::sim::{MixedLubricationSim, RunEnd, Scene, SimBuilder, SimError, StepRecord};
 use stribeck::surface::RoughnessMotion;
 use stribeck::wear::{Archard, WearLaw};
+use stribeck::{Grid, InputError, RubbingPoint};
 
 fn scene() -> Scene {
     let mut scene = Scene::azam_2019(48).with_tribofilm();
@@ -159,4 +161,44 @@ fn heights_and_steps_that_do_not_fit_are_refused() {
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(sim.step(bad).is_err(), "time step {bad}");
     }
+}
+
+/// A body that opens under pressure.
+#[derive(Debug)]
+struct Opening(HalfSpace);
+
+impl DeformationModel for Opening {
+    fn grid(&self) -> Grid {
+        self.0.grid()
+    }
+    fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.0.displacement(pressure, out)?;
+        out.iter_mut().for_each(|u| *u = -*u);
+        Ok(())
+    }
+    fn influence(&self, di: usize, dj: usize) -> f64 {
+        -self.0.influence(di, dj)
+    }
+}
+
+#[test]
+fn parts_that_do_not_fit_are_named() {
+    let refused = |builder: SimBuilder| match builder.build().unwrap_err() {
+        SimError::Input(InputError::Conflict { field, reason }) => (field, reason),
+        other => panic!("{other}"),
+    };
+    let body = |grid| HalfSpace::new(grid, 230e9).unwrap();
+    let elsewhere = body(Grid::centred(8, 8, 1e-6, 1e-6).unwrap());
+    let (field, reason) = refused(MixedLubricationSim::builder(scene()).deformation(elsewhere));
+    assert_eq!(field, "deformation", "{reason}");
+    let opening = Opening(body(scene().grid().unwrap()));
+    let (field, reason) = refused(MixedLubricationSim::builder(scene()).deformation(opening));
+    assert_eq!(field, "deformation", "{reason}");
+    let mut dry = scene();
+    dry.lubricant = None;
+    let oil = Barus::new(0.01, 20e-9).unwrap();
+    let (field, reason) = refused(MixedLubricationSim::builder(dry.clone()).viscosity(oil));
+    assert_eq!(field, "viscosity", "{reason}");
+    let (field, reason) = refused(MixedLubricationSim::builder(dry).density(Incompressible));
+    assert_eq!(field, "density", "{reason}");
 }

@@ -5,6 +5,10 @@ use crate::error::InputError;
 
 /// Passes of the active set after which only the worst violators change sides, which ends cycling.
 const FREE_PASSES: usize = 25;
+/// Passes in which the gap error must fall, by the factor [`LEAST_GAIN`] at least, for the solve to go on.
+const PATIENCE: u64 = 100;
+/// Factor by which an error is lower than the lowest before for that to count.
+const LEAST_GAIN: f64 = 0.9;
 /// Conjugate-gradient steps within one pass.
 const STEPS_PER_PASS: usize = 40;
 /// Reduction of the squared residual within one pass.
@@ -82,7 +86,8 @@ impl DrySolver {
     }
 
     /// Solves `problem`, starting from `pressure`, which must carry some load. Ends when the gap error is at most
-    /// `tolerance` with no node changing sides, or after `max_passes` passes.
+    /// `tolerance` with no node changing sides, after `max_passes` passes, or when a hundred passes have brought nothing,
+    /// as rounding bounds what can be reached.
     ///
     /// # Errors
     /// Slices that do not fit the grid of `deformation` or this solver.
@@ -116,7 +121,8 @@ impl DrySolver {
             converged: false,
         };
         let stiffness = 1.0 / deformation.influence(0, 0);
-        while outcome.passes < max_passes {
+        let (mut lowest, mut last_gain) = (f64::INFINITY, 0);
+        while outcome.passes < max_passes && outcome.passes - last_gain < PATIENCE {
             outcome.passes += 1;
             self.relax(problem, deformation, pressure, tolerance, &mut outcome)?;
             let cautious = outcome.passes as usize > FREE_PASSES;
@@ -125,6 +131,9 @@ impl DrySolver {
             if changes == 0 && outcome.gap_error <= tolerance {
                 outcome.converged = true;
                 break;
+            }
+            if outcome.gap_error < LEAST_GAIN * lowest {
+                (lowest, last_gain) = (outcome.gap_error, outcome.passes);
             }
         }
         Ok(outcome)

@@ -1,6 +1,7 @@
 //! The elastic half-space by DC-FFT.
 
 use std::f64::consts::PI;
+use std::fmt;
 
 use super::response::ElasticResponse;
 use super::{DeformationModel, NEAR};
@@ -29,11 +30,20 @@ use crate::grid::Grid;
 /// assert!((displacement[16 * 33 + 16] / exact - 1.0).abs() < 1e-12);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct HalfSpace {
     equivalent_modulus: f64,
     near: [[f64; NEAR + 1]; NEAR + 1],
     response: ElasticResponse,
+}
+
+impl fmt::Debug for HalfSpace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("HalfSpace")
+            .field("equivalent_modulus", &self.equivalent_modulus)
+            .field("grid", &self.grid())
+            .finish_non_exhaustive()
+    }
 }
 
 impl HalfSpace {

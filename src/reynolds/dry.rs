@@ -173,8 +173,12 @@ impl ContactSolver for Dry {
         coupled.settle(problem, state);
         coupled.mark_contact(state);
         let residuals = coupled.residuals(problem, state);
-        let status = if residuals.is_finite() && outcome.converged && residuals.max() <= stop.tolerance {
+        let status = if !residuals.is_finite() {
+            Status::Diverged
+        } else if outcome.converged && residuals.max() <= stop.tolerance {
             Status::Converged
+        } else if outcome.passes < stop.max_iterations {
+            Status::Stalled
         } else {
             Status::MaxIterations
         };

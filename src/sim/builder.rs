@@ -44,7 +44,7 @@ impl SimBuilder {
         }
     }
 
-    /// Replaces the elastic half-space.
+    /// Replaces the elastic half-space; the model must live on the grid of the scene ([`Scene::grid`]).
     #[must_use]
     pub fn deformation(mut self, model: impl DeformationModel + 'static) -> Self {
         self.overrides.deformation = Some(Box::new(model));

@@ -50,8 +50,11 @@ impl ContactModel {
         let grid = scene.grid()?;
         let hertz = scene.hertz()?;
         setup::validate_box(&grid, &hertz, scene.form.is_line())?;
+        setup::validate_film_cutoff(scene)?;
+        setup::validate_memory(&grid, scene.is_lubricated())?;
         let mut form_gap = vec![0.0; grid.len()];
         scene.form.gap_into(&grid, &mut form_gap)?;
+        let own_deformation = overrides.deformation.is_some();
         let deformation = match overrides.deformation {
             Some(model) if model.grid() != grid => {
                 return Err(SimError::Input(InputError::Conflict {
@@ -65,13 +68,21 @@ impl ContactModel {
         let influence = deformation.influence(0, 0);
         if !influence.is_normal() || influence < 0.0 {
             return Err(SimError::Input(InputError::Conflict {
-                field: "grid".to_owned(),
+                field: if own_deformation { "deformation" } else { "grid" }.to_owned(),
                 reason: format!(
-                    "the deflection of a cell of {:.3e} x {:.3e} m under unit pressure is beyond the range of \
-                     numbers ({influence:e} m/Pa)",
+                    "a cell of {:.3e} x {:.3e} m deflects by {influence:e} m under a pressure of 1 Pa, which must be a \
+                     positive number and no subnormal one",
                     grid.dx(),
                     grid.dy()
                 ),
+            }));
+        }
+        let missing =
+            [("viscosity", overrides.viscosity.is_some()), ("density", overrides.density.is_some())];
+        if let (None, Some((law, _))) = (&scene.lubricant, missing.iter().find(|(_, given)| *given)) {
+            return Err(SimError::Input(InputError::Conflict {
+                field: (*law).to_owned(),
+                reason: "a law is given, but the scene has no lubricant".to_owned(),
             }));
         }
         let viscosity = overrides.viscosity.map_or_else(|| setup::viscosity(scene), |law| Ok(Some(law)))?;

@@ -6,13 +6,19 @@ use super::scene::{
     FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind, TribofilmSpec,
 };
 use crate::analytic::{FilmConditions, LineFilmConditions};
-use crate::error::InputError;
+use crate::error::{InputError, legible};
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, DowsonHigginson, Roelands, ViscosityLaw};
 use crate::metrics::{average_central_film, height_statistics};
 use crate::reynolds::{Auto, ContactSolver, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule};
 use crate::surface::{Autocorrelation, RoughnessSpec, generate};
 use crate::tribochem::Ghanbarzadeh;
+
+/// Memory of a lubricated and of a dry contact per node.
+const LUBRICATED_BYTES: usize = 4500;
+const DRY_BYTES: usize = 400;
+/// Largest film at which solids touch, over the smallest radius of the form.
+const LARGEST_CUTOFF: f64 = 1e-3;
 
 /// Checks every value of the scene but form, load, grid and roughness, used or not.
 pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
@@ -105,6 +111,37 @@ pub(super) fn validate_box(grid: &Grid, hertz: &HertzContact, is_line: bool) -> 
     Ok(())
 }
 
+/// Checks that the system grants the memory of a contact on `grid`: where it runs out later the process is ended.
+pub(super) fn validate_memory(grid: &Grid, lubricated: bool) -> Result<(), InputError> {
+    let bytes = grid.len().saturating_mul(if lubricated { LUBRICATED_BYTES } else { DRY_BYTES });
+    let mut trial: Vec<u8> = Vec::new();
+    let granted = trial.try_reserve_exact(bytes).is_ok();
+    // An allocation that nobody looks at would be optimised away.
+    std::hint::black_box(&mut trial);
+    if granted {
+        return Ok(());
+    }
+    Err(InputError::Conflict {
+        field: format!("grid.nx * grid.ny = {}", grid.len()),
+        reason: format!(
+            "a contact on so many nodes needs {:.0} GB of memory, more than there is",
+            bytes as f64 * 1e-9
+        ),
+    })
+}
+
+/// Checks that solids do not touch at a distance at which the bodies are no paraboloids any more.
+pub(super) fn validate_film_cutoff(scene: &Scene) -> Result<(), InputError> {
+    let (radius_x, radius_y) = scene.form.radii();
+    let cutoff = scene.solver.film_cutoff;
+    InputError::require(
+        cutoff <= LARGEST_CUTOFF * radius_x.min(radius_y),
+        "solver.film_cutoff",
+        cutoff,
+        "at most a thousandth of the smallest radius of the form",
+    )
+}
+
 /// Checks that a uniform `hardness` \[Pa\] can carry the load; the outermost nodes carry none.
 pub(super) fn validate_hardness(hardness: f64, grid: &Grid, hertz: &HertzContact) -> Result<(), InputError> {
     let rows = if grid.ny() == 1 { 1 } else { grid.ny().saturating_sub(2) };
@@ -114,7 +151,7 @@ pub(super) fn validate_hardness(hardness: f64, grid: &Grid, hertz: &HertzContact
         return Ok(());
     }
     Err(InputError::Conflict {
-        field: format!("plastic.hardness = {hardness:?}"),
+        field: format!("plastic.hardness = {}", legible(hardness)),
         reason: format!(
             "the box carries less than {largest:.6e} N at this pressure, the load is {:.6e} N",
             hertz.load

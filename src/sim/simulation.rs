@@ -13,6 +13,8 @@ use super::record::StepRecord;
 use super::scene::Scene;
 use super::step_control::StepControl;
 use super::yielding::Yielding;
+#[cfg(feature = "serde")]
+use crate::elastic::NEAR;
 use crate::error::InputError;
 use crate::grid::Grid;
 #[cfg(feature = "serde")]
@@ -231,6 +233,11 @@ impl MixedLubricationSim {
             ("viscosity law", format!("{:?}", lubricant.as_ref().map(Lubricant::viscosity))),
             ("density law", format!("{:?}", lubricant.as_ref().map(Lubricant::density))),
             ("solver", self.contact.solver.name().to_owned()),
+            // By what it does: buffers may show in `Debug`.
+            (
+                "deformation model",
+                format!("{:?}", [0, 1, NEAR].map(|di| self.contact.deformation.influence(di, 0))),
+            ),
         ];
         Identity { parts: parts.into_iter().map(|(part, words)| (part.to_owned(), words)).collect() }
     }

@@ -11,7 +11,7 @@ const FILLINGS: [f64; 4] = [0.0, 0.3, 0.8, 1.0];
 const SPLIT_TOLERANCE: f64 = 1e-4;
 
 /// Checks `law` against the contract of [`FilmGrowthLaw`]: the largest thickness is positive; a bare surface has no
-/// film; rates are finite; idle nodes are frozen; a film stays between zero and the largest thickness; nothing happens
+/// film; rates and states are finite; idle nodes are frozen; a film stays between zero and the largest thickness; nothing happens
 /// in no time; the film that a short step adds is the rate; a step may be cut anywhere.
 ///
 /// # Errors
@@ -97,7 +97,13 @@ fn check_bounds(
         format!("{given} m became {now} m at {at:?}")
     })?;
     for time in [1e-3, 1.0, 60.0, 1e4, 1e9] {
-        let end = after(law, at, start, &[time]);
+        let mut states = started(law, start);
+        law.advance(at, time, &mut states);
+        let finite = states.iter().all(|state| state.is_finite());
+        contract.require(finite, "states are finite", || {
+            format!("{states:?} after {time} s from {start} m at {at:?}")
+        })?;
+        let end = law.thickness(&states);
         let within = end >= 0.0 && end <= largest * (1.0 + 1e-9);
         contract.require(within, "the film stays between zero and the largest thickness", || {
             format!("{end} m after {time} s from {start} m at {at:?}")

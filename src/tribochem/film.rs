@@ -114,8 +114,8 @@ impl Tribofilm {
     ///
     /// # Errors
     /// A time step that is negative or not finite, or a law with another number of states than the film was
-    /// made with: the film is unchanged. A law that returned a thickness that is not finite: the film holds
-    /// it, the error names the node.
+    /// made with: the film is unchanged. A law that left a state or a thickness that is not finite: the film holds
+    /// it, the error names its position.
     pub fn advance(
         &mut self,
         law: &dyn FilmGrowthLaw,
@@ -132,6 +132,8 @@ impl Tribofilm {
             self.gained += change.max(0.0);
             self.lost += (-change).max(0.0);
         }
+        // A state may hide behind a thickness: the larger one of NaN and zero is zero.
+        InputError::require_finite("tribofilm.states", &self.states)?;
         InputError::require_finite("tribofilm.thickness", &self.thickness)
     }
 

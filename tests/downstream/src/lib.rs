@@ -82,7 +82,7 @@ mod tests {
     use super::*;
     use std::error::Error;
     use std::ops::ControlFlow;
-    use stribeck::sim::{MixedLubricationSim, Scene, StepRecord};
+    use stribeck::sim::{MixedLubricationSim, Observer, RunEnd, Scene, StepRecord};
     use stribeck::testing;
 
     const OIL: Exponential = Exponential { eta0: 0.004, alpha: 1.2e-8, bound: 1e9 };
@@ -113,6 +113,29 @@ mod tests {
         })?;
         assert!(films.is_sorted_by(|earlier, later| earlier < later), "{films:?}");
         assert!(sim.ledger_residual()? < 1e-20);
+        Ok(())
+    }
+
+    /// Stops the run at the first step whose film is thick enough.
+    struct ThickEnough(f64);
+
+    impl Observer for ThickEnough {
+        fn after_step(&mut self, _: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()> {
+            if record.mean_film[1] > self.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        }
+    }
+
+    #[test]
+    fn a_run_is_stopped_and_goes_on() -> Result<(), Box<dyn Error>> {
+        let mut scene = Scene::azam_2019(32);
+        scene.solver.tolerance = 1e-4;
+        let law = Deposited { rate: 1e-10, maximum: 80e-9 };
+        let mut sim = MixedLubricationSim::builder(scene).growth_law(law).build()?;
+        assert_eq!(sim.run(20, 60.0, &mut ThickEnough(2e-9))?, RunEnd::Stopped);
+        let stopped = sim.steps();
+        assert!((1..20).contains(&stopped), "{stopped} steps");
+        assert_eq!(sim.run(1, 60.0, &mut ThickEnough(1.0))?, RunEnd::Finished);
+        assert_eq!(sim.steps(), stopped + 1);
         Ok(())
     }
 }

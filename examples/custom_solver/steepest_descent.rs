@@ -1,15 +1,12 @@
-//! A solver of one's own, driven by the same simulation, and its work beside that of the solver of the crate.
-#![expect(clippy::print_stdout, reason = "a program that talks to its user")]
+//! A solver of one's own; `work_precision` enters it in its chart.
 
 use stribeck::reynolds::{ContactSolver, ContactState, Evaluation, LubricatedContact};
 use stribeck::reynolds::{ReynoldsError, StoppingRule};
-use stribeck::sim::{MixedLubricationSim, Scene, SimError};
 use stribeck::{SolveReport, Status, Work};
 
-/// Dry elastic contact by steepest descent on the nodes that touch; pressures that turn negative are cut off, and the load
-/// is shared out anew.
+/// Dry elastic contact by steepest descent; pressures that turn negative are cut off, the load is shared out anew.
 #[derive(Debug)]
-struct SteepestDescent;
+pub(crate) struct SteepestDescent;
 
 impl ContactSolver for SteepestDescent {
     fn name(&self) -> &'static str {
@@ -58,22 +55,4 @@ impl ContactSolver for SteepestDescent {
             state.pressure.iter_mut().zip(&step).for_each(|(p, s)| *p = (*p + length * s).max(0.0));
         }
     }
-}
-
-fn main() -> Result<(), SimError> {
-    let mut scene = Scene::azam_2019(48);
-    (scene.lubricant, scene.plastic) = (None, None);
-    println!("{:>9} {:>19} {:>21}", "residual", "own: convolutions", "crate: convolutions");
-    for tolerance in [1e-2, 1e-3, 1e-4] {
-        scene.solver.tolerance = tolerance;
-        let step = |builder: stribeck::sim::SimBuilder| builder.build()?.step(10.0);
-        let own = step(MixedLubricationSim::builder(scene.clone()).solver(SteepestDescent))?;
-        let crates = step(MixedLubricationSim::builder(scene.clone()))?;
-        println!(
-            "{tolerance:9.0e} {:19} {:21}",
-            own.report.work.convolutions, crates.report.work.convolutions
-        );
-        assert!((own.area_ratio / crates.area_ratio - 1.0).abs() < 0.05, "both find the same contact");
-    }
-    Ok(())
 }

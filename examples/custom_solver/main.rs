@@ -1,0 +1,22 @@
+//! A solver of one's own, driven by the same simulation, and its work beside that of the solver of the crate.
+#![expect(clippy::print_stdout, reason = "a program that talks to its user")]
+
+mod steepest_descent;
+use steepest_descent::SteepestDescent;
+use stribeck::sim::{MixedLubricationSim, Scene, SimError};
+
+fn main() -> Result<(), SimError> {
+    let mut scene = Scene::azam_2019(48);
+    (scene.lubricant, scene.plastic) = (None, None);
+    println!("{:>9} {:>19} {:>21}", "residual", "own: convolutions", "crate: convolutions");
+    for tolerance in [1e-2, 1e-3, 1e-4] {
+        scene.solver.tolerance = tolerance;
+        let step = |builder: stribeck::sim::SimBuilder| builder.build()?.step(10.0);
+        let own = step(MixedLubricationSim::builder(scene.clone()).solver(SteepestDescent))?;
+        let crates = step(MixedLubricationSim::builder(scene.clone()))?;
+        let [mine, theirs] = [&own, &crates].map(|step| step.report.work.convolutions);
+        println!("{tolerance:9.0e} {mine:19} {theirs:21}");
+        assert!((own.area_ratio / crates.area_ratio - 1.0).abs() < 0.05, "both find the same contact");
+    }
+    Ok(())
+}

@@ -1,0 +1,64 @@
+//! The pages of the book: all are in the summary, and what they and the README link to is there.
+
+#![expect(clippy::unwrap_used, reason = "a test stops at what it did not expect")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Targets of the links and pictures of a page.
+fn targets(text: &str) -> impl Iterator<Item = &str> {
+    text.split("](").skip(1).filter_map(|rest| rest.split(')').next())
+}
+
+/// Headings of a page as they are linked to.
+fn anchors(text: &str) -> Vec<String> {
+    let headings = text.lines().filter(|line| line.starts_with('#'));
+    headings
+        .map(|line| {
+            let words = line.trim_start_matches('#').trim().to_lowercase().replace(' ', "-");
+            words.chars().filter(|c| c.is_alphanumeric() || matches!(c, '-' | '_')).collect()
+        })
+        .collect()
+}
+
+fn pages() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let is_page = |path: &PathBuf| path.extension().is_some_and(|end| end == "md");
+    let mut pages: Vec<PathBuf> =
+        fs::read_dir(root.join("docs")).unwrap().map(|entry| entry.unwrap().path()).filter(is_page).collect();
+    pages.push(root.join("README.md"));
+    pages
+}
+
+#[test]
+fn links_lead_somewhere() {
+    let (mut links, mut broken) = (0, Vec::new());
+    for page in pages() {
+        let text = fs::read_to_string(&page).unwrap();
+        for target in targets(&text).filter(|target| !target.starts_with("http")) {
+            links += 1;
+            let (file, anchor) = target.split_once('#').unwrap_or((target, ""));
+            let path = if file.is_empty() { page.clone() } else { page.parent().unwrap().join(file) };
+            let found = path.exists()
+                && (anchor.is_empty()
+                    || anchors(&fs::read_to_string(&path).unwrap()).contains(&anchor.to_owned()));
+            if !found {
+                broken.push(format!("{}: {target}", page.display()));
+            }
+        }
+    }
+    assert!(links > 30, "{links} links");
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+#[test]
+fn the_summary_names_every_page() {
+    let summary = include_str!("../docs/SUMMARY.md");
+    for page in pages() {
+        let name = page.file_name().unwrap().to_str().unwrap();
+        assert!(
+            ["README.md", "SUMMARY.md"].contains(&name) || summary.contains(&format!("({name})")),
+            "{name} is not in the summary"
+        );
+    }
+}
