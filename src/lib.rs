@@ -102,3 +102,9 @@ pub use error::InputError;
 pub use grid::Grid;
 pub use report::{NotConverged, Residuals, SolveReport, Status, Work};
 pub use rubbing::RubbingPoint;
+
+// The programs of the first pages are tested as those above are.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+#[doc = include_str!("../docs/getting_started.md")]
+struct FirstPages;

@@ -39,7 +39,8 @@ pub trait DeformationModel: Debug + Send {
     /// [`NEAR`]): line relaxations solve for these implicitly.
     fn influence(&self, di: usize, dj: usize) -> f64;
 
-    /// The same bodies on another grid, for multigrid; none (the default) where the model lives on one grid alone.
+    /// The same bodies on another grid, for multigrid; none (the default) where the model lives on one grid alone:
+    /// then `Multigrid` refuses it and `Auto` takes Newton's method.
     fn on_grid(&self, _grid: Grid) -> Option<Box<dyn DeformationModel>> {
         None
     }

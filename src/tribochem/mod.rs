@@ -57,7 +57,8 @@ use crate::rubbing::RubbingPoint;
 /// overrides `advance`, and with it `thickness` and `n_states`.
 ///
 /// Contract: rates are finite and depend on the arguments alone; an inactive node (see [`Activation`]) is
-/// frozen, it neither grows nor loses film; a film that starts within `0..=maximum_thickness` stays there.
+/// frozen, it neither grows nor loses film; states stay finite; a film that starts within `0..=maximum_thickness`
+/// stays there.
 ///
 /// ```
 /// use stribeck::RubbingPoint;
