@@ -52,6 +52,11 @@ pub(crate) fn run(
         let fields: [(&str, &[f64]); 2] = [("pressure_pa", &contact.pressure), ("film_m", &contact.film)];
         write_vtk(path.join("contact.vtk"), &sim.grid(), &fields)?;
     }
+    for (file, extension) in [("history.csv", "csv"), ("fields.npz", "npz")] {
+        let copy = path.with_extension(extension);
+        let copied = std::fs::copy(path.join(file), &copy);
+        let _bytes = copied.map_err(|source| SimError::Io { path: copy, source })?;
+    }
     if outcome.is_ok() {
         bar.finish();
     } else {

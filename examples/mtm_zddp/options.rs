@@ -20,8 +20,9 @@ usage: cargo run --release --example mtm_zddp -- [options]
   --resume        goes on from the checkpoints in DIR, of a run with the same options that was stopped
   --help          this text
 
-Writes figure1.svg to figure8.svg, maps.svg (the last contact from above) and the folders with and without: scene.toml, run.toml, history.csv (a row per step),
-checkpoint, fields.npz (final fields) and contact.vtk (pressure and film for ParaView).
+Writes with.csv and without.csv (a row per step), with.npz and without.npz (final fields), figure1.svg to figure8.svg, maps.svg
+(the last contact from above) and the folders with and without, from which a run is repeated or resumed: scene.toml, run.toml,
+history.csv, fields.npz, checkpoint and contact.vtk (pressure and film for ParaView).
 Exit status: 0 done, 1 wrong option or file, 2 a history ended early (what there is of it is written).
 ";
 

@@ -39,11 +39,6 @@ impl Kind {
         self.fluid == Fluid::Active
     }
 
-    /// Whether the film follows the elastic displacement instead of being held by solid contact.
-    pub(super) fn film_is_free(self) -> bool {
-        self.solid == Solid::Open
-    }
-
     /// Whether the node is fluid alone, its pressure unknown.
     pub(super) fn is_open_fluid(self) -> bool {
         self.fluid == Fluid::Active && self.solid == Solid::Open

@@ -295,32 +295,25 @@ impl Discretisation {
     }
 
     /// Row `k` of the fluid block: derivatives of `F_k` with respect to the fluid unknowns of `k` and its four
-    /// neighbours, the elastic response cut off after the neighbours along x, entrainment of first order.
+    /// neighbours, entrainment of first order, the film of a node following its own pressure alone.
     ///
     /// The unknown of a free fluid node is its pressure, which also moves films; of a contact node its fluid
-    /// pressure at fixed film; of a node where the fluid itself reaches the limit its film in units of `near.own`.
+    /// pressure at fixed film; of a node where the fluid itself reaches the limit its film in units of `own_influence`.
     pub(super) fn stencil_row(
         &self,
         k: usize,
         kinds: &[Kind],
         film: &[f64],
-        near: NearField,
+        own_influence: f64,
     ) -> [f64; STENCIL] {
         let mut row = [0.0; STENCIL];
         let moves_pressure = |m: usize| kinds[m].has_fluid_pressure();
-        let film_response = |q: usize, m: usize, coefficient: f64| -> f64 {
-            if kinds[q].film_is_free() && kinds[m].is_open_fluid() {
-                coefficient
-            } else if q == m && kinds[m].fluid == Fluid::AtLimit {
-                near.own
-            } else {
-                0.0
-            }
+        // Each film follows its own pressure alone: solid contact around a fluid node screens what lies further off.
+        let film_response = |q: usize| -> f64 {
+            let responds = kinds[q].is_open_fluid() || kinds[q].fluid == Fluid::AtLimit;
+            if responds { own_influence } else { 0.0 }
         };
         let faces = self.neighbours(k);
-        let nodes = [k, k + 1, k - 1, faces[2].0, faces[3].0];
-        // Along x alone: without the neighbours across the flow, and theirs, a row keeps its balance.
-        let coupling = [near.own, near.next_x, near.next_x, 0.0, 0.0];
         let own = &self.nodes[k];
         let wedge = match self.scheme {
             Scheme::FirstOrder => self.wedge,
@@ -331,9 +324,7 @@ impl Discretisation {
                 .iter()
                 .map(|&(o, c)| 0.5 * c * own.mobility_h * (own.potential - self.nodes[o].potential))
                 .sum::<f64>();
-        for (slot, &m) in nodes.iter().enumerate() {
-            row[slot] += by_film * film_response(k, m, coupling[slot]);
-        }
+        row[0] += by_film * film_response(k);
         if moves_pressure(k) {
             row[0] += (wedge + self.squeeze) * own.density_p * film[k];
         }
@@ -342,10 +333,7 @@ impl Discretisation {
         if moves_pressure(up) {
             row[2] -= wedge * self.nodes[up].density_p * film[up];
         }
-        let upstream_coupling = [near.next_x, near.second_x, near.own, 0.0, 0.0];
-        for (slot, coefficient) in upstream_coupling.into_iter().enumerate() {
-            row[slot] -= wedge * self.nodes[up].density * film_response(up, nodes[slot], coefficient);
-        }
+        row[2] -= wedge * self.nodes[up].density * film_response(up);
         // Faces: potentials and mobilities of both nodes.
         for (face, (o, c)) in faces.into_iter().enumerate() {
             let (slot, other) = (face + 1, &self.nodes[o]);
@@ -357,8 +345,7 @@ impl Discretisation {
             if moves_pressure(o) {
                 row[slot] += half * other.mobility_p - mobility * other.potential_p;
             }
-            row[slot] += half * other.mobility_h * film_response(o, o, near.own);
-            row[0] += half * other.mobility_h * film_response(o, k, coupling[slot]);
+            row[slot] += half * other.mobility_h * film_response(o);
         }
         row
     }

@@ -53,9 +53,8 @@ struct Attempt {
 /// Semismooth Newton solver with approach and load balance inside the system.
 ///
 /// Each step solves the linearised equations of the sides (cavitated, fluid, contact, yielded) that the nodes are on by
-/// GMRES on DC-FFT products. The preconditioner is a block one: sparse LU of the fluid equations with the elastic
-/// response cut off after the next neighbours, inverse convolution masked to the contact nodes, and the load balance as
-/// a border. Then every node settles by its own equations, neighbours held as the step foresees them: that decides its
+/// GMRES on DC-FFT products. The preconditioner is a block one: sparse LU of the fluid equations in which films
+/// follow their own pressures alone, inverse convolution masked to the contact nodes, and the load balance as a border. Then every node settles by its own equations, neighbours held as the step foresees them: that decides its
 /// side and follows the viscosity over its orders of magnitude, where a linear step alone makes nodes go round in cycles.
 ///
 /// A state that carries no pressure is started from the dry contact, which is close to the answer in mixed

@@ -241,7 +241,7 @@ impl BlockPreconditioner {
         for (k, row) in self.stencil.chunks_exact_mut(STENCIL).enumerate() {
             let balanced = coupled.kinds[k].has_balance();
             let values = if balanced {
-                coupled.fluid.stencil_row(k, &self.kinds, &state.film, coupled.near)
+                coupled.fluid.stencil_row(k, &self.kinds, &state.film, coupled.near.own)
             } else {
                 [coupled.near.own, 0.0, 0.0, 0.0, 0.0]
             };

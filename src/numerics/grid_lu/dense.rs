@@ -1,155 +1,150 @@
-//! The dense kernels of a front: matrices column by column, single precision.
+//! Dense kernels on column-major blocks in single precision.
+//!
+//! Columns are padded to whole vectors with zeros, so that no loop has a remainder.
 
-use faer::linalg::matmul::matmul;
-use faer::{Accum, MatMut, MatRef, Par};
+use pulp::Simd;
 
-/// Entries summed side by side in a scalar product, whatever the width of the machine's vectors: the sum does not
-/// depend on it.
-const LANES: usize = 16;
-/// Border from which the general matrix product is faster than the loop here.
-const SMALL: usize = 24;
+/// Entries of a vector: columns are padded to a multiple of it.
+pub(super) const VECTOR: usize = 8;
 
-/// `y -= a x`.
-#[inline(always)]
-pub(super) fn subtract(y: &mut [f32], a: f32, x: &[f32]) {
-    for (y, x) in y.iter_mut().zip(x) {
-        *y -= a * x;
-    }
+/// `length` rounded up to whole vectors.
+pub(super) fn padded(length: usize) -> usize {
+    length.next_multiple_of(VECTOR)
 }
 
-/// `y -= sum of a_k x_k` for the columns `x_k` of `columns`.
-#[inline(always)]
-pub(super) fn subtract_product(y: &mut [f32], columns: &[f32], a: &[f32]) {
-    let rows = y.len();
-    let mut fours = columns.chunks_exact(4 * rows);
-    let mut factors = a.chunks_exact(4);
-    for (four, f) in fours.by_ref().zip(factors.by_ref()) {
-        let (x0, rest) = four.split_at(rows);
-        let (x1, rest) = rest.split_at(rows);
-        let (x2, x3) = rest.split_at(rows);
-        for ((((y, x0), x1), x2), x3) in y.iter_mut().zip(x0).zip(x1).zip(x2).zip(x3) {
-            *y -= (f[0] * x0 + f[1] * x1) + (f[2] * x2 + f[3] * x3);
-        }
-    }
-    for (x, &a) in fours.remainder().chunks_exact(rows).zip(factors.remainder()) {
-        subtract(y, a, x);
-    }
+/// A matrix within a slice: column `j` starts at `j * stride`.
+#[derive(Clone, Copy)]
+pub(super) struct Block<'a> {
+    pub(super) values: &'a [f32],
+    pub(super) stride: usize,
 }
 
-#[inline(always)]
-pub(super) fn dot(x: &[f32], y: &[f32]) -> f32 {
-    let mut sums = [0.0_f32; LANES];
-    let (mut xs, mut ys) = (x.chunks_exact(LANES), y.chunks_exact(LANES));
-    for (x, y) in xs.by_ref().zip(ys.by_ref()) {
-        for ((sum, x), y) in sums.iter_mut().zip(x).zip(y) {
-            *sum += x * y;
-        }
-    }
-    let rest: f32 = xs.remainder().iter().zip(ys.remainder()).map(|(x, y)| x * y).sum();
-    sums.iter().sum::<f32>() + rest
-}
-
-/// The blocks of a front with `s` pivots and `b` nodes in its border.
-pub(super) struct Blocks<'a> {
-    /// `s` x `s`; becomes its inverse.
-    pub(super) own: &'a mut [f32],
-    /// Rows of the border, `b` x `s`; becomes its product with the inverse.
-    pub(super) lower: &'a mut [f32],
-    /// Columns of the border, transposed, `b` x `s`.
-    pub(super) upper: &'a mut [f32],
-    /// `b` x `b`; becomes what is left for the parent.
-    pub(super) remainder: &'a mut [f32],
-}
-
-impl Blocks<'_> {
-    /// Eliminates the pivots without exchanging rows; pivots smaller than `smallest` count as that. Returns whether
-    /// all were numbers. `scratch` holds `s` times the larger of `s` and `b`.
+impl Block<'_> {
     #[inline(always)]
-    pub(super) fn eliminate(
-        &mut self,
-        pivots: usize,
-        border: usize,
-        smallest: f32,
-        scratch: &mut [f32],
-    ) -> bool {
-        let sound = self.invert(pivots, smallest, &mut scratch[..pivots]);
-        if border > 0 {
-            let raw = &mut scratch[..border * pivots];
-            for (raw, lower) in raw.iter_mut().zip(&*self.lower) {
-                *raw = -lower;
+    fn below(self, row: usize) -> Self {
+        Self { values: &self.values[row..], stride: self.stride }
+    }
+}
+
+/// `out += a x`, with `a` of `out.len()` padded rows and `x.len()` columns.
+#[inline(always)]
+pub(super) fn add_product<S: Simd>(simd: S, out: &mut [f32], a: Block<'_>, x: &[f32]) {
+    let b = Block { values: x, stride: x.len() };
+    let rows = if x.is_empty() { 0 } else { out.len() };
+    let mut row = 0;
+    while row < rows {
+        let left = (rows - row) / S::F32_LANES;
+        row += S::F32_LANES
+            * if left >= 8 {
+                add_tile::<S, 8, 1>(simd, &mut out[row..], rows, a.below(row), b, x.len())
+            } else if left >= 4 {
+                add_tile::<S, 4, 1>(simd, &mut out[row..], rows, a.below(row), b, x.len())
+            } else {
+                add_tile::<S, 1, 1>(simd, &mut out[row..], rows, a.below(row), b, x.len())
+            };
+    }
+}
+
+/// `out += a b` for `rows` padded rows, `inner` columns of `a` and `columns` of `b`; column `j` of `out` starts at
+/// `j * stride`.
+#[inline(always)]
+pub(super) fn add_matrix_product<S: Simd>(
+    simd: S,
+    out: &mut [f32],
+    stride: usize,
+    a: Block<'_>,
+    b: Block<'_>,
+    [rows, inner, columns]: [usize; 3],
+) {
+    let mut column = 0;
+    while column < columns {
+        let four = columns - column >= 4;
+        let mut row = 0;
+        while row < rows {
+            let out = &mut out[column * stride + row..];
+            let two = rows - row >= 2 * S::F32_LANES;
+            let (a, b) = (a.below(row), Block { values: &b.values[column * b.stride..], stride: b.stride });
+            row += S::F32_LANES
+                * match (two, four) {
+                    (true, true) => add_tile::<S, 2, 4>(simd, out, stride, a, b, inner),
+                    (true, false) => add_tile::<S, 2, 1>(simd, out, stride, a, b, inner),
+                    (false, true) => add_tile::<S, 1, 4>(simd, out, stride, a, b, inner),
+                    (false, false) => add_tile::<S, 1, 1>(simd, out, stride, a, b, inner),
+                };
+        }
+        column += if four { 4 } else { 1 };
+    }
+}
+
+/// The product for the first `ROWS` vectors of rows and the first `COLUMNS` columns; returns `ROWS`.
+#[inline(always)]
+fn add_tile<S: Simd, const ROWS: usize, const COLUMNS: usize>(
+    simd: S,
+    out: &mut [f32],
+    stride: usize,
+    a: Block<'_>,
+    b: Block<'_>,
+    inner: usize,
+) -> usize {
+    let mut sums = [[simd.splat_f32s(0.0); ROWS]; COLUMNS];
+    let mut factors: [&[f32]; COLUMNS] = [&[]; COLUMNS];
+    for (j, factors) in factors.iter_mut().enumerate() {
+        *factors = &b.values[j * b.stride..][..inner];
+    }
+    for k in 0..inner {
+        let column = &a.values[k * a.stride..][..ROWS * S::F32_LANES];
+        let Some(rows) = S::as_simd_f32s(column).0.first_chunk::<ROWS>() else { continue };
+        for (sums, factors) in sums.iter_mut().zip(&factors) {
+            let factor = simd.splat_f32s(factors[k]);
+            for (sum, row) in sums.iter_mut().zip(rows) {
+                *sum = simd.mul_add_e_f32s(*row, factor, *sum);
             }
-            self.lower.fill(0.0);
-            subtract_matrix_product(self.lower, raw, self.own, border, pivots);
-            subtract_transposed(self.remainder, self.lower, self.upper, border, pivots);
         }
-        sound
     }
+    for (j, sums) in sums.iter().enumerate() {
+        let column = &mut out[j * stride..][..ROWS * S::F32_LANES];
+        for (out, sum) in S::as_mut_simd_f32s(column).0.iter_mut().zip(sums) {
+            *out = simd.add_f32s(*out, *sum);
+        }
+    }
+    ROWS
+}
 
-    /// Gauss and Jordan's inversion in place.
-    #[inline(always)]
-    fn invert(&mut self, pivots: usize, smallest: f32, pivot_column: &mut [f32]) -> bool {
-        let mut sound = true;
-        for k in 0..pivots {
-            pivot_column.copy_from_slice(&self.own[k * pivots..][..pivots]);
-            let value = pivot_column[k];
-            let pivot = if value.abs() < smallest { smallest.copysign(value) } else { value };
-            sound &= pivot.is_finite();
-            let inverse = 1.0 / pivot;
-            pivot_column[k] = 0.0;
-            for (j, column) in self.own.chunks_exact_mut(pivots).enumerate() {
-                if j == k {
-                    for (value, other) in column.iter_mut().zip(&*pivot_column) {
-                        *value = -other * inverse;
-                    }
-                    column[k] = inverse;
-                } else {
-                    let factor = column[k] * inverse;
-                    subtract(column, factor, pivot_column);
-                    column[k] = factor;
+/// Inverts the leading `pivots` rows of the block in place by Gauss and Jordan's method, without exchanging rows; pivots
+/// smaller than `smallest` count as that. Returns whether all were numbers.
+#[inline(always)]
+pub(super) fn invert(
+    block: &mut [f32],
+    stride: usize,
+    pivots: usize,
+    smallest: f32,
+    column: &mut [f32],
+) -> bool {
+    let rows = padded(pivots);
+    let pivot_column = &mut column[..rows];
+    let mut sound = true;
+    for k in 0..pivots {
+        pivot_column.copy_from_slice(&block[k * stride..][..rows]);
+        let value = pivot_column[k];
+        let pivot = if value.abs() < smallest { smallest.copysign(value) } else { value };
+        sound &= pivot.is_finite();
+        let inverse = 1.0 / pivot;
+        pivot_column[k] = 0.0;
+        for (j, column) in block.chunks_mut(stride).take(pivots).enumerate() {
+            let column = &mut column[..rows];
+            if j == k {
+                for (value, other) in column.iter_mut().zip(&*pivot_column) {
+                    *value = -other * inverse;
                 }
+                column[k] = inverse;
+            } else {
+                let factor = column[k] * inverse;
+                for (value, other) in column.iter_mut().zip(&*pivot_column) {
+                    *value -= factor * other;
+                }
+                column[k] = factor;
             }
         }
-        sound
     }
-}
-
-/// `out -= a b`, with `a` of `rows` x `inner` and `b` of `inner` columns of that length.
-#[inline(always)]
-fn subtract_matrix_product(out: &mut [f32], a: &[f32], b: &[f32], rows: usize, inner: usize) {
-    if rows < SMALL || inner < SMALL {
-        for (out, b) in out.chunks_exact_mut(rows).zip(b.chunks_exact(inner)) {
-            subtract_product(out, a, b);
-        }
-        return;
-    }
-    let columns = b.len() / inner;
-    matmul(
-        MatMut::from_column_major_slice_mut(out, rows, columns),
-        Accum::Add,
-        MatRef::from_column_major_slice(a, rows, inner),
-        MatRef::from_column_major_slice(b, inner, columns),
-        -1.0,
-        Par::Seq,
-    );
-}
-
-/// `out -= a b^T`, with `a` and `b` of `rows` x `inner`.
-#[inline(always)]
-fn subtract_transposed(out: &mut [f32], a: &[f32], b: &[f32], rows: usize, inner: usize) {
-    if rows < SMALL {
-        for (l, out) in out.chunks_exact_mut(rows).enumerate() {
-            for (a, b) in a.chunks_exact(rows).zip(b.chunks_exact(rows)) {
-                subtract(out, b[l], a);
-            }
-        }
-        return;
-    }
-    matmul(
-        MatMut::from_column_major_slice_mut(out, rows, rows),
-        Accum::Add,
-        MatRef::from_column_major_slice(a, rows, inner),
-        MatRef::from_column_major_slice(b, rows, inner).transpose(),
-        -1.0,
-        Par::Seq,
-    );
+    sound
 }

@@ -3,6 +3,8 @@
 
 use std::ops::Range;
 
+use super::dense::padded;
+
 /// Largest number of nodes that are eliminated together without being split further.
 const LEAF: usize = 16;
 
@@ -13,9 +15,40 @@ pub(super) struct Front {
     pub(super) pivots: Range<usize>,
     /// Places of the nodes around them that are eliminated later, ascending.
     pub(super) border: Vec<usize>,
-    /// Fronts whose remainders are added to this one, with the place of each entry of their border in this front:
-    /// pivots first, then border.
-    pub(super) children: Vec<(usize, Vec<usize>)>,
+    /// Fronts whose remainders are added to this one.
+    pub(super) children: Vec<Child>,
+    /// The first front of the subtree that this one ends.
+    pub(super) first: usize,
+}
+
+/// A front as its parent sees it.
+#[derive(Debug, Clone)]
+pub(super) struct Child {
+    pub(super) front: usize,
+    /// Where the nodes of its border are in the parent.
+    pub(super) runs: Vec<Run>,
+}
+
+/// Nodes of a child's border that follow one another in its parent too.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Run {
+    /// Place of the first in the border of the child.
+    pub(super) from: usize,
+    /// Its row in the parent: pivots, padded to whole vectors, then border.
+    pub(super) to: usize,
+    pub(super) length: usize,
+}
+
+impl Front {
+    /// Rows of the pivots, padded.
+    pub(super) fn pivot_rows(&self) -> usize {
+        padded(self.pivots.len())
+    }
+
+    /// Rows of the border, padded.
+    pub(super) fn border_rows(&self) -> usize {
+        padded(self.border.len())
+    }
 }
 
 /// All fronts, children before their parents.
@@ -84,18 +117,22 @@ impl Dissection {
             let [one, other, between] = region.split();
             (vec![one, other], between)
         };
-        let children =
-            parts.into_iter().map(|part| (self.dissect(part, nx, ny, eliminated), Vec::new())).collect();
+        let first = self.fronts.len();
+        let children: Vec<Child> = parts
+            .into_iter()
+            .map(|part| Child { front: self.dissect(part, nx, ny, eliminated), runs: Vec::new() })
+            .collect();
         let start = *eliminated;
         for node in last.nodes(nx) {
             self.place[node] = *eliminated;
             *eliminated += 1;
         }
-        self.fronts.push(Front { pivots: start..*eliminated, border: region.neighbours(nx, ny), children });
+        let border = region.neighbours(nx, ny);
+        self.fronts.push(Front { pivots: start..*eliminated, border, children, first });
         self.fronts.len() - 1
     }
 
-    /// Turns nodes into places, and places of borders into places within the parent.
+    /// Turns nodes into places, and finds the borders of children in their parents.
     fn link(&mut self) {
         for front in &mut self.fronts {
             for node in &mut front.border {
@@ -103,19 +140,33 @@ impl Dissection {
             }
             front.border.sort_unstable();
         }
-        let mut within = vec![0; self.place.len()];
+        let mut row_of = vec![0; self.place.len()];
         for parent in 0..self.fronts.len() {
             let front = &self.fronts[parent];
-            for (slot, place) in front.pivots.clone().chain(front.border.iter().copied()).enumerate() {
-                within[place] = slot;
+            let rows = (0..front.pivots.len()).chain(front.pivot_rows()..);
+            for (place, row) in front.pivots.clone().chain(front.border.iter().copied()).zip(rows) {
+                row_of[place] = row;
             }
             let mut children = front.children.clone();
-            for (child, slots) in &mut children {
-                *slots = self.fronts[*child].border.iter().map(|&place| within[place]).collect();
+            for child in &mut children {
+                let rows = self.fronts[child.front].border.iter().map(|&place| row_of[place]);
+                child.runs = runs(rows, self.fronts[parent].pivot_rows());
             }
             self.fronts[parent].children = children;
         }
     }
+}
+
+/// Joins rows that follow one another on the same side of row `boundary`.
+fn runs(rows: impl Iterator<Item = usize>, boundary: usize) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for (from, to) in rows.enumerate() {
+        match runs.last_mut() {
+            Some(run) if run.to + run.length == to && to != boundary => run.length += 1,
+            _ => runs.push(Run { from, to, length: 1 }),
+        }
+    }
+    runs
 }
 
 #[cfg(test)]

@@ -5,42 +5,34 @@
 
 mod dense;
 mod dissection;
+mod front;
+mod tree;
 
 use std::fmt;
 
-use dense::{Blocks, dot, subtract_product};
-use dissection::{Dissection, Front};
-use pulp::Arch;
+use dissection::Dissection;
+use tree::Tree;
+
+use super::lanes::lanes_for;
 
 /// Number of entries in a row of the five-point stencil: centre, east, west, north, south.
 pub(crate) const STENCIL: usize = 5;
 
-/// Smallest pivot, the largest entry of a row being one.
-const SMALLEST_PIVOT: f32 = 1e-6;
-
 /// LU factorisation of a matrix that couples each node of an `nx` x `ny` grid to its four neighbours.
 pub(crate) struct GridLu {
-    fronts: Vec<Front>,
+    tree: Tree,
     /// Place of each node in the order of elimination.
     place: Vec<usize>,
     /// Node that a slot of the stencil points to, by node and slot; the node itself where that is outside.
     reach: Vec<u32>,
-    /// Where in `factors` an entry of the stencil goes, by node and slot.
+    /// Where in the factors an entry of the stencil goes, by node and slot.
     target: Vec<u32>,
-    /// Start of each front's blocks in `factors`: pivots, lower, upper.
-    start: Vec<usize>,
-    factors: Vec<f32>,
+    /// Where in the vectors a node is.
+    slot: Vec<u32>,
     /// One over the largest entry of each row.
     scale: Vec<f64>,
     linked: Vec<bool>,
-    /// Fronts whose nodes and children are all unlinked.
-    idle: Vec<bool>,
-    stack: Vec<f32>,
-    scratch: Vec<f32>,
-    values: Vec<f32>,
-    gathered: Vec<f32>,
     factorised: bool,
-    arch: Arch,
 }
 
 impl fmt::Debug for GridLu {
@@ -53,35 +45,17 @@ impl GridLu {
     /// Order of elimination and buffers for a grid.
     pub(crate) fn new(nx: usize, ny: usize) -> Self {
         let n = nx * ny;
-        let Dissection { fronts, place } = Dissection::new(nx, ny);
-        let mut start = Vec::with_capacity(fronts.len());
-        let (mut size, mut depth, mut deepest, mut widest, mut largest) = (0, 0, 0, 0, 0);
-        for front in &fronts {
-            let (s, b) = (front.pivots.len(), front.border.len());
-            start.push(size);
-            size += s * (s + 2 * b);
-            let below: usize = front.children.iter().map(|(child, _)| square(&fronts[*child])).sum();
-            deepest = deepest.max(depth + b * b);
-            depth = depth + b * b - below;
-            widest = widest.max(b).max(s);
-            largest = largest.max(s * b.max(s));
-        }
+        let dissection = Dissection::new(nx, ny);
+        let place = dissection.place.clone();
         let mut lu = Self {
+            tree: Tree::new(dissection, lanes_for(n)),
             linked: vec![false; n],
-            idle: vec![false; fronts.len()],
             scale: vec![1.0; n],
-            values: vec![0.0; n],
-            gathered: vec![0.0; widest],
-            stack: vec![0.0; deepest],
-            scratch: vec![0.0; largest],
-            factors: vec![0.0; size],
             reach: Vec::with_capacity(STENCIL * n),
             target: vec![0; STENCIL * n],
-            fronts,
+            slot: vec![0; n],
             place,
-            start,
             factorised: false,
-            arch: Arch::new(),
         };
         lu.place_entries(nx, ny);
         lu
@@ -97,25 +71,35 @@ impl GridLu {
             let reach = inside.into_iter().zip(nodes).map(|(inside, node)| if inside { node } else { k });
             self.reach.extend(reach.map(|node| node as u32));
         }
+        let Tree { fronts, starts, .. } = &self.tree;
         let mut front_of = vec![0_usize; n];
-        for (f, front) in self.fronts.iter().enumerate() {
+        for (f, front) in fronts.iter().enumerate() {
             front_of[front.pivots.clone()].fill(f);
         }
         for k in 0..n {
+            let own = front_of[self.place[k]];
+            self.slot[k] = (starts.vectors[own] + self.place[k] - fronts[own].pivots.start) as u32;
             for slot in 0..STENCIL {
                 let (row, column) = (self.place[k], self.place[self.reach[STENCIL * k + slot] as usize]);
                 let f = front_of[row.min(column)];
-                let front = &self.fronts[f];
-                let (s, b) = (front.pivots.len(), front.border.len());
-                let in_border = |place: usize| front.border.partition_point(|&other| other < place);
-                let (row_in, column_in) =
-                    (row.wrapping_sub(front.pivots.start), column.wrapping_sub(front.pivots.start));
-                let offset = match (row_in < s, column_in < s) {
-                    (true, true) => column_in * s + row_in,
-                    (false, _) => s * s + column_in * b + in_border(row),
-                    (_, false) => s * (s + b) + row_in * b + in_border(column),
+                let front = &fronts[f];
+                let (s, rows) = (front.pivots.len(), front.pivot_rows());
+                let stride = rows + front.border_rows();
+                let in_front = |place: usize| {
+                    let pivot = place.wrapping_sub(front.pivots.start);
+                    if pivot < s {
+                        pivot
+                    } else {
+                        rows + front.border.partition_point(|&other| other < place)
+                    }
                 };
-                self.target[STENCIL * k + slot] = (self.start[f] + offset) as u32;
+                let (row, column) = (in_front(row), in_front(column));
+                let offset = if column < rows {
+                    column * stride + row
+                } else {
+                    s * stride + (column - rows) * rows + row
+                };
+                self.target[STENCIL * k + slot] = (starts.factors[f] + offset) as u32;
             }
         }
     }
@@ -124,20 +108,20 @@ impl GridLu {
     /// Entries that point outside the grid must be zero. Returns whether it succeeded.
     pub(crate) fn factorise(&mut self, stencil: &[f64]) -> bool {
         self.assemble(stencil);
-        let arch = self.arch;
-        self.factorised = arch.dispatch(|| self.eliminate());
+        self.factorised = self.tree.eliminate(&self.linked);
         self.factorised
     }
 
     fn assemble(&mut self, stencil: &[f64]) {
-        self.factors.fill(0.0);
+        let factors = &mut self.tree.factors;
+        factors.fill(0.0);
         self.linked.fill(false);
         for (k, row) in stencil.chunks_exact(STENCIL).enumerate() {
             let largest = row.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
             self.scale[k] = if largest > 0.0 { 1.0 / largest } else { 1.0 };
             for (slot, value) in row.iter().enumerate() {
                 let at = STENCIL * k + slot;
-                self.factors[self.target[at] as usize] += (value * self.scale[k]) as f32;
+                factors[self.target[at] as usize] += (value * self.scale[k]) as f32;
                 if slot > 0 && *value != 0.0 {
                     self.linked[self.place[k]] = true;
                     self.linked[self.place[self.reach[at] as usize]] = true;
@@ -146,131 +130,20 @@ impl GridLu {
         }
     }
 
-    #[inline(always)]
-    fn eliminate(&mut self) -> bool {
-        let Self { fronts, start, factors, linked, idle, stack, scratch, .. } = self;
-        let mut top = 0;
-        for (f, front) in fronts.iter().enumerate() {
-            let (s, b) = (front.pivots.len(), front.border.len());
-            let children = || front.children.iter().filter(|(child, _)| !idle[*child]);
-            let below: usize = children().map(|(child, _)| square(&fronts[*child])).sum();
-            let is_idle = children().next().is_none() && linked[front.pivots.clone()].iter().all(|&l| !l);
-            if is_idle {
-                idle[f] = true;
-                continue;
-            }
-            let (waiting, free) = stack.split_at_mut(top);
-            let remainder = &mut free[..b * b];
-            remainder.fill(0.0);
-            let (own, rest) = factors[start[f]..].split_at_mut(s * s);
-            let (lower, rest) = rest.split_at_mut(b * s);
-            let mut blocks = Blocks { own, lower, upper: &mut rest[..b * s], remainder };
-            let mut from = top - below;
-            for (child, slots) in children() {
-                let size = square(&fronts[*child]);
-                add(&mut blocks, s, b, &waiting[from..from + size], slots);
-                from += size;
-            }
-            if !blocks.eliminate(s, b, SMALLEST_PIVOT, scratch) {
-                return false;
-            }
-            idle[f] = false;
-            stack.copy_within(top..top + b * b, top - below);
-            top = top - below + b * b;
-        }
-        true
-    }
-
     /// Solves in place; without a factorisation the right-hand side is left as it is.
     pub(crate) fn solve(&mut self, rhs: &mut [f64]) {
         if !self.factorised {
             return;
         }
-        for ((value, &place), scale) in rhs.iter().zip(&self.place).zip(&self.scale) {
-            self.values[place] = (value * scale) as f32;
+        for ((value, &slot), scale) in rhs.iter().zip(&self.slot).zip(&self.scale) {
+            self.tree.vectors[slot as usize] = (value * scale) as f32;
         }
-        let arch = self.arch;
-        arch.dispatch(|| self.substitute());
-        for (value, &place) in rhs.iter_mut().zip(&self.place) {
-            *value = f64::from(self.values[place]);
-        }
-    }
-
-    #[inline(always)]
-    fn substitute(&mut self) {
-        let Self { fronts, start, factors, idle, values, gathered, .. } = self;
-        for (f, front) in fronts.iter().enumerate().filter(|(f, _)| !idle[*f]) {
-            let (s, b) = (front.pivots.len(), front.border.len());
-            if b == 0 {
-                continue;
-            }
-            let lower = &factors[start[f] + s * s..][..b * s];
-            let sums = &mut gathered[..b];
-            sums.fill(0.0);
-            subtract_product(sums, lower, &values[front.pivots.clone()]);
-            for (&place, sum) in front.border.iter().zip(&*sums) {
-                values[place] += sum;
-            }
-        }
-        for (f, front) in fronts.iter().enumerate().rev() {
-            let (s, b) = (front.pivots.len(), front.border.len());
-            let (own, rest) = factors[start[f]..].split_at(s * s);
-            if idle[f] {
-                for (k, value) in values[front.pivots.clone()].iter_mut().enumerate() {
-                    *value /= own[k * s + k];
-                }
-                continue;
-            }
-            if b > 0 {
-                let known = &mut gathered[..b];
-                for (known, &place) in known.iter_mut().zip(&front.border) {
-                    *known = values[place];
-                }
-                let rows = rest[b * s..2 * b * s].chunks_exact(b);
-                for (value, row) in values[front.pivots.clone()].iter_mut().zip(rows) {
-                    *value = dot(row, known) - *value;
-                }
-            } else {
-                values[front.pivots.clone()].iter_mut().for_each(|value| *value = -*value);
-            }
-            let sums = &mut gathered[..s];
-            sums.fill(0.0);
-            subtract_product(sums, own, &values[front.pivots.clone()]);
-            values[front.pivots.clone()].copy_from_slice(sums);
+        self.tree.substitute();
+        for (value, &slot) in rhs.iter_mut().zip(&self.slot) {
+            *value = f64::from(self.tree.vectors[slot as usize]);
         }
     }
 }
-
-/// Size of what a front leaves for its parent.
-fn square(front: &Front) -> usize {
-    front.border.len() * front.border.len()
-}
-
-/// Adds the remainder of a child to the blocks of a front with `s` pivots and a border of `b`.
-#[inline(always)]
-fn add(blocks: &mut Blocks<'_>, s: usize, b: usize, child: &[f32], slots: &[usize]) {
-    // Places in a border ascend, so the slots among the pivots come first.
-    let split = slots.partition_point(|&slot| slot < s);
-    for (column, &to) in child.chunks_exact(slots.len()).zip(slots) {
-        let (in_pivots, in_border) = column.split_at(split);
-        if to < s {
-            for (value, &row) in in_pivots.iter().zip(slots) {
-                blocks.own[to * s + row] += value;
-            }
-            for (value, &row) in in_border.iter().zip(&slots[split..]) {
-                blocks.lower[to * b + row - s] += value;
-            }
-        } else {
-            for (value, &row) in in_pivots.iter().zip(slots) {
-                blocks.upper[row * b + to - s] += value;
-            }
-            for (value, &row) in in_border.iter().zip(&slots[split..]) {
-                blocks.remainder[(to - s) * b + row - s] += value;
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
