@@ -43,6 +43,7 @@ fn pieces(criterion: &mut Criterion) {
             film_cutoff: 1e-9,
             scheme: Scheme::SecondOrder,
             face_mobility: FaceMobility::ReducedPressure,
+            shear_thinning: None,
             reference_half_widths: (hertz.a_x, hertz.a_y),
             reference_pressure: hertz.p_max,
             reference_film: 60e-9,

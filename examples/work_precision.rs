@@ -307,6 +307,7 @@ fn solve(
         film_cutoff: scene.solver.film_cutoff,
         scheme: scene.solver.scheme,
         face_mobility: if case.rough { FaceMobility::ReducedPressure } else { scene.face_mobility() },
+        shear_thinning: None,
         reference_half_widths: (hertz.a_x, hertz.a_y),
         reference_pressure: hertz.p_max,
         reference_film,

@@ -340,6 +340,7 @@ impl Scene {
             film_cutoff: 1e-9,
             scheme: Scheme::FirstOrder,
             face_mobility: Default::default(),
+            shear_thinning: None,
             reference_half_widths: self.half_widths,
             reference_pressure: self.reference_pressure,
             reference_film: 0.0,

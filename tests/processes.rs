@@ -47,6 +47,7 @@ fn press(gap: &[f64], body: &mut HalfSpace, load: f64, limit: f64) -> ContactSta
         film_cutoff: 1e-9,
         scheme: Scheme::default(),
         face_mobility: FaceMobility::default(),
+        shear_thinning: None,
         reference_half_widths: (149.83e-6, 149.83e-6),
         reference_pressure: 1.15e9,
         reference_film: 0.0,

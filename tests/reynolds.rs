@@ -196,6 +196,7 @@ fn cold_solves_do_not_depend_on_what_the_solver_did_before() {
         film_cutoff: 1e-9,
         scheme: Scheme::FirstOrder,
         face_mobility: Default::default(),
+        shear_thinning: None,
         reference_half_widths: (hertz.a_x, hertz.a_y),
         reference_pressure: hertz.p_max,
         reference_film: 0.0,

@@ -136,6 +136,7 @@ impl Scene {
             film_cutoff: 1e-9,
             scheme: Scheme::FirstOrder,
             face_mobility: Default::default(),
+            shear_thinning: None,
             reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
             reference_pressure: self.hertz.p_max,
             reference_film: 0.0,

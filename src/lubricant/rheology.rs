@@ -6,7 +6,7 @@ use crate::error::InputError;
 /// stress. `g` is the shear rate \[1/s\].
 ///
 /// Mineral oils have Eyring stresses of some 5 to 10 MPa and limiting stresses of 5 to 10 % of the pressure. Isothermal.
-/// Here it decides friction and heat; the flow by pressure stays Newtonian.
+/// Here it decides friction and heat; of the flow by pressure see [`ShearThinning`](crate::reynolds::ShearThinning).
 ///
 /// Source: Eyring (1936), Journal of Chemical Physics 4, 283-291.
 ///

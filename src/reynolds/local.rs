@@ -1,7 +1,7 @@
 //! The equations of one node with its neighbours held: what makes of a linear step a state.
 
 use super::active_set::{Fluid, Kind, Solid};
-use super::discretisation::{Discretisation, FaceSums};
+use super::discretisation::{Discretisation, FaceSums, HeldNeighbour};
 use crate::lubricant::Lubricant;
 
 /// Bisections and Newton steps of a local solve.
@@ -59,22 +59,40 @@ impl Material {
 }
 
 /// The own share of a mass balance as a function of own pressure and film, neighbours held:
-/// `M rho(p) h + sum over faces of c (a(p, h) + a_o) (phi(p) - phi_o) / 2`.
+/// `M rho(p) h + sum over faces of c (a(p, h) + a_o) (phi(p) - phi_o) / 2`, with shear thinning divided by the viscosity
+/// ratios `(r(p, h) + r_o) / 2`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Local<'a> {
     lubricant: &'a Lubricant,
     fluid: &'a Discretisation,
     mass: f64,
     faces: FaceSums,
+    /// With shear thinning alone.
+    neighbours: Option<[HeldNeighbour; 4]>,
 }
 
 impl<'a> Local<'a> {
     pub(super) fn new(fluid: &'a Discretisation, lubricant: &'a Lubricant, k: usize) -> Self {
-        Self { lubricant, fluid, mass: fluid.own_mass(k), faces: fluid.face_sums(k) }
+        Self {
+            lubricant,
+            fluid,
+            mass: fluid.own_mass(k),
+            faces: fluid.face_sums(k),
+            neighbours: fluid.held_neighbours(k),
+        }
     }
 
     /// Own share at fluid pressure `p` and film `h`, and its derivatives by both.
     pub(super) fn share(&self, p: f64, h: f64) -> (f64, f64, f64) {
+        if let Some(neighbours) = &self.neighbours {
+            let point = self.lubricant.at(p);
+            let [flow, by_pressure, by_film] = self.fluid.thinned_outflow(self.lubricant, neighbours, p, h);
+            return (
+                self.mass * point.density * h + flow,
+                self.mass * point.density_slope * h + by_pressure,
+                self.mass * point.density + by_film,
+            );
+        }
         let node = self.fluid.node_flow(self.lubricant, p, h);
         let faces = &self.faces;
         let drop = faces.half * node.potential - faces.potential;

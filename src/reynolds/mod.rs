@@ -24,6 +24,7 @@ mod newton_krylov;
 mod preconditioner;
 mod problem;
 mod semi_system;
+mod shear_thinning;
 mod state;
 
 use std::fmt::Debug;
@@ -35,6 +36,7 @@ pub use multigrid::Multigrid;
 pub use newton_krylov::NewtonKrylov;
 pub use problem::{FaceMobility, LubricatedContact, Scheme, Squeeze};
 pub use semi_system::SemiSystem;
+pub use shear_thinning::ShearThinning;
 pub use state::ContactState;
 use thiserror::Error;
 

@@ -370,8 +370,8 @@ mod tests {
     use super::*;
     use crate::elastic::{DeformationModel, HalfSpace};
     use crate::lubricant::{DowsonHigginson, Lubricant, Roelands};
-    use crate::reynolds::Scheme;
     use crate::reynolds::problem::interior;
+    use crate::reynolds::{Scheme, ShearThinning};
 
     const N: usize = 12;
 
@@ -401,6 +401,13 @@ mod tests {
 
     #[test]
     fn product_is_the_derivative_of_the_equations() {
+        check_product(None);
+        for eyring_stress in [1e5, 1e7] {
+            check_product(Some(ShearThinning { eyring_stress, sliding_speed: 0.1 }));
+        }
+    }
+
+    fn check_product(shear_thinning: Option<ShearThinning>) {
         let grid = Grid::centred(N, N, 4e-6, 4e-6).unwrap();
         let mut body = HalfSpace::new(grid, 230e9).unwrap();
         let oil = Lubricant::new(
@@ -424,6 +431,7 @@ mod tests {
             film_cutoff: 1e-9,
             scheme: Scheme::FirstOrder,
             face_mobility: Default::default(),
+            shear_thinning,
             reference_half_widths: (1e-5, 1e-5),
             reference_pressure: 1e9,
             reference_film: 0.0,

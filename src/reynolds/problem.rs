@@ -1,5 +1,6 @@
 //! The coupled problem that is handed to a solver.
 
+use super::shear_thinning::ShearThinning;
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -73,6 +74,8 @@ pub struct LubricatedContact<'a> {
     pub scheme: Scheme,
     /// Pressure flow through the faces.
     pub face_mobility: FaceMobility,
+    /// Shear thinning of the pressure flow, or none for a Newtonian one.
+    pub shear_thinning: Option<ShearThinning>,
     /// Half-widths `(a_x, a_y)` of the contact \[m\] that residuals are scaled with and starts are built from, usually
     /// Hertz.
     pub reference_half_widths: (f64, f64),
@@ -126,6 +129,9 @@ impl LubricatedContact<'_> {
             InputError::require_positive("squeeze.time_step", squeeze.time_step)?;
             InputError::require_len("squeeze.previous_mass", squeeze.previous_mass, grid.len())?;
             InputError::require_finite("squeeze.previous_mass", squeeze.previous_mass)?;
+        }
+        if let Some(thinning) = self.shear_thinning {
+            thinning.validate()?;
         }
         self.validate_limit(&grid)
     }

@@ -13,7 +13,8 @@ use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::metrics;
 use crate::report::SolveReport;
 use crate::reynolds::{
-    ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme, Squeeze, StoppingRule,
+    ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme, ShearThinning, Squeeze,
+    StoppingRule,
 };
 
 /// Grid, elastic body, lubricant, load and solver of a scene.
@@ -29,6 +30,7 @@ pub(super) struct ContactModel {
     rule: StoppingRule,
     scheme: Scheme,
     face_mobility: FaceMobility,
+    shear_thinning: Option<ShearThinning>,
     film_cutoff: f64,
     entrainment_speed: f64,
     /// Film formulas of the smooth contact; none without lubricant.
@@ -104,6 +106,7 @@ impl ContactModel {
             rule: setup::stopping_rule(scene)?,
             scheme: scene.solver.scheme,
             face_mobility: scene.face_mobility(),
+            shear_thinning: scene.friction.shear_thinning(scene.motion.sliding_speed())?,
             film_cutoff: scene.solver.film_cutoff,
             entrainment_speed: scene.motion.entrainment_speed,
         })
@@ -134,6 +137,7 @@ impl ContactModel {
             film_cutoff: self.film_cutoff,
             scheme: self.scheme,
             face_mobility: self.face_mobility,
+            shear_thinning: self.shear_thinning,
             reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
             reference_pressure: self.hertz.p_max,
             reference_film,

@@ -32,6 +32,7 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     let friction = scene.friction;
     InputError::require_non_negative("friction.boundary_coefficient", friction.boundary_coefficient)?;
     friction.rheology()?;
+    friction.shear_thinning(scene.motion.sliding_speed())?;
     let thermal = scene.thermal;
     InputError::require_positive("thermal.bulk_temperature", thermal.bulk_temperature)?;
     InputError::require_positive("thermal.conductivity", thermal.conductivity)?;

@@ -88,6 +88,7 @@ impl Case {
             film_cutoff: CUTOFF,
             scheme: Scheme::default(),
             face_mobility: FaceMobility::default(),
+            shear_thinning: None,
             reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
             reference_pressure: self.hertz.p_max,
             reference_film: if self.lubricant.is_some() { 400e-9 } else { 0.0 },

@@ -137,10 +137,14 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
     ];
     let motion = (decades(1e-4, 20.0), -2.0..2.0)
         .prop_map(|(entrainment_speed, slide_roll_ratio)| Motion { entrainment_speed, slide_roll_ratio });
-    let friction =
-        (0.0..0.3, prop::option::of(decades(1e6, 1e8))).prop_map(|(boundary_coefficient, eyring)| {
-            FrictionSpec { boundary_coefficient, eyring_stress: eyring, ..FrictionSpec::default() }
-        });
+    let friction = (0.0..0.3, prop::option::of((decades(1e6, 1e8), any::<bool>()))).prop_map(
+        |(boundary_coefficient, eyring)| FrictionSpec {
+            boundary_coefficient,
+            eyring_stress: eyring.map(|e| e.0),
+            eyring_in_reynolds: eyring.is_some_and(|e| e.1),
+            ..FrictionSpec::default()
+        },
+    );
     let physics = (forms(), decades(5e10, 5e11), load, motion, friction);
     let numerics = (lubricants(), grids(), roughness(), roughness(), solvers());
     (physics, numerics, processes()).prop_map(|(physics, numerics, processes)| {

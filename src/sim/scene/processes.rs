@@ -2,6 +2,7 @@
 
 use crate::error::InputError;
 use crate::lubricant::Rheology;
+use crate::reynolds::ShearThinning;
 use crate::tribochem::Activation;
 
 /// Pressure limit.
@@ -33,6 +34,8 @@ pub struct FrictionSpec {
     /// Eyring stress of the fluid \[Pa\]; absent: Newtonian.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub eyring_stress: Option<f64>,
+    /// Whether the flow by pressure has the viscosity under that stress too, or is Newtonian.
+    pub eyring_in_reynolds: bool,
 }
 
 impl FrictionSpec {
@@ -44,11 +47,31 @@ impl FrictionSpec {
         let fluid = self.eyring_stress.map_or_else(|| Ok(Rheology::newtonian()), Rheology::eyring)?;
         fluid.with_limit(self.limiting_shear_stress)
     }
+
+    /// Shear thinning of the flow by pressure at `sliding_speed` \[m/s\]; none where it is not asked for.
+    ///
+    /// # Errors
+    /// No stress where it is asked for.
+    pub fn shear_thinning(&self, sliding_speed: f64) -> Result<Option<ShearThinning>, InputError> {
+        match (self.eyring_in_reynolds, self.eyring_stress) {
+            (false, _) => Ok(None),
+            (true, Some(eyring_stress)) => Ok(Some(ShearThinning { eyring_stress, sliding_speed })),
+            (true, None) => Err(InputError::Conflict {
+                field: "friction.eyring_in_reynolds".to_owned(),
+                reason: "friction.eyring_stress is missing".to_owned(),
+            }),
+        }
+    }
 }
 
 impl Default for FrictionSpec {
     fn default() -> Self {
-        Self { boundary_coefficient: 0.115, limiting_shear_stress: 1e8, eyring_stress: None }
+        Self {
+            boundary_coefficient: 0.115,
+            limiting_shear_stress: 1e8,
+            eyring_stress: None,
+            eyring_in_reynolds: false,
+        }
     }
 }
 
