@@ -422,6 +422,7 @@ mod tests {
             load: 1.0,
             pressure_limit: None,
             film_cutoff: 1e-9,
+            contact: Default::default(),
             scheme: Scheme::FirstOrder,
             face_mobility: Default::default(),
             reference_half_widths: (1e-5, 1e-5),
