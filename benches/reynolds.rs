@@ -41,6 +41,7 @@ fn pieces(criterion: &mut Criterion) {
             load: hertz.load,
             pressure_limit: None,
             film_cutoff: 1e-9,
+            contact: Default::default(),
             scheme: Scheme::SecondOrder,
             face_mobility: FaceMobility::ReducedPressure,
             shear_thinning: None,

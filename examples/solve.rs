@@ -110,8 +110,9 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
     json!({
         "status": report.status.to_string(),
         "solver": report.solver,
-        "scheme": discretisation.map(|(scheme, _)| scheme),
-        "face_mobility": discretisation.map(|(_, face_mobility)| face_mobility),
+        "scheme": discretisation.map(|(scheme, ..)| scheme),
+        "face_mobility": discretisation.map(|(_, face_mobility, _)| face_mobility),
+        "contact_definition": discretisation.map(|(.., contact)| contact),
         "residual": {
             "mass": report.residuals.mass,
             "load": report.residuals.load,

@@ -305,6 +305,7 @@ fn solve(
         load: hertz.load,
         pressure_limit: limit.as_deref(),
         film_cutoff: scene.solver.film_cutoff,
+        contact: scene.solver.contact,
         scheme: scene.solver.scheme,
         face_mobility: if case.rough { FaceMobility::ReducedPressure } else { scene.face_mobility() },
         shear_thinning: None,

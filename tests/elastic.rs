@@ -338,6 +338,7 @@ impl Scene {
             load: self.load,
             pressure_limit: self.limit.as_deref(),
             film_cutoff: 1e-9,
+            contact: Default::default(),
             scheme: Scheme::FirstOrder,
             face_mobility: Default::default(),
             shear_thinning: None,

@@ -45,6 +45,7 @@ fn press(gap: &[f64], body: &mut HalfSpace, load: f64, limit: f64) -> ContactSta
         load,
         pressure_limit: Some(&limit),
         film_cutoff: 1e-9,
+        contact: Default::default(),
         scheme: Scheme::default(),
         face_mobility: FaceMobility::default(),
         shear_thinning: None,

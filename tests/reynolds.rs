@@ -194,6 +194,7 @@ fn cold_solves_do_not_depend_on_what_the_solver_did_before() {
         load: hertz.load,
         pressure_limit: Some(&limit),
         film_cutoff: 1e-9,
+        contact: Default::default(),
         scheme: Scheme::FirstOrder,
         face_mobility: Default::default(),
         shear_thinning: None,

@@ -61,35 +61,44 @@ fn without_being_asked_for_it_thins_friction_alone() {
     assert!(eyring.friction_coefficient < newtonian.friction_coefficient);
 }
 
+/// The minimum, at the rim, first grows by 0.2 % as the constriction eases, on finer grids too.
 #[test]
-fn films_fall_with_the_eyring_stress_and_solvers_agree() {
-    let mut scene = ball(64);
+fn films_fall_with_the_eyring_stress() {
     for kind in [SolverKind::Multigrid, SolverKind::NewtonKrylov] {
+        let mut scene = ball(64);
         scene.solver.kind = kind;
-        let mut last = solve(&scene).film;
-        let newtonian = last.central;
-        let mut thinner = Vec::new();
-        for stress in [1e15, 1e8, 2e7, 1e7, 5e6, 2e6, 1e6] {
+        let newtonian = solve(&scene).film;
+        // A relative change of the viscosity by x^2 / 6.
+        let close = solve(&thinned(&scene, 1e15)).film;
+        assert!((close.central / newtonian.central - 1.0).abs() < 1e-9, "{kind:?}: {close:?}");
+        let mut last = newtonian;
+        for stress in [1e8, 2e7, 1e7, 5e6, 2e6, 1e6] {
             let film = solve(&thinned(&scene, stress)).film;
-            thinner.push((stress, film.central / newtonian));
-            if stress > 1e12 {
-                // A relative change of the viscosity of x^2 / 6, below 1e-7 with x below 1e-3 anywhere.
-                assert!((film.central / newtonian - 1.0).abs() < 1e-6, "{kind:?}: {film:?}");
-            } else {
-                assert!(film.central < last.central, "{kind:?} at {stress:e}: {film:?} after {last:?}");
-                assert!(film.minimum < last.minimum, "{kind:?} at {stress:e}: {film:?} after {last:?}");
-            }
+            println!("{kind:?} at {stress:e} Pa: {:.4} of Newtonian", film.central / newtonian.central);
+            assert!(film.central < last.central, "{kind:?} at {stress:e}: {film:?} after {last:?}");
+            assert!(film.mean_central < last.mean_central, "{kind:?} at {stress:e}: {film:?}, {last:?}");
+            assert!(film.minimum < 1.003 * newtonian.minimum, "{kind:?} at {stress:e}: {film:?}");
             last = film;
         }
-        println!("{kind:?}: central film over Newtonian {thinner:?}");
+        assert!(last.minimum < newtonian.minimum, "{kind:?}: {last:?}");
     }
-    let stress = 5e6;
-    let films = [SolverKind::Multigrid, SolverKind::NewtonKrylov, SolverKind::SemiSystem].map(|kind| {
+}
+
+#[test]
+fn solvers_agree() {
+    let mut scene = Scene::azam_2019(64);
+    scene.roughness = Default::default();
+    scene.plastic = None;
+    scene.motion.entrainment_speed = 10.0;
+    scene.motion.slide_roll_ratio = 0.5;
+    let scene = thinned(&scene, 5e6);
+    let films = [SolverKind::NewtonKrylov, SolverKind::Multigrid, SolverKind::SemiSystem].map(|kind| {
+        let mut scene = scene.clone();
         scene.solver.kind = kind;
-        solve(&thinned(&scene, stress)).film.central
+        solve(&scene).film.central
     });
     for film in films {
-        assert!((film / films[0] - 1.0).abs() < 1e-4, "{films:?}");
+        assert!((film / films[0] - 1.0).abs() < 1e-5, "{films:?}");
     }
 }
 
@@ -169,6 +178,7 @@ fn bad_input_is_named() {
             load: 1.0,
             pressure_limit: None,
             film_cutoff: 1e-9,
+            contact: Default::default(),
             scheme: Default::default(),
             face_mobility: Default::default(),
             shear_thinning: Some(thinning),

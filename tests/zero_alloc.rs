@@ -134,6 +134,7 @@ impl Scene {
             load: self.hertz.load,
             pressure_limit: Some(&self.limit),
             film_cutoff: 1e-9,
+            contact: Default::default(),
             scheme: Scheme::FirstOrder,
             face_mobility: Default::default(),
             shear_thinning: None,

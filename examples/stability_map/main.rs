@@ -30,7 +30,7 @@ const USAGE: &str = "\
 usage: cargo run --release --example stability_map -- [--quick] [--solver NAME] [--out DIR]
 
   --quick        a few coarse scenes
-  --solver NAME  auto, newton_krylov or semi_system alone (default: all three)
+  --solver NAME  auto, newton_krylov, semi_system or paper_contact alone (default: all four)
   --out DIR      where to write stability.csv and stability.svg (default target/stability_map)
 ";
 const THREADS: usize = 2;

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::fmt::Write as _;
 
+use stribeck::reynolds::ContactDefinition;
 use stribeck::sim::scene::SolverKind;
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::{SolveReport, Status};
@@ -22,9 +23,12 @@ pub(crate) enum Solver {
     Auto,
     NewtonKrylov,
     SemiSystem,
+    /// The paper's definition of contact, which only sweeps can solve.
+    PaperContact,
 }
 
-pub(crate) const SOLVERS: [Solver; 3] = [Solver::Auto, Solver::NewtonKrylov, Solver::SemiSystem];
+pub(crate) const SOLVERS: [Solver; 4] =
+    [Solver::Auto, Solver::NewtonKrylov, Solver::SemiSystem, Solver::PaperContact];
 
 impl fmt::Display for Solver {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -32,6 +36,7 @@ impl fmt::Display for Solver {
             Self::Auto => "auto",
             Self::NewtonKrylov => "newton_krylov",
             Self::SemiSystem => "semi_system",
+            Self::PaperContact => "paper_contact",
         })
     }
 }
@@ -91,11 +96,14 @@ pub(crate) fn solve(case: &Case, solver: Solver) -> Entry {
     let mut scene = case.scene();
     scene.solver.tolerance = TOLERANCE;
     scene.solver.kind = match solver {
-        Solver::Auto => SolverKind::Auto,
+        Solver::Auto | Solver::PaperContact => SolverKind::Auto,
         Solver::NewtonKrylov => SolverKind::NewtonKrylov,
         Solver::SemiSystem => SolverKind::SemiSystem,
     };
-    if solver == Solver::SemiSystem {
+    if solver == Solver::PaperContact {
+        scene.solver.contact = ContactDefinition::Paper;
+    }
+    if matches!(solver, Solver::SemiSystem | Solver::PaperContact) {
         scene.solver.max_iterations = SWEEPS;
     }
     let entry = |verdict, remark| Entry {

@@ -1,7 +1,7 @@
 //! Picks the solver by what the scene holds.
 
 use super::multigrid::expects_full_film;
-use super::problem::LubricatedContact;
+use super::problem::{ContactDefinition, LubricatedContact};
 use super::state::ContactState;
 use super::{
     ContactSolver, Dry, Multigrid, NewtonKrylov, ReynoldsError, SemiSystem, StoppingRule, check_call,
@@ -76,6 +76,9 @@ impl ContactSolver for Auto {
             return self.dry.solve(problem, state, stop);
         }
         check_call(problem, state, stop)?;
+        if problem.is_paper() {
+            return self.paper(problem, state, stop);
+        }
         let mut report = self.lubricated(problem, state, stop)?;
         let touches = state.in_contact.contains(&true);
         if touches && problem.squeeze.is_none() && expects_full_film(problem, FILM_OVER_CONTACT) {
@@ -86,6 +89,28 @@ impl ContactSolver for Auto {
 }
 
 impl Auto {
+    /// The paper's contact: where nothing touches it is the hard one, else sweeps are all there is.
+    fn paper(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<SolveReport, ReynoldsError> {
+        let given = state.clone();
+        problem.contact = ContactDefinition::Hard;
+        let open = self.lubricated(problem, state, stop);
+        problem.contact = ContactDefinition::Paper;
+        let open = open?;
+        let touches = state.in_contact.contains(&true);
+        if open.status == Status::Converged && !touches {
+            return Ok(open);
+        }
+        state.clone_from(&given);
+        let mut report = self.sweeps.solve(problem, state, stop)?;
+        report.work += open.work;
+        Ok(report)
+    }
+
     fn lubricated(
         &mut self,
         problem: &mut LubricatedContact<'_>,

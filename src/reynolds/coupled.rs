@@ -56,6 +56,9 @@ impl Coupled {
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
     ) -> Result<(), InputError> {
+        if problem.is_paper() {
+            state.fluid_pressure.copy_from_slice(&state.pressure);
+        }
         problem.deformation.displacement(&state.pressure, &mut self.elastic_film)?;
         self.convolutions += 1.0;
         for (h, gap) in self.elastic_film.iter_mut().zip(problem.gap) {
@@ -74,6 +77,15 @@ impl Coupled {
     /// Keeps yielded contact at the contact film and the film of every node consistent with its depth.
     fn apply_plastic_depth(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let contact_film = problem.contact_film();
+        if problem.is_paper() {
+            // The overlap of nodes at the limit is flattened after the solve and does not enter it.
+            for (k, &film) in self.elastic_film.iter().enumerate() {
+                let at_limit = state.pressure[k] >= limit_of(problem, k);
+                state.plastic_depth[k] = if at_limit { (-film).max(0.0) } else { 0.0 };
+                state.film[k] = film;
+            }
+            return;
+        }
         for (k, kind) in self.kinds.iter().enumerate() {
             state.plastic_depth[k] = if kind.fluid == Fluid::AtLimit {
                 state.plastic_depth[k].max(0.0)
@@ -98,7 +110,7 @@ impl Coupled {
             self.balance[k] = self.fluid.balance(k, &state.film, previous);
         }
         for (k, (mass, h)) in state.mass.iter_mut().zip(&state.film).enumerate() {
-            *mass = self.fluid.density(k) * h;
+            *mass = self.fluid.carried(k, *h);
         }
     }
 
@@ -119,6 +131,9 @@ impl Coupled {
                 lubricated,
             };
             self.kinds[k] = sample.classify(self.kinds[k]);
+            if problem.is_paper() {
+                self.kinds[k].solid = Solid::Open;
+            }
         }
     }
 
@@ -133,11 +148,17 @@ impl Coupled {
         for k in interior(&grid) {
             let (p, fluid_p, film) = (state.pressure[k], state.fluid_pressure[k], state.film[k]);
             if problem.lubricant.is_some() {
-                if fluid_p > 0.0 {
+                if problem.is_paper() && p >= limit_of(problem, k) {
+                    // Cut at the limit: the fluid would push harder.
+                    mass += self.balance[k].max(0.0);
+                } else if fluid_p > 0.0 {
                     mass += self.balance[k].abs();
                 } else {
                     build_up += (-self.balance[k]).max(0.0);
                 }
+            }
+            if problem.is_paper() {
+                continue;
             }
             let touches = p > fluid_p;
             gap_error += if touches { (film - contact_film).abs() } else { (contact_film - film).max(0.0) };
@@ -166,8 +187,15 @@ impl Coupled {
         if weight > 0.0 && sum > 0.0 { sum / weight } else { f64::MIN_POSITIVE }
     }
 
-    /// Writes the contact flags of the state.
-    pub(super) fn mark_contact(&self, state: &mut ContactState) {
+    /// Writes the contact flags of the state; in the paper's contact also which pressure is called solid.
+    pub(super) fn mark_contact(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
+        if problem.is_paper() {
+            for (k, flag) in state.in_contact.iter_mut().enumerate() {
+                *flag = state.pressure[k] > 0.0 && state.film[k] < problem.contact_film();
+                state.fluid_pressure[k] = if *flag { 0.0 } else { state.pressure[k] };
+            }
+            return;
+        }
         for (k, flag) in state.in_contact.iter_mut().enumerate() {
             *flag = state.pressure[k] > state.fluid_pressure[k] && self.kinds[k].is_contact();
         }

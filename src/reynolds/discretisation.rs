@@ -112,6 +112,10 @@ pub(super) struct Discretisation {
     face_mobility: FaceMobility,
     scheme: Scheme,
     film_floor: f64,
+    /// Film below which pressure moves nothing, and film below which none is carried along \[m\]; no such film in hard
+    /// contact.
+    closed_film: f64,
+    least_film: f64,
     face_x: f64,
     face_y: f64,
     wedge: f64,
@@ -142,6 +146,8 @@ impl Discretisation {
             face_mobility: FaceMobility::default(),
             scheme: Scheme::default(),
             film_floor: 0.0,
+            closed_film: f64::NEG_INFINITY,
+            least_film: f64::NEG_INFINITY,
             face_x: 0.0,
             face_y: 0.0,
             wedge: 0.0,
@@ -164,6 +170,11 @@ impl Discretisation {
         // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor at the
         // contact film itself would hide from Newton that a node just under it can open.
         self.film_floor = 0.5 * problem.contact_film();
+        (self.closed_film, self.least_film) = if problem.is_paper() {
+            (problem.contact_film(), 0.0)
+        } else {
+            (f64::NEG_INFINITY, f64::NEG_INFINITY)
+        };
         self.rate = speed / dx;
         self.face_x = 1.0 / (speed * dx);
         self.face_y = if self.grid.ny() == 1 { 0.0 } else { dx / (speed * dy * dy) };
@@ -183,7 +194,7 @@ impl Discretisation {
         let point = lubricant.at(p);
         let floored = h.max(self.film_floor);
         let square = self.fluidity * floored * floored;
-        let cube = square * floored;
+        let cube = if h < self.closed_film { 0.0 } else { square * floored };
         let cube_h = if h > self.film_floor { 3.0 * square } else { 0.0 };
         let (density, density_p) = (point.density, point.density_slope);
         match self.face_mobility {
@@ -233,6 +244,11 @@ impl Discretisation {
     /// Density ratio of node `k`.
     pub(super) fn density(&self, k: usize) -> f64 {
         self.nodes[k].density
+    }
+
+    /// What node `k` carries along at `film`, `rho/rho_0 h` \[m\].
+    pub(super) fn carried(&self, k: usize, film: f64) -> f64 {
+        self.nodes[k].density * film.max(self.least_film)
     }
 
     /// Neighbours of node `k` (east, west, north, south) with their face coefficients; across a line contact they are the
@@ -308,7 +324,7 @@ impl Discretisation {
 
     /// Entrainment and squeeze of `F_k`.
     pub(super) fn transport(&self, k: usize, film: &[f64], previous: Option<&[f64]>) -> f64 {
-        let mass = |q: usize| self.nodes[q].density * film[q];
+        let mass = |q: usize| self.carried(q, film[q]);
         let own = mass(k);
         let [here, up, second] = self.upwind(k);
         let mut sum = here * own + up * mass(k - 1);

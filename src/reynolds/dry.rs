@@ -171,7 +171,7 @@ impl ContactSolver for Dry {
         coupled.evaluate(problem, state)?;
         coupled.classify(problem, state);
         coupled.settle(problem, state);
-        coupled.mark_contact(state);
+        coupled.mark_contact(problem, state);
         let residuals = coupled.residuals(problem, state);
         let status = if !residuals.is_finite() {
             Status::Diverged

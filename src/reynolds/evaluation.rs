@@ -18,9 +18,9 @@ use crate::report::Residuals;
 /// let gap: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / 0.02).collect();
 /// let mut problem = LubricatedContact {
 ///     gap: &gap, deformation: &mut HalfSpace::new(grid, 230e9)?, lubricant: None, entrainment_speed: 0.0,
-///     squeeze: None, load: 1.0, pressure_limit: None, film_cutoff: 1e-9, scheme: Scheme::default(),
-///     face_mobility: Default::default(), shear_thinning: None, reference_half_widths: (4e-5, 4e-5),
-///     reference_pressure: 3e8, reference_film: 0.0,
+///     squeeze: None, load: 1.0, pressure_limit: None, film_cutoff: 1e-9, contact: Default::default(),
+///     scheme: Scheme::default(), face_mobility: Default::default(), shear_thinning: None,
+///     reference_half_widths: (4e-5, 4e-5), reference_pressure: 3e8, reference_film: 0.0,
 /// };
 /// // Half of the load on one node.
 /// let mut state = ContactState::new(&grid);
@@ -59,7 +59,8 @@ impl Evaluation {
         self.coupled.evaluate(problem, state)?;
         self.coupled.classify(problem, state);
         self.coupled.settle(problem, state);
-        self.coupled.mark_contact(state);
-        Ok(self.coupled.residuals(problem, state))
+        let residuals = self.coupled.residuals(problem, state);
+        self.coupled.mark_contact(problem, state);
+        Ok(residuals)
     }
 }

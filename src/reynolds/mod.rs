@@ -34,7 +34,7 @@ pub use dry::Dry;
 pub use evaluation::Evaluation;
 pub use multigrid::Multigrid;
 pub use newton_krylov::NewtonKrylov;
-pub use problem::{FaceMobility, LubricatedContact, Scheme, Squeeze};
+pub use problem::{ContactDefinition, FaceMobility, LubricatedContact, Scheme, Squeeze};
 pub use semi_system::SemiSystem;
 pub use shear_thinning::ShearThinning;
 pub use state::ContactState;

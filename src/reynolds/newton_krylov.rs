@@ -23,13 +23,15 @@ const KRYLOV_TOLERANCE: f64 = 0.01;
 const MAX_PRESSURE_CHANGE: f64 = 1.0;
 /// What a solve tries, one after the other while it stalls or diverges, each but the first from the dry contact. What one
 /// cannot do another often can: the ways through the changes of sides are many and short.
-const ATTEMPTS: [Attempt; 6] = [
+const ATTEMPTS: [Attempt; 8] = [
     Attempt { trust: 0.03, first_contact_film: 30.0, careful: true },
     Attempt { trust: 0.03, first_contact_film: 1.0, careful: false },
     Attempt { trust: 0.01, first_contact_film: 1.0, careful: false },
     Attempt { trust: 0.03, first_contact_film: 1.0, careful: true },
     Attempt { trust: 0.1, first_contact_film: 1.0, careful: false },
     Attempt { trust: 0.01, first_contact_film: 30.0, careful: true },
+    Attempt { trust: 0.03, first_contact_film: 100.0, careful: true },
+    Attempt { trust: 0.1, first_contact_film: 30.0, careful: true },
 ];
 /// Contact film of a Newton step over that of the step before, down to the one of the problem.
 const CONTACT_FILM_REDUCTION: f64 = 0.5;
@@ -155,10 +157,14 @@ impl ContactSolver for NewtonKrylov {
     ) -> Result<SolveReport, ReynoldsError> {
         check_call(problem, state, stop)?;
         let name = self.name();
+        if problem.is_paper() {
+            let reason = "it needs fluid and solid pressure apart, which the paper's contact does not know";
+            return Err(ReynoldsError::WrongSolver { solver: name, reason });
+        }
         let workspace = self.workspace(problem)?;
         let mut work = Work::default();
         let (status, residuals) = workspace.attempts(problem, state, stop, &mut work)?;
-        workspace.coupled.mark_contact(state);
+        workspace.coupled.mark_contact(problem, state);
         Ok(SolveReport { solver: name, status, residuals, work })
     }
 }
@@ -195,6 +201,10 @@ impl Workspace {
             work.convolutions += self.coupled.convolutions;
         }
         if status != Status::Converged && self.best_residuals.is_finite() {
+            if status == Status::Diverged {
+                // The last attempt did; an earlier one has left a state.
+                status = Status::Stalled;
+            }
             self.best.restore(&mut self.coupled, problem, state)?;
             work.convolutions += 1.0;
         }

@@ -429,6 +429,7 @@ mod tests {
             load: 1.0,
             pressure_limit: None,
             film_cutoff: 1e-9,
+            contact: Default::default(),
             scheme: Scheme::FirstOrder,
             face_mobility: Default::default(),
             shear_thinning,

@@ -30,6 +30,20 @@ pub enum FaceMobility {
     ReducedPressure,
 }
 
+/// What solid contact is in a lubricated contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum ContactDefinition {
+    /// Fluid and solid pressure apart: solids push where the film is the cut-off, and hold it there.
+    #[default]
+    Hard,
+    /// One pressure, as in Azam et al. (2019): pressure flow is switched off at nodes whose film is below the cut-off, films
+    /// below zero carry nothing along, pressures are cut at the limit. What presses at such nodes is called solid pressure
+    /// afterwards. Nothing keeps gaps from becoming negative, and the answer depends on the mesh. Where the film is above
+    /// the cut-off everywhere, it is that of `Hard`.
+    Paper,
+}
+
 /// The previous state that the squeeze term `d(rho h)/dt` refers to.
 #[derive(Debug, Clone, Copy)]
 pub struct Squeeze<'a> {
@@ -70,6 +84,8 @@ pub struct LubricatedContact<'a> {
     pub pressure_limit: Option<&'a [f64]>,
     /// Film thickness at which solids touch in a lubricated contact, `h_cut` \[m\].
     pub film_cutoff: f64,
+    /// What solid contact is.
+    pub contact: ContactDefinition,
     /// Discretisation of the wedge term.
     pub scheme: Scheme,
     /// Pressure flow through the faces.
@@ -95,6 +111,11 @@ impl LubricatedContact<'_> {
     /// Contact film thickness: the cut-off of a lubricated contact, zero of a dry one \[m\].
     pub fn contact_film(&self) -> f64 {
         if self.lubricant.is_some() { self.film_cutoff } else { 0.0 }
+    }
+
+    /// Whether pressures are those of the paper's contact.
+    pub(super) fn is_paper(&self) -> bool {
+        self.contact == ContactDefinition::Paper && self.lubricant.is_some()
     }
 
     /// Checks shapes and ranges of every field.

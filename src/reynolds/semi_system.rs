@@ -115,7 +115,7 @@ impl ContactSolver for SemiSystem {
         }
         let mut work = Work::default();
         let (status, residuals) = workspace.iterate(problem, state, stop, knobs, cold, &mut work)?;
-        workspace.coupled.mark_contact(state);
+        workspace.coupled.mark_contact(problem, state);
         work.convolutions += workspace.coupled.convolutions;
         Ok(SolveReport { solver: "semi_system", status, residuals, work })
     }

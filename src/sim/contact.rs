@@ -13,8 +13,8 @@ use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::metrics;
 use crate::report::SolveReport;
 use crate::reynolds::{
-    ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme, ShearThinning, Squeeze,
-    StoppingRule,
+    ContactDefinition, ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme, ShearThinning,
+    Squeeze, StoppingRule,
 };
 
 /// Grid, elastic body, lubricant, load and solver of a scene.
@@ -32,6 +32,7 @@ pub(super) struct ContactModel {
     face_mobility: FaceMobility,
     shear_thinning: Option<ShearThinning>,
     film_cutoff: f64,
+    contact: ContactDefinition,
     entrainment_speed: f64,
     /// Film formulas of the smooth contact; none without lubricant.
     formulas: Option<FormulaFilm>,
@@ -108,6 +109,7 @@ impl ContactModel {
             face_mobility: scene.face_mobility(),
             shear_thinning: scene.friction.shear_thinning(scene.motion.sliding_speed())?,
             film_cutoff: scene.solver.film_cutoff,
+            contact: scene.solver.contact,
             entrainment_speed: scene.motion.entrainment_speed,
         })
     }
@@ -135,6 +137,7 @@ impl ContactModel {
             load: self.hertz.load,
             pressure_limit: limit,
             film_cutoff: self.film_cutoff,
+            contact: self.contact,
             scheme: self.scheme,
             face_mobility: self.face_mobility,
             shear_thinning: self.shear_thinning,
@@ -157,8 +160,8 @@ pub struct ContactSolution {
     pub hertz: HertzContact,
     /// Moes parameters `(M, L)`; none for a dry contact.
     pub moes: Option<(f64, f64)>,
-    /// Entrainment scheme and pressure flow; none for a dry contact.
-    pub discretisation: Option<(Scheme, FaceMobility)>,
+    /// Entrainment scheme, pressure flow and solid contact; none for a dry contact.
+    pub discretisation: Option<(Scheme, FaceMobility, ContactDefinition)>,
     /// Fields and approach.
     pub state: ContactState,
     /// Undeformed gap, form and roughness \[m\].
@@ -275,7 +278,8 @@ pub(super) fn solve_on_grid(
             (FilmNumbers::UNKNOWN, ContactNumbers::UNKNOWN, f64::NAN)
         };
     let (hertz, moes) = (model.hertz, model.formulas.map(|formulas| formulas.moes));
-    let discretisation = model.lubricant.is_some().then_some((model.scheme, model.face_mobility));
+    let discretisation =
+        model.lubricant.is_some().then_some((model.scheme, model.face_mobility, model.contact));
     Ok(ContactSolution {
         report,
         grid,

@@ -86,6 +86,7 @@ impl Case {
             load: self.hertz.load,
             pressure_limit: None,
             film_cutoff: CUTOFF,
+            contact: Default::default(),
             scheme: Scheme::default(),
             face_mobility: FaceMobility::default(),
             shear_thinning: None,

@@ -127,7 +127,7 @@ impl ContactSolver for Multigrid {
         let workspace = self.workspace(problem, grid)?;
         let mut work = Work::default();
         let (status, residuals) = workspace.run(problem, lubricant, state, stop, most_cycles, &mut work)?;
-        workspace.coupled.mark_contact(state);
+        workspace.coupled.mark_contact(problem, state);
         work.inner_iterations = workspace.hierarchy.sweeps;
         work.convolutions += workspace.hierarchy.convolutions + workspace.coupled.convolutions;
         Ok(SolveReport { solver, status, residuals, work })

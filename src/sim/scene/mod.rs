@@ -13,7 +13,7 @@ pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec
 use crate::analytic::{HertzLine, HertzPoint};
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::reynolds::{FaceMobility, Scheme};
+use crate::reynolds::{ContactDefinition, FaceMobility, Scheme};
 use crate::sim::hertz::{HertzContact, LINE_LENGTH};
 use crate::surface::Form;
 
@@ -259,6 +259,8 @@ pub struct SolverSpec {
     pub face_mobility: Option<FaceMobility>,
     /// Film thickness at which solids touch \[m\].
     pub film_cutoff: f64,
+    /// What solid contact is.
+    pub contact: ContactDefinition,
     /// Whether a dry contact may reach the edge of the box.
     pub edge_contact: bool,
     /// Under-relaxation of the semi-system sweeps.
@@ -276,6 +278,7 @@ impl Default for SolverSpec {
             scheme: Scheme::default(),
             face_mobility: None,
             film_cutoff: 1e-9,
+            contact: ContactDefinition::default(),
             edge_contact: false,
             relaxation: 0.2,
             stiffness: 6.0,

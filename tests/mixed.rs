@@ -1,0 +1,107 @@
+//! Mixed lubrication: both definitions of contact, and scenes over the whole map that must keep converging.
+#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+use stribeck::Status;
+use stribeck::reynolds::ContactDefinition;
+use stribeck::sim::scene::{GridSpec, Load, PlasticSpec, RandomRoughness, Roughness, SolverKind};
+use stribeck::sim::{ContactSolution, Scene, solve_contact};
+
+/// The reference bodies with composite roughness `rq` of correlation length `length`, on a box of 3.6 Hertz radii.
+fn scene(n: usize, speed: f64, rq: f64, length: f64, pressure: f64, hardness: Option<f64>) -> Scene {
+    let mut scene = Scene::azam_2019(n);
+    scene.motion.entrainment_speed = speed;
+    scene.load = Load { hertz_pressure: Some(pressure), force: None };
+    scene.plastic = hardness.map(|hardness| PlasticSpec { hardness, ..scene.plastic.unwrap() });
+    let random = |seed| {
+        let one = RandomRoughness { rq: rq / 2.0_f64.sqrt(), length_x: length, length_y: length, seed };
+        if rq > 0.0 { Roughness::Gaussian(one) } else { Roughness::None }
+    };
+    scene.roughness.ball = random(1);
+    scene.roughness.disc = random(2);
+    let a = scene.hertz().unwrap().a_x;
+    scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-1.8 * a, 1.8 * a], y: [-1.8 * a, 1.8 * a] };
+    scene
+}
+
+/// No film below the cut-off, no negative pressure, none above the limit, the load carried.
+fn assert_sound(scene: &Scene, solution: &ContactSolution) {
+    let (state, cutoff) = (&solution.state, scene.solver.film_cutoff);
+    let limit = scene.plastic.map_or(f64::INFINITY, |plastic| plastic.hardness);
+    assert!(state.film.iter().all(|&film| film > cutoff - 0.1e-9), "{}", solution.film.minimum_gap);
+    assert!(state.pressure.iter().chain(&state.fluid_pressure).all(|p| (0.0..=limit).contains(p)));
+    let carried = state.pressure.iter().sum::<f64>() * solution.grid.cell_area();
+    assert!((carried / solution.hertz.load - 1.0).abs() < 2e-6, "{carried}");
+}
+
+#[test]
+fn scenes_all_over_the_map_converge() {
+    for (n, speed, rq, length, pressure, hardness) in [
+        (64, 10.0, 20e-9, 10e-6, 0.5e9, None),
+        (64, 10.0, 300e-9, 10e-6, 2.0e9, Some(2e9)),
+        (64, 1.0, 130e-9, 40e-6, 1.15e9, Some(6e9)),
+        (64, 1.0, 60e-9, 10e-6, 2.0e9, None),
+        (64, 0.1, 20e-9, 10e-6, 1.15e9, Some(2e9)),
+        (64, 0.1, 130e-9, 10e-6, 1.15e9, Some(6e9)),
+        (64, 0.1, 300e-9, 40e-6, 0.5e9, None),
+        (64, 0.01, 0.0, 10e-6, 1.15e9, None),
+        (64, 0.01, 60e-9, 40e-6, 2.0e9, Some(6e9)),
+        (64, 0.01, 300e-9, 10e-6, 1.15e9, Some(2e9)),
+        (64, 0.001, 130e-9, 10e-6, 2.0e9, Some(2e9)),
+        (64, 0.001, 20e-9, 40e-6, 0.5e9, None),
+        (128, 0.1, 60e-9, 10e-6, 1.15e9, Some(6e9)),
+        (128, 0.01, 130e-9, 10e-6, 1.15e9, Some(2e9)),
+    ] {
+        let scene = scene(n, speed, rq, length, pressure, hardness);
+        let solution = solve_contact(&scene).unwrap();
+        let name = format!("{speed} m/s, {rq} m, {length} m, {pressure} Pa, {hardness:?}");
+        assert_eq!(solution.report.status, Status::Converged, "{name}: {:?}", solution.report);
+        assert!(solution.report.residuals.max() <= 1e-6, "{name}: {:?}", solution.report);
+        assert_sound(&scene, &solution);
+    }
+}
+
+#[test]
+fn both_contacts_are_the_same_film_where_nothing_touches() {
+    let mut hard = scene(64, 10.0, 20e-9, 40e-6, 1.15e9, Some(6e9));
+    let mut paper = hard.clone();
+    paper.solver.contact = ContactDefinition::Paper;
+    let mut sweeps = paper.clone();
+    sweeps.solver.kind = SolverKind::SemiSystem;
+    for scene in [&mut hard, &mut paper, &mut sweeps] {
+        scene.solver.tolerance = 1e-8;
+    }
+    let [hard, paper, sweeps] = [hard, paper, sweeps].map(|scene| solve_contact(&scene).unwrap());
+    assert!(!hard.state.in_contact.contains(&true), "a full film");
+    for other in [&paper, &sweeps] {
+        assert_eq!(other.report.status, Status::Converged, "{:?}", other.report);
+        for (ours, theirs) in [
+            (hard.film.central, other.film.central),
+            (hard.film.minimum, other.film.minimum),
+            (hard.contact.max_pressure, other.contact.max_pressure),
+        ] {
+            assert!((ours / theirs - 1.0).abs() < 1e-6, "{}: {ours} and {theirs}", other.report.solver);
+        }
+    }
+}
+
+/// What the paper's contact does where asperities touch is pinned as it is: it stalls, or ends with negative gaps.
+#[test]
+fn the_papers_contact_lets_gaps_become_negative() {
+    let mut scene = scene(64, 0.1, 130e-9, 10e-6, 1.15e9, Some(6e9));
+    scene.solver.contact = ContactDefinition::Paper;
+    scene.solver.max_iterations = 2000;
+    let solution = solve_contact(&scene).unwrap();
+    let state = &solution.state;
+    assert_eq!(solution.report.solver, "semi_system");
+    assert!(solution.report.residuals.is_finite());
+    assert_eq!(solution.report.status, Status::MaxIterations, "{:?}", solution.report);
+    assert!(solution.film.minimum_gap < -50e-9, "{}", solution.film.minimum_gap);
+    assert!(state.pressure.iter().all(|p| (0.0..=6e9).contains(p)), "pressures are cut");
+    for (k, &touches) in state.in_contact.iter().enumerate() {
+        assert_eq!(touches, state.pressure[k] > 0.0 && state.film[k] < scene.solver.film_cutoff, "node {k}");
+        assert!(!touches || state.fluid_pressure[k] < f64::MIN_POSITIVE, "node {k}: all of it is solid");
+    }
+    scene.solver.kind = SolverKind::NewtonKrylov;
+    let refused = solve_contact(&scene).unwrap_err().to_string();
+    assert!(refused.contains("newton_krylov") && refused.contains("paper"), "{refused}");
+}
