@@ -266,11 +266,11 @@ impl Discretisation {
     }
 
     #[inline]
-    fn face_flow(&self, own: usize, other: usize) -> FaceFlow {
-        if self.ratios.is_empty() {
-            FaceFlow::newtonian(&self.nodes[own], &self.nodes[other])
-        } else {
+    fn face_flow<const THINNED: bool>(&self, own: usize, other: usize) -> FaceFlow {
+        if THINNED {
             FaceFlow::thinned([own, other].map(|k| (&self.nodes[k], self.ratios[k])))
+        } else {
+            FaceFlow::newtonian(&self.nodes[own], &self.nodes[other])
         }
     }
 
@@ -401,6 +401,15 @@ impl Discretisation {
 
     /// Change of `F_k` under a change of fluid pressure `dp` and film `dh`.
     pub(super) fn balance_change(&self, k: usize, film: &[f64], dp: &[f64], dh: &[f64]) -> f64 {
+        if self.ratios.is_empty() {
+            self.change_of_balance::<false>(k, film, dp, dh)
+        } else {
+            self.change_of_balance::<true>(k, film, dp, dh)
+        }
+    }
+
+    #[inline]
+    fn change_of_balance<const THINNED: bool>(&self, k: usize, film: &[f64], dp: &[f64], dh: &[f64]) -> f64 {
         let mass_change =
             |q: usize| self.nodes[q].density_p * film[q] * dp[q] + self.nodes[q].density * dh[q];
         let change = |[by_pressure, by_film]: [f64; 2], q: usize| by_pressure * dp[q] + by_film * dh[q];
@@ -413,7 +422,7 @@ impl Discretisation {
         let own_potential = own.potential_p * dp[k];
         for (o, c) in self.neighbours(k) {
             let other = &self.nodes[o];
-            let face = self.face_flow(k, o);
+            let face = self.face_flow::<THINNED>(k, o);
             sum += c
                 * (face.mobility * (own_potential - other.potential_p * dp[o])
                     + (change(face.own, k) + change(face.other, o)) * (own.potential - other.potential));
@@ -427,6 +436,21 @@ impl Discretisation {
     /// The unknown of a free fluid node is its pressure, which also moves films; of a contact node its fluid
     /// pressure at fixed film; of a node where the fluid itself reaches the limit its film in units of `own_influence`.
     pub(super) fn stencil_row(
+        &self,
+        k: usize,
+        kinds: &[Kind],
+        film: &[f64],
+        own_influence: f64,
+    ) -> [f64; STENCIL] {
+        if self.ratios.is_empty() {
+            self.row_of_stencil::<false>(k, kinds, film, own_influence)
+        } else {
+            self.row_of_stencil::<true>(k, kinds, film, own_influence)
+        }
+    }
+
+    #[inline]
+    fn row_of_stencil<const THINNED: bool>(
         &self,
         k: usize,
         kinds: &[Kind],
@@ -449,7 +473,9 @@ impl Discretisation {
         let by_film = (wedge + self.squeeze) * own.density
             + faces
                 .iter()
-                .map(|&(o, c)| c * self.face_flow(k, o).own[1] * (own.potential - self.nodes[o].potential))
+                .map(|&(o, c)| {
+                    c * self.face_flow::<THINNED>(k, o).own[1] * (own.potential - self.nodes[o].potential)
+                })
                 .sum::<f64>();
         row[0] += by_film * film_response(k);
         if moves_pressure(k) {
@@ -464,7 +490,7 @@ impl Discretisation {
         // Faces: potentials and mobilities of both nodes.
         for (face, (o, c)) in faces.into_iter().enumerate() {
             let (slot, other) = (face + 1, &self.nodes[o]);
-            let flow = self.face_flow(k, o);
+            let flow = self.face_flow::<THINNED>(k, o);
             let mobility = c * flow.mobility;
             let drop = c * (own.potential - other.potential);
             if moves_pressure(k) {

@@ -85,13 +85,7 @@ impl<'a> Local<'a> {
     /// Own share at fluid pressure `p` and film `h`, and its derivatives by both.
     pub(super) fn share(&self, p: f64, h: f64) -> (f64, f64, f64) {
         if let Some(neighbours) = &self.neighbours {
-            let point = self.lubricant.at(p);
-            let [flow, by_pressure, by_film] = self.fluid.thinned_outflow(self.lubricant, neighbours, p, h);
-            return (
-                self.mass * point.density * h + flow,
-                self.mass * point.density_slope * h + by_pressure,
-                self.mass * point.density + by_film,
-            );
+            return self.thinned_share(neighbours, p, h);
         }
         let node = self.fluid.node_flow(self.lubricant, p, h);
         let faces = &self.faces;
@@ -102,6 +96,17 @@ impl<'a> Local<'a> {
                 - faces.inflow,
             self.mass * node.density_p * h + node.mobility_p * drop + mobility * node.potential_p,
             self.mass * node.density + node.mobility_h * drop,
+        )
+    }
+
+    #[inline(never)]
+    fn thinned_share(&self, neighbours: &[HeldNeighbour; 4], p: f64, h: f64) -> (f64, f64, f64) {
+        let point = self.lubricant.at(p);
+        let [flow, by_pressure, by_film] = self.fluid.thinned_outflow(self.lubricant, neighbours, p, h);
+        (
+            self.mass * point.density * h + flow,
+            self.mass * point.density_slope * h + by_pressure,
+            self.mass * point.density + by_film,
         )
     }
 
