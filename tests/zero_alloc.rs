@@ -9,7 +9,7 @@ use stribeck::elastic::{DeformationModel, HalfSpace};
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
 use stribeck::reynolds::{
     ContactSolver, ContactState, Dry, LubricatedContact, Multigrid, NewtonKrylov, Scheme, SemiSystem,
-    StoppingRule,
+    ShearThinning, StoppingRule,
 };
 use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
 use stribeck::tribochem::{FilmGrowthLaw, FlashTemperature, Ghanbarzadeh, ThermalBody, Tribofilm};
@@ -180,13 +180,17 @@ fn oil() -> Lubricant {
 #[test]
 fn newton_krylov() {
     let oil = oil();
-    for (nx, ny) in [(24, 24), (23, 19), (29, 32)] {
+    let eyring = ShearThinning { eyring_stress: 5e6, sliding_speed: 0.25 };
+    for (nx, ny, thinning) in
+        [(24, 24, None), (23, 19, None), (29, 32, None), (24, 24, Some(eyring)), (23, 19, Some(eyring))]
+    {
         let mut scene = Scene::new(nx, ny, 50e-9);
         let stop = StoppingRule::default();
         let mut problem = scene.problem(Some(&oil));
+        problem.shear_thinning = thinning;
         for (report, allocations) in solve_again(&mut NewtonKrylov::new(), &mut problem, &stop) {
             assert_eq!(report.status, Status::Converged, "{report:?}");
-            assert_eq!(allocations, 0, "{nx} x {ny}");
+            assert_eq!(allocations, 0, "{nx} x {ny}, {thinning:?}");
         }
     }
 }
@@ -212,6 +216,7 @@ fn multigrid() {
         let mut scene = Scene::new(nx, ny, 0.0);
         let stop = StoppingRule { tolerance: 1e-6, max_iterations: 5 };
         let mut problem = scene.problem(Some(&oil));
+        problem.shear_thinning = Some(ShearThinning { eyring_stress: 5e6, sliding_speed: 0.25 });
         for (_, allocations) in solve_again(&mut Multigrid::new(), &mut problem, &stop) {
             assert_eq!(allocations, 0, "{nx} x {ny}");
         }
