@@ -80,11 +80,14 @@ pub(crate) fn page(results: &Results, options: &Options) -> String {
 
 fn introduction(page: &mut String, results: &Results, options: &Options) {
     let (seeds, grid, steps, step) = (results.seeds.len(), options.grid, options.steps, options.time_step);
+    let fine = if options.fine { "" } else { " --no-fine" };
+    let choices = if options.choices { "" } else { " --no-choices" };
+    let left_out = format!("{fine}{choices}");
     let _ = write!(
         page,
         "# The paper's experiment\n\n\
          Written by `cargo run --release --example reproduce -- --seeds {seeds} --grid {grid} --steps {steps} \
-         --time-step {step}`: Azam, Ghanbarzadeh, Neville, Morina, Wilson (2019), Tribology International 135, 161-169. \
+         --time-step {step}{left_out}`: Azam, Ghanbarzadeh, Neville, Morina, Wilson (2019), Tribology International 135, 161-169. \
          {seeds} seeds of roughness and motion, {grid} x {grid} nodes, {steps} steps of {step} s, residuals of 1e-3, \
          contact below 1 nm, random shift of both roughnesses each step. What the paper leaves open is chosen as in \
          `Scene::azam_2019`; nothing was tuned.\n\n"

@@ -1,0 +1,136 @@
+//! Contacts in time: waves that travel through a line contact with both surfaces, and the order of the time step.
+#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+use std::f64::consts::PI;
+
+use stribeck::elastic::LineHalfSpace;
+use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
+use stribeck::reynolds::{
+    Auto, ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme, Squeeze, StoppingRule,
+};
+use stribeck::{Grid, Status};
+
+const RADIUS: f64 = 1.0;
+const MODULUS: f64 = 226e9;
+const ALPHA: f64 = 2.2e-8;
+const ETA0: f64 = 0.04;
+/// Moes parameters of the line contact, with the sum of the speeds.
+const M: f64 = 100.0;
+const L: f64 = 11.0;
+
+/// A line contact in pure rolling over a wave.
+struct Line {
+    grid: Grid,
+    body: LineHalfSpace,
+    oil: Lubricant,
+    solver: Auto,
+    half_width: f64,
+    pressure: f64,
+    speed: f64,
+    load: f64,
+}
+
+impl Line {
+    fn new(nx: usize) -> Self {
+        let speed_sum = (L / (ALPHA * MODULUS)).powi(4);
+        let load = M * speed_sum.sqrt();
+        let half_width = RADIUS * (8.0 * load / PI).sqrt();
+        let grid = Grid::from_edges(nx, 1, [-4.0 * half_width, 1.5 * half_width], [-0.5, 0.5]).unwrap();
+        Self {
+            grid,
+            body: LineHalfSpace::new(grid, MODULUS, RADIUS).unwrap(),
+            oil: Lubricant::new(
+                Roelands::from_alpha(ETA0, ALPHA, 0.68, 1.96e8).unwrap(),
+                DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap(),
+            ),
+            solver: Auto::new(),
+            half_width,
+            pressure: MODULUS * (load / (2.0 * PI)).sqrt(),
+            speed: 0.5 * speed_sum * MODULUS * RADIUS / ETA0,
+            load: load * MODULUS * RADIUS,
+        }
+    }
+
+    fn solve(&mut self, gap: &[f64], squeeze: Option<Squeeze<'_>>, state: &mut ContactState) {
+        let mut problem = LubricatedContact {
+            gap,
+            deformation: &mut self.body,
+            lubricant: Some(&self.oil),
+            entrainment_speed: self.speed,
+            squeeze,
+            load: self.load,
+            pressure_limit: None,
+            film_cutoff: 1e-9,
+            contact: Default::default(),
+            scheme: Scheme::SecondOrder,
+            face_mobility: FaceMobility::ReducedPressure,
+            reference_half_widths: (self.half_width, self.half_width),
+            reference_pressure: self.pressure,
+            reference_film: 2e-5,
+        };
+        let report = self.solver.solve(&mut problem, state, &StoppingRule::default()).unwrap();
+        assert_eq!(report.status, Status::Converged, "{report:?}");
+    }
+
+    /// Runs a wave of length `wave` half-widths, whose amplitude is a tenth of the central film, through the contact, `cells`
+    /// of the grid in a step; returns its amplitude in the middle of the contact over the undeformed one.
+    fn amplitude(&mut self, wave: f64, cells: f64, second_order: bool) -> f64 {
+        let (grid, b) = (self.grid, self.half_width);
+        let (middle, length, time_step) = (grid.nx() * 8 / 11, wave * b, cells * grid.dx() / self.speed);
+        let smooth: Vec<f64> = (0..grid.nx()).map(|i| grid.x(i).powi(2) / (2.0 * RADIUS)).collect();
+        let mut state = ContactState::new(&grid);
+        self.solve(&smooth, None, &mut state);
+        let amplitude = 0.1 * state.film[middle];
+        let [mut newest, mut oldest] = [state.mass.clone(), state.mass.clone()];
+        let mut combined = vec![0.0; grid.nx()];
+        let start = -2.5 * b;
+        let steps = ((0.6 * b - start + 3.0 * length) / (cells * grid.dx())) as usize;
+        let mut films = Vec::with_capacity(steps);
+        for step in 1..=steps {
+            let gap: Vec<f64> = (0..grid.nx())
+                .map(|i| {
+                    let behind = start + self.speed * time_step * step as f64 - grid.x(i);
+                    let ramp = (behind / length).clamp(0.0, 1.0);
+                    let swell = ramp * ramp * (3.0 - 2.0 * ramp);
+                    smooth[i] + amplitude * swell * (2.0 * PI * behind / length).cos()
+                })
+                .collect();
+            let squeeze = if second_order {
+                Squeeze::second_order([&newest, &oldest], time_step, &mut combined).unwrap()
+            } else {
+                Squeeze { previous_mass: &newest, time_step }
+            };
+            self.solve(&gap, Some(squeeze), &mut state);
+            std::mem::swap(&mut newest, &mut oldest);
+            newest.clone_from(&state.mass);
+            films.push(state.film[middle]);
+        }
+        let period = (length / (cells * grid.dx())).round() as usize;
+        let last = &films[films.len() - 2 * period..];
+        let highest = last.iter().copied().fold(0.0, f64::max);
+        let lowest = last.iter().copied().fold(f64::INFINITY, f64::min);
+        0.5 * (highest - lowest) / amplitude
+    }
+}
+
+/// Amplitudes of waves of a tenth of the central film at M = 100, L = 11 (Venner and Lubrecht 2000).
+#[test]
+fn waves_in_pure_rolling_are_flattened_as_known() {
+    for (nx, wave, known) in
+        [(512, 4.0, 0.030), (512, 2.0, 0.073), (512, 1.0, 0.183), (512, 0.5, 0.394), (1024, 0.25, 0.660)]
+    {
+        let found = Line::new(nx).amplitude(wave, 1.0, true);
+        assert!((found - known).abs() < 0.01, "wave of {wave}: {found}, known {known}");
+    }
+}
+
+#[test]
+fn second_order_in_time_is_of_second_order_and_first_order_is_not() {
+    let found = |second| [4.0, 2.0, 1.0].map(|cells| Line::new(512).amplitude(1.0, cells, second));
+    let order = |[coarse, middle, fine]: [f64; 3]| ((coarse - middle) / (middle - fine)).abs().log2();
+    let (first, second) = (found(false), found(true));
+    assert!(order(second) > 1.7, "{second:?}");
+    assert!((0.3..1.4).contains(&order(first)), "{first:?}");
+    // First order damps: a quarter of the amplitude is gone.
+    assert!(first[2] < 0.9 * second[2], "{first:?}, {second:?}");
+}
