@@ -64,6 +64,7 @@ impl Line {
             contact: Default::default(),
             scheme: Scheme::SecondOrder,
             face_mobility: FaceMobility::ReducedPressure,
+            shear_thinning: None,
             reference_half_widths: (self.half_width, self.half_width),
             reference_pressure: self.pressure,
             reference_film: 2e-5,
