@@ -24,6 +24,9 @@ const FILM_OVER_CONTACT: f64 = 10.0;
 ///
 /// A smooth contact whose film by formula is ten times the contact film and more, but whose solids touch on this mesh,
 /// ends as [`Status::MeshTooCoarse`].
+///
+/// With [`ContactDefinition::Paper`] the hard contact is solved first: where nothing touches it is the answer, else
+/// [`SemiSystem`] starts from the state that was given.
 #[derive(Debug)]
 pub struct Auto {
     dry: Dry,
@@ -31,6 +34,8 @@ pub struct Auto {
     newton: NewtonKrylov,
     sweeps: SemiSystem,
     kept: Option<ContactState>,
+    /// State that a solve with the paper's contact was given.
+    paper_start: Option<ContactState>,
 }
 
 impl Auto {
@@ -51,6 +56,7 @@ impl Auto {
             newton: NewtonKrylov::new(),
             sweeps: SemiSystem::default(),
             kept: None,
+            paper_start: None,
         }
     }
 }
@@ -96,7 +102,8 @@ impl Auto {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        let given = state.clone();
+        let given = self.paper_start.get_or_insert_with(|| state.clone());
+        given.clone_from(state);
         problem.contact = ContactDefinition::Hard;
         let open = self.lubricated(problem, state, stop);
         problem.contact = ContactDefinition::Paper;
@@ -105,7 +112,9 @@ impl Auto {
         if open.status == Status::Converged && !touches {
             return Ok(open);
         }
-        state.clone_from(&given);
+        if let Some(given) = &self.paper_start {
+            state.clone_from(given);
+        }
         let mut report = self.sweeps.solve(problem, state, stop)?;
         report.work += open.work;
         Ok(report)

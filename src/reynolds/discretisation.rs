@@ -523,8 +523,7 @@ impl Discretisation {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lubricant::Barus;
-    use crate::lubricant::{DowsonHigginson, Incompressible, Roelands};
+    use crate::lubricant::{Barus, DowsonHigginson, Incompressible, Roelands};
 
     const FILM: f64 = 4e-8;
     const MOBILITIES: [FaceMobility; 2] = [FaceMobility::Arithmetic, FaceMobility::ReducedPressure];
@@ -590,7 +589,6 @@ mod tests {
             };
             for low in [0.0, 3e8, 1e9] {
                 let errors = [5e7, 2.5e7].map(|step| error(low, low + step));
-                println!("{face_mobility:?} from {low:e}: {errors:?}");
                 // The trapezoidal rule of a Newtonian fluid is wrong by 2.1 % over the smaller step.
                 assert!(errors[1].abs() < 0.021, "{errors:?} from {low:e}, {face_mobility:?}");
                 assert!(
@@ -601,7 +599,6 @@ mod tests {
             // Steep ones: exponents of the viscosity 10 and 20 apart.
             for (low, high) in [(0.0, 5e8), (0.0, 1e9), (5e8, 1.5e9)] {
                 let wrong = error(low, high);
-                println!("{face_mobility:?} from {low:e} to {high:e}: {wrong:.3}");
                 if face_mobility == FaceMobility::ReducedPressure {
                     assert!(wrong.abs() < 1.0, "{wrong} from {low:e} to {high:e}");
                 }
