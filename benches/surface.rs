@@ -17,9 +17,8 @@ fn surfaces() -> Vec<(&'static str, RandomSurface)> {
     let correlated = |autocorrelation, length_x, length_y| {
         RandomSurface::new(RandomShape::Correlated { autocorrelation, length_x, length_y }, 1e-7, 1)
     };
-    let self_affine = |synthesis| {
-        let (longest, roll_off) = (f64::INFINITY, 100e-6);
-        let shape = SelfAffine { hurst: 0.8, longest, roll_off, shortest: 0.0, synthesis };
+    let self_affine = |synthesis, roll_off| {
+        let shape = SelfAffine { hurst: 0.8, longest: f64::INFINITY, roll_off, shortest: 0.0, synthesis };
         RandomSurface::new(RandomShape::SelfAffine(shape), 1e-7, 1)
     };
     let skewed = |surface| RandomSurface {
@@ -33,7 +32,10 @@ fn surfaces() -> Vec<(&'static str, RandomSurface)> {
     let open = |surface| RandomSurface { boundary: Boundary::Open, ..surface };
     let gaussian = correlated(Autocorrelation::Gaussian, 20e-6, 20e-6);
     let exponential = correlated(Autocorrelation::Exponential, 20e-6, 20e-6);
-    let (noise, phase) = (self_affine(Synthesis::FilteredNoise), self_affine(Synthesis::RandomPhase));
+    let noise = self_affine(Synthesis::FilteredNoise, 100e-6);
+    let phase = self_affine(Synthesis::RandomPhase, 100e-6);
+    // as long as the surface
+    let long_waves = |synthesis| self_affine(synthesis, 2048e-6);
     vec![
         ("gaussian", gaussian),
         ("anisotropic", correlated(Autocorrelation::Gaussian, 200e-6, 10e-6)),
@@ -42,6 +44,12 @@ fn surfaces() -> Vec<(&'static str, RandomSurface)> {
         ("self_affine_phase", phase),
         ("gaussian_open", open(gaussian)),
         ("self_affine_open", open(noise)),
+        ("exponential_open", open(exponential)),
+        ("gaussian_open_long", open(correlated(Autocorrelation::Gaussian, 512e-6, 512e-6))),
+        ("exponential_open_long", open(correlated(Autocorrelation::Exponential, 512e-6, 512e-6))),
+        ("self_affine_open_long", open(long_waves(Synthesis::FilteredNoise))),
+        ("self_affine_open_long_phase", open(long_waves(Synthesis::RandomPhase))),
+        ("self_affine_open_long_skewed", open(skewed(long_waves(Synthesis::FilteredNoise)))),
         ("gaussian_skewed", skewed(gaussian)),
         ("gaussian_bounded", bounded(gaussian)),
         ("exponential_skewed", skewed(exponential)),

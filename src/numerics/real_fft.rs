@@ -95,6 +95,39 @@ impl RealFft2 {
         });
     }
 
+    /// The first `kept_x` x `kept_y` values of the field whose spectrum, `nx / 2 + 1` columns of `ny` waves, `fill` writes
+    /// (without normalisation): `fill` gets the number of a column and the column, zero so far, and tells whether it holds
+    /// anything. Lines that are not kept are not transformed back.
+    pub(crate) fn synthesise(
+        &self,
+        [kept_x, kept_y]: [usize; 2],
+        fill: impl Fn(usize, &mut [Complex64]) -> bool + Sync,
+    ) -> Vec<f64> {
+        let (nx, ny, width) = (self.nx, self.ny, self.width());
+        let mut lanes = self.lanes();
+        let mut columns = vec![Complex64::default(); width * ny];
+        share_lines(&mut lanes, &mut columns, ny, |first, columns, lane| {
+            for (i, column) in (first..).zip(columns.chunks_exact_mut(ny)) {
+                if fill(i, column) {
+                    self.columns_inverse.process_with_scratch(column, &mut lane.scratch);
+                }
+            }
+        });
+        let mut field = vec![0.0; kept_x * kept_y];
+        share_lines(&mut lanes, &mut field, kept_x, |first, field, lane| {
+            let Lane { row: whole, spectra, scratch } = lane;
+            for (block, out) in field.chunks_mut(BLOCK * kept_x).enumerate() {
+                let spectra = &mut spectra[..out.len() / kept_x * width];
+                transpose(&columns, ny, first + block * BLOCK, spectra, width, width);
+                for (row, spectrum) in out.chunks_exact_mut(kept_x).zip(spectra.chunks_exact_mut(width)) {
+                    self.inverse_row(spectrum, &mut whole[..nx], scratch);
+                    row.copy_from_slice(&whole[..kept_x]);
+                }
+            }
+        });
+        field
+    }
+
     /// Transform of a field that mirrors itself along both axes, given and returned as its `nx / 2 + 1` x `ny / 2 + 1` first
     /// values. Both directions are the same.
     pub(crate) fn symmetric(&self, quarter: &[f64]) -> Vec<f64> {
@@ -200,6 +233,33 @@ mod tests {
             transform.process(&mut field, FftDirection::Inverse);
             for (a, b) in found.iter().zip(&field) {
                 assert!((a - b.re).abs() < 1e-11, "{nx} x {ny}: {a} {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn kept_lines_are_those_of_the_whole_field() {
+        for (nx, ny) in SHAPES {
+            let width = nx / 2 + 1;
+            let value = |i: usize, j: usize| Complex64::new((i as f64).sin() + 0.1, (j as f64 * 1.3).cos());
+            // half of the waves, the others conjugate to them; of the first and the middle column too
+            let spectrum = |i: usize, j: usize| match (2 * i).cmp(&nx) {
+                _ if i == 0 || 2 * i == nx => (value(i, j) + value(i, (ny - j) % ny).conj()) / 2.0,
+                std::cmp::Ordering::Less => value(i, j),
+                _ => value(nx - i, (ny - j) % ny).conj(),
+            };
+            let mut whole: Vec<Complex64> = (0..nx * ny).map(|k| spectrum(k % nx, k / nx)).collect();
+            Fft2::new(nx, ny).process(&mut whole, FftDirection::Inverse);
+            let (kept_x, kept_y) = (nx.div_ceil(2), ny.div_ceil(3));
+            let found = RealFft2::new(nx, ny).synthesise([kept_x, kept_y], |i, column| {
+                assert!(i < width);
+                column.iter_mut().enumerate().for_each(|(j, out)| *out = spectrum(i, j));
+                true
+            });
+            for (k, z) in found.iter().enumerate() {
+                let expected = whole[k / kept_x * nx + k % kept_x];
+                assert!((z - expected.re).abs() < 1e-11, "{nx} x {ny}, {k}: {z} {expected}");
+                assert!(expected.im.abs() < 1e-11, "{nx} x {ny}, {k}: {expected}");
             }
         }
     }

@@ -8,10 +8,18 @@ use crate::numerics::{RealFft2, map_lines};
 
 /// What white noise is multiplied with to give normal deviates the correlation asked for.
 pub(super) struct Amplitudes {
-    /// Of 0 to `nx / 2` by 0 to `ny / 2` waves, the others mirror them; of any scale, the mean left out.
+    /// Of 0 to `nx / 2` by 0 to `ny / 2` waves, the others mirror them; of any scale.
     pub(super) waves: Vec<f64>,
     /// Sum of their squares over all `nx` by `ny` waves.
     pub(super) power: f64,
+}
+
+/// Whether the surface as a whole may lie above or below zero.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Mean {
+    Zero,
+    /// As the waves next to it: what patches of an endless surface do.
+    Drawn,
 }
 
 impl Amplitudes {
@@ -20,12 +28,15 @@ impl Amplitudes {
         johnson: Option<&Johnson>,
         grid: &Grid,
         transform: &RealFft2,
+        mean: Mean,
     ) -> Self {
         let (width, height) = (grid.nx() / 2 + 1, grid.ny() / 2 + 1);
         let mut waves = density(shape, johnson, grid, transform);
         // small negative values, which rounding and wrapping leave, count as zero
         map_lines(&mut waves, width, |_, row| row.iter_mut().for_each(|value| *value = value.max(0.0)));
-        waves[0] = 0.0;
+        if mean == Mean::Zero {
+            waves[0] = 0.0;
+        }
         let stands_for = |k: usize, n: usize| if k == 0 || 2 * k == n { 1.0 } else { 2.0 };
         let along_x = |row: &[f64]| (0..width).map(|i| stands_for(i, grid.nx()) * row[i]).sum::<f64>();
         let power = (0..height).map(|j| stands_for(j, grid.ny()) * along_x(&waves[j * width..])).sum();
@@ -127,7 +138,7 @@ mod tests {
                 length_x,
                 length_y: 1.0,
             };
-            let found = Amplitudes::new(&shape, None, &grid, &RealFft2::new(256, 1));
+            let found = Amplitudes::new(&shape, None, &grid, &RealFft2::new(256, 1), Mean::Zero);
             let value = |k: usize| Autocorrelation::Gaussian.at((k as f64 / length_x).powi(2));
             // summed as it stands, from the smallest on
             let density = |wave: usize| {

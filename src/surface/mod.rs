@@ -26,6 +26,7 @@ mod generate;
 mod johnson;
 mod measured;
 mod motion;
+mod patch;
 mod random;
 mod resample;
 mod self_affine;

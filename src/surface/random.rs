@@ -5,14 +5,15 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::amplitudes::Amplitudes;
+use super::amplitudes::{Amplitudes, Mean};
 use super::generate::{Autocorrelation, RoughnessSpec};
 use super::johnson::Johnson;
+use super::patch;
 use super::self_affine::{SelfAffine, Synthesis};
 use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::numerics::{RealFft2, both, fast_length, map_lines};
+use crate::numerics::{RealFft2, both, map_lines};
 
 /// What the root mean square height of a random surface refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -128,19 +129,7 @@ impl RandomSurface {
         if self.rq == 0.0 {
             return Ok(vec![0.0; grid.len()]);
         }
-        let period = match self.boundary {
-            Boundary::Periodic => *grid,
-            Boundary::Open => self.shape.period(grid)?,
-        };
-        let transform = RealFft2::new(period.nx(), period.ny());
-        let (amplitudes, mut field) = both(
-            || Amplitudes::new(&self.shape, johnson.as_ref(), &period, &transform),
-            || white_noise(period.len(), self.seed),
-        );
-        self.impose(&amplitudes, &mut field, &transform);
-        let mut heights = cut(field, &period, grid);
-        // standard deviation over all seeds of what the transforms leave unnormalised
-        let deviation = (amplitudes.power * period.len() as f64).sqrt();
+        let (mut heights, deviation) = self.deviates(grid, johnson.as_ref())?;
         if let Some(johnson) = &johnson {
             let curve = johnson.tabulated();
             map_lines(&mut heights, grid.nx(), |_, row| {
@@ -158,22 +147,36 @@ impl RandomSurface {
         Ok(heights)
     }
 
-    /// Gives noise the amplitudes.
-    fn impose(&self, amplitudes: &Amplitudes, field: &mut [f64], transform: &RealFft2) {
-        if !matches!(
+    /// Normal deviates with the autocorrelation asked for, and their standard deviation over all seeds.
+    fn deviates(&self, grid: &Grid, johnson: Option<&Johnson>) -> Result<(Vec<f64>, f64), InputError> {
+        let phases_alone = matches!(
             self.shape,
             RandomShape::SelfAffine(SelfAffine { synthesis: Synthesis::RandomPhase, .. })
-        ) {
-            transform.filter(field, |wave, value| *value *= amplitudes.waves[wave]);
-            return;
+        );
+        if self.boundary == Boundary::Open {
+            return patch::deviates(&self.shape, johnson, grid, self.seed, phases_alone);
         }
-        let amplitude = (field.len() as f64).sqrt();
-        transform.filter(field, |wave, value| {
-            let size = value.norm_sqr().sqrt();
-            *value = if size > 0.0 { *value * (amplitude / size) } else { Complex64::new(amplitude, 0.0) };
+        let transform = RealFft2::new(grid.nx(), grid.ny());
+        let (amplitudes, mut field) = both(
+            || Amplitudes::new(&self.shape, johnson, grid, &transform, Mean::Zero),
+            || white_noise(grid.len(), self.seed),
+        );
+        let length = (grid.len() as f64).sqrt();
+        transform.filter(&mut field, |wave, value| {
+            if phases_alone {
+                *value = phase(*value) * length;
+            }
             *value *= amplitudes.waves[wave];
         });
+        // what the transforms leave unnormalised
+        Ok((field, (amplitudes.power * grid.len() as f64).sqrt()))
     }
+}
+
+/// A number of the same phase on the unit circle; 1 for zero.
+pub(super) fn phase(value: Complex64) -> Complex64 {
+    let size = value.norm_sqr().sqrt();
+    if size > 0.0 { value / size } else { Complex64::new(1.0, 0.0) }
 }
 
 impl RandomShape {
@@ -188,36 +191,17 @@ impl RandomShape {
             }
         }
     }
-
-    /// A grid so much larger than `grid` that the edges of a part of its size do not know each other.
-    fn period(&self, grid: &Grid) -> Result<Grid, InputError> {
-        let margins = match *self {
-            Self::Correlated { length_x, length_y, .. } => [2.0 * length_x, 2.0 * length_y],
-            // waves longer than the roll-off are independent
-            Self::SelfAffine(SelfAffine { roll_off, .. }) => {
-                [grid.size_x(), grid.size_y()].map(|size| size.min(2.0 * roll_off))
-            }
-        };
-        let longer = |n: usize, d: f64, margin: f64| {
-            if n == 1 { 1 } else { fast_length(n + (margin / d) as usize + 1) }
-        };
-        let (nx, ny) = (longer(grid.nx(), grid.dx(), margins[0]), longer(grid.ny(), grid.dy(), margins[1]));
-        Grid::centred(nx, ny, grid.dx(), grid.dy())
-    }
 }
 
-/// The corner of the larger field that lies on `grid`.
-fn cut(field: Vec<f64>, period: &Grid, grid: &Grid) -> Vec<f64> {
-    if field.len() == grid.len() {
-        return field;
-    }
-    field.chunks_exact(period.nx()).take(grid.ny()).flat_map(|row| &row[..grid.nx()]).copied().collect()
+/// The stream cipher that draws deviates.
+pub(super) fn cipher(seed: u64) -> ChaCha8Rng {
+    let mut bytes = [0; 32];
+    bytes[..8].copy_from_slice(&seed.to_le_bytes());
+    ChaCha8Rng::from_seed(bytes)
 }
 
 fn white_noise(count: usize, seed: u64) -> Vec<f64> {
-    let mut bytes = [0; 32];
-    bytes[..8].copy_from_slice(&seed.to_le_bytes());
-    let mut generator = ChaCha8Rng::from_seed(bytes);
+    let mut generator = cipher(seed);
     (0..count).map(|_| StandardNormal.sample(&mut generator)).collect()
 }
 

@@ -50,15 +50,17 @@ impl SelfAffine {
     pub(super) fn density_quarter(&self, grid: &Grid) -> Vec<f64> {
         // relative slack, so that modes on a cut-off are not lost to rounding
         let (lowest, highest) = ((1.0 - 1e-9) / self.longest, (1.0 + 1e-9) / self.shortest);
+        let exponent = -(1.0 + self.hurst);
         let width = grid.nx() / 2 + 1;
         let mut quarter = vec![0.0; width * (grid.ny() / 2 + 1)];
         map_lines(&mut quarter, width, |j, row| {
             let y = j as f64 / grid.size_y();
             for (i, value) in row.iter_mut().enumerate() {
                 let x = i as f64 / grid.size_x();
-                let frequency = (x * x + y * y).sqrt();
-                if (lowest..=highest).contains(&frequency) {
-                    *value = (frequency * self.roll_off).max(1.0).powf(-2.0 * (1.0 + self.hurst));
+                let square = x * x + y * y;
+                if (lowest * lowest..=highest * highest).contains(&square) {
+                    // half the time of a power
+                    *value = (exponent * (square * self.roll_off * self.roll_off).max(1.0).ln()).exp();
                 }
             }
         });
