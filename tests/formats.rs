@@ -313,6 +313,22 @@ fn replaced(name: &str, from: &str, to: &str) -> Vec<u8> {
 }
 
 #[test]
+fn heights_of_ascii_sdf_files_may_be_separated_in_other_ways() {
+    let text = std::fs::read_to_string(data("ascii.sdf")).unwrap();
+    let (head, heights) = text.split_once("*\n").unwrap();
+    let read = |heights: &str, head: &str| read_bytes(format!("{head}*\n{heights}").as_bytes(), "other.sdf");
+    let expected = read(heights, head).unwrap();
+    for separator in [",", ", ", ";", "\t", "\r\n", ",\n"] {
+        let (matrix, trailer) = heights.split_once('*').unwrap();
+        let other = format!("{}*{trailer}", matrix.replace(' ', separator));
+        assert_eq!(read(&other, head).unwrap(), expected, "{separator:?}");
+    }
+    assert_eq!(read(heights, &head.replace("Compression = 0\n", "")).unwrap(), expected);
+    let error = read(&heights.replace('.', ","), head).unwrap_err().to_string();
+    assert!(error.contains("more than the 7 x 4 heights"), "{error}");
+}
+
+#[test]
 fn damaged_files_are_refused_by_name_and_place() {
     let sur = |patches: &[(usize, &[u8])]| patched("cut.sur", patches);
     let huge = i32::MAX.to_le_bytes();

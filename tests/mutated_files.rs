@@ -165,6 +165,8 @@ fn mutated_compressed_sur_files_do_not_panic() {
 #[test]
 fn mutated_ascii_sdf_files_do_not_panic() {
     survives_file("ascii.sdf", 3);
+    let text = std::fs::read_to_string(data("ascii.sdf")).unwrap();
+    survives(text.replace(" 0.", ", 0.").replace("Compression = 0\n", "").as_bytes(), 23, |bytes| bytes);
 }
 
 #[test]

@@ -116,19 +116,18 @@ fn read_binary(source: Source<'_>, wide: bool) -> Result<(Header, Vec<f64>, Vec<
     Ok((header, stored, defined))
 }
 
-/// The value of a key of the ASCII header.
-fn value_of<'a>(source: Source<'_>, header: &'a str, key: &str) -> Result<&'a str, SurfaceError> {
+/// The value of a key of the ASCII header, if it is there.
+fn value_of<'a>(header: &'a str, key: &str) -> Option<&'a str> {
     header
         .lines()
         .filter_map(|line| line.split_once('='))
         .find(|(name, _)| name.trim().eq_ignore_ascii_case(key))
         // a comment may follow
         .map(|(_, value)| value.split(';').next().unwrap_or(value).trim())
-        .ok_or_else(|| source.corrupt(format!("the header lacks {key}")))
 }
 
 fn parse<T: std::str::FromStr>(source: Source<'_>, header: &str, key: &str) -> Result<T, SurfaceError> {
-    let text = value_of(source, header, key)?;
+    let text = value_of(header, key).ok_or_else(|| source.corrupt(format!("the header lacks {key}")))?;
     text.parse().map_err(|_| source.corrupt(format!("{key} = {} is not a number", shortened(text))))
 }
 
@@ -139,12 +138,15 @@ fn read_ascii(source: Source<'_>) -> Result<(Header, Vec<f64>, Vec<bool>), Surfa
     let sizes = [parse(source, head, "NumPoints")?, parse(source, head, "NumProfiles")?];
     let scales =
         [parse(source, head, "Xscale")?, parse(source, head, "Yscale")?, parse(source, head, "Zscale")?];
-    let codes = [parse(source, head, "Compression")?, parse(source, head, "DataType")?];
+    // files that are not compressed may leave this out
+    let compression = value_of(head, "Compression").map_or(Ok(0), |_| parse(source, head, "Compression"))?;
+    let codes = [compression, parse(source, head, "DataType")?];
     let header = check(source, sizes, scales, codes)?;
     let data = rest.split('*').next().unwrap_or("");
     let [nx, ny] = sizes;
     let (mut stored, mut defined) = (Vec::new(), Vec::new());
-    for (k, token) in data.split_whitespace().enumerate() {
+    let is_separator = |letter: char| letter.is_whitespace() || matches!(letter, ',' | ';');
+    for (k, token) in data.split(is_separator).filter(|token| !token.is_empty()).enumerate() {
         if k == nx * ny {
             return Err(source.corrupt(format!("more than the {nx} x {ny} heights of the header")));
         }
