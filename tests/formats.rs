@@ -93,12 +93,12 @@ const WHOLE: [Expected; 6] = [
     },
     Expected {
         name: "sdf-1.sdf",
-        unit: LengthUnit::Metre,
+        unit: LengthUnit::Micrometre,
         shape: [7, 4],
-        size: [7e-6, 4e-6],
+        size: [7.0, 4.0],
         undefined: 0,
-        statistics: [0.01158012755e-6, 0.01360289729e-6, -0.643046063, 2.577273075, 0.94907e-6, 1e-6],
-        corner: [1e-6, 0.99874e-6, 0.99874e-6],
+        statistics: [0.01158012755, 0.01360289729, -0.643046063, 2.577273075, 0.94907, 1.0],
+        corner: [1.0, 0.99874, 0.99874],
     },
     Expected {
         name: "plu-1.plu",
@@ -267,6 +267,18 @@ fn headers_of_several_programs_give_sizes_and_units() {
 }
 
 #[test]
+fn empty_fields_at_the_end_of_a_line_are_undefined() {
+    for content in ["1;2;3\n4;5;\n;8;9\n", "1,2,3\n4,5,\n,8,9\n", "1;2;3;\n4;5;;\n;8;9;\n"] {
+        let surface = text(content).unwrap();
+        assert_eq!((surface.nx(), surface.ny(), surface.undefined()), (3, 3, 2), "{content}");
+        let mask = surface.defined().unwrap();
+        assert!(!mask[5] && !mask[6]);
+    }
+    let error = text("1;2;3\n4;\n").unwrap_err().to_string();
+    assert!(error.contains("line 2: 1 heights, 3 in the first row"), "{error}");
+}
+
+#[test]
 fn damaged_texts_are_refused_by_line_and_field() {
     let cases = [
         ("1 2 3\n4 5\n", "line 2: 2 heights, 3 in the first row"),
@@ -318,6 +330,7 @@ fn heights_of_ascii_sdf_files_may_be_separated_in_other_ways() {
     let (head, heights) = text.split_once("*\n").unwrap();
     let read = |heights: &str, head: &str| read_bytes(format!("{head}*\n{heights}").as_bytes(), "other.sdf");
     let expected = read(heights, head).unwrap();
+    assert_eq!(expected.unit(), Some(LengthUnit::Micrometre));
     for separator in [",", ", ", ";", "\t", "\r\n", ",\n"] {
         let (matrix, trailer) = heights.split_once('*').unwrap();
         let other = format!("{}*{trailer}", matrix.replace(' ', separator));

@@ -206,6 +206,45 @@ fn edges_of_open_surfaces_do_not_fit_together() {
 }
 
 #[test]
+fn open_surfaces_of_a_few_nodes_are_made_or_refused() {
+    for (nx, ny) in [(1, 1), (2, 1), (1, 2), (2, 2), (3, 1), (1, 5), (3, 7)] {
+        let grid = Grid::centred(nx, ny, 1e-6, 1e-6).unwrap();
+        let fractal = RandomShape::SelfAffine(self_affine(0.8, Synthesis::RandomPhase));
+        let coarse = RandomShape::SelfAffine(SelfAffine {
+            roll_off: 5e-3,
+            ..self_affine(0.8, Synthesis::FilteredNoise)
+        });
+        let kinds = [
+            correlated(Autocorrelation::Gaussian, 1e-6, 1e-6, 1),
+            correlated(Autocorrelation::Exponential, 1e-9, 1e-6, 1),
+            RandomSurface::new(fractal, RQ, 1),
+            RandomSurface::new(coarse, RQ, 1),
+        ];
+        for kind in kinds {
+            match (RandomSurface { boundary: Boundary::Open, ..kind }).generate(&grid) {
+                Ok(heights) => {
+                    assert_eq!(heights.len(), nx * ny);
+                    let square = mean(&heights.iter().map(|z| z * z).collect::<Vec<_>>());
+                    assert_relative_eq!(square.sqrt(), RQ, max_relative = 1e-9);
+                }
+                Err(error) => assert!(
+                    nx * ny == 1 && error.to_string().contains("too few nodes"),
+                    "{nx} x {ny} {kind:?}: {error}"
+                ),
+            }
+        }
+    }
+    // no wave is left but the constant one
+    let long = SelfAffine { roll_off: 1e-3, shortest: 0.9e-3, ..self_affine(0.8, Synthesis::FilteredNoise) };
+    let kind = RandomSurface {
+        boundary: Boundary::Open,
+        ..RandomSurface::new(RandomShape::SelfAffine(long), RQ, 1)
+    };
+    let error = kind.generate(&Grid::centred(64, 48, 1e-6, 1e-6).unwrap()).unwrap_err().to_string();
+    assert!(error.contains("too few nodes"), "{error}");
+}
+
+#[test]
 fn open_surfaces_are_the_same_at_their_edges_as_in_their_middle() {
     let (nx, ny) = (48, 40);
     let grid = Grid::centred(nx, ny, 1e-6, 1e-6).unwrap();

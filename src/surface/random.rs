@@ -210,7 +210,9 @@ fn rescale(heights: &mut [f64], nx: usize, rq: f64) -> Result<(), InputError> {
     let count = heights.len() as f64;
     let mean = sum(heights, nx, |height| height) / count;
     let square = sum(heights, nx, |height| (height - mean) * (height - mean)) / count;
-    let factor = rq / square.sqrt();
+    // all of one height but for rounding
+    let flat = square.sqrt() <= 1e-12 * mean.abs();
+    let factor = if flat { f64::INFINITY } else { rq / square.sqrt() };
     require_scale(factor)?;
     map_lines(heights, nx, |_, row| row.iter_mut().for_each(|z| *z = factor * (*z - mean)));
     Ok(())

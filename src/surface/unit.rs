@@ -50,6 +50,15 @@ impl LengthUnit {
         })
     }
 
+    /// The unit of this length \[m\].
+    #[cfg(feature = "formats")]
+    pub(super) fn of_length(metres: f64) -> Option<Self> {
+        use LengthUnit::{Angstrom, Centimetre, Inch, Metre, Micrometre, Millimetre, Nanometre, Picometre};
+        [Metre, Centimetre, Millimetre, Micrometre, Nanometre, Angstrom, Picometre, Inch]
+            .into_iter()
+            .find(|unit| unit.metres().to_bits() == metres.to_bits())
+    }
+
     /// Length of the unit \[m\].
     #[must_use]
     pub fn metres(self) -> f64 {

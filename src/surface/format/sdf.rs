@@ -55,7 +55,8 @@ pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
         nx: header.nx,
         ny: header.ny,
         spacing: Some(header.spacing),
-        unit: Some(LengthUnit::Metre),
+        // the scale turns stored numbers into metres
+        unit: Some(LengthUnit::of_length(header.scale).unwrap_or(LengthUnit::Metre)),
         heights: stored.iter().map(|value| header.scale * value).collect(),
         defined: Some(defined),
     })

@@ -202,6 +202,15 @@ impl Separator {
         }
     }
 
+    /// Whether a separator that is no blank ends the line.
+    fn ends(self, line: &str) -> bool {
+        match self {
+            Self::Blanks | Self::BlanksDecimalComma => false,
+            Self::Comma => line.trim_end().ends_with(','),
+            Self::Semicolon => line.trim_end().ends_with(';'),
+        }
+    }
+
     /// The height in a field, undefined when the field is empty.
     fn parse(self, field: &str) -> Option<Option<f64>> {
         if field.is_empty() {
@@ -260,7 +269,13 @@ impl Rows {
             self.values.push(height.unwrap_or(0.0));
             self.defined.push(height.is_some());
         }
-        let count = self.values.len() - before;
+        let mut count = self.values.len() - before;
+        // what looked like the end of the line is an empty field
+        if count + 1 == self.columns && self.separator.ends(line) && self.values.len() < Grid::MAX_NODES {
+            self.values.push(0.0);
+            self.defined.push(false);
+            count += 1;
+        }
         if self.rows == 0 {
             self.columns = count;
         } else if count != self.columns && self.ragged.is_none() {
