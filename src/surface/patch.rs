@@ -67,7 +67,7 @@ fn mirror(column: &mut [Complex64]) {
 
 /// A grid so much larger than `grid` that opposite edges of a part of its size hardly know each other: by a margin over which
 /// the autocorrelation falls to 2 % or less, as far as half the size of `grid` allows; beyond that by one over which it falls
-/// to 10 % at least (6 % of a self-affine surface whose roll-off is the size).
+/// to 10 % or less.
 fn period(shape: &RandomShape, grid: &Grid) -> Result<Grid, InputError> {
     let half = [grid.size_x() / 2.0, grid.size_y() / 2.0];
     let margins = match *shape {
