@@ -193,11 +193,10 @@ fn highly_loaded_films_cost_no_more() {
     }
 }
 
-/// Krylov steps of one Newton step at the same distance from the solution. From 64 to 512 cells they grow by 1.3 at M = 20,
-/// but by 2 to 2.1 at M = 100 and 200, which is asserted as it is.
+/// Krylov steps of one Newton step at the same distance from the solution.
 #[test]
 fn krylov_steps_hardly_grow_with_the_grid() {
-    for (m, growth) in [(20.0, 1.5), (200.0, 2.2)] {
+    for m in [20.0, 100.0, 200.0, 1000.0] {
         let [coarse, fine] = [64, 512].map(|n| {
             with_problem(&ball(m, 10.0, n), |problem| {
                 let mut state = ContactState::new(&problem.grid());
@@ -209,7 +208,7 @@ fn krylov_steps_hardly_grow_with_the_grid() {
                 report.work.inner_iterations as f64 / report.work.iterations as f64
             })
         });
-        assert!(fine < growth * coarse, "M {m}: {coarse} steps at 64 cells, {fine} at 512");
+        assert!(fine < 1.5 * coarse, "M {m}: {coarse} steps at 64 cells, {fine} at 512");
     }
 }
 

@@ -24,7 +24,7 @@
 //! Why means and not harmonic means: an asperity flank that the mesh does not resolve is drained by its deep neighbour,
 //! so it ends in solid contact. The harmonic mean seals such a flank and traps films that no mesh refinement confirms.
 
-use super::active_set::{Fluid, Kind};
+use super::active_set::Kind;
 use super::problem::{FaceMobility, LubricatedContact, Scheme};
 use super::shear_thinning::{ShearThinning, ViscosityRatio};
 use crate::grid::Grid;
@@ -431,21 +431,21 @@ impl Discretisation {
     }
 
     /// Row `k` of the fluid block: derivatives of `F_k` with respect to the fluid unknowns of `k` and its four
-    /// neighbours, entrainment of first order, the film of a node following its own pressure alone.
+    /// neighbours, entrainment of first order, the film of a node following its own unknown alone by `response`.
     ///
     /// The unknown of a free fluid node is its pressure, which also moves films; of a contact node its fluid
-    /// pressure at fixed film; of a node where the fluid itself reaches the limit its film in units of `own_influence`.
+    /// pressure at fixed film; of a node where the fluid itself reaches the limit its film over `response`.
     pub(super) fn stencil_row(
         &self,
         k: usize,
         kinds: &[Kind],
         film: &[f64],
-        own_influence: f64,
+        response: &[f64],
     ) -> [f64; STENCIL] {
         if self.ratios.is_empty() {
-            self.row_of_stencil::<false>(k, kinds, film, own_influence)
+            self.row_of_stencil::<false>(k, kinds, film, response)
         } else {
-            self.row_of_stencil::<true>(k, kinds, film, own_influence)
+            self.row_of_stencil::<true>(k, kinds, film, response)
         }
     }
 
@@ -455,15 +455,10 @@ impl Discretisation {
         k: usize,
         kinds: &[Kind],
         film: &[f64],
-        own_influence: f64,
+        response: &[f64],
     ) -> [f64; STENCIL] {
         let mut row = [0.0; STENCIL];
         let moves_pressure = |m: usize| kinds[m].has_fluid_pressure();
-        // Each film follows its own pressure alone: solid contact around a fluid node screens what lies further off.
-        let film_response = |q: usize| -> f64 {
-            let responds = kinds[q].is_open_fluid() || kinds[q].fluid == Fluid::AtLimit;
-            if responds { own_influence } else { 0.0 }
-        };
         let faces = self.neighbours(k);
         let own = &self.nodes[k];
         let wedge = match self.scheme {
@@ -477,7 +472,7 @@ impl Discretisation {
                     c * self.face_flow::<THINNED>(k, o).own[1] * (own.potential - self.nodes[o].potential)
                 })
                 .sum::<f64>();
-        row[0] += by_film * film_response(k);
+        row[0] += by_film * response[k];
         if moves_pressure(k) {
             row[0] += (wedge + self.squeeze) * own.density_p * film[k];
         }
@@ -486,7 +481,7 @@ impl Discretisation {
         if moves_pressure(up) {
             row[2] -= wedge * self.nodes[up].density_p * film[up];
         }
-        row[2] -= wedge * self.nodes[up].density * film_response(up);
+        row[2] -= wedge * self.nodes[up].density * response[up];
         // Faces: potentials and mobilities of both nodes.
         for (face, (o, c)) in faces.into_iter().enumerate() {
             let (slot, other) = (face + 1, &self.nodes[o]);
@@ -499,7 +494,7 @@ impl Discretisation {
             if moves_pressure(o) {
                 row[slot] += drop * flow.other[0] - mobility * other.potential_p;
             }
-            row[slot] += drop * flow.other[1] * film_response(o);
+            row[slot] += drop * flow.other[1] * response[o];
         }
         row
     }

@@ -24,8 +24,18 @@ use crate::numerics::{GridLu, STENCIL};
 
 /// Cost of a pressure estimate in convolutions: transforms of a quarter of the points, without padding.
 const ESTIMATE: f64 = 0.25;
-/// Ratio of pressure flow to the entrainment of the elastic response below which the preconditioner solves for the film
-/// of a fluid node, which upstream fixes, and finds the pressure from the film as it does in solid contact.
+/// Ratio of pressure flow to the entrainment of the elastic response of a node at which half of its pressure is found from
+/// its film. Where the ratio is small, upstream fixes the film and the pressure is what makes it, as in solid contact;
+/// where it is large, pressure flow fixes the pressure.
+const BALANCED: f64 = 10.0;
+/// The ratio beyond which the film does not enter.
+const FREE: f64 = 1000.0;
+/// Film of a node per own pressure over the self-influence: this times the square root of the ratio, between 1 and
+/// [`WIDEST`]. Pressure flow smooths pressures over about that many cells, and wide pressures move films more. Solid contact
+/// screens them: none of that where there is any.
+const WIDTH: f64 = 0.4;
+const WIDEST: f64 = 6.0;
+/// The ratio below which, beside solid contact, pressure is found from the film alone and pressure flow left out.
 const STIFF: f64 = 0.1;
 
 /// The product of the linearised equations with a vector.
@@ -194,6 +204,10 @@ pub(super) struct BlockPreconditioner {
     /// the limit.
     kinds: Vec<Kind>,
     lu: GridLu,
+    /// Film per unknown of the fluid block \[m/Pa\].
+    response: Vec<f64>,
+    /// Square root of the share of a fluid node's pressure that is found from its film.
+    film_share: Vec<f64>,
     fluid: Vec<f64>,
     gap: Vec<f64>,
     contact: Vec<f64>,
@@ -211,6 +225,8 @@ impl BlockPreconditioner {
             stencil: vec![0.0; STENCIL * grid.len()],
             kinds: vec![Kind::BOUNDARY; grid.len()],
             lu: GridLu::new(grid.nx(), grid.ny()),
+            response: zeros(),
+            film_share: zeros(),
             fluid: zeros(),
             gap: zeros(),
             contact: zeros(),
@@ -230,24 +246,44 @@ impl BlockPreconditioner {
         if problem.lubricant.is_none() {
             return Ok(());
         }
-        // On a line the inverse of the logarithmic kernel is too poor for that.
-        let by_film = coupled.fluid.grid.ny() > 1;
-        for (k, kind) in coupled.kinds.iter().enumerate() {
-            self.kinds[k] = *kind;
-            if by_film && kind.is_open_fluid() && coupled.fluid.flow_ratio(k, coupled.near) < STIFF {
-                self.kinds[k].fluid = Fluid::AtLimit;
-            }
-        }
+        self.find_shares(coupled);
+        let own = coupled.near.own;
         for (k, row) in self.stencil.chunks_exact_mut(STENCIL).enumerate() {
             let balanced = coupled.kinds[k].has_balance();
             let values = if balanced {
-                coupled.fluid.stencil_row(k, &self.kinds, &state.film, coupled.near.own)
+                coupled.fluid.stencil_row(k, &self.kinds, &state.film, &self.response)
             } else {
-                [coupled.near.own, 0.0, 0.0, 0.0, 0.0]
+                [own, 0.0, 0.0, 0.0, 0.0]
             };
             row.copy_from_slice(&values);
         }
         if self.lu.factorise(&self.stencil) { Ok(()) } else { Err(ReynoldsError::SingularFluidBlock) }
+    }
+
+    /// How the fluid block treats every node.
+    fn find_shares(&mut self, coupled: &Coupled) {
+        let own = coupled.near.own;
+        // On a line the inverse of the logarithmic kernel is too poor for pressures from films.
+        let by_film = coupled.fluid.grid.ny() > 1;
+        let screened = coupled.kinds.iter().any(|kind| kind.is_contact());
+        for (k, kind) in coupled.kinds.iter().enumerate() {
+            (self.kinds[k], self.film_share[k], self.response[k]) = (*kind, 0.0, 0.0);
+            if kind.fluid == Fluid::AtLimit {
+                self.response[k] = own;
+            } else if kind.is_open_fluid() {
+                self.response[k] = own;
+                let ratio = coupled.fluid.flow_ratio(k, coupled.near).max(0.0);
+                if screened && by_film && ratio < STIFF {
+                    self.kinds[k].fluid = Fluid::AtLimit;
+                    self.film_share[k] = 1.0;
+                } else if !screened && by_film {
+                    self.response[k] = own * (WIDTH * ratio.sqrt()).clamp(1.0, WIDEST);
+                    if ratio < FREE {
+                        self.film_share[k] = (1.0 + (ratio / BALANCED).sqrt()).sqrt().recip();
+                    }
+                }
+            }
+        }
     }
 
     /// Diagonal of row `k` of the fluid block \[m/Pa\].
@@ -314,26 +350,26 @@ impl BlockPreconditioner {
         if problem.lubricant.is_some() {
             self.lu.solve(&mut self.fluid);
         }
-        let mut any_contact = false;
+        let mut any = false;
         for (k, kind) in coupled.kinds.iter().enumerate() {
-            let in_contact = kind.solid == Solid::Contact;
-            let stiff = self.kinds[k] != *kind;
-            any_contact |= in_contact || stiff;
-            self.gap[k] = if in_contact {
+            self.gap[k] = if kind.solid == Solid::Contact {
                 r[k]
-            } else if stiff {
-                coupled.near.own * self.fluid[k]
             } else {
-                0.0
+                self.film_share[k] * self.response[k] * self.fluid[k]
             };
+            any |= kind.solid == Solid::Contact || self.film_share[k] > 0.0;
         }
-        if any_contact {
+        if any {
             problem.deformation.pressure_estimate(&self.gap, &mut self.contact)?;
             coupled.convolutions += ESTIMATE;
         }
         for (k, kind) in coupled.kinds.iter().enumerate() {
-            // A stiff node's film has become a pressure.
-            let fluid = if self.kinds[k] == *kind { self.fluid[k] } else { self.contact[k] };
+            let share = self.film_share[k];
+            let fluid = if share > 0.0 {
+                share * self.contact[k] + (1.0 - share * share) * self.fluid[k]
+            } else {
+                self.fluid[k]
+            };
             let (first, second) = placed(*kind, self.contact[k], fluid);
             out[k] = first;
             out[n + k] = second;
