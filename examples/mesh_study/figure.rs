@@ -1,4 +1,4 @@
-//! The figure: a row of panels for each quantity, over the cells on the left, over the contact film on the right.
+//! The figure, of the first surface: a row of panels for each quantity, over the cells on the left, over the contact film on the right.
 
 use std::error::Error;
 use std::path::Path;
@@ -10,15 +10,15 @@ use crate::contact::Row;
 use crate::plan::{
     CELLS, CONTACTS, CUTOFF, CUTOFFS, Contact, DRY, HARD, HARD_ARITHMETIC, MESH, PAPER, PAPER_ARITHMETIC,
 };
-use crate::summary::{Choice, Mean, mean};
+use crate::summary::{Choice, Mean, first, mean};
 
 const SIZE: (u32, u32) = (960, 1060);
 const HEAD: i32 = 92;
 /// Names of the quantities, the factor to their unit, the top of their axis.
 const QUANTITIES: [(&str, f64, f64); 4] = [
-    ("area ratio", 1.0, 0.8),
+    ("area ratio", 1.0, 1.05),
     ("load ratio", 1.0, 1.05),
-    ("mean film / nm", 1e9, 60.0),
+    ("mean film / nm", 1e9, 70.0),
     ("friction coefficient", 1.0, 0.14),
 ];
 
@@ -38,6 +38,7 @@ fn font(size: u32) -> FontDesc<'static> {
 }
 
 pub(crate) fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
+    let rows = first(rows);
     let root = SVGBackend::new(path, SIZE).into_drawing_area();
     root.fill(&WHITE)?;
     let (head, body) = root.split_vertically(HEAD);
@@ -59,12 +60,12 @@ pub(crate) fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
     for (k, areas) in body.split_evenly((QUANTITIES.len(), 2)).chunks(2).enumerate() {
         let [left, right] = areas else { continue };
         panel(left, k, &grids, "cells along each side", &|contact, x| {
-            mean(rows, Choice::reference(contact, CELLS[x]))
+            mean(&rows, Choice::reference(contact, CELLS[x]))
         })?;
         panel(right, k, &films, "contact film / nm", &|contact, x| {
             // A dry contact has no contact film: a line across.
             let cutoff = if contact == DRY { CUTOFF } else { CUTOFFS[x] };
-            mean(rows, Choice { cutoff, ..Choice::reference(contact, MESH) })
+            mean(&rows, Choice { cutoff, ..Choice::reference(contact, MESH) })
         })?;
     }
     root.present()?;

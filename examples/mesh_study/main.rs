@@ -77,6 +77,11 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let table = folder.join("mixed.csv");
     let known = if table.exists() { read(&table)? } else { Vec::new() };
+    if options.finest < plan::CELLS[0] {
+        return Err(
+            format!("--finest {}: the coarsest grid has {} cells", options.finest, plan::CELLS[0]).into()
+        );
+    }
     let plan = if options.quick { plan::quick() } else { plan::all(options.finest) };
     let mut rows: Vec<Row> = Vec::with_capacity(plan.len());
     for (k, job) in plan.iter().enumerate() {

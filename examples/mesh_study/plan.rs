@@ -128,7 +128,6 @@ fn cutoffs(cells: usize) -> Vec<Job> {
         64 => (&CONTACTS[..2], &CUTOFFS[..], &SEEDS[..1]),
         128 => (&CONTACTS[..4], &CUTOFFS[..], &SEEDS[..]),
         256 => (&CONTACTS[..2], &CUTOFFS[..], &SEEDS[..1]),
-        512 => (&CONTACTS[..1], &CUTOFFS[4..], &SEEDS[..1]),
         _ => return Vec::new(),
     };
     let mut jobs = Vec::new();

@@ -83,6 +83,7 @@ const HEAD: &str =
 pub(crate) fn text(rows: &[Row]) -> Result<String, Error> {
     let mut text = String::new();
     mesh(&mut text, rows)?;
+    scatter(&mut text, rows)?;
     powers(&mut text, rows)?;
     cutoffs(&mut text, rows)?;
     speeds(&mut text, rows)?;
@@ -99,16 +100,35 @@ pub(crate) fn cells(rows: &[Row]) -> Vec<usize> {
 }
 
 fn mesh(text: &mut String, rows: &[Row]) -> Result<(), Error> {
-    writeln!(
-        text,
-        "\nReference scene, contact film 1 nm, mean over surfaces:\n\n| contact | cells | {HEAD}"
-    )?;
+    writeln!(text, "\nFirst surface, contact film 1 nm:\n\n| contact | cells | {HEAD}")?;
     writeln!(text, "|---|---|---|---|---|---|---|---|---|")?;
+    let first = first(rows);
     for contact in CONTACTS {
         for cells in cells(rows) {
-            if let Some(mean) = mean(rows, Choice::reference(contact, cells)) {
+            if let Some(mean) = mean(&first, Choice::reference(contact, cells)) {
                 writeln!(text, "| {contact} | {cells} | {} |", mean.cells())?;
             }
+        }
+    }
+    Ok(())
+}
+
+/// Least and largest value of the surfaces where there are several, in per cent from their mean.
+fn scatter(text: &mut String, rows: &[Row]) -> Result<(), Error> {
+    writeln!(text, "\nContact film 1 nm, mean over surfaces and largest distance from it in per cent:\n")?;
+    writeln!(text, "| contact | cells | converged | area ratio | load ratio | mean film, nm | friction |")?;
+    writeln!(text, "|---|---|---|---|---|---|---|")?;
+    for contact in CONTACTS {
+        for cells in cells(rows) {
+            let choice = Choice::reference(contact, cells);
+            let Some(mean) = mean(rows, choice).filter(|mean| mean.count > 1) else { continue };
+            write!(text, "| {contact} | {cells} | {} of {} |", mean.converged, mean.count)?;
+            for (k, factor) in [1.0, 1.0, 1e9, 1.0].into_iter().enumerate() {
+                let of = rows.iter().filter(|row| choice.fits(row) && row.converged());
+                let far = of.fold(0.0_f64, |far, row| far.max((row.values[k] / mean.values[k] - 1.0).abs()));
+                write!(text, " {:.4} ({:.1} %) |", factor * mean.values[k], 100.0 * far)?;
+            }
+            writeln!(text)?;
         }
     }
     Ok(())
@@ -133,7 +153,10 @@ fn powers(text: &mut String, rows: &[Row]) -> Result<(), Error> {
                 if let Some(coarser) = found(cells / 2) {
                     let (before, now) =
                         (coarse.values[k] - coarser.values[k], fine.values[k] - coarse.values[k]);
-                    write!(text, " ({:.1})", (before / now).abs().log2())?;
+                    // A load ratio that is 1 on every mesh changes by rounding.
+                    if before.abs().min(now.abs()) > 1e-6 * coarse.values[k].abs() {
+                        write!(text, " ({:.1})", (before / now).abs().log2())?;
+                    }
                 }
                 write!(text, " |")?;
             }
@@ -164,7 +187,7 @@ fn cutoffs(text: &mut String, rows: &[Row]) -> Result<(), Error> {
         for cells in cells(rows) {
             write!(text, " {cells} |")?;
         }
-        writeln!(text)?;
+        writeln!(text, "\n|---|---|{}", "---|".repeat(cells(rows).len()))?;
         for contact in [HARD, HARD_ARITHMETIC] {
             for cutoff in CUTOFFS {
                 write!(text, "| {contact} | {:.1} |", 1e9 * cutoff)?;
@@ -183,7 +206,7 @@ fn cutoffs(text: &mut String, rows: &[Row]) -> Result<(), Error> {
 }
 
 /// The rows of the first surface.
-fn first(rows: &[Row]) -> Vec<Row> {
+pub(crate) fn first(rows: &[Row]) -> Vec<Row> {
     rows.iter().filter(|row| row.job.seed == SEEDS[0]).cloned().collect()
 }
 
