@@ -104,6 +104,9 @@ pub(crate) fn solve(job: &Job, folder: &Path) -> Result<Row, Box<dyn Error>> {
         disc: rough("disc.npy", job.rq[1], 2 * job.seed)?,
     };
     let solution = solve_contact(&scene)?;
+    for name in ["ball.npy", "disc.npy"] {
+        std::fs::remove_file(folder.join(name))?;
+    }
     let report = solution.report;
     Ok(Row {
         job: *job,
