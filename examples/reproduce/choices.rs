@@ -45,9 +45,9 @@ pub(crate) const BASE: Choice =
 /// Radius of the track on the disc, as printed, and of the ball \[m\].
 const TRACK_RADII: [f64; 2] = [9.525e-3, 23e-3];
 
-/// The scene as it is, with steps twice as long: what the finer grid is compared with.
+/// The scene as it is, with steps four times as long: what the finer grid is compared with.
 pub(crate) const LONG_STEPS: Choice =
-    Choice { name: "long_steps", text: "none", flip: |_| {}, motion: Motion::Random, time_step: 2.0 };
+    Choice { name: "long_steps", text: "none", flip: |_| {}, motion: Motion::Random, time_step: 4.0 };
 
 /// All flips.
 pub(crate) const CHOICES: [Choice; 24] = [
@@ -116,7 +116,7 @@ pub(crate) const CHOICES: [Choice; 24] = [
         ..flip("convected", "roughness carried by the bodies instead of moved at random", |_| {})
     },
     Choice { time_step: 3.0, ..flip("time_step_long", "steps three times as long", |_| {}) },
-    Choice { time_step: 0.1, ..flip("time_step_short", "steps a tenth as long", |_| {}) },
+    Choice { time_step: 1.0 / 3.0, ..flip("time_step_short", "steps a third as long", |_| {}) },
     flip("cutoff", "contact below 0.47 nm instead of 1 nm", |scene| scene.solver.film_cutoff = 0.47e-9),
     flip("arithmetic", "arithmetic face mobility instead of reduced pressure", |scene| {
         scene.solver.face_mobility = Some(FaceMobility::Arithmetic);

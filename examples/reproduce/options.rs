@@ -14,7 +14,7 @@ usage: cargo run --release --example reproduce -- [options]
   --steps N      steps of each history (default 72)
   --time-step S  seconds that a step stands for (default 100)
   --grid N       nodes along each side (default 128); one more pair is run on twice as many, and one beside it on these,
-                 with half the steps of twice the time
+                 with a quarter of the steps of four times the time
   --no-fine      leave those pairs out
   --choices      flip the open choices, one at a time, on the first seed; their table is kept beside the page
   --threads N    histories at a time (default 2)

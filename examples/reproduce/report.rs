@@ -19,7 +19,7 @@ const PAPER_WEAR: [f64; 2] = [152.0, 132.0];
 pub(crate) struct Results {
     /// One pair a seed, choices as they are.
     pub(crate) seeds: Vec<Pair>,
-    /// Steps twice as long, on this grid and on the finer one.
+    /// Steps four times as long, on this grid and on the finer one.
     fine: Vec<(usize, Pair)>,
     pub(crate) choices: Vec<(&'static Choice, Pair)>,
 }
@@ -125,7 +125,7 @@ fn quantities(page: &mut String, results: &Results) {
     let note = if results.fine.is_empty() {
         ""
     } else {
-        " The last columns are those of the first seed with half the steps of twice the time, on this grid and on one twice as fine."
+        " The last columns are those of the first seed with a quarter of the steps of four times the time, on this grid and on one twice as fine."
     };
     let _ = write!(
         page,
