@@ -11,11 +11,12 @@ The experiment of Azam et al. (2019) over several seeds, with and without tribof
 usage: cargo run --release --example reproduce -- [options]
 
   --seeds N      roughness seeds (default 8)
-  --steps N      steps of each history (default 720)
-  --time-step S  seconds that a step stands for (default 10)
-  --grid N       nodes along each side (default 128); one more pair is run on twice as many
-  --no-fine      leave that pair out
-  --no-choices   leave the runs with open choices flipped out
+  --steps N      steps of each history (default 72)
+  --time-step S  seconds that a step stands for (default 100)
+  --grid N       nodes along each side (default 128); one more pair is run on twice as many, and one beside it on these,
+                 with a quarter of the steps of four times the time
+  --no-fine      leave those pairs out
+  --choices      flip the open choices, one at a time, on the first seed; their table is kept beside the page
   --threads N    histories at a time (default 2)
   --out DIR      where histories are kept (default target/reproduce)
   --report DIR   where reproduction.md and figures/ are written (default docs)
@@ -41,7 +42,7 @@ pub(crate) struct Options {
     pub(crate) time_step: f64,
     /// Nodes along each side.
     pub(crate) grid: usize,
-    /// Whether one pair is run on a grid twice as fine.
+    /// Whether one pair is run on a grid twice as fine, and one beside it.
     pub(crate) fine: bool,
     /// Whether the open choices are flipped.
     pub(crate) choices: bool,
@@ -50,15 +51,28 @@ pub(crate) struct Options {
     pub(crate) report: PathBuf,
 }
 
+impl Options {
+    /// The command that asks for this.
+    pub(crate) fn command(&self) -> String {
+        let Self { seeds, steps, time_step, grid, .. } = self;
+        let fine = if self.fine { "" } else { " --no-fine" };
+        let choices = if self.choices { " --choices" } else { "" };
+        format!(
+            "cargo run --release --example reproduce -- --seeds {seeds} --grid {grid} --steps {steps} --time-step \
+             {time_step}{fine}{choices}"
+        )
+    }
+}
+
 /// Reads the command line.
 pub(crate) fn parse() -> Result<Command, lexopt::Error> {
     let mut options = Options {
         seeds: 8,
-        steps: 720,
-        time_step: 10.0,
+        steps: 72,
+        time_step: 100.0,
         grid: 128,
         fine: true,
-        choices: true,
+        choices: false,
         threads: 2,
         out: PathBuf::from("target/reproduce"),
         report: PathBuf::from("docs"),
@@ -71,7 +85,7 @@ pub(crate) fn parse() -> Result<Command, lexopt::Error> {
             Long("time-step") => options.time_step = parser.value()?.parse()?,
             Long("grid") => options.grid = parser.value()?.parse()?,
             Long("no-fine") => options.fine = false,
-            Long("no-choices") => options.choices = false,
+            Long("choices") => options.choices = true,
             Long("threads") => options.threads = parser.value()?.parse()?,
             Long("out") => options.out = PathBuf::from(parser.value()?),
             Long("report") => options.report = PathBuf::from(parser.value()?),

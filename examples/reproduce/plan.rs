@@ -7,7 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use stribeck::sim::scene::{Flash, Roughness};
 use stribeck::sim::{MixedLubricationSim, Scene, SimError};
 
-use crate::choices::{BASE, CHOICES, Choice, Motion};
+use crate::choices::{BASE, CHOICES, Choice, LONG_STEPS, Motion};
 use crate::history;
 use crate::options::Options;
 
@@ -36,11 +36,11 @@ impl Run {
     }
 
     pub(crate) fn steps(&self, options: &Options) -> u64 {
-        (options.steps / self.choice.time_step).max(1)
+        ((options.steps as f64 / self.choice.time_step).round() as u64).max(1)
     }
 
     pub(crate) fn time_step(&self, options: &Options) -> f64 {
-        let time_step = options.time_step * self.choice.time_step as f64;
+        let time_step = options.time_step * self.choice.time_step;
         match self.choice.motion {
             Motion::Random | Motion::Fixed => time_step,
             Motion::Convected => time_step + OFF_BEAT,
@@ -66,16 +66,16 @@ impl Run {
     }
 }
 
-/// All histories that the options ask for, pairs side by side.
+/// All histories that the options ask for, pairs side by side, those that take longest first.
 pub(crate) fn runs(options: &Options) -> Vec<Run> {
     let mut pairs: Vec<(&'static Choice, u64, usize)> = Vec::new();
-    pairs.extend((1..=options.seeds).map(|seed| (&BASE, seed, options.grid)));
+    if options.fine {
+        pairs.extend([(&LONG_STEPS, 1, 2 * options.grid), (&LONG_STEPS, 1, options.grid)]);
+    }
     if options.choices {
         pairs.extend(CHOICES.iter().map(|choice| (choice, 1, options.grid)));
     }
-    if options.fine {
-        pairs.push((&BASE, 1, 2 * options.grid));
-    }
+    pairs.extend((1..=options.seeds).map(|seed| (&BASE, seed, options.grid)));
     let both = |(choice, seed, grid)| [true, false].map(|film| Run { choice, seed, grid, film });
     pairs.into_iter().flat_map(both).collect()
 }
@@ -93,10 +93,18 @@ pub(crate) fn execute(runs: &[Run], options: &Options) -> Result<(), String> {
     std::thread::scope(|scope| {
         for _ in 0..options.threads {
             scope.spawn(|| {
+                // Histories side by side use the processors better than the parts of one.
+                let pool = match rayon::ThreadPoolBuilder::new().num_threads(1).build() {
+                    Ok(pool) => pool,
+                    Err(error) => {
+                        *failure.lock().unwrap_or_else(PoisonError::into_inner) = Some(error.to_string());
+                        return;
+                    }
+                };
                 loop {
                     let next = queue.lock().unwrap_or_else(PoisonError::into_inner).pop_front();
                     let Some(run) = next else { return };
-                    let outcome = history::write(run, options);
+                    let outcome = pool.install(|| history::write(run, options));
                     let left = queue.lock().unwrap_or_else(PoisonError::into_inner).len();
                     match outcome {
                         Ok(line) => println!("[{}/{total}] {line}", total - left),

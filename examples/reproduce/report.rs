@@ -5,10 +5,11 @@ use std::fmt::Write as _;
 
 use stribeck::sim::Scene;
 
-use crate::choices::{Choice, NOT_FLIPPED};
+use crate::choices::{BASE, Choice, LONG_STEPS, NOT_FLIPPED};
 use crate::history::{self, History};
 use crate::options::Options;
 use crate::plan::Run;
+use crate::sensitivity::Table;
 use crate::statements::{Pair, STATEMENTS};
 
 /// The paper's wear of the disc without and with film \[nm\].
@@ -18,8 +19,9 @@ const PAPER_WEAR: [f64; 2] = [152.0, 132.0];
 pub(crate) struct Results {
     /// One pair a seed, choices as they are.
     pub(crate) seeds: Vec<Pair>,
-    fine: Option<Pair>,
-    choices: Vec<(&'static Choice, Pair)>,
+    /// Steps four times as long, on this grid and on the finer one.
+    fine: Vec<(usize, Pair)>,
+    pub(crate) choices: Vec<(&'static Choice, Pair)>,
 }
 
 impl Results {
@@ -28,20 +30,21 @@ impl Results {
     /// # Errors
     /// A file that is missing or does not fit.
     pub(crate) fn gather(runs: &[Run], options: &Options) -> Result<Self, String> {
-        let mut results = Self { seeds: Vec::new(), fine: None, choices: Vec::new() };
+        let mut results = Self { seeds: Vec::new(), fine: Vec::new(), choices: Vec::new() };
         for run in runs.iter().filter(|run| run.film) {
             let pair = Pair {
                 with: history::read(run, options)?,
                 without: history::read(&Run { film: false, ..*run }, options)?,
             };
-            if run.grid != options.grid {
-                results.fine = Some(pair);
-            } else if run.choice.name == "base" {
+            if run.choice.name == LONG_STEPS.name {
+                results.fine.push((run.grid, pair));
+            } else if run.choice.name == BASE.name {
                 results.seeds.push(pair);
             } else {
                 results.choices.push((run.choice, pair));
             }
         }
+        results.fine.sort_by_key(|(grid, _)| *grid);
         Ok(results)
     }
 
@@ -65,13 +68,15 @@ impl Results {
 }
 
 /// The page as Markdown. Writing to a string cannot fail.
-pub(crate) fn page(results: &Results, options: &Options) -> String {
+pub(crate) fn page(results: &Results, table: Option<&Table>, options: &Options) -> String {
     let mut page = String::new();
     introduction(&mut page, results, options);
     quantities(&mut page, results);
-    statements(&mut page, results);
-    wear_readings(&mut page, results);
-    choices(&mut page, results);
+    statements(&mut page, results, table);
+    wear_readings(&mut page, results, table);
+    if let Some(table) = table {
+        choices(&mut page, table);
+    }
     for number in 1..=8 {
         let _ = write!(page, "\n![Figure {number}](figures/reproduction{number}.svg)\n");
     }
@@ -80,14 +85,11 @@ pub(crate) fn page(results: &Results, options: &Options) -> String {
 
 fn introduction(page: &mut String, results: &Results, options: &Options) {
     let (seeds, grid, steps, step) = (results.seeds.len(), options.grid, options.steps, options.time_step);
-    let fine = if options.fine { "" } else { " --no-fine" };
-    let choices = if options.choices { "" } else { " --no-choices" };
-    let left_out = format!("{fine}{choices}");
+    let command = options.command();
     let _ = write!(
         page,
         "# The paper's experiment\n\n\
-         Written by `cargo run --release --example reproduce -- --seeds {seeds} --grid {grid} --steps {steps} \
-         --time-step {step}{left_out}`: Azam, Ghanbarzadeh, Neville, Morina, Wilson (2019), Tribology International 135, 161-169. \
+         Written by `{command}`: Azam, Ghanbarzadeh, Neville, Morina, Wilson (2019), Tribology International 135, 161-169. \
          {seeds} seeds of roughness and motion, {grid} x {grid} nodes, {steps} steps of {step} s, residuals of 1e-3, \
          contact below 1 nm, random shift of both roughnesses each step. What the paper leaves open is chosen as in \
          `Scene::azam_2019`; nothing was tuned.\n\n"
@@ -115,13 +117,21 @@ fn introduction(page: &mut String, results: &Results, options: &Options) {
 }
 
 fn quantities(page: &mut String, results: &Results) {
-    let fine = if results.fine.is_some() { " finer grid, with | without |" } else { "" };
-    let rule = if results.fine.is_some() { "---|---|" } else { "" };
+    let mut finer = String::new();
+    for (grid, _) in &results.fine {
+        let _ = write!(finer, " {grid} x {grid}, with | {grid} x {grid}, without |");
+    }
+    let rule = "---|---|".repeat(results.fine.len());
+    let note = if results.fine.is_empty() {
+        ""
+    } else {
+        " The last columns are those of the first seed with a quarter of the steps of four times the time, on this grid and on one twice as fine."
+    };
     let _ = write!(
         page,
         "## Start and end\n\nMean of the seeds and their standard deviation; scattered quantities are means over the first \
-         or last steps of a history.\n\n\
-         | quantity | start | end, with | end, without |{fine}\n|---|---|---|---|{rule}\n"
+         or last steps of a history.{note}\n\n\
+         | quantity | start | end, with | end, without |{finer}\n|---|---|---|---|{rule}\n"
     );
     for (name, column, unit, decimals) in [
         ("Rq ball, nm", "rq_ball_m", 1e9, 1),
@@ -148,7 +158,7 @@ fn quantities(page: &mut String, results: &Results) {
         let start = cell(&|pair| pair.with.first(column));
         let (with, without) = (cell(&|pair| pair.with.end(column)), cell(&|pair| pair.without.end(column)));
         let _ = write!(page, "| {name} | {start} | {with} | {without} |");
-        if let Some(fine) = &results.fine {
+        for (_, fine) in &results.fine {
             let ends = [&fine.with, &fine.without].map(|history| unit * history.end(column));
             let _ = write!(page, " {:.decimals$} | {:.decimals$} |", ends[0], ends[1]);
         }
@@ -156,7 +166,7 @@ fn quantities(page: &mut String, results: &Results) {
     }
 }
 
-fn statements(page: &mut String, results: &Results) {
+fn statements(page: &mut String, results: &Results, table: Option<&Table>) {
     let seeds = results.seeds.len();
     let _ = write!(
         page,
@@ -171,24 +181,21 @@ fn statements(page: &mut String, results: &Results) {
             Some(mean) if (statement.holds)(mean) => "agrees",
             _ => "**disagrees**",
         };
-        let base = results.seeds.first().is_some_and(statement.holds);
-        let turned: Vec<&str> = results
-            .choices
-            .iter()
-            .filter(|(_, pair)| (statement.holds)(pair) != base)
-            .map(|(choice, _)| choice.name)
-            .collect();
-        let turned = match (results.choices.is_empty(), turned.is_empty()) {
-            (true, _) => "not run".to_owned(),
-            (false, true) => "none found".to_owned(),
-            (false, false) => turned.join(", "),
+        let turned = match table {
+            None => "not run".to_owned(),
+            Some(table) => {
+                let turn =
+                    table.rows.iter().filter(|row| row.turns.iter().any(|turn| turn == statement.text));
+                let names: Vec<String> = turn.map(|row| format!("`{}`", row.name)).collect();
+                if names.is_empty() { "none found".to_owned() } else { names.join(", ") }
+            }
         };
         let _ = writeln!(page, "| {} | {verdict} | {agree} of {seeds} | {turned} |", statement.text);
     }
 }
 
 /// The paper's 152 and 132 nm do not say which area or pressure.
-fn wear_readings(page: &mut String, results: &Results) {
+fn wear_readings(page: &mut String, results: &Results, table: Option<&Table>) {
     let _ = write!(
         page,
         "\n## The paper's two numbers\n\nWear of the disc after two hours: {} nm without, {} nm with film, ratio {:.3}. The \
@@ -217,48 +224,49 @@ fn wear_readings(page: &mut String, results: &Results) {
     row("all pressure, mean over the Hertz circle", areas * without, areas * with);
     let [without, with] = mean("max_wear_disc_m");
     row("all pressure, deepest node", without, with);
-    if let Some((_, pair)) = results.choices.iter().find(|(choice, _)| choice.name == "wear_solid") {
-        let [without, with] = [&pair.without, &pair.with].map(|h| h.last("mean_wear_disc_m"));
-        row("solid pressure, mean over the box (first seed)", without, with);
-        row("solid pressure, mean over the Hertz circle (first seed)", areas * without, areas * with);
+    let flips = table.map_or(&[][..], |table| &table.rows);
+    for flip in flips {
+        let [ratio, without, ..] = flip.numbers[..] else { continue };
+        let reading = format!("first seed, flipped: {} (`{}`), Hertz circle", flip.flip, flip.name);
+        row(&reading, areas * without, areas * without * ratio);
     }
 }
 
-fn choices(page: &mut String, results: &Results) {
-    let Some(base) = results.seeds.first() else { return };
-    if results.choices.is_empty() {
-        return;
-    }
+fn choices(page: &mut String, table: &Table) {
     let _ = write!(
         page,
-        "\n## Open choices\n\nEach flipped alone, first seed; the first row is the scene as it is. Compare with the spread over \
-         the seeds above.\n\n\
+        "\n## Open choices\n\nEach flipped alone, first seed, by `{}`; the first row is the scene as it is. Compare with the \
+         spread over the seeds above. Fewer steps than the first row has: the history ended early or has other steps.\n\n\
          | flip | wear ratio | wear without, nm | film, nm | lambda with / without | area with / without | load with / without \
-         | steps |\n|---|---|---|---|---|---|---|---|\n"
+         | steps |\n|---|---|---|---|---|---|---|---|\n",
+        table.command
     );
-    let mut row = |name: &str, pair: &Pair| {
-        let both = |column: &str, decimals: usize| {
-            format!("{:.decimals$} / {:.decimals$}", pair.with.end(column), pair.without.end(column))
+    for row in &table.rows {
+        let &[
+            ratio,
+            wear,
+            film,
+            lambda,
+            lambda_without,
+            area,
+            area_without,
+            load,
+            load_without,
+            steps,
+            steps_without,
+        ] = row.numbers.as_slice()
+        else {
+            continue;
         };
-        let wear = [&pair.with, &pair.without].map(|history| history.last("mean_wear_disc_m"));
-        let early =
-            if pair.with.failure.is_some() || pair.without.failure.is_some() { " (early)" } else { "" };
         let _ = writeln!(
             page,
-            "| {name} | {:.3} | {:.3} | {:.1} | {} | {} | {} | {} / {}{early} |",
-            wear[0] / wear[1],
-            1e9 * wear[1],
-            1e9 * pair.with.last("mean_film_disc_m"),
-            both("lambda", 3),
-            both("area_ratio", 3),
-            both("load_ratio", 3),
-            pair.with.steps(),
-            pair.without.steps()
+            "| {} (`{}`) | {ratio:.3} | {:.3} | {:.1} | {lambda:.3} / {lambda_without:.3} | {area:.3} / {area_without:.3} | \
+             {load:.3} / {load_without:.3} | {steps} / {steps_without} |",
+            row.flip,
+            row.name,
+            1e9 * wear,
+            1e9 * film
         );
-    };
-    row("none", base);
-    for (choice, pair) in &results.choices {
-        row(&format!("{} (`{}`)", choice.text, choice.name), pair);
     }
     let _ = write!(page, "\n{NOT_FLIPPED}");
 }

@@ -136,6 +136,7 @@ fn summary(entries: &[Entry]) -> Result<String, std::fmt::Error> {
         Group::Finer,
         Group::Anisotropic,
         Group::Exponential,
+        Group::Transient,
         Group::Measured,
         Group::Infeasible,
     ];

@@ -3,9 +3,10 @@
 use std::fmt;
 use std::fmt::Write as _;
 
-use stribeck::reynolds::ContactDefinition;
+use stribeck::reynolds::{ContactDefinition, ContactState};
 use stribeck::sim::scene::SolverKind;
-use stribeck::sim::{ContactSolution, Scene, solve_contact};
+use stribeck::sim::{MixedLubricationSim, Scene, SimError, solve_contact};
+use stribeck::surface::RoughnessMotion;
 use stribeck::{SolveReport, Status};
 
 use crate::scenes::Case;
@@ -16,6 +17,9 @@ const TOLERANCE: f64 = 1e-6;
 const SWEEPS: u64 = 3000;
 /// Distance below the contact film that no gap may have \[m\].
 const SLACK: f64 = 0.1e-9;
+
+/// Steps of a transient scene; the first has no squeeze.
+const STEPS: u32 = 6;
 
 /// The solvers of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -114,30 +118,72 @@ pub(crate) fn solve(case: &Case, solver: Solver) -> Entry {
         numbers: [f64::NAN; 3],
         remark,
     };
-    match solve_contact(&scene) {
+    let solved = if case.cells > 0 { in_time(case, scene) } else { at_once(&scene) };
+    match solved {
+        Err(SimError::NotConverged { source, step, .. }) => {
+            let remark = format!("at step {step}");
+            let numbers = [f64::NAN; 3];
+            Entry { report: Some(source.report), numbers, ..entry(verdict(source.report.status), remark) }
+        }
         Err(error) => entry(Verdict::Refused, error.to_string()),
-        Ok(solution) => {
-            let fault = fault(&scene, &solution);
-            let verdict = match (solution.report.status, &fault) {
-                (Status::Converged, Some(_)) => Verdict::Lie,
-                (Status::Converged, None) => Verdict::Converged,
-                (Status::MeshTooCoarse, _) => Verdict::MeshTooCoarse,
-                (Status::MaxIterations, _) => Verdict::MaxIterations,
-                (Status::Diverged, _) => Verdict::Diverged,
-                // Stalled, or a status that is new to this example.
-                _ => Verdict::Stalled,
+        Ok(Solved { report, numbers, fault }) => {
+            let (verdict, remark) = match (report.status, fault) {
+                (Status::Converged, Some(fault)) => (Verdict::Lie, fault),
+                (status, _) => (verdict(status), String::new()),
             };
-            let remark = if verdict == Verdict::Lie { fault.unwrap_or_default() } else { String::new() };
-            let numbers =
-                [solution.film.minimum_gap, solution.contact.load_ratio, solution.contact.area_ratio];
-            Entry { report: Some(solution.report), numbers, ..entry(verdict, remark) }
+            Entry { report: Some(report), numbers, ..entry(verdict, remark) }
+        }
+    }
+}
+
+/// A solve with what contradicts it.
+struct Solved {
+    report: SolveReport,
+    numbers: [f64; 3],
+    fault: Option<String>,
+}
+
+fn verdict(status: Status) -> Verdict {
+    match status {
+        Status::Converged => Verdict::Converged,
+        Status::MeshTooCoarse => Verdict::MeshTooCoarse,
+        Status::MaxIterations => Verdict::MaxIterations,
+        Status::Diverged => Verdict::Diverged,
+        // Stalled, or a status that is new to this example.
+        _ => Verdict::Stalled,
+    }
+}
+
+fn at_once(scene: &Scene) -> Result<Solved, SimError> {
+    let solution = solve_contact(scene)?;
+    let load = (solution.hertz.load, solution.grid.cell_area());
+    Ok(Solved {
+        report: solution.report,
+        numbers: [solution.film.minimum_gap, solution.contact.load_ratio, solution.contact.area_ratio],
+        fault: fault(scene, &solution.state, load),
+    })
+}
+
+/// Some steps with moving roughness and squeeze; the first step that contradicts itself, or the last.
+fn in_time(case: &Case, scene: Scene) -> Result<Solved, SimError> {
+    let (grid, checked) = (scene.grid()?, scene.clone());
+    let time_step = f64::from(case.cells) * grid.dx() / case.speed;
+    let builder = MixedLubricationSim::builder(scene).motion(RoughnessMotion::Convected).with_squeeze();
+    let mut sim = builder.build()?;
+    loop {
+        let record = sim.step(time_step)?;
+        let state = sim.state();
+        let fault = fault(&checked, state, (sim.hertz().load, grid.cell_area()));
+        if fault.is_some() || record.step + 1 >= u64::from(STEPS) {
+            let gap = state.film.iter().copied().fold(f64::INFINITY, f64::min);
+            let numbers = [gap, record.load_ratio, record.area_ratio];
+            return Ok(Solved { report: record.report, numbers, fault });
         }
     }
 }
 
 /// What in the fields contradicts a converged solve.
-fn fault(scene: &Scene, solution: &ContactSolution) -> Option<String> {
-    let state = &solution.state;
+fn fault(scene: &Scene, state: &ContactState, (load, cell_area): (f64, f64)) -> Option<String> {
     let cutoff = scene.solver.film_cutoff;
     let fields = [&state.pressure, &state.fluid_pressure, &state.film];
     if fields.into_iter().flatten().any(|value| !value.is_finite()) {
@@ -156,25 +202,25 @@ fn fault(scene: &Scene, solution: &ContactSolution) -> Option<String> {
     if furthest > SLACK {
         return Some(format!("solid contact {furthest:.3e} m off the contact film"));
     }
-    let carried = state.pressure.iter().sum::<f64>() * solution.grid.cell_area();
-    let error = (carried / solution.hertz.load - 1.0).abs();
+    let carried = state.pressure.iter().sum::<f64>() * cell_area;
+    let error = (carried / load - 1.0).abs();
     (error > 2.0 * TOLERANCE).then(|| format!("a relative load error of {error:.1e}"))
 }
 
 /// All entries as CSV.
 pub(crate) fn table(entries: &[Entry]) -> String {
     let mut text = String::from(
-        "solver,group,nodes,entrainment_speed_m_per_s,rq_m,length_x_m,length_y_m,hertz_pressure_pa,hardness_pa,verdict,\
+        "solver,group,nodes,entrainment_speed_m_per_s,rq_m,length_x_m,length_y_m,hertz_pressure_pa,hardness_pa,cells_per_step,verdict,\
          ran,mass_residual,load_residual,complementarity_residual,iterations,convolutions,minimum_gap_m,load_ratio,\
          area_ratio,remark\n",
     );
     for entry in entries {
-        let Case { group, nodes, speed, rq, lengths, pressure, hardness } = &entry.case;
+        let Case { group, nodes, speed, rq, lengths, pressure, hardness, cells } = &entry.case;
         let hardness = hardness.map_or_else(String::new, |value| format!("{value:e}"));
         // Writing to a string cannot fail.
         let _ = write!(
             text,
-            "{},{group},{nodes},{speed:e},{rq:e},{:e},{:e},{pressure:e},{hardness},{}",
+            "{},{group},{nodes},{speed:e},{rq:e},{:e},{:e},{pressure:e},{hardness},{cells},{}",
             entry.solver, lengths[0], lengths[1], entry.verdict
         );
         let _ = match &entry.report {

@@ -29,6 +29,8 @@ pub(crate) enum Group {
     Anisotropic,
     /// Exponential autocorrelation: no shortest wavelength but that of the mesh.
     Exponential,
+    /// Both roughnesses carried through the contact, with squeeze: a cell or four of the grid in a step.
+    Transient,
     /// A measured disc.
     Measured,
     /// More load than the hardness can carry in the box: to be refused.
@@ -42,6 +44,7 @@ impl fmt::Display for Group {
             Self::Finer => "finer",
             Self::Anisotropic => "anisotropic",
             Self::Exponential => "exponential",
+            Self::Transient => "transient",
             Self::Measured => "measured",
             Self::Infeasible => "infeasible",
         })
@@ -62,6 +65,8 @@ pub(crate) struct Case {
     /// Hertz pressure \[Pa\].
     pub(crate) pressure: f64,
     pub(crate) hardness: Option<f64>,
+    /// Cells that the mean surface moves on in a step of a transient scene; zero in the others.
+    pub(crate) cells: u32,
 }
 
 impl Case {
@@ -74,6 +79,7 @@ impl Case {
             lengths: [LENGTHS[0]; 2],
             pressure: REFERENCE.0,
             hardness: HARDNESSES[1],
+            cells: 0,
         }
     }
 
@@ -113,7 +119,8 @@ impl Case {
 /// All cases; with `quick` a handful of the battery on a coarser grid.
 pub(crate) fn cases(quick: bool) -> Vec<Case> {
     if quick {
-        return battery(32).into_iter().step_by(37).chain(infeasible(32)).collect();
+        let transient = Case { cells: 1, ..Case::new(Group::Transient, 32, 0.1, 20e-9) };
+        return battery(32).into_iter().step_by(37).chain(infeasible(32)).chain([transient]).collect();
     }
     let mut cases = battery(64);
     cases.extend(finer());
@@ -163,6 +170,9 @@ fn variants() -> Vec<Case> {
             }
             for hardness in HARDNESSES {
                 cases.push(Case { hardness, ..Case::new(Group::Exponential, 64, speed, rq) });
+            }
+            for cells in [1, 4] {
+                cases.push(Case { cells, ..Case::new(Group::Transient, 64, speed, rq) });
             }
             cases.push(Case::new(Group::Measured, 64, speed, rq));
         }

@@ -1,8 +1,8 @@
 //! What accuracy costs: errors of four contacts against seconds and convolutions, one line per solver, that of the example
-//! `custom_solver` among them.
+//! `custom_solver` among them; errors of wear and film of a history against its steps.
 //!
 //! ```text
-//! cargo run --release --example work_precision                      # docs/work_precision.{csv,svg}, some minutes
+//! cargo run --release --example work_precision                      # docs/work_precision.{csv,svg}, docs/time_steps.csv, minutes
 //! cargo run --release --example work_precision -- --quick --out DIR # coarse grids, seconds
 //! ```
 //!
@@ -12,8 +12,9 @@
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
-#[path = "custom_solver/steepest_descent.rs"]
+#[path = "../custom_solver/steepest_descent.rs"]
 mod steepest_descent;
+mod stepping;
 
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
@@ -43,7 +44,7 @@ const USAGE: &str = "\
 usage: cargo run --release --example work_precision -- [--quick] [--out DIR]
 
   --quick    coarse grids and few tolerances
-  --out DIR  where to write work_precision.csv and .svg (default docs)
+  --out DIR  where to write work_precision.csv and .svg and time_steps.csv (default docs)
 ";
 const TIGHT: f64 = 1e-6;
 /// A solve is repeated until it has taken this long \[s\]: the system counts processor time in steps of milliseconds.
@@ -56,7 +57,7 @@ const OWN: &str = "steepest_descent";
 const RQ: f64 = 100e-9;
 const WAVELENGTHS: (f64, f64) = (100e-6, 25e-6);
 const WAVES: u32 = 60;
-const SIZE: (u32, u32) = (1000, 1260);
+const SIZE: (u32, u32) = (1000, 1560);
 const HEAD: i32 = 64;
 /// Blue, vermilion, green, purple and orange of the palette of Okabe and Ito.
 const COLOURS: [(&str, RGBColor); 6] = [
@@ -131,6 +132,15 @@ const CASES: [Case; 4] = [
 struct Options {
     quick: bool,
     out: PathBuf,
+}
+
+/// Lines of one colour.
+struct Series {
+    colour: RGBColor,
+    /// Cost and the two errors.
+    points: [Vec<(f64, f64)>; 2],
+    /// Single points beside the lines.
+    loose: Vec<(f64, f64)>,
 }
 
 /// One solve.
@@ -366,8 +376,11 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     }
     std::fs::create_dir_all(&options.out).map_err(|error| format!("{}: {error}", options.out.display()))?;
     write_table(&rows, &options.out.join("work_precision.csv"))?;
-    draw(&rows, &options.out.join("work_precision.svg"))?;
-    println!("table and figure are in {}", options.out.display());
+    let histories = stepping::rows(options.quick)?;
+    stepping::write_table(&histories, &options.out.join("time_steps.csv"))?;
+    let steps = stepping::panels(&histories, options.quick);
+    draw(&rows, &steps, &options.out.join("work_precision.svg"))?;
+    println!("tables and figure are in {}", options.out.display());
     Ok(())
 }
 
@@ -398,8 +411,8 @@ fn write_table(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
     std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()).into())
 }
 
-/// A row of two panels for every case: errors over seconds and over convolutions.
-fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
+/// A row of two panels for every case, errors over seconds and over convolutions, and one for the steps in time.
+fn draw(rows: &[Row], steps: &[Vec<Series>; 2], path: &Path) -> Result<(), Box<dyn Error>> {
     let root = SVGBackend::new(path, SIZE).into_drawing_area();
     root.fill(&WHITE)?;
     let (head, body) = root.split_vertically(HEAD);
@@ -414,43 +427,62 @@ fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
     head.draw(&Text::new("1e-6", (940, 2), font(16)))?;
     head.draw(&Circle::new((930, 32), 3, BLACK.stroke_width(1)))?;
     head.draw(&Text::new("looser", (940, 22), font(16)))?;
-    for (areas, case) in body.split_evenly((CASES.len(), 2)).chunks(2).zip(&CASES) {
+    let areas = body.split_evenly((CASES.len() + 1, 2));
+    let mut areas = areas.chunks(2);
+    for (areas, case) in areas.by_ref().zip(&CASES) {
         let shown: Vec<&Row> = rows.iter().filter(|row| row.case == case.name && row.converged()).collect();
+        let title =
+            format!("{}: {} (solid), {} (broken)", case.title, case.quantities[0], case.quantities[1]);
         let [seconds, convolutions] = areas else { continue };
-        panel(seconds, case, &shown, "seconds", |row| row.seconds)?;
-        panel(convolutions, case, &shown, "convolutions of the grid", |row| row.report.work.convolutions)?;
+        panel(seconds, &title, "seconds", &solver_series(&shown, |row| row.seconds))?;
+        let work = solver_series(&shown, |row| row.report.work.convolutions);
+        panel(convolutions, &title, "convolutions of the grid", &work)?;
+    }
+    if let Some([lengths, seconds]) = areas.next() {
+        let title = "steps of a history: mean wear (solid), mean film (broken)";
+        panel(lengths, title, "mean step, seconds of the history", &steps[0])?;
+        panel(seconds, "the same; black: equal steps, blue: changes bounded", "seconds", &steps[1])?;
     }
     root.present()?;
     Ok(())
 }
 
-/// The first error with full lines, the second with broken ones; dots at the tight tolerance, circles at looser ones.
+/// Lines at the tight tolerance and single points at the looser ones, a colour for each solver.
+fn solver_series(rows: &[&Row], cost: fn(&Row) -> f64) -> Vec<Series> {
+    let of_solver = |(name, colour): (&str, RGBColor)| {
+        let points = |k: usize, tight: bool| {
+            let of_solver = rows.iter().filter(|row| row.solver == name && row.errors[k] > 0.0);
+            let rows = of_solver.filter(|row| (row.tolerance <= TIGHT) == tight);
+            rows.map(|row| (cost(row), row.errors[k])).collect()
+        };
+        Series { colour, points: [points(0, true), points(1, true)], loose: points(0, false) }
+    };
+    COLOURS.map(of_solver).into()
+}
+
+/// The first error with full lines, the second with broken ones.
 fn panel(
     area: &DrawingArea<SVGBackend<'_>, Shift>,
-    case: &Case,
-    rows: &[&Row],
+    title: &str,
     x_label: &str,
-    cost: fn(&Row) -> f64,
+    series: &[Series],
 ) -> Result<(), Box<dyn Error>> {
-    let errors = || rows.iter().flat_map(|row| row.errors).filter(|error| *error > 0.0);
+    let points = || series.iter().flat_map(|s| s.points.iter().flatten().chain(&s.loose));
     // Two at least.
     let decades = |low: f64, high: f64| {
         let first = low.log10().floor();
         10_f64.powf(first)..10_f64.powf(high.log10().ceil().max(first + 2.0))
     };
-    let least = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min);
-    let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
-    let y = decades(least(&mut errors()).clamp(1e-6, 1e-2), most(&mut errors()).clamp(0.1, 10.0));
-    let x = decades(
-        least(&mut rows.iter().map(|row| cost(row))).clamp(1e-4, 1e3),
-        most(&mut rows.iter().map(|row| cost(row))).clamp(1e-2, 1e5),
-    );
+    let range = |of: fn(&(f64, f64)) -> f64| {
+        let all = || points().map(of);
+        [all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max)]
+    };
+    let ([least_cost, most_cost], [least, most]) = (range(|point| point.0), range(|point| point.1));
+    let y = decades(least.clamp(1e-6, 1e-2), most.clamp(0.1, 10.0));
+    let x = decades(least_cost.clamp(1e-4, 1e3), most_cost.clamp(1e-2, 1e5));
     let font = |size: u32| ("sans-serif", size).into_font();
     let mut chart = ChartBuilder::on(area)
-        .caption(
-            format!("{}: {} (solid), {} (broken)", case.title, case.quantities[0], case.quantities[1]),
-            font(16),
-        )
+        .caption(title, font(16))
         .margin(8)
         .margin_right(24)
         .x_label_area_size(44)
@@ -467,25 +499,12 @@ fn panel(
         .light_line_style(TRANSPARENT)
         .bold_line_style(BLACK.mix(0.12))
         .draw()?;
-    for (name, colour) in COLOURS {
-        let of_solver = || rows.iter().filter(move |row| row.solver == name);
-        for k in [0, 1] {
-            let tight: Vec<(f64, f64)> = of_solver()
-                .filter(|row| row.tolerance <= TIGHT && row.errors[k] > 0.0)
-                .map(|row| (cost(row), row.errors[k]))
-                .collect();
-            let style = colour.stroke_width(2);
-            if k == 0 {
-                chart.draw_series(LineSeries::new(tight.iter().copied(), style))?;
-            } else {
-                chart.draw_series(DashedLineSeries::new(tight.iter().copied(), 7, 5, style))?;
-            }
-            chart.draw_series(tight.iter().map(|point| Circle::new(*point, 4, colour.filled())))?;
-        }
-        let loose = of_solver().filter(|row| row.tolerance > TIGHT && row.errors[0] > 0.0);
-        chart.draw_series(
-            loose.map(|row| Circle::new((cost(row), row.errors[0]), 3, colour.stroke_width(1))),
-        )?;
+    for Series { colour, points: [first, second], loose } in series {
+        let style = colour.stroke_width(2);
+        chart.draw_series(LineSeries::new(first.iter().copied(), style))?;
+        chart.draw_series(DashedLineSeries::new(second.iter().copied(), 7, 5, style))?;
+        chart.draw_series(first.iter().chain(second).map(|point| Circle::new(*point, 4, colour.filled())))?;
+        chart.draw_series(loose.iter().map(|point| Circle::new(*point, 3, colour.stroke_width(1))))?;
     }
     Ok(())
 }
