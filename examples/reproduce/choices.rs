@@ -45,9 +45,11 @@ pub(crate) const BASE: Choice =
 /// Radius of the track on the disc, as printed, and of the ball \[m\].
 const TRACK_RADII: [f64; 2] = [9.525e-3, 23e-3];
 
-/// The scene as it is, with steps four times as long: what the finer grid is compared with.
-pub(crate) const LONG_STEPS: Choice =
-    Choice { name: "long_steps", text: "none", flip: |_| {}, motion: Motion::Random, time_step: 4.0 };
+/// The scene as it is, with steps twice as long: what the flips are compared with.
+pub(crate) const NO_FLIP: Choice = flip("no_flip", "none", |_| {});
+
+/// The scene as it is, with steps four times as long: on the grid, and on a finer one to compare with that.
+pub(crate) const LONG_STEPS: Choice = Choice { name: "long_steps", time_step: 4.0, ..NO_FLIP };
 
 /// All flips.
 pub(crate) const CHOICES: [Choice; 24] = [
@@ -115,8 +117,8 @@ pub(crate) const CHOICES: [Choice; 24] = [
         motion: Motion::Convected,
         ..flip("convected", "roughness carried by the bodies instead of moved at random", |_| {})
     },
-    Choice { time_step: 3.0, ..flip("time_step_long", "steps three times as long", |_| {}) },
-    Choice { time_step: 1.0 / 3.0, ..flip("time_step_short", "steps a third as long", |_| {}) },
+    Choice { time_step: 6.0, ..flip("time_step_long", "steps three times as long", |_| {}) },
+    Choice { time_step: 0.5, ..flip("time_step_short", "steps a quarter as long", |_| {}) },
     flip("cutoff", "contact below 0.47 nm instead of 1 nm", |scene| scene.solver.film_cutoff = 0.47e-9),
     flip("arithmetic", "arithmetic face mobility instead of reduced pressure", |scene| {
         scene.solver.face_mobility = Some(FaceMobility::Arithmetic);
@@ -153,7 +155,7 @@ pub(crate) const CHOICES: [Choice; 24] = [
 ];
 
 const fn flip(name: &'static str, text: &'static str, flip: fn(&mut Scene)) -> Choice {
-    Choice { name, text, flip, motion: Motion::Random, time_step: 1.0 }
+    Choice { name, text, flip, motion: Motion::Random, time_step: 2.0 }
 }
 
 fn set_length(scene: &mut Scene, length: f64) {

@@ -16,7 +16,8 @@ usage: cargo run --release --example reproduce -- [options]
   --grid N       nodes along each side (default 128); one more pair is run on twice as many, and one beside it on these,
                  with a quarter of the steps of four times the time
   --no-fine      leave those pairs out
-  --choices      flip the open choices, one at a time, on the first seed; their table is kept beside the page
+  --choices      flip the open choices, one at a time, on the first seed, with half the steps of twice the time; their table
+                 is kept beside the page
   --threads N    histories at a time (default 2)
   --out DIR      where histories are kept (default target/reproduce)
   --report DIR   where reproduction.md and figures/ are written (default docs)

@@ -7,7 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use stribeck::sim::scene::{Flash, Roughness};
 use stribeck::sim::{MixedLubricationSim, Scene, SimError};
 
-use crate::choices::{BASE, CHOICES, Choice, LONG_STEPS, Motion};
+use crate::choices::{BASE, CHOICES, Choice, LONG_STEPS, Motion, NO_FLIP};
 use crate::history;
 use crate::options::Options;
 
@@ -73,7 +73,7 @@ pub(crate) fn runs(options: &Options) -> Vec<Run> {
         pairs.extend([(&LONG_STEPS, 1, 2 * options.grid), (&LONG_STEPS, 1, options.grid)]);
     }
     if options.choices {
-        pairs.extend(CHOICES.iter().map(|choice| (choice, 1, options.grid)));
+        pairs.extend([&NO_FLIP].into_iter().chain(&CHOICES).map(|choice| (choice, 1, options.grid)));
     }
     pairs.extend((1..=options.seeds).map(|seed| (&BASE, seed, options.grid)));
     let both = |(choice, seed, grid)| [true, false].map(|film| Run { choice, seed, grid, film });

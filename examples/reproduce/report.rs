@@ -235,8 +235,8 @@ fn wear_readings(page: &mut String, results: &Results, table: Option<&Table>) {
 fn choices(page: &mut String, table: &Table) {
     let _ = write!(
         page,
-        "\n## Open choices\n\nEach flipped alone, first seed, by `{}`; the first row is the scene as it is. Compare with the \
-         spread over the seeds above. Fewer steps than the first row has: the history ended early or has other steps.\n\n\
+        "\n## Open choices\n\nEach flipped alone, first seed, with half the steps of twice the time, by `{}`; the first row is the scene as it is. Compare \
+         with the spread over the seeds above. Where there are fewer steps than in the first row, the history ended early.\n\n\
          | flip | wear ratio | wear without, nm | film, nm | lambda with / without | area with / without | load with / without \
          | steps |\n|---|---|---|---|---|---|---|---|\n",
         table.command

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::choices::Choice;
+use crate::choices::{Choice, NO_FLIP};
 use crate::options::Options;
 use crate::report::Results;
 use crate::statements::{Pair, STATEMENTS};
@@ -54,9 +54,8 @@ pub(crate) struct Table {
 impl Table {
     /// The table of what was run now; none without flips.
     pub(crate) fn of(results: &Results, options: &Options) -> Option<Self> {
-        let base = results.seeds.first().filter(|_| !results.choices.is_empty())?;
-        let mut rows = vec![row("base", "none", base, base)];
-        rows.extend(results.choices.iter().map(|(choice, pair)| of_choice(choice, pair, base)));
+        let (_, base) = results.choices.iter().find(|(choice, _)| choice.name == NO_FLIP.name)?;
+        let rows = results.choices.iter().map(|(choice, pair)| row(choice, pair, base)).collect();
         Some(Self { command: options.command(), rows })
     }
 
@@ -111,11 +110,7 @@ impl Table {
     }
 }
 
-fn of_choice(choice: &Choice, pair: &Pair, base: &Pair) -> Row {
-    row(choice.name, choice.text, pair, base)
-}
-
-fn row(name: &str, flip: &str, pair: &Pair, base: &Pair) -> Row {
+fn row(choice: &Choice, pair: &Pair, base: &Pair) -> Row {
     let wear = [&pair.with, &pair.without].map(|history| history.last("mean_wear_disc_m"));
     let mut numbers = vec![wear[0] / wear[1], wear[1], pair.with.last("mean_film_disc_m")];
     for column in ["lambda", "area_ratio", "load_ratio"] {
@@ -124,8 +119,8 @@ fn row(name: &str, flip: &str, pair: &Pair, base: &Pair) -> Row {
     numbers.extend([pair.with.steps() as f64, pair.without.steps() as f64]);
     let turned = STATEMENTS.iter().filter(|statement| (statement.holds)(pair) != (statement.holds)(base));
     Row {
-        name: name.to_owned(),
-        flip: flip.to_owned(),
+        name: choice.name.to_owned(),
+        flip: choice.text.to_owned(),
         numbers,
         turns: turned.map(|statement| statement.text.to_owned()).collect(),
     }

@@ -8,8 +8,6 @@ use crate::elastic::{DryOutcome, DryProblem, DrySolver};
 use crate::grid::Grid;
 use crate::report::{SolveReport, Status, Work};
 
-/// Gap error to which a start is solved: node sides still change in the lubricated solve.
-const START_TOLERANCE: f64 = 1e-7;
 /// Reference film over mean dry gap above which a start is fluid.
 const FILM_OVER_GAP: f64 = 2.0;
 /// Active-set passes of a start.
@@ -31,13 +29,14 @@ impl DryStart {
         Self { solver: DrySolver::new(grid.len()), excluded }
     }
 
-    /// Solves to a tolerance good enough to start from.
+    /// Solves to a gap error of `tolerance`: node sides still change in the lubricated solve.
     pub(super) fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
+        tolerance: f64,
     ) -> Result<Work, ReynoldsError> {
-        let outcome = self.solve(problem, state, START_TOLERANCE, START_PASSES)?;
+        let outcome = self.solve(problem, state, tolerance, START_PASSES)?;
         if problem.reference_film > FILM_OVER_GAP * self.mean_gap(problem, state) {
             // A film thicker than what the dry surfaces leave between them carries the load as fluid.
             state.fluid_pressure.clone_from(&state.pressure);
