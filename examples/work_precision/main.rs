@@ -429,7 +429,7 @@ fn draw(rows: &[Row], steps: &[Vec<Series>; 2], path: &Path) -> Result<(), Box<d
     head.draw(&Text::new("looser", (940, 22), font(16)))?;
     let areas = body.split_evenly((CASES.len() + 1, 2));
     let mut areas = areas.chunks(2);
-    for (areas, case) in areas.by_ref().zip(&CASES) {
+    for (case, areas) in CASES.iter().zip(areas.by_ref()) {
         let shown: Vec<&Row> = rows.iter().filter(|row| row.case == case.name && row.converged()).collect();
         let title =
             format!("{}: {} (solid), {} (broken)", case.title, case.quantities[0], case.quantities[1]);

@@ -56,7 +56,7 @@ seed = 2
 [plastic]
 hardness = 6e9
 """
-# Roller of 19.05 mm on a flat, both 200 GPa and 0.3; box of four Hertz radii (a^3 = 3 F R / (2 E')).
+# Roller of 19.05 mm on a flat, both 200 GPa and 0.3; box of four Hertz radii (a^3 = 3 F R / (2 E')); density as slippy's.
 FILM_MODULUS = 200e9 / (1 - 0.3**2)
 FILM_RADIUS = (1.5 * 800.0 * 0.01905 / FILM_MODULUS) ** (1 / 3)
 FILM = """[form]
@@ -72,6 +72,8 @@ entrainment_speed = 4.0
 eta0 = 0.096
 roelands_z = 0.68
 roelands_p0 = 1.9607843137e8
+density_a = {density_a}
+density_b = {density_b}
 [grid]
 nx = {n}
 ny = {n}
@@ -115,7 +117,7 @@ def ours(folder):
             note = f"{out['status']}, {out['work']['inner_iterations']} steps"
             results[task, n] = {"seconds": out["seconds"], "value": value, "note": note}
     for n in (64, 128):
-        scene = FILM.format(n=n, modulus=FILM_MODULUS, half=2 * FILM_RADIUS)
+        scene = FILM.format(n=n, modulus=FILM_MODULUS, half=2 * FILM_RADIUS, density_a=0.34 / 5.9e8, density_b=1 / 5.9e8)
         out = solve(programs / "solve", folder, f"film_{n}", scene)
         if "failed" in out:
             results["film", n] = out
