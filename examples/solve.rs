@@ -144,6 +144,7 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
             "load_ratio": contact.load_ratio,
             "area": contact.area,
             "plastic_area": contact.plastic_area,
+            "film_cutoff": contact.film_cutoff,
         },
         "friction": { "coefficient": solution.friction_coefficient },
         "approach": state.approach,
@@ -196,7 +197,8 @@ fn summary(solution: &ContactSolution, seconds: f64) -> String {
             contact.central_pressure * 1e-9
         ),
         format!(
-            "contact    {:.2} % of the Hertz area, {:.2} % of the load, {:.1} um^2 plastic",
+            "contact    below {:.2} nm: {:.2} % of the Hertz area, {:.2} % of the load, {:.1} um^2 plastic",
+            contact.film_cutoff * 1e9,
             contact.area_ratio * 100.0,
             contact.load_ratio * 100.0,
             contact.plastic_area * 1e12

@@ -148,6 +148,7 @@ fn fast_smooth_film_has_no_contact() {
     assert!(output.status.success(), "{output:?}");
     let json = json_of(&output);
     assert_eq!(number(&json, "/contact/load_ratio"), 0.0);
+    assert_eq!(number(&json, "/contact/film_cutoff"), 1e-9);
     close(number(&json, "/moes/m"), 5518.2 / 20_f64.powf(0.75), 1e-3);
     assert!((30e-9..150e-9).contains(&number(&json, "/film/central")), "{json}");
     assert!(number(&json, "/film/minimum") < number(&json, "/film/central"));

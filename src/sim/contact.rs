@@ -210,6 +210,8 @@ pub struct ContactNumbers {
     pub area: f64,
     /// Area of nodes at the pressure limit \[m^2\].
     pub plastic_area: f64,
+    /// Film at which solids touch, without which the ratios say little; zero in a dry contact \[m\].
+    pub film_cutoff: f64,
 }
 
 impl ContactNumbers {
@@ -220,6 +222,7 @@ impl ContactNumbers {
         load_ratio: f64::NAN,
         area: f64::NAN,
         plastic_area: f64::NAN,
+        film_cutoff: f64::NAN,
     };
 }
 
@@ -345,5 +348,6 @@ pub(super) fn contact_numbers(
         load_ratio: statistics.load_ratio,
         area: statistics.area,
         plastic_area: at_limit as f64 * model.grid.cell_area(),
+        film_cutoff: if model.lubricant.is_some() { model.film_cutoff } else { 0.0 },
     })
 }
