@@ -7,13 +7,17 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use stribeck::metrics::BearingCurve;
-use stribeck::sim::{MixedLubricationSim, StepRecord};
+use stribeck::sim::{MixedLubricationSim, RunEnd, StepRecord};
 
 use crate::options::Options;
 use crate::plan::Run;
 
 /// Points of a bearing area curve.
 const BEARING_POINTS: u32 = 200;
+
+/// Positions of the roughness that a history may pass over because they were not solved: each costs as much as tens of steps,
+/// and what is left is a selection.
+const MOST_PASSED_OVER: u32 = 20;
 
 /// Columns of a history file besides the material ratio and height of its curves.
 const COLUMNS: [&str; 17] = [
@@ -159,14 +163,15 @@ pub(crate) fn write(run: &Run, options: &Options) -> Result<String, String> {
     let stem = run.stem(options);
     let mut sim = run.build().map_err(|error| format!("{}: {error}", stem.display()))?;
     let mut rows = String::from("# history\n");
-    let mut profile = String::new();
+    let (mut profile, mut passed_over) = (String::new(), 0);
     let outcome = sim.run(
         run.steps(options),
         run.time_step(options),
         &mut |sim: &MixedLubricationSim, record: &StepRecord| {
             push(&mut rows, &row(record));
             profile = film_profile(sim);
-            ControlFlow::Continue(())
+            passed_over += record.attempts - 1;
+            if passed_over > MOST_PASSED_OVER { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         },
     );
     let mut text = rows;
@@ -180,7 +185,11 @@ pub(crate) fn write(run: &Run, options: &Options) -> Result<String, String> {
         }
         text.push_str(next);
     }
-    let failure = outcome.err().map(|error| error.to_string());
+    let failure = match outcome {
+        Ok(RunEnd::Finished) => None,
+        Ok(_) => Some(format!("{passed_over} positions of the roughness were passed over")),
+        Err(error) => Some(error.to_string()),
+    };
     let note = path(run, options, ".failed.txt");
     let saved = match &failure {
         Some(reason) => fs::write(&note, reason),
