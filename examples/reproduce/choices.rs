@@ -42,6 +42,9 @@ impl Motion {
 pub(crate) const BASE: Choice =
     Choice { name: "base", text: "none", flip: |_| {}, motion: Motion::Random, time_step: 1.0 };
 
+/// The flip with a box of another size.
+pub(crate) const INLET: &str = "inlet";
+
 /// Radius of the track on the disc, as printed, and of the ball \[m\].
 const TRACK_RADII: [f64; 2] = [9.525e-3, 23e-3];
 
@@ -127,7 +130,7 @@ pub(crate) const CHOICES: [Choice; 24] = [
         scene.solver.scheme = Scheme::SecondOrder;
     }),
     flip(
-        "inlet",
+        INLET,
         "box from -2.5 to 1.5 contact radii instead of centred (its mean wear is over a larger box)",
         |scene| {
             let Ok(hertz) = scene.hertz() else { return };

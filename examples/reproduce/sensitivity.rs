@@ -43,6 +43,13 @@ pub(crate) struct Row {
     pub(crate) turns: Vec<String>,
 }
 
+impl Row {
+    /// Whether both histories are of one length.
+    pub(crate) fn is_whole(&self) -> bool {
+        matches!(self.numbers[..], [.., with, without] if with.to_bits() == without.to_bits())
+    }
+}
+
 /// The table with the command that made it.
 #[derive(Debug, Clone)]
 pub(crate) struct Table {
