@@ -13,6 +13,8 @@
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
+#[path = "../command/mod.rs"]
+mod command;
 mod contact;
 mod figure;
 mod plan;
@@ -40,21 +42,7 @@ struct Options {
 }
 
 fn main() -> ExitCode {
-    let outcome = match options() {
-        Ok(Some(options)) => run(&options),
-        Ok(None) => {
-            print!("{USAGE}");
-            Ok(())
-        }
-        Err(error) => Err(format!("{error}\n{USAGE}").into()),
-    };
-    match outcome {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("mesh_study: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    command::run("mesh_study", USAGE, options(), run)
 }
 
 fn options() -> Result<Option<Options>, lexopt::Error> {

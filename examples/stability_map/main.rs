@@ -11,6 +11,8 @@
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
+#[path = "../command/mod.rs"]
+mod command;
 mod map;
 mod outcome;
 mod scenes;
@@ -42,21 +44,7 @@ struct Options {
 }
 
 fn main() -> ExitCode {
-    let outcome = match options() {
-        Ok(Some(options)) => run(&options),
-        Ok(None) => {
-            print!("{USAGE}");
-            Ok(())
-        }
-        Err(error) => Err(format!("{error}\n{USAGE}").into()),
-    };
-    match outcome {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("stability_map: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    command::run("stability_map", USAGE, options(), run)
 }
 
 fn options() -> Result<Option<Options>, lexopt::Error> {

@@ -12,6 +12,8 @@
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
+#[path = "../command/mod.rs"]
+mod command;
 #[path = "../custom_solver/steepest_descent.rs"]
 mod steepest_descent;
 mod stepping;
@@ -161,21 +163,7 @@ impl Row {
 }
 
 fn main() -> ExitCode {
-    let outcome = match options() {
-        Ok(Some(options)) => run(&options),
-        Ok(None) => {
-            print!("{USAGE}");
-            Ok(())
-        }
-        Err(error) => Err(format!("{error}\n{USAGE}").into()),
-    };
-    match outcome {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("work_precision: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    command::run("work_precision", USAGE, options(), run)
 }
 
 fn options() -> Result<Option<Options>, lexopt::Error> {

@@ -2,10 +2,11 @@
 
 use std::error::Error;
 use std::fmt::Write as _;
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use plotters::style::{BLACK, RGBColor};
-use stribeck::sim::{MixedLubricationSim, Scene, StepControl};
+use stribeck::sim::{MixedLubricationSim, Scene, StepControl, StepRecord};
 use stribeck::surface::RoughnessMotion;
 
 use crate::{Series, Stopwatch};
@@ -45,12 +46,11 @@ fn history(cells: usize, end: f64, control: &StepControl) -> Result<Outcome, Box
     let mut sim = MixedLubricationSim::builder(scene).motion(RoughnessMotion::Fixed).build()?;
     let watch = Stopwatch::start();
     let (mut convolutions, mut values) = (0.0, [0.0; 2]);
-    while end - sim.time() > 1e-9 * end {
-        let step = StepControl { longest: control.longest.min(end - sim.time()), ..*control };
-        let record = sim.step_within(&step)?;
+    sim.run_until(end, control, &mut |_: &MixedLubricationSim, record: &StepRecord| {
         convolutions += record.report.work.convolutions;
         values = [record.mean_wear[1], record.mean_film[1]];
-    }
+        ControlFlow::Continue(())
+    })?;
     Ok(Outcome { steps: sim.steps(), seconds: watch.seconds(), convolutions, values })
 }
 
