@@ -87,6 +87,8 @@ fn half_space() {
         // Without a warm-up: the buffers are made with the body.
         let (result, allocations) = counted(|| body.displacement(&pressure, &mut out));
         assert!(result.is_ok() && allocations == 0, "displacement on {grid:?}: {allocations}");
+        let (result, allocations) = counted(|| body.displacement_estimate(&pressure, &mut out));
+        assert!(result.is_ok() && allocations == 0, "displacement estimate on {grid:?}: {allocations}");
         let (result, allocations) = counted(|| body.pressure_estimate(&pressure, &mut out));
         assert!(result.is_ok() && allocations == 0, "estimate on {grid:?}: {allocations}");
     }

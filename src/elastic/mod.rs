@@ -45,6 +45,15 @@ pub trait DeformationModel: Debug + Send {
         None
     }
 
+    /// Overwrites `out` \[m\] with the displacement under `pressure` \[Pa\] to about 1e-6 of its largest value: what the
+    /// products of linear systems need, which are solved to a hundredth. By default `displacement`.
+    ///
+    /// # Errors
+    /// [`InputError::Shape`] when a slice does not fit the grid.
+    fn displacement_estimate(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.displacement(pressure, out)
+    }
+
     /// Overwrites `out` \[Pa\] with an estimate of the pressure that causes `displacement` \[m\]: the preconditioner of
     /// contact equations. It must be linear and positive; the better it inverts `displacement`, the fewer
     /// iterations a solve takes. By default a division by the self-influence.

@@ -11,7 +11,11 @@ use crate::numerics::{Convolution, ConvolutionPlan};
 pub(super) struct ElasticResponse {
     pub(super) grid: Grid,
     convolution: Convolution,
-    inverse: Convolution,
+    /// In single precision, over the self-influence.
+    estimate: Convolution<f32>,
+    /// In single precision, times the self-influence.
+    inverse: Convolution<f32>,
+    own: f64,
 }
 
 impl ElasticResponse {
@@ -19,14 +23,31 @@ impl ElasticResponse {
     pub(super) fn new(grid: Grid, kernel: impl Fn(isize, isize) -> f64) -> Self {
         let plan = ConvolutionPlan::new(grid.nx(), grid.ny(), &kernel);
         let inverse = ConvolutionPlan::periodic_inverse(grid.nx(), grid.ny(), &kernel);
-        let own = |plan| Convolution::new(Arc::new(plan));
-        Self { grid, convolution: own(plan), inverse: own(inverse) }
+        let own = kernel(0, 0);
+        Self {
+            grid,
+            estimate: Convolution::new(Arc::new(plan.to_single(1.0 / own))),
+            inverse: Convolution::new(Arc::new(inverse.to_single(own))),
+            convolution: Convolution::new(Arc::new(plan)),
+            own,
+        }
     }
 
     pub(super) fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         InputError::require_len("pressure", pressure, self.grid.len())?;
         InputError::require_len("out", out, self.grid.len())?;
         self.convolution.apply(pressure, out);
+        Ok(())
+    }
+
+    pub(super) fn displacement_estimate(
+        &mut self,
+        pressure: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), InputError> {
+        InputError::require_len("pressure", pressure, self.grid.len())?;
+        InputError::require_len("out", out, self.grid.len())?;
+        in_single(&mut self.estimate, pressure, self.own, out);
         Ok(())
     }
 
@@ -37,7 +58,17 @@ impl ElasticResponse {
     ) -> Result<(), InputError> {
         InputError::require_len("displacement", displacement, self.grid.len())?;
         InputError::require_len("out", out, self.grid.len())?;
-        self.inverse.apply(displacement, out);
+        in_single(&mut self.inverse, displacement, 1.0 / self.own, out);
         Ok(())
+    }
+}
+
+/// The convolution times `unit`, the field brought to numbers of at most one before.
+fn in_single(convolution: &mut Convolution<f32>, field: &[f64], unit: f64, out: &mut [f64]) {
+    let largest = field.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    if largest == 0.0 {
+        out.fill(0.0);
+    } else {
+        convolution.apply_scaled(field, [1.0 / largest, largest * unit], out);
     }
 }

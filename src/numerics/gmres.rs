@@ -1,22 +1,24 @@
-//! Restart-free GMRES with a right preconditioner and buffers that are kept.
+//! Restart-free flexible GMRES in single precision, with buffers that are kept.
 
 /// A linear operator with its preconditioner.
 pub(crate) trait PreconditionedOperator {
     /// `out = A x`.
-    fn apply(&mut self, x: &[f64], out: &mut [f64]);
+    fn apply(&mut self, x: &[f32], out: &mut [f32]);
     /// `out = M^-1 r`.
-    fn precondition(&mut self, r: &[f64], out: &mut [f64]);
+    fn precondition(&mut self, r: &[f32], out: &mut [f32]);
 }
 
-/// Basis and rotations of a GMRES solve (Saad and Schultz 1986, SIAM J. Sci. Stat. Comput. 7, 856-869).
+/// Basis and rotations of a GMRES solve (Saad and Schultz 1986, SIAM J. Sci. Stat. Comput. 7, 856-869), the
+/// preconditioned basis kept as well (Saad 1993, SIAM J. Sci. Comput. 14, 461-469): the solution needs no further
+/// preconditioning.
 #[derive(Debug, Clone)]
 pub(crate) struct Gmres {
-    basis: Vec<Vec<f64>>,
+    basis: Vec<Vec<f32>>,
+    directions: Vec<Vec<f32>>,
     hessenberg: Vec<f64>,
     cosines: Vec<f64>,
     sines: Vec<f64>,
     rhs: Vec<f64>,
-    scratch: Vec<f64>,
     limit: usize,
 }
 
@@ -27,16 +29,17 @@ pub(crate) struct LinearOutcome {
 }
 
 impl Gmres {
-    /// Solver for vectors of `n` entries and at most `limit` steps.
+    /// Solver for vectors of at most `n` entries and at most `limit` steps.
     pub(crate) fn new(n: usize, limit: usize) -> Self {
+        // Zeroed memory is not backed by pages before it is written: what is not needed costs nothing.
+        let vectors = |count: usize| (0..count).map(|_| vec![0.0; n]).collect();
         Self {
-            // Zeroed memory is not backed by pages before it is written: what is not needed costs nothing.
-            basis: (0..=limit).map(|_| vec![0.0; n]).collect(),
+            basis: vectors(limit + 1),
+            directions: vectors(limit),
             hessenberg: vec![0.0; limit * (limit + 1)],
             cosines: vec![0.0; limit],
             sines: vec![0.0; limit],
             rhs: vec![0.0; limit + 1],
-            scratch: vec![0.0; n],
             limit,
         }
     }
@@ -45,50 +48,50 @@ impl Gmres {
     pub(crate) fn solve(
         &mut self,
         operator: &mut impl PreconditionedOperator,
-        b: &[f64],
+        b: &[f32],
         tolerance: f64,
-        x: &mut [f64],
+        x: &mut [f32],
     ) -> LinearOutcome {
         x.fill(0.0);
-        let norm = dot(b, b).sqrt();
+        let norm = f64::from(dot(b, b)).sqrt();
         if norm == 0.0 || !norm.is_finite() {
             return LinearOutcome { steps: 0 };
         }
-        for (v, b) in self.basis[0].iter_mut().zip(b) {
-            *v = b / norm;
-        }
+        scaled(b, 1.0 / norm as f32, &mut self.basis[0]);
         self.rhs.fill(0.0);
         self.rhs[0] = norm;
         let mut steps = 0;
         while steps < self.limit {
-            let next_norm = self.extend(operator, steps);
+            let next_norm = self.extend(operator, steps, b.len());
             let residual = self.rotate(steps, next_norm);
             steps += 1;
             if residual <= tolerance * norm || next_norm == 0.0 || !residual.is_finite() {
                 break;
             }
         }
-        self.assemble(operator, steps, x);
+        self.assemble(steps, x);
         LinearOutcome { steps: steps as u64 }
     }
 
-    /// One Arnoldi step; returns the norm of the new direction.
-    fn extend(&mut self, operator: &mut impl PreconditionedOperator, step: usize) -> f64 {
+    /// One Arnoldi step with vectors of `n` entries; returns the norm of the new direction.
+    fn extend(&mut self, operator: &mut impl PreconditionedOperator, step: usize, n: usize) -> f64 {
         let (known, fresh) = self.basis.split_at_mut(step + 1);
-        let next = &mut fresh[0];
-        operator.precondition(&known[step], &mut self.scratch);
-        operator.apply(&self.scratch, next);
+        let (direction, next) = (&mut self.directions[step][..n], &mut fresh[0][..n]);
+        operator.precondition(&known[step][..n], direction);
+        operator.apply(direction, next);
         for (i, v) in known.iter().enumerate() {
+            let v = &v[..n];
             let projection = dot(next, v);
-            self.hessenberg[i * self.limit + step] = projection;
+            self.hessenberg[i * self.limit + step] = f64::from(projection);
             for (n, v) in next.iter_mut().zip(v) {
                 *n -= projection * v;
             }
         }
-        let norm = dot(next, next).sqrt();
+        let norm = f64::from(dot(next, next)).sqrt();
         if norm > 0.0 {
+            let inverse = 1.0 / norm as f32;
             for n in next.iter_mut() {
-                *n /= norm;
+                *n *= inverse;
             }
         }
         norm
@@ -113,8 +116,8 @@ impl Gmres {
         self.rhs[step + 1].abs()
     }
 
-    /// `x = M^-1 V y` with `y` from the triangular system.
-    fn assemble(&mut self, operator: &mut impl PreconditionedOperator, steps: usize, x: &mut [f64]) {
+    /// `x = Z y` with `y` from the triangular system.
+    fn assemble(&mut self, steps: usize, x: &mut [f32]) {
         for i in (0..steps).rev() {
             let mut value = self.rhs[i];
             for l in i + 1..steps {
@@ -123,25 +126,30 @@ impl Gmres {
             let pivot = self.hessenberg[i * self.limit + i];
             self.rhs[i] = if pivot == 0.0 { 0.0 } else { value / pivot };
         }
-        self.scratch.fill(0.0);
-        for (y, v) in self.rhs[..steps].iter().zip(&self.basis) {
-            for (s, v) in self.scratch.iter_mut().zip(v) {
-                *s += y * v;
+        for (y, direction) in self.rhs[..steps].iter().zip(&self.directions) {
+            let y = *y as f32;
+            for (x, z) in x.iter_mut().zip(direction) {
+                *x += y * z;
             }
         }
-        operator.precondition(&self.scratch, x);
     }
 }
 
-/// Scalar product in several sums side by side: one sum would wait for itself at every entry.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 8];
-    let (mut left, mut right) = (a.chunks_exact(8), b.chunks_exact(8));
+fn scaled(a: &[f32], factor: f32, out: &mut [f32]) {
+    for (o, a) in out.iter_mut().zip(a) {
+        *o = factor * a;
+    }
+}
+
+/// Scalar product in many sums side by side: one sum would wait for itself at every entry, and lose digits.
+fn dot(a: &[f32], b: &[f32]) -> f32 {
+    let mut sums = [0.0; 32];
+    let (mut left, mut right) = (a.chunks_exact(32), b.chunks_exact(32));
     for (x, y) in left.by_ref().zip(right.by_ref()) {
         for ((sum, x), y) in sums.iter_mut().zip(x).zip(y) {
             *sum += x * y;
         }
     }
-    let rest: f64 = left.remainder().iter().zip(right.remainder()).map(|(x, y)| x * y).sum();
-    sums.iter().sum::<f64>() + rest
+    let rest: f32 = left.remainder().iter().zip(right.remainder()).map(|(x, y)| x * y).sum();
+    sums.iter().sum::<f32>() + rest
 }

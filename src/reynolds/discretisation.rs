@@ -24,12 +24,10 @@
 //! Why means and not harmonic means: an asperity flank that the mesh does not resolve is drained by its deep neighbour,
 //! so it ends in solid contact. The harmonic mean seals such a flank and traps films that no mesh refinement confirms.
 
-use super::active_set::Kind;
 use super::problem::{FaceMobility, LubricatedContact, Scheme};
 use super::shear_thinning::{ShearThinning, ViscosityRatio};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
-use crate::numerics::STENCIL;
 
 /// Weight of the first-order entrainment term in the preconditioner of the second-order one. Their ratio lies between 1
 /// (smooth fields) and 2 (from node to node).
@@ -241,6 +239,11 @@ impl Discretisation {
         }
     }
 
+    /// The quantities of node `k` at the last update.
+    pub(super) fn present_flow(&self, k: usize) -> NodeFlow {
+        self.nodes[k]
+    }
+
     /// Density ratio of node `k`.
     pub(super) fn density(&self, k: usize) -> f64 {
         self.nodes[k].density
@@ -263,15 +266,6 @@ impl Discretisation {
     fn face(&self, a: usize, b: usize) -> f64 {
         let sum = self.nodes[a].mobility + self.nodes[b].mobility;
         if self.ratios.is_empty() { 0.5 * sum } else { sum / (self.ratios[a].value + self.ratios[b].value) }
-    }
-
-    #[inline]
-    fn face_flow<const THINNED: bool>(&self, own: usize, other: usize) -> FaceFlow {
-        if THINNED {
-            FaceFlow::thinned([own, other].map(|k| (&self.nodes[k], self.ratios[k])))
-        } else {
-            FaceFlow::newtonian(&self.nodes[own], &self.nodes[other])
-        }
     }
 
     /// Overrides the schemes of the problem until the next [`Self::configure`].
@@ -399,104 +393,51 @@ impl Discretisation {
         sums
     }
 
-    /// Change of `F_k` under a change of fluid pressure `dp` and film `dh`.
-    pub(super) fn balance_change(&self, k: usize, film: &[f64], dp: &[f64], dh: &[f64]) -> f64 {
-        if self.ratios.is_empty() {
-            self.change_of_balance::<false>(k, film, dp, dh)
-        } else {
-            self.change_of_balance::<true>(k, film, dp, dh)
-        }
+    /// Derivatives of the flow through the face to the east of node `k`: by both pressures, then by both films.
+    pub(super) fn east_flow_derivatives(&self, k: usize) -> [f64; 4] {
+        self.flow_derivatives(k, k + 1, self.face_x)
+    }
+
+    /// Those of the face to the north.
+    pub(super) fn north_flow_derivatives(&self, k: usize) -> [f64; 4] {
+        self.flow_derivatives(k, k + self.grid.nx(), self.face_y)
     }
 
     #[inline]
-    fn change_of_balance<const THINNED: bool>(&self, k: usize, film: &[f64], dp: &[f64], dh: &[f64]) -> f64 {
-        let mass_change =
-            |q: usize| self.nodes[q].density_p * film[q] * dp[q] + self.nodes[q].density * dh[q];
-        let change = |[by_pressure, by_film]: [f64; 2], q: usize| by_pressure * dp[q] + by_film * dh[q];
-        let own = &self.nodes[k];
-        let [here, up, second] = self.upwind(k);
-        let mut sum = (here + self.squeeze) * mass_change(k) + up * mass_change(k - 1);
-        if second != 0.0 {
-            sum += second * mass_change(k - 2);
-        }
-        let own_potential = own.potential_p * dp[k];
-        for (o, c) in self.neighbours(k) {
-            let other = &self.nodes[o];
-            let face = self.face_flow::<THINNED>(k, o);
-            sum += c
-                * (face.mobility * (own_potential - other.potential_p * dp[o])
-                    + (change(face.own, k) + change(face.other, o)) * (own.potential - other.potential));
-        }
-        sum
-    }
-
-    /// Row `k` of the fluid block: derivatives of `F_k` with respect to the fluid unknowns of `k` and its four
-    /// neighbours, entrainment of first order, the film of a node following its own unknown alone by `response`.
-    ///
-    /// The unknown of a free fluid node is its pressure, which also moves films; of a contact node its fluid
-    /// pressure at fixed film; of a node where the fluid itself reaches the limit its film over `response`.
-    pub(super) fn stencil_row(
-        &self,
-        k: usize,
-        kinds: &[Kind],
-        film: &[f64],
-        response: &[f64],
-    ) -> [f64; STENCIL] {
-        if self.ratios.is_empty() {
-            self.row_of_stencil::<false>(k, kinds, film, response)
+    fn flow_derivatives(&self, k: usize, o: usize, c: f64) -> [f64; 4] {
+        let face = if self.ratios.is_empty() {
+            FaceFlow::newtonian(&self.nodes[k], &self.nodes[o])
         } else {
-            self.row_of_stencil::<true>(k, kinds, film, response)
-        }
+            FaceFlow::thinned([k, o].map(|k| (&self.nodes[k], self.ratios[k])))
+        };
+        let (own, other) = (&self.nodes[k], &self.nodes[o]);
+        let (drop, mobility) = (c * (own.potential - other.potential), c * face.mobility);
+        [
+            mobility * own.potential_p + drop * face.own[0],
+            drop * face.other[0] - mobility * other.potential_p,
+            drop * face.own[1],
+            drop * face.other[1],
+        ]
     }
 
-    #[inline]
-    fn row_of_stencil<const THINNED: bool>(
-        &self,
-        k: usize,
-        kinds: &[Kind],
-        film: &[f64],
-        response: &[f64],
-    ) -> [f64; STENCIL] {
-        let mut row = [0.0; STENCIL];
-        let moves_pressure = |m: usize| kinds[m].has_fluid_pressure();
-        let faces = self.neighbours(k);
-        let own = &self.nodes[k];
+    /// Derivatives of the mass of node `k` by its pressure and by its film, which is `film`.
+    pub(super) fn mass_derivatives(&self, k: usize, film: f64) -> [f64; 2] {
+        [self.nodes[k].density_p * film, self.nodes[k].density]
+    }
+
+    /// Coefficients of the masses of a node in `column` and of two upstream in its balance.
+    pub(super) fn mass_coefficients(&self, column: usize) -> [f64; 3] {
+        let [here, up, second] = self.upwind(column);
+        [here + self.squeeze, up, second]
+    }
+
+    /// Those of a node and of the one upstream with which a matrix of five points stands in for the balances.
+    pub(super) fn five_point_mass_coefficients(&self) -> [f64; 2] {
         let wedge = match self.scheme {
             Scheme::FirstOrder => self.wedge,
             Scheme::SecondOrder => SECOND_ORDER_WEIGHT * self.wedge,
         };
-        let by_film = (wedge + self.squeeze) * own.density
-            + faces
-                .iter()
-                .map(|&(o, c)| {
-                    c * self.face_flow::<THINNED>(k, o).own[1] * (own.potential - self.nodes[o].potential)
-                })
-                .sum::<f64>();
-        row[0] += by_film * response[k];
-        if moves_pressure(k) {
-            row[0] += (wedge + self.squeeze) * own.density_p * film[k];
-        }
-        // Upstream mass.
-        let up = k - 1;
-        if moves_pressure(up) {
-            row[2] -= wedge * self.nodes[up].density_p * film[up];
-        }
-        row[2] -= wedge * self.nodes[up].density * response[up];
-        // Faces: potentials and mobilities of both nodes.
-        for (face, (o, c)) in faces.into_iter().enumerate() {
-            let (slot, other) = (face + 1, &self.nodes[o]);
-            let flow = self.face_flow::<THINNED>(k, o);
-            let mobility = c * flow.mobility;
-            let drop = c * (own.potential - other.potential);
-            if moves_pressure(k) {
-                row[0] += mobility * own.potential_p + drop * flow.own[0];
-            }
-            if moves_pressure(o) {
-                row[slot] += drop * flow.other[0] - mobility * other.potential_p;
-            }
-            row[slot] += drop * flow.other[1] * response[o];
-        }
-        row
+        [wedge + self.squeeze, -wedge]
     }
 
     /// Coefficients `(below, diagonal, above)` of an implicit step along x at node `k` with mobilities frozen,
@@ -623,13 +564,12 @@ mod tests {
                 assert!((difference / at_p - 1.0).abs() < 1e-7, "{difference:e}, {at_p:e}");
                 let difference = (flow(pressure[2], h + dh)[0] - flow(pressure[2], h - dh)[0]) / (2.0 * dh);
                 assert!((difference / by_film - 1.0).abs() < 1e-7, "{difference:e}, {by_film:e}");
-                // The same as the change of the balance.
-                let only = |value: f64| [0.0, 0.0, value, 0.0, 0.0];
-                let zeros = [0.0; 5];
-                let change = fluid.balance_change(2, &film, &only(1.0), &zeros);
-                assert!((change / by_pressure - 1.0).abs() < 1e-12, "{change:e}, {by_pressure:e}");
-                let change = fluid.balance_change(2, &film, &zeros, &only(1.0));
-                assert!((change / by_film - 1.0).abs() < 1e-12, "{change:e}, {by_film:e}");
+                // The same as the flows through both faces.
+                let (west, east) = (fluid.east_flow_derivatives(1), fluid.east_flow_derivatives(2));
+                for (derivative, slot) in [(by_pressure, 0), (by_film, 2)] {
+                    let change = east[slot] - west[slot + 1];
+                    assert!((change / derivative - 1.0).abs() < 1e-12, "{change:e}, {derivative:e}");
+                }
             }
         }
     }

@@ -30,7 +30,7 @@ pub(crate) struct GridLu {
     /// Where in the vectors a node is.
     slot: Vec<u32>,
     /// One over the largest entry of each row.
-    scale: Vec<f64>,
+    scale: Vec<f32>,
     linked: Vec<bool>,
     factorised: bool,
 }
@@ -106,22 +106,22 @@ impl GridLu {
 
     /// Factorises the matrix with row `k` at `stencil[5 k..5 k + 5]` in the order centre, east, west, north, south.
     /// Entries that point outside the grid must be zero. Returns whether it succeeded.
-    pub(crate) fn factorise(&mut self, stencil: &[f64]) -> bool {
+    pub(crate) fn factorise(&mut self, stencil: &[f32]) -> bool {
         self.assemble(stencil);
         self.factorised = self.tree.eliminate(&self.linked);
         self.factorised
     }
 
-    fn assemble(&mut self, stencil: &[f64]) {
+    fn assemble(&mut self, stencil: &[f32]) {
         let factors = &mut self.tree.factors;
         factors.fill(0.0);
         self.linked.fill(false);
         for (k, row) in stencil.chunks_exact(STENCIL).enumerate() {
-            let largest = row.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            let largest = row.iter().fold(0.0_f32, |m, v| m.max(v.abs()));
             self.scale[k] = if largest > 0.0 { 1.0 / largest } else { 1.0 };
             for (slot, value) in row.iter().enumerate() {
                 let at = STENCIL * k + slot;
-                factors[self.target[at] as usize] += (value * self.scale[k]) as f32;
+                factors[self.target[at] as usize] += value * self.scale[k];
                 if slot > 0 && *value != 0.0 {
                     self.linked[self.place[k]] = true;
                     self.linked[self.place[self.reach[at] as usize]] = true;
@@ -131,16 +131,16 @@ impl GridLu {
     }
 
     /// Solves in place; without a factorisation the right-hand side is left as it is.
-    pub(crate) fn solve(&mut self, rhs: &mut [f64]) {
+    pub(crate) fn solve(&mut self, rhs: &mut [f32]) {
         if !self.factorised {
             return;
         }
         for ((value, &slot), scale) in rhs.iter().zip(&self.slot).zip(&self.scale) {
-            self.tree.vectors[slot as usize] = (value * scale) as f32;
+            self.tree.vectors[slot as usize] = value * scale;
         }
         self.tree.substitute();
         for (value, &slot) in rhs.iter_mut().zip(&self.slot) {
-            *value = f64::from(self.tree.vectors[slot as usize]);
+            *value = self.tree.vectors[slot as usize];
         }
     }
 }
@@ -149,11 +149,11 @@ mod tests {
     use super::*;
 
     /// A diagonally dominant, unsymmetric matrix without entries that leave the grid; some nodes stand alone.
-    fn matrix(nx: usize, ny: usize) -> Vec<f64> {
+    fn matrix(nx: usize, ny: usize) -> Vec<f32> {
         let mut seed = 3_u64;
         let mut noise = move || {
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1_u64 << 53) as f64
+            (seed >> 40) as f32 / (1_u64 << 24) as f32
         };
         let alone = |k: usize| k % 7 == 3 || k % nx > nx / 2;
         let mut stencil = vec![0.0; STENCIL * nx * ny];
@@ -166,21 +166,23 @@ mod tests {
                     row[slot + 1] = -noise();
                 }
             }
-            row[0] = 0.1 + row[1..].iter().map(|v| v.abs()).sum::<f64>();
-            let unit = 10.0_f64.powf(6.0 * noise() - 20.0);
+            row[0] = 0.1 + row[1..].iter().map(|v| v.abs()).sum::<f32>();
+            let unit = 10.0_f32.powf(6.0 * noise() - 20.0);
             row.iter_mut().for_each(|v| *v *= unit);
         }
         stencil
     }
 
-    fn product(stencil: &[f64], nx: usize, x: &[f64]) -> Vec<f64> {
+    fn product(stencil: &[f32], nx: usize, x: &[f64]) -> Vec<f32> {
         let at = |k: usize, offset: isize| x.get(k.wrapping_add_signed(offset)).copied().unwrap_or(0.0);
         let nx = nx as isize;
         let offsets = [0, 1, -1, nx, -nx];
         stencil
             .chunks_exact(STENCIL)
             .enumerate()
-            .map(|(k, row)| row.iter().zip(offsets).map(|(v, o)| v * at(k, o)).sum())
+            .map(|(k, row)| {
+                row.iter().zip(offsets).map(|(v, o)| f64::from(*v) * at(k, o)).sum::<f64>() as f32
+            })
             .collect()
     }
 
@@ -195,7 +197,7 @@ mod tests {
                 let mut x = product(&stencil, nx, &exact);
                 assert!(lu.factorise(&stencil), "{nx} x {ny}");
                 lu.solve(&mut x);
-                let worst = x.iter().zip(&exact).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+                let worst = x.iter().zip(&exact).fold(0.0_f64, |m, (a, b)| m.max((f64::from(*a) - b).abs()));
                 assert!(worst < 1e-4 * 2e8, "{nx} x {ny}: off by {worst}");
             }
         }
@@ -204,7 +206,7 @@ mod tests {
     #[test]
     fn says_when_the_matrix_holds_no_numbers() {
         let mut stencil = matrix(9, 9);
-        stencil[STENCIL * 40] = f64::NAN;
+        stencil[STENCIL * 40] = f32::NAN;
         assert!(!GridLu::new(9, 9).factorise(&stencil), "NaN");
     }
 }

@@ -1,10 +1,18 @@
 //! Semismooth Newton on the whole coupled problem, linear systems by preconditioned GMRES.
 
+mod linearisation;
+mod local;
+mod preconditioner;
+mod unknowns;
+
+use linearisation::Linearisation;
+use local::{Forecast, Local, Material};
+use preconditioner::BlockPreconditioner;
+use unknowns::Unknowns;
+
 use super::active_set::{Fluid, Kind, Solid};
 use super::coupled::{Coupled, limit_of};
 use super::dry::DryStart;
-use super::local::{Forecast, Local, Material};
-use super::preconditioner::{BlockPreconditioner, Unknowns};
 use super::problem::{LubricatedContact, interior};
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
@@ -82,17 +90,15 @@ pub struct NewtonKrylov {
 struct Workspace {
     coupled: Coupled,
     unknowns: Unknowns,
+    linearisation: Linearisation,
     preconditioner: BlockPreconditioner,
     gmres: Gmres,
-    rhs: Vec<f64>,
-    step: Vec<f64>,
-    pinned: Vec<f64>,
+    rhs: Vec<f32>,
+    step: Vec<f32>,
     start: DryStart,
     best: Snapshot,
     best_residuals: Residuals,
     before: Snapshot,
-    scale: Vec<f64>,
-    scaled: Vec<f64>,
 }
 
 /// A state with the sides of its nodes, to come back to.
@@ -135,21 +141,19 @@ impl NewtonKrylov {
         let grid = problem.grid();
         let fits = self.workspace.as_ref().is_some_and(|w| w.coupled.fluid.grid == grid);
         if !fits {
-            let length = 2 * grid.len() + 1;
+            let length = Unknowns::most(&grid);
             self.workspace = Some(Box::new(Workspace {
                 coupled: Coupled::new(grid),
                 unknowns: Unknowns::new(grid),
-                preconditioner: BlockPreconditioner::new(grid)?,
+                linearisation: Linearisation::new(grid),
+                preconditioner: BlockPreconditioner::new(grid),
                 gmres: Gmres::new(length, MAX_KRYLOV_STEPS),
                 rhs: vec![0.0; length],
                 step: vec![0.0; length],
-                pinned: vec![0.0; length],
                 start: DryStart::new(grid),
                 best: Snapshot::new(grid),
                 best_residuals: Residuals::default(),
                 before: Snapshot::new(grid),
-                scale: vec![1.0; length],
-                scaled: vec![0.0; length],
             }));
         }
         self.workspace.as_deref_mut().ok_or(ReynoldsError::Memory { nodes: grid.len() })
@@ -236,7 +240,11 @@ impl Workspace {
     ) -> Result<Status, ReynoldsError> {
         self.coupled.evaluate(problem, state)?;
         self.coupled.classify(problem, state);
-        self.coupled.settle(problem, state);
+        if pin_pressures(&self.coupled.kinds, problem, state) {
+            self.coupled.evaluate(problem, state)?;
+        } else {
+            self.coupled.settle(problem, state);
+        }
         let left = stop.max_iterations.saturating_sub(work.iterations);
         let limit = left.min(MAX_NEWTON_STEPS);
         let mut trust = attempt.trust * problem.reference_pressure;
@@ -310,64 +318,17 @@ impl Workspace {
         state: &ContactState,
         tolerance: f64,
     ) -> Result<u64, ReynoldsError> {
-        let n = state.pressure.len();
-        let contact_film = problem.contact_film();
-        self.pinned.fill(0.0);
-        let mut any_pinned = false;
-        for (k, kind) in self.coupled.kinds.iter().enumerate() {
-            let wanted = pinned_pressure(*kind, limit_of(problem, k));
-            let change = wanted.map_or(0.0, |p| p - state.pressure[k]);
-            self.pinned[k] = change;
-            let held = kind.is_contact() && kind.fluid == Fluid::Cavitated;
-            self.pinned[n + k] = if held { -state.fluid_pressure[k] } else { 0.0 };
-            any_pinned |= change != 0.0 || self.pinned[n + k] != 0.0;
+        let Self { coupled, unknowns, linearisation, preconditioner, .. } = self;
+        unknowns.sort(coupled, problem);
+        if problem.lubricant.is_some() {
+            linearisation.update(&coupled.fluid, &state.film, coupled.near.own);
         }
-        self.preconditioner.prepare(&self.coupled, state, problem)?;
-        let own = self.coupled.near.own;
-        for k in 0..n {
-            let diagonal = self.preconditioner.diagonal(k).abs().max(own);
-            let contact = self.coupled.kinds[k].is_contact();
-            self.scale[k] = if contact { own } else { diagonal };
-            self.scale[n + k] = diagonal;
-        }
-        self.scale[2 * n] = own;
-        let coupled = &mut self.coupled;
-        let mut system = System {
-            unknowns: &mut self.unknowns,
-            coupled,
-            problem,
-            state,
-            preconditioner: &mut self.preconditioner,
-            scale: &self.scale,
-            scaled: &mut self.scaled,
-        };
-        if any_pinned {
-            system.unknowns.product(system.coupled, system.problem, state, &self.pinned, &mut self.rhs)?;
-        } else {
-            self.rhs.fill(0.0);
-        }
-        let load: f64 = state.pressure.iter().sum::<f64>() * system.coupled.fluid.grid.cell_area();
-        for k in 0..n {
-            let kind = system.coupled.kinds[k];
-            let balance = if kind.has_balance() { system.coupled.balance[k] } else { 0.0 };
-            let (first, second) = match kind.solid {
-                Solid::Open => (balance, 0.0),
-                Solid::Contact => (system.coupled.elastic_film[k] - contact_film, balance),
-                Solid::Yielded => (0.0, balance),
-            };
-            self.rhs[k] = -(self.rhs[k] + first);
-            self.rhs[n + k] = -(self.rhs[n + k] + second);
-        }
-        let missing = Unknowns::load_row(system.problem, system.coupled.near, load - system.problem.load);
-        self.rhs[2 * n] = -(self.rhs[2 * n] + missing);
-        system.preconditioner.border(system.unknowns, system.coupled, system.problem, state)?;
-        for (r, s) in self.rhs.iter_mut().zip(system.scale) {
-            *r /= s;
-        }
-        let outcome = self.gmres.solve(&mut system, &self.rhs, tolerance, &mut self.step);
-        for (s, p) in self.step.iter_mut().zip(&self.pinned) {
-            *s += p;
-        }
+        preconditioner.prepare(coupled, linearisation, unknowns, problem)?;
+        preconditioner.border(unknowns, coupled, linearisation, problem)?;
+        let n = unknowns.len();
+        unknowns.missing(coupled, problem, state, &mut self.rhs[..n]);
+        let mut system = System { unknowns, coupled, problem, linearisation, preconditioner };
+        let outcome = self.gmres.solve(&mut system, &self.rhs[..n], tolerance, &mut self.step[..n]);
         Ok(outcome.steps)
     }
 
@@ -379,15 +340,18 @@ impl Workspace {
         trust: f64,
         most: f64,
     ) -> Result<(), ReynoldsError> {
-        let length = most * self.step_length(problem);
-        self.unknowns.expand(&mut self.coupled, problem, &self.step)?;
-        let (contact_film, own_influence) = (problem.contact_film(), self.coupled.near.own);
-        for k in interior(&self.coupled.fluid.grid) {
-            let kind = self.coupled.kinds[k];
-            let change = self.unknowns.node(k);
+        let Self { coupled, unknowns, linearisation, .. } = self;
+        let step = &self.step[..unknowns.len()];
+        let largest = unknowns.largest_pressure(step);
+        let length = most * (MAX_PRESSURE_CHANGE * problem.reference_pressure / largest).min(1.0);
+        unknowns.expand(coupled, problem, linearisation, step)?;
+        let (contact_film, own_influence) = (problem.contact_film(), coupled.near.own);
+        for k in interior(&coupled.fluid.grid) {
+            let kind = coupled.kinds[k];
+            let change = unknowns.node(k);
             let material = Material { contact_film, limit: limit_of(problem, k), own_influence, trust };
             let pressure = state.pressure[k] + length * change.pressure;
-            let elastic_film = self.coupled.elastic_film[k] + length * change.elastic_film;
+            let elastic_film = coupled.elastic_film[k] + length * change.elastic_film;
             let depth = match kind.fluid {
                 Fluid::AtLimit => {
                     (state.plastic_depth[k] + length * (change.film - change.elastic_film)).max(0.0)
@@ -397,74 +361,63 @@ impl Workspace {
             let node = match problem.lubricant {
                 None => material.settle_dry(pressure, elastic_film),
                 Some(lubricant) => {
-                    let local = Local::new(&self.coupled.fluid, lubricant, k);
-                    let (share, by_pressure, by_film) = local.share(state.fluid_pressure[k], state.film[k]);
-                    let imbalance = if kind.has_balance() {
-                        0.0
-                    } else {
-                        self.coupled.balance[k]
-                            + length * self.unknowns.balance_change(&self.coupled, state, k)
-                    };
+                    let local = Local::new(&coupled.fluid, lubricant, k);
+                    let (share, by_pressure, by_film) =
+                        local.present_share(k, state.fluid_pressure[k], state.film[k]);
+                    let imbalance =
+                        if kind.has_balance() { 0.0 } else { coupled.balance[k] + length * change.balance };
                     let own_change = by_pressure * change.fluid_pressure + by_film * change.film;
                     let share = share + length * own_change - imbalance;
                     local.settle(material, Forecast { pressure, elastic_film, depth, share })
                 }
             };
-            self.coupled.kinds[k] = node.kind;
+            coupled.kinds[k] = node.kind;
             state.pressure[k] = node.pressure;
             state.fluid_pressure[k] = node.fluid_pressure;
             state.plastic_depth[k] = node.depth;
         }
-        state.approach += length * self.step[2 * state.pressure.len()];
-        self.coupled.evaluate(problem, state)?;
+        state.approach += length * unknowns.approach(step);
+        coupled.evaluate(problem, state)?;
         Ok(())
-    }
-
-    /// Length at which no pressure changes by more than [`MAX_PRESSURE_CHANGE`], at most one.
-    fn step_length(&self, problem: &LubricatedContact<'_>) -> f64 {
-        let pressures =
-            self.coupled.kinds.iter().zip(&self.step).filter(|(kind, _)| kind.fluid != Fluid::AtLimit);
-        let largest = pressures.fold(0.0_f64, |m, (_, change)| m.max(change.abs()));
-        (MAX_PRESSURE_CHANGE * problem.reference_pressure / largest).min(1.0)
     }
 }
 
-/// The pressure a node is held at, if its pressure is not an unknown.
-fn pinned_pressure(kind: Kind, limit: f64) -> Option<f64> {
-    match (kind.fluid, kind.solid) {
-        (Fluid::Boundary, _) | (Fluid::Cavitated, Solid::Open) => Some(0.0),
-        (_, Solid::Yielded) => Some(limit),
-        _ => None,
+/// Gives nodes the pressures that their sides prescribe; whether any was another.
+fn pin_pressures(kinds: &[Kind], problem: &LubricatedContact<'_>, state: &mut ContactState) -> bool {
+    let mut changed = false;
+    for (k, kind) in kinds.iter().enumerate() {
+        let before = (state.pressure[k], state.fluid_pressure[k]);
+        if !kind.has_balance() {
+            state.fluid_pressure[k] = 0.0;
+        }
+        match kind.solid {
+            Solid::Yielded => state.pressure[k] = limit_of(problem, k),
+            Solid::Open => state.pressure[k] = state.fluid_pressure[k],
+            Solid::Contact => {}
+        }
+        changed |= before != (state.pressure[k], state.fluid_pressure[k]);
     }
+    changed
 }
 
 /// The linearised equations as GMRES sees them.
-struct System<'a, 'b, 'c> {
+struct System<'a, 'b> {
     unknowns: &'a mut Unknowns,
     coupled: &'a mut Coupled,
     problem: &'a mut LubricatedContact<'b>,
-    state: &'c ContactState,
+    linearisation: &'a mut Linearisation,
     preconditioner: &'a mut BlockPreconditioner,
-    /// Size of the diagonal of each row \[m/Pa\]: divided by it, residuals are pressures.
-    scale: &'a [f64],
-    scaled: &'a mut [f64],
 }
 
-impl PreconditionedOperator for System<'_, '_, '_> {
-    fn apply(&mut self, x: &[f64], out: &mut [f64]) {
+impl PreconditionedOperator for System<'_, '_> {
+    fn apply(&mut self, x: &[f32], out: &mut [f32]) {
         // Shapes were checked when the solve began: the product cannot fail.
-        let result = self.unknowns.product(self.coupled, self.problem, self.state, x, out);
+        let result = self.unknowns.product(self.coupled, self.problem, self.linearisation, x, out);
         debug_assert!(result.is_ok(), "shapes are checked by the solve");
-        for (o, s) in out.iter_mut().zip(self.scale) {
-            *o /= s;
-        }
     }
 
-    fn precondition(&mut self, r: &[f64], out: &mut [f64]) {
-        for ((v, r), s) in self.scaled.iter_mut().zip(r).zip(self.scale) {
-            *v = r * s;
-        }
-        let result = self.preconditioner.apply(self.coupled, self.problem, self.scaled, out);
+    fn precondition(&mut self, r: &[f32], out: &mut [f32]) {
+        let result = self.preconditioner.apply(self.unknowns, self.coupled, self.problem, r, out);
         debug_assert!(result.is_ok(), "shapes are checked by the solve");
     }
 }

@@ -1,13 +1,13 @@
 //! The equations of one node with its neighbours held: what makes of a linear step a state.
 
-use super::active_set::{Fluid, Kind, Solid};
-use super::discretisation::{Discretisation, FaceSums, HeldNeighbour};
 use crate::lubricant::Lubricant;
+use crate::reynolds::active_set::{Fluid, Kind, Solid};
+use crate::reynolds::discretisation::{Discretisation, FaceSums, HeldNeighbour, NodeFlow};
 
 /// Bisections and Newton steps of a local solve.
 const MAX_STEPS: u32 = 60;
-/// Relative accuracy of the pressure of a local solve: its only use is a starting point of the next linear step.
-const ACCURACY: f64 = 1e-10;
+/// Relative change of the pressure with which the last step of a local solve ends: the error is about its square.
+const LAST_CHANGE: f64 = 1e-6;
 
 /// What the linear step foresees for a node.
 #[derive(Debug, Clone, Copy)]
@@ -83,11 +83,21 @@ impl<'a> Local<'a> {
     }
 
     /// Own share at fluid pressure `p` and film `h`, and its derivatives by both.
-    pub(super) fn share(&self, p: f64, h: f64) -> (f64, f64, f64) {
+    fn share(&self, p: f64, h: f64) -> (f64, f64, f64) {
+        self.share_with(p, h, || self.fluid.node_flow(self.lubricant, p, h))
+    }
+
+    /// The same at the pressure and the film that node `k` had at the last update of the fluid.
+    pub(super) fn present_share(&self, k: usize, p: f64, h: f64) -> (f64, f64, f64) {
+        self.share_with(p, h, || self.fluid.present_flow(k))
+    }
+
+    #[inline]
+    fn share_with(&self, p: f64, h: f64, node: impl FnOnce() -> NodeFlow) -> (f64, f64, f64) {
         if let Some(neighbours) = &self.neighbours {
             return self.thinned_share(neighbours, p, h);
         }
-        let node = self.fluid.node_flow(self.lubricant, p, h);
+        let node = node();
         let faces = &self.faces;
         let drop = faces.half * node.potential - faces.potential;
         let mobility = faces.half * node.mobility + faces.mobility;
@@ -126,7 +136,7 @@ impl<'a> Local<'a> {
                 + if v > opening { by_film * own_influence } else { 0.0 };
             (share - forecast.share, slope)
         };
-        let v = if value(0.0).0 >= 0.0 { 0.0 } else { root(value, forecast.pressure.max(1.0)) };
+        let v = root(value, forecast.pressure);
         // Pressures move films far away: a node may not leave the forecast, which knows of all, by much.
         let mut v = v.min(forecast.pressure.max(0.0) + forecast.depth / own_influence + trust);
         if v > opening {
@@ -148,10 +158,17 @@ impl<'a> Local<'a> {
     }
 }
 
-/// Root of a function that is negative at zero and grows; by Newton steps inside a bracket.
+/// Root of a growing function, zero if it is not negative there; by Newton steps from `start` inside a bracket.
 fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
-    let (mut low, mut high) = (0.0, f64::INFINITY);
+    // Most starts are close to the root: zero is looked at only where steps lead there.
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     let mut v = start;
+    if start <= 1.0 {
+        if value(0.0).0 >= 0.0 {
+            return 0.0;
+        }
+        (low, v) = (0.0, 1.0);
+    }
     for _ in 0..MAX_STEPS {
         let (f, slope) = value(v);
         if f < 0.0 {
@@ -160,17 +177,23 @@ fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
             high = v;
         }
         let newton = v - f / slope;
-        if (newton - v).abs() <= ACCURACY * v {
+        if (newton - v).abs() <= LAST_CHANGE * v {
             return newton;
+        }
+        if low < 0.0 && newton <= 0.0 {
+            if value(0.0).0 >= 0.0 {
+                return 0.0;
+            }
+            low = 0.0;
         }
         let next = if newton > low && newton < high {
             newton
         } else if high.is_finite() {
-            0.5 * (low + high)
+            0.5 * (low.max(0.0) + high)
         } else {
-            2.0 * low + 1.0
+            2.0 * low.max(0.0) + 1.0
         };
-        if (next - v).abs() <= ACCURACY * v || !next.is_finite() {
+        if (next - v).abs() <= LAST_CHANGE * v || !next.is_finite() {
             return v;
         }
         v = next;

@@ -1,0 +1,419 @@
+//! The unknowns of a Newton step and the linearised equations.
+//!
+//! A vector holds the unknowns alone, one after the other:
+//!
+//! | nodes | unknown | its row |
+//! |---|---|---|
+//! | open fluid | pressure | mass balance |
+//! | fluid at the limit | plastic depth | mass balance |
+//! | contact with fluid pressure, yielded or not | fluid pressure | mass balance |
+//! | contact that has not yielded | total pressure | gap |
+//! | | approach | load balance |
+//!
+//! Pressures count in reference pressures, films in deflections of a node under the reference pressure alone; so all numbers
+//! are near one, and single precision will do: a Newton step is solved to a hundredth.
+
+use super::linearisation::Linearisation;
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::reynolds::active_set::{Fluid, Kind, Solid};
+use crate::reynolds::coupled::Coupled;
+use crate::reynolds::problem::LubricatedContact;
+use crate::reynolds::state::ContactState;
+
+/// Which nodes have which unknowns, and the changes of all nodes under a vector of them.
+#[derive(Debug)]
+pub(super) struct Unknowns {
+    /// Nodes with a mass balance: open fluid, fluid at the limit, contact.
+    balanced: Vec<u32>,
+    /// Where the second and the third of these begin.
+    limited_from: usize,
+    contact_from: usize,
+    /// Nodes in contact that have not yielded, and those that have.
+    contact: Vec<u32>,
+    yielded: Vec<u32>,
+    /// One over the diagonals of the mass balances.
+    weights: Vec<f32>,
+    /// The reference pressure \[Pa\] and the deflection of a node under it \[m\].
+    pressure_unit: f64,
+    film_unit: f64,
+    /// Load of the reference pressure in one cell over the load.
+    cell_load: f64,
+    /// Changes of total pressure \[Pa\] and of the film without plastic depth \[m\].
+    pressure: Vec<f64>,
+    elastic: Vec<f64>,
+    /// Changes of fluid pressure, film and balance.
+    fluid: Vec<f32>,
+    film: Vec<f32>,
+    balance: Vec<f32>,
+}
+
+/// Changes of one node in a linear step \[Pa, m\].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NodeChange {
+    pub(super) pressure: f64,
+    pub(super) fluid_pressure: f64,
+    pub(super) film: f64,
+    pub(super) elastic_film: f64,
+    pub(super) balance: f64,
+}
+
+impl Unknowns {
+    pub(super) fn new(grid: Grid) -> Self {
+        let n = grid.len();
+        let nodes = || Vec::with_capacity(n);
+        Self {
+            balanced: nodes(),
+            limited_from: 0,
+            contact_from: 0,
+            contact: nodes(),
+            yielded: nodes(),
+            weights: Vec::with_capacity(n),
+            pressure_unit: 1.0,
+            film_unit: 1.0,
+            cell_load: 0.0,
+            pressure: vec![0.0; n],
+            elastic: vec![0.0; n],
+            fluid: vec![0.0; n],
+            film: vec![0.0; n],
+            balance: vec![0.0; n],
+        }
+    }
+
+    /// Most unknowns that a grid can have.
+    pub(super) fn most(grid: &Grid) -> usize {
+        2 * grid.len() + 1
+    }
+
+    /// Number of unknowns.
+    pub(super) fn len(&self) -> usize {
+        self.balanced.len() + self.contact.len() + 1
+    }
+
+    /// Open nodes whose fluid pressure is unknown, the first unknowns.
+    pub(super) fn open(&self) -> &[u32] {
+        &self.balanced[..self.limited_from]
+    }
+
+    /// Nodes whose fluid is at the limit, the next.
+    pub(super) fn limited(&self) -> &[u32] {
+        &self.balanced[self.limited_from..self.contact_from]
+    }
+
+    /// All nodes with a mass balance.
+    pub(super) fn balanced(&self) -> &[u32] {
+        &self.balanced
+    }
+
+    /// One over the size of the row of a mass balance.
+    pub(super) fn weight(&self, row: usize) -> f32 {
+        self.weights[row]
+    }
+
+    /// Nodes in contact that have not yielded.
+    pub(super) fn contact(&self) -> &[u32] {
+        &self.contact
+    }
+
+    /// Sorts the nodes by their sides.
+    pub(super) fn sort(&mut self, coupled: &Coupled, problem: &LubricatedContact<'_>) {
+        self.pressure_unit = problem.reference_pressure;
+        self.film_unit = coupled.near.own * problem.reference_pressure;
+        self.cell_load = coupled.fluid.grid.cell_area() * problem.reference_pressure / problem.load;
+        self.balanced.clear();
+        push_all(&mut self.balanced, &coupled.kinds, Kind::is_open_fluid);
+        self.limited_from = self.balanced.len();
+        push_all(&mut self.balanced, &coupled.kinds, |kind| kind.fluid == Fluid::AtLimit);
+        self.contact_from = self.balanced.len();
+        push_all(&mut self.balanced, &coupled.kinds, |kind| kind.has_fluid_pressure() && kind.is_contact());
+        self.contact.clear();
+        push_all(&mut self.contact, &coupled.kinds, |kind| kind.solid == Solid::Contact);
+        self.yielded.clear();
+        push_all(&mut self.yielded, &coupled.kinds, |kind| kind.solid == Solid::Yielded);
+    }
+
+    /// Takes the size of the rows of the mass balances, by node.
+    pub(super) fn set_row_sizes(&mut self, size: impl Fn(usize) -> f32) {
+        self.weights.clear();
+        self.weights.extend(self.balanced.iter().map(|&k| 1.0 / size(k as usize)));
+    }
+
+    /// What the equations lack at `state`.
+    pub(super) fn missing(
+        &self,
+        coupled: &Coupled,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+        out: &mut [f32],
+    ) {
+        let (balances, rest) = out.split_at_mut(self.balanced.len());
+        for ((row, &k), weight) in balances.iter_mut().zip(&self.balanced).zip(&self.weights) {
+            *row = -weight * (coupled.balance[k as usize] / self.film_unit) as f32;
+        }
+        let contact_film = problem.contact_film();
+        for (row, &k) in rest.iter_mut().zip(&self.contact) {
+            *row = ((contact_film - coupled.elastic_film[k as usize]) / self.film_unit) as f32;
+        }
+        let carried = state.pressure.iter().sum::<f64>() / self.pressure_unit * self.cell_load;
+        rest[self.contact.len()] = (1.0 - carried) as f32;
+    }
+
+    /// Film changes under the pressure changes of all nodes and a change of the approach; one convolution.
+    fn deform(
+        &mut self,
+        coupled: &mut Coupled,
+        problem: &mut LubricatedContact<'_>,
+        approach: f32,
+    ) -> Result<(), InputError> {
+        problem.deformation.displacement_estimate(&self.pressure, &mut self.elastic)?;
+        coupled.convolutions += 1.0;
+        let (approach, per_unit) = (f64::from(approach) * self.film_unit, 1.0 / self.film_unit);
+        for (film, elastic) in self.film.iter_mut().zip(&mut self.elastic) {
+            *elastic -= approach;
+            *film = (*elastic * per_unit) as f32;
+        }
+        Ok(())
+    }
+
+    /// Changes of all nodes under the vector `x`; one convolution.
+    pub(super) fn expand(
+        &mut self,
+        coupled: &mut Coupled,
+        problem: &mut LubricatedContact<'_>,
+        linearisation: &mut Linearisation,
+        x: &[f32],
+    ) -> Result<(), InputError> {
+        self.pressure.fill(0.0);
+        self.fluid.fill(0.0);
+        let (fluid, rest) = x.split_at(self.balanced.len());
+        for (i, (&k, &x)) in self.balanced.iter().zip(fluid).enumerate() {
+            if i < self.limited_from {
+                self.pressure[k as usize] = f64::from(x) * self.pressure_unit;
+            }
+            if i < self.limited_from || i >= self.contact_from {
+                self.fluid[k as usize] = x;
+            }
+        }
+        for (&k, &x) in self.contact.iter().zip(rest) {
+            self.pressure[k as usize] = f64::from(x) * self.pressure_unit;
+        }
+        self.deform(coupled, problem, rest[self.contact.len()])?;
+        let limited = self.limited_from..self.contact_from;
+        for (&k, x) in self.balanced[limited.clone()].iter().zip(&fluid[limited]) {
+            self.film[k as usize] += x;
+        }
+        // The plastic depth keeps the film.
+        for &k in &self.yielded {
+            self.film[k as usize] = 0.0;
+        }
+        linearisation.product(&self.fluid, &self.film, &mut self.balance);
+        Ok(())
+    }
+
+    /// `out = J x`; one convolution.
+    pub(super) fn product(
+        &mut self,
+        coupled: &mut Coupled,
+        problem: &mut LubricatedContact<'_>,
+        linearisation: &mut Linearisation,
+        x: &[f32],
+        out: &mut [f32],
+    ) -> Result<(), InputError> {
+        self.expand(coupled, problem, linearisation, x)?;
+        self.rows(out);
+        out[self.len() - 1] = self.load(x);
+        Ok(())
+    }
+
+    /// The column of the approach, without the load balance; no convolution.
+    pub(super) fn approach_column(&mut self, linearisation: &mut Linearisation, out: &mut [f32]) {
+        self.fluid.fill(0.0);
+        self.film.fill(-1.0);
+        for &k in &self.yielded {
+            self.film[k as usize] = 0.0;
+        }
+        linearisation.product(&self.fluid, &self.film, &mut self.balance);
+        self.rows(out);
+        out[self.len() - 1] = 0.0;
+    }
+
+    fn rows(&self, out: &mut [f32]) {
+        let (balances, gaps) = out.split_at_mut(self.balanced.len());
+        for ((row, &k), weight) in balances.iter_mut().zip(&self.balanced).zip(&self.weights) {
+            *row = weight * self.balance[k as usize];
+        }
+        for (row, &k) in gaps.iter_mut().zip(&self.contact) {
+            *row = self.film[k as usize];
+        }
+    }
+
+    /// The load that the pressures of a vector carry, over the load.
+    pub(super) fn load(&self, x: &[f32]) -> f32 {
+        let (fluid, rest) = x.split_at(self.balanced.len());
+        let pressures = fluid[..self.limited_from].iter().chain(&rest[..self.contact.len()]);
+        (pressures.map(|&p| f64::from(p)).sum::<f64>() * self.cell_load) as f32
+    }
+
+    /// Largest change of a total pressure in a vector \[Pa\].
+    pub(super) fn largest_pressure(&self, x: &[f32]) -> f64 {
+        let pressures = x[..self.limited_from].iter().chain(&x[self.balanced.len()..self.len() - 1]);
+        f64::from(pressures.fold(0.0_f32, |largest, change| largest.max(change.abs()))) * self.pressure_unit
+    }
+
+    /// Change of the approach of a vector \[m\].
+    pub(super) fn approach(&self, x: &[f32]) -> f64 {
+        f64::from(x[self.len() - 1]) * self.film_unit
+    }
+
+    /// Changes of node `k` after [`Unknowns::expand`].
+    pub(super) fn node(&self, k: usize) -> NodeChange {
+        NodeChange {
+            pressure: self.pressure[k],
+            fluid_pressure: f64::from(self.fluid[k]) * self.pressure_unit,
+            film: f64::from(self.film[k]) * self.film_unit,
+            elastic_film: self.elastic[k],
+            balance: f64::from(self.balance[k]) * self.film_unit,
+        }
+    }
+}
+
+fn push_all(nodes: &mut Vec<u32>, kinds: &[Kind], wanted: impl Fn(Kind) -> bool) {
+    nodes.extend(kinds.iter().enumerate().filter(|(_, kind)| wanted(**kind)).map(|(k, _)| k as u32));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elastic::{DeformationModel, HalfSpace};
+    use crate::lubricant::{DowsonHigginson, Lubricant, Roelands};
+    use crate::reynolds::problem::interior;
+    use crate::reynolds::{Scheme, ShearThinning};
+
+    const N: usize = 12;
+
+    fn noise(seed: &mut u64) -> f64 {
+        *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (*seed >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// A state with every kind of node in it, films and pressures of the size of a real contact.
+    fn mixed_state(grid: &Grid, coupled: &mut Coupled, seed: &mut u64) -> ContactState {
+        let mut state = ContactState::new(grid);
+        for k in interior(grid) {
+            let kind = match k % 5 {
+                0 => Kind { fluid: Fluid::Active, solid: Solid::Contact },
+                1 => Kind { fluid: Fluid::Cavitated, solid: Solid::Open },
+                2 if k % 2 == 0 => Kind { fluid: Fluid::AtLimit, solid: Solid::Open },
+                3 if k % 3 == 0 => Kind { fluid: Fluid::Active, solid: Solid::Yielded },
+                _ => Kind { fluid: Fluid::Active, solid: Solid::Open },
+            };
+            coupled.kinds[k] = kind;
+            let fluid = 1e8 + 2e8 * noise(seed);
+            state.fluid_pressure[k] = if kind.fluid == Fluid::Cavitated { 0.0 } else { fluid };
+            state.pressure[k] = state.fluid_pressure[k] + if kind.is_contact() { 1e9 } else { 0.0 };
+        }
+        state
+    }
+
+    #[test]
+    fn product_is_the_derivative_of_the_equations() {
+        check_product(None);
+        for eyring_stress in [1e5, 1e7] {
+            check_product(Some(ShearThinning { eyring_stress, sliding_speed: 0.1 }));
+        }
+    }
+
+    fn check_product(shear_thinning: Option<ShearThinning>) {
+        let grid = Grid::centred(N, N, 4e-6, 4e-6).unwrap();
+        let mut body = HalfSpace::new(grid, 230e9).unwrap();
+        let oil = Lubricant::new(
+            Roelands::new(0.04, 0.6, 1.96e8).unwrap(),
+            DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap(),
+        );
+        let mut seed = 7;
+        let mut displaced = vec![0.0; grid.len()];
+        let mut coupled = Coupled::new(grid);
+        let base = mixed_state(&grid, &mut coupled, &mut seed);
+        body.displacement(&base.pressure, &mut displaced).unwrap();
+        let gap: Vec<f64> = displaced.iter().map(|u| 20e-9 + 100e-9 * noise(&mut seed) - u).collect();
+        let mut film = Vec::new();
+        let mut problem = LubricatedContact {
+            gap: &gap,
+            deformation: &mut body,
+            lubricant: Some(&oil),
+            entrainment_speed: 0.1,
+            squeeze: None,
+            load: 1.0,
+            pressure_limit: None,
+            film_cutoff: 1e-9,
+            contact: Default::default(),
+            scheme: Scheme::FirstOrder,
+            face_mobility: Default::default(),
+            shear_thinning,
+            reference_half_widths: (1e-5, 1e-5),
+            reference_pressure: 1e9,
+            reference_film: 0.0,
+        };
+        let kinds = coupled.kinds.clone();
+        coupled.configure(&problem);
+        coupled.kinds = kinds;
+        let mut unknowns = Unknowns::new(grid);
+        unknowns.sort(&coupled, &problem);
+        unknowns.set_row_sizes(|_| 1.0);
+        let balances = unknowns.balanced.len();
+        let x: Vec<f32> =
+            (1..unknowns.len()).map(|_| (1e-3 * (noise(&mut seed) - 0.5)) as f32).chain([5e-3]).collect();
+        let mut rows_at = |t: f64, coupled: &mut Coupled| -> Vec<f64> {
+            let mut state = base.clone();
+            let film_unit = unknowns.film_unit;
+            let step = |i: usize| t * f64::from(x[i]);
+            let mut depth = vec![0.0; grid.len()];
+            for (i, &k) in unknowns.balanced.iter().enumerate() {
+                let (k, kind) = (k as usize, coupled.kinds[k as usize]);
+                let change = step(i) * unknowns.pressure_unit;
+                match (kind.fluid, kind.solid) {
+                    (Fluid::AtLimit, _) => depth[k] = 10e-9 + step(i) * film_unit,
+                    (_, Solid::Open) => {
+                        (state.pressure[k], state.fluid_pressure[k]) =
+                            (state.pressure[k] + change, state.fluid_pressure[k] + change)
+                    }
+                    _ => state.fluid_pressure[k] += change,
+                }
+            }
+            for (i, &k) in unknowns.contact.iter().enumerate() {
+                state.pressure[k as usize] += step(balances + i) * unknowns.pressure_unit;
+            }
+            state.approach = step(x.len() - 1) * film_unit;
+            problem.deformation.displacement(&state.pressure, &mut coupled.elastic_film).unwrap();
+            for (k, kind) in coupled.kinds.iter().enumerate() {
+                coupled.elastic_film[k] += gap[k] - state.approach;
+                // Yielded contact keeps its film whatever the elastic one does.
+                let yielded = kind.solid == Solid::Yielded;
+                state.film[k] = if yielded { 30e-9 } else { coupled.elastic_film[k] + depth[k] };
+            }
+            coupled.refresh(&problem, &mut state);
+            film.clone_from(&state.film);
+            let balances = unknowns.balanced.iter().map(|&k| coupled.balance[k as usize] / film_unit);
+            let gaps = unknowns.contact.iter().map(|&k| coupled.elastic_film[k as usize] / film_unit);
+            let load = state.pressure.iter().sum::<f64>() * grid.cell_area() / problem.load;
+            balances.chain(gaps).chain([load]).collect()
+        };
+        let (up, down) = (rows_at(1e-1, &mut coupled), rows_at(-1e-1, &mut coupled));
+        let _ = rows_at(0.0, &mut coupled);
+        let mut linearisation = Linearisation::new(grid);
+        linearisation.update(&coupled.fluid, &film, coupled.near.own);
+        let mut product = vec![0.0; x.len()];
+        unknowns.product(&mut coupled, &mut problem, &mut linearisation, &x, &mut product).unwrap();
+        let scale = product[..x.len() - 1].iter().fold(0.0_f32, |m, v| m.max(v.abs()));
+        for (row, (up, down)) in up.iter().zip(&down).enumerate() {
+            let (difference, scale) =
+                ((up - down) / 2e-1, if row == x.len() - 1 { 1.0 } else { f64::from(scale) });
+            assert!(
+                (difference - f64::from(product[row])).abs() < 2e-6 * scale,
+                "row {row} of {}: difference {difference:e}, product {:e}, scale {scale:e}",
+                x.len(),
+                product[row]
+            );
+        }
+    }
+}
