@@ -81,10 +81,11 @@ mod tests {
                 }
                 let balance: Vec<f64> = (0..grid.len()).map(|k| state.fluid_pressure[k] - exact(k)).collect();
                 error *= rate;
-                state.approach = 2.0 + error;
+                let mut approach = 2.0 + error;
                 let mut pressure: Vec<f64> =
                     (0..grid.len()).map(|k| exact(k) + error * (k as f64).sin()).collect();
-                acceleration.recombine(&state, &balance, &mut pressure, &mut state.approach);
+                acceleration.recombine(&state, &balance, &mut pressure, &mut approach);
+                state.approach = approach;
                 state.pressure = pressure;
             }
             for k in 0..grid.len() {
