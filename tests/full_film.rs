@@ -193,6 +193,18 @@ fn highly_loaded_films_cost_no_more() {
     }
 }
 
+#[test]
+fn multigrid_alone_needs_at_most_a_hundred_and_twenty_convolutions() {
+    for n in [128, 256] {
+        for m in [20.0, 200.0, 1000.0] {
+            let mut scene = ball(m, 10.0, n);
+            scene.solver.kind = SolverKind::Multigrid;
+            let report = converged(&scene).report;
+            assert!(report.work.convolutions <= 120.0, "M {m}, {n} cells: {report:?}");
+        }
+    }
+}
+
 /// Krylov steps of one Newton step at the same distance from the solution.
 #[test]
 fn krylov_steps_hardly_grow_with_the_grid() {

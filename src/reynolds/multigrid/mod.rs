@@ -1,10 +1,12 @@
 //! Full multigrid for smooth full films: the full approximation scheme on a hierarchy of grids.
 
+mod acceleration;
 mod cycle;
 mod level;
 mod relax;
 mod transfer;
 
+use acceleration::Acceleration;
 use cycle::Hierarchy;
 
 use super::coupled::{Coupled, limit_of};
@@ -59,6 +61,7 @@ pub struct Multigrid {
 #[derive(Debug)]
 struct Workspace {
     hierarchy: Hierarchy,
+    acceleration: Acceleration,
     coupled: Coupled,
     best: ContactState,
 }
@@ -96,6 +99,7 @@ impl Multigrid {
             };
             self.workspace = Some(Box::new(Workspace {
                 hierarchy,
+                acceleration: Acceleration::new(grid.len()),
                 coupled: Coupled::new(grid),
                 best: ContactState::new(&grid),
             }));
@@ -177,6 +181,7 @@ impl Workspace {
     ) -> Result<(Status, Residuals), ReynoldsError> {
         self.coupled.configure(problem);
         self.hierarchy.configure(problem);
+        self.acceleration.forget();
         if state.pressure.iter().all(|&p| p <= 0.0) {
             self.hierarchy.start(problem, lubricant)?;
         } else {
@@ -207,6 +212,7 @@ impl Workspace {
                 fruitless += 1;
             }
             if cycle >= SETTLED && residuals.max() > SLOW * last[0] && self.hierarchy.relax_carefully() {
+                self.acceleration.forget();
                 fruitless = 0;
             }
             let needed = cycles_needed(residuals.max(), last[RATE_CYCLES - 1], stop.tolerance);
@@ -223,6 +229,7 @@ impl Workspace {
             }
             if cycle < stop.max_iterations {
                 self.hierarchy.cycle_finest(problem, lubricant)?;
+                self.hierarchy.accelerate(&mut self.acceleration, state, &self.coupled.balance);
                 work.iterations += 1;
             }
         }

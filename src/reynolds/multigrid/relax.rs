@@ -164,33 +164,43 @@ impl LineRelaxation {
                 (&level.before, &level.influence.dipole)
             };
             self.change[r] = level.drive[k] - faces.outflow(p, k, nx);
-            let upwind = level.fluid.upwind(k);
-            let masses = [
-                level.fluid.own_mass(k) * level.fluid.density(k),
-                upwind[1] * level.fluid.density(k - 1),
-                if i >= 2 { upwind[2] * level.fluid.density(k - 2) } else { 0.0 },
-            ];
+            let [_, next, second] = level.fluid.upwind(k);
+            let upwind = [level.fluid.own_mass(k), next, second];
+            let carried: [[f64; 2]; 3] = std::array::from_fn(|m| {
+                [upwind[m] * level.fluid.density(k - m), upwind[m] * level.compression[k - m]]
+            });
             let transport = |slot: usize| -> f64 {
-                let at = |upstream: usize| influence[(slot + upstream).abs_diff(OWN)];
-                masses[0] * at(0) + masses[1] * at(1) + masses[2] * at(2)
+                let along = |m: usize| {
+                    let distance = (slot + m).abs_diff(OWN);
+                    let share = match distance {
+                        0 => 1.0,
+                        1 if !is_flow => -0.25,
+                        _ => 0.0,
+                    };
+                    carried[m][0] * influence[distance] + carried[m][1] * share
+                };
+                along(0) + along(1) + along(2)
             };
             let (sum, east, west) = (faces.sum(), faces.east, faces.west);
+            let is_wet = |i: usize| i == 0 || i + 1 >= nx || level.pressure[j * nx + i] > 0.0;
+            // Dry nodes may not take the change that the row counts on.
+            let is_wet_at = |slot: usize| is_wet((i + slot).saturating_sub(OWN));
             let mut row = [0.0; BAND];
             row[OWN] = transport(OWN) + if is_flow { sum } else { 1.25 * sum };
-            let wet = |i: usize| i == 0 || i == nx - 1 || level.pressure[j * nx + i] > 0.0;
-            if wet(i - 1) && wet(i + 1) && (i < 2 || wet(i - 2)) && (i + 2 >= nx || wet(i + 2)) {
+            if is_flow && is_wet(i) {
+                for slot in [0, 1, 2, 4, 5].into_iter().filter(|slot| is_wet_at(*slot)) {
+                    row[slot] = transport(slot);
+                }
+                row[OWN - 1] -= if is_wet(i - 1) { west } else { 0.0 };
+                row[OWN + 1] -= if is_wet(i + 1) { east } else { 0.0 };
+            } else if !is_flow && [1, 2, 4, 5].into_iter().all(is_wet_at) {
                 for slot in [0, 1, 2, 4, 5] {
                     row[slot] = transport(slot);
                 }
-                if is_flow {
-                    row[OWN - 1] -= west;
-                    row[OWN + 1] -= east;
-                } else {
-                    row[OWN - 2] += 0.25 * west;
-                    row[OWN - 1] -= west + 0.25 * sum;
-                    row[OWN + 1] -= east + 0.25 * sum;
-                    row[OWN + 2] += 0.25 * east;
-                }
+                row[OWN - 2] += 0.25 * west;
+                row[OWN - 1] -= west + 0.25 * sum;
+                row[OWN + 1] -= east + 0.25 * sum;
+                row[OWN + 2] += 0.25 * east;
             }
             self.rows[r] = row;
         }
