@@ -55,7 +55,7 @@ pub trait DeformationModel: Debug + Send {
     }
 
     /// Overwrites `out` \[Pa\] with an estimate of the pressure that causes `displacement` \[m\]: the preconditioner of
-    /// contact equations. It must be linear and positive; the better it inverts `displacement`, the fewer
+    /// contact equations. It must be linear, to about 1e-6, and positive; the better it inverts `displacement`, the fewer
     /// iterations a solve takes. By default a division by the self-influence.
     ///
     /// # Errors

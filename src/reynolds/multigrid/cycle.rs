@@ -13,7 +13,7 @@ use crate::reynolds::problem::{FaceMobility, LubricatedContact, Scheme, interior
 use crate::reynolds::state::ContactState;
 
 /// Sweeps before and after a coarse-grid correction, each with the share of a change that nodes take which entrainment
-/// dominates. Larger than without the compression in the rows, where thick films were unstable with these.
+/// dominates. Together they damp more modes than three equal shares.
 const SHARES_BEFORE: [f64; 2] = [0.5, 0.4];
 const SHARES_AFTER: [f64; 1] = [1.0];
 /// Share of a change that nodes take where pressure flow dominates a little, at first and once cycles have become slow:

@@ -99,7 +99,7 @@ impl Level {
         self.fluid.update(lubricant, &self.pressure, &self.film);
         self.is_evaluated = true;
         for (k, compression) in self.compression.iter_mut().enumerate() {
-            *compression = lubricant.density().slope(self.pressure[k]) * self.film[k];
+            [*compression, _] = self.fluid.mass_derivatives(k, self.film[k]);
         }
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
         for j in 0..ny - 1 {

@@ -2,7 +2,8 @@
 //!
 //! Where pressure flow dominates, a line takes its changes at once and the next lines see them (Gauss-Seidel). Where
 //! entrainment dominates, a change moves films far away, so each node takes its change back from its four neighbours
-//! (a dipole), whose reach is short, and all lines start from the pressures before the sweep (Jacobi).
+//! (a dipole), whose reach is short, and all lines start from the pressures before the sweep (Jacobi). Rows hold what a node
+//! carries for its film and for its compression.
 //!
 //! Far from the contact, films hardly follow the low pressures there: further passes over those nodes, without a
 //! new film, cost no convolution.

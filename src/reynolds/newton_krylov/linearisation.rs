@@ -8,6 +8,9 @@ use crate::grid::Grid;
 use crate::numerics::STENCIL;
 use crate::reynolds::discretisation::Discretisation;
 
+/// Largest derivative that counts: that of real films is some 1e12.
+const LARGEST: f64 = 1e30;
+
 /// Derivatives of the flow through the faces of one direction: by the pressures of its two nodes, by their films.
 type FaceFlows = [Vec<f32>; 4];
 
@@ -52,14 +55,14 @@ impl Linearisation {
         let stiffness = 1.0 / own_influence;
         for (k, film) in film.iter().enumerate() {
             let [by_pressure, by_film] = fluid.mass_derivatives(k, *film);
-            self.mass[0][k] = (stiffness * by_pressure) as f32;
-            self.mass[1][k] = by_film as f32;
+            self.mass[0][k] = single(stiffness * by_pressure);
+            self.mass[1][k] = single(by_film);
         }
         let keep = |flows: &mut FaceFlows, k: usize, derivatives: [f64; 4]| {
-            flows[0][k] = (stiffness * derivatives[0]) as f32;
-            flows[1][k] = (stiffness * derivatives[1]) as f32;
-            flows[2][k] = derivatives[2] as f32;
-            flows[3][k] = derivatives[3] as f32;
+            flows[0][k] = single(stiffness * derivatives[0]);
+            flows[1][k] = single(stiffness * derivatives[1]);
+            flows[2][k] = single(derivatives[2]);
+            flows[3][k] = single(derivatives[3]);
         };
         for k in 0..n - 1 {
             keep(&mut self.east, k, fluid.east_flow_derivatives(k));
@@ -67,9 +70,8 @@ impl Linearisation {
         for k in 0..n - nx {
             keep(&mut self.north, k, fluid.north_flow_derivatives(k));
         }
-        let single = |coefficients: [f64; 3]| coefficients.map(|c| c as f32);
-        self.upwind = [1, 2].map(|column| single(fluid.mass_coefficients(column)));
-        self.near = fluid.five_point_mass_coefficients().map(|c| c as f32);
+        self.upwind = [1, 2].map(|column| fluid.mass_coefficients(column).map(single));
+        self.near = fluid.five_point_mass_coefficients().map(single);
     }
 
     /// Change of the balance of every inner node under changes of fluid pressure and film; others stay as they are.
@@ -133,6 +135,11 @@ impl Linearisation {
             by_pressure[slot] * moves[node] + by_film[slot] * response[node]
         })
     }
+}
+
+/// In single precision, where absurd numbers stay finite.
+fn single(value: f64) -> f32 {
+    value.clamp(-LARGEST, LARGEST) as f32
 }
 
 /// Changes of the flows through faces to the node `stride` further on.

@@ -375,7 +375,7 @@ mod tests {
                     (Fluid::AtLimit, _) => depth[k] = 10e-9 + step(i) * film_unit,
                     (_, Solid::Open) => {
                         (state.pressure[k], state.fluid_pressure[k]) =
-                            (state.pressure[k] + change, state.fluid_pressure[k] + change)
+                            (state.pressure[k] + change, state.fluid_pressure[k] + change);
                     }
                     _ => state.fluid_pressure[k] += change,
                 }
