@@ -48,8 +48,14 @@ const CONTACT_FILM_REDUCTION: f64 = 0.5;
 /// Growth of the residual after which a careful attempt takes the step again at [`SHORTER`] length.
 const JUMP: f64 = 4.0;
 const SHORTER: f64 = 0.5;
-/// Steps without a new best residual after which the trust is halved.
+/// Steps without a new best residual after which the largest trust is halved.
 const PATIENCE: u32 = 5;
+/// Film change over the contact film that all nodes together may cause by leaving what the linear step foresees. Above it the
+/// trust of the next step is smaller: in smooth, wide contact a thousand nodes that leave it alike open or close the whole of it.
+const UNFORESEEN: f64 = 0.5;
+/// Bounds of the change of the trust from step to step, and its least value in reference pressures.
+const TRUST_CHANGE: (f64, f64) = (0.3, 2.0);
+const LEAST_TRUST: f64 = 0.001;
 
 /// How the nonlinear equations are approached.
 #[derive(Debug, Clone, Copy)]
@@ -99,6 +105,8 @@ struct Workspace {
     best: Snapshot,
     best_residuals: Residuals,
     before: Snapshot,
+    /// Films that the last step foresaw.
+    foreseen: Vec<f64>,
 }
 
 /// A state with the sides of its nodes, to come back to.
@@ -154,6 +162,7 @@ impl NewtonKrylov {
                 best: Snapshot::new(grid),
                 best_residuals: Residuals::default(),
                 before: Snapshot::new(grid),
+                foreseen: vec![0.0; grid.len()],
             }));
         }
         self.workspace.as_deref_mut().ok_or(ReynoldsError::Memory { nodes: grid.len() })
@@ -247,7 +256,8 @@ impl Workspace {
         }
         let left = stop.max_iterations.saturating_sub(work.iterations);
         let limit = left.min(MAX_NEWTON_STEPS);
-        let mut trust = attempt.trust * problem.reference_pressure;
+        let mut largest_trust = attempt.trust * problem.reference_pressure;
+        let mut trust = largest_trust;
         let (mut lowest, mut fruitless) = (f64::INFINITY, 0);
         let mut status = if limit == left { Status::MaxIterations } else { Status::Stalled };
         for iteration in 0..=limit {
@@ -276,7 +286,8 @@ impl Workspace {
                 break;
             }
             if fruitless == PATIENCE {
-                (trust, fruitless) = (0.5 * trust, 0);
+                (largest_trust, fruitless) = (0.5 * largest_trust, 0);
+                trust = trust.min(largest_trust);
             }
             work.iterations += 1;
             if eased {
@@ -290,6 +301,11 @@ impl Workspace {
             } else {
                 self.advance(problem, state, trust, 1.0)?;
             }
+            let (shorter, longer) = TRUST_CHANGE;
+            let change = UNFORESEEN * problem.film_cutoff / self.unforeseen_film(state);
+            trust = (trust * change.clamp(shorter, longer))
+                .max(LEAST_TRUST * problem.reference_pressure)
+                .min(largest_trust);
         }
         Ok(status)
     }
@@ -371,6 +387,7 @@ impl Workspace {
                     local.settle(material, Forecast { pressure, elastic_film, depth, share })
                 }
             };
+            self.foreseen[k] = elastic_film;
             coupled.kinds[k] = node.kind;
             state.pressure[k] = node.pressure;
             state.fluid_pressure[k] = node.fluid_pressure;
@@ -379,6 +396,17 @@ impl Workspace {
         state.approach += length * unknowns.approach(step);
         coupled.evaluate(problem, state)?;
         Ok(())
+    }
+
+    /// Pressure-weighted root mean square of the films without plastic depth less those that the last step foresaw \[m\].
+    fn unforeseen_film(&self, state: &ContactState) -> f64 {
+        let (mut sum, mut weight) = (0.0, 0.0);
+        for ((film, foreseen), p) in self.coupled.elastic_film.iter().zip(&self.foreseen).zip(&state.pressure)
+        {
+            sum += p * (film - foreseen).powi(2);
+            weight += p;
+        }
+        (sum / weight).sqrt()
     }
 }
 
