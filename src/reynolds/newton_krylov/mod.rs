@@ -50,7 +50,7 @@ const JUMP: f64 = 4.0;
 const SHORTER: f64 = 0.5;
 /// Steps without a new best residual after which the largest trust is halved.
 const PATIENCE: u32 = 5;
-/// Film change over the contact film that all nodes together may cause by leaving what the linear step foresees. Above it the
+/// Share of the films by which all nodes together may change them as they leave what the linear step foresees. Above it the
 /// trust of the next step is smaller: in smooth, wide contact a thousand nodes that leave it alike open or close the whole of it.
 const UNFORESEEN: f64 = 0.5;
 /// Bounds of the change of the trust from step to step, and its least value in reference pressures.
@@ -302,7 +302,7 @@ impl Workspace {
                 self.advance(problem, state, trust, 1.0)?;
             }
             let (shorter, longer) = TRUST_CHANGE;
-            let change = UNFORESEEN * problem.film_cutoff / self.unforeseen_film(state);
+            let change = UNFORESEEN / self.unforeseen_share(state, problem.contact_film());
             trust = (trust * change.clamp(shorter, longer))
                 .max(LEAST_TRUST * problem.reference_pressure)
                 .min(largest_trust);
@@ -398,12 +398,13 @@ impl Workspace {
         Ok(())
     }
 
-    /// Pressure-weighted root mean square of the films without plastic depth less those that the last step foresaw \[m\].
-    fn unforeseen_film(&self, state: &ContactState) -> f64 {
+    /// Pressure-weighted root mean square of what the last step did not foresee of the films without plastic depth, over the
+    /// films or the contact film.
+    fn unforeseen_share(&self, state: &ContactState, contact_film: f64) -> f64 {
         let (mut sum, mut weight) = (0.0, 0.0);
-        for ((film, foreseen), p) in self.coupled.elastic_film.iter().zip(&self.foreseen).zip(&state.pressure)
-        {
-            sum += p * (film - foreseen).powi(2);
+        let films = self.coupled.elastic_film.iter().zip(&self.foreseen).zip(&state.film);
+        for (((elastic, foreseen), film), p) in films.zip(&state.pressure) {
+            sum += p * ((elastic - foreseen) / film.max(contact_film)).powi(2);
             weight += p;
         }
         (sum / weight).sqrt()
