@@ -10,7 +10,7 @@ use local::{Forecast, Local, Material};
 use preconditioner::BlockPreconditioner;
 use unknowns::Unknowns;
 
-use super::active_set::{Fluid, Kind, Solid};
+use super::active_set::{Fluid, Kind};
 use super::coupled::{Coupled, limit_of};
 use super::dry::DryStart;
 use super::problem::{LubricatedContact, interior};
@@ -249,11 +249,7 @@ impl Workspace {
     ) -> Result<Status, ReynoldsError> {
         self.coupled.evaluate(problem, state)?;
         self.coupled.classify(problem, state);
-        if pin_pressures(&self.coupled.kinds, problem, state) {
-            self.coupled.evaluate(problem, state)?;
-        } else {
-            self.coupled.settle(problem, state);
-        }
+        self.coupled.settle(problem, state);
         let left = stop.max_iterations.saturating_sub(work.iterations);
         let limit = left.min(MAX_NEWTON_STEPS);
         let mut largest_trust = attempt.trust * problem.reference_pressure;
@@ -335,14 +331,14 @@ impl Workspace {
         tolerance: f64,
     ) -> Result<u64, ReynoldsError> {
         let Self { coupled, unknowns, linearisation, preconditioner, .. } = self;
-        unknowns.sort(coupled, problem);
+        unknowns.sort(coupled, problem, state);
         if problem.lubricant.is_some() {
             linearisation.update(&coupled.fluid, &state.film, coupled.near.own);
         }
         preconditioner.prepare(coupled, linearisation, unknowns, problem)?;
         preconditioner.border(unknowns, coupled, linearisation, problem)?;
         let n = unknowns.len();
-        unknowns.missing(coupled, problem, state, &mut self.rhs[..n]);
+        unknowns.missing(coupled, problem, linearisation, state, &mut self.rhs[..n])?;
         let mut system = System { unknowns, coupled, problem, linearisation, preconditioner };
         let outcome = self.gmres.solve(&mut system, &self.rhs[..n], tolerance, &mut self.step[..n]);
         Ok(outcome.steps)
@@ -360,7 +356,7 @@ impl Workspace {
         let step = &self.step[..unknowns.len()];
         let largest = unknowns.largest_pressure(step);
         let length = most * (MAX_PRESSURE_CHANGE * problem.reference_pressure / largest).min(1.0);
-        unknowns.expand(coupled, problem, linearisation, step)?;
+        unknowns.expand_pinned(coupled, problem, linearisation, step)?;
         let (contact_film, own_influence) = (problem.contact_film(), coupled.near.own);
         for k in interior(&coupled.fluid.grid) {
             let kind = coupled.kinds[k];
@@ -409,24 +405,6 @@ impl Workspace {
         }
         (sum / weight).sqrt()
     }
-}
-
-/// Gives nodes the pressures that their sides prescribe; whether any was another.
-fn pin_pressures(kinds: &[Kind], problem: &LubricatedContact<'_>, state: &mut ContactState) -> bool {
-    let mut changed = false;
-    for (k, kind) in kinds.iter().enumerate() {
-        let before = (state.pressure[k], state.fluid_pressure[k]);
-        if !kind.has_balance() {
-            state.fluid_pressure[k] = 0.0;
-        }
-        match kind.solid {
-            Solid::Yielded => state.pressure[k] = limit_of(problem, k),
-            Solid::Open => state.pressure[k] = state.fluid_pressure[k],
-            Solid::Contact => {}
-        }
-        changed |= before != (state.pressure[k], state.fluid_pressure[k]);
-    }
-    changed
 }
 
 /// The linearised equations as GMRES sees them.

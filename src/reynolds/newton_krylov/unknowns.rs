@@ -17,7 +17,7 @@ use super::linearisation::Linearisation;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::active_set::{Fluid, Kind, Solid};
-use crate::reynolds::coupled::Coupled;
+use crate::reynolds::coupled::{Coupled, limit_of};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
@@ -32,6 +32,8 @@ pub(super) struct Unknowns {
     /// Nodes in contact that have not yielded, and those that have.
     contact: Vec<u32>,
     yielded: Vec<u32>,
+    /// Changes of total and fluid pressure that the sides of nodes prescribe \[Pa\].
+    pinned: Vec<(u32, [f64; 2])>,
     /// One over the diagonals of the mass balances.
     weights: Vec<f32>,
     /// The reference pressure \[Pa\] and the deflection of a node under it \[m\].
@@ -68,6 +70,7 @@ impl Unknowns {
             contact_from: 0,
             contact: nodes(),
             yielded: nodes(),
+            pinned: Vec::with_capacity(n),
             weights: Vec::with_capacity(n),
             pressure_unit: 1.0,
             film_unit: 1.0,
@@ -116,7 +119,7 @@ impl Unknowns {
     }
 
     /// Sorts the nodes by their sides.
-    pub(super) fn sort(&mut self, coupled: &Coupled, problem: &LubricatedContact<'_>) {
+    pub(super) fn sort(&mut self, coupled: &Coupled, problem: &LubricatedContact<'_>, state: &ContactState) {
         self.pressure_unit = problem.reference_pressure;
         self.film_unit = coupled.near.own * problem.reference_pressure;
         self.cell_load = coupled.fluid.grid.cell_area() * problem.reference_pressure / problem.load;
@@ -130,6 +133,19 @@ impl Unknowns {
         push_all(&mut self.contact, &coupled.kinds, |kind| kind.solid == Solid::Contact);
         self.yielded.clear();
         push_all(&mut self.yielded, &coupled.kinds, |kind| kind.solid == Solid::Yielded);
+        self.pinned.clear();
+        for (k, kind) in coupled.kinds.iter().enumerate() {
+            let (total, fluid) = (state.pressure[k], state.fluid_pressure[k]);
+            let drop = if kind.has_balance() { 0.0 } else { -fluid };
+            let pinned = match kind.solid {
+                Solid::Open => [if kind.has_balance() { 0.0 } else { -total }, drop],
+                Solid::Contact => [0.0, drop],
+                Solid::Yielded => [limit_of(problem, k) - total, drop],
+            };
+            if pinned != [0.0; 2] {
+                self.pinned.push((k as u32, pinned));
+            }
+        }
     }
 
     /// Takes the size of the rows of the mass balances, by node.
@@ -138,24 +154,32 @@ impl Unknowns {
         self.weights.extend(self.balanced.iter().map(|&k| 1.0 / size(k as usize)));
     }
 
-    /// What the equations lack at `state`.
+    /// What the equations lack at `state` under the prescribed changes, if there are any; one convolution then.
     pub(super) fn missing(
-        &self,
-        coupled: &Coupled,
-        problem: &LubricatedContact<'_>,
+        &mut self,
+        coupled: &mut Coupled,
+        problem: &mut LubricatedContact<'_>,
+        linearisation: &mut Linearisation,
         state: &ContactState,
         out: &mut [f32],
-    ) {
+    ) -> Result<(), InputError> {
+        out.fill(0.0);
+        let mut carried: f64 = state.pressure.iter().sum();
+        if !self.pinned.is_empty() {
+            self.expand_pinned(coupled, problem, linearisation, out)?;
+            self.rows(out);
+            carried += self.pinned.iter().map(|(_, [change, _])| change).sum::<f64>();
+        }
         let (balances, rest) = out.split_at_mut(self.balanced.len());
         for ((row, &k), weight) in balances.iter_mut().zip(&self.balanced).zip(&self.weights) {
-            *row = -weight * (coupled.balance[k as usize] / self.film_unit) as f32;
+            *row = -(*row + weight * (coupled.balance[k as usize] / self.film_unit) as f32);
         }
         let contact_film = problem.contact_film();
         for (row, &k) in rest.iter_mut().zip(&self.contact) {
-            *row = ((contact_film - coupled.elastic_film[k as usize]) / self.film_unit) as f32;
+            *row = ((contact_film - coupled.elastic_film[k as usize]) / self.film_unit) as f32 - *row;
         }
-        let carried = state.pressure.iter().sum::<f64>() / self.pressure_unit * self.cell_load;
-        rest[self.contact.len()] = (1.0 - carried) as f32;
+        rest[self.contact.len()] = (1.0 - carried / self.pressure_unit * self.cell_load) as f32;
+        Ok(())
     }
 
     /// Film changes under the pressure changes of all nodes and a change of the approach; one convolution.
@@ -175,14 +199,26 @@ impl Unknowns {
         Ok(())
     }
 
-    /// Changes of all nodes under the vector `x`; one convolution.
-    pub(super) fn expand(
+    /// Changes of all nodes under the vector `x` and the prescribed ones; one convolution.
+    pub(super) fn expand_pinned(
         &mut self,
         coupled: &mut Coupled,
         problem: &mut LubricatedContact<'_>,
         linearisation: &mut Linearisation,
         x: &[f32],
     ) -> Result<(), InputError> {
+        self.place(x);
+        for (k, [total, fluid]) in &self.pinned {
+            self.pressure[*k as usize] = *total;
+            if *fluid != 0.0 {
+                self.fluid[*k as usize] = (fluid / self.pressure_unit) as f32;
+            }
+        }
+        self.respond(coupled, problem, linearisation, x)
+    }
+
+    /// Puts the pressures of the vector `x` where they belong.
+    fn place(&mut self, x: &[f32]) {
         self.pressure.fill(0.0);
         self.fluid.fill(0.0);
         let (fluid, rest) = x.split_at(self.balanced.len());
@@ -197,9 +233,19 @@ impl Unknowns {
         for (&k, &x) in self.contact.iter().zip(rest) {
             self.pressure[k as usize] = f64::from(x) * self.pressure_unit;
         }
-        self.deform(coupled, problem, rest[self.contact.len()])?;
+    }
+
+    /// Films and balances under the pressures as they are placed; one convolution.
+    fn respond(
+        &mut self,
+        coupled: &mut Coupled,
+        problem: &mut LubricatedContact<'_>,
+        linearisation: &mut Linearisation,
+        x: &[f32],
+    ) -> Result<(), InputError> {
+        self.deform(coupled, problem, x[self.len() - 1])?;
         let limited = self.limited_from..self.contact_from;
-        for (&k, x) in self.balanced[limited.clone()].iter().zip(&fluid[limited]) {
+        for (&k, x) in self.balanced[limited.clone()].iter().zip(&x[limited]) {
             self.film[k as usize] += x;
         }
         // The plastic depth keeps the film.
@@ -219,7 +265,8 @@ impl Unknowns {
         x: &[f32],
         out: &mut [f32],
     ) -> Result<(), InputError> {
-        self.expand(coupled, problem, linearisation, x)?;
+        self.place(x);
+        self.respond(coupled, problem, linearisation, x)?;
         self.rows(out);
         out[self.len() - 1] = self.load(x);
         Ok(())
@@ -265,7 +312,7 @@ impl Unknowns {
         f64::from(x[self.len() - 1]) * self.film_unit
     }
 
-    /// Changes of node `k` after [`Unknowns::expand`].
+    /// Changes of node `k` after [`Unknowns::expand_pinned`].
     pub(super) fn node(&self, k: usize) -> NodeChange {
         NodeChange {
             pressure: self.pressure[k],
@@ -358,7 +405,7 @@ mod tests {
         coupled.configure(&problem);
         coupled.kinds = kinds;
         let mut unknowns = Unknowns::new(grid);
-        unknowns.sort(&coupled, &problem);
+        unknowns.sort(&coupled, &problem, &base);
         unknowns.set_row_sizes(|_| 1.0);
         let balances = unknowns.balanced.len();
         let x: Vec<f32> =
