@@ -28,21 +28,27 @@ const MAX_KRYLOV_STEPS: usize = 100;
 const MAX_PRESSURE_CHANGE: f64 = 1.0;
 /// What a solve tries, one after the other while it stalls or diverges, each but the first from the dry contact. What one
 /// cannot do another often can: the ways through the changes of sides are many and short.
-const ATTEMPTS: [Attempt; 9] = [
-    Attempt { trust: 0.03, first_contact_film: 30.0, careful: true, effort: QUICK },
-    Attempt { trust: 0.03, first_contact_film: 30.0, careful: true, effort: THOROUGH },
-    Attempt { trust: 0.03, first_contact_film: 1.0, careful: false, effort: THOROUGH },
-    Attempt { trust: 0.01, first_contact_film: 1.0, careful: false, effort: THOROUGH },
-    Attempt { trust: 0.03, first_contact_film: 1.0, careful: true, effort: THOROUGH },
-    Attempt { trust: 0.1, first_contact_film: 1.0, careful: false, effort: THOROUGH },
-    Attempt { trust: 0.01, first_contact_film: 30.0, careful: true, effort: THOROUGH },
-    Attempt { trust: 0.03, first_contact_film: 100.0, careful: true, effort: THOROUGH },
-    Attempt { trust: 0.1, first_contact_film: 30.0, careful: true, effort: THOROUGH },
+const ATTEMPTS: [Attempt; 13] = [
+    Attempt { trust: 0.03, first_contact_film: 30.0, careful: true, adaptive: true, effort: QUICK },
+    Attempt { trust: 0.03, first_contact_film: 30.0, careful: true, adaptive: true, effort: THOROUGH },
+    Attempt { trust: 0.03, first_contact_film: 1.0, careful: false, adaptive: true, effort: THOROUGH },
+    Attempt { trust: 0.01, first_contact_film: 1.0, careful: false, adaptive: true, effort: THOROUGH },
+    Attempt { trust: 0.03, first_contact_film: 1.0, careful: true, adaptive: true, effort: THOROUGH },
+    Attempt { trust: 0.1, first_contact_film: 1.0, careful: false, adaptive: true, effort: THOROUGH },
+    Attempt { trust: 0.01, first_contact_film: 30.0, careful: true, adaptive: true, effort: THOROUGH },
+    Attempt { trust: 0.03, first_contact_film: 100.0, careful: true, adaptive: true, effort: THOROUGH },
+    Attempt { trust: 0.1, first_contact_film: 30.0, careful: true, adaptive: true, effort: THOROUGH },
+    Attempt { trust: 0.03, first_contact_film: 30.0, careful: true, adaptive: false, effort: THOROUGH },
+    Attempt { trust: 0.03, first_contact_film: 1.0, careful: false, adaptive: false, effort: THOROUGH },
+    Attempt { trust: 0.01, first_contact_film: 100.0, careful: true, adaptive: true, effort: EXACT },
+    Attempt { trust: 0.03, first_contact_film: 300.0, careful: true, adaptive: true, effort: EXACT },
 ];
 /// Enough for most scenes, at four fifths of the convolutions.
 const QUICK: Effort = Effort { start: 0.03, krylov: 0.02 };
 /// Where that stalls: errors left at single nodes are as large as the contact film, and starts close to it matter.
 const THOROUGH: Effort = Effort { start: 1e-7, krylov: 0.01 };
+/// What the last attempts make of scenes whose pockets hold large flows with small differences.
+const EXACT: Effort = Effort { start: 1e-7, krylov: 0.001 };
 /// Contact film of a Newton step over that of the step before, down to the one of the problem.
 const CONTACT_FILM_REDUCTION: f64 = 0.5;
 /// Growth of the residual after which a careful attempt takes the step again at [`SHORTER`] length.
@@ -66,6 +72,8 @@ struct Attempt {
     first_contact_film: f64,
     /// Whether steps that make the residual jump are shortened.
     careful: bool,
+    /// Whether the trust follows what all nodes together do to the films.
+    adaptive: bool,
     effort: Effort,
 }
 
@@ -297,11 +305,13 @@ impl Workspace {
             } else {
                 self.advance(problem, state, trust, 1.0)?;
             }
-            let (shorter, longer) = TRUST_CHANGE;
-            let change = UNFORESEEN / self.unforeseen_share(state, problem.contact_film());
-            trust = (trust * change.clamp(shorter, longer))
-                .max(LEAST_TRUST * problem.reference_pressure)
-                .min(largest_trust);
+            if attempt.adaptive {
+                let (shorter, longer) = TRUST_CHANGE;
+                let change = UNFORESEEN / self.unforeseen_share(state, problem.contact_film());
+                trust = (trust * change.clamp(shorter, longer))
+                    .max(LEAST_TRUST * problem.reference_pressure)
+                    .min(largest_trust);
+            }
         }
         Ok(status)
     }
