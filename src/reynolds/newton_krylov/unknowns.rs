@@ -142,7 +142,7 @@ impl Unknowns {
                 Solid::Contact => [0.0, drop],
                 Solid::Yielded => [limit_of(problem, k) - total, drop],
             };
-            if pinned != [0.0; 2] {
+            if pinned.iter().any(|change| change.abs() > 0.0) {
                 self.pinned.push((k as u32, pinned));
             }
         }
