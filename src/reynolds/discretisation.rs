@@ -244,11 +244,6 @@ impl Discretisation {
         self.nodes[k]
     }
 
-    /// Density ratio of node `k`.
-    pub(super) fn density(&self, k: usize) -> f64 {
-        self.nodes[k].density
-    }
-
     /// What node `k` carries along at `film`, `rho/rho_0 h` \[m\].
     pub(super) fn carried(&self, k: usize, film: f64) -> f64 {
         self.nodes[k].density * film.max(self.least_film)

@@ -46,8 +46,6 @@ pub(super) struct Level {
     /// `rho/rho_0 h` of the previous time, where there is one.
     pub(super) previous: Option<Vec<f64>>,
     pub(super) load: f64,
-    /// What a node carries more for its own pressure, the film held \[m/Pa\].
-    pub(super) compression: Vec<f64>,
     /// Flow over pressure difference of the faces to the east and to the north of each node.
     pub(super) east: Vec<f64>,
     pub(super) north: Vec<f64>,
@@ -77,7 +75,6 @@ impl Level {
             drive: zeros(),
             previous: None,
             load: 0.0,
-            compression: zeros(),
             east: zeros(),
             north: zeros(),
             is_boundary,
@@ -98,9 +95,6 @@ impl Level {
     pub(super) fn take_film(&mut self, lubricant: &Lubricant) {
         self.fluid.update(lubricant, &self.pressure, &self.film);
         self.is_evaluated = true;
-        for (k, compression) in self.compression.iter_mut().enumerate() {
-            [*compression, _] = self.fluid.mass_derivatives(k, self.film[k]);
-        }
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
         for j in 0..ny - 1 {
             for k in j * nx..(j + 1) * nx - 1 {

@@ -167,8 +167,12 @@ impl LineRelaxation {
             self.change[r] = level.drive[k] - faces.outflow(p, k, nx);
             let [_, next, second] = level.fluid.upwind(k);
             let upwind = [level.fluid.own_mass(k), next, second];
+            // More mass for an own pressure, by compression, and for a film.
             let carried: [[f64; 2]; 3] = std::array::from_fn(|m| {
-                [upwind[m] * level.fluid.density(k - m), upwind[m] * level.compression[k - m]]
+                level
+                    .fluid
+                    .mass_derivatives(k - m, level.film[k - m])
+                    .map(|derivative| upwind[m] * derivative)
             });
             let transport = |slot: usize| -> f64 {
                 let along = |m: usize| {
@@ -178,7 +182,7 @@ impl LineRelaxation {
                         1 if !is_flow => -0.25,
                         _ => 0.0,
                     };
-                    carried[m][0] * influence[distance] + carried[m][1] * share
+                    carried[m][1] * influence[distance] + carried[m][0] * share
                 };
                 along(0) + along(1) + along(2)
             };

@@ -7,6 +7,7 @@
 use crate::grid::Grid;
 use crate::numerics::STENCIL;
 use crate::reynolds::discretisation::Discretisation;
+use crate::reynolds::problem::inner_rows;
 
 /// Largest derivative that counts: that of real films is some 1e12.
 const LARGEST: f64 = 1e30;
@@ -87,8 +88,7 @@ impl Linearisation {
         if ny > 1 {
             flow_changes(&self.north, nx, pressure, film, &mut self.north_change);
         }
-        let rows = if ny > 1 { 1..ny - 1 } else { 0..1 };
-        for first in rows.map(|j| j * nx) {
+        for first in inner_rows(&self.grid).map(|j| j * nx) {
             let (mass, east) = (&self.mass_change[first..first + nx], &self.east_change[first..first + nx]);
             let out = &mut out[first..first + nx];
             let [inlet, [here, up, second]] = self.upwind;

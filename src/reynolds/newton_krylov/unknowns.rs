@@ -248,12 +248,17 @@ impl Unknowns {
         for (&k, x) in self.balanced[limited.clone()].iter().zip(&x[limited]) {
             self.film[k as usize] += x;
         }
+        self.flow(linearisation);
+        Ok(())
+    }
+
+    /// Balances under the changes of fluid pressure and film as they are.
+    fn flow(&mut self, linearisation: &mut Linearisation) {
         // The plastic depth keeps the film.
         for &k in &self.yielded {
             self.film[k as usize] = 0.0;
         }
         linearisation.product(&self.fluid, &self.film, &mut self.balance);
-        Ok(())
     }
 
     /// `out = J x`; one convolution.
@@ -276,10 +281,7 @@ impl Unknowns {
     pub(super) fn approach_column(&mut self, linearisation: &mut Linearisation, out: &mut [f32]) {
         self.fluid.fill(0.0);
         self.film.fill(-1.0);
-        for &k in &self.yielded {
-            self.film[k as usize] = 0.0;
-        }
-        linearisation.product(&self.fluid, &self.film, &mut self.balance);
+        self.flow(linearisation);
         self.rows(out);
         out[self.len() - 1] = 0.0;
     }
