@@ -1,6 +1,6 @@
 //! Picks the solver by what the scene holds.
 
-use super::multigrid::expects_full_film;
+use super::multigrid::{HandOver, expects_full_film};
 use super::problem::{ContactDefinition, LubricatedContact};
 use super::state::ContactState;
 use super::{
@@ -8,10 +8,9 @@ use super::{
 };
 use crate::report::{SolveReport, Status};
 
-/// Cycles that multigrid is given: Newton's method finishes for less where it would need more.
-const MOST_CYCLES: u64 = 11;
-/// Residuals from which Newton's method goes on instead of starting anew.
-const NEAR: f64 = 1.0;
+/// Newton's method finishes for less what would take multigrid more cycles than these. It goes on from residuals below
+/// this; from larger ones it would start anew.
+const HAND_OVER: HandOver = HandOver { cycles: 11, residual: 1.0 };
 
 /// Expected film over contact film above which solid contact on a smooth surface is the fault of the mesh; the minimum
 /// film is a quarter of the central one at least.
@@ -52,7 +51,7 @@ impl Auto {
     fn with_dry(dry: Dry) -> Self {
         Self {
             dry,
-            multigrid: Multigrid::ending_after(MOST_CYCLES),
+            multigrid: Multigrid::handing_over(HAND_OVER),
             newton: NewtonKrylov::new(),
             sweeps: SemiSystem::default(),
             kept: None,
@@ -144,7 +143,7 @@ impl Auto {
         if first.status == Status::Converged {
             return Ok(first);
         }
-        let is_near = first.status != Status::MeshTooCoarse && first.residuals.max() < NEAR;
+        let is_near = first.status != Status::MeshTooCoarse && first.residuals.max() < HAND_OVER.residual;
         if !is_near && let Some(given) = &self.kept {
             state.clone_from(given);
         }

@@ -139,7 +139,4 @@ pub enum ReynoldsError {
         /// Number of nodes of the grid.
         nodes: usize,
     },
-    /// The linearised fluid equations are singular, which no valid viscosity and density law produces.
-    #[error("the linearised fluid equations are singular: check the viscosity and density laws")]
-    SingularFluidBlock,
 }

@@ -32,6 +32,10 @@ const START_CELL: (f64, f64) = (0.03, 0.12);
 /// Cycles on the grid of the start, and on the finer ones before the finest.
 const START_CYCLES: usize = 5;
 const CYCLES: usize = 2;
+/// Expected film over displacement below which all of these shares are smaller, by the factor that follows: coarse grids
+/// do not hold such films, and larger changes would close them.
+const VERY_THIN: f64 = 0.006;
+const VERY_THIN_FACTOR: f64 = 0.8;
 /// Share of the mean elastic displacement by which the approach follows a relative load error of one.
 const LOAD_GAIN: f64 = 0.12;
 /// That share is smaller, but not below the first number, where film over displacement is below the second.
@@ -59,6 +63,7 @@ pub(super) struct Hierarchy {
     load_gain: f64,
     /// Share of a change that nodes take where pressure flow dominates a little.
     near_share: f64,
+    is_very_thin: bool,
     /// In equivalents of the finest grid.
     pub(super) convolutions: f64,
     pub(super) sweeps: u64,
@@ -86,6 +91,7 @@ impl Hierarchy {
             approach: 0.0,
             load_gain: 0.0,
             near_share: NEAR_SHARE,
+            is_very_thin: false,
             convolutions: 0.0,
             sweeps: 0,
         })
@@ -169,7 +175,7 @@ impl Hierarchy {
         let is_fine = |grid: &Grid| grid.dx() <= cell * a && grid.dy() <= cell * b;
         let first = self.levels.iter().position(|level| is_fine(&level.grid)).unwrap_or(self.top());
         self.guess(problem, first, film)?;
-        self.set_load_gain(displacement, film);
+        self.set_thinness(displacement, film);
         for l in first..=self.top() {
             if l > first {
                 let (coarse, fine) = pair(&mut self.levels, l - 1);
@@ -204,10 +210,11 @@ impl Hierarchy {
         self.levels[l].fluid.set_scheme(scheme, face_mobility);
     }
 
-    /// How the approach follows load errors, by mean elastic displacement and expected film.
-    fn set_load_gain(&mut self, displacement: f64, film: f64) {
+    /// How the approach follows load errors and how nodes are relaxed, by mean elastic displacement and expected film.
+    fn set_thinness(&mut self, displacement: f64, film: f64) {
         let (least, thick) = THIN;
         self.load_gain = LOAD_GAIN * displacement * (film / (thick * displacement)).clamp(least, 1.0);
+        self.is_very_thin = film < VERY_THIN * displacement;
     }
 
     /// Starts from a state on the finest grid.
@@ -230,7 +237,7 @@ impl Hierarchy {
             sum += p * displacement;
             weight += p;
         }
-        self.set_load_gain(sum / weight, expected_film(problem));
+        self.set_thinness(sum / weight, expected_film(problem));
         self.discretise(self.top(), problem.scheme, problem.face_mobility);
         Ok(())
     }
@@ -299,7 +306,12 @@ impl Hierarchy {
         for share in shares {
             self.evaluate(problem, lubricant, l)?;
             let largest = LARGEST_CHANGE * problem.reference_pressure;
-            let shares = Shares { dipole: *share, near: self.near_share };
+            let factor = if self.is_very_thin { VERY_THIN_FACTOR } else { 1.0 };
+            let shares = Shares {
+                dipole: factor * share,
+                near: factor * self.near_share,
+                keeps_neighbours: !self.is_very_thin,
+            };
             self.relaxation.sweep(&mut self.levels[l], largest, shares);
             self.sweeps += 1;
         }

@@ -53,9 +53,16 @@ const SMALLEST_GRID: usize = 32;
 /// Source: Venner, C. H. and Lubrecht, A. A. (2000), Multilevel Methods in Lubrication, Elsevier.
 #[derive(Debug, Default)]
 pub struct Multigrid {
-    /// Cycles after which another solver takes over, if that many are foreseen not to do.
-    most_cycles: Option<u64>,
+    /// Where another solver takes over.
+    hand_over: Option<HandOver>,
     workspace: Option<Box<Workspace>>,
+}
+
+/// A solve whose residuals are below `residual` ends as stalled as soon as more than this number of cycles is foreseen.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct HandOver {
+    pub(super) cycles: u64,
+    pub(super) residual: f64,
 }
 
 #[derive(Debug)]
@@ -72,9 +79,9 @@ impl Multigrid {
         Self::default()
     }
 
-    /// A solver that ends as stalled as soon as more than this number of cycles is foreseen.
-    pub(super) fn ending_after(cycles: u64) -> Self {
-        Self { most_cycles: Some(cycles), workspace: None }
+    /// A solver that leaves the end of slow solves to another one.
+    pub(super) fn handing_over(hand_over: HandOver) -> Self {
+        Self { hand_over: Some(hand_over), workspace: None }
     }
 
     /// Whether the problem is a smooth full film on a grid that can be coarsened.
@@ -127,10 +134,10 @@ impl ContactSolver for Multigrid {
             return Err(self.wrong("a line contact has no second axis to coarsen"));
         }
         let solver = self.name();
-        let most_cycles = self.most_cycles.unwrap_or(u64::MAX);
+        let hand_over = self.hand_over;
         let workspace = self.workspace(problem, grid)?;
         let mut work = Work::default();
-        let (status, residuals) = workspace.run(problem, lubricant, state, stop, most_cycles, &mut work)?;
+        let (status, residuals) = workspace.run(problem, lubricant, state, stop, hand_over, &mut work)?;
         workspace.coupled.mark_contact(problem, state);
         work.inner_iterations = workspace.hierarchy.sweeps;
         work.convolutions += workspace.hierarchy.convolutions + workspace.coupled.convolutions;
@@ -176,7 +183,7 @@ impl Workspace {
         lubricant: &Lubricant,
         state: &mut ContactState,
         stop: &StoppingRule,
-        most_cycles: u64,
+        hand_over: Option<HandOver>,
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
         self.coupled.configure(problem);
@@ -218,7 +225,9 @@ impl Workspace {
             let needed = cycles_needed(residuals.max(), last[RATE_CYCLES - 1], stop.tolerance);
             last.rotate_right(1);
             last[0] = residuals.max();
-            if cycle as f64 + needed > most_cycles as f64 {
+            if hand_over
+                .is_some_and(|h| residuals.max() < h.residual && cycle as f64 + needed > h.cycles as f64)
+            {
                 status = Status::Stalled;
                 break;
             }

@@ -94,6 +94,8 @@ pub(super) struct Shares {
     pub(super) dipole: f64,
     /// Where pressure flow does, but not by far.
     pub(super) near: f64,
+    /// Whether a node next to dry ones still counts on the changes of its wet neighbours.
+    pub(super) keeps_neighbours: bool,
 }
 
 /// Share of a change taken at a node whose pressure flow dominates by `ratio`, with conductances of this evenness.
@@ -171,7 +173,7 @@ impl LineRelaxation {
             let carried: [[f64; 2]; 3] = std::array::from_fn(|m| {
                 level
                     .fluid
-                    .mass_derivatives(k - m, level.film[k - m])
+                    .mass_derivatives(k - m, level.film[k - m].max(0.0))
                     .map(|derivative| upwind[m] * derivative)
             });
             let transport = |slot: usize| -> f64 {
@@ -190,15 +192,16 @@ impl LineRelaxation {
             let is_wet = |i: usize| i == 0 || i + 1 >= nx || level.pressure[j * nx + i] > 0.0;
             // Dry nodes may not take the change that the row counts on.
             let is_wet_at = |slot: usize| is_wet((i + slot).saturating_sub(OWN));
+            let is_inside = [1, 2, 4, 5].into_iter().all(is_wet_at);
             let mut row = [0.0; BAND];
             row[OWN] = transport(OWN) + if is_flow { sum } else { 1.25 * sum };
-            if is_flow && is_wet(i) {
+            if is_flow && is_wet(i) && (is_inside || shares.keeps_neighbours) {
                 for slot in [0, 1, 2, 4, 5].into_iter().filter(|slot| is_wet_at(*slot)) {
                     row[slot] = transport(slot);
                 }
                 row[OWN - 1] -= if is_wet(i - 1) { west } else { 0.0 };
                 row[OWN + 1] -= if is_wet(i + 1) { east } else { 0.0 };
-            } else if !is_flow && [1, 2, 4, 5].into_iter().all(is_wet_at) {
+            } else if !is_flow && is_inside {
                 for slot in [0, 1, 2, 4, 5] {
                     row[slot] = transport(slot);
                 }

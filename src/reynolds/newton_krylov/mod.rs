@@ -299,7 +299,11 @@ impl Workspace {
                 self.coupled.fluid.configure(problem);
                 self.coupled.settle(problem, state);
             }
-            work.inner_iterations += self.newton_step(problem, state, attempt.effort.krylov)?;
+            let Some(krylov_steps) = self.newton_step(problem, state, attempt.effort.krylov)? else {
+                status = Status::Diverged;
+                break;
+            };
+            work.inner_iterations += krylov_steps;
             if attempt.careful {
                 self.advance_carefully(problem, state, trust, residuals.max())?;
             } else {
@@ -333,25 +337,28 @@ impl Workspace {
         self.advance(problem, state, SHORTER * trust, SHORTER)
     }
 
-    /// Solves the linearised equations into `self.step`, their residual to `tolerance` of itself; returns the Krylov steps.
+    /// Solves the linearised equations into `self.step`, their residual to `tolerance` of itself; returns the Krylov steps, or
+    /// none where the fluid equations of this state have no finite factors.
     fn newton_step(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &ContactState,
         tolerance: f64,
-    ) -> Result<u64, ReynoldsError> {
+    ) -> Result<Option<u64>, ReynoldsError> {
         let Self { coupled, unknowns, linearisation, preconditioner, .. } = self;
         unknowns.sort(coupled, problem, state);
         if problem.lubricant.is_some() {
             linearisation.update(&coupled.fluid, &state.film, coupled.near.own);
         }
-        preconditioner.prepare(coupled, linearisation, unknowns, problem)?;
+        if !preconditioner.prepare(coupled, linearisation, unknowns, problem) {
+            return Ok(None);
+        }
         preconditioner.border(unknowns, coupled, linearisation, problem)?;
         let n = unknowns.len();
         unknowns.missing(coupled, problem, linearisation, state, &mut self.rhs[..n])?;
         let mut system = System { unknowns, coupled, problem, linearisation, preconditioner };
         let outcome = self.gmres.solve(&mut system, &self.rhs[..n], tolerance, &mut self.step[..n]);
-        Ok(outcome.steps)
+        Ok(Some(outcome.steps))
     }
 
     /// Takes at most the share `most` of the step; every node then settles by its own equations.

@@ -6,7 +6,6 @@ use super::unknowns::Unknowns;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::{GridLu, STENCIL};
-use crate::reynolds::ReynoldsError;
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::problem::LubricatedContact;
 
@@ -66,17 +65,18 @@ impl BlockPreconditioner {
         }
     }
 
-    /// Factorises the fluid block, and gives the mass balances the sizes of its diagonal.
+    /// Factorises the fluid block, and gives the mass balances the sizes of its diagonal; false where the block has no finite
+    /// factors.
     pub(super) fn prepare(
         &mut self,
         coupled: &Coupled,
         linearisation: &Linearisation,
         unknowns: &mut Unknowns,
         problem: &LubricatedContact<'_>,
-    ) -> Result<(), ReynoldsError> {
+    ) -> bool {
         self.film_share.fill(0.0);
         if problem.lubricant.is_none() {
-            return Ok(());
+            return true;
         }
         self.find_shares(coupled, unknowns);
         for row in self.stencil.chunks_exact_mut(STENCIL) {
@@ -88,7 +88,7 @@ impl BlockPreconditioner {
             self.stencil[STENCIL * k..][..STENCIL].copy_from_slice(&row);
         }
         unknowns.set_row_sizes(|k| self.stencil[STENCIL * k].abs().max(1.0));
-        if self.lu.factorise(&self.stencil) { Ok(()) } else { Err(ReynoldsError::SingularFluidBlock) }
+        self.lu.factorise(&self.stencil)
     }
 
     /// How the fluid block treats every node.
