@@ -246,6 +246,33 @@ fn a_steady_film_feels_no_squeeze_and_a_passing_wave_does() {
 }
 
 #[test]
+fn a_squeezed_history_is_of_second_order_in_time() {
+    let mut scene = Scene::azam_2019(32);
+    (scene.wear, scene.plastic) = (None, None);
+    scene.motion.entrainment_speed = 2.0;
+    scene.motion.slide_roll_ratio = 0.0;
+    scene.roughness = Default::default();
+    scene.solver.tolerance = 1e-8;
+    let grid = scene.grid().unwrap();
+    let wave: Vec<f64> = grid.nodes().map(|(x, _)| 10e-9 * (2.0 * PI * x / 250e-6).cos()).collect();
+    let film = |steps: u32| {
+        let builder = MixedLubricationSim::builder(scene.clone()).motion(RoughnessMotion::Convected);
+        let mut sim = builder.with_squeeze().disc_heights(wave.clone()).build().unwrap();
+        let time_step = 8.0 * grid.dx() / 2.0 / f64::from(steps);
+        // The contact is solved before the step: one more for the end of the last.
+        run_until(&mut sim, (f64::from(steps) + 1.0) * time_step, StepControl::fixed(time_step));
+        sim.state().film.clone()
+    };
+    let [coarse, middle, fine] = [16, 32, 64].map(film);
+    let apart = |a: &[f64], b: &[f64]| {
+        let inside = grid.nodes().zip(a.iter().zip(b)).filter(|((x, y), _)| x.hypot(*y) < 1e-4);
+        inside.map(|(_, (a, b))| (a - b).powi(2)).sum::<f64>().sqrt()
+    };
+    let order = (apart(&coarse, &middle) / apart(&middle, &fine)).log2();
+    assert!(order > 1.7, "order {order}");
+}
+
+#[test]
 fn friction_is_boundary_on_solids_and_shear_on_fluid() {
     // Solids alone carry: the boundary coefficient.
     let mut scene = dry(32);

@@ -138,7 +138,7 @@ impl Rolling {
             let gap: Vec<f64> =
                 grid.nodes().zip(&smooth).map(|((x, _), height)| height + amplitude * waves(x)).collect();
             let squeeze = if second_order {
-                Squeeze::second_order([&newest, &oldest], time_step, &mut combined).unwrap()
+                Squeeze::second_order([&newest, &oldest], [time_step; 2], &mut combined).unwrap()
             } else {
                 Squeeze { previous_mass: &newest, time_step }
             };

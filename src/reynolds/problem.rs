@@ -54,34 +54,44 @@ pub struct Squeeze<'a> {
 }
 
 impl<'a> Squeeze<'a> {
-    /// The backward difference of second order, `(3 m - 4 m_1 + m_2) / (2 dt)`, from the masses of the `last` two times, newest
-    /// first, `time_step` apart: it is the difference of first order over two thirds of the step from `(4 m_1 - m_2) / 3`, which
-    /// is written to `combined`. A wave that travels through a contact is damped by first order already at twenty steps a
-    /// period.
+    /// The backward difference of second order from the masses of the `last` two times, newest first. `time_steps` \[s\] are
+    /// those since the newest and from the oldest to the newest; with `r` their ratio it is
+    /// `((1 + 2 r)/(1 + r) m - (1 + r) m_1 + r^2/(1 + r) m_2) / dt`, for equal steps `(3 m - 4 m_1 + m_2) / (2 dt)`. That is a
+    /// difference of first order over a shorter step from a mean of `m_1` and `m_2`, which is written to `combined`. A wave that
+    /// travels through a contact is damped by first order already at twenty steps a period. Histories whose steps grow by more
+    /// than 2.4 each are unstable with it.
     ///
     /// # Errors
-    /// Slices of different lengths.
+    /// Slices of different lengths, a time step that is not positive.
     ///
     /// ```
     /// use stribeck::reynolds::Squeeze;
     /// // A mass that grows with the square of time: 1, 4, then 9.
     /// let mut combined = [0.0];
-    /// let squeeze = Squeeze::second_order([&[4.0], &[1.0]], 1.0, &mut combined)?;
+    /// let squeeze = Squeeze::second_order([&[4.0], &[1.0]], [1.0, 1.0], &mut combined)?;
     /// let rate = (9.0 - squeeze.previous_mass[0]) / squeeze.time_step;
     /// assert!((rate - 6.0_f64).abs() < 1e-12);
+    /// // The same at the times 1, 2, then 4.
+    /// let squeeze = Squeeze::second_order([&[4.0], &[1.0]], [2.0, 1.0], &mut combined)?;
+    /// let rate = (16.0 - squeeze.previous_mass[0]) / squeeze.time_step;
+    /// assert!((rate - 8.0_f64).abs() < 1e-12);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn second_order(
         last: [&[f64]; 2],
-        time_step: f64,
+        time_steps: [f64; 2],
         combined: &'a mut [f64],
     ) -> Result<Self, InputError> {
         InputError::require_len("last.0", last[0], combined.len())?;
         InputError::require_len("last.1", last[1], combined.len())?;
+        InputError::require_positive("time_steps.0", time_steps[0])?;
+        InputError::require_positive("time_steps.1", time_steps[1])?;
+        let ratio = time_steps[0] / time_steps[1];
+        let share = 1.0 / (1.0 + 2.0 * ratio);
         for (out, (newest, oldest)) in combined.iter_mut().zip(last[0].iter().zip(last[1])) {
-            *out = (4.0 * newest - oldest) / 3.0;
+            *out = newest + share * ratio * ratio * (newest - oldest);
         }
-        Ok(Self { previous_mass: combined, time_step: 2.0 / 3.0 * time_step })
+        Ok(Self { previous_mass: combined, time_step: share * (1.0 + ratio) * time_steps[0] })
     }
 }
 

@@ -16,6 +16,7 @@ use thiserror::Error;
 
 use super::body::Body;
 use super::simulation::{Identity, MixedLubricationSim};
+use super::squeeze_memory::SqueezeMemory;
 use super::whole_file;
 use crate::error::InputError;
 use crate::plastic::PlasticDepth;
@@ -25,7 +26,7 @@ use crate::wear::WearDepth;
 
 const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
 /// Format that this version writes and reads.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 /// Bytes before the content.
 const HEADER: usize = 36;
 
@@ -97,9 +98,8 @@ struct Content<'a> {
     identity: Identity,
     bodies: [BodyPart<'a>; 2],
     state: Cow<'a, ContactState>,
-    carried_mass: Cow<'a, [f64]>,
+    squeeze_memory: Cow<'a, SqueezeMemory>,
     time: f64,
-    last_step: f64,
     step: u64,
     draws: u64,
 }
@@ -180,9 +180,8 @@ impl MixedLubricationSim {
             identity: self.identity(),
             bodies: [BodyPart::of(ball), BodyPart::of(disc)],
             state: Cow::Borrowed(&self.state),
-            carried_mass: Cow::Borrowed(&self.carried_mass),
+            squeeze_memory: Cow::Borrowed(&self.squeeze_memory),
             time: self.time,
-            last_step: self.last_step,
             step: self.step,
             draws: self.draws,
         };
@@ -222,7 +221,7 @@ impl MixedLubricationSim {
         }
         let grid = self.contact.grid;
         let law = self.laws.growth.as_deref();
-        let Content { bodies: [ball, disc], state, carried_mass, time, last_step, step, draws, .. } = content;
+        let Content { bodies: [ball, disc], state, squeeze_memory, time, step, draws, .. } = content;
         let bodies = [ball.into_body(law, grid.len()), disc.into_body(law, grid.len())];
         let [Ok(ball), Ok(disc)] = bodies else {
             let reasons: Vec<String> =
@@ -231,15 +230,14 @@ impl MixedLubricationSim {
         };
         state
             .validate(&grid)
-            .and_then(|()| InputError::require_len("carried mass", &carried_mass, grid.len()))
+            .and_then(|()| squeeze_memory.validate(&grid))
             .and_then(|()| InputError::require_non_negative("time", time))
-            .and_then(|()| InputError::require_non_negative("last step", last_step))
             .map_err(|error| damaged(error.to_string()))?;
         self.bodies = [ball, disc];
         self.backup.clone_from(&self.bodies);
         self.state = state.into_owned();
-        self.carried_mass = carried_mass.into_owned();
-        (self.time, self.last_step, self.step, self.draws) = (time, last_step, step, draws);
+        self.squeeze_memory = squeeze_memory.into_owned();
+        (self.time, self.step, self.draws) = (time, step, draws);
         Ok(())
     }
 }

@@ -22,6 +22,7 @@ mod run_folder;
 pub mod scene;
 mod setup;
 mod simulation;
+mod squeeze_memory;
 mod step_control;
 #[cfg(feature = "vtk")]
 mod vtk;

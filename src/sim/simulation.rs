@@ -11,6 +11,7 @@ use super::hertz::HertzContact;
 use super::observer::Observer;
 use super::record::StepRecord;
 use super::scene::Scene;
+use super::squeeze_memory::SqueezeMemory;
 use super::step_control::StepControl;
 use super::yielding::Yielding;
 #[cfg(feature = "serde")]
@@ -22,7 +23,7 @@ use crate::lubricant::Lubricant;
 use crate::metrics;
 use crate::plastic::PlasticityModel;
 use crate::report::{SolveReport, Status};
-use crate::reynolds::{ContactState, Squeeze};
+use crate::reynolds::ContactState;
 use crate::rubbing::RubbingPoint;
 use crate::surface::{FourierShift, Offset, RoughnessMotion, add_blended, blend_shifted, copy_shifted};
 use crate::tribochem::{FilmGrowthLaw, FlashTemperature};
@@ -110,11 +111,8 @@ pub struct MixedLubricationSim {
     between_nodes: FourierShift,
     pub(super) bodies: [Body; 2],
     pub(super) state: ContactState,
-    /// `rho/rho_0 h` of the contact before \[m\].
-    pub(super) carried_mass: Vec<f64>,
+    pub(super) squeeze_memory: SqueezeMemory,
     pub(super) time: f64,
-    /// Length of the last step \[s\].
-    pub(super) last_step: f64,
     pub(super) step: u64,
     /// Positions of the roughness that were tried; with the seed the state of the random numbers.
     pub(super) draws: u64,
@@ -152,6 +150,8 @@ struct Fields {
     on_body: Vec<f64>,
     heat: Vec<f64>,
     rise: Vec<f64>,
+    /// Mass that the squeeze refers to.
+    squeezed: Vec<f64>,
     friction: FrictionFields,
     yielding: Yielding,
 }
@@ -168,6 +168,7 @@ impl Fields {
             on_body: zeros(),
             heat: zeros(),
             rise: zeros(),
+            squeezed: zeros(),
             friction: FrictionFields::new(scene, n)?,
             yielding: Yielding::new(n),
         })
@@ -191,7 +192,7 @@ impl MixedLubricationSim {
         let grid = contact.grid;
         Ok(Self {
             state: ContactState::new(&grid),
-            carried_mass: vec![0.0; grid.len()],
+            squeeze_memory: SqueezeMemory::new(grid.len()),
             fields: Fields::new(&scene, grid.len())?,
             between_nodes: FourierShift::new(grid.nx()),
             scene,
@@ -202,7 +203,6 @@ impl MixedLubricationSim {
             backup: bodies.clone(),
             bodies,
             time: 0.0,
-            last_step: 0.0,
             step: 0,
             draws: 0,
         })
@@ -368,8 +368,7 @@ impl MixedLubricationSim {
             }
         };
         self.time += time_step;
-        self.last_step = time_step;
-        self.carried_mass.copy_from_slice(&self.state.mass);
+        self.squeeze_memory.keep(&self.state.mass, time_step);
         let record = self.record(report, attempts, flash_rise)?;
         self.step += 1;
         Ok(record)
@@ -448,9 +447,8 @@ impl MixedLubricationSim {
 
     fn solve_at(&mut self, offsets: Offsets) -> Result<SolveReport, SimError> {
         self.place(offsets)?;
-        let Self { fields, contact, laws, state, .. } = self;
-        let squeeze = (self.travel.squeeze && self.step > 0)
-            .then_some(Squeeze { previous_mass: &self.carried_mass, time_step: self.last_step });
+        let Self { fields, contact, laws, state, travel, squeeze_memory, .. } = self;
+        let squeeze = if travel.squeeze { squeeze_memory.squeeze(&mut fields.squeezed)? } else { None };
         // A film that is squeezed was there a moment ago; roughness that has moved far makes the last pressures no better
         // a start than the dry contact.
         if squeeze.is_none() {
@@ -565,7 +563,7 @@ impl MixedLubricationSim {
         Ok(StepRecord {
             step: self.step,
             time: self.time,
-            time_step: self.last_step,
+            time_step: self.squeeze_memory.last_step(),
             rq,
             composite_rq,
             average_film: film.mean_central,

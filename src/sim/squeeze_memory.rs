@@ -1,0 +1,61 @@
+//! What the contacts before carried along, which the next one squeezes.
+
+use crate::error::InputError;
+use crate::reynolds::Squeeze;
+
+/// Longest step over the one before with which the difference of second order is taken; from 2.4 on it is unstable.
+const LONGEST: f64 = 2.0;
+
+/// Masses of the last two contacts and the steps after them, newest first.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub(super) struct SqueezeMemory {
+    /// `rho/rho_0 h` \[m\].
+    masses: [Vec<f64>; 2],
+    /// \[s\]
+    steps: [f64; 2],
+    /// How many contacts there were, at most two.
+    known: u8,
+}
+
+impl SqueezeMemory {
+    pub(super) fn new(nodes: usize) -> Self {
+        Self { masses: [vec![0.0; nodes], vec![0.0; nodes]], steps: [0.0; 2], known: 0 }
+    }
+
+    /// Refuses fields that are not those of a simulation on `grid`.
+    #[cfg(feature = "serde")]
+    pub(super) fn validate(&self, grid: &crate::grid::Grid) -> Result<(), InputError> {
+        for mass in &self.masses {
+            InputError::require_len("carried mass", mass, grid.len())?;
+            InputError::require_finite("carried mass", mass)?;
+        }
+        self.steps.iter().try_for_each(|step| InputError::require_non_negative("last step", *step))
+    }
+
+    /// Length of the last step \[s\].
+    pub(super) fn last_step(&self) -> f64 {
+        self.steps[0]
+    }
+
+    /// Takes over the mass of a contact that lasted `time_step`.
+    pub(super) fn keep(&mut self, mass: &[f64], time_step: f64) {
+        self.masses.swap(0, 1);
+        self.masses[0].copy_from_slice(mass);
+        self.steps = [time_step, self.steps[0]];
+        self.known = (self.known + 1).min(2);
+    }
+
+    /// The squeeze of the next contact, none of the first. It is of second order in time, of first order in the second contact
+    /// and after a step more than twice as long as the one before. What it refers to may be written to `combined`.
+    pub(super) fn squeeze<'a>(&'a self, combined: &'a mut [f64]) -> Result<Option<Squeeze<'a>>, InputError> {
+        let [newest, oldest] = &self.masses;
+        match self.known {
+            0 => Ok(None),
+            2 if self.steps[0] <= LONGEST * self.steps[1] => {
+                Squeeze::second_order([newest, oldest], self.steps, combined).map(Some)
+            }
+            _ => Ok(Some(Squeeze { previous_mass: newest, time_step: self.steps[0] })),
+        }
+    }
+}
