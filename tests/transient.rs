@@ -120,11 +120,8 @@ impl Rolling {
         let (length, step_length) = (wave * self.half_width, cells * grid.dx());
         let time_step = step_length / self.speed;
         let smooth: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / (2.0 * RADIUS)).collect();
-        let mut state = ContactState::new(&grid);
-        self.solve(&smooth, None, &mut state);
-        let amplitude = 0.1 * state.film[middle];
-        let [mut newest, mut oldest] = [state.mass.clone(), state.mass.clone()];
-        let mut combined = vec![0.0; grid.len()];
+        let mut passage = Passage::start(self, &smooth, time_step);
+        let amplitude = 0.1 * passage.state.film[middle];
         let [start, end] = self.way.map(|x| x * self.half_width);
         let steps = ((end - start + (1.0 + self.periods) * length) / step_length) as usize;
         let mut films = Vec::with_capacity(steps);
@@ -137,21 +134,43 @@ impl Rolling {
             };
             let gap: Vec<f64> =
                 grid.nodes().zip(&smooth).map(|((x, _), height)| height + amplitude * waves(x)).collect();
-            let squeeze = if second_order {
-                Squeeze::second_order([&newest, &oldest], [time_step; 2], &mut combined).unwrap()
-            } else {
-                Squeeze { previous_mass: &newest, time_step }
-            };
-            self.solve(&gap, Some(squeeze), &mut state);
-            std::mem::swap(&mut newest, &mut oldest);
-            newest.clone_from(&state.mass);
-            films.push(state.film[middle]);
+            passage.step(self, &gap, second_order);
+            films.push(passage.state.film[middle]);
         }
         let seen = (self.periods * length / step_length).round() as usize;
         let last = &films[films.len() - seen..];
         let highest = last.iter().copied().fold(0.0, f64::max);
         let lowest = last.iter().copied().fold(f64::INFINITY, f64::min);
         0.5 * (highest - lowest) / amplitude
+    }
+}
+
+/// Contacts in equal steps of time, from the steady one on.
+struct Passage {
+    state: ContactState,
+    masses: [Vec<f64>; 2],
+    combined: Vec<f64>,
+    time_step: f64,
+}
+
+impl Passage {
+    fn start(rolling: &mut Rolling, gap: &[f64], time_step: f64) -> Self {
+        let mut state = ContactState::new(&rolling.grid);
+        rolling.solve(gap, None, &mut state);
+        let masses = [state.mass.clone(), state.mass.clone()];
+        Self { state, masses, combined: vec![0.0; gap.len()], time_step }
+    }
+
+    fn step(&mut self, rolling: &mut Rolling, gap: &[f64], second_order: bool) {
+        let [newest, oldest] = &self.masses;
+        let squeeze = if second_order {
+            Squeeze::second_order([newest, oldest], [self.time_step; 2], &mut self.combined).unwrap()
+        } else {
+            Squeeze { previous_mass: newest, time_step: self.time_step }
+        };
+        rolling.solve(gap, Some(squeeze), &mut self.state);
+        self.masses.swap(0, 1);
+        self.masses[0].clone_from(&self.state.mass);
     }
 }
 
@@ -189,4 +208,67 @@ fn waves_under_a_ball_are_flattened_by_the_master_curve() {
         let found = Rolling::ball(moes_load, 128).amplitude(wave, cells, true);
         assert!((found - curve).abs() < 0.08, "n {n}: {found}, master curve {curve}");
     }
+}
+
+/// A dent on a surface at half the entrainment speed: what it does to the film at the inlet travels ahead of it, at the
+/// entrainment speed, while the dent itself is pressed nearly flat.
+#[test]
+fn the_film_that_a_dent_lets_in_runs_ahead_of_it() {
+    let mut rolling = Rolling::line(512);
+    let (grid, half_width, middle) = (rolling.grid, rolling.half_width, rolling.middle);
+    let smooth: Vec<f64> = grid.nodes().map(|(x, _)| x * x / (2.0 * RADIUS)).collect();
+    let time_step = grid.dx() / rolling.speed;
+    let mut passage = Passage::start(&mut rolling, &smooth, time_step);
+    let steady = passage.state.film.clone();
+    let (depth, width) = (0.3 * steady[middle], 0.15 * half_width);
+    let mut peaks = Vec::new();
+    let mut largest_under_dent = 0.0_f64;
+    for step in 1.. {
+        let dent = -2.5 * half_width + 0.5 * rolling.speed * time_step * f64::from(step);
+        if dent > -0.1 * half_width {
+            break;
+        }
+        let gap: Vec<f64> = (grid.nodes().zip(&smooth))
+            .map(|((x, _), height)| height + depth * (-((x - dent) / width).powi(2)).exp())
+            .collect();
+        passage.step(&mut rolling, &gap, true);
+        let change = |k: usize| passage.state.film[k] - steady[k];
+        if dent < -0.5 * half_width {
+            continue;
+        }
+        let ahead =
+            (0..grid.len()).filter(|k| grid.x(*k) > dent + 2.0 * width && grid.x(*k) < 0.8 * half_width);
+        let k = ahead.max_by(|a, b| change(*a).total_cmp(&change(*b))).unwrap();
+        let (left, peak, right) = (change(k - 1), change(k), change(k + 1));
+        let place = grid.x(k) + 0.5 * grid.dx() * (left - right) / (left - 2.0 * peak + right);
+        peaks.push((f64::from(step) * time_step, place, peak));
+        if dent > -0.3 * half_width {
+            let under = (0..grid.len()).filter(|k| (grid.x(*k) - dent).abs() < width);
+            largest_under_dent = under.map(|k| change(k).abs()).fold(largest_under_dent, f64::max);
+        }
+    }
+    let ((first, from, before), (last, to, after)) = (peaks[0], peaks[peaks.len() - 1]);
+    let speed = (to - from) / (last - first) / rolling.speed;
+    assert!((speed - 1.0).abs() < 0.01, "the film travels at {speed} of the entrainment speed");
+    assert!((after / before - 1.0).abs() < 0.03, "its change of {before:e} becomes one of {after:e}");
+    assert!(before > 0.1 * depth, "{before:e} of {depth:e}");
+    assert!(largest_under_dent < 0.05 * depth, "{largest_under_dent:e} of {depth:e} is left of the dent");
+}
+
+#[test]
+fn long_steps_are_quasi_steady() {
+    let mut rolling = Rolling::line(256);
+    let wavy: Vec<f64> = (rolling.grid.nodes())
+        .map(|(x, _)| x * x / (2.0 * RADIUS) + 1e-6 * (2.0 * PI * x / rolling.half_width).cos())
+        .collect();
+    let smooth: Vec<f64> = rolling.grid.nodes().map(|(x, _)| x * x / (2.0 * RADIUS)).collect();
+    let steady = Passage::start(&mut rolling, &wavy, 1.0).state.film;
+    let crossing = rolling.half_width / rolling.speed;
+    let apart = [1e2, 1e4, 1e6].map(|steps| {
+        let mut passage = Passage::start(&mut rolling, &smooth, steps * crossing);
+        passage.step(&mut rolling, &wavy, false);
+        let films = passage.state.film.iter().zip(&steady);
+        films.map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f64::max)
+    });
+    assert!(apart[2] < 1e-6 && apart[1] < 0.02 * apart[0], "{apart:?}");
 }
