@@ -1,5 +1,6 @@
 //! Semismooth Newton on the whole coupled problem, linear systems by preconditioned GMRES.
 
+mod continuation;
 mod linearisation;
 mod local;
 mod preconditioner;
@@ -26,32 +27,21 @@ const MAX_NEWTON_STEPS: u64 = 60;
 const MAX_KRYLOV_STEPS: usize = 100;
 /// Largest pressure change of one step, in reference pressures.
 const MAX_PRESSURE_CHANGE: f64 = 1.0;
-/// What a solve tries, one after the other while it stalls or diverges, each but the first from the dry contact. What one
-/// cannot do another often can: the ways through the changes of sides are many and short.
-const ATTEMPTS: [Attempt; 13] = [
-    Attempt { trust: 0.03, first_contact_film: 30.0, careful: true, adaptive: true, effort: QUICK },
-    Attempt { trust: 0.03, first_contact_film: 30.0, careful: true, adaptive: true, effort: THOROUGH },
-    Attempt { trust: 0.03, first_contact_film: 1.0, careful: false, adaptive: true, effort: THOROUGH },
-    Attempt { trust: 0.01, first_contact_film: 1.0, careful: false, adaptive: true, effort: THOROUGH },
-    Attempt { trust: 0.03, first_contact_film: 1.0, careful: true, adaptive: true, effort: THOROUGH },
-    Attempt { trust: 0.1, first_contact_film: 1.0, careful: false, adaptive: true, effort: THOROUGH },
-    Attempt { trust: 0.01, first_contact_film: 30.0, careful: true, adaptive: true, effort: THOROUGH },
-    Attempt { trust: 0.03, first_contact_film: 100.0, careful: true, adaptive: true, effort: THOROUGH },
-    Attempt { trust: 0.1, first_contact_film: 30.0, careful: true, adaptive: true, effort: THOROUGH },
-    Attempt { trust: 0.03, first_contact_film: 30.0, careful: true, adaptive: false, effort: THOROUGH },
-    Attempt { trust: 0.03, first_contact_film: 1.0, careful: false, adaptive: false, effort: THOROUGH },
-    Attempt { trust: 0.01, first_contact_film: 100.0, careful: true, adaptive: true, effort: EXACT },
-    Attempt { trust: 0.03, first_contact_film: 300.0, careful: true, adaptive: true, effort: EXACT },
+/// What a solve tries, one after the other while it stalls or diverges, each but the first from the dry contact.
+const ATTEMPTS: [Attempt; 3] = [
+    Attempt { trust: 0.03, first_contact_film: 30.0, effort: QUICK },
+    Attempt { trust: 0.03, first_contact_film: 30.0, effort: THOROUGH },
+    Attempt { trust: 0.01, first_contact_film: 100.0, effort: EXACT },
 ];
 /// Enough for most scenes, at four fifths of the convolutions.
 const QUICK: Effort = Effort { start: 0.03, krylov: 0.02 };
 /// Where that stalls: errors left at single nodes are as large as the contact film, and starts close to it matter.
 const THOROUGH: Effort = Effort { start: 1e-7, krylov: 0.01 };
-/// What the last attempts make of scenes whose pockets hold large flows with small differences.
+/// What the last attempt makes of scenes whose pockets hold large flows with small differences.
 const EXACT: Effort = Effort { start: 1e-7, krylov: 0.001 };
 /// Contact film of a Newton step over that of the step before, down to the one of the problem.
 const CONTACT_FILM_REDUCTION: f64 = 0.5;
-/// Growth of the residual after which a careful attempt takes the step again at [`SHORTER`] length.
+/// Growth of the residual after which a step is taken again at [`SHORTER`] length.
 const JUMP: f64 = 4.0;
 const SHORTER: f64 = 0.5;
 /// Steps without a new best residual after which the largest trust is halved.
@@ -70,10 +60,6 @@ struct Attempt {
     trust: f64,
     /// Contact film of the first step over that of the problem: solids that part early let the fluid find its way.
     first_contact_film: f64,
-    /// Whether steps that make the residual jump are shortened.
-    careful: bool,
-    /// Whether the trust follows what all nodes together do to the films.
-    adaptive: bool,
     effort: Effort,
 }
 
@@ -94,7 +80,8 @@ struct Effort {
 /// side and follows the viscosity over its orders of magnitude, where a linear step alone makes nodes go round in cycles.
 ///
 /// A state that carries no pressure is started from the dry contact, which is close to the answer in mixed
-/// lubrication: the asperities already carry their load and the fluid fills what is left.
+/// lubrication: the asperities already carry their load and the fluid fills what is left. A contact that stalls from there is
+/// reached from the same contact at ten times, or a tenth, of the speed.
 #[derive(Debug, Default)]
 pub struct NewtonKrylov {
     workspace: Option<Box<Workspace>>,
@@ -118,7 +105,7 @@ struct Workspace {
 }
 
 /// A state with the sides of its nodes, to come back to.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Snapshot {
     state: ContactState,
     kinds: Vec<Kind>,
@@ -196,42 +183,32 @@ impl ContactSolver for NewtonKrylov {
         }
         let workspace = self.workspace(problem)?;
         let mut work = Work::default();
-        let (status, residuals) = workspace.attempts(problem, state, stop, &mut work)?;
+        let (status, residuals) = workspace.run(problem, state, stop, &mut work)?;
         workspace.coupled.mark_contact(problem, state);
         Ok(SolveReport { solver: name, status, residuals, work })
     }
 }
 
 impl Workspace {
-    /// Solves from the state as it is if it carries pressure; else, and again where that stalls, from the dry contact.
-    /// Leaves the best state.
-    fn attempts(
+    /// Solves from the state as it is if it carries pressure; else, and again where that stalls, from the dry contact; at last by
+    /// way of other speeds. Leaves the best state.
+    fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
-        self.best_residuals = Residuals { mass: f64::INFINITY, ..Residuals::default() };
-        let mut status = Status::Stalled;
-        for attempt in ATTEMPTS {
-            if matches!(status, Status::Converged | Status::MaxIterations) {
-                break;
+        let mut status = self.attempts(&ATTEMPTS, problem, state, stop, work)?;
+        let is_stuck = matches!(status, Status::Stalled | Status::Diverged);
+        if is_stuck && problem.lubricant.is_some() && problem.entrainment_speed > 0.0 {
+            let (residuals, best) = (self.best_residuals, self.best.clone());
+            if self.follow_speed(problem, state, stop, work)? {
+                status = Status::Converged;
+            } else {
+                (self.best_residuals, self.best) = (residuals, best);
+                self.coupled.configure(problem);
             }
-            let cold = work.iterations > 0 || state.pressure.iter().all(|&p| p <= 0.0);
-            if cold {
-                state.pressure.fill(0.0);
-                *work += self.start.run(problem, state, attempt.effort.start)?;
-            }
-            let film_cutoff = problem.film_cutoff;
-            if cold {
-                problem.film_cutoff *= attempt.first_contact_film;
-            }
-            self.coupled.configure(problem);
-            let ended = self.newton(problem, state, stop, attempt, film_cutoff, work);
-            problem.film_cutoff = film_cutoff;
-            status = ended?;
-            work.convolutions += self.coupled.convolutions;
         }
         if status != Status::Converged && self.best_residuals.is_finite() {
             if status == Status::Diverged {
@@ -242,6 +219,38 @@ impl Workspace {
             work.convolutions += 1.0;
         }
         Ok((status, self.best_residuals))
+    }
+
+    /// One attempt after the other until one does not stall, the first from the state as it is if it carries pressure, all others
+    /// from the dry contact. Keeps the best state of all.
+    fn attempts(
+        &mut self,
+        attempts: &[Attempt],
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+        work: &mut Work,
+    ) -> Result<Status, ReynoldsError> {
+        self.best_residuals = Residuals { mass: f64::INFINITY, ..Residuals::default() };
+        let mut status = Status::Stalled;
+        for (index, attempt) in attempts.iter().enumerate() {
+            if matches!(status, Status::Converged | Status::MaxIterations) {
+                break;
+            }
+            let cold = index > 0 || state.pressure.iter().all(|&p| p <= 0.0);
+            let film_cutoff = problem.film_cutoff;
+            if cold {
+                state.pressure.fill(0.0);
+                *work += self.start.run(problem, state, attempt.effort.start)?;
+                problem.film_cutoff *= attempt.first_contact_film;
+            }
+            self.coupled.configure(problem);
+            let ended = self.newton(problem, state, stop, *attempt, film_cutoff, work);
+            problem.film_cutoff = film_cutoff;
+            status = ended?;
+            work.convolutions += self.coupled.convolutions;
+        }
+        Ok(status)
     }
 
     /// Newton steps until `stop` or a stall, the cut-off of the problem falling to `film_cutoff`; keeps the best state of
@@ -304,18 +313,12 @@ impl Workspace {
                 break;
             };
             work.inner_iterations += krylov_steps;
-            if attempt.careful {
-                self.advance_carefully(problem, state, trust, residuals.max())?;
-            } else {
-                self.advance(problem, state, trust, 1.0)?;
-            }
-            if attempt.adaptive {
-                let (shorter, longer) = TRUST_CHANGE;
-                let change = UNFORESEEN / self.unforeseen_share(state, problem.contact_film());
-                trust = (trust * change.clamp(shorter, longer))
-                    .max(LEAST_TRUST * problem.reference_pressure)
-                    .min(largest_trust);
-            }
+            self.advance_carefully(problem, state, trust, residuals.max())?;
+            let (shorter, longer) = TRUST_CHANGE;
+            let change = UNFORESEEN / self.unforeseen_share(state, problem.contact_film());
+            trust = (trust * change.clamp(shorter, longer))
+                .max(LEAST_TRUST * problem.reference_pressure)
+                .min(largest_trust);
         }
         Ok(status)
     }
