@@ -60,6 +60,22 @@ fn scenes_all_over_the_map_converge() {
     }
 }
 
+/// From the dry contact these stall, with thirteen kinds of attempts as well: the way leads over other speeds.
+#[test]
+fn contacts_that_stall_from_the_dry_one_are_reached() {
+    for hardness in [None, Some(6e9)] {
+        let mut scene = scene(64, 0.01, 0.0, 10e-6, 2e9, hardness);
+        let random =
+            |rq, seed| Roughness::Gaussian(RandomRoughness { rq, length_x: 10e-6, length_y: 10e-6, seed });
+        (scene.roughness.ball, scene.roughness.disc) = (random(19.768e-9, 1), random(128.489e-9, 101));
+        let half = 0.25e-3 * 2.0 / 1.15;
+        scene.grid = GridSpec::Cells { nx: 64, ny: 64, x: [-half, half], y: [-half, half] };
+        let solution = solve_contact(&scene).unwrap();
+        assert_eq!(solution.report.status, Status::Converged, "{:?}", solution.report);
+        assert_sound(&scene, &solution);
+    }
+}
+
 #[test]
 fn both_contacts_are_the_same_film_where_nothing_touches() {
     let mut hard = scene(64, 10.0, 20e-9, 40e-6, 1.15e9, Some(6e9));
