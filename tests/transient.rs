@@ -91,6 +91,11 @@ impl Rolling {
         }
     }
 
+    /// The gap without waves.
+    fn smooth_gap(&self) -> Vec<f64> {
+        self.grid.nodes().map(|(x, y)| (x * x + y * y) / (2.0 * RADIUS)).collect()
+    }
+
     fn solve(&mut self, gap: &[f64], squeeze: Option<Squeeze<'_>>, state: &mut ContactState) {
         let mut problem = LubricatedContact {
             gap,
@@ -119,7 +124,7 @@ impl Rolling {
         let (grid, middle) = (self.grid, self.middle);
         let (length, step_length) = (wave * self.half_width, cells * grid.dx());
         let time_step = step_length / self.speed;
-        let smooth: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / (2.0 * RADIUS)).collect();
+        let smooth = self.smooth_gap();
         let mut passage = Passage::start(self, &smooth, time_step);
         let amplitude = 0.1 * passage.state.film[middle];
         let [start, end] = self.way.map(|x| x * self.half_width);
@@ -216,7 +221,7 @@ fn waves_under_a_ball_are_flattened_by_the_master_curve() {
 fn the_film_that_a_dent_lets_in_runs_ahead_of_it() {
     let mut rolling = Rolling::line(512);
     let (grid, half_width, middle) = (rolling.grid, rolling.half_width, rolling.middle);
-    let smooth: Vec<f64> = grid.nodes().map(|(x, _)| x * x / (2.0 * RADIUS)).collect();
+    let smooth = rolling.smooth_gap();
     let time_step = grid.dx() / rolling.speed;
     let mut passage = Passage::start(&mut rolling, &smooth, time_step);
     let steady = passage.state.film.clone();
@@ -258,10 +263,10 @@ fn the_film_that_a_dent_lets_in_runs_ahead_of_it() {
 #[test]
 fn long_steps_are_quasi_steady() {
     let mut rolling = Rolling::line(256);
-    let wavy: Vec<f64> = (rolling.grid.nodes())
-        .map(|(x, _)| x * x / (2.0 * RADIUS) + 1e-6 * (2.0 * PI * x / rolling.half_width).cos())
+    let smooth = rolling.smooth_gap();
+    let wavy: Vec<f64> = (rolling.grid.nodes().zip(&smooth))
+        .map(|((x, _), height)| height + 1e-6 * (2.0 * PI * x / rolling.half_width).cos())
         .collect();
-    let smooth: Vec<f64> = rolling.grid.nodes().map(|(x, _)| x * x / (2.0 * RADIUS)).collect();
     let steady = Passage::start(&mut rolling, &wavy, 1.0).state.film;
     let crossing = rolling.half_width / rolling.speed;
     let apart = [1e2, 1e4, 1e6].map(|steps| {

@@ -102,8 +102,8 @@ impl SimBuilder {
 
     /// Makes the history transient: each contact after the first feels the squeeze of the films of the two before
     /// ([`Squeeze::second_order`](crate::reynolds::Squeeze::second_order); of first order in the second contact and after a step
-    /// more than twice as long as the one before). It belongs to [`RoughnessMotion::Convected`] and steps of the time that the surfaces need for a
-    /// cell; in the long steps of a wear history the squeeze is nothing.
+    /// more than twice as long as the one before). It belongs to [`RoughnessMotion::Convected`] and steps of the time that the
+    /// surfaces need for a cell; in the long steps of a wear history the squeeze is nothing.
     #[must_use]
     pub fn with_squeeze(mut self) -> Self {
         self.squeeze = true;

@@ -447,8 +447,9 @@ impl MixedLubricationSim {
 
     fn solve_at(&mut self, offsets: Offsets) -> Result<SolveReport, SimError> {
         self.place(offsets)?;
-        let Self { fields, contact, laws, state, travel, squeeze_memory, .. } = self;
-        let squeeze = if travel.squeeze { squeeze_memory.squeeze(&mut fields.squeezed)? } else { None };
+        let Self { fields, contact, laws, state, travel, squeeze_memory, step, .. } = self;
+        let squeeze =
+            if travel.squeeze { squeeze_memory.squeeze(*step, &mut fields.squeezed)? } else { None };
         // A film that is squeezed was there a moment ago; roughness that has moved far makes the last pressures no better
         // a start than the dry contact.
         if squeeze.is_none() {

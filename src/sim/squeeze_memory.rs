@@ -14,13 +14,11 @@ pub(super) struct SqueezeMemory {
     masses: [Vec<f64>; 2],
     /// \[s\]
     steps: [f64; 2],
-    /// How many contacts there were, at most two.
-    known: u8,
 }
 
 impl SqueezeMemory {
     pub(super) fn new(nodes: usize) -> Self {
-        Self { masses: [vec![0.0; nodes], vec![0.0; nodes]], steps: [0.0; 2], known: 0 }
+        Self { masses: [vec![0.0; nodes], vec![0.0; nodes]], steps: [0.0; 2] }
     }
 
     /// Refuses fields that are not those of a simulation on `grid`.
@@ -43,16 +41,20 @@ impl SqueezeMemory {
         self.masses.swap(0, 1);
         self.masses[0].copy_from_slice(mass);
         self.steps = [time_step, self.steps[0]];
-        self.known = (self.known + 1).min(2);
     }
 
-    /// The squeeze of the next contact, none of the first. It is of second order in time, of first order in the second contact
-    /// and after a step more than twice as long as the one before. What it refers to may be written to `combined`.
-    pub(super) fn squeeze<'a>(&'a self, combined: &'a mut [f64]) -> Result<Option<Squeeze<'a>>, InputError> {
+    /// The squeeze of the contact after `contacts` others, none of the first. It is of second order in time, of first order in
+    /// the second contact and after a step more than twice as long as the one before. What it refers to may be written to
+    /// `combined`.
+    pub(super) fn squeeze<'a>(
+        &'a self,
+        contacts: u64,
+        combined: &'a mut [f64],
+    ) -> Result<Option<Squeeze<'a>>, InputError> {
         let [newest, oldest] = &self.masses;
-        match self.known {
+        match contacts {
             0 => Ok(None),
-            2 if self.steps[0] <= LONGEST * self.steps[1] => {
+            2.. if self.steps[0] <= LONGEST * self.steps[1] => {
                 Squeeze::second_order([newest, oldest], self.steps, combined).map(Some)
             }
             _ => Ok(Some(Squeeze { previous_mass: newest, time_step: self.steps[0] })),
