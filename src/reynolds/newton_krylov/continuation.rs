@@ -11,7 +11,7 @@ const FIRST_SPEEDS: [f64; 2] = [10.0, 0.1];
 /// Ratio of one speed to the next at first; its root is taken where a contact stalls, down to the second number.
 const RATIOS: (f64, f64) = (1.5, 1.02);
 /// How contacts on the way are solved from the one before.
-const FOLLOWING: Attempt = Attempt { trust: 0.03, first_contact_film: 1.0, effort: THOROUGH };
+const FOLLOWING: Attempt = Attempt { trust: 0.03, gentle: false, first_contact_film: 1.0, effort: THOROUGH };
 
 impl Workspace {
     /// The first way that leads to a solution; says whether one does. What the state and the best one hold if none does is that

@@ -8,6 +8,8 @@ use crate::reynolds::discretisation::{Discretisation, FaceSums, HeldNeighbour, N
 const MAX_STEPS: u32 = 60;
 /// Relative change of the pressure with which the last step of a local solve ends: the error is about its square.
 const LAST_CHANGE: f64 = 1e-6;
+/// Pressure flow over entrainment of the own elastic response below which the film of a node is what the fluid carries to it.
+const CARRIED: f64 = 3.0;
 
 /// What the linear step foresees for a node.
 #[derive(Debug, Clone, Copy)]
@@ -39,8 +41,17 @@ pub(super) struct Material {
     pub(super) limit: f64,
     /// Film per own pressure \[m/Pa\].
     pub(super) own_influence: f64,
+    pub(super) settling: Settling,
+}
+
+/// How nodes settle in a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Settling {
     /// How far the pressure may leave the forecast \[Pa\].
     pub(super) trust: f64,
+    /// Whether nodes whose film is carried to them open together, a streak at a time: each keeps the pressure foreseen, and
+    /// the next linear step, which knows of all, lifts them.
+    pub(super) opens_together: bool,
 }
 
 impl Material {
@@ -126,9 +137,13 @@ impl<'a> Local<'a> {
     /// open with pressure `v` once that exceeds the pressure `touch` at which the film is the contact film, and fluid at
     /// the limit with plastic depth `(v - limit)` times the self-influence. The share grows along it.
     pub(super) fn settle(&self, material: Material, forecast: Forecast) -> NodeState {
-        let Material { contact_film, limit, own_influence, trust } = material;
+        let Material { contact_film, limit, own_influence, settling } = material;
         let touch = forecast.pressure + (contact_film - forecast.elastic_film) / own_influence;
         let opening = touch.min(limit);
+        if settling.opens_together && self.is_carried_open(material, forecast, opening) {
+            let (pressure, kind) = (forecast.pressure, Kind { fluid: Fluid::Active, solid: Solid::Open });
+            return NodeState { kind, pressure, fluid_pressure: pressure, depth: 0.0 };
+        }
         let film = |v: f64| contact_film + own_influence * (v - opening).max(0.0);
         let value = |v: f64| {
             let (share, by_pressure, by_film) = self.share(v.min(limit), film(v));
@@ -138,9 +153,9 @@ impl<'a> Local<'a> {
         };
         let v = root(value, forecast.pressure);
         // Pressures move films far away: a node may not leave the forecast, which knows of all, by much.
-        let mut v = v.min(forecast.pressure.max(0.0) + forecast.depth / own_influence + trust);
+        let mut v = v.min(forecast.pressure.max(0.0) + forecast.depth / own_influence + settling.trust);
         if v > opening {
-            v = v.max(forecast.pressure.min(limit) - trust).max(opening);
+            v = v.max(forecast.pressure.min(limit) - settling.trust).max(opening);
         }
         let fluid = if v <= 0.0 { Fluid::Cavitated } else { Fluid::Active };
         if v > limit {
@@ -155,6 +170,17 @@ impl<'a> Local<'a> {
         } else {
             NodeState { kind: Kind { fluid, solid: Solid::Open }, pressure: v, fluid_pressure: v, depth: 0.0 }
         }
+    }
+
+    /// Whether more fluid is carried to the node than leaves it at the contact film, pressure flow being small.
+    fn is_carried_open(&self, material: Material, forecast: Forecast, opening: f64) -> bool {
+        let Material { contact_film, limit, own_influence, .. } = material;
+        let inside = 0.0..limit;
+        if !inside.contains(&opening) || !inside.contains(&forecast.pressure) || forecast.depth > 0.0 {
+            return false;
+        }
+        let (share, by_pressure, by_film) = self.share(opening, contact_film);
+        share < forecast.share && by_pressure < CARRIED * by_film * own_influence
     }
 }
 
@@ -205,7 +231,12 @@ fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
 mod tests {
     use super::*;
 
-    const MATERIAL: Material = Material { contact_film: 1e-9, limit: 2e9, own_influence: 2e-17, trust: 1e8 };
+    const MATERIAL: Material = Material {
+        contact_film: 1e-9,
+        limit: 2e9,
+        own_influence: 2e-17,
+        settling: Settling { trust: 1e8, opens_together: true },
+    };
 
     #[test]
     fn dry_nodes_open_touch_and_yield() {
