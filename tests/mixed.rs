@@ -1,10 +1,10 @@
 //! Mixed lubrication: both definitions of contact, and scenes over the whole map that must keep converging.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
-use stribeck::{Status, Work};
 use stribeck::reynolds::ContactDefinition;
 use stribeck::sim::scene::{GridSpec, Load, PlasticSpec, RandomRoughness, Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
+use stribeck::{Status, Work};
 
 /// The reference bodies with composite roughness `rq` of correlation length `length`, on a box of 3.6 Hertz radii.
 fn scene(n: usize, speed: f64, rq: f64, length: f64, pressure: f64, hardness: Option<f64>) -> Scene {
