@@ -264,14 +264,12 @@ impl Workspace {
         let film_cutoff = problem.film_cutoff;
         if cold {
             state.pressure.fill(0.0);
-            let (before, after) = if attempt.gentle {
-                (attempt.first_contact_film, 1.0)
-            } else {
-                (1.0, attempt.first_contact_film)
-            };
-            problem.film_cutoff *= before;
+            let eased = attempt.first_contact_film * film_cutoff;
+            if attempt.gentle {
+                problem.film_cutoff = eased;
+            }
             *work += self.start.run(problem, state, attempt.effort.start)?;
-            problem.film_cutoff *= after;
+            problem.film_cutoff = eased;
         }
         self.coupled.configure(problem);
         self.newton(problem, state, stop, attempt, film_cutoff, work)
