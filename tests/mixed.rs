@@ -76,18 +76,20 @@ fn the_rough_reference_contact_is_found_on_every_mesh() {
     assert!(per_step(fine) < 2.5 * per_step(coarse), "{coarse:?}, {fine:?}");
 }
 
-/// From the dry contact these stall, with thirteen kinds of attempts as well: the way leads over other speeds.
+/// From the dry contact these stall with every kind of attempt, the last two on every way over other speeds too: the way leads
+/// through time.
 #[test]
 fn contacts_that_stall_from_the_dry_one_are_reached() {
-    for hardness in [None, Some(6e9)] {
+    for (seed, hardness) in [(1, None), (1, Some(6e9)), (2, None), (6, None)] {
         let mut scene = scene(64, 0.01, 0.0, 10e-6, 2e9, hardness);
         let random =
             |rq, seed| Roughness::Gaussian(RandomRoughness { rq, length_x: 10e-6, length_y: 10e-6, seed });
-        (scene.roughness.ball, scene.roughness.disc) = (random(19.768e-9, 1), random(128.489e-9, 101));
+        (scene.roughness.ball, scene.roughness.disc) =
+            (random(19.768e-9, seed), random(128.489e-9, 100 + seed));
         let half = 0.25e-3 * 2.0 / 1.15;
         scene.grid = GridSpec::Cells { nx: 64, ny: 64, x: [-half, half], y: [-half, half] };
         let solution = solve_contact(&scene).unwrap();
-        assert_eq!(solution.report.status, Status::Converged, "{:?}", solution.report);
+        assert_eq!(solution.report.status, Status::Converged, "seed {seed}: {:?}", solution.report);
         assert_sound(&scene, &solution);
     }
 }

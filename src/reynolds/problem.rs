@@ -160,6 +160,27 @@ impl LubricatedContact<'_> {
         self.contact == ContactDefinition::Paper && self.lubricant.is_some()
     }
 
+    /// The same contact with the squeeze term `squeeze`.
+    pub(super) fn with_squeeze<'b>(&'b mut self, squeeze: Squeeze<'b>) -> LubricatedContact<'b> {
+        LubricatedContact {
+            gap: self.gap,
+            deformation: &mut *self.deformation,
+            lubricant: self.lubricant,
+            entrainment_speed: self.entrainment_speed,
+            squeeze: Some(squeeze),
+            load: self.load,
+            pressure_limit: self.pressure_limit,
+            film_cutoff: self.film_cutoff,
+            contact: self.contact,
+            scheme: self.scheme,
+            face_mobility: self.face_mobility,
+            shear_thinning: self.shear_thinning,
+            reference_half_widths: self.reference_half_widths,
+            reference_pressure: self.reference_pressure,
+            reference_film: self.reference_film,
+        }
+    }
+
     /// Checks shapes and ranges of every field.
     ///
     /// # Errors

@@ -1,74 +1,109 @@
-//! Contacts that stall from every start: reached from the same contact at other speeds.
+//! Contacts that stall from every start: reached by following the fluid in time as it fills the dry contact.
 
 use super::{ATTEMPTS, Attempt, THOROUGH, Workspace};
 use crate::report::{Status, Work};
-use crate::reynolds::problem::LubricatedContact;
+use crate::reynolds::problem::{LubricatedContact, Squeeze};
 use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
-/// Speeds that a way starts from, over that of the problem: thicker films part the solids, without speed the contact is the dry one.
-const FIRST_SPEEDS: [f64; 2] = [10.0, 0.1];
-/// Ratio of one speed to the next at first; its root is taken where a contact stalls, down to the second number.
-const RATIOS: (f64, f64) = (1.5, 1.02);
-/// How contacts on the way are solved from the one before.
-const FOLLOWING: Attempt = Attempt { trust: 0.03, gentle: false, first_contact_film: 1.0, effort: THOROUGH };
+/// First time step, over the time in which the fluid passes a cell, and the one after which the steady contact is near.
+const TIME_STEPS: (f64, f64) = (1.0, 1000.0);
+/// Time steps after which the way has led nowhere.
+const MAX_TIME_STEPS: usize = 80;
+/// How each contact on the way is solved from the one before.
+const FOLLOWING: Attempt =
+    Attempt { trust: 0.03, gentle: false, first_contact_film: 1.0, effort: THOROUGH, most_steps: 15 };
+/// How the last one is.
+const ARRIVING: Attempt = Attempt { most_steps: ATTEMPTS[0].most_steps, ..FOLLOWING };
+/// Residual to which they are solved at first, and its reduction once the contact rests there.
+const ON_THE_WAY: (f64, f64) = (1e-3, 0.1);
+/// Growth of the time step after a solve of at most so many Newton steps.
+const GROWTH: [(u64, f64); 2] = [(6, 2.0), (9, 1.3)];
+/// Share of the time step that is taken where a solve stalls.
+const SHORTER_TIME: f64 = 0.3;
 
 impl Workspace {
-    /// The first way that leads to a solution; says whether one does. What the state and the best one hold if none does is that
-    /// of another speed.
-    pub(super) fn follow_speed(
+    /// Follows the fluid in time, from the dry contact whose gap is full of it, until it rests; says whether it comes to rest
+    /// at a solution. If not, state and best one are those of some time.
+    ///
+    /// Pockets between solids fill and drain as slowly as their rims let them. Each of these times is a contact with a squeeze
+    /// term, which changes little in a short step; what has no solution near by in a steady contact is passed in time.
+    pub(super) fn follow_time(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
         work: &mut Work,
     ) -> Result<bool, ReynoldsError> {
-        let speed = problem.entrainment_speed;
-        let mut arrived = Ok(false);
-        for first in FIRST_SPEEDS {
-            arrived = self.follow_from(first, speed, problem, state, stop, work);
-            if !matches!(arrived, Ok(false)) {
-                break;
-            }
-        }
-        problem.entrainment_speed = speed;
-        arrived
-    }
-
-    /// From `first` times the speed to the speed itself, each contact from the one before.
-    fn follow_from(
-        &mut self,
-        first: f64,
-        speed: f64,
-        problem: &mut LubricatedContact<'_>,
-        state: &mut ContactState,
-        stop: &StoppingRule,
-        work: &mut Work,
-    ) -> Result<bool, ReynoldsError> {
-        problem.entrainment_speed = first * speed;
         state.pressure.fill(0.0);
-        if self.attempts(&ATTEMPTS, problem, state, stop, work)? != Status::Converged {
-            return Ok(false);
-        }
+        *work += self.start.run(problem, state, ATTEMPTS[0].effort.start)?;
+        self.coupled.configure(problem);
+        self.coupled.evaluate(problem, state)?;
+        work.convolutions += self.coupled.convolutions;
         let mut last = state.clone();
-        // Logarithm of the speed over that of the problem.
-        let mut way = first.ln();
-        let (mut step, least) = (RATIOS.0.ln(), RATIOS.1.ln());
-        while way.abs() > 0.0 && step > least {
-            let next = way.signum() * (way.abs() - step).max(0.0);
-            problem.entrainment_speed = next.exp() * speed;
-            match self.attempts(&[FOLLOWING], problem, state, stop, work)? {
+        let mut carried = state.mass.clone();
+        let passing = problem.grid().dx() / problem.entrainment_speed;
+        let (mut time_step, longest) = (TIME_STEPS.0 * passing, TIME_STEPS.1 * passing);
+        let mut on_the_way = StoppingRule { tolerance: ON_THE_WAY.0.max(stop.tolerance), ..*stop };
+        for _ in 0..MAX_TIME_STEPS {
+            if time_step > longest {
+                return Ok(self.attempts(&[ARRIVING], problem, state, stop, work)? == Status::Converged);
+            }
+            let before = work.iterations;
+            let squeeze = squeeze_since(&last.mass, time_step, problem.squeeze, &mut carried);
+            let mut moment = problem.with_squeeze(squeeze);
+            match self.attempts(&[FOLLOWING], &mut moment, state, &on_the_way, work)? {
                 Status::Converged => {
-                    way = next;
                     last.clone_from(state);
+                    let steps = work.iterations - before;
+                    if steps == 0 {
+                        on_the_way.tolerance = (ON_THE_WAY.1 * on_the_way.tolerance).max(stop.tolerance);
+                    }
+                    time_step *=
+                        GROWTH.iter().find(|(most, _)| steps <= *most).map_or(1.0, |(_, growth)| *growth);
                 }
                 Status::MaxIterations => return Ok(false),
                 _ => {
-                    step *= 0.5;
+                    time_step *= SHORTER_TIME;
                     state.clone_from(&last);
                 }
             }
         }
-        Ok(way.abs() <= 0.0)
+        Ok(false)
+    }
+}
+
+/// The squeeze term of the contact `time_step` after it carried the mass `last`, and its `own` one beside it: both together are one
+/// over a shorter step from a mean of what they refer to, which is written to `carried`.
+fn squeeze_since<'a>(
+    last: &[f64],
+    time_step: f64,
+    own: Option<Squeeze<'_>>,
+    carried: &'a mut [f64],
+) -> Squeeze<'a> {
+    carried.copy_from_slice(last);
+    let Some(own) = own else { return Squeeze { previous_mass: carried, time_step } };
+    let share = time_step / (time_step + own.time_step);
+    for (carried, mass) in carried.iter_mut().zip(own.previous_mass) {
+        *carried += share * (mass - *carried);
+    }
+    Squeeze { previous_mass: carried, time_step: share * own.time_step }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_squeeze_terms_are_one() {
+        let own = Squeeze { previous_mass: &[5e-9], time_step: 3e-3 };
+        let (last, time_step, mass) = (2e-9, 1e-3, 4e-9);
+        let mut carried = [0.0];
+        let alone = squeeze_since(&[last], time_step, None, &mut carried);
+        assert_eq!((alone.previous_mass, alone.time_step), (&[last][..], time_step));
+        let both = squeeze_since(&[last], time_step, Some(own), &mut carried);
+        let rate = |squeeze: Squeeze<'_>| (mass - squeeze.previous_mass[0]) / squeeze.time_step;
+        let sum = (mass - last) / time_step + rate(own);
+        assert!((rate(both) / sum - 1.0).abs() < 1e-12, "{} and {sum}", rate(both));
     }
 }

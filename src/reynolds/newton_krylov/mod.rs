@@ -21,17 +21,15 @@ use crate::grid::Grid;
 use crate::numerics::{Gmres, PreconditionedOperator};
 use crate::report::{Residuals, SolveReport, Status, Work};
 
-/// Newton steps after which the solve has stalled: those that converge do so in 10 to 50.
-const MAX_NEWTON_STEPS: u64 = 60;
 /// Krylov steps within one Newton step.
 const MAX_KRYLOV_STEPS: usize = 100;
 /// Largest pressure change of one step, in reference pressures.
 const MAX_PRESSURE_CHANGE: f64 = 1.0;
 /// What a solve tries, one after the other while it stalls or diverges, each but the first from the dry contact.
 const ATTEMPTS: [Attempt; 3] = [
-    Attempt { trust: 0.03, gentle: true, first_contact_film: 30.0, effort: QUICK },
-    Attempt { trust: 0.03, gentle: false, first_contact_film: 30.0, effort: THOROUGH },
-    Attempt { trust: 0.01, gentle: false, first_contact_film: 100.0, effort: EXACT },
+    Attempt { trust: 0.03, gentle: true, first_contact_film: 30.0, effort: QUICK, most_steps: 60 },
+    Attempt { trust: 0.03, gentle: false, first_contact_film: 30.0, effort: THOROUGH, most_steps: 60 },
+    Attempt { trust: 0.01, gentle: false, first_contact_film: 100.0, effort: EXACT, most_steps: 60 },
 ];
 /// Enough for most scenes, at four fifths of the convolutions.
 const QUICK: Effort = Effort { start: 0.03, krylov: 0.02 };
@@ -65,6 +63,8 @@ struct Attempt {
     /// Contact film of the first step over that of the problem: solids that part early let the fluid find its way.
     first_contact_film: f64,
     effort: Effort,
+    /// Newton steps after which it has stalled: those from the dry contact that converge do so in 10 to 50.
+    most_steps: u64,
 }
 
 /// How well the parts of a solve are solved.
@@ -85,7 +85,7 @@ struct Effort {
 ///
 /// A state that carries no pressure is started from the dry contact, which is close to the answer in mixed
 /// lubrication: the asperities already carry their load and the fluid fills what is left. A contact that stalls from there is
-/// reached from the same contact at ten times, or a tenth, of the speed.
+/// followed in time, from the dry contact full of fluid until it rests.
 #[derive(Debug, Default)]
 pub struct NewtonKrylov {
     workspace: Option<Box<Workspace>>,
@@ -195,7 +195,7 @@ impl ContactSolver for NewtonKrylov {
 
 impl Workspace {
     /// Solves from the state as it is if it carries pressure; else, and again where that stalls, from the dry contact; at last by
-    /// way of other speeds. Leaves the best state.
+    /// following the fluid in time. Leaves the best state.
     fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -207,7 +207,7 @@ impl Workspace {
         let is_stuck = matches!(status, Status::Stalled | Status::Diverged);
         if is_stuck && problem.lubricant.is_some() && problem.entrainment_speed > 0.0 {
             let (residuals, best) = (self.best_residuals, self.best.clone());
-            if self.follow_speed(problem, state, stop, work)? {
+            if self.follow_time(problem, state, stop, work)? {
                 status = Status::Converged;
             } else {
                 (self.best_residuals, self.best) = (residuals, best);
@@ -290,7 +290,7 @@ impl Workspace {
         self.coupled.classify(problem, state);
         self.coupled.settle(problem, state);
         let left = stop.max_iterations.saturating_sub(work.iterations);
-        let limit = left.min(MAX_NEWTON_STEPS);
+        let limit = left.min(attempt.most_steps);
         let mut largest_trust = attempt.trust * problem.reference_pressure;
         let mut settling = Settling { trust: largest_trust, opens_together: attempt.gentle };
         let (mut lowest, mut fruitless) = (f64::INFINITY, 0);
