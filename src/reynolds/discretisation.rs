@@ -118,6 +118,8 @@ pub(super) struct Discretisation {
     face_y: f64,
     wedge: f64,
     squeeze: f64,
+    /// Squeeze against the masses at which a linear step begins: in the derivatives alone, as it vanishes there.
+    step_squeeze: f64,
     /// `1 / (12 eta_0)`.
     fluidity: f64,
     /// `U / dx` \[1/s\].
@@ -150,6 +152,7 @@ impl Discretisation {
             face_y: 0.0,
             wedge: 0.0,
             squeeze: 0.0,
+            step_squeeze: 0.0,
             fluidity: 0.0,
             rate: 1.0,
             nodes: vec![NodeFlow::default(); grid.len()],
@@ -178,6 +181,7 @@ impl Discretisation {
         self.face_y = if self.grid.ny() == 1 { 0.0 } else { dx / (speed * dy * dy) };
         self.wedge = problem.entrainment_speed / speed;
         self.squeeze = grid_speed / speed;
+        self.step_squeeze = 0.0;
         let ambient = problem.lubricant.map(|l| l.viscosity().viscosity(0.0));
         self.fluidity = ambient.map_or(0.0, |eta| 1.0 / (12.0 * eta));
         let thinning = |(law, eta): (ShearThinning, f64)| law.length(eta);
@@ -269,6 +273,11 @@ impl Discretisation {
         self.face_mobility = face_mobility;
     }
 
+    /// Makes the next linear steps, until [`Self::configure`], steps in time of `1 / share` passages of a cell.
+    pub(super) fn set_step_squeeze(&mut self, share: f64) {
+        self.step_squeeze = share * self.wedge;
+    }
+
     /// Physical imbalance per `F`: `U / dx` \[1/s\].
     pub(super) fn rate(&self) -> f64 {
         self.rate
@@ -345,9 +354,9 @@ impl Discretisation {
             / ((self.wedge + self.squeeze) * self.nodes[k].density * near.own)
     }
 
-    /// How strongly `F_k` depends on the own mass: entrainment and squeeze together.
+    /// How strongly `F_k` depends on the own mass: entrainment and squeezes together.
     pub(super) fn own_mass(&self, k: usize) -> f64 {
-        self.upwind(k)[0] + self.squeeze
+        self.upwind(k)[0] + self.squeeze + self.step_squeeze
     }
 
     pub(super) fn face_sums(&self, k: usize) -> FaceSums {
@@ -423,7 +432,7 @@ impl Discretisation {
     /// Coefficients of the masses of a node in `column` and of two upstream in its balance.
     pub(super) fn mass_coefficients(&self, column: usize) -> [f64; 3] {
         let [here, up, second] = self.upwind(column);
-        [here + self.squeeze, up, second]
+        [here + self.squeeze + self.step_squeeze, up, second]
     }
 
     /// Those of a node and of the one upstream with which a matrix of five points stands in for the balances.
@@ -432,7 +441,7 @@ impl Discretisation {
             Scheme::FirstOrder => self.wedge,
             Scheme::SecondOrder => SECOND_ORDER_WEIGHT * self.wedge,
         };
-        [wedge + self.squeeze, -wedge]
+        [wedge + self.squeeze + self.step_squeeze, -wedge]
     }
 
     /// Coefficients `(below, diagonal, above)` of an implicit step along x at node `k` with mobilities frozen,

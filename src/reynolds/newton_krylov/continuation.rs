@@ -11,8 +11,14 @@ const TIME_STEPS: (f64, f64) = (1.0, 1000.0);
 /// Time steps after which the way has led nowhere.
 const MAX_TIME_STEPS: usize = 80;
 /// How each contact on the way is solved from the one before.
-const FOLLOWING: Attempt =
-    Attempt { trust: 0.03, gentle: false, first_contact_film: 1.0, effort: THOROUGH, most_steps: 15 };
+const FOLLOWING: Attempt = Attempt {
+    trust: 0.03,
+    gentle: false,
+    first_contact_film: 1.0,
+    squeeze: 0.0,
+    effort: THOROUGH,
+    most_steps: 15,
+};
 /// How the last one is.
 const ARRIVING: Attempt = Attempt { most_steps: ATTEMPTS[0].most_steps, ..FOLLOWING };
 /// Residual to which they are solved at first, and its reduction once the contact rests there.

@@ -27,18 +27,41 @@ const MAX_KRYLOV_STEPS: usize = 100;
 const MAX_PRESSURE_CHANGE: f64 = 1.0;
 /// What a solve tries, one after the other while it stalls or diverges, each but the first from the dry contact.
 const ATTEMPTS: [Attempt; 3] = [
-    Attempt { trust: 0.03, gentle: true, first_contact_film: 30.0, effort: QUICK, most_steps: 60 },
-    Attempt { trust: 0.03, gentle: false, first_contact_film: 30.0, effort: THOROUGH, most_steps: 60 },
-    Attempt { trust: 0.01, gentle: false, first_contact_film: 100.0, effort: EXACT, most_steps: 60 },
+    Attempt {
+        trust: 0.03,
+        gentle: true,
+        first_contact_film: 30.0,
+        squeeze: 0.03,
+        effort: QUICK,
+        most_steps: 60,
+    },
+    Attempt {
+        trust: 0.03,
+        gentle: false,
+        first_contact_film: 30.0,
+        squeeze: 0.0,
+        effort: THOROUGH,
+        most_steps: 60,
+    },
+    Attempt {
+        trust: 0.01,
+        gentle: false,
+        first_contact_film: 100.0,
+        squeeze: 0.0,
+        effort: EXACT,
+        most_steps: 60,
+    },
 ];
 /// Enough for most scenes, at four fifths of the convolutions.
-const QUICK: Effort = Effort { start: 0.03, krylov: 0.02 };
+const QUICK: Effort = Effort { start: 0.03, krylov: 0.06 };
 /// Where that stalls: errors left at single nodes are as large as the contact film, and starts close to it matter.
 const THOROUGH: Effort = Effort { start: 1e-7, krylov: 0.01 };
 /// What the last attempt makes of scenes whose pockets hold large flows with small differences.
 const EXACT: Effort = Effort { start: 1e-7, krylov: 0.001 };
 /// Contact film of a Newton step over that of the step before, down to the one of the problem.
 const CONTACT_FILM_REDUCTION: f64 = 0.5;
+/// Reduction of the squeeze from one Newton step to the next.
+const SQUEEZE_REDUCTION: f64 = 0.85;
 /// Growth of the residual after which a step is taken again at [`SHORTER`] length.
 const JUMP: f64 = 4.0;
 const SHORTER: f64 = 0.5;
@@ -62,6 +85,9 @@ struct Attempt {
     gentle: bool,
     /// Contact film of the first step over that of the problem: solids that part early let the fluid find its way.
     first_contact_film: f64,
+    /// Of the entrainment: Newton steps from the dry contact are steps in time of as many passages of a cell as this goes into
+    /// one, at first. A pocket fills no faster than the fluid gets there, where a steady step empties and fills it by turns.
+    squeeze: f64,
     effort: Effort,
     /// Newton steps after which it has stalled: those from the dry contact that converge do so in 10 to 50.
     most_steps: u64,
@@ -272,7 +298,8 @@ impl Workspace {
             problem.film_cutoff = eased;
         }
         self.coupled.configure(problem);
-        self.newton(problem, state, stop, attempt, film_cutoff, work)
+        let squeeze = if cold { attempt.squeeze } else { 0.0 };
+        self.newton(problem, state, stop, Attempt { squeeze, ..attempt }, film_cutoff, work)
     }
 
     /// Newton steps until `stop` or a stall, the cut-off of the problem falling to `film_cutoff`; keeps the best state of
@@ -292,6 +319,7 @@ impl Workspace {
         let left = stop.max_iterations.saturating_sub(work.iterations);
         let limit = left.min(attempt.most_steps);
         let mut largest_trust = attempt.trust * problem.reference_pressure;
+        let mut squeeze = attempt.squeeze;
         let mut settling = Settling { trust: largest_trust, opens_together: attempt.gentle };
         let (mut lowest, mut fruitless) = (f64::INFINITY, 0);
         let mut status = if limit == left { Status::MaxIterations } else { Status::Stalled };
@@ -330,6 +358,8 @@ impl Workspace {
                 self.coupled.fluid.configure(problem);
                 self.coupled.settle(problem, state);
             }
+            self.coupled.fluid.set_step_squeeze(squeeze);
+            squeeze *= SQUEEZE_REDUCTION;
             let Some(krylov_steps) = self.newton_step(problem, state, attempt.effort.krylov)? else {
                 status = Status::Diverged;
                 break;
