@@ -52,7 +52,7 @@ const ATTEMPTS: [Attempt; 3] = [
         most_steps: 60,
     },
 ];
-/// Enough for most scenes, at four fifths of the convolutions.
+/// Enough for most scenes, and the cheapest.
 const QUICK: Effort = Effort { start: 0.03, krylov: 0.06 };
 /// Where that stalls: errors left at single nodes are as large as the contact film, and starts close to it matter.
 const THOROUGH: Effort = Effort { start: 1e-7, krylov: 0.01 };
