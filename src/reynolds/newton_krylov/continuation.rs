@@ -1,6 +1,6 @@
 //! Contacts that stall from every start: reached by following the fluid in time as it fills the dry contact.
 
-use super::{ATTEMPTS, Attempt, THOROUGH, Workspace};
+use super::{Attempt, MAX_NEWTON_STEPS, QUICK, THOROUGH, Workspace};
 use crate::report::{Status, Work};
 use crate::reynolds::problem::{LubricatedContact, Squeeze};
 use crate::reynolds::state::ContactState;
@@ -20,7 +20,7 @@ const FOLLOWING: Attempt = Attempt {
     most_steps: 15,
 };
 /// How the last one is.
-const ARRIVING: Attempt = Attempt { most_steps: ATTEMPTS[0].most_steps, ..FOLLOWING };
+const ARRIVING: Attempt = Attempt { most_steps: MAX_NEWTON_STEPS, ..FOLLOWING };
 /// Residual to which they are solved at first, and its reduction once the contact rests there.
 const ON_THE_WAY: (f64, f64) = (1e-3, 0.1);
 /// Growth of the time step after a solve of at most so many Newton steps.
@@ -42,7 +42,7 @@ impl Workspace {
         work: &mut Work,
     ) -> Result<bool, ReynoldsError> {
         state.pressure.fill(0.0);
-        *work += self.start.run(problem, state, ATTEMPTS[0].effort.start)?;
+        *work += self.start.run(problem, state, QUICK.start)?;
         self.coupled.configure(problem);
         self.coupled.evaluate(problem, state)?;
         work.convolutions += self.coupled.convolutions;

@@ -21,6 +21,8 @@ use crate::grid::Grid;
 use crate::numerics::{Gmres, PreconditionedOperator};
 use crate::report::{Residuals, SolveReport, Status, Work};
 
+/// Newton steps after which an attempt from the dry contact has stalled: those that converge do so in 10 to 50.
+const MAX_NEWTON_STEPS: u64 = 60;
 /// Krylov steps within one Newton step.
 const MAX_KRYLOV_STEPS: usize = 100;
 /// Largest pressure change of one step, in reference pressures.
@@ -33,7 +35,7 @@ const ATTEMPTS: [Attempt; 3] = [
         first_contact_film: 30.0,
         squeeze: 0.03,
         effort: QUICK,
-        most_steps: 60,
+        most_steps: MAX_NEWTON_STEPS,
     },
     Attempt {
         trust: 0.03,
@@ -41,7 +43,7 @@ const ATTEMPTS: [Attempt; 3] = [
         first_contact_film: 30.0,
         squeeze: 0.0,
         effort: THOROUGH,
-        most_steps: 60,
+        most_steps: MAX_NEWTON_STEPS,
     },
     Attempt {
         trust: 0.01,
@@ -49,7 +51,7 @@ const ATTEMPTS: [Attempt; 3] = [
         first_contact_film: 100.0,
         squeeze: 0.0,
         effort: EXACT,
-        most_steps: 60,
+        most_steps: MAX_NEWTON_STEPS,
     },
 ];
 /// Enough for most scenes, and the cheapest.
@@ -89,7 +91,7 @@ struct Attempt {
     /// one, at first. A pocket fills no faster than the fluid gets there, where a steady step empties and fills it by turns.
     squeeze: f64,
     effort: Effort,
-    /// Newton steps after which it has stalled: those from the dry contact that converge do so in 10 to 50.
+    /// Newton steps after which it has stalled.
     most_steps: u64,
 }
 
