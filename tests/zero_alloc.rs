@@ -89,6 +89,8 @@ fn half_space() {
         assert!(result.is_ok() && allocations == 0, "displacement on {grid:?}: {allocations}");
         let (result, allocations) = counted(|| body.displacement_estimate(&pressure, &mut out));
         assert!(result.is_ok() && allocations == 0, "displacement estimate on {grid:?}: {allocations}");
+        let (result, allocations) = counted(|| body.displacement_sketch(&pressure, &mut out));
+        assert!(result.is_ok() && allocations == 0, "sketch on {grid:?}: {allocations}");
         let (result, allocations) = counted(|| body.pressure_estimate(&pressure, &mut out));
         assert!(result.is_ok() && allocations == 0, "estimate on {grid:?}: {allocations}");
     }

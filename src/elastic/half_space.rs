@@ -93,6 +93,10 @@ impl DeformationModel for HalfSpace {
         self.response.displacement_estimate(pressure, out)
     }
 
+    fn displacement_sketch(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.response.displacement_sketch(pressure, out)
+    }
+
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         self.response.pressure_estimate(displacement, out)
     }

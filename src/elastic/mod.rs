@@ -54,6 +54,16 @@ pub trait DeformationModel: Debug + Send {
         self.displacement(pressure, out)
     }
 
+    /// Overwrites `out` \[m\] with the displacement under `pressure` \[Pa\] to some per cent, exact between near nodes: what linear
+    /// systems are solved with before `displacement_estimate` tells how well. The half-space takes the shortest way between two
+    /// nodes round a periodic grid, at a quarter of the cost. By default `displacement_estimate`.
+    ///
+    /// # Errors
+    /// [`InputError::Shape`] when a slice does not fit the grid.
+    fn displacement_sketch(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.displacement_estimate(pressure, out)
+    }
+
     /// Overwrites `out` \[Pa\] with an estimate of the pressure that causes `displacement` \[m\]: the preconditioner of
     /// contact equations. It must be linear, to about 1e-6, and positive; the better it inverts `displacement`, the fewer
     /// iterations a solve takes. By default a division by the self-influence.

@@ -13,6 +13,8 @@ pub(super) struct ElasticResponse {
     convolution: Convolution,
     /// In single precision, over the self-influence.
     estimate: Convolution<f32>,
+    /// The same on the periodic grid.
+    sketch: Convolution<f32>,
     /// In single precision, times the self-influence.
     inverse: Convolution<f32>,
     own: f64,
@@ -22,11 +24,13 @@ impl ElasticResponse {
     /// The response with displacement `kernel(i, j)` \[m/Pa\] at an offset of `i` columns and `j` rows.
     pub(super) fn new(grid: Grid, kernel: impl Fn(isize, isize) -> f64) -> Self {
         let plan = ConvolutionPlan::new(grid.nx(), grid.ny(), &kernel);
+        let sketch = ConvolutionPlan::periodic(grid.nx(), grid.ny(), &kernel);
         let inverse = ConvolutionPlan::periodic_inverse(grid.nx(), grid.ny(), &kernel);
         let own = kernel(0, 0);
         Self {
             grid,
             estimate: Convolution::new(Arc::new(plan.to_single(1.0 / own))),
+            sketch: Convolution::new(Arc::new(sketch.to_single(1.0 / own))),
             inverse: Convolution::new(Arc::new(inverse.to_single(own))),
             convolution: Convolution::new(Arc::new(plan)),
             own,
@@ -48,6 +52,17 @@ impl ElasticResponse {
         InputError::require_len("pressure", pressure, self.grid.len())?;
         InputError::require_len("out", out, self.grid.len())?;
         in_single(&mut self.estimate, pressure, self.own, out);
+        Ok(())
+    }
+
+    pub(super) fn displacement_sketch(
+        &mut self,
+        pressure: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), InputError> {
+        InputError::require_len("pressure", pressure, self.grid.len())?;
+        InputError::require_len("out", out, self.grid.len())?;
+        in_single(&mut self.sketch, pressure, self.own, out);
         Ok(())
     }
 

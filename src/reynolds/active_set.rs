@@ -79,6 +79,9 @@ impl Sample {
         if previous.fluid == Fluid::Boundary {
             return Kind::BOUNDARY;
         }
+        if previous.fluid == Fluid::AtLimit && self.fluid_pressure >= self.limit {
+            return previous;
+        }
         let fluid = if self.lubricated && self.fluid_pressure + self.fluid_push >= 0.0 {
             Fluid::Active
         } else {

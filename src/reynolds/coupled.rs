@@ -114,6 +114,18 @@ impl Coupled {
         }
     }
 
+    /// Marks the nodes whose fluid is at the limit in `state`: they keep their plastic depths when it is evaluated.
+    pub(super) fn recall_limited(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
+        if problem.lubricant.is_none() || problem.is_paper() {
+            return;
+        }
+        for k in interior(&self.fluid.grid) {
+            if state.plastic_depth[k] > 0.0 && state.fluid_pressure[k] >= limit_of(problem, k) {
+                self.kinds[k] = Kind { fluid: Fluid::AtLimit, solid: Solid::Open };
+            }
+        }
+    }
+
     /// Sorts the nodes.
     pub(super) fn classify(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
         let lubricated = problem.lubricant.is_some();

@@ -42,7 +42,8 @@ impl Evaluation {
     }
 
     /// Overwrites film, plastic depth, mass and contact flags of `state` with those that follow from its pressures and
-    /// approach, and returns how far it is from a solution; one elastic displacement.
+    /// approach, and returns how far it is from a solution; one elastic displacement. Where the fluid itself is at the pressure
+    /// limit the plastic depth is an unknown of its own, and stays.
     ///
     /// # Errors
     /// A problem or a state that breaks the contract of [`LubricatedContact`], or one of another grid.
@@ -56,6 +57,7 @@ impl Evaluation {
             self.coupled = Coupled::new(grid);
         }
         self.coupled.configure(problem);
+        self.coupled.recall_limited(problem, state);
         self.coupled.evaluate(problem, state)?;
         self.coupled.classify(problem, state);
         self.coupled.settle(problem, state);

@@ -6,8 +6,10 @@ use crate::reynolds::problem::{LubricatedContact, Squeeze};
 use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
-/// First time step, over the time in which the fluid passes a cell, and the one after which the steady contact is near.
+/// First time step, over the time in which the fluid passes a cell, and the one after which the steady contact is near; where it
+/// is not, it is tried again after steps longer by [`LATER`].
 const TIME_STEPS: (f64, f64) = (1.0, 1000.0);
+const LATER: f64 = 10.0;
 /// Time steps after which the way has led nowhere.
 const MAX_TIME_STEPS: usize = 80;
 /// How each contact on the way is solved from the one before.
@@ -24,7 +26,7 @@ const ARRIVING: Attempt = Attempt { most_steps: MAX_NEWTON_STEPS, ..FOLLOWING };
 /// Residual to which they are solved at first, and its reduction once the contact rests there.
 const ON_THE_WAY: (f64, f64) = (1e-3, 0.1);
 /// Growth of the time step after a solve of at most so many Newton steps.
-const GROWTH: [(u64, f64); 2] = [(6, 2.0), (9, 1.3)];
+const GROWTH: [(u64, f64); 3] = [(6, 2.0), (9, 1.3), (FOLLOWING.most_steps, 1.15)];
 /// Share of the time step that is taken where a solve stalls.
 const SHORTER_TIME: f64 = 0.3;
 
@@ -49,11 +51,16 @@ impl Workspace {
         let mut last = state.clone();
         let mut carried = state.mass.clone();
         let passing = problem.grid().dx() / problem.entrainment_speed;
-        let (mut time_step, longest) = (TIME_STEPS.0 * passing, TIME_STEPS.1 * passing);
+        let (mut time_step, mut longest) = (TIME_STEPS.0 * passing, TIME_STEPS.1 * passing);
         let mut on_the_way = StoppingRule { tolerance: ON_THE_WAY.0.max(stop.tolerance), ..*stop };
         for _ in 0..MAX_TIME_STEPS {
             if time_step > longest {
-                return Ok(self.attempts(&[ARRIVING], problem, state, stop, work)? == Status::Converged);
+                match self.attempts(&[ARRIVING], problem, state, stop, work)? {
+                    Status::Converged => return Ok(true),
+                    Status::MaxIterations => return Ok(false),
+                    _ => longest *= LATER,
+                }
+                state.clone_from(&last);
             }
             let before = work.iterations;
             let squeeze = squeeze_since(&last.mass, time_step, problem.squeeze, &mut carried);

@@ -1,6 +1,8 @@
 //! Semismooth Newton on the whole coupled problem, linear systems by preconditioned GMRES.
 
+mod coarse_films;
 mod continuation;
+mod given_films;
 mod linearisation;
 mod local;
 mod preconditioner;
@@ -9,7 +11,7 @@ mod unknowns;
 use linearisation::Linearisation;
 use local::{Forecast, Local, Material, Settling};
 use preconditioner::BlockPreconditioner;
-use unknowns::Unknowns;
+use unknowns::{Response, Unknowns};
 
 use super::active_set::{Fluid, Kind};
 use super::coupled::{Coupled, limit_of};
@@ -25,16 +27,29 @@ use crate::report::{Residuals, SolveReport, Status, Work};
 const MAX_NEWTON_STEPS: u64 = 60;
 /// Krylov steps within one Newton step.
 const MAX_KRYLOV_STEPS: usize = 100;
+/// Passes of a linear solve, and the least residual that one asks for which knows elastic responses from a sketch alone.
+const MAX_PASSES: u32 = 4;
+const LEAST_SKETCHED: f64 = 0.01;
+/// Of the tolerance: the residual of a linear solve that is good enough.
+const ENOUGH: f64 = 1.5;
 /// Largest pressure change of one step, in reference pressures.
 const MAX_PRESSURE_CHANGE: f64 = 1.0;
 /// What a solve tries, one after the other while it stalls or diverges, each but the first from the dry contact.
-const ATTEMPTS: [Attempt; 3] = [
+const ATTEMPTS: [Attempt; 4] = [
     Attempt {
         trust: 0.03,
         gentle: true,
         first_contact_film: 30.0,
-        squeeze: 0.03,
+        squeeze: 0.1,
         effort: QUICK,
+        most_steps: MAX_NEWTON_STEPS,
+    },
+    Attempt {
+        trust: 0.03,
+        gentle: true,
+        first_contact_film: 10.0,
+        squeeze: 0.03,
+        effort: THOROUGH,
         most_steps: MAX_NEWTON_STEPS,
     },
     Attempt {
@@ -107,8 +122,10 @@ struct Effort {
 /// Semismooth Newton solver with approach and load balance inside the system.
 ///
 /// Each step solves the linearised equations of the sides (cavitated, fluid, contact, yielded) that the nodes are on by
-/// GMRES on DC-FFT products. The preconditioner is a block one: sparse LU of the fluid equations in which films
-/// follow their own pressures alone, inverse convolution masked to the contact nodes, and the load balance as a border. Then every node settles by its own equations, neighbours held as the step foresees them: that decides its
+/// GMRES on products of a quarter of the cost of a DC-FFT convolution, and checks them by a whole one. The preconditioner is
+/// triangular: sparse LU of the fluid equations in which films follow their own pressures alone, then the pressures of the
+/// contact nodes by conjugate gradients on blocks of nodes and the inverse convolution, and the load balance as a border.
+/// Then every node settles by its own equations, neighbours held as the step foresees them: that decides its
 /// side and follows the viscosity over its orders of magnitude, where a linear step alone makes nodes go round in cycles.
 ///
 /// A state that carries no pressure is started from the dry contact, which is close to the answer in mixed
@@ -126,8 +143,9 @@ struct Workspace {
     linearisation: Linearisation,
     preconditioner: BlockPreconditioner,
     gmres: Gmres,
-    rhs: Vec<f32>,
+    missing: Vec<f32>,
     step: Vec<f32>,
+    correction: Vec<f32>,
     start: DryStart,
     best: Snapshot,
     best_residuals: Residuals,
@@ -183,8 +201,9 @@ impl NewtonKrylov {
                 linearisation: Linearisation::new(grid),
                 preconditioner: BlockPreconditioner::new(grid),
                 gmres: Gmres::new(length, MAX_KRYLOV_STEPS),
-                rhs: vec![0.0; length],
+                missing: vec![0.0; length],
                 step: vec![0.0; length],
+                correction: vec![0.0; length],
                 start: DryStart::new(grid),
                 best: Snapshot::new(grid),
                 best_residuals: Residuals::default(),
@@ -215,6 +234,7 @@ impl ContactSolver for NewtonKrylov {
         }
         let workspace = self.workspace(problem)?;
         let mut work = Work::default();
+        work.convolutions += workspace.preconditioner.configure(problem)?;
         let (status, residuals) = workspace.run(problem, state, stop, &mut work)?;
         workspace.coupled.mark_contact(problem, state);
         Ok(SolveReport { solver: name, status, residuals, work })
@@ -315,6 +335,7 @@ impl Workspace {
         film_cutoff: f64,
         work: &mut Work,
     ) -> Result<Status, ReynoldsError> {
+        self.coupled.recall_limited(problem, state);
         self.coupled.evaluate(problem, state)?;
         self.coupled.classify(problem, state);
         self.coupled.settle(problem, state);
@@ -397,13 +418,16 @@ impl Workspace {
 
     /// Solves the linearised equations into `self.step`, their residual to `tolerance` of itself; returns the Krylov steps, or
     /// none where the fluid equations of this state have no finite factors.
+    ///
+    /// Krylov's method knows the elastic response from a sketch; what the equations then lack, the whole response tells, and
+    /// where that is too much another pass takes it.
     fn newton_step(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &ContactState,
         tolerance: f64,
     ) -> Result<Option<u64>, ReynoldsError> {
-        let Self { coupled, unknowns, linearisation, preconditioner, .. } = self;
+        let Self { coupled, unknowns, linearisation, preconditioner, gmres, .. } = self;
         unknowns.sort(coupled, problem, state);
         if problem.lubricant.is_some() {
             linearisation.update(&coupled.fluid, &state.film, coupled.near.own);
@@ -413,10 +437,33 @@ impl Workspace {
         }
         preconditioner.border(unknowns, coupled, linearisation, problem)?;
         let n = unknowns.len();
-        unknowns.missing(coupled, problem, linearisation, state, &mut self.rhs[..n])?;
-        let mut system = System { unknowns, coupled, problem, linearisation, preconditioner };
-        let outcome = self.gmres.solve(&mut system, &self.rhs[..n], tolerance, &mut self.step[..n]);
-        Ok(Some(outcome.steps))
+        let (missing, step) = (&mut self.missing[..n], &mut self.step[..n]);
+        let correction = &mut self.correction[..n];
+        step.fill(0.0);
+        unknowns.missing(coupled, problem, linearisation, state, step, missing)?;
+        let whole = norm(missing);
+        let mut response = if coupled.fluid.grid.ny() > 1 { Response::Sketch } else { Response::Whole };
+        let (mut left, mut steps) = (1.0, 0);
+        for _ in 0..MAX_PASSES {
+            let least = if response == Response::Sketch { LEAST_SKETCHED } else { 0.0 };
+            let wanted = (tolerance / left).max(least);
+            let mut system = System { unknowns, coupled, problem, linearisation, preconditioner, response };
+            steps += gmres.solve(&mut system, missing, wanted, correction).steps;
+            for (step, correction) in step.iter_mut().zip(&*correction) {
+                *step += correction;
+            }
+            unknowns.missing(coupled, problem, linearisation, state, step, missing)?;
+            let now = norm(missing) / whole;
+            // No number where the equations lacked nothing.
+            if now.is_nan() || now <= ENOUGH * tolerance || response == Response::Whole {
+                break;
+            }
+            if now > 0.5 * left {
+                response = Response::Whole;
+            }
+            left = now;
+        }
+        Ok(Some(steps))
     }
 
     /// Takes at most the share `most` of the step; every node then settles by its own equations.
@@ -427,11 +474,10 @@ impl Workspace {
         settling: Settling,
         most: f64,
     ) -> Result<(), ReynoldsError> {
-        let Self { coupled, unknowns, linearisation, .. } = self;
+        let Self { coupled, unknowns, .. } = self;
         let step = &self.step[..unknowns.len()];
         let largest = unknowns.largest_pressure(step);
         let length = most * (MAX_PRESSURE_CHANGE * problem.reference_pressure / largest).min(1.0);
-        unknowns.expand_pinned(coupled, problem, linearisation, step)?;
         let (contact_film, own_influence) = (problem.contact_film(), coupled.near.own);
         for k in interior(&coupled.fluid.grid) {
             let kind = coupled.kinds[k];
@@ -482,6 +528,10 @@ impl Workspace {
     }
 }
 
+fn norm(x: &[f32]) -> f64 {
+    x.iter().map(|x| f64::from(*x).powi(2)).sum::<f64>().sqrt()
+}
+
 /// The linearised equations as GMRES sees them.
 struct System<'a, 'b> {
     unknowns: &'a mut Unknowns,
@@ -489,12 +539,14 @@ struct System<'a, 'b> {
     problem: &'a mut LubricatedContact<'b>,
     linearisation: &'a mut Linearisation,
     preconditioner: &'a mut BlockPreconditioner,
+    response: Response,
 }
 
 impl PreconditionedOperator for System<'_, '_> {
     fn apply(&mut self, x: &[f32], out: &mut [f32]) {
         // Shapes were checked when the solve began: the product cannot fail.
-        let result = self.unknowns.product(self.coupled, self.problem, self.linearisation, x, out);
+        let Self { unknowns, coupled, problem, linearisation, .. } = self;
+        let result = unknowns.product(coupled, problem, linearisation, x, self.response, out);
         debug_assert!(result.is_ok(), "shapes are checked by the solve");
     }
 

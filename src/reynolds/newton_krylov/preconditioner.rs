@@ -1,6 +1,7 @@
-//! The block preconditioner of the linearised equations: sparse LU of the fluid equations, masked inverse convolution of the
-//! contact equations, load balance as a border.
+//! The preconditioner of the linearised equations: sparse LU of the fluid equations, then the pressures of the nodes whose
+//! films are given, load balance as a border.
 
+use super::given_films::GivenFilms;
 use super::linearisation::Linearisation;
 use super::unknowns::Unknowns;
 use crate::error::InputError;
@@ -9,8 +10,6 @@ use crate::numerics::{GridLu, STENCIL};
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::problem::LubricatedContact;
 
-/// Cost of a pressure estimate in convolutions: transforms of a quarter of the points, without padding.
-const ESTIMATE: f64 = 0.25;
 /// Ratio of pressure flow to the entrainment of the elastic response of a node at which half of its pressure is found from
 /// its film. Where the ratio is small, upstream fixes the film and the pressure is what makes it, as in solid contact;
 /// where it is large, pressure flow fixes the pressure.
@@ -25,7 +24,9 @@ const WIDEST: f64 = 6.0;
 /// The ratio below which, beside solid contact, pressure is found from the film alone and pressure flow left out.
 const STIFF: f64 = 0.1;
 
-/// Sparse LU of the fluid equations, masked inverse convolution of the contact equations, load balance as a border.
+/// Sparse LU of the fluid equations in which films follow their own pressures alone; where solids touch, then the pressures of
+/// the nodes in contact, and of those whose film the first block has found, under the pressures of all others; load balance
+/// as a border.
 #[derive(Debug)]
 pub(super) struct BlockPreconditioner {
     stencil: Vec<f32>,
@@ -37,8 +38,9 @@ pub(super) struct BlockPreconditioner {
     /// Square root of the share of a fluid node's pressure that is found from its film.
     film_share: Vec<f32>,
     fluid: Vec<f32>,
-    gap: Vec<f64>,
-    contact: Vec<f64>,
+    /// Whether solids touch anywhere, which screens the pressures of the fluid.
+    screened: bool,
+    given: GivenFilms,
     /// `M^-1` times the column of the approach.
     border: Vec<f32>,
     /// Load that this vector carries.
@@ -57,12 +59,17 @@ impl BlockPreconditioner {
             response: vec![0.0; n],
             film_share: vec![0.0; n],
             fluid: vec![0.0; n],
-            gap: vec![0.0; n],
-            contact: vec![0.0; n],
+            screened: false,
+            given: GivenFilms::new(grid),
             border: vec![0.0; most],
             border_load: 1.0,
             column: vec![0.0; most],
         }
+    }
+
+    /// Takes the elastic response of the problem; returns the convolutions that took.
+    pub(super) fn configure(&mut self, problem: &mut LubricatedContact<'_>) -> Result<f64, InputError> {
+        self.given.configure(problem.deformation)
     }
 
     /// Factorises the fluid block, and gives the mass balances the sizes of its diagonal; false where the block has no finite
@@ -74,11 +81,16 @@ impl BlockPreconditioner {
         unknowns: &mut Unknowns,
         problem: &LubricatedContact<'_>,
     ) -> bool {
+        self.screened = coupled.kinds.iter().any(|kind| kind.is_contact());
         self.film_share.fill(0.0);
+        if problem.lubricant.is_some() {
+            self.find_shares(coupled, unknowns);
+        }
+        let by_film = unknowns.open().iter().filter(|&&k| self.film_share[k as usize] > 0.0);
+        self.given.prepare(unknowns.contact().iter().chain(by_film).copied());
         if problem.lubricant.is_none() {
             return true;
         }
-        self.find_shares(coupled, unknowns);
         for row in self.stencil.chunks_exact_mut(STENCIL) {
             row.copy_from_slice(&[1.0, 0.0, 0.0, 0.0, 0.0]);
         }
@@ -95,7 +107,6 @@ impl BlockPreconditioner {
     fn find_shares(&mut self, coupled: &Coupled, unknowns: &Unknowns) {
         // On a line the inverse of the logarithmic kernel is too poor for pressures from films.
         let by_film = coupled.fluid.grid.ny() > 1;
-        let screened = coupled.kinds.iter().any(|kind| kind.is_contact());
         self.moves.fill(0.0);
         self.response.fill(0.0);
         for &k in unknowns.balanced() {
@@ -111,7 +122,7 @@ impl BlockPreconditioner {
                 continue;
             }
             let ratio = coupled.fluid.flow_ratio(k, coupled.near).max(0.0);
-            if screened {
+            if self.screened {
                 if ratio < STIFF {
                     (self.moves[k], self.film_share[k]) = (0.0, 1.0);
                 }
@@ -137,7 +148,7 @@ impl BlockPreconditioner {
         unknowns.approach_column(linearisation, &mut column[..n]);
         let result = self.blocks(unknowns, coupled, problem, &column[..n], &mut border[..n]);
         border[n - 1] = 0.0;
-        self.border_load = unknowns.load(&border[..n]);
+        self.border_load = unknowns.load(&border[..n]) as f32;
         (self.column, self.border) = (column, border);
         result
     }
@@ -153,7 +164,7 @@ impl BlockPreconditioner {
     ) -> Result<(), InputError> {
         let last = unknowns.len() - 1;
         self.blocks(unknowns, coupled, problem, r, out)?;
-        let excess = unknowns.load(out) - r[last];
+        let excess = unknowns.load(out) as f32 - r[last];
         let approach = if self.border_load == 0.0 { 0.0 } else { excess / self.border_load };
         for (o, b) in out[..last].iter_mut().zip(&self.border) {
             *o -= approach * b;
@@ -170,7 +181,6 @@ impl BlockPreconditioner {
         r: &[f32],
         out: &mut [f32],
     ) -> Result<(), InputError> {
-        let own = coupled.near.own;
         let (balanced, open, contact) = (unknowns.balanced(), unknowns.open(), unknowns.contact());
         if problem.lubricant.is_some() {
             self.fluid.fill(0.0);
@@ -179,32 +189,32 @@ impl BlockPreconditioner {
             }
             self.lu.solve(&mut self.fluid);
         }
-        let by_film = open.iter().any(|&k| self.film_share[k as usize] > 0.0);
         let gaps = &r[balanced.len()..];
-        if by_film || !contact.is_empty() {
-            self.gap.fill(0.0);
-            for (&k, r) in contact.iter().zip(gaps) {
-                self.gap[k as usize] = own * f64::from(*r);
-            }
-            for &k in open {
-                let k = k as usize;
-                self.gap[k] = own * f64::from(self.film_share[k] * self.response[k] * self.fluid[k]);
-            }
-            problem.deformation.pressure_estimate(&self.gap, &mut self.contact)?;
-            coupled.convolutions += ESTIMATE;
+        let GivenFilms { films, pressures, .. } = &mut self.given;
+        films.fill(0.0);
+        pressures.fill(0.0);
+        for (&k, r) in contact.iter().zip(gaps) {
+            films[k as usize] = f64::from(*r);
         }
+        for &k in open {
+            let k = k as usize;
+            films[k] = f64::from(self.film_share[k] * self.response[k] * self.fluid[k]);
+            // Without solids in contact the other share of the pressure is no load on the films: they are wide.
+            pressures[k] = if self.screened { f64::from(self.moves[k] * self.fluid[k]) } else { 0.0 };
+        }
+        coupled.convolutions += self.given.solve(problem.deformation, self.screened)?;
+        let found = &self.given.pressures;
         let (fluid, pressures) = out.split_at_mut(balanced.len());
         for (out, &k) in fluid.iter_mut().zip(balanced) {
             let k = k as usize;
             let share = self.film_share[k];
-            *out = if share > 0.0 {
-                share * self.contact[k] as f32 + (1.0 - share * share) * self.fluid[k]
-            } else {
-                self.fluid[k]
-            };
+            *out = self.fluid[k];
+            if share > 0.0 {
+                *out = share * found[k] as f32 + (1.0 - share * share) * *out;
+            }
         }
         for (out, &k) in pressures.iter_mut().zip(contact) {
-            *out = self.contact[k as usize] as f32;
+            *out = found[k as usize] as f32;
         }
         pressures[contact.len()] = 0.0;
         Ok(())

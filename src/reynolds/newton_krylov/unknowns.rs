@@ -21,6 +21,18 @@ use crate::reynolds::coupled::{Coupled, limit_of};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
+/// Cost of a sketched response in convolutions: transforms of a quarter of the points, without padding.
+const SKETCH: f64 = 0.25;
+
+/// How well elastic responses are known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Response {
+    /// To single precision.
+    Whole,
+    /// To some per cent at large distances, at a quarter of the cost.
+    Sketch,
+}
+
 /// Which nodes have which unknowns, and the changes of all nodes under a vector of them.
 #[derive(Debug)]
 pub(super) struct Unknowns {
@@ -154,58 +166,16 @@ impl Unknowns {
         self.weights.extend(self.balanced.iter().map(|&k| 1.0 / size(k as usize)));
     }
 
-    /// What the equations lack at `state` under the prescribed changes, if there are any; one convolution then.
+    /// What the equations lack at `state` under the prescribed changes and those of the vector `x`, which all nodes then have;
+    /// one convolution, none where nothing changes.
     pub(super) fn missing(
         &mut self,
         coupled: &mut Coupled,
         problem: &mut LubricatedContact<'_>,
         linearisation: &mut Linearisation,
         state: &ContactState,
-        out: &mut [f32],
-    ) -> Result<(), InputError> {
-        out.fill(0.0);
-        let mut carried: f64 = state.pressure.iter().sum();
-        if !self.pinned.is_empty() {
-            self.expand_pinned(coupled, problem, linearisation, out)?;
-            self.rows(out);
-            carried += self.pinned.iter().map(|(_, [change, _])| change).sum::<f64>();
-        }
-        let (balances, rest) = out.split_at_mut(self.balanced.len());
-        for ((row, &k), weight) in balances.iter_mut().zip(&self.balanced).zip(&self.weights) {
-            *row = -(*row + weight * (coupled.balance[k as usize] / self.film_unit) as f32);
-        }
-        let contact_film = problem.contact_film();
-        for (row, &k) in rest.iter_mut().zip(&self.contact) {
-            *row = ((contact_film - coupled.elastic_film[k as usize]) / self.film_unit) as f32 - *row;
-        }
-        rest[self.contact.len()] = (1.0 - carried / self.pressure_unit * self.cell_load) as f32;
-        Ok(())
-    }
-
-    /// Film changes under the pressure changes of all nodes and a change of the approach; one convolution.
-    fn deform(
-        &mut self,
-        coupled: &mut Coupled,
-        problem: &mut LubricatedContact<'_>,
-        approach: f32,
-    ) -> Result<(), InputError> {
-        problem.deformation.displacement_estimate(&self.pressure, &mut self.elastic)?;
-        coupled.convolutions += 1.0;
-        let (approach, per_unit) = (f64::from(approach) * self.film_unit, 1.0 / self.film_unit);
-        for (film, elastic) in self.film.iter_mut().zip(&mut self.elastic) {
-            *elastic -= approach;
-            *film = (*elastic * per_unit) as f32;
-        }
-        Ok(())
-    }
-
-    /// Changes of all nodes under the vector `x` and the prescribed ones; one convolution.
-    pub(super) fn expand_pinned(
-        &mut self,
-        coupled: &mut Coupled,
-        problem: &mut LubricatedContact<'_>,
-        linearisation: &mut Linearisation,
         x: &[f32],
+        out: &mut [f32],
     ) -> Result<(), InputError> {
         self.place(x);
         for (k, [total, fluid]) in &self.pinned {
@@ -214,7 +184,53 @@ impl Unknowns {
                 self.fluid[*k as usize] = (fluid / self.pressure_unit) as f32;
             }
         }
-        self.respond(coupled, problem, linearisation, x)
+        if self.pinned.is_empty() && x.iter().all(|x| *x == 0.0) {
+            self.elastic.fill(0.0);
+            self.film.fill(0.0);
+            self.balance.fill(0.0);
+        } else {
+            self.respond(coupled, problem, linearisation, x, Response::Whole)?;
+        }
+        let changes = self.pinned.iter().map(|(_, [change, _])| change).sum::<f64>();
+        let carried = (state.pressure.iter().sum::<f64>() + changes) / self.pressure_unit * self.cell_load;
+        let (balances, rest) = out.split_at_mut(self.balanced.len());
+        for ((row, &k), weight) in balances.iter_mut().zip(&self.balanced).zip(&self.weights) {
+            let present = (coupled.balance[k as usize] / self.film_unit) as f32;
+            *row = -weight * (self.balance[k as usize] + present);
+        }
+        let contact_film = problem.contact_film();
+        for (row, &k) in rest.iter_mut().zip(&self.contact) {
+            let present = (coupled.elastic_film[k as usize] - contact_film) / self.film_unit;
+            *row = -(self.film[k as usize] + present as f32);
+        }
+        rest[self.contact.len()] = (1.0 - carried - self.load(x)) as f32;
+        Ok(())
+    }
+
+    /// Film changes under the pressure changes of all nodes and a change of the approach.
+    fn deform(
+        &mut self,
+        coupled: &mut Coupled,
+        problem: &mut LubricatedContact<'_>,
+        approach: f32,
+        response: Response,
+    ) -> Result<(), InputError> {
+        match response {
+            Response::Whole => {
+                problem.deformation.displacement_estimate(&self.pressure, &mut self.elastic)?;
+                coupled.convolutions += 1.0;
+            }
+            Response::Sketch => {
+                problem.deformation.displacement_sketch(&self.pressure, &mut self.elastic)?;
+                coupled.convolutions += SKETCH;
+            }
+        }
+        let (approach, per_unit) = (f64::from(approach) * self.film_unit, 1.0 / self.film_unit);
+        for (film, elastic) in self.film.iter_mut().zip(&mut self.elastic) {
+            *elastic -= approach;
+            *film = (*elastic * per_unit) as f32;
+        }
+        Ok(())
     }
 
     /// Puts the pressures of the vector `x` where they belong.
@@ -235,15 +251,16 @@ impl Unknowns {
         }
     }
 
-    /// Films and balances under the pressures as they are placed; one convolution.
+    /// Films and balances under the pressures as they are placed.
     fn respond(
         &mut self,
         coupled: &mut Coupled,
         problem: &mut LubricatedContact<'_>,
         linearisation: &mut Linearisation,
         x: &[f32],
+        response: Response,
     ) -> Result<(), InputError> {
-        self.deform(coupled, problem, x[self.len() - 1])?;
+        self.deform(coupled, problem, x[self.len() - 1], response)?;
         let limited = self.limited_from..self.contact_from;
         for (&k, x) in self.balanced[limited.clone()].iter().zip(&x[limited]) {
             self.film[k as usize] += x;
@@ -261,19 +278,20 @@ impl Unknowns {
         linearisation.product(&self.fluid, &self.film, &mut self.balance);
     }
 
-    /// `out = J x`; one convolution.
+    /// `out = J x`.
     pub(super) fn product(
         &mut self,
         coupled: &mut Coupled,
         problem: &mut LubricatedContact<'_>,
         linearisation: &mut Linearisation,
         x: &[f32],
+        response: Response,
         out: &mut [f32],
     ) -> Result<(), InputError> {
         self.place(x);
-        self.respond(coupled, problem, linearisation, x)?;
+        self.respond(coupled, problem, linearisation, x, response)?;
         self.rows(out);
-        out[self.len() - 1] = self.load(x);
+        out[self.len() - 1] = self.load(x) as f32;
         Ok(())
     }
 
@@ -297,10 +315,10 @@ impl Unknowns {
     }
 
     /// The load that the pressures of a vector carry, over the load.
-    pub(super) fn load(&self, x: &[f32]) -> f32 {
+    pub(super) fn load(&self, x: &[f32]) -> f64 {
         let (fluid, rest) = x.split_at(self.balanced.len());
         let pressures = fluid[..self.limited_from].iter().chain(&rest[..self.contact.len()]);
-        (pressures.map(|&p| f64::from(p)).sum::<f64>() * self.cell_load) as f32
+        pressures.map(|&p| f64::from(p)).sum::<f64>() * self.cell_load
     }
 
     /// Largest change of a total pressure in a vector \[Pa\].
@@ -314,7 +332,7 @@ impl Unknowns {
         f64::from(x[self.len() - 1]) * self.film_unit
     }
 
-    /// Changes of node `k` after [`Unknowns::expand_pinned`].
+    /// Changes of node `k` at the last [`Unknowns::missing`].
     pub(super) fn node(&self, k: usize) -> NodeChange {
         NodeChange {
             pressure: self.pressure[k],
@@ -452,7 +470,8 @@ mod tests {
         let mut linearisation = Linearisation::new(grid);
         linearisation.update(&coupled.fluid, &film, coupled.near.own);
         let mut product = vec![0.0; x.len()];
-        unknowns.product(&mut coupled, &mut problem, &mut linearisation, &x, &mut product).unwrap();
+        let response = Response::Whole;
+        unknowns.product(&mut coupled, &mut problem, &mut linearisation, &x, response, &mut product).unwrap();
         let scale = product[..x.len() - 1].iter().fold(0.0_f32, |m, v| m.max(v.abs()));
         for (row, (up, down)) in up.iter().zip(&down).enumerate() {
             let (difference, scale) =
