@@ -41,15 +41,15 @@ impl GivenFilms {
         }
     }
 
-    /// Takes the elastic response of `body`; returns the convolutions that took.
-    pub(super) fn configure(&mut self, body: &mut dyn DeformationModel) -> Result<f64, InputError> {
+    /// Takes the elastic response of `body`, once for each: no part of the work of a solve.
+    pub(super) fn configure(&mut self, body: &mut dyn DeformationModel) -> Result<(), InputError> {
         let influences = [(0, 0), (1, 0), (0, 1)].map(|(di, dj)| body.influence(di, dj).to_bits());
         if body.grid().ny() == 1 || (self.coarse.is_some() && self.influences == influences) {
-            return Ok(0.0);
+            return Ok(());
         }
         self.coarse = Some(CoarseFilms::new(body)?);
         self.influences = influences;
-        Ok(1.0)
+        Ok(())
     }
 
     /// Takes the nodes whose films are given.

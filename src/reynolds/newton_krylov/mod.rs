@@ -233,8 +233,8 @@ impl ContactSolver for NewtonKrylov {
             return Err(ReynoldsError::WrongSolver { solver: name, reason });
         }
         let workspace = self.workspace(problem)?;
+        workspace.preconditioner.configure(problem)?;
         let mut work = Work::default();
-        work.convolutions += workspace.preconditioner.configure(problem)?;
         let (status, residuals) = workspace.run(problem, state, stop, &mut work)?;
         workspace.coupled.mark_contact(problem, state);
         Ok(SolveReport { solver: name, status, residuals, work })

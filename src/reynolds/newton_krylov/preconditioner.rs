@@ -67,8 +67,8 @@ impl BlockPreconditioner {
         }
     }
 
-    /// Takes the elastic response of the problem; returns the convolutions that took.
-    pub(super) fn configure(&mut self, problem: &mut LubricatedContact<'_>) -> Result<f64, InputError> {
+    /// Takes the elastic response of the problem.
+    pub(super) fn configure(&mut self, problem: &mut LubricatedContact<'_>) -> Result<(), InputError> {
         self.given.configure(problem.deformation)
     }
 
