@@ -25,13 +25,12 @@ impl ElasticResponse {
     pub(super) fn new(grid: Grid, kernel: impl Fn(isize, isize) -> f64) -> Self {
         let plan = ConvolutionPlan::new(grid.nx(), grid.ny(), &kernel);
         let sketch = ConvolutionPlan::periodic(grid.nx(), grid.ny(), &kernel);
-        let inverse = ConvolutionPlan::periodic_inverse(grid.nx(), grid.ny(), &kernel);
         let own = kernel(0, 0);
         Self {
             grid,
             estimate: Convolution::new(Arc::new(plan.to_single(1.0 / own))),
             sketch: Convolution::new(Arc::new(sketch.to_single(1.0 / own))),
-            inverse: Convolution::new(Arc::new(inverse.to_single(own))),
+            inverse: Convolution::new(Arc::new(sketch.inverse().to_single(own))),
             convolution: Convolution::new(Arc::new(plan)),
             own,
         }
@@ -49,10 +48,7 @@ impl ElasticResponse {
         pressure: &[f64],
         out: &mut [f64],
     ) -> Result<(), InputError> {
-        InputError::require_len("pressure", pressure, self.grid.len())?;
-        InputError::require_len("out", out, self.grid.len())?;
-        in_single(&mut self.estimate, pressure, self.own, out);
-        Ok(())
+        in_single(&mut self.estimate, self.grid, ("pressure", pressure), self.own, out)
     }
 
     pub(super) fn displacement_sketch(
@@ -60,10 +56,7 @@ impl ElasticResponse {
         pressure: &[f64],
         out: &mut [f64],
     ) -> Result<(), InputError> {
-        InputError::require_len("pressure", pressure, self.grid.len())?;
-        InputError::require_len("out", out, self.grid.len())?;
-        in_single(&mut self.sketch, pressure, self.own, out);
-        Ok(())
+        in_single(&mut self.sketch, self.grid, ("pressure", pressure), self.own, out)
     }
 
     pub(super) fn pressure_estimate(
@@ -71,19 +64,25 @@ impl ElasticResponse {
         displacement: &[f64],
         out: &mut [f64],
     ) -> Result<(), InputError> {
-        InputError::require_len("displacement", displacement, self.grid.len())?;
-        InputError::require_len("out", out, self.grid.len())?;
-        in_single(&mut self.inverse, displacement, 1.0 / self.own, out);
-        Ok(())
+        in_single(&mut self.inverse, self.grid, ("displacement", displacement), 1.0 / self.own, out)
     }
 }
 
-/// The convolution times `unit`, the field brought to numbers of at most one before.
-fn in_single(convolution: &mut Convolution<f32>, field: &[f64], unit: f64, out: &mut [f64]) {
+/// The convolution of a named field times `unit`, the field brought to numbers of at most one before.
+fn in_single(
+    convolution: &mut Convolution<f32>,
+    grid: Grid,
+    (name, field): (&'static str, &[f64]),
+    unit: f64,
+    out: &mut [f64],
+) -> Result<(), InputError> {
+    InputError::require_len(name, field, grid.len())?;
+    InputError::require_len("out", out, grid.len())?;
     let largest = field.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
     if largest == 0.0 {
         out.fill(0.0);
     } else {
         convolution.apply_scaled(field, [1.0 / largest, largest * unit], out);
     }
+    Ok(())
 }

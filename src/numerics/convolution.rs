@@ -94,11 +94,10 @@ impl ConvolutionPlan {
         Self::padded(nx, ny, [nx, ny], kernel)
     }
 
-    /// The inverse of the convolution on the periodic grid of the fields themselves, padded only to a fast length: one
-    /// over the modulus of the spectrum of the kernel at the shortest periodic offsets. The inverse of a kernel that
-    /// falls as `1/r` falls as `1/r^3`, so that the images reach nothing but the edges, at a quarter of the cost.
-    pub(crate) fn periodic_inverse(nx: usize, ny: usize, kernel: impl Fn(isize, isize) -> f64) -> Self {
-        let mut plan = Self::periodic(nx, ny, kernel);
+    /// The inverse of this convolution on its padded grid: one over the modulus of the spectrum of the kernel. Of a periodic
+    /// kernel that falls as `1/r` the inverse falls as `1/r^3`, so that the images reach nothing but the edges.
+    pub(crate) fn inverse(&self) -> Self {
+        let mut plan = self.clone();
         let scale = 1.0 / (plan.padded_x as f64 * plan.padded_y as f64);
         for value in &mut plan.spectrum {
             *value = Complex::new(scale * scale / value.norm().max(f64::MIN_POSITIVE), 0.0);

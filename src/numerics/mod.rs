@@ -1,4 +1,4 @@
-//! Numerical tools shared by the rooms above: convolution on the doubled grid, periodic transforms, sparse LU, GMRES.
+//! Numerical tools shared by the rooms above: convolution on the doubled grid, periodic transforms, sparse LU, GMRES, vectors.
 
 mod convolution;
 mod fft;
@@ -7,6 +7,7 @@ mod grid_lu;
 mod lanes;
 mod real_fft;
 mod transpose;
+mod vectors;
 
 pub(crate) use convolution::{Convolution, ConvolutionPlan, fast_length};
 pub(crate) use fft::Fft2;
@@ -14,3 +15,4 @@ pub(crate) use gmres::{Gmres, PreconditionedOperator};
 pub(crate) use grid_lu::{GridLu, STENCIL};
 pub(crate) use lanes::{both, map_lines};
 pub(crate) use real_fft::RealFft2;
+pub(crate) use vectors::{add_scaled, dot};

@@ -8,6 +8,9 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::Residuals;
 
+/// Cost of a convolution without padding in those on the padded grid: transforms of a quarter of the points.
+pub(super) const UNPADDED: f64 = 0.25;
+
 /// Elastic film, mass balances and node kinds that belong to a [`ContactState`].
 #[derive(Debug, Clone)]
 pub(super) struct Coupled {
@@ -46,6 +49,31 @@ impl Coupled {
         for kind in &mut self.kinds {
             if kind.fluid != Fluid::Boundary {
                 *kind = Kind { fluid: Fluid::Cavitated, solid: Solid::Open };
+            }
+        }
+    }
+
+    /// Begins with a state of unknown origin: films, sides of the nodes and balances; one convolution.
+    pub(super) fn begin(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+    ) -> Result<(), InputError> {
+        self.recall_limited(problem, state);
+        self.evaluate(problem, state)?;
+        self.classify(problem, state);
+        self.settle(problem, state);
+        Ok(())
+    }
+
+    /// Marks the nodes whose fluid is at the limit in `state`: they keep their plastic depths when it is evaluated.
+    fn recall_limited(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
+        if problem.lubricant.is_none() || problem.is_paper() {
+            return;
+        }
+        for k in interior(&self.fluid.grid) {
+            if state.plastic_depth[k] > 0.0 && state.fluid_pressure[k] >= limit_of(problem, k) {
+                self.kinds[k] = Kind { fluid: Fluid::AtLimit, solid: Solid::Open };
             }
         }
     }
@@ -111,18 +139,6 @@ impl Coupled {
         }
         for (k, (mass, h)) in state.mass.iter_mut().zip(&state.film).enumerate() {
             *mass = self.fluid.carried(k, *h);
-        }
-    }
-
-    /// Marks the nodes whose fluid is at the limit in `state`: they keep their plastic depths when it is evaluated.
-    pub(super) fn recall_limited(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
-        if problem.lubricant.is_none() || problem.is_paper() {
-            return;
-        }
-        for k in interior(&self.fluid.grid) {
-            if state.plastic_depth[k] > 0.0 && state.fluid_pressure[k] >= limit_of(problem, k) {
-                self.kinds[k] = Kind { fluid: Fluid::AtLimit, solid: Solid::Open };
-            }
         }
     }
 

@@ -167,9 +167,7 @@ impl ContactSolver for Dry {
         let tolerance = stop.tolerance * share.min(1.0);
         let outcome = start.solve(problem, state, tolerance, stop.max_iterations)?;
         coupled.configure(problem);
-        coupled.evaluate(problem, state)?;
-        coupled.classify(problem, state);
-        coupled.settle(problem, state);
+        coupled.begin(problem, state)?;
         coupled.mark_contact(problem, state);
         let residuals = coupled.residuals(problem, state);
         let status = if !residuals.is_finite() {

@@ -57,10 +57,7 @@ impl Evaluation {
             self.coupled = Coupled::new(grid);
         }
         self.coupled.configure(problem);
-        self.coupled.recall_limited(problem, state);
-        self.coupled.evaluate(problem, state)?;
-        self.coupled.classify(problem, state);
-        self.coupled.settle(problem, state);
+        self.coupled.begin(problem, state)?;
         let residuals = self.coupled.residuals(problem, state);
         self.coupled.mark_contact(problem, state);
         Ok(residuals)

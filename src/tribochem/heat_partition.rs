@@ -1,6 +1,6 @@
 //! The split of friction heat that gives both bodies one temperature in the contact.
 
-use crate::numerics::Convolution;
+use crate::numerics::{Convolution, add_scaled, dot};
 
 /// Search directions kept before a restart.
 const DIRECTIONS: usize = 6;
@@ -79,16 +79,6 @@ impl SplitSolver {
         add_scaled(share, length, &new.search);
         add_scaled(&mut self.residual, -length, &new.image);
         true
-    }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn add_scaled(to: &mut [f64], weight: f64, from: &[f64]) {
-    for (to, from) in to.iter_mut().zip(from) {
-        *to += weight * from;
     }
 }
 

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::numerics::{Convolution, ConvolutionPlan};
+use crate::numerics::{Convolution, ConvolutionPlan, add_scaled, dot};
+use crate::reynolds::coupled::UNPADDED;
 
 /// Nodes of a block along each axis.
 const WIDTH: usize = 3;
@@ -13,7 +14,7 @@ const WIDTH: usize = 3;
 const STEPS: u32 = 6;
 const SMALL: f64 = 0.01;
 /// Cost of a convolution on the blocks in those on the padded grid of the nodes.
-const COST: f64 = 0.25 / (WIDTH * WIDTH) as f64;
+const COST: f64 = UNPADDED / (WIDTH * WIDTH) as f64;
 
 /// One pressure for all nodes of a block whose films are given, such that their mean film is the one given.
 ///
@@ -60,7 +61,7 @@ impl CoarseFilms {
             block: (0..n).map(|k| (k / grid.nx() / WIDTH * nx + k % grid.nx() / WIDTH) as u32).collect(),
             influence: Convolution::new(Arc::new(ConvolutionPlan::periodic(nx, ny, kernel).to_single(1.0))),
             inverse: Convolution::new(Arc::new(
-                ConvolutionPlan::periodic_inverse(nx, ny, full).to_single(1.0),
+                ConvolutionPlan::periodic(nx, ny, full).inverse().to_single(1.0),
             )),
             excess: 1.0 - own,
             root: blocks(),
@@ -122,15 +123,11 @@ impl CoarseFilms {
             self.respond();
             convolutions += 1.0;
             let length = energy / dot(&self.direction, &self.image);
-            for (s, d) in self.solution.iter_mut().zip(&self.direction) {
-                *s += length * d;
-            }
+            add_scaled(&mut self.solution, length, &self.direction);
             if step == STEPS {
                 break;
             }
-            for (r, image) in self.residual.iter_mut().zip(&self.image) {
-                *r -= length * image;
-            }
+            add_scaled(&mut self.residual, -length, &self.image);
             self.precondition();
             convolutions += 1.0;
             let next = dot(&self.residual, &self.image);
@@ -180,8 +177,4 @@ fn mean_influence(grid: &Grid, table: &[f64], offset: [isize; 2]) -> f64 {
         }
     }
     sum / (WIDTH as f64).powi(4)
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -4,9 +4,7 @@ use super::coarse_films::CoarseFilms;
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
 use crate::grid::Grid;
-
-/// Cost of an estimate in convolutions: transforms of a quarter of the points, without padding.
-const ESTIMATE: f64 = 0.25;
+use crate::reynolds::coupled::UNPADDED;
 
 /// Share of the inverse convolution that is taken: it holds the films of all other nodes, which in truth give way. A single node
 /// has about three quarters of the stiffness that it has between nodes that are held.
@@ -72,10 +70,10 @@ impl GivenFilms {
         if nodes.is_empty() {
             return Ok(0.0);
         }
-        let mut cost = ESTIMATE;
+        let mut cost = UNPADDED;
         let own = body.influence(0, 0);
         if let Some(coarse) = coarse.as_mut().filter(|_| screened) {
-            cost += ESTIMATE + coarse.add_pressures(nodes, films, pressures);
+            cost += UNPADDED + coarse.add_pressures(nodes, films, pressures);
             body.displacement_sketch(pressures, scratch)?;
             for &k in &*nodes {
                 films[k as usize] -= scratch[k as usize] / own;

@@ -335,10 +335,7 @@ impl Workspace {
         film_cutoff: f64,
         work: &mut Work,
     ) -> Result<Status, ReynoldsError> {
-        self.coupled.recall_limited(problem, state);
-        self.coupled.evaluate(problem, state)?;
-        self.coupled.classify(problem, state);
-        self.coupled.settle(problem, state);
+        self.coupled.begin(problem, state)?;
         let left = stop.max_iterations.saturating_sub(work.iterations);
         let limit = left.min(attempt.most_steps);
         let mut largest_trust = attempt.trust * problem.reference_pressure;

@@ -17,12 +17,9 @@ use super::linearisation::Linearisation;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::active_set::{Fluid, Kind, Solid};
-use crate::reynolds::coupled::{Coupled, limit_of};
+use crate::reynolds::coupled::{Coupled, UNPADDED, limit_of};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
-
-/// Cost of a sketched response in convolutions: transforms of a quarter of the points, without padding.
-const SKETCH: f64 = 0.25;
 
 /// How well elastic responses are known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -222,7 +219,7 @@ impl Unknowns {
             }
             Response::Sketch => {
                 problem.deformation.displacement_sketch(&self.pressure, &mut self.elastic)?;
-                coupled.convolutions += SKETCH;
+                coupled.convolutions += UNPADDED;
             }
         }
         let (approach, per_unit) = (f64::from(approach) * self.film_unit, 1.0 / self.film_unit);
