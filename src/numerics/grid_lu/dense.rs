@@ -2,14 +2,46 @@
 //!
 //! Columns are padded to whole vectors with zeros, so that no loop has a remainder.
 
+use std::ops::Range;
+
 use pulp::Simd;
 
 /// Entries of a vector: columns are padded to a multiple of it.
 pub(super) const VECTOR: usize = 8;
+/// Vectors of rows that a product of matrices works on at a time.
+const TILE: usize = 2;
+/// Pivots that are inverted together.
+const PANEL: usize = 8;
+
+/// Values below this count as zero: products of what is left are normal numbers. Far couplings fall by orders of magnitude
+/// from node to node, and some processors take a hundred times longer for denormal numbers.
+const NEGLIGIBLE: f32 = 1e-18;
 
 /// `length` rounded up to whole vectors.
 pub(super) fn padded(length: usize) -> usize {
     length.next_multiple_of(VECTOR)
+}
+
+/// The value, zero if it is negligible.
+#[inline(always)]
+pub(super) fn significant(value: f32) -> f32 {
+    if value.abs() < NEGLIGIBLE { 0.0 } else { value }
+}
+
+/// Makes zeros of what is negligible.
+#[inline(always)]
+pub(super) fn neglect(values: &mut [f32]) {
+    for value in values {
+        *value = significant(*value);
+    }
+}
+
+/// Copies what is not negligible.
+#[inline(always)]
+fn copy_significant(to: &mut [f32], from: &[f32]) {
+    for (to, value) in to.iter_mut().zip(from) {
+        *to = significant(*value);
+    }
 }
 
 /// A matrix within a slice: column `j` starts at `j * stride`.
@@ -24,76 +56,124 @@ impl Block<'_> {
     fn below(self, row: usize) -> Self {
         Self { values: &self.values[row..], stride: self.stride }
     }
+
+    #[inline(always)]
+    fn beside(self, column: usize) -> Self {
+        Self { values: &self.values[column * self.stride..], stride: self.stride }
+    }
 }
 
 /// `out += a x`, with `a` of `out.len()` padded rows and `x.len()` columns.
 #[inline(always)]
 pub(super) fn add_product<S: Simd>(simd: S, out: &mut [f32], a: Block<'_>, x: &[f32]) {
-    let b = Block { values: x, stride: x.len() };
     let rows = if x.is_empty() { 0 } else { out.len() };
     let mut row = 0;
     while row < rows {
-        let left = (rows - row) / S::F32_LANES;
+        let (out, a) = (&mut out[row..], a.below(row));
         row += S::F32_LANES
-            * if left >= 8 {
-                add_tile::<S, 8, 1>(simd, &mut out[row..], rows, a.below(row), b, x.len())
-            } else if left >= 4 {
-                add_tile::<S, 4, 1>(simd, &mut out[row..], rows, a.below(row), b, x.len())
-            } else {
-                add_tile::<S, 1, 1>(simd, &mut out[row..], rows, a.below(row), b, x.len())
+            * match out.len() / S::F32_LANES {
+                0..2 => add_to_column::<S, 1>(simd, out, a, x),
+                2..4 => add_to_column::<S, 2>(simd, out, a, x),
+                4..8 => add_to_column::<S, 4>(simd, out, a, x),
+                _ => add_to_column::<S, 8>(simd, out, a, x),
             };
     }
 }
 
+/// The product for the first `ROWS` vectors of rows; returns `ROWS`.
+#[inline(always)]
+fn add_to_column<S: Simd, const ROWS: usize>(simd: S, out: &mut [f32], a: Block<'_>, x: &[f32]) -> usize {
+    let mut sums = [simd.splat_f32s(0.0); ROWS];
+    for (x, column) in x.iter().zip(a.values.chunks(a.stride)) {
+        let factor = simd.splat_f32s(*x);
+        let rows = S::as_simd_f32s(&column[..ROWS * S::F32_LANES]).0;
+        for (sum, row) in sums.iter_mut().zip(rows) {
+            *sum = simd.mul_add_e_f32s(*row, factor, *sum);
+        }
+    }
+    for (out, sum) in S::as_mut_simd_f32s(out).0.iter_mut().zip(&sums) {
+        *out = simd.add_f32s(*out, *sum);
+    }
+    ROWS
+}
+
+/// Entries that a product of matrices packs of the left one, which has `inner` columns.
+pub(super) fn packed(inner: usize) -> usize {
+    TILE * VECTOR * inner.max(PANEL)
+}
+
 /// `out += a b` for `rows` padded rows, `inner` columns of `a` and `columns` of `b`; column `j` of `out` starts at
-/// `j * stride`.
+/// `j * stride`. `pack` holds [`packed`] entries.
 #[inline(always)]
 pub(super) fn add_matrix_product<S: Simd>(
     simd: S,
-    out: &mut [f32],
+    [out, pack]: [&mut [f32]; 2],
     stride: usize,
     a: Block<'_>,
     b: Block<'_>,
     [rows, inner, columns]: [usize; 3],
 ) {
-    let mut column = 0;
-    while column < columns {
-        let four = columns - column >= 4;
-        let mut row = 0;
-        while row < rows {
-            let out = &mut out[column * stride + row..];
-            let two = rows - row >= 2 * S::F32_LANES;
-            let (a, b) = (a.below(row), Block { values: &b.values[column * b.stride..], stride: b.stride });
-            row += S::F32_LANES
-                * match (two, four) {
-                    (true, true) => add_tile::<S, 2, 4>(simd, out, stride, a, b, inner),
-                    (true, false) => add_tile::<S, 2, 1>(simd, out, stride, a, b, inner),
-                    (false, true) => add_tile::<S, 1, 4>(simd, out, stride, a, b, inner),
-                    (false, false) => add_tile::<S, 1, 1>(simd, out, stride, a, b, inner),
-                };
-        }
-        column += if four { 4 } else { 1 };
+    if inner == 0 || columns == 0 {
+        return;
+    }
+    let mut row = 0;
+    while row < rows {
+        let (out, a) = (&mut out[row..], a.below(row));
+        row += S::F32_LANES
+            * if rows - row < TILE * S::F32_LANES {
+                add_to_rows::<S, 1>(simd, [out, pack], stride, a, b, [inner, columns])
+            } else {
+                add_to_rows::<S, TILE>(simd, [out, pack], stride, a, b, [inner, columns])
+            };
     }
 }
 
-/// The product for the first `ROWS` vectors of rows and the first `COLUMNS` columns; returns `ROWS`.
+/// The product for the first `ROWS` vectors of rows, which are packed to follow one another; returns `ROWS`.
 #[inline(always)]
-fn add_tile<S: Simd, const ROWS: usize, const COLUMNS: usize>(
+fn add_to_rows<S: Simd, const ROWS: usize>(
     simd: S,
-    out: &mut [f32],
+    [out, pack]: [&mut [f32]; 2],
     stride: usize,
     a: Block<'_>,
     b: Block<'_>,
-    inner: usize,
+    [inner, columns]: [usize; 2],
+) -> usize {
+    let height = ROWS * S::F32_LANES;
+    let pack = &mut pack[..height * inner];
+    for (pack, column) in pack.chunks_exact_mut(height).zip(a.values.chunks(a.stride)) {
+        pack.copy_from_slice(&column[..height]);
+    }
+    let a = S::as_simd_f32s(pack).0.as_chunks::<ROWS>().0;
+    let mut column = 0;
+    while column < columns {
+        let (out, b) = (&mut out[column * stride..], b.beside(column));
+        column += match columns - column {
+            1 => add_to_tile::<S, ROWS, 1>(simd, out, stride, a, b),
+            2 => add_to_tile::<S, ROWS, 2>(simd, out, stride, a, b),
+            3 => add_to_tile::<S, ROWS, 3>(simd, out, stride, a, b),
+            4 => add_to_tile::<S, ROWS, 4>(simd, out, stride, a, b),
+            5 => add_to_tile::<S, ROWS, 5>(simd, out, stride, a, b),
+            _ => add_to_tile::<S, ROWS, 6>(simd, out, stride, a, b),
+        };
+    }
+    ROWS
+}
+
+/// The product for the first `COLUMNS` columns; returns `COLUMNS`. All sums stay in registers.
+#[inline(always)]
+fn add_to_tile<S: Simd, const ROWS: usize, const COLUMNS: usize>(
+    simd: S,
+    out: &mut [f32],
+    stride: usize,
+    a: &[[S::f32s; ROWS]],
+    b: Block<'_>,
 ) -> usize {
     let mut sums = [[simd.splat_f32s(0.0); ROWS]; COLUMNS];
     let mut factors: [&[f32]; COLUMNS] = [&[]; COLUMNS];
     for (j, factors) in factors.iter_mut().enumerate() {
-        *factors = &b.values[j * b.stride..][..inner];
+        *factors = &b.values[j * b.stride..][..a.len()];
     }
-    for k in 0..inner {
-        let column = &a.values[k * a.stride..][..ROWS * S::F32_LANES];
-        let Some(rows) = S::as_simd_f32s(column).0.first_chunk::<ROWS>() else { continue };
+    for (k, rows) in a.iter().enumerate() {
         for (sums, factors) in sums.iter_mut().zip(&factors) {
             let factor = simd.splat_f32s(factors[k]);
             for (sum, row) in sums.iter_mut().zip(rows) {
@@ -107,38 +187,75 @@ fn add_tile<S: Simd, const ROWS: usize, const COLUMNS: usize>(
             *out = simd.add_f32s(*out, *sum);
         }
     }
-    ROWS
+    COLUMNS
 }
 
-/// Inverts the leading `pivots` rows of the block in place by Gauss and Jordan's method, without exchanging rows; pivots
-/// smaller than `smallest` count as that. Returns whether all were numbers.
+/// Inverts a block of `pivots` columns, padded, in place by Gauss and Jordan's method, without exchanging rows, some pivots at
+/// a time; pivots smaller than `smallest` count as that. `scratch` holds as much as the block and `pack` [`packed`] entries.
+/// Returns whether all were numbers.
 #[inline(always)]
-pub(super) fn invert(
+pub(super) fn invert<S: Simd>(
+    simd: S,
     block: &mut [f32],
-    stride: usize,
     pivots: usize,
     smallest: f32,
-    column: &mut [f32],
+    [scratch, pack]: [&mut [f32]; 2],
 ) -> bool {
     let rows = padded(pivots);
-    let pivot_column = &mut column[..rows];
+    if pivots <= 2 * PANEL {
+        return invert_panel(block, rows, 0..pivots, smallest, scratch);
+    }
+    let (panel, of_panel) = scratch.split_at_mut(PANEL * rows);
     let mut sound = true;
-    for k in 0..pivots {
-        pivot_column.copy_from_slice(&block[k * stride..][..rows]);
+    for from in (0..pivots).step_by(PANEL) {
+        let range = from..(from + PANEL).min(pivots);
+        let width = range.len();
+        let in_place = &mut block[from * rows..range.end * rows];
+        sound &= invert_panel(in_place, rows, range.clone(), smallest, panel);
+        copy_significant(panel, in_place);
+        // The rows of the panel in all other columns give way to their product with the panel.
+        for (of_panel, column) in of_panel.chunks_exact_mut(PANEL).zip(block.chunks_exact_mut(rows)) {
+            copy_significant(of_panel, &column[range.clone()]);
+        }
+        let panel = Block { values: panel, stride: rows };
+        for columns in [0..from, range.end..pivots] {
+            let out = &mut block[columns.start * rows..columns.end * rows];
+            for column in out.chunks_exact_mut(rows) {
+                column[range.clone()].fill(0.0);
+            }
+            let of_panel = Block { values: of_panel, stride: PANEL }.beside(columns.start);
+            add_matrix_product(simd, [out, &mut *pack], rows, panel, of_panel, [rows, width, columns.len()]);
+        }
+    }
+    sound
+}
+
+/// Gauss and Jordan's steps with the pivots `range`, on their columns alone, which is what `panel` holds.
+#[inline(always)]
+fn invert_panel(
+    panel: &mut [f32],
+    rows: usize,
+    range: Range<usize>,
+    smallest: f32,
+    scratch: &mut [f32],
+) -> bool {
+    let pivot_column = &mut scratch[..rows];
+    let mut sound = true;
+    for (own, k) in range.clone().enumerate() {
+        copy_significant(pivot_column, &panel[own * rows..]);
         let value = pivot_column[k];
         let pivot = if value.abs() < smallest { smallest.copysign(value) } else { value };
         sound &= pivot.is_finite();
         let inverse = 1.0 / pivot;
         pivot_column[k] = 0.0;
-        for (j, column) in block.chunks_mut(stride).take(pivots).enumerate() {
-            let column = &mut column[..rows];
-            if j == k {
+        for (j, column) in panel.chunks_exact_mut(rows).take(range.len()).enumerate() {
+            if j == own {
                 for (value, other) in column.iter_mut().zip(&*pivot_column) {
                     *value = -other * inverse;
                 }
                 column[k] = inverse;
             } else {
-                let factor = column[k] * inverse;
+                let factor = significant(column[k] * inverse);
                 for (value, other) in column.iter_mut().zip(&*pivot_column) {
                     *value -= factor * other;
                 }

@@ -3,6 +3,7 @@
 
 use std::ops::Range;
 
+use super::STENCIL;
 use super::dense::padded;
 
 /// Largest number of nodes that are eliminated together without being split further.
@@ -17,6 +18,10 @@ pub(super) struct Front {
     pub(super) border: Vec<usize>,
     /// Fronts whose remainders are added to this one.
     pub(super) children: Vec<Child>,
+    /// Entries of the stencil among the pivots.
+    pub(super) entries: Vec<Entry>,
+    /// Entries of the stencil between pivots and border; of a leaf one for each node of the border, in their order.
+    pub(super) edges: Vec<Edge>,
     /// The first front of the subtree that this one ends.
     pub(super) first: usize,
 }
@@ -25,8 +30,30 @@ pub(super) struct Front {
 #[derive(Debug, Clone)]
 pub(super) struct Child {
     pub(super) front: usize,
+    /// Length of a column of its remainder.
+    pub(super) stride: usize,
     /// Where the nodes of its border are in the parent.
     pub(super) runs: Vec<Run>,
+}
+
+/// An entry of the stencil in the block of the pivots.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Entry {
+    /// Where it is in the stencil.
+    pub(super) from: usize,
+    /// Where it goes in the block.
+    pub(super) to: usize,
+}
+
+/// A pivot and a node of the border that are neighbours.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Edge {
+    /// The row of the pivot and the place of the other in the border.
+    pub(super) pivot: usize,
+    pub(super) border: usize,
+    /// Where their entries are in the stencil: in the row of the pivot, in that of the other.
+    pub(super) of_pivot: usize,
+    pub(super) of_border: usize,
 }
 
 /// Nodes of a child's border that follow one another in its parent too.
@@ -105,6 +132,7 @@ impl Dissection {
         let mut eliminated = 0;
         dissection.dissect(Region { x: (0, nx), y: (0, ny) }, nx, ny, &mut eliminated);
         dissection.link();
+        dissection.place_entries(nx, ny);
         dissection
     }
 
@@ -120,7 +148,7 @@ impl Dissection {
         let first = self.fronts.len();
         let children: Vec<Child> = parts
             .into_iter()
-            .map(|part| Child { front: self.dissect(part, nx, ny, eliminated), runs: Vec::new() })
+            .map(|part| Child { front: self.dissect(part, nx, ny, eliminated), stride: 0, runs: Vec::new() })
             .collect();
         let start = *eliminated;
         for node in last.nodes(nx) {
@@ -128,7 +156,14 @@ impl Dissection {
             *eliminated += 1;
         }
         let border = region.neighbours(nx, ny);
-        self.fronts.push(Front { pivots: start..*eliminated, border, children, first });
+        self.fronts.push(Front {
+            pivots: start..*eliminated,
+            border,
+            children,
+            entries: Vec::new(),
+            edges: Vec::new(),
+            first,
+        });
         self.fronts.len() - 1
     }
 
@@ -150,9 +185,43 @@ impl Dissection {
             let mut children = front.children.clone();
             for child in &mut children {
                 let rows = self.fronts[child.front].border.iter().map(|&place| row_of[place]);
+                child.stride = self.fronts[child.front].border_rows();
                 child.runs = runs(rows, self.fronts[parent].pivot_rows());
             }
             self.fronts[parent].children = children;
+        }
+    }
+}
+
+impl Dissection {
+    /// Finds the front that eliminates each entry of the stencil.
+    fn place_entries(&mut self, nx: usize, ny: usize) {
+        let mut node_at = vec![0; self.place.len()];
+        for (node, &place) in self.place.iter().enumerate() {
+            node_at[place] = node;
+        }
+        for front in &mut self.fronts {
+            let rows = front.pivot_rows();
+            for (row, place) in front.pivots.clone().enumerate() {
+                let k = node_at[place];
+                front.entries.push(Entry { from: STENCIL * k, to: row * rows + row });
+                let (i, j) = (k % nx, k / nx);
+                let inside = [i + 1 < nx, i > 0, j + 1 < ny, j > 0];
+                let nodes = [k + 1, k.wrapping_sub(1), k + nx, k.wrapping_sub(nx)];
+                for slot in (0..4).filter(|&slot| inside[slot]) {
+                    let other = self.place[nodes[slot]];
+                    let of_pivot = STENCIL * k + slot + 1;
+                    if front.pivots.contains(&other) {
+                        let column = other - front.pivots.start;
+                        front.entries.push(Entry { from: of_pivot, to: column * rows + row });
+                    } else if other >= front.pivots.end {
+                        let border = front.border.partition_point(|&node| node < other);
+                        let of_border = STENCIL * nodes[slot] + (slot ^ 1) + 1;
+                        front.edges.push(Edge { pivot: row, border, of_pivot, of_border });
+                    }
+                }
+            }
+            front.edges.sort_unstable_by_key(|edge| edge.border);
         }
     }
 }

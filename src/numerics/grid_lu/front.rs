@@ -4,172 +4,191 @@
 
 use pulp::Simd;
 
-use super::dense::{Block, add_matrix_product, add_product, invert};
-use super::dissection::Run;
-use super::tree::{Branch, Walk};
+use super::dense::{Block, add_matrix_product, add_product, invert, neglect, packed, padded, significant};
+use super::dissection::{Front, Run};
 
 /// Smallest pivot, the largest entry of a row being one.
 const SMALLEST_PIVOT: f32 = 1e-6;
 
-impl Walk<'_> {
-    /// Eliminates the pivots of front `f`. Returns whether all were numbers.
+/// What a front keeps of its elimination.
+///
+/// With the block `P` of the pivots, `B` below it and `C` beside it: `P^-1`, `-B P^-1` and `C`. Every node of the border of a leaf
+/// has one neighbour among the pivots, so that `-B` and `C` have one entry for each, and these are kept.
+struct Parts<'a> {
+    inverse: &'a mut [f32],
+    lower: &'a mut [f32],
+    upper: &'a mut [f32],
+}
+
+impl Front {
+    fn is_leaf(&self) -> bool {
+        self.children.is_empty()
+    }
+
+    /// Number of values of each of the parts.
+    fn part_lengths(&self) -> [usize; 3] {
+        let (s, b) = (self.pivots.len(), self.border.len());
+        let (rows, border_rows) = (self.pivot_rows(), self.border_rows());
+        if self.is_leaf() {
+            [rows * s, border_rows, border_rows]
+        } else {
+            [rows * s, border_rows * s, rows * b]
+        }
+    }
+
+    /// Number of values that the front keeps.
+    pub(super) fn factors(&self) -> usize {
+        self.part_lengths().into_iter().sum()
+    }
+
+    /// Number of values that the front leaves for its parent.
+    pub(super) fn remainder(&self) -> usize {
+        self.border_rows() * self.border.len()
+    }
+
+    /// Number of values that the front needs for a while.
+    pub(super) fn scratch(&self) -> usize {
+        let (s, b) = (self.pivots.len(), self.border.len());
+        packed(s) + self.border_rows() * s + (self.pivot_rows() * s).max(padded(b))
+    }
+
     #[inline(always)]
-    pub(super) fn eliminate_front<S: Simd>(
+    fn parts<'a>(&self, values: &'a mut [f32]) -> Parts<'a> {
+        let [inverse, lower, upper] = self.part_lengths();
+        let (inverse, rest) = values.split_at_mut(inverse);
+        let (lower, rest) = rest.split_at_mut(lower);
+        Parts { inverse, lower, upper: &mut rest[..upper] }
+    }
+
+    /// Eliminates the pivots of the matrix `scaled`, with the remainders of the children: `None` where one is idle. Returns
+    /// whether all were numbers.
+    #[inline(always)]
+    pub(super) fn eliminate<S: Simd>(
         &self,
         simd: S,
-        f: usize,
-        branch: Branch<'_>,
-        linked: &[bool],
+        scaled: &[f32],
+        values: &mut [f32],
+        children: [Option<&[f32]>; 2],
+        remainder: &mut [f32],
+        scratch: &mut [f32],
     ) -> bool {
-        let Branch { first, factors, remainders, idle, scratch, .. } = branch;
-        let front = &self.fronts[f];
-        let (s, b) = (front.pivots.len(), front.border.len());
-        let (rows, border_rows) = (front.pivot_rows(), front.border_rows());
-        let stride = rows + border_rows;
-        let start = self.starts.factors[f] - self.starts.factors[first];
-        let (pivot_columns, rest) = factors[start..].split_at_mut(s * stride);
-        let border_columns = &mut rest[..rows * b];
-        idle[f - first] = front.children.iter().all(|child| idle[child.front - first])
-            && linked[front.pivots.clone()].iter().all(|&linked| !linked);
-        if idle[f - first] {
-            for value in pivot_columns.iter_mut().step_by(stride + 1).take(s) {
-                *value = 1.0 / *value;
-            }
-            return true;
+        let (s, b) = (self.pivots.len(), self.border.len());
+        let (rows, border_rows) = (self.pivot_rows(), self.border_rows());
+        let Parts { inverse, lower, upper } = self.parts(values);
+        let (pack, scratch) = scratch.split_at_mut(packed(s));
+        inverse.fill(0.0);
+        for entry in &self.entries {
+            inverse[entry.to] = scaled[entry.from];
         }
-        let start = self.starts.remainders[f] - self.starts.remainders[first];
-        let (below, own) = remainders.split_at_mut(start);
-        let remainder = &mut own[..border_rows * b];
-        remainder.fill(0.0);
-        for child in &front.children {
-            if !idle[child.front - first] {
-                let start = self.starts.remainders[child.front] - self.starts.remainders[first];
-                let columns = below[start..].chunks_exact(self.fronts[child.front].border_rows());
-                add_child(
-                    pivot_columns,
-                    border_columns,
-                    remainder,
-                    columns,
-                    &child.runs,
-                    [rows, border_rows],
-                );
+        if self.is_leaf() {
+            let sound = invert(simd, inverse, s, SMALLEST_PIVOT, [scratch, pack]);
+            neglect(inverse);
+            for edge in &self.edges {
+                lower[edge.border] = -scaled[edge.of_border];
+                upper[edge.border] = scaled[edge.of_pivot];
             }
-        }
-        let Some(scratch) = scratch.first_mut() else { return false };
-        let sound = invert(pivot_columns, stride, s, SMALLEST_PIVOT, scratch);
-        if b > 0 {
-            let (raw, rest) = scratch.split_at_mut(border_rows * s);
-            let inverse = &mut rest[..rows * s];
-            let copies = raw.chunks_exact_mut(border_rows).zip(inverse.chunks_exact_mut(rows));
-            for (column, (raw, inverse)) in pivot_columns.chunks_exact_mut(stride).zip(copies) {
-                let (own, below) = column.split_at_mut(rows);
-                inverse.copy_from_slice(own);
-                for (raw, value) in raw.iter_mut().zip(below) {
-                    *raw = -*value;
-                    *value = 0.0;
+            for (column, edge) in remainder.chunks_exact_mut(border_rows.max(1)).zip(&self.edges) {
+                let inverse = &inverse[edge.pivot * rows..][..rows];
+                let value = scaled[edge.of_pivot];
+                for ((out, row), lower) in column.iter_mut().zip(&self.edges).zip(&*lower) {
+                    *out = significant(lower * inverse[row.pivot]) * value;
                 }
             }
-            let (raw, inverse) =
-                (Block { values: raw, stride: border_rows }, Block { values: inverse, stride: rows });
-            add_matrix_product(simd, &mut pivot_columns[rows..], stride, raw, inverse, [border_rows, s, s]);
-            let lower = Block { values: &pivot_columns[rows..], stride };
-            let upper = Block { values: border_columns, stride: rows };
-            add_matrix_product(simd, remainder, border_rows, lower, upper, [border_rows, s, b]);
-            let raw = &mut scratch[..rows * b];
-            for (raw, value) in raw.iter_mut().zip(&mut *border_columns) {
-                *raw = -*value;
-                *value = 0.0;
-            }
-            let (inverse, raw) =
-                (Block { values: pivot_columns, stride }, Block { values: raw, stride: rows });
-            add_matrix_product(simd, border_columns, rows, inverse, raw, [rows, s, b]);
+            return sound;
         }
+        let raw = &mut scratch[..border_rows * s];
+        raw.fill(0.0);
+        upper.fill(0.0);
+        remainder.fill(0.0);
+        for edge in &self.edges {
+            raw[edge.pivot * border_rows + edge.border] = scaled[edge.of_border];
+            upper[edge.border * rows + edge.pivot] = scaled[edge.of_pivot];
+        }
+        for (child, values) in self.children.iter().zip(children) {
+            let Some(values) = values else { continue };
+            let mut columns = values.chunks_exact(child.stride);
+            let (on_pivots, on_border) = child.runs.split_at(child.runs.partition_point(|run| run.to < rows));
+            for run in on_pivots {
+                for (to, column) in (run.to..run.to + run.length).zip(&mut columns) {
+                    add_runs(&mut inverse[to * rows..][..rows], column, on_pivots, 0);
+                    add_runs(&mut raw[to * border_rows..][..border_rows], column, on_border, rows);
+                }
+            }
+            for run in on_border {
+                for (to, column) in (run.to - rows..run.to - rows + run.length).zip(&mut columns) {
+                    add_runs(&mut upper[to * rows..][..rows], column, on_pivots, 0);
+                    add_runs(&mut remainder[to * border_rows..][..border_rows], column, on_border, rows);
+                }
+            }
+        }
+        let (raw, rest) = scratch.split_at_mut(border_rows * s);
+        let sound = invert(simd, inverse, s, SMALLEST_PIVOT, [rest, &mut *pack]);
+        neglect(inverse);
+        neglect(upper);
+        for value in &mut *raw {
+            *value = -significant(*value);
+        }
+        lower.fill(0.0);
+        let raw = Block { values: raw, stride: border_rows };
+        let of_pivots = Block { values: inverse, stride: rows };
+        add_matrix_product(simd, [lower, &mut *pack], border_rows, raw, of_pivots, [border_rows, s, s]);
+        neglect(lower);
+        let (lower, upper) =
+            (Block { values: lower, stride: border_rows }, Block { values: upper, stride: rows });
+        add_matrix_product(simd, [remainder, pack], border_rows, lower, upper, [border_rows, s, b]);
         sound
     }
 
-    /// Makes of the right-hand side at the pivots of front `f` the solution without its border, and its border's share.
+    /// Subtracts from the border rows of `own` what the pivots hold, whose right-hand side comes before them.
     #[inline(always)]
-    pub(super) fn forward_front<S: Simd>(&self, simd: S, f: usize, branch: Branch<'_>) {
-        let Branch { first, factors, vectors, idle, scratch, .. } = branch;
-        if idle[f - first] {
-            return;
-        }
-        let front = &self.fronts[f];
-        let (s, rows) = (front.pivots.len(), front.pivot_rows());
-        let stride = rows + front.border_rows();
-        let start = self.starts.vectors[f] - self.starts.vectors[first];
-        let (below, own) = vectors.split_at_mut(start);
-        let own = &mut own[..stride];
-        own[rows..].fill(0.0);
-        for child in front.children.iter().filter(|child| !idle[child.front - first]) {
-            let start = self.starts.vectors[child.front] - self.starts.vectors[first];
-            add_runs(own, &below[start + self.fronts[child.front].pivot_rows()..], &child.runs, 0);
-        }
-        let Some(scratch) = scratch.first_mut() else { return };
-        scratch[..s].copy_from_slice(&own[..s]);
-        own[..rows].fill(0.0);
-        let start = self.starts.factors[f] - self.starts.factors[first];
-        add_product(simd, own, Block { values: &factors[start..][..s * stride], stride }, &scratch[..s]);
-    }
-
-    /// Subtracts the border from the solution at the pivots of front `f`, and hands both to its children.
-    #[inline(always)]
-    pub(super) fn backward_front<S: Simd>(&self, simd: S, f: usize, branch: Branch<'_>) {
-        let Branch { first, factors, vectors, idle, .. } = branch;
-        let front = &self.fronts[f];
-        let (s, b, rows) = (front.pivots.len(), front.border.len(), front.pivot_rows());
-        let stride = rows + front.border_rows();
-        let start = self.starts.vectors[f] - self.starts.vectors[first];
-        let (below, own) = vectors.split_at_mut(start);
-        let own = &mut own[..stride];
-        let start = self.starts.factors[f] - self.starts.factors[first];
-        let (pivot_columns, border_columns) = factors[start..].split_at(s * stride);
-        if idle[f - first] {
-            for (value, inverse) in own[..s].iter_mut().zip(pivot_columns.iter().step_by(stride + 1)) {
-                *value *= inverse;
-            }
-            return;
-        }
+    pub(super) fn forward<S: Simd>(&self, simd: S, values: &mut [f32], own: &mut [f32], scratch: &mut [f32]) {
+        let (s, rows, stride) = (self.pivots.len(), self.pivot_rows(), self.border_rows());
+        let Parts { inverse, lower, .. } = self.parts(values);
         let (pivots, border) = own.split_at_mut(rows);
-        add_product(simd, pivots, Block { values: &border_columns[..rows * b], stride: rows }, &border[..b]);
-        for child in front.children.iter().filter(|child| !idle[child.front - first]) {
-            let start = self.starts.vectors[child.front] - self.starts.vectors[first];
-            let to = &mut below[start + self.fronts[child.front].pivot_rows()..];
-            for run in &child.runs {
-                to[run.from..][..run.length].copy_from_slice(&own[run.to..][..run.length]);
+        if self.is_leaf() {
+            let solution = &mut scratch[..rows];
+            solution.fill(0.0);
+            add_product(simd, solution, Block { values: inverse, stride: rows }, &pivots[..s]);
+            for ((out, lower), edge) in border.iter_mut().zip(&*lower).zip(&self.edges) {
+                *out += lower * solution[edge.pivot];
             }
+        } else {
+            add_product(simd, border, Block { values: lower, stride }, &pivots[..s]);
         }
     }
-}
 
-/// Adds the remainder of a child, whose border is where `runs` say, to the blocks of a front.
-#[inline(always)]
-fn add_child<'a>(
-    pivot_columns: &mut [f32],
-    border_columns: &mut [f32],
-    remainder: &mut [f32],
-    mut columns: impl Iterator<Item = &'a [f32]>,
-    runs: &[Run],
-    [rows, border_rows]: [usize; 2],
-) {
-    let stride = rows + border_rows;
-    let (on_pivots, on_border) = runs.split_at(runs.partition_point(|run| run.to < rows));
-    for run in on_pivots {
-        for (to, column) in (run.to..run.to + run.length).zip(&mut columns) {
-            add_runs(&mut pivot_columns[to * stride..][..stride], column, runs, 0);
+    /// The solution at the pivots under that of the border, which follows them in `own`.
+    #[inline(always)]
+    pub(super) fn backward<S: Simd>(
+        &self,
+        simd: S,
+        values: &mut [f32],
+        own: &mut [f32],
+        scratch: &mut [f32],
+    ) {
+        let (s, b, rows) = (self.pivots.len(), self.border.len(), self.pivot_rows());
+        let Parts { inverse, upper, .. } = self.parts(values);
+        let (pivots, border) = own.split_at_mut(rows);
+        if self.is_leaf() {
+            for ((value, upper), edge) in border.iter().zip(&*upper).zip(&self.edges) {
+                pivots[edge.pivot] -= upper * value;
+            }
+        } else {
+            for (negative, value) in scratch.iter_mut().zip(&border[..b]) {
+                *negative = -value;
+            }
+            add_product(simd, pivots, Block { values: upper, stride: rows }, &scratch[..b]);
         }
-    }
-    for run in on_border {
-        for (to, column) in (run.to - rows..run.to - rows + run.length).zip(&mut columns) {
-            add_runs(&mut border_columns[to * rows..][..rows], column, on_pivots, 0);
-            add_runs(&mut remainder[to * border_rows..][..border_rows], column, on_border, rows);
-        }
+        let right = &mut scratch[..s];
+        right.copy_from_slice(&pivots[..s]);
+        pivots.fill(0.0);
+        add_product(simd, pivots, Block { values: inverse, stride: rows }, right);
     }
 }
 
 /// Adds the border of a child to the rows of a front from row `from` on.
 #[inline(always)]
-fn add_runs(out: &mut [f32], values: &[f32], runs: &[Run], from: usize) {
+pub(super) fn add_runs(out: &mut [f32], values: &[f32], runs: &[Run], from: usize) {
     for run in runs {
         let values = &values[run.from..][..run.length];
         for (out, value) in out[run.to - from..][..run.length].iter_mut().zip(values) {

@@ -4,22 +4,18 @@ use std::ops::Range;
 
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
+use super::STENCIL;
 use super::dense::VECTOR;
 use super::dissection::{Dissection, Front};
+use super::front::add_runs;
 use crate::numerics::lanes::both;
 
 /// What each front owns, one after the other; of a whole tree or of one branch.
-///
-/// A front with `s` pivots and a border of `b` has a block of `s` columns, whose rows are the pivots and the border, and
-/// a block of `b` columns, whose rows are the pivots. Elimination turns the first into the inverse of the pivots and its
-/// negative product with the border, the second into its product with the inverse.
 #[derive(Debug)]
 pub(super) struct Branch<'a> {
     /// Its first front.
     pub(super) first: usize,
     pub(super) factors: &'a mut [f32],
-    /// What each front leaves for its parent: its border squared, columns padded.
-    pub(super) remainders: &'a mut [f32],
     /// Right-hand side, then solution, at the pivots and at the border of each front, both padded.
     pub(super) vectors: &'a mut [f32],
     /// Fronts whose nodes and children are all unlinked.
@@ -32,7 +28,6 @@ pub(super) struct Branch<'a> {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Starts {
     pub(super) factors: Vec<usize>,
-    pub(super) remainders: Vec<usize>,
     pub(super) vectors: Vec<usize>,
 }
 
@@ -41,9 +36,12 @@ pub(super) struct Starts {
 pub(super) struct Tree {
     pub(super) fronts: Vec<Front>,
     pub(super) starts: Starts,
-    pub(super) factors: Vec<f32>,
     pub(super) vectors: Vec<f32>,
-    remainders: Vec<f32>,
+    factors: Vec<f32>,
+    /// What fronts leave for their parents, on two stacks: those of a front and of its grandchildren, those of its children.
+    remainders: [Vec<f32>; 2],
+    /// What a branch needs of the stack of its last front and of the other.
+    depths: Vec<[usize; 2]>,
     idle: Vec<bool>,
     scratch: Vec<Vec<f32>>,
 }
@@ -52,22 +50,21 @@ impl Tree {
     pub(super) fn new(dissection: Dissection, lanes: usize) -> Self {
         let fronts = dissection.fronts;
         let mut starts = Starts::default();
-        let (mut factors, mut remainders, mut vectors, mut widest) = (0, 0, 0, 0);
+        let (mut factors, mut vectors, mut widest) = (0, 0, 0);
         for front in &fronts {
-            let (s, b) = (front.pivots.len(), front.border.len());
-            let (rows, border_rows) = (front.pivot_rows(), front.border_rows());
             starts.factors.push(factors);
-            starts.remainders.push(remainders);
             starts.vectors.push(vectors);
-            factors += s * (rows + border_rows) + rows * b;
-            remainders += border_rows * b;
-            vectors += rows + border_rows;
-            widest = widest.max(s * (rows + border_rows)).max(rows * b).max(rows);
+            factors += front.factors();
+            vectors += front.pivot_rows() + front.border_rows();
+            widest = widest.max(front.scratch());
         }
+        let depths = depths(&fronts, lanes);
+        let remainders = depths.last().copied().unwrap_or_default().map(|depth| vec![0.0; depth]);
         Self {
             factors: vec![0.0; factors],
-            remainders: vec![0.0; remainders],
             vectors: vec![0.0; vectors],
+            remainders,
+            depths,
             idle: vec![false; fronts.len()],
             scratch: vec![vec![0.0; widest]; lanes],
             fronts,
@@ -75,27 +72,54 @@ impl Tree {
         }
     }
 
-    fn parts(&mut self) -> (Walk<'_>, Branch<'_>) {
-        let Self { fronts, starts, factors, vectors, remainders, idle, scratch } = self;
-        let branch = Branch { first: 0, factors, remainders, vectors, idle, scratch };
-        (Walk { fronts, starts, arch: Arch::new() }, branch)
+    fn parts(&mut self) -> (Walk<'_>, Branch<'_>, [&mut [f32]; 2]) {
+        let Self { fronts, starts, factors, vectors, remainders: [own, other], depths, idle, scratch } = self;
+        let branch = Branch { first: 0, factors, vectors, idle, scratch };
+        (Walk { fronts, starts, depths, arch: Arch::new() }, branch, [own, other])
     }
 
-    /// Eliminates all fronts, of whose nodes `linked` says which have entries beside the diagonal. Returns whether all
-    /// pivots were numbers.
-    pub(super) fn eliminate(&mut self, linked: &[bool]) -> bool {
+    /// Eliminates all fronts of the matrix `scaled`, of whose nodes `linked` says which have entries beside the diagonal. Returns
+    /// whether all pivots were numbers.
+    pub(super) fn eliminate(&mut self, scaled: &[f32], linked: &[bool]) -> bool {
         let root = self.fronts.len() - 1;
-        let (walk, branch) = self.parts();
-        walk.eliminate(root, branch, linked)
+        let (walk, branch, stacks) = self.parts();
+        walk.eliminate(root, branch, stacks, Matrix { scaled, linked })
     }
 
     /// Turns the right-hand side in the pivot rows of `vectors` into the solution.
     pub(super) fn substitute(&mut self) {
         let root = self.fronts.len() - 1;
-        let (walk, mut branch) = self.parts();
+        let (walk, mut branch, _) = self.parts();
         walk.forward(root, branch.all());
         walk.backward(root, branch);
     }
+}
+
+/// What the branch of each front needs of both stacks: branches that run side by side have parts of their own.
+fn depths(fronts: &[Front], lanes: usize) -> Vec<[usize; 2]> {
+    let mut lanes_of = vec![lanes; fronts.len()];
+    for (f, front) in fronts.iter().enumerate().rev() {
+        for (which, child) in front.children.iter().enumerate() {
+            let half = lanes_of[f] / 2;
+            lanes_of[child.front] = if which == 0 { half.max(1) } else { (lanes_of[f] - half).max(1) };
+        }
+    }
+    let mut depths: Vec<[usize; 2]> = Vec::with_capacity(fronts.len());
+    for (f, front) in fronts.iter().enumerate() {
+        let [mut own, mut other] = [front.remainder(), 0];
+        if let [one, two] = front.children.as_slice() {
+            let ([one_own, one_other], [two_own, two_other]) = (depths[one.front], depths[two.front]);
+            if lanes_of[f] > 1 {
+                own = own.max(one_other + two_other);
+                other = one_own + two_own;
+            } else {
+                own = own.max(one_other).max(two_other);
+                other = one_own.max(fronts[one.front].remainder() + two_own);
+            }
+        }
+        depths.push([own, other]);
+    }
+    depths
 }
 
 impl Branch<'_> {
@@ -104,7 +128,6 @@ impl Branch<'_> {
         Branch {
             first: self.first,
             factors: self.factors,
-            remainders: self.remainders,
             vectors: self.vectors,
             idle: self.idle,
             scratch: self.scratch,
@@ -112,62 +135,75 @@ impl Branch<'_> {
     }
 }
 
+#[derive(Debug, Clone, Copy)]
+struct Matrix<'a> {
+    scaled: &'a [f32],
+    linked: &'a [bool],
+}
+
 /// The ways along the tree.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Walk<'a> {
-    pub(super) fronts: &'a [Front],
-    pub(super) starts: &'a Starts,
+    fronts: &'a [Front],
+    starts: &'a Starts,
+    depths: &'a [[usize; 2]],
     arch: Arch,
 }
 
-/// What is done on a front.
-#[derive(Debug, Clone, Copy)]
-enum Task<'a> {
-    Eliminate { linked: &'a [bool] },
-    Forward,
-    Backward,
+/// Elimination of a front: with all vector instructions of the machine only what is inlined here.
+struct Elimination<'a, 'b> {
+    front: &'a Front,
+    scaled: &'a [f32],
+    values: &'b mut [f32],
+    children: [Option<&'b [f32]>; 2],
+    remainder: &'b mut [f32],
+    scratch: &'b mut [f32],
 }
 
-/// A task on fronts that follow one another: with all vector instructions of the machine only what is inlined here.
-struct OnFronts<'a, 'b> {
-    walk: Walk<'a>,
-    fronts: Range<usize>,
-    branch: Branch<'b>,
-    task: Task<'a>,
-}
-
-impl WithSimd for OnFronts<'_, '_> {
+impl WithSimd for Elimination<'_, '_> {
     type Output = bool;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> bool {
+        let Self { front, scaled, values, children, remainder, scratch } = self;
         // Wider vectors than the columns are padded for: rare, and correct without any.
+        if S::F32_LANES > VECTOR {
+            front.eliminate(Scalar, scaled, values, children, remainder, scratch)
+        } else {
+            front.eliminate(simd, scaled, values, children, remainder, scratch)
+        }
+    }
+}
+
+/// A half of a substitution on fronts that follow one another.
+struct Substitution<'a, 'b> {
+    walk: Walk<'a>,
+    fronts: Range<usize>,
+    branch: Branch<'b>,
+    forward: bool,
+}
+
+impl WithSimd for Substitution<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
         if S::F32_LANES > VECTOR { self.work(Scalar) } else { self.work(simd) }
     }
 }
 
-impl OnFronts<'_, '_> {
+impl Substitution<'_, '_> {
     #[inline(always)]
-    fn work<S: Simd>(mut self, simd: S) -> bool {
-        let mut sound = true;
-        match self.task {
-            Task::Eliminate { linked } => {
-                for f in self.fronts {
-                    sound &= self.walk.eliminate_front(simd, f, self.branch.all(), linked);
-                }
+    fn work<S: Simd>(mut self, simd: S) {
+        if self.forward {
+            for f in self.fronts {
+                self.walk.forward_front(simd, f, self.branch.all());
             }
-            Task::Forward => {
-                for f in self.fronts {
-                    self.walk.forward_front(simd, f, self.branch.all());
-                }
-            }
-            Task::Backward => {
-                for f in self.fronts.rev() {
-                    self.walk.backward_front(simd, f, self.branch.all());
-                }
+        } else {
+            for f in self.fronts.rev() {
+                self.walk.backward_front(simd, f, self.branch.all());
             }
         }
-        sound
     }
 }
 
@@ -184,30 +220,15 @@ fn cut<'b>(
 impl Walk<'_> {
     /// The branch up to front `at`, and what follows.
     fn split<'b>(&self, branch: Branch<'b>, at: usize) -> (Branch<'b>, Branch<'b>) {
-        let Branch { first, factors, remainders, vectors, idle, scratch } = branch;
+        let Branch { first, factors, vectors, idle, scratch } = branch;
         let factors = cut(factors, &self.starts.factors, first, at);
-        let remainders = cut(remainders, &self.starts.remainders, first, at);
         let vectors = cut(vectors, &self.starts.vectors, first, at);
         let idle = idle.split_at_mut(at - first);
         let lanes = scratch.len();
         let scratch = scratch.split_at_mut(lanes / 2);
         (
-            Branch {
-                first,
-                factors: factors.0,
-                remainders: remainders.0,
-                vectors: vectors.0,
-                idle: idle.0,
-                scratch: scratch.0,
-            },
-            Branch {
-                first: at,
-                factors: factors.1,
-                remainders: remainders.1,
-                vectors: vectors.1,
-                idle: idle.1,
-                scratch: scratch.1,
-            },
+            Branch { first, factors: factors.0, vectors: vectors.0, idle: idle.0, scratch: scratch.0 },
+            Branch { first: at, factors: factors.1, vectors: vectors.1, idle: idle.1, scratch: scratch.1 },
         )
     }
 
@@ -219,40 +240,130 @@ impl Walk<'_> {
         }
     }
 
-    /// Eliminates the fronts of a branch, whose last is `root`. Returns whether all pivots were numbers.
-    fn eliminate(&self, root: usize, mut branch: Branch<'_>, linked: &[bool]) -> bool {
-        let task = Task::Eliminate { linked };
-        let Some([one, other]) = self.fork(root, &branch) else {
-            return self.run(self.fronts[root].first..root + 1, branch, task);
-        };
-        let (left, right) = self.split(branch.all(), one + 1);
-        let sound = both(|| self.eliminate(one, left, linked), || self.eliminate(other, right, linked));
-        sound.0 && sound.1 && self.run(root..root + 1, branch, task)
+    /// Eliminates the fronts of a branch, whose last is `root`, with the remainder of that on the first stack. Returns whether all
+    /// pivots were numbers.
+    fn eliminate(
+        &self,
+        root: usize,
+        mut branch: Branch<'_>,
+        [own, other]: [&mut [f32]; 2],
+        matrix: Matrix<'_>,
+    ) -> bool {
+        let front = &self.fronts[root];
+        let (mut sound, mut second) = (true, 0);
+        if let [one, two] = front.children.as_slice() {
+            let (one, two) = (one.front, two.front);
+            if branch.scratch.len() > 1 {
+                second = self.depths[one][0];
+                let (left, right) = self.split(branch.all(), one + 1);
+                let (one_own, two_own) = other.split_at_mut(second);
+                let (one_other, two_other) = own.split_at_mut(self.depths[one][1]);
+                let sounds = both(
+                    || self.eliminate(one, left, [one_own, one_other], matrix),
+                    || self.eliminate(two, right, [two_own, two_other], matrix),
+                );
+                sound = sounds.0 && sounds.1;
+            } else {
+                second = self.fronts[one].remainder();
+                sound &= self.eliminate(one, branch.all(), [&mut *other, &mut *own], matrix);
+                sound &= self.eliminate(two, branch.all(), [&mut other[second..], &mut *own], matrix);
+            }
+        }
+        let Branch { first, factors, idle, scratch, .. } = branch;
+        let start = self.starts.factors[root] - self.starts.factors[first];
+        let values = &mut factors[start..][..front.factors()];
+        idle[root - first] = front.children.iter().all(|child| idle[child.front - first])
+            && matrix.linked[front.pivots.clone()].iter().all(|&linked| !linked);
+        if idle[root - first] {
+            let diagonal = front.entries.iter().filter(|entry| entry.from % STENCIL == 0);
+            for (value, entry) in values.iter_mut().zip(diagonal) {
+                *value = 1.0 / matrix.scaled[entry.from];
+            }
+            return sound;
+        }
+        let mut children = [None; 2];
+        for ((child, values), start) in front.children.iter().zip(&mut children).zip([0, second]) {
+            if !idle[child.front - first] {
+                *values = Some(&other[start..][..self.fronts[child.front].remainder()]);
+            }
+        }
+        let Some(scratch) = scratch.first_mut() else { return false };
+        let remainder = &mut own[..front.remainder()];
+        let scaled = matrix.scaled;
+        self.arch.dispatch(Elimination { front, scaled, values, children, remainder, scratch }) && sound
     }
 
     /// Turns right-hand sides into what the pivots make of them, from the leaves to the root.
     fn forward(&self, root: usize, mut branch: Branch<'_>) {
         let Some([one, other]) = self.fork(root, &branch) else {
-            self.run(self.fronts[root].first..root + 1, branch, Task::Forward);
+            self.run(self.fronts[root].first..root + 1, branch, true);
             return;
         };
         let (left, right) = self.split(branch.all(), one + 1);
         both(|| self.forward(one, left), || self.forward(other, right));
-        self.run(root..root + 1, branch, Task::Forward);
+        self.run(root..root + 1, branch, true);
     }
 
     /// Adds what the borders make of the pivots, from the root to the leaves.
     fn backward(&self, root: usize, mut branch: Branch<'_>) {
         let Some([one, other]) = self.fork(root, &branch) else {
-            self.run(self.fronts[root].first..root + 1, branch, Task::Backward);
+            self.run(self.fronts[root].first..root + 1, branch, false);
             return;
         };
-        self.run(root..root + 1, branch.all(), Task::Backward);
+        self.run(root..root + 1, branch.all(), false);
         let (left, right) = self.split(branch, one + 1);
         both(|| self.backward(one, left), || self.backward(other, right));
     }
 
-    fn run(&self, fronts: Range<usize>, branch: Branch<'_>, task: Task<'_>) -> bool {
-        self.arch.dispatch(OnFronts { walk: *self, fronts, branch, task })
+    fn run(&self, fronts: Range<usize>, branch: Branch<'_>, forward: bool) {
+        self.arch.dispatch(Substitution { walk: *self, fronts, branch, forward });
+    }
+
+    #[inline(always)]
+    fn forward_front<S: Simd>(&self, simd: S, f: usize, branch: Branch<'_>) {
+        let Branch { first, factors, vectors, idle, scratch, .. } = branch;
+        if idle[f - first] {
+            return;
+        }
+        let front = &self.fronts[f];
+        let rows = front.pivot_rows();
+        let start = self.starts.vectors[f] - self.starts.vectors[first];
+        let (below, own) = vectors.split_at_mut(start);
+        let own = &mut own[..rows + front.border_rows()];
+        own[rows..].fill(0.0);
+        for child in front.children.iter().filter(|child| !idle[child.front - first]) {
+            let start = self.starts.vectors[child.front] - self.starts.vectors[first];
+            add_runs(own, &below[start + self.fronts[child.front].pivot_rows()..], &child.runs, 0);
+        }
+        let Some(scratch) = scratch.first_mut() else { return };
+        let start = self.starts.factors[f] - self.starts.factors[first];
+        front.forward(simd, &mut factors[start..][..front.factors()], own, scratch);
+    }
+
+    #[inline(always)]
+    fn backward_front<S: Simd>(&self, simd: S, f: usize, branch: Branch<'_>) {
+        let Branch { first, factors, vectors, idle, scratch } = branch;
+        let front = &self.fronts[f];
+        let rows = front.pivot_rows();
+        let start = self.starts.vectors[f] - self.starts.vectors[first];
+        let (below, own) = vectors.split_at_mut(start);
+        let own = &mut own[..rows + front.border_rows()];
+        let start = self.starts.factors[f] - self.starts.factors[first];
+        let values = &mut factors[start..][..front.factors()];
+        if idle[f - first] {
+            for (value, inverse) in own[..front.pivots.len()].iter_mut().zip(values) {
+                *value *= *inverse;
+            }
+            return;
+        }
+        let Some(scratch) = scratch.first_mut() else { return };
+        front.backward(simd, values, own, scratch);
+        for child in front.children.iter().filter(|child| !idle[child.front - first]) {
+            let start = self.starts.vectors[child.front] - self.starts.vectors[first];
+            let to = &mut below[start + self.fronts[child.front].pivot_rows()..];
+            for run in &child.runs {
+                to[run.from..][..run.length].copy_from_slice(&own[run.to..][..run.length]);
+            }
+        }
     }
 }
