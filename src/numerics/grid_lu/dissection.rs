@@ -30,8 +30,6 @@ pub(super) struct Front {
 #[derive(Debug, Clone)]
 pub(super) struct Child {
     pub(super) front: usize,
-    /// Length of a column of its remainder.
-    pub(super) stride: usize,
     /// Where the nodes of its border are in the parent.
     pub(super) runs: Vec<Run>,
 }
@@ -148,7 +146,7 @@ impl Dissection {
         let first = self.fronts.len();
         let children: Vec<Child> = parts
             .into_iter()
-            .map(|part| Child { front: self.dissect(part, nx, ny, eliminated), stride: 0, runs: Vec::new() })
+            .map(|part| Child { front: self.dissect(part, nx, ny, eliminated), runs: Vec::new() })
             .collect();
         let start = *eliminated;
         for node in last.nodes(nx) {
@@ -185,15 +183,12 @@ impl Dissection {
             let mut children = front.children.clone();
             for child in &mut children {
                 let rows = self.fronts[child.front].border.iter().map(|&place| row_of[place]);
-                child.stride = self.fronts[child.front].border_rows();
                 child.runs = runs(rows, self.fronts[parent].pivot_rows());
             }
             self.fronts[parent].children = children;
         }
     }
-}
 
-impl Dissection {
     /// Finds the front that eliminates each entry of the stencil.
     fn place_entries(&mut self, nx: usize, ny: usize) {
         let mut node_at = vec![0; self.place.len()];

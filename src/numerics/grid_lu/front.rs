@@ -68,7 +68,7 @@ impl Front {
         simd: S,
         scaled: &[f32],
         values: &mut [f32],
-        children: [Option<&[f32]>; 2],
+        children: [Option<Block<'_>>; 2],
         remainder: &mut [f32],
         scratch: &mut [f32],
     ) -> bool {
@@ -104,9 +104,9 @@ impl Front {
             raw[edge.pivot * border_rows + edge.border] = scaled[edge.of_border];
             upper[edge.border * rows + edge.pivot] = scaled[edge.of_pivot];
         }
-        for (child, values) in self.children.iter().zip(children) {
-            let Some(values) = values else { continue };
-            let mut columns = values.chunks_exact(child.stride);
+        for (child, left) in self.children.iter().zip(children) {
+            let Some(left) = left else { continue };
+            let mut columns = left.values.chunks_exact(left.stride);
             let (on_pivots, on_border) = child.runs.split_at(child.runs.partition_point(|run| run.to < rows));
             for run in on_pivots {
                 for (to, column) in (run.to..run.to + run.length).zip(&mut columns) {

@@ -5,29 +5,29 @@ use std::ops::Range;
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
 use super::STENCIL;
-use super::dense::VECTOR;
+use super::dense::{Block, VECTOR};
 use super::dissection::{Dissection, Front};
 use super::front::add_runs;
 use crate::numerics::lanes::both;
 
 /// What each front owns, one after the other; of a whole tree or of one branch.
 #[derive(Debug)]
-pub(super) struct Branch<'a> {
+struct Branch<'a> {
     /// Its first front.
-    pub(super) first: usize,
-    pub(super) factors: &'a mut [f32],
+    first: usize,
+    factors: &'a mut [f32],
     /// Right-hand side, then solution, at the pivots and at the border of each front, both padded.
-    pub(super) vectors: &'a mut [f32],
+    vectors: &'a mut [f32],
     /// Fronts whose nodes and children are all unlinked.
-    pub(super) idle: &'a mut [bool],
+    idle: &'a mut [bool],
     /// One for each lane.
-    pub(super) scratch: &'a mut [Vec<f32>],
+    scratch: &'a mut [Vec<f32>],
 }
 
 /// Where the values of each front start.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Starts {
-    pub(super) factors: Vec<usize>,
+    factors: Vec<usize>,
     pub(super) vectors: Vec<usize>,
 }
 
@@ -99,9 +99,9 @@ impl Tree {
 fn depths(fronts: &[Front], lanes: usize) -> Vec<[usize; 2]> {
     let mut lanes_of = vec![lanes; fronts.len()];
     for (f, front) in fronts.iter().enumerate().rev() {
-        for (which, child) in front.children.iter().enumerate() {
-            let half = lanes_of[f] / 2;
-            lanes_of[child.front] = if which == 0 { half.max(1) } else { (lanes_of[f] - half).max(1) };
+        let half = lanes_of[f] / 2;
+        for (child, lanes) in front.children.iter().zip([half, lanes_of[f] - half]) {
+            lanes_of[child.front] = lanes.max(1);
         }
     }
     let mut depths: Vec<[usize; 2]> = Vec::with_capacity(fronts.len());
@@ -143,7 +143,7 @@ struct Matrix<'a> {
 
 /// The ways along the tree.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Walk<'a> {
+struct Walk<'a> {
     fronts: &'a [Front],
     starts: &'a Starts,
     depths: &'a [[usize; 2]],
@@ -155,7 +155,7 @@ struct Elimination<'a, 'b> {
     front: &'a Front,
     scaled: &'a [f32],
     values: &'b mut [f32],
-    children: [Option<&'b [f32]>; 2],
+    children: [Option<Block<'b>>; 2],
     remainder: &'b mut [f32],
     scratch: &'b mut [f32],
 }
@@ -282,9 +282,11 @@ impl Walk<'_> {
             return sound;
         }
         let mut children = [None; 2];
-        for ((child, values), start) in front.children.iter().zip(&mut children).zip([0, second]) {
+        for ((child, left), start) in front.children.iter().zip(&mut children).zip([0, second]) {
             if !idle[child.front - first] {
-                *values = Some(&other[start..][..self.fronts[child.front].remainder()]);
+                let front = &self.fronts[child.front];
+                let values = &other[start..][..front.remainder()];
+                *left = Some(Block { values, stride: front.border_rows() });
             }
         }
         let Some(scratch) = scratch.first_mut() else { return false };
