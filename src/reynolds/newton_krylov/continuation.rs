@@ -18,6 +18,8 @@ const FOLLOWING: Attempt = Attempt {
     gentle: false,
     first_contact_film: 1.0,
     squeeze: 0.0,
+    unforeseen: 0.5,
+    careful_below: 0.0,
     effort: THOROUGH,
     most_steps: 15,
 };

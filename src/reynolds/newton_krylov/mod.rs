@@ -40,7 +40,9 @@ const ATTEMPTS: [Attempt; 4] = [
         trust: 0.03,
         gentle: true,
         first_contact_film: 30.0,
-        squeeze: 0.1,
+        squeeze: 0.3,
+        unforeseen: 0.3,
+        careful_below: 30.0,
         effort: QUICK,
         most_steps: MAX_NEWTON_STEPS,
     },
@@ -49,6 +51,8 @@ const ATTEMPTS: [Attempt; 4] = [
         gentle: true,
         first_contact_film: 10.0,
         squeeze: 0.03,
+        unforeseen: 0.5,
+        careful_below: 0.0,
         effort: THOROUGH,
         most_steps: MAX_NEWTON_STEPS,
     },
@@ -57,6 +61,8 @@ const ATTEMPTS: [Attempt; 4] = [
         gentle: false,
         first_contact_film: 30.0,
         squeeze: 0.0,
+        unforeseen: 0.5,
+        careful_below: 0.0,
         effort: THOROUGH,
         most_steps: MAX_NEWTON_STEPS,
     },
@@ -65,6 +71,8 @@ const ATTEMPTS: [Attempt; 4] = [
         gentle: false,
         first_contact_film: 100.0,
         squeeze: 0.0,
+        unforeseen: 0.5,
+        careful_below: 0.0,
         effort: EXACT,
         most_steps: MAX_NEWTON_STEPS,
     },
@@ -77,16 +85,17 @@ const THOROUGH: Effort = Effort { start: 1e-7, krylov: 0.01 };
 const EXACT: Effort = Effort { start: 1e-7, krylov: 0.001 };
 /// Contact film of a Newton step over that of the step before, down to the one of the problem.
 const CONTACT_FILM_REDUCTION: f64 = 0.5;
-/// Reduction of the squeeze from one Newton step to the next.
-const SQUEEZE_REDUCTION: f64 = 0.85;
-/// Growth of the residual after which a step is taken again at [`SHORTER`] length.
-const JUMP: f64 = 4.0;
+/// Reduction of the squeeze from one Newton step to the next, and the residual below which it is reduced in proportion to that as
+/// well: near the solution a step in time holds back the approach, and the whole contact with it.
+const SQUEEZE_REDUCTION: f64 = 0.8;
+const FREE_BELOW: f64 = 10.0;
+/// Growth of the residual after which a step is taken again at [`SHORTER`] length, and how often at most: anywhere, and where an
+/// attempt is careful.
+const JUMP: (f64, u32) = (4.0, 1);
+const CAREFUL_JUMP: (f64, u32) = (2.0, 3);
 const SHORTER: f64 = 0.5;
 /// Steps without a new best residual after which the largest trust is halved.
 const PATIENCE: u32 = 5;
-/// Share of the films by which all nodes together may change them as they leave what the linear step foresees. Above it the
-/// trust of the next step is smaller: in smooth, wide contact a thousand nodes that leave it alike open or close the whole of it.
-const UNFORESEEN: f64 = 0.5;
 /// Bounds of the change of the trust from step to step, and its least value in reference pressures.
 const TRUST_CHANGE: (f64, f64) = (0.3, 2.0);
 const LEAST_TRUST: f64 = 0.001;
@@ -105,6 +114,12 @@ struct Attempt {
     /// Of the entrainment: Newton steps from the dry contact are steps in time of as many passages of a cell as this goes into
     /// one, at first. A pocket fills no faster than the fluid gets there, where a steady step empties and fills it by turns.
     squeeze: f64,
+    /// Share of the films by which all nodes together may change them as they leave what the linear step foresees. Above it the
+    /// trust of the next step is smaller: in smooth, wide contact a thousand nodes that leave it alike open or close the whole of it.
+    unforeseen: f64,
+    /// The residual below which no step may make it grow much: single pockets near a fold swing there for many steps. Far from the
+    /// solution it has to grow, while plateaus part and close.
+    careful_below: f64,
     effort: Effort,
     /// Newton steps after which it has stalled.
     most_steps: u64,
@@ -378,16 +393,18 @@ impl Workspace {
                 self.coupled.fluid.configure(problem);
                 self.coupled.settle(problem, state);
             }
-            self.coupled.fluid.set_step_squeeze(squeeze);
+            let free = if eased { 1.0 } else { (residuals.max() / FREE_BELOW).min(1.0) };
+            self.coupled.fluid.set_step_squeeze(free * squeeze);
             squeeze *= SQUEEZE_REDUCTION;
             let Some(krylov_steps) = self.newton_step(problem, state, attempt.effort.krylov)? else {
                 status = Status::Diverged;
                 break;
             };
             work.inner_iterations += krylov_steps;
-            self.advance_carefully(problem, state, settling, residuals.max())?;
+            let jump = if residuals.max() < attempt.careful_below { CAREFUL_JUMP } else { JUMP };
+            self.advance_carefully(problem, state, settling, residuals.max(), jump)?;
             let (shorter, longer) = TRUST_CHANGE;
-            let change = UNFORESEEN / self.unforeseen_share(state, problem.contact_film());
+            let change = attempt.unforeseen / self.unforeseen_share(state, problem.contact_film());
             settling.trust = (settling.trust * change.clamp(shorter, longer))
                 .max(LEAST_TRUST * problem.reference_pressure)
                 .min(largest_trust);
@@ -402,15 +419,20 @@ impl Workspace {
         state: &mut ContactState,
         settling: Settling,
         before: f64,
+        (growth, most_times): (f64, u32),
     ) -> Result<(), ReynoldsError> {
         self.before.keep(&self.coupled, state);
         self.advance(problem, state, settling, 1.0)?;
-        if self.coupled.residuals(problem, state).max() <= JUMP * before {
-            return Ok(());
+        let mut length = 1.0;
+        for _ in 0..most_times {
+            if self.coupled.residuals(problem, state).max() <= growth * before {
+                break;
+            }
+            length *= SHORTER;
+            self.before.restore(&mut self.coupled, problem, state)?;
+            self.advance(problem, state, Settling { trust: length * settling.trust, ..settling }, length)?;
         }
-        self.before.restore(&mut self.coupled, problem, state)?;
-        let settling = Settling { trust: SHORTER * settling.trust, ..settling };
-        self.advance(problem, state, settling, SHORTER)
+        Ok(())
     }
 
     /// Solves the linearised equations into `self.step`, their residual to `tolerance` of itself; returns the Krylov steps, or
