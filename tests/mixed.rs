@@ -76,10 +76,10 @@ fn the_rough_reference_contact_is_found_on_every_mesh() {
         assert_sound(&scene, &solution);
         solution.report.work
     });
-    // 2.2 and 5.7 Krylov steps a Newton step were measured.
+    // 81 and 252 convolutions, 1.9 and 4.8 Krylov steps a Newton step were measured.
     let per_step = |work: Work| work.inner_iterations as f64 / work.iterations as f64;
-    assert!(coarse.convolutions <= 110.0 && fine.convolutions <= 400.0, "{coarse:?}, {fine:?}");
-    assert!(per_step(coarse) < 3.0 && per_step(fine) < 6.5, "{coarse:?}, {fine:?}");
+    assert!(coarse.convolutions <= 110.0 && fine.convolutions <= 330.0, "{coarse:?}, {fine:?}");
+    assert!(per_step(coarse) < 3.0 && per_step(fine) < 5.5, "{coarse:?}, {fine:?}");
 }
 
 /// The plastic depth of fluid at the limit does not follow from the pressures: a start keeps it.
