@@ -1,6 +1,6 @@
 //! Contacts that stall from every start: reached by following the fluid in time as it fills the dry contact.
 
-use super::{Attempt, MAX_NEWTON_STEPS, QUICK, THOROUGH, Workspace};
+use super::{Attempt, BOLD, MAX_NEWTON_STEPS, QUICK, STEADY, THOROUGH, Workspace};
 use crate::report::{Status, Work};
 use crate::reynolds::problem::{LubricatedContact, Squeeze};
 use crate::reynolds::state::ContactState;
@@ -17,9 +17,8 @@ const FOLLOWING: Attempt = Attempt {
     trust: 0.03,
     gentle: false,
     first_contact_film: 1.0,
-    squeeze: 0.0,
-    unforeseen: 0.5,
-    careful_below: 0.0,
+    squeeze: STEADY,
+    caution: BOLD,
     effort: THOROUGH,
     most_steps: 15,
 };

@@ -25,6 +25,8 @@ use crate::report::{Residuals, SolveReport, Status, Work};
 
 /// Newton steps after which an attempt from the dry contact has stalled: those that converge do so in 10 to 50.
 const MAX_NEWTON_STEPS: u64 = 60;
+/// The same for the attempt whose steps are steps in time for a hundred of them.
+const MAX_SLOW_STEPS: u64 = 160;
 /// Krylov steps within one Newton step.
 const MAX_KRYLOV_STEPS: usize = 100;
 /// Passes of a linear solve, and the least residual that one asks for which knows elastic responses from a sketch alone.
@@ -35,14 +37,13 @@ const ENOUGH: f64 = 1.5;
 /// Largest pressure change of one step, in reference pressures.
 const MAX_PRESSURE_CHANGE: f64 = 1.0;
 /// What a solve tries, one after the other while it stalls or diverges, each but the first from the dry contact.
-const ATTEMPTS: [Attempt; 4] = [
+const ATTEMPTS: [Attempt; 5] = [
     Attempt {
         trust: 0.03,
         gentle: true,
         first_contact_film: 30.0,
-        squeeze: 0.3,
-        unforeseen: 0.3,
-        careful_below: 30.0,
+        squeeze: (0.3, 0.8),
+        caution: CAREFUL,
         effort: QUICK,
         most_steps: MAX_NEWTON_STEPS,
     },
@@ -50,19 +51,26 @@ const ATTEMPTS: [Attempt; 4] = [
         trust: 0.03,
         gentle: true,
         first_contact_film: 10.0,
-        squeeze: 0.03,
-        unforeseen: 0.5,
-        careful_below: 0.0,
+        squeeze: (0.03, 0.8),
+        caution: BOLD,
         effort: THOROUGH,
         most_steps: MAX_NEWTON_STEPS,
     },
     Attempt {
         trust: 0.03,
+        gentle: true,
+        first_contact_film: 30.0,
+        squeeze: (3.0, 0.94),
+        caution: CAREFUL,
+        effort: QUICK,
+        most_steps: MAX_SLOW_STEPS,
+    },
+    Attempt {
+        trust: 0.03,
         gentle: false,
         first_contact_film: 30.0,
-        squeeze: 0.0,
-        unforeseen: 0.5,
-        careful_below: 0.0,
+        squeeze: STEADY,
+        caution: BOLD,
         effort: THOROUGH,
         most_steps: MAX_NEWTON_STEPS,
     },
@@ -70,13 +78,16 @@ const ATTEMPTS: [Attempt; 4] = [
         trust: 0.01,
         gentle: false,
         first_contact_film: 100.0,
-        squeeze: 0.0,
-        unforeseen: 0.5,
-        careful_below: 0.0,
+        squeeze: STEADY,
+        caution: BOLD,
         effort: EXACT,
         most_steps: MAX_NEWTON_STEPS,
     },
 ];
+/// Where the residual is low already, single pockets near a fold swing for many steps if they may.
+const CAREFUL: Caution = Caution { unforeseen: 0.3, careful_below: 30.0 };
+/// Far from the solution the residual has to grow, while plateaus part and close: this reaches contacts that the other does not.
+const BOLD: Caution = Caution { unforeseen: 0.5, careful_below: 0.0 };
 /// Enough for most scenes, and the cheapest.
 const QUICK: Effort = Effort { start: 0.03, krylov: 0.06 };
 /// Where that stalls: errors left at single nodes are as large as the contact film, and starts close to it matter.
@@ -85,9 +96,10 @@ const THOROUGH: Effort = Effort { start: 1e-7, krylov: 0.01 };
 const EXACT: Effort = Effort { start: 1e-7, krylov: 0.001 };
 /// Contact film of a Newton step over that of the step before, down to the one of the problem.
 const CONTACT_FILM_REDUCTION: f64 = 0.5;
-/// Reduction of the squeeze from one Newton step to the next, and the residual below which it is reduced in proportion to that as
-/// well: near the solution a step in time holds back the approach, and the whole contact with it.
-const SQUEEZE_REDUCTION: f64 = 0.8;
+/// No squeeze.
+const STEADY: (f64, f64) = (0.0, 0.0);
+/// The residual below which the squeeze is reduced in proportion to that as well: near the solution a step in time holds back the
+/// approach, and the whole contact with it.
 const FREE_BELOW: f64 = 10.0;
 /// Growth of the residual after which a step is taken again at [`SHORTER`] length, and how often at most: anywhere, and where an
 /// attempt is careful.
@@ -111,18 +123,24 @@ struct Attempt {
     gentle: bool,
     /// Contact film of the first step over that of the problem: solids that part early let the fluid find its way.
     first_contact_film: f64,
-    /// Of the entrainment: Newton steps from the dry contact are steps in time of as many passages of a cell as this goes into
-    /// one, at first. A pocket fills no faster than the fluid gets there, where a steady step empties and fills it by turns.
-    squeeze: f64,
-    /// Share of the films by which all nodes together may change them as they leave what the linear step foresees. Above it the
-    /// trust of the next step is smaller: in smooth, wide contact a thousand nodes that leave it alike open or close the whole of it.
-    unforeseen: f64,
-    /// The residual below which no step may make it grow much: single pockets near a fold swing there for many steps. Far from the
-    /// solution it has to grow, while plateaus part and close.
-    careful_below: f64,
+    /// Of the entrainment, and its reduction from one Newton step to the next: steps from the dry contact are steps in time of as
+    /// many passages of a cell as the first goes into one, at first. A pocket fills no faster than the fluid gets there, where a
+    /// steady step empties and fills it by turns.
+    squeeze: (f64, f64),
+    caution: Caution,
     effort: Effort,
     /// Newton steps after which it has stalled.
     most_steps: u64,
+}
+
+/// What a step may do unforeseen.
+#[derive(Debug, Clone, Copy)]
+struct Caution {
+    /// Share of the films by which all nodes together may change them as they leave what the linear step foresees. Above it the
+    /// trust of the next step is smaller: in smooth, wide contact a thousand nodes that leave it alike open or close the whole of it.
+    unforeseen: f64,
+    /// The residual below which no step may make it grow much ([`CAREFUL_JUMP`]).
+    careful_below: f64,
 }
 
 /// How well the parts of a solve are solved.
@@ -335,7 +353,7 @@ impl Workspace {
             problem.film_cutoff = eased;
         }
         self.coupled.configure(problem);
-        let squeeze = if cold { attempt.squeeze } else { 0.0 };
+        let squeeze = if cold { attempt.squeeze } else { STEADY };
         self.newton(problem, state, stop, Attempt { squeeze, ..attempt }, film_cutoff, work)
     }
 
@@ -354,12 +372,12 @@ impl Workspace {
         let left = stop.max_iterations.saturating_sub(work.iterations);
         let limit = left.min(attempt.most_steps);
         let mut largest_trust = attempt.trust * problem.reference_pressure;
-        let mut squeeze = attempt.squeeze;
+        let (mut squeeze, squeeze_reduction) = attempt.squeeze;
         let mut settling = Settling { trust: largest_trust, opens_together: attempt.gentle };
         let (mut lowest, mut fruitless) = (f64::INFINITY, 0);
         let mut status = if limit == left { Status::MaxIterations } else { Status::Stalled };
+        let mut residuals = self.coupled.residuals(problem, state);
         for iteration in 0..=limit {
-            let residuals = self.coupled.residuals(problem, state);
             if !residuals.is_finite() {
                 status = Status::Diverged;
                 break;
@@ -395,16 +413,16 @@ impl Workspace {
             }
             let free = if eased { 1.0 } else { (residuals.max() / FREE_BELOW).min(1.0) };
             self.coupled.fluid.set_step_squeeze(free * squeeze);
-            squeeze *= SQUEEZE_REDUCTION;
+            squeeze *= squeeze_reduction;
             let Some(krylov_steps) = self.newton_step(problem, state, attempt.effort.krylov)? else {
                 status = Status::Diverged;
                 break;
             };
             work.inner_iterations += krylov_steps;
-            let jump = if residuals.max() < attempt.careful_below { CAREFUL_JUMP } else { JUMP };
-            self.advance_carefully(problem, state, settling, residuals.max(), jump)?;
+            let jump = if residuals.max() < attempt.caution.careful_below { CAREFUL_JUMP } else { JUMP };
+            residuals = self.advance_carefully(problem, state, settling, residuals.max(), jump)?;
             let (shorter, longer) = TRUST_CHANGE;
-            let change = attempt.unforeseen / self.unforeseen_share(state, problem.contact_film());
+            let change = attempt.caution.unforeseen / self.unforeseen_share(state, problem.contact_film());
             settling.trust = (settling.trust * change.clamp(shorter, longer))
                 .max(LEAST_TRUST * problem.reference_pressure)
                 .min(largest_trust);
@@ -412,7 +430,7 @@ impl Workspace {
         Ok(status)
     }
 
-    /// Takes the step, or a shorter one if the residual `before` jumps under it.
+    /// Takes the step, or a shorter one if the residual `before` jumps under it; returns the residuals that it leaves.
     fn advance_carefully(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -420,19 +438,21 @@ impl Workspace {
         settling: Settling,
         before: f64,
         (growth, most_times): (f64, u32),
-    ) -> Result<(), ReynoldsError> {
+    ) -> Result<Residuals, ReynoldsError> {
         self.before.keep(&self.coupled, state);
-        self.advance(problem, state, settling, 1.0)?;
         let mut length = 1.0;
+        self.advance(problem, state, settling, length)?;
+        let mut residuals = self.coupled.residuals(problem, state);
         for _ in 0..most_times {
-            if self.coupled.residuals(problem, state).max() <= growth * before {
+            if residuals.max() <= growth * before {
                 break;
             }
             length *= SHORTER;
             self.before.restore(&mut self.coupled, problem, state)?;
             self.advance(problem, state, Settling { trust: length * settling.trust, ..settling }, length)?;
+            residuals = self.coupled.residuals(problem, state);
         }
-        Ok(())
+        Ok(residuals)
     }
 
     /// Solves the linearised equations into `self.step`, their residual to `tolerance` of itself; returns the Krylov steps, or
