@@ -4,6 +4,7 @@
 //! cargo run --release --example stability_map                     # all scenes, all solvers
 //! cargo run --release --example stability_map -- --quick          # a few coarse ones
 //! cargo run --release --example stability_map -- --solver auto    # one solver
+//! cargo run --release --example stability_map -- --seed 2         # other roughness
 //! ```
 //!
 //! A solve that calls itself converged is checked from its fields alone: no pressure or gap may be negative, no film under
@@ -29,10 +30,11 @@ use outcome::{Entry, SOLVERS, Solver, Verdict, solve};
 use scenes::{Case, Group};
 
 const USAGE: &str = "\
-usage: cargo run --release --example stability_map -- [--quick] [--solver NAME] [--out DIR]
+usage: cargo run --release --example stability_map -- [--quick] [--solver NAME] [--seed N] [--out DIR]
 
   --quick        a few coarse scenes
   --solver NAME  auto, newton_krylov, semi_system or paper_contact alone (default: all four)
+  --seed N       of the roughness of the ball, the disc's is N + 100 (default 1)
   --out DIR      where to write stability.csv and stability.svg (default target/stability_map)
 ";
 const THREADS: usize = 2;
@@ -40,6 +42,7 @@ const THREADS: usize = 2;
 struct Options {
     quick: bool,
     solver: Option<Solver>,
+    seed: u64,
     out: PathBuf,
 }
 
@@ -48,7 +51,8 @@ fn main() -> ExitCode {
 }
 
 fn options() -> Result<Option<Options>, lexopt::Error> {
-    let mut options = Options { quick: false, solver: None, out: PathBuf::from("target/stability_map") };
+    let mut options =
+        Options { quick: false, solver: None, seed: 1, out: PathBuf::from("target/stability_map") };
     let mut parser = lexopt::Parser::from_env();
     while let Some(argument) = parser.next()? {
         match argument {
@@ -58,6 +62,7 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
                 let known = SOLVERS.into_iter().find(|solver| solver.to_string() == name);
                 options.solver = Some(known.ok_or_else(|| format!("no solver is called {name:?}"))?);
             }
+            Long("seed") => options.seed = parser.value()?.parse()?,
             Long("out") => options.out = PathBuf::from(parser.value()?),
             Long("help") | Short('h') => return Ok(None),
             other => return Err(other.unexpected()),
@@ -67,7 +72,7 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
-    let cases = scenes::cases(options.quick);
+    let cases = scenes::cases(options.quick, options.seed);
     let jobs: Vec<(&Case, Solver)> = SOLVERS
         .into_iter()
         .filter(|solver| options.solver.is_none_or(|only| only == *solver))

@@ -12,6 +12,9 @@ const REFERENCE: (f64, f64) = (1.15e9, 0.25e-3);
 /// Share of ball and disc in the composite roughness, those of the reference scene.
 const SHARES: [f64; 2] = [20.0 / 131.529, 130.0 / 131.529];
 
+/// Between the seeds of ball and disc.
+const DISC_SEED: u64 = 100;
+
 pub(crate) const SPEEDS: [f64; 5] = [10.0, 1.0, 0.1, 0.01, 0.001];
 pub(crate) const ROUGHNESSES: [f64; 5] = [0.0, 20e-9, 60e-9, 130e-9, 300e-9];
 pub(crate) const LENGTHS: [f64; 2] = [10e-6, 40e-6];
@@ -67,6 +70,8 @@ pub(crate) struct Case {
     pub(crate) hardness: Option<f64>,
     /// Cells that the mean surface moves on in a step of a transient scene; zero in the others.
     pub(crate) cells: u32,
+    /// Seed of the ball's roughness; the disc's is [`DISC_SEED`] more.
+    pub(crate) seed: u64,
 }
 
 impl Case {
@@ -80,6 +85,7 @@ impl Case {
             pressure: REFERENCE.0,
             hardness: HARDNESSES[1],
             cells: 0,
+            seed: 0,
         }
     }
 
@@ -103,7 +109,8 @@ impl Case {
     fn roughness(&self, body: usize) -> Roughness {
         let rq = self.rq * SHARES[body];
         let [length_x, length_y] = self.lengths;
-        let random = RandomRoughness { rq, length_x, length_y, seed: 1 + 100 * body as u64 };
+        let random =
+            RandomRoughness { rq, length_x, length_y, seed: self.seed.wrapping_add(DISC_SEED * body as u64) };
         match self.group {
             _ if self.rq <= 0.0 => Roughness::None,
             Group::Exponential => Roughness::Exponential(random),
@@ -116,16 +123,17 @@ impl Case {
     }
 }
 
-/// All cases; with `quick` a handful of the battery on a coarser grid.
-pub(crate) fn cases(quick: bool) -> Vec<Case> {
-    if quick {
+/// All cases, with roughness of this seed; with `quick` a handful of the battery on a coarser grid.
+pub(crate) fn cases(quick: bool, seed: u64) -> Vec<Case> {
+    let mut cases = if quick {
         let transient = Case { cells: 1, ..Case::new(Group::Transient, 32, 0.1, 20e-9) };
-        return battery(32).into_iter().step_by(37).chain(infeasible(32)).chain([transient]).collect();
+        battery(32).into_iter().step_by(37).chain(infeasible(32)).chain([transient]).collect()
+    } else {
+        [battery(64), finer(), variants(), infeasible(64)].concat()
+    };
+    for case in &mut cases {
+        case.seed = seed;
     }
-    let mut cases = battery(64);
-    cases.extend(finer());
-    cases.extend(variants());
-    cases.extend(infeasible(64));
     cases
 }
 
