@@ -65,6 +65,24 @@ fn scenes_all_over_the_map_converge() {
     }
 }
 
+/// High asperities reach as far as the box does where the load is low; a smaller box shows it whatever their seed.
+#[test]
+fn solids_touch_on_the_outermost_nodes_too() {
+    for (speed, length, hardness) in [(1.0, 10e-6, None), (0.1, 40e-6, Some(2e9)), (0.01, 10e-6, Some(6e9))] {
+        let mut scene = scene(64, speed, 300e-9, length, 0.5e9, hardness);
+        let half = 1.05 * scene.hertz().unwrap().a_x;
+        scene.grid = GridSpec::Cells { nx: 64, ny: 64, x: [-half, half], y: [-half, half] };
+        let solution = solve_contact(&scene).unwrap();
+        assert_eq!(solution.report.status, Status::Converged, "{:?}", solution.report);
+        assert_sound(&scene, &solution);
+        let nodes = (0..64 * 64).map(|k| (k, [k % 64, k / 64]));
+        let ring: Vec<usize> =
+            nodes.filter(|(_, at)| at.iter().any(|i| i % 63 == 0)).map(|(k, _)| k).collect();
+        assert!(ring.iter().any(|&k| solution.state.in_contact[k]), "no solids touch at the edge");
+        assert!(ring.iter().all(|&k| solution.state.fluid_pressure[k] == 0.0), "fluid at the edge");
+    }
+}
+
 /// On 512 x 512 nodes cells are so small that films some nanometres off take gigapascals to mend: what a start from bodies that
 /// are not yet parted costs a thousand convolutions there.
 #[test]

@@ -3,7 +3,7 @@
 /// The fluid side of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Fluid {
-    /// On the outermost ring: no pressure.
+    /// On the outermost ring: no fluid pressure, whatever flows.
     Boundary,
     /// No fluid pressure; more fluid leaves than enters.
     Cavitated,
@@ -76,13 +76,12 @@ impl Sample {
     /// The primal-dual rule: a multiplier plus its scaled constraint decides, so that a solution is a fixed point and
     /// nodes do not chatter as they do when pressure and residual are tested one after the other.
     pub(super) fn classify(&self, previous: Kind) -> Kind {
-        if previous.fluid == Fluid::Boundary {
-            return Kind::BOUNDARY;
-        }
         if previous.fluid == Fluid::AtLimit && self.fluid_pressure >= self.limit {
             return previous;
         }
-        let fluid = if self.lubricated && self.fluid_pressure + self.fluid_push >= 0.0 {
+        let fluid = if previous.fluid == Fluid::Boundary {
+            Fluid::Boundary
+        } else if self.lubricated && self.fluid_pressure + self.fluid_push >= 0.0 {
             Fluid::Active
         } else {
             Fluid::Cavitated

@@ -47,9 +47,8 @@ impl Coupled {
         self.fluid.configure(problem);
         self.convolutions = 0.0;
         for kind in &mut self.kinds {
-            if kind.fluid != Fluid::Boundary {
-                *kind = Kind { fluid: Fluid::Cavitated, solid: Solid::Open };
-            }
+            let fluid = if kind.fluid == Fluid::Boundary { Fluid::Boundary } else { Fluid::Cavitated };
+            *kind = Kind { fluid, solid: Solid::Open };
         }
     }
 
@@ -145,9 +144,12 @@ impl Coupled {
     /// Sorts the nodes.
     pub(super) fn classify(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
         let lubricated = problem.lubricant.is_some();
-        for k in interior(&self.fluid.grid) {
-            let fluid_push =
-                if lubricated { -self.balance[k] / self.fluid.diagonal(k, self.near) } else { 0.0 };
+        for k in 0..self.kinds.len() {
+            let fluid_push = if lubricated && self.kinds[k].fluid != Fluid::Boundary {
+                -self.balance[k] / self.fluid.diagonal(k, self.near)
+            } else {
+                0.0
+            };
             let sample = Sample {
                 pressure: state.pressure[k],
                 fluid_pressure: state.fluid_pressure[k],
@@ -165,7 +167,7 @@ impl Coupled {
         }
     }
 
-    /// Residuals of the state as evaluated, by the pressures and films alone: node kinds play no part.
+    /// Residuals of the state as evaluated, by the pressures and films alone: the sides of nodes play no part.
     pub(super) fn residuals(&self, problem: &LubricatedContact<'_>, state: &ContactState) -> Residuals {
         let grid = self.fluid.grid;
         let (half_x, half_y) = problem.reference_half_widths;
@@ -173,9 +175,9 @@ impl Coupled {
         let load: f64 = state.pressure.iter().sum::<f64>() * grid.cell_area();
         let film_scale = self.film_scale(problem, state);
         let (mut mass, mut build_up, mut gap_error) = (0.0, 0.0, 0.0);
-        for k in interior(&grid) {
+        for (k, kind) in self.kinds.iter().enumerate() {
             let (p, fluid_p, film) = (state.pressure[k], state.fluid_pressure[k], state.film[k]);
-            if problem.lubricant.is_some() {
+            if problem.lubricant.is_some() && kind.fluid != Fluid::Boundary {
                 if problem.is_paper() && p >= limit_of(problem, k) {
                     // Cut at the limit: the fluid would push harder.
                     mass += self.balance[k].max(0.0);

@@ -22,11 +22,7 @@ pub(super) struct DryStart {
 
 impl DryStart {
     pub(super) fn new(grid: Grid) -> Self {
-        let mut excluded = vec![true; grid.len()];
-        for k in interior(&grid) {
-            excluded[k] = false;
-        }
-        Self { solver: DrySolver::new(grid.len()), excluded }
+        Self { solver: DrySolver::new(grid.len()), excluded: vec![false; grid.len()] }
     }
 
     /// Solves to a gap error of `tolerance`: node sides still change in the lubricated solve.
@@ -39,7 +35,9 @@ impl DryStart {
         let outcome = self.solve(problem, state, tolerance, START_PASSES)?;
         if problem.reference_film > FILM_OVER_GAP * self.mean_gap(problem, state) {
             // A film thicker than what the dry surfaces leave between them carries the load as fluid.
-            state.fluid_pressure.clone_from(&state.pressure);
+            for k in interior(&problem.grid()) {
+                state.fluid_pressure[k] = state.pressure[k];
+            }
             state.approach -= problem.reference_film - problem.contact_film();
         }
         Ok(Work { convolutions: outcome.convolutions as f64, ..Work::default() })
@@ -122,12 +120,12 @@ impl Dry {
     }
 }
 
-/// Error if a node next to the outermost ring carries pressure.
+/// Error if a node of the outermost ring or next to it carries pressure.
 fn refuse_edge_contact(grid: &Grid, state: &ContactState) -> Result<(), ReynoldsError> {
     let (nx, ny) = (grid.nx(), grid.ny());
-    for k in interior(grid) {
+    for k in 0..grid.len() {
         let (i, j) = (k % nx, k / nx);
-        let at_edge = i == 1 || i + 2 == nx || (ny > 1 && (j == 1 || j + 2 == ny));
+        let at_edge = i <= 1 || i + 2 >= nx || (ny > 1 && (j <= 1 || j + 2 >= ny));
         if at_edge && state.pressure[k] > 0.0 {
             return Err(ReynoldsError::EdgeContact { x: grid.x(i), y: grid.y(j) });
         }

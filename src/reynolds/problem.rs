@@ -104,7 +104,8 @@ impl<'a> Squeeze<'a> {
 /// - film `h = gap - approach + K p + d`;
 /// - load balance: the integral of `p` is `load`.
 ///
-/// Without lubricant `p_f = 0` and `h_cut = 0`: dry contact. Pressure is zero on the outermost nodes.
+/// Without lubricant `p_f = 0` and `h_cut = 0`: dry contact. Fluid pressure is zero on the outermost nodes; solids touch there
+/// as anywhere.
 ///
 /// On a grid with one row this is a line contact: the two ends of the row are its outermost nodes, nothing flows across
 /// it, and loads are those of the length `dy`.
@@ -244,6 +245,12 @@ impl LubricatedContact<'_> {
 /// Rows without those at the edges; of a line contact, which has no edges across x, its only row.
 pub(super) fn inner_rows(grid: &Grid) -> std::ops::Range<usize> {
     if grid.ny() == 1 { 0..1 } else { 1..grid.ny().saturating_sub(1) }
+}
+
+/// Indices of the nodes on the outermost ring, or at the two ends of a line contact.
+pub(super) fn ring(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
+    let (nx, rows) = (grid.nx(), inner_rows(grid));
+    (0..grid.len()).filter(move |k| !rows.contains(&(k / nx)) || k % nx == 0 || k % nx + 1 == nx)
 }
 
 /// Indices of the nodes that are not on the outermost ring, or not at the two ends of a line contact.

@@ -3,7 +3,7 @@
 use super::active_set::{Fluid, Solid};
 use super::coupled::{Coupled, limit_of};
 use super::dry::hertzian;
-use super::problem::{LubricatedContact, inner_rows};
+use super::problem::{LubricatedContact, inner_rows, ring};
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::error::InputError;
@@ -211,6 +211,10 @@ impl Workspace {
             self.solve_line();
             self.update_line(problem, state, j, knobs.0);
         }
+        for k in ring(&grid) {
+            state.fluid_pressure[k] = 0.0;
+            state.pressure[k] = self.total_pressure(problem, state, k, 0.0);
+        }
     }
 
     fn assemble_line(
@@ -263,7 +267,6 @@ impl Workspace {
         relaxation: f64,
     ) {
         let nx = self.coupled.fluid.grid.nx();
-        let contact_film = problem.contact_film();
         for i in 1..nx - 1 {
             let k = j * nx + i;
             let limit = limit_of(problem, k);
@@ -275,13 +278,24 @@ impl Workspace {
             // A start may lie above the limit.
             let fluid = fluid.min(limit);
             state.fluid_pressure[k] = fluid;
-            state.pressure[k] = match self.coupled.kinds[k].solid {
-                Solid::Open => fluid,
-                Solid::Contact | Solid::Yielded => {
-                    let push = (contact_film - state.film[k]) / self.coupled.near.own;
-                    (state.pressure[k] + CONTACT_RELAXATION * push).clamp(fluid, limit)
-                }
-            };
+            state.pressure[k] = self.total_pressure(problem, state, k, fluid);
+        }
+    }
+
+    /// The next pressure of a node with this fluid pressure: solid contact follows its gap.
+    fn total_pressure(
+        &self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+        k: usize,
+        fluid: f64,
+    ) -> f64 {
+        match self.coupled.kinds[k].solid {
+            Solid::Open => fluid,
+            Solid::Contact | Solid::Yielded => {
+                let push = (problem.contact_film() - state.film[k]) / self.coupled.near.own;
+                (state.pressure[k] + CONTACT_RELAXATION * push).clamp(fluid, limit_of(problem, k))
+            }
         }
     }
 

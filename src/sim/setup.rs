@@ -143,7 +143,7 @@ pub(super) fn validate_film_cutoff(scene: &Scene) -> Result<(), InputError> {
     )
 }
 
-/// Checks that a uniform `hardness` \[Pa\] can carry the load; the outermost nodes carry none.
+/// Checks that a uniform `hardness` \[Pa\] can carry the load without the outermost nodes.
 pub(super) fn validate_hardness(hardness: f64, grid: &Grid, hertz: &HertzContact) -> Result<(), InputError> {
     let rows = if grid.ny() == 1 { 1 } else { grid.ny().saturating_sub(2) };
     let nodes = grid.nx().saturating_sub(2) * rows;

@@ -55,8 +55,8 @@ pub(super) struct Settling {
 }
 
 impl Material {
-    /// The state without fluid: open, or contact below or at the limit.
-    pub(super) fn settle_dry(&self, pressure: f64, elastic_film: f64) -> NodeState {
+    /// The state without fluid pressure, the fluid side being given: open, or contact below or at the limit.
+    pub(super) fn settle_dry(&self, fluid: Fluid, pressure: f64, elastic_film: f64) -> NodeState {
         let touch = pressure + (self.contact_film - elastic_film) / self.own_influence;
         let (solid, pressure) = if touch <= 0.0 {
             (Solid::Open, 0.0)
@@ -65,7 +65,7 @@ impl Material {
         } else {
             (Solid::Contact, pressure.clamp(0.0, self.limit))
         };
-        NodeState { kind: Kind { fluid: Fluid::Cavitated, solid }, pressure, fluid_pressure: 0.0, depth: 0.0 }
+        NodeState { kind: Kind { fluid, solid }, pressure, fluid_pressure: 0.0, depth: 0.0 }
     }
 }
 
@@ -246,7 +246,7 @@ mod tests {
             (1e-9 + 2e-17 * 6e8, Solid::Open, 0.0),
             (1e-9 - 2e-17 * 2e9, Solid::Yielded, 2e9),
         ] {
-            let node = MATERIAL.settle_dry(5e8, film);
+            let node = MATERIAL.settle_dry(Fluid::Cavitated, 5e8, film);
             assert_eq!((node.kind.solid, node.pressure), (side, pressure));
             assert!(node.fluid_pressure.abs() < f64::MIN_POSITIVE);
         }

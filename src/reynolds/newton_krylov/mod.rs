@@ -16,7 +16,7 @@ use unknowns::{Response, Unknowns};
 use super::active_set::{Fluid, Kind};
 use super::coupled::{Coupled, limit_of};
 use super::dry::DryStart;
-use super::problem::{LubricatedContact, interior};
+use super::problem::LubricatedContact;
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::grid::Grid;
@@ -518,7 +518,7 @@ impl Workspace {
         let largest = unknowns.largest_pressure(step);
         let length = most * (MAX_PRESSURE_CHANGE * problem.reference_pressure / largest).min(1.0);
         let (contact_film, own_influence) = (problem.contact_film(), coupled.near.own);
-        for k in interior(&coupled.fluid.grid) {
+        for k in 0..state.pressure.len() {
             let kind = coupled.kinds[k];
             let change = unknowns.node(k);
             let material = Material { contact_film, limit: limit_of(problem, k), own_influence, settling };
@@ -531,8 +531,7 @@ impl Workspace {
                 _ => 0.0,
             };
             let node = match problem.lubricant {
-                None => material.settle_dry(pressure, elastic_film),
-                Some(lubricant) => {
+                Some(lubricant) if kind.fluid != Fluid::Boundary => {
                     let local = Local::new(&coupled.fluid, lubricant, k);
                     let (share, by_pressure, by_film) =
                         local.present_share(k, state.fluid_pressure[k], state.film[k]);
@@ -542,6 +541,7 @@ impl Workspace {
                     let share = share + length * own_change - imbalance;
                     local.settle(material, Forecast { pressure, elastic_film, depth, share })
                 }
+                _ => material.settle_dry(kind.fluid, pressure, elastic_film),
             };
             self.foreseen[k] = elastic_film;
             coupled.kinds[k] = node.kind;
