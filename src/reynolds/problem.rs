@@ -247,12 +247,6 @@ pub(super) fn inner_rows(grid: &Grid) -> std::ops::Range<usize> {
     if grid.ny() == 1 { 0..1 } else { 1..grid.ny().saturating_sub(1) }
 }
 
-/// Indices of the nodes on the outermost ring, or at the two ends of a line contact.
-pub(super) fn ring(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
-    let (nx, rows) = (grid.nx(), inner_rows(grid));
-    (0..grid.len()).filter(move |k| !rows.contains(&(k / nx)) || k % nx == 0 || k % nx + 1 == nx)
-}
-
 /// Indices of the nodes that are not on the outermost ring, or not at the two ends of a line contact.
 pub(super) fn interior(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
     let nx = grid.nx();

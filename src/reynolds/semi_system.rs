@@ -3,7 +3,7 @@
 use super::active_set::{Fluid, Solid};
 use super::coupled::{Coupled, limit_of};
 use super::dry::hertzian;
-use super::problem::{LubricatedContact, inner_rows, ring};
+use super::problem::{LubricatedContact, inner_rows};
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::error::InputError;
@@ -211,9 +211,11 @@ impl Workspace {
             self.solve_line();
             self.update_line(problem, state, j, knobs.0);
         }
-        for k in ring(&grid) {
-            state.fluid_pressure[k] = 0.0;
-            state.pressure[k] = self.total_pressure(problem, state, k, 0.0);
+        for k in 0..grid.len() {
+            if self.coupled.kinds[k].fluid == Fluid::Boundary {
+                state.fluid_pressure[k] = 0.0;
+                state.pressure[k] = self.total_pressure(problem, state, k, 0.0);
+            }
         }
     }
 
