@@ -1,6 +1,7 @@
 //! Contacts that stall from every start: reached by following the fluid in time as it fills the dry contact.
 
-use super::{Attempt, BOLD, MAX_NEWTON_STEPS, QUICK, STEADY, THOROUGH, Workspace};
+use super::Workspace;
+use super::attempt::{Attempt, BOLD, MAX_NEWTON_STEPS, QUICK, STEADY, THOROUGH};
 use crate::report::{Status, Work};
 use crate::reynolds::problem::{LubricatedContact, Squeeze};
 use crate::reynolds::state::ContactState;

@@ -1,5 +1,6 @@
 //! Semismooth Newton on the whole coupled problem, linear systems by preconditioned GMRES.
 
+mod attempt;
 mod coarse_films;
 mod continuation;
 mod given_films;
@@ -8,6 +9,7 @@ mod local;
 mod preconditioner;
 mod unknowns;
 
+use attempt::{ATTEMPTS, Attempt, STEADY};
 use linearisation::Linearisation;
 use local::{Forecast, Local, Material, Settling};
 use preconditioner::BlockPreconditioner;
@@ -23,10 +25,6 @@ use crate::grid::Grid;
 use crate::numerics::{Gmres, PreconditionedOperator};
 use crate::report::{Residuals, SolveReport, Status, Work};
 
-/// Newton steps after which an attempt from the dry contact has stalled: those that converge do so in 10 to 50.
-const MAX_NEWTON_STEPS: u64 = 60;
-/// The same for the attempt whose steps are steps in time for a hundred of them.
-const MAX_SLOW_STEPS: u64 = 160;
 /// Krylov steps within one Newton step.
 const MAX_KRYLOV_STEPS: usize = 100;
 /// Passes of a linear solve, and the least residual that one asks for which knows elastic responses from a sketch alone.
@@ -36,68 +34,8 @@ const LEAST_SKETCHED: f64 = 0.01;
 const ENOUGH: f64 = 1.5;
 /// Largest pressure change of one step, in reference pressures.
 const MAX_PRESSURE_CHANGE: f64 = 1.0;
-/// What a solve tries, one after the other while it stalls or diverges, each but the first from the dry contact.
-const ATTEMPTS: [Attempt; 5] = [
-    Attempt {
-        trust: 0.03,
-        gentle: true,
-        first_contact_film: 30.0,
-        squeeze: (0.3, 0.8),
-        caution: CAREFUL,
-        effort: QUICK,
-        most_steps: MAX_NEWTON_STEPS,
-    },
-    Attempt {
-        trust: 0.03,
-        gentle: true,
-        first_contact_film: 10.0,
-        squeeze: (0.03, 0.8),
-        caution: BOLD,
-        effort: THOROUGH,
-        most_steps: MAX_NEWTON_STEPS,
-    },
-    Attempt {
-        trust: 0.03,
-        gentle: true,
-        first_contact_film: 30.0,
-        squeeze: (3.0, 0.94),
-        caution: CAREFUL,
-        effort: QUICK,
-        most_steps: MAX_SLOW_STEPS,
-    },
-    Attempt {
-        trust: 0.03,
-        gentle: false,
-        first_contact_film: 30.0,
-        squeeze: STEADY,
-        caution: BOLD,
-        effort: THOROUGH,
-        most_steps: MAX_NEWTON_STEPS,
-    },
-    Attempt {
-        trust: 0.01,
-        gentle: false,
-        first_contact_film: 100.0,
-        squeeze: STEADY,
-        caution: BOLD,
-        effort: EXACT,
-        most_steps: MAX_NEWTON_STEPS,
-    },
-];
-/// Where the residual is low already, single pockets near a fold swing for many steps if they may.
-const CAREFUL: Caution = Caution { unforeseen: 0.3, careful_below: 30.0 };
-/// Far from the solution the residual has to grow, while plateaus part and close: this reaches contacts that the other does not.
-const BOLD: Caution = Caution { unforeseen: 0.5, careful_below: 0.0 };
-/// Enough for most scenes, and the cheapest.
-const QUICK: Effort = Effort { start: 0.03, krylov: 0.06 };
-/// Where that stalls: errors left at single nodes are as large as the contact film, and starts close to it matter.
-const THOROUGH: Effort = Effort { start: 1e-7, krylov: 0.01 };
-/// What the last attempt makes of scenes whose pockets hold large flows with small differences.
-const EXACT: Effort = Effort { start: 1e-7, krylov: 0.001 };
 /// Contact film of a Newton step over that of the step before, down to the one of the problem.
 const CONTACT_FILM_REDUCTION: f64 = 0.5;
-/// No squeeze.
-const STEADY: (f64, f64) = (0.0, 0.0);
 /// The residual below which the squeeze is reduced in proportion to that as well: near the solution a step in time holds back the
 /// approach, and the whole contact with it.
 const FREE_BELOW: f64 = 10.0;
@@ -111,46 +49,6 @@ const PATIENCE: u32 = 5;
 /// Bounds of the change of the trust from step to step, and its least value in reference pressures.
 const TRUST_CHANGE: (f64, f64) = (0.3, 2.0);
 const LEAST_TRUST: f64 = 0.001;
-
-/// How the nonlinear equations are approached.
-#[derive(Debug, Clone, Copy)]
-struct Attempt {
-    /// How far the local equations may take a pressure from where the linear step puts it, in reference pressures.
-    trust: f64,
-    /// Whether large moves are left to the linear steps, which know of all nodes: the start then parts the bodies by the eased
-    /// contact film, which is the work of the first step otherwise, and nodes open together (see [`Settling`]). It saves half of
-    /// the steps on fine meshes and a tenth of the convolutions elsewhere; the hardest contacts are reached the other way alone.
-    gentle: bool,
-    /// Contact film of the first step over that of the problem: solids that part early let the fluid find its way.
-    first_contact_film: f64,
-    /// Of the entrainment, and its reduction from one Newton step to the next: steps from the dry contact are steps in time of as
-    /// many passages of a cell as the first goes into one, at first. A pocket fills no faster than the fluid gets there, where a
-    /// steady step empties and fills it by turns.
-    squeeze: (f64, f64),
-    caution: Caution,
-    effort: Effort,
-    /// Newton steps after which it has stalled.
-    most_steps: u64,
-}
-
-/// What a step may do unforeseen.
-#[derive(Debug, Clone, Copy)]
-struct Caution {
-    /// Share of the films by which all nodes together may change them as they leave what the linear step foresees. Above it the
-    /// trust of the next step is smaller: in smooth, wide contact a thousand nodes that leave it alike open or close the whole of it.
-    unforeseen: f64,
-    /// The residual below which no step may make it grow much ([`CAREFUL_JUMP`]).
-    careful_below: f64,
-}
-
-/// How well the parts of a solve are solved.
-#[derive(Debug, Clone, Copy)]
-struct Effort {
-    /// Gap error of the dry start.
-    start: f64,
-    /// Reduction of the linear residual, rows scaled to pressures, in each Newton step.
-    krylov: f64,
-}
 
 /// Semismooth Newton solver with approach and load balance inside the system.
 ///
