@@ -15,7 +15,7 @@ use crate::surface::{Autocorrelation, RoughnessSpec, generate};
 use crate::tribochem::Ghanbarzadeh;
 
 /// Memory of a lubricated and of a dry contact per node.
-const LUBRICATED_BYTES: usize = 4500;
+const LUBRICATED_BYTES: usize = 2000;
 const DRY_BYTES: usize = 400;
 /// Largest film at which solids touch, over the smallest radius of the form.
 const LARGEST_CUTOFF: f64 = 1e-3;
