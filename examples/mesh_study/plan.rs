@@ -116,6 +116,7 @@ fn seeds(contact: Contact, cells: usize) -> impl Iterator<Item = u64> {
     let count = match contact {
         Contact::Paper(_) => usize::from(cells <= ALL_SEEDS),
         _ if cells <= ALL_SEEDS => SEEDS.len(),
+        Contact::Hard(FaceMobility::Arithmetic) => usize::from(cells <= 512),
         _ => 1,
     };
     SEEDS.into_iter().take(count)
