@@ -466,7 +466,7 @@ fn panel(
         [all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max)]
     };
     let ([least_cost, most_cost], [least, most]) = (range(|point| point.0), range(|point| point.1));
-    let y = decades(least.clamp(1e-6, 1e-2), most.clamp(0.1, 10.0));
+    let y = decades(least.clamp(1e-8, 1e-2), most.clamp(0.1, 10.0));
     let x = decades(least_cost.clamp(1e-4, 1e3), most_cost.clamp(1e-2, 1e5));
     let font = |size: u32| ("sans-serif", size).into_font();
     let mut chart = ChartBuilder::on(area)
