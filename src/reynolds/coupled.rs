@@ -6,6 +6,7 @@ use super::problem::{LubricatedContact, interior};
 use super::state::ContactState;
 use crate::error::InputError;
 use crate::grid::Grid;
+use crate::lubricant::Lubricant;
 use crate::report::Residuals;
 
 /// Cost of a convolution without padding in those on the padded grid: transforms of a quarter of the points.
@@ -131,13 +132,24 @@ impl Coupled {
             state.mass.fill(0.0);
             return;
         };
-        self.fluid.update(lubricant, &state.fluid_pressure, &state.film);
-        let previous = problem.squeeze.map(|s| s.previous_mass);
-        for k in interior(&self.fluid.grid) {
-            self.balance[k] = self.fluid.balance(k, &state.film, previous);
-        }
+        self.flow(problem, lubricant, &state.fluid_pressure, &state.film);
         for (k, (mass, h)) in state.mass.iter_mut().zip(&state.film).enumerate() {
             *mass = self.fluid.carried(k, *h);
+        }
+    }
+
+    /// Fluid quantities and balances of a flow through `film`.
+    pub(super) fn flow(
+        &mut self,
+        problem: &LubricatedContact<'_>,
+        lubricant: &Lubricant,
+        fluid_pressure: &[f64],
+        film: &[f64],
+    ) {
+        self.fluid.update(lubricant, fluid_pressure, film);
+        let previous = problem.squeeze.map(|s| s.previous_mass);
+        for k in interior(&self.fluid.grid) {
+            self.balance[k] = self.fluid.balance(k, film, previous);
         }
     }
 

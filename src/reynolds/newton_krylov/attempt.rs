@@ -12,7 +12,7 @@ pub(super) const ATTEMPTS: [Attempt; 5] = [
         trust: 0.03,
         gentle: true,
         first_contact_film: 30.0,
-        squeeze: (0.3, 0.8),
+        squeeze: (0.3, 0.85),
         caution: CAREFUL,
         effort: QUICK,
         most_steps: MAX_NEWTON_STEPS,

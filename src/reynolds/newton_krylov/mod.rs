@@ -15,7 +15,7 @@ use local::{Forecast, Local, Material, Settling};
 use preconditioner::BlockPreconditioner;
 use unknowns::{Response, Unknowns};
 
-use super::active_set::{Fluid, Kind};
+use super::active_set::{Fluid, Kind, Solid};
 use super::coupled::{Coupled, limit_of};
 use super::dry::DryStart;
 use super::problem::LubricatedContact;
@@ -81,6 +81,8 @@ struct Workspace {
     best: Snapshot,
     best_residuals: Residuals,
     before: Snapshot,
+    /// Films through which the fluid flows in a step (see [`Workspace::close_contact`]).
+    flow_film: Vec<f64>,
     /// Films that the last step foresaw.
     foreseen: Vec<f64>,
 }
@@ -139,6 +141,7 @@ impl NewtonKrylov {
                 best: Snapshot::new(grid),
                 best_residuals: Residuals::default(),
                 before: Snapshot::new(grid),
+                flow_film: vec![0.0; grid.len()],
                 foreseen: vec![0.0; grid.len()],
             }));
         }
@@ -312,6 +315,7 @@ impl Workspace {
             let free = if eased { 1.0 } else { (residuals.max() / FREE_BELOW).min(1.0) };
             self.coupled.fluid.set_step_squeeze(free * squeeze);
             squeeze *= squeeze_reduction;
+            self.close_contact(problem, state);
             let Some(krylov_steps) = self.newton_step(problem, state, attempt.effort.krylov)? else {
                 status = Status::Diverged;
                 break;
@@ -326,6 +330,19 @@ impl Workspace {
                 .min(largest_trust);
         }
         Ok(status)
+    }
+
+    /// Has the fluid flow through the contact film wherever nodes are to touch, which is the film that they have at a solution.
+    ///
+    /// What the last step did not foresee takes them some nanometres off it. The gap rows mend that; but mobilities go with the
+    /// cube of the film, and flows through those films would drain the pockets whose rims they are.
+    fn close_contact(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
+        let Some(lubricant) = problem.lubricant else { return };
+        let contact_film = problem.contact_film();
+        for ((flow_film, film), kind) in self.flow_film.iter_mut().zip(&state.film).zip(&self.coupled.kinds) {
+            *flow_film = if kind.solid == Solid::Contact { contact_film } else { *film };
+        }
+        self.coupled.flow(problem, lubricant, &state.fluid_pressure, &self.flow_film);
     }
 
     /// Takes the step, or a shorter one if the residual `before` jumps under it; returns the residuals that it leaves.
@@ -347,6 +364,7 @@ impl Workspace {
             }
             length *= SHORTER;
             self.before.restore(&mut self.coupled, problem, state)?;
+            self.close_contact(problem, state);
             self.advance(problem, state, Settling { trust: length * settling.trust, ..settling }, length)?;
             residuals = self.coupled.residuals(problem, state);
         }
@@ -364,10 +382,10 @@ impl Workspace {
         state: &ContactState,
         tolerance: f64,
     ) -> Result<Option<u64>, ReynoldsError> {
-        let Self { coupled, unknowns, linearisation, preconditioner, gmres, .. } = self;
+        let Self { coupled, unknowns, linearisation, preconditioner, gmres, flow_film, .. } = self;
         unknowns.sort(coupled, problem, state);
         if problem.lubricant.is_some() {
-            linearisation.update(&coupled.fluid, &state.film, coupled.near.own);
+            linearisation.update(&coupled.fluid, flow_film, coupled.near.own);
         }
         if !preconditioner.prepare(coupled, linearisation, unknowns, problem) {
             return Ok(None);
@@ -432,7 +450,7 @@ impl Workspace {
                 Some(lubricant) if kind.fluid != Fluid::Boundary => {
                     let local = Local::new(&coupled.fluid, lubricant, k);
                     let (share, by_pressure, by_film) =
-                        local.present_share(k, state.fluid_pressure[k], state.film[k]);
+                        local.present_share(k, state.fluid_pressure[k], self.flow_film[k]);
                     let imbalance =
                         if kind.has_balance() { 0.0 } else { coupled.balance[k] + length * change.balance };
                     let own_change = by_pressure * change.fluid_pressure + by_film * change.film;

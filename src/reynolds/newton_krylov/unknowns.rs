@@ -7,7 +7,7 @@
 //! | open fluid | pressure | mass balance |
 //! | fluid at the limit | plastic depth | mass balance |
 //! | contact with fluid pressure, yielded or not | fluid pressure | mass balance |
-//! | contact that has not yielded | total pressure | gap |
+//! | contact that has not yielded | total pressure | gap, which the flow takes as closed |
 //! | | approach | load balance |
 //!
 //! Pressures count in reference pressures, films in deflections of a node under the reference pressure alone; so all numbers
@@ -198,7 +198,7 @@ impl Unknowns {
         let contact_film = problem.contact_film();
         for (row, &k) in rest.iter_mut().zip(&self.contact) {
             let present = (coupled.elastic_film[k as usize] - contact_film) / self.film_unit;
-            *row = -(self.film[k as usize] + present as f32);
+            *row = -((self.elastic[k as usize] / self.film_unit + present) as f32);
         }
         rest[self.contact.len()] = (1.0 - carried - self.load(x)) as f32;
         Ok(())
@@ -268,8 +268,8 @@ impl Unknowns {
 
     /// Balances under the changes of fluid pressure and film as they are.
     fn flow(&mut self, linearisation: &mut Linearisation) {
-        // The plastic depth keeps the film.
-        for &k in &self.yielded {
+        // The plastic depth keeps the film of yielded nodes, their own rows that of the others in contact.
+        for &k in self.yielded.iter().chain(&self.contact) {
             self.film[k as usize] = 0.0;
         }
         linearisation.product(&self.fluid, &self.film, &mut self.balance);
@@ -295,6 +295,7 @@ impl Unknowns {
     /// The column of the approach, without the load balance; no convolution.
     pub(super) fn approach_column(&mut self, linearisation: &mut Linearisation, out: &mut [f32]) {
         self.fluid.fill(0.0);
+        self.elastic.fill(-self.film_unit);
         self.film.fill(-1.0);
         self.flow(linearisation);
         self.rows(out);
@@ -307,7 +308,7 @@ impl Unknowns {
             *row = weight * self.balance[k as usize];
         }
         for (row, &k) in gaps.iter_mut().zip(&self.contact) {
-            *row = self.film[k as usize];
+            *row = (self.elastic[k as usize] / self.film_unit) as f32;
         }
     }
 
@@ -451,9 +452,9 @@ mod tests {
             problem.deformation.displacement(&state.pressure, &mut coupled.elastic_film).unwrap();
             for (k, kind) in coupled.kinds.iter().enumerate() {
                 coupled.elastic_film[k] += gap[k] - state.approach;
-                // Yielded contact keeps its film whatever the elastic one does.
-                let yielded = kind.solid == Solid::Yielded;
-                state.film[k] = if yielded { 30e-9 } else { coupled.elastic_film[k] + depth[k] };
+                // To the flow, contact keeps its film whatever the elastic one does.
+                let touches = kind.is_contact();
+                state.film[k] = if touches { 30e-9 } else { coupled.elastic_film[k] + depth[k] };
             }
             coupled.refresh(&problem, &mut state);
             film.clone_from(&state.film);
