@@ -94,10 +94,11 @@ fn the_rough_reference_contact_is_found_on_every_mesh() {
         assert_sound(&scene, &solution);
         solution.report.work
     });
-    // 80 and 254 convolutions, 1.9 and 4.8 Krylov steps a Newton step were measured.
+    // 77 and 213 convolutions, 2.1 and 3.2 Krylov steps a Newton step were measured; 4.4 where all films of the fluid answer to their
+    // own pressures alone.
     let per_step = |work: Work| work.inner_iterations as f64 / work.iterations as f64;
-    assert!(coarse.convolutions <= 110.0 && fine.convolutions <= 330.0, "{coarse:?}, {fine:?}");
-    assert!(per_step(coarse) < 3.0 && per_step(fine) < 5.5, "{coarse:?}, {fine:?}");
+    assert!(coarse.convolutions <= 110.0 && fine.convolutions <= 280.0, "{coarse:?}, {fine:?}");
+    assert!(per_step(coarse) < 3.0 && per_step(fine) < 4.0, "{coarse:?}, {fine:?}");
 }
 
 /// A step leaves solids that touch some nanometres off the contact film. Fluid that flowed through those films would drain the
@@ -113,6 +114,17 @@ fn the_rims_of_pockets_hold() {
         assert_sound(&scene, &solution);
         assert!(solution.report.work.convolutions <= 250.0, "{:?}", solution.report);
     }
+}
+
+/// Linear systems to 6 % may send the fluid of a pocket of one node in and out of cavitation, step by step. Solved better where that
+/// happens, they end it within the first attempt of 60 steps (174 without, 55 were measured).
+#[test]
+fn pockets_do_not_go_round_in_cycles() {
+    let scene = scene(64, 0.1, 300e-9, 10e-6, 2e9, Some(2e9));
+    let solution = solve_contact(&scene).unwrap();
+    assert_eq!(solution.report.status, Status::Converged, "{:?}", solution.report);
+    assert_sound(&scene, &solution);
+    assert!(solution.report.work.iterations <= 60, "{:?}", solution.report);
 }
 
 /// The plastic depth of fluid at the limit does not follow from the pressures: a start keeps it.

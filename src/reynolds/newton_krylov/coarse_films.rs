@@ -11,7 +11,7 @@ use crate::reynolds::coupled::UNPADDED;
 /// Nodes of a block along each axis.
 const WIDTH: usize = 3;
 /// Conjugate gradient steps. They end earlier where the residual has fallen to [`SMALL`] of itself.
-const STEPS: u32 = 6;
+const STEPS: u32 = 8;
 const SMALL: f64 = 0.01;
 /// Cost of a convolution on the blocks in those on the padded grid of the nodes.
 const COST: f64 = UNPADDED / (WIDTH * WIDTH) as f64;

@@ -59,8 +59,8 @@ impl GivenFilms {
         }
     }
 
-    /// From `films`, in deflections of a node under unit pressure and zero where they are not given, and `pressures`, zero where
-    /// films are given, the pressures there. Returns the cost in convolutions.
+    /// From `films`, in deflections of a node under unit pressure and zero where they are not given, and `pressures` as far as they
+    /// are known, those where films are given. Returns the cost in convolutions.
     pub(super) fn solve(
         &mut self,
         body: &mut dyn DeformationModel,

@@ -2,6 +2,7 @@
 
 mod attempt;
 mod coarse_films;
+mod contact_distance;
 mod continuation;
 mod given_films;
 mod linearisation;
@@ -9,7 +10,7 @@ mod local;
 mod preconditioner;
 mod unknowns;
 
-use attempt::{ATTEMPTS, Attempt, STEADY};
+use attempt::{ATTEMPTS, Attempt, STEADY, THOROUGH};
 use linearisation::Linearisation;
 use local::{Forecast, Local, Material, Settling};
 use preconditioner::BlockPreconditioner;
@@ -44,8 +45,11 @@ const FREE_BELOW: f64 = 10.0;
 const JUMP: (f64, u32) = (4.0, 1);
 const CAREFUL_JUMP: (f64, u32) = (2.0, 3);
 const SHORTER: f64 = 0.5;
-/// Steps without a new best residual after which the largest trust is halved.
+/// Steps without a new best residual after which the largest trust is halved, and linear systems are solved to the share
+/// [`TIGHTER`] of their tolerance, where that is coarser than in a thorough attempt: what they leave in a pocket of one node may be
+/// all that decides whether its fluid cavitates, and it then does in every other step.
 const PATIENCE: u32 = 5;
+const TIGHTER: f64 = 0.2;
 /// Bounds of the change of the trust from step to step, and its least value in reference pressures.
 const TRUST_CHANGE: (f64, f64) = (0.3, 2.0);
 const LEAST_TRUST: f64 = 0.001;
@@ -275,6 +279,7 @@ impl Workspace {
         let mut largest_trust = attempt.trust * problem.reference_pressure;
         let (mut squeeze, squeeze_reduction) = attempt.squeeze;
         let mut settling = Settling { trust: largest_trust, opens_together: attempt.gentle };
+        let mut krylov_tolerance = attempt.effort.krylov;
         let (mut lowest, mut fruitless) = (f64::INFINITY, 0);
         let mut status = if limit == left { Status::MaxIterations } else { Status::Stalled };
         let mut residuals = self.coupled.residuals(problem, state);
@@ -304,6 +309,7 @@ impl Workspace {
             }
             if fruitless == PATIENCE {
                 (largest_trust, fruitless) = (0.5 * largest_trust, 0);
+                krylov_tolerance = krylov_tolerance.min((TIGHTER * krylov_tolerance).max(THOROUGH.krylov));
                 settling.trust = settling.trust.min(largest_trust);
             }
             work.iterations += 1;
@@ -316,7 +322,7 @@ impl Workspace {
             self.coupled.fluid.set_step_squeeze(free * squeeze);
             squeeze *= squeeze_reduction;
             self.close_contact(problem, state);
-            let Some(krylov_steps) = self.newton_step(problem, state, attempt.effort.krylov)? else {
+            let Some(krylov_steps) = self.newton_step(problem, state, krylov_tolerance)? else {
                 status = Status::Diverged;
                 break;
             };

@@ -1,6 +1,7 @@
 //! The preconditioner of the linearised equations: sparse LU of the fluid equations, then the pressures of the nodes whose
 //! films are given, load balance as a border.
 
+use super::contact_distance::ContactDistance;
 use super::given_films::GivenFilms;
 use super::linearisation::Linearisation;
 use super::unknowns::Unknowns;
@@ -10,18 +11,24 @@ use crate::numerics::{GridLu, STENCIL};
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::problem::LubricatedContact;
 
-/// Ratio of pressure flow to the entrainment of the elastic response of a node at which half of its pressure is found from
-/// its film. Where the ratio is small, upstream fixes the film and the pressure is what makes it, as in solid contact;
-/// where it is large, pressure flow fixes the pressure.
-const BALANCED: f64 = 10.0;
-/// The ratio beyond which the film does not enter.
-const FREE: f64 = 1000.0;
-/// Film of a node per own pressure over the self-influence: this times the square root of the ratio, between 1 and
-/// [`WIDEST`]. Pressure flow smooths pressures over about that many cells, and wide pressures move films more. Solid contact
-/// screens them: none of that where there is any.
-const WIDTH: f64 = 0.4;
-const WIDEST: f64 = 6.0;
-/// The ratio below which, beside solid contact, pressure is found from the film alone and pressure flow left out.
+/// How films and pressures of the fluid go together, by the ratio `R` of pressure flow to the entrainment of the elastic response
+/// of a node. Where it is small, upstream fixes the film and the pressure is what makes it, as in solid contact; where it is
+/// large, pressure flow fixes the pressure.
+struct Coupling {
+    /// `R` at which half of the pressure of a node is found from its film.
+    balanced: f64,
+    /// `R` beyond which the film does not enter.
+    free: f64,
+    /// Film of a node per own pressure over the self-influence: this times the square root of `R`, between 1 and [`WIDEST`].
+    /// Pressure flow smooths pressures over about that many cells, and wide pressures move films more.
+    width: f64,
+}
+/// Where no solids touch.
+const OPEN: Coupling = Coupling { balanced: 10.0, free: 1000.0, width: 0.4 };
+/// Between solids that touch: they screen the films of the fluid, which follow no pressure from further away than the contact is.
+const SCREENED: Coupling = Coupling { balanced: 3.0, free: 30.0, width: 0.2 };
+const WIDEST: f32 = 6.0;
+/// `R` below which, beside solid contact, pressure is found from the film alone and pressure flow left out.
 const STIFF: f64 = 0.1;
 
 /// Sparse LU of the fluid equations in which films follow their own pressures alone; where solids touch, then the pressures of
@@ -40,6 +47,7 @@ pub(super) struct BlockPreconditioner {
     fluid: Vec<f32>,
     /// Whether solids touch anywhere, which screens the pressures of the fluid.
     screened: bool,
+    contact_distance: ContactDistance,
     given: GivenFilms,
     /// `M^-1` times the column of the approach.
     border: Vec<f32>,
@@ -60,6 +68,7 @@ impl BlockPreconditioner {
             film_share: vec![0.0; n],
             fluid: vec![0.0; n],
             screened: false,
+            contact_distance: ContactDistance::new(grid, WIDEST),
             given: GivenFilms::new(grid),
             border: vec![0.0; most],
             border_load: 1.0,
@@ -115,6 +124,10 @@ impl BlockPreconditioner {
         for &k in unknowns.limited() {
             (self.moves[k as usize], self.response[k as usize]) = (0.0, 1.0);
         }
+        if by_film && self.screened {
+            self.contact_distance.update(&coupled.kinds);
+        }
+        let coupling = if self.screened { SCREENED } else { OPEN };
         for &k in unknowns.open() {
             let k = k as usize;
             self.response[k] = 1.0;
@@ -122,15 +135,14 @@ impl BlockPreconditioner {
                 continue;
             }
             let ratio = coupled.fluid.flow_ratio(k, coupled.near).max(0.0);
-            if self.screened {
-                if ratio < STIFF {
-                    (self.moves[k], self.film_share[k]) = (0.0, 1.0);
-                }
+            if self.screened && ratio < STIFF {
+                (self.moves[k], self.film_share[k]) = (0.0, 1.0);
                 continue;
             }
-            self.response[k] = (WIDTH * ratio.sqrt()).clamp(1.0, WIDEST) as f32;
-            if ratio < FREE {
-                self.film_share[k] = (1.0 + (ratio / BALANCED).sqrt()).sqrt().recip() as f32;
+            let widest = if self.screened { self.contact_distance.at(k) } else { WIDEST };
+            self.response[k] = ((coupling.width * ratio.sqrt()) as f32).clamp(1.0, widest);
+            if ratio < coupling.free {
+                self.film_share[k] = (1.0 + (ratio / coupling.balanced).sqrt()).sqrt().recip() as f32;
             }
         }
     }
@@ -198,20 +210,18 @@ impl BlockPreconditioner {
         }
         for &k in open {
             let k = k as usize;
-            films[k] = f64::from(self.film_share[k] * self.response[k] * self.fluid[k]);
+            let share = self.film_share[k];
+            films[k] = f64::from(share * self.response[k] * self.fluid[k]);
+            self.fluid[k] *= 1.0 - share * share;
             // Without solids in contact the other share of the pressure is no load on the films: they are wide.
-            pressures[k] = if self.screened { f64::from(self.moves[k] * self.fluid[k]) } else { 0.0 };
+            pressures[k] = if self.screened { f64::from(self.fluid[k]) } else { 0.0 };
         }
         coupled.convolutions += self.given.solve(problem.deformation, self.screened)?;
         let found = &self.given.pressures;
         let (fluid, pressures) = out.split_at_mut(balanced.len());
         for (out, &k) in fluid.iter_mut().zip(balanced) {
             let k = k as usize;
-            let share = self.film_share[k];
-            *out = self.fluid[k];
-            if share > 0.0 {
-                *out = share * found[k] as f32 + (1.0 - share * share) * *out;
-            }
+            *out = self.film_share[k] * found[k] as f32 + self.fluid[k];
         }
         for (out, &k) in pressures.iter_mut().zip(contact) {
             *out = found[k as usize] as f32;
