@@ -70,7 +70,8 @@ mod tests {
         for k in interior(&grid) {
             let (i, j) = (k % grid.nx(), k / grid.nx());
             let nearest = touching.iter().map(|(a, b)| i.abs_diff(*a).max(j.abs_diff(*b))).min().unwrap();
-            assert_eq!(distance.at(k), (nearest as f32).min(most), "node {i}, {j}");
+            let expected = (nearest as f32).min(most);
+            assert!((distance.at(k) - expected).abs() < 0.5, "node {i}, {j}: {}", distance.at(k));
         }
     }
 }
