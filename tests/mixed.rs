@@ -38,6 +38,14 @@ fn assert_sound(scene: &Scene, solution: &ContactSolution) {
     assert!((carried / solution.hertz.load - 1.0).abs() < 2e-6, "{carried}");
 }
 
+/// The solution of a scene that has to have one.
+fn solve_soundly(scene: &Scene, name: &str) -> ContactSolution {
+    let solution = solve_contact(scene).unwrap();
+    assert_eq!(solution.report.status, Status::Converged, "{name}: {:?}", solution.report);
+    assert_sound(scene, &solution);
+    solution
+}
+
 #[test]
 fn scenes_all_over_the_map_converge() {
     for (n, speed, rq, length, pressure, hardness) in [
@@ -57,11 +65,9 @@ fn scenes_all_over_the_map_converge() {
         (128, 0.01, 130e-9, 10e-6, 1.15e9, Some(2e9)),
     ] {
         let scene = scene(n, speed, rq, length, pressure, hardness);
-        let solution = solve_contact(&scene).unwrap();
         let name = format!("{speed} m/s, {rq} m, {length} m, {pressure} Pa, {hardness:?}");
-        assert_eq!(solution.report.status, Status::Converged, "{name}: {:?}", solution.report);
+        let solution = solve_soundly(&scene, &name);
         assert!(solution.report.residuals.max() <= 1e-6, "{name}: {:?}", solution.report);
-        assert_sound(&scene, &solution);
     }
 }
 
@@ -72,9 +78,7 @@ fn solids_touch_on_the_outermost_nodes_too() {
         let mut scene = scene(64, speed, 300e-9, length, 0.5e9, hardness);
         let half = 1.05 * scene.hertz().unwrap().a_x;
         scene.grid = GridSpec::Cells { nx: 64, ny: 64, x: [-half, half], y: [-half, half] };
-        let solution = solve_contact(&scene).unwrap();
-        assert_eq!(solution.report.status, Status::Converged, "{:?}", solution.report);
-        assert_sound(&scene, &solution);
+        let solution = solve_soundly(&scene, "a small box");
         let nodes = (0..64 * 64).map(|k| (k, [k % 64, k / 64]));
         let ring: Vec<usize> =
             nodes.filter(|(_, at)| at.iter().any(|i| i % 63 == 0)).map(|(k, _)| k).collect();
@@ -89,10 +93,7 @@ fn solids_touch_on_the_outermost_nodes_too() {
 fn the_rough_reference_contact_is_found_on_every_mesh() {
     let [coarse, fine] = [64, 512].map(|n| {
         let scene = Scene::azam_2019(n);
-        let solution = solve_contact(&scene).unwrap();
-        assert_eq!(solution.report.status, Status::Converged, "{n} cells: {:?}", solution.report);
-        assert_sound(&scene, &solution);
-        solution.report.work
+        solve_soundly(&scene, &format!("{n} cells")).report.work
     });
     // 77 and 213 convolutions, 2.1 and 3.2 Krylov steps a Newton step were measured; 4.4 where all films of the fluid answer to their
     // own pressures alone.
@@ -109,10 +110,8 @@ fn the_rims_of_pockets_hold() {
         [(0.01, 60e-9, 10e-6, 2e9), (0.01, 130e-9, 40e-6, 1.15e9), (0.001, 60e-9, 10e-6, 2e9)]
     {
         let scene = scene(64, speed, rq, length, pressure, None);
-        let solution = solve_contact(&scene).unwrap();
-        assert_eq!(solution.report.status, Status::Converged, "{:?}", solution.report);
-        assert_sound(&scene, &solution);
-        assert!(solution.report.work.convolutions <= 250.0, "{:?}", solution.report);
+        let report = solve_soundly(&scene, &format!("{speed} m/s, {rq} m")).report;
+        assert!(report.work.convolutions <= 250.0, "{report:?}");
     }
 }
 
@@ -121,10 +120,8 @@ fn the_rims_of_pockets_hold() {
 #[test]
 fn pockets_do_not_go_round_in_cycles() {
     let scene = scene(64, 0.1, 300e-9, 10e-6, 2e9, Some(2e9));
-    let solution = solve_contact(&scene).unwrap();
-    assert_eq!(solution.report.status, Status::Converged, "{:?}", solution.report);
-    assert_sound(&scene, &solution);
-    assert!(solution.report.work.iterations <= 60, "{:?}", solution.report);
+    let report = solve_soundly(&scene, "pockets").report;
+    assert!(report.work.iterations <= 60, "{report:?}");
 }
 
 /// The plastic depth of fluid at the limit does not follow from the pressures: a start keeps it.
@@ -177,9 +174,7 @@ fn contacts_that_stall_from_the_dry_one_are_reached() {
             (random(19.768e-9, seed), random(128.489e-9, 100 + seed));
         let half = 0.25e-3 * 2.0 / 1.15;
         scene.grid = GridSpec::Cells { nx: 64, ny: 64, x: [-half, half], y: [-half, half] };
-        let solution = solve_contact(&scene).unwrap();
-        assert_eq!(solution.report.status, Status::Converged, "seed {seed}: {:?}", solution.report);
-        assert_sound(&scene, &solution);
+        solve_soundly(&scene, &format!("seed {seed}"));
     }
 }
 

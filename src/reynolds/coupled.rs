@@ -103,7 +103,7 @@ impl Coupled {
     }
 
     /// Keeps yielded contact at the contact film and the film of every node consistent with its depth.
-    fn apply_plastic_depth(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
+    pub(super) fn apply_plastic_depth(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let contact_film = problem.contact_film();
         if problem.is_paper() {
             // The overlap of nodes at the limit is flattened after the solve and does not enter it.

@@ -316,7 +316,8 @@ impl Workspace {
             if eased {
                 problem.film_cutoff = (CONTACT_FILM_REDUCTION * problem.film_cutoff).max(film_cutoff);
                 self.coupled.fluid.configure(problem);
-                self.coupled.settle(problem, state);
+                // The flow follows below.
+                self.coupled.apply_plastic_depth(problem, state);
             }
             let free = if eased { 1.0 } else { (residuals.max() / FREE_BELOW).min(1.0) };
             self.coupled.fluid.set_step_squeeze(free * squeeze);

@@ -15,6 +15,8 @@ use crate::reynolds::problem::LubricatedContact;
 /// of a node. Where it is small, upstream fixes the film and the pressure is what makes it, as in solid contact; where it is
 /// large, pressure flow fixes the pressure.
 struct Coupling {
+    /// `R` below which pressure is found from the film alone and pressure flow left out.
+    stiff: f64,
     /// `R` at which half of the pressure of a node is found from its film.
     balanced: f64,
     /// `R` beyond which the film does not enter.
@@ -24,12 +26,10 @@ struct Coupling {
     width: f64,
 }
 /// Where no solids touch.
-const OPEN: Coupling = Coupling { balanced: 10.0, free: 1000.0, width: 0.4 };
+const OPEN: Coupling = Coupling { stiff: 0.0, balanced: 10.0, free: 1000.0, width: 0.4 };
 /// Between solids that touch: they screen the films of the fluid, which follow no pressure from further away than the contact is.
-const SCREENED: Coupling = Coupling { balanced: 3.0, free: 30.0, width: 0.2 };
+const SCREENED: Coupling = Coupling { stiff: 0.1, balanced: 3.0, free: 30.0, width: 0.2 };
 const WIDEST: f32 = 6.0;
-/// `R` below which, beside solid contact, pressure is found from the film alone and pressure flow left out.
-const STIFF: f64 = 0.1;
 
 /// Sparse LU of the fluid equations in which films follow their own pressures alone; where solids touch, then the pressures of
 /// the nodes in contact, and of those whose film the first block has found, under the pressures of all others; load balance
@@ -135,7 +135,7 @@ impl BlockPreconditioner {
                 continue;
             }
             let ratio = coupled.fluid.flow_ratio(k, coupled.near).max(0.0);
-            if self.screened && ratio < STIFF {
+            if ratio < coupling.stiff {
                 (self.moves[k], self.film_share[k]) = (0.0, 1.0);
                 continue;
             }
