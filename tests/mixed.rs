@@ -95,15 +95,15 @@ fn the_rough_reference_contact_is_found_on_every_mesh() {
         let scene = Scene::azam_2019(n);
         solve_soundly(&scene, &format!("{n} cells")).report.work
     });
-    // 77 and 213 convolutions, 2.1 and 3.2 Krylov steps a Newton step were measured; 4.4 where all films of the fluid answer to their
-    // own pressures alone.
+    // 71 and 187 convolutions, 1.5 and 2.3 Krylov steps a Newton step were measured; 2.1 and 3.2 where nodes whose pressures follow from
+    // their films in part count as whole ones, 4.4 where all films of the fluid answer to their own pressures alone.
     let per_step = |work: Work| work.inner_iterations as f64 / work.iterations as f64;
-    assert!(coarse.convolutions <= 110.0 && fine.convolutions <= 280.0, "{coarse:?}, {fine:?}");
-    assert!(per_step(coarse) < 3.0 && per_step(fine) < 4.0, "{coarse:?}, {fine:?}");
+    assert!(coarse.convolutions <= 100.0 && fine.convolutions <= 250.0, "{coarse:?}, {fine:?}");
+    assert!(per_step(coarse) < 2.1 && per_step(fine) < 3.1, "{coarse:?}, {fine:?}");
 }
 
 /// A step leaves solids that touch some nanometres off the contact film. Fluid that flowed through those films would drain the
-/// pockets whose rims they are, and these contacts took 757 to 4914 convolutions; 85 to 113 were measured.
+/// pockets whose rims they are, and these contacts took 757 to 4914 convolutions; 82 to 114 were measured.
 #[test]
 fn the_rims_of_pockets_hold() {
     for (speed, rq, length, pressure) in
@@ -115,8 +115,8 @@ fn the_rims_of_pockets_hold() {
     }
 }
 
-/// Linear systems to 6 % may send the fluid of a pocket of one node in and out of cavitation, step by step. Solved better where that
-/// happens, they end it within the first attempt of 60 steps (174 without, 55 were measured).
+/// Linear systems to 10 % may send the fluid of a pocket of one node in and out of cavitation, step by step. Solved better where that
+/// happens, and by steps under which no residual grows, they end it within the first attempt of 60 steps (187 without the latter).
 #[test]
 fn pockets_do_not_go_round_in_cycles() {
     let scene = scene(64, 0.1, 300e-9, 10e-6, 2e9, Some(2e9));

@@ -1,5 +1,8 @@
 //! Restart-free flexible GMRES in single precision, with buffers that are kept.
 
+/// Cosine of the rotation of a step below which it has left the residual as it was: it takes half the square of that of it.
+const STAGNANT: f64 = 0.02;
+
 /// A linear operator with its preconditioner.
 pub(crate) trait PreconditionedOperator {
     /// `out = A x`.
@@ -10,7 +13,8 @@ pub(crate) trait PreconditionedOperator {
 
 /// Basis and rotations of a GMRES solve (Saad and Schultz 1986, SIAM J. Sci. Stat. Comput. 7, 856-869), the
 /// preconditioned basis kept as well (Saad 1993, SIAM J. Sci. Comput. 14, 461-469): the solution needs no further
-/// preconditioning.
+/// preconditioning. That acts on the residuals, not on the basis, which spans the same as long as it is linear: one that
+/// is not mends what it has left itself. After a step that left the residual as it was, it acts on the basis.
 #[derive(Debug, Clone)]
 pub(crate) struct Gmres {
     basis: Vec<Vec<f32>>,
@@ -19,6 +23,8 @@ pub(crate) struct Gmres {
     cosines: Vec<f64>,
     sines: Vec<f64>,
     rhs: Vec<f64>,
+    /// The residual over its norm.
+    residual: Vec<f32>,
     limit: usize,
 }
 
@@ -40,6 +46,7 @@ impl Gmres {
             cosines: vec![0.0; limit],
             sines: vec![0.0; limit],
             rhs: vec![0.0; limit + 1],
+            residual: vec![0.0; n],
             limit,
         }
     }
@@ -58,12 +65,14 @@ impl Gmres {
             return LinearOutcome { steps: 0 };
         }
         scaled(b, 1.0 / norm as f32, &mut self.basis[0]);
+        self.residual[..b.len()].copy_from_slice(&self.basis[0][..b.len()]);
         self.rhs.fill(0.0);
         self.rhs[0] = norm;
         let mut steps = 0;
         while steps < self.limit {
             let next_norm = self.extend(operator, steps, b.len());
             let residual = self.rotate(steps, next_norm);
+            self.follow_residual(steps, b.len());
             steps += 1;
             if residual <= tolerance * norm || next_norm == 0.0 || !residual.is_finite() {
                 break;
@@ -77,7 +86,8 @@ impl Gmres {
     fn extend(&mut self, operator: &mut impl PreconditionedOperator, step: usize, n: usize) -> f64 {
         let (known, fresh) = self.basis.split_at_mut(step + 1);
         let (direction, next) = (&mut self.directions[step][..n], &mut fresh[0][..n]);
-        operator.precondition(&known[step][..n], direction);
+        let stagnates = step > 0 && self.cosines[step - 1].abs() < STAGNANT;
+        operator.precondition(&(if stagnates { &known[step] } else { &self.residual })[..n], direction);
         operator.apply(direction, next);
         for (i, v) in known.iter().enumerate() {
             let v = &v[..n];
@@ -116,6 +126,14 @@ impl Gmres {
         self.rhs[step + 1].abs()
     }
 
+    /// The residual that step `step` leaves, over its norm: `q -> cosine v - sine q` with the new direction `v`.
+    fn follow_residual(&mut self, step: usize, n: usize) {
+        let (cosine, sine) = (self.cosines[step] as f32, self.sines[step] as f32);
+        for (q, v) in self.residual[..n].iter_mut().zip(&self.basis[step + 1]) {
+            *q = cosine * v - sine * *q;
+        }
+    }
+
     /// `x = Z y` with `y` from the triangular system.
     fn assemble(&mut self, steps: usize, x: &mut [f32]) {
         for i in (0..steps).rev() {
@@ -152,4 +170,37 @@ fn dot(a: &[f32], b: &[f32]) -> f32 {
     }
     let rest: f32 = left.remainder().iter().zip(right.remainder()).map(|(x, y)| x * y).sum();
     sums.iter().sum::<f32>() + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Moves every entry to the next place: the residual stays as it is until the last step.
+    struct Shift;
+
+    impl PreconditionedOperator for Shift {
+        fn apply(&mut self, x: &[f32], out: &mut [f32]) {
+            out.copy_from_slice(x);
+            out.rotate_right(1);
+        }
+
+        fn precondition(&mut self, r: &[f32], out: &mut [f32]) {
+            out.copy_from_slice(r);
+        }
+    }
+
+    #[test]
+    fn goes_on_where_the_residual_does_not_fall() {
+        const N: usize = 12;
+        let mut b = [0.0; N];
+        b[0] = 2.0;
+        let mut x = [0.0; N];
+        let outcome = Gmres::new(N, 2 * N).solve(&mut Shift, &b, 1e-6, &mut x);
+        assert_eq!(outcome.steps, N as u64);
+        for (k, value) in x.iter().enumerate() {
+            let exact = if k == N - 1 { 2.0 } else { 0.0 };
+            assert!((value - exact).abs() < 1e-5, "{value} in place of {exact} at {k}");
+        }
+    }
 }

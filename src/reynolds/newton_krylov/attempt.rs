@@ -59,7 +59,7 @@ const CAREFUL: Caution = Caution { unforeseen: 0.3, careful_below: 30.0 };
 /// Far from the solution the residual has to grow, while plateaus part and close: this reaches contacts that the other does not.
 pub(super) const BOLD: Caution = Caution { unforeseen: 0.5, careful_below: 0.0 };
 /// Enough for most scenes, and the cheapest.
-pub(super) const QUICK: Effort = Effort { start: 0.03, krylov: 0.06 };
+pub(super) const QUICK: Effort = Effort { start: 0.03, krylov: 0.1 };
 /// Where that stalls: errors left at single nodes are as large as the contact film, and starts close to it matter.
 pub(super) const THOROUGH: Effort = Effort { start: 1e-7, krylov: 0.01 };
 /// What the last attempt makes of scenes whose pockets hold large flows with small differences.

@@ -11,17 +11,17 @@ use crate::reynolds::coupled::UNPADDED;
 /// Nodes of a block along each axis.
 const WIDTH: usize = 3;
 /// Conjugate gradient steps. They end earlier where the residual has fallen to [`SMALL`] of itself.
-const STEPS: u32 = 8;
+const STEPS: u32 = 6;
 const SMALL: f64 = 0.01;
 /// Cost of a convolution on the blocks in those on the padded grid of the nodes.
 const COST: f64 = UNPADDED / (WIDTH * WIDTH) as f64;
 
 /// One pressure for all nodes of a block whose films are given, such that their mean film is the one given.
 ///
-/// With `n` given nodes in a block and `K` the mean influence of two different nodes of two blocks, the mean film of a block
-/// is `sum of K n p + (1 - K_own) p`, its own nodes having the self-influence, one, on themselves. Multiplied by
-/// `sqrt(n)` these equations are symmetric in `sqrt(n) p`; conjugate gradients solve them, the inverse convolution for
-/// blocks full of given nodes being the preconditioner.
+/// With `n` given nodes in a block (the sum of their squared weights) and `K` the mean influence of two different nodes of
+/// two blocks, the mean film of a block is `sum of K n p + (1 - K_own) p`, its own nodes having the
+/// self-influence, one, on themselves. Multiplied by `sqrt(n)` these equations are symmetric in `sqrt(n) p`; conjugate
+/// gradients solve them, the inverse convolution for blocks full of given nodes being the preconditioner.
 #[derive(Debug)]
 pub(super) struct CoarseFilms {
     /// Block of every node.
@@ -30,7 +30,7 @@ pub(super) struct CoarseFilms {
     inverse: Convolution<f32>,
     /// `1 - K_own`.
     excess: f64,
-    /// Square root of the given nodes of each block, and its inverse, zero without any.
+    /// Square root of the number of given nodes of each block, and its inverse, zero without any.
     root: Vec<f64>,
     per_root: Vec<f64>,
     solution: Vec<f64>,
@@ -74,11 +74,11 @@ impl CoarseFilms {
         })
     }
 
-    /// Takes the nodes whose films are given.
-    pub(super) fn prepare(&mut self, given: &[u32]) {
+    /// Takes the nodes whose films are given, and the weights of all, zero at others.
+    pub(super) fn prepare(&mut self, given: &[u32], weights: &[f64]) {
         self.root.fill(0.0);
         for &k in given {
-            self.root[self.block[k as usize] as usize] += 1.0;
+            self.root[self.block[k as usize] as usize] += weights[k as usize].powi(2);
         }
         for (root, inverse) in self.root.iter_mut().zip(&mut self.per_root) {
             *root = root.sqrt();
@@ -87,13 +87,21 @@ impl CoarseFilms {
     }
 
     /// Adds to the pressures of the `given` nodes those of their blocks, such that together with all other pressures they make
-    /// the mean of `films`, in deflections of a node under unit pressure and zero at all other nodes. Returns the cost.
-    pub(super) fn add_pressures(&mut self, given: &[u32], films: &[f64], pressures: &mut [f64]) -> f64 {
+    /// the mean of `films`, in deflections of a node under unit pressure. Returns the cost.
+    pub(super) fn add_pressures(
+        &mut self,
+        given: &[u32],
+        weights: &[f64],
+        films: &[f64],
+        pressures: &mut [f64],
+    ) -> f64 {
         self.residual.fill(0.0);
         self.direction.fill(0.0);
-        for ((film, pressure), &block) in films.iter().zip(&*pressures).zip(&self.block) {
-            self.residual[block as usize] += film;
+        for (pressure, &block) in pressures.iter().zip(&self.block) {
             self.direction[block as usize] += pressure;
+        }
+        for k in given.iter().map(|&k| k as usize) {
+            self.residual[self.block[k] as usize] += weights[k].powi(2) * films[k];
         }
         self.influence.apply(&self.direction, &mut self.image);
         let roots = self.root.iter().zip(&self.per_root);
@@ -101,11 +109,25 @@ impl CoarseFilms {
             *r = *r * inverse - root * image;
         }
         let cost = COST * (1.0 + self.solve());
-        for &k in given {
-            let block = self.block[k as usize] as usize;
-            pressures[k as usize] += self.per_root[block] * self.solution[block];
+        for k in given.iter().map(|&k| k as usize) {
+            let block = self.block[k] as usize;
+            pressures[k] += weights[k].powi(2) * self.per_root[block] * self.solution[block];
         }
         cost
+    }
+
+    /// Takes the share `lessened` of the mean pressure of each block from `values`, pressures over their weights.
+    pub(super) fn lessen_means(&mut self, given: &[u32], weights: &[f64], values: &mut [f64], lessened: f64) {
+        self.scratch.fill(0.0);
+        for k in given.iter().map(|&k| k as usize) {
+            self.scratch[self.block[k] as usize] += weights[k] * values[k];
+        }
+        for (mean, per_root) in self.scratch.iter_mut().zip(&self.per_root) {
+            *mean *= lessened * per_root * per_root;
+        }
+        for k in given.iter().map(|&k| k as usize) {
+            values[k] -= weights[k] * self.scratch[self.block[k] as usize];
+        }
     }
 
     /// Conjugate gradients from zero for `self.residual`; returns their convolutions.

@@ -6,17 +6,24 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::coupled::UNPADDED;
 
-/// Share of the inverse convolution that is taken: it holds the films of all other nodes, which in truth give way. A single node
-/// has about three quarters of the stiffness that it has between nodes that are held.
-const YIELDING: f64 = 0.75;
+/// Share of the inverse convolution that is taken: it holds the films of all other nodes, which in truth give way.
+const YIELDING: f64 = 0.9;
+/// Share of the mean pressure of a block that is taken back from it: the blocks have found that already, and what single nodes
+/// add to it would have to be carried by the whole contact.
+const FOUND: f64 = 0.6;
 
 /// Finds the pressures of nodes whose films are given under given pressures of all others.
 ///
 /// Blocks of nodes come first (see [`CoarseFilms`]): they take the wide displacements, of which the inverse convolution,
 /// masked to scattered nodes, makes far too much. It then takes what is left, on the nodes.
+///
+/// With `w^2` the share of the pressure of a node that its film decides, `w y` is that share, and the equations are
+/// `w K w y = w` times the film: as symmetric as `K`, and whole nodes have the weight one.
 #[derive(Debug)]
 pub(super) struct GivenFilms {
     nodes: Vec<u32>,
+    /// Square root of the share of a node's pressure that its film decides.
+    weights: Vec<f64>,
     /// None on a line, whose response has no length to fall off in.
     coarse: Option<CoarseFilms>,
     /// Influences of the body that the blocks are made for, their bits.
@@ -31,6 +38,7 @@ impl GivenFilms {
         let n = grid.len();
         Self {
             nodes: Vec::with_capacity(n),
+            weights: vec![0.0; n],
             coarse: None,
             influences: [0; 3],
             films: vec![0.0; n],
@@ -50,39 +58,51 @@ impl GivenFilms {
         Ok(())
     }
 
-    /// Takes the nodes whose films are given.
-    pub(super) fn prepare(&mut self, nodes: impl Iterator<Item = u32>) {
+    /// Takes the nodes whose films are given with their weights, none of which is zero.
+    pub(super) fn prepare(&mut self, nodes: impl Iterator<Item = (u32, f64)>) {
         self.nodes.clear();
-        self.nodes.extend(nodes);
+        self.weights.fill(0.0);
+        for (k, weight) in nodes {
+            self.nodes.push(k);
+            self.weights[k as usize] = weight;
+        }
         if let Some(coarse) = &mut self.coarse {
-            coarse.prepare(&self.nodes);
+            coarse.prepare(&self.nodes, &self.weights);
         }
     }
 
-    /// From `films`, in deflections of a node under unit pressure and zero where they are not given, and `pressures` as far as they
-    /// are known, those where films are given. Returns the cost in convolutions.
+    /// Adds to `pressures`, as far as they are known, those that make `films`, in deflections of a node under unit pressure, where
+    /// these are given. Where no solids screen them, the known pressures are no load on these films: they are wide. Returns the
+    /// cost in convolutions.
     pub(super) fn solve(
         &mut self,
         body: &mut dyn DeformationModel,
         screened: bool,
     ) -> Result<f64, InputError> {
-        let Self { nodes, coarse, films, pressures, scratch, .. } = self;
+        let Self { nodes, weights, coarse, films, pressures, scratch, .. } = self;
         if nodes.is_empty() {
             return Ok(0.0);
         }
         let mut cost = UNPADDED;
         let own = body.influence(0, 0);
-        if let Some(coarse) = coarse.as_mut().filter(|_| screened) {
-            cost += UNPADDED + coarse.add_pressures(nodes, films, pressures);
+        let mut coarse = coarse.as_mut().filter(|_| screened);
+        if let Some(coarse) = &mut coarse {
+            cost += UNPADDED + coarse.add_pressures(nodes, weights, films, pressures);
             body.displacement_sketch(pressures, scratch)?;
             for &k in &*nodes {
                 films[k as usize] -= scratch[k as usize] / own;
             }
         }
+        for (film, weight) in films.iter_mut().zip(&*weights) {
+            *film *= weight;
+        }
         body.pressure_estimate(films, scratch)?;
+        if let Some(coarse) = coarse {
+            coarse.lessen_means(nodes, weights, scratch, FOUND);
+        }
         let share = if screened { YIELDING * own } else { own };
         for &k in &*nodes {
-            pressures[k as usize] += share * scratch[k as usize];
+            pressures[k as usize] += share * weights[k as usize] * scratch[k as usize];
         }
         Ok(cost)
     }

@@ -40,14 +40,15 @@ const CONTACT_FILM_REDUCTION: f64 = 0.5;
 /// The residual below which the squeeze is reduced in proportion to that as well: near the solution a step in time holds back the
 /// approach, and the whole contact with it.
 const FREE_BELOW: f64 = 10.0;
-/// Growth of the residual after which a step is taken again at [`SHORTER`] length, and how often at most: anywhere, and where an
-/// attempt is careful.
+/// Growth of the residual after which a step is taken again at [`SHORTER`] length, and how often at most: anywhere, where an
+/// attempt is careful, and once it has been without a new best residual for [`PATIENCE`] steps.
 const JUMP: (f64, u32) = (4.0, 1);
 const CAREFUL_JUMP: (f64, u32) = (2.0, 3);
+const STRICT_JUMP: (f64, u32) = (1.0, 2);
 const SHORTER: f64 = 0.5;
-/// Steps without a new best residual after which the largest trust is halved, and linear systems are solved to the share
-/// [`TIGHTER`] of their tolerance, where that is coarser than in a thorough attempt: what they leave in a pocket of one node may be
-/// all that decides whether its fluid cavitates, and it then does in every other step.
+/// Steps without a new best residual after which the largest trust is halved, no step may let the residual grow any more, and
+/// linear systems are solved to the share [`TIGHTER`] of their tolerance, where that is coarser than in a thorough attempt: what
+/// they leave in a pocket of one node may be all that decides whether its fluid cavitates, and it then does in every other step.
 const PATIENCE: u32 = 5;
 const TIGHTER: f64 = 0.2;
 /// Bounds of the change of the trust from step to step, and its least value in reference pressures.
@@ -280,7 +281,7 @@ impl Workspace {
         let (mut squeeze, squeeze_reduction) = attempt.squeeze;
         let mut settling = Settling { trust: largest_trust, opens_together: attempt.gentle };
         let mut krylov_tolerance = attempt.effort.krylov;
-        let (mut lowest, mut fruitless) = (f64::INFINITY, 0);
+        let (mut lowest, mut fruitless, mut swings) = (f64::INFINITY, 0, false);
         let mut status = if limit == left { Status::MaxIterations } else { Status::Stalled };
         let mut residuals = self.coupled.residuals(problem, state);
         for iteration in 0..=limit {
@@ -308,7 +309,7 @@ impl Workspace {
                 break;
             }
             if fruitless == PATIENCE {
-                (largest_trust, fruitless) = (0.5 * largest_trust, 0);
+                (largest_trust, fruitless, swings) = (0.5 * largest_trust, 0, true);
                 krylov_tolerance = krylov_tolerance.min((TIGHTER * krylov_tolerance).max(THOROUGH.krylov));
                 settling.trust = settling.trust.min(largest_trust);
             }
@@ -328,7 +329,11 @@ impl Workspace {
                 break;
             };
             work.inner_iterations += krylov_steps;
-            let jump = if residuals.max() < attempt.caution.careful_below { CAREFUL_JUMP } else { JUMP };
+            let jump = match residuals.max() < attempt.caution.careful_below {
+                _ if swings => STRICT_JUMP,
+                true => CAREFUL_JUMP,
+                false => JUMP,
+            };
             residuals = self.advance_carefully(problem, state, settling, residuals.max(), jump)?;
             let (shorter, longer) = TRUST_CHANGE;
             let change = attempt.caution.unforeseen / self.unforeseen_share(state, problem.contact_film());

@@ -95,8 +95,9 @@ impl BlockPreconditioner {
         if problem.lubricant.is_some() {
             self.find_shares(coupled, unknowns);
         }
-        let by_film = unknowns.open().iter().filter(|&&k| self.film_share[k as usize] > 0.0);
-        self.given.prepare(unknowns.contact().iter().chain(by_film).copied());
+        let contact = unknowns.contact().iter().map(|&k| (k, 1.0));
+        let open = unknowns.open().iter().map(|&k| (k, f64::from(self.film_share[k as usize])));
+        self.given.prepare(contact.chain(open.filter(|(_, weight)| *weight > 0.0)));
         if problem.lubricant.is_none() {
             return true;
         }
@@ -208,20 +209,19 @@ impl BlockPreconditioner {
         for (&k, r) in contact.iter().zip(gaps) {
             films[k as usize] = f64::from(*r);
         }
-        for &k in open {
-            let k = k as usize;
-            let share = self.film_share[k];
-            films[k] = f64::from(share * self.response[k] * self.fluid[k]);
-            self.fluid[k] *= 1.0 - share * share;
-            // Without solids in contact the other share of the pressure is no load on the films: they are wide.
-            pressures[k] = if self.screened { f64::from(self.fluid[k]) } else { 0.0 };
+        for k in open.iter().map(|&k| k as usize) {
+            films[k] = f64::from(self.response[k] * self.fluid[k]);
+            pressures[k] = f64::from((1.0 - self.film_share[k].powi(2)) * self.fluid[k]);
         }
         coupled.convolutions += self.given.solve(problem.deformation, self.screened)?;
         let found = &self.given.pressures;
         let (fluid, pressures) = out.split_at_mut(balanced.len());
-        for (out, &k) in fluid.iter_mut().zip(balanced) {
-            let k = k as usize;
-            *out = self.film_share[k] * found[k] as f32 + self.fluid[k];
+        let (in_open, in_others) = fluid.split_at_mut(open.len());
+        for (out, &k) in in_open.iter_mut().zip(open) {
+            *out = found[k as usize] as f32;
+        }
+        for (out, &k) in in_others.iter_mut().zip(&balanced[open.len()..]) {
+            *out = self.fluid[k as usize];
         }
         for (out, &k) in pressures.iter_mut().zip(contact) {
             *out = found[k as usize] as f32;
