@@ -1,6 +1,6 @@
 //! Restart-free flexible GMRES in single precision, with buffers that are kept.
 
-/// Cosine of the rotation of a step below which it has left the residual as it was: it takes half the square of that of it.
+/// Cosine of the rotation of a step below which it has left the residual as it was: its norm has fallen by half the square.
 const STAGNANT: f64 = 0.02;
 
 /// A linear operator with its preconditioner.
@@ -72,11 +72,11 @@ impl Gmres {
         while steps < self.limit {
             let next_norm = self.extend(operator, steps, b.len());
             let residual = self.rotate(steps, next_norm);
-            self.follow_residual(steps, b.len());
             steps += 1;
             if residual <= tolerance * norm || next_norm == 0.0 || !residual.is_finite() {
                 break;
             }
+            self.follow_residual(steps - 1, b.len());
         }
         self.assemble(steps, x);
         LinearOutcome { steps: steps as u64 }

@@ -329,10 +329,12 @@ impl Workspace {
                 break;
             };
             work.inner_iterations += krylov_steps;
-            let jump = match residuals.max() < attempt.caution.careful_below {
-                _ if swings => STRICT_JUMP,
-                true => CAREFUL_JUMP,
-                false => JUMP,
+            let jump = if swings {
+                STRICT_JUMP
+            } else if residuals.max() < attempt.caution.careful_below {
+                CAREFUL_JUMP
+            } else {
+                JUMP
             };
             residuals = self.advance_carefully(problem, state, settling, residuals.max(), jump)?;
             let (shorter, longer) = TRUST_CHANGE;
