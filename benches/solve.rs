@@ -6,7 +6,6 @@ use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use stribeck::Status;
-use stribeck::reynolds::Scheme;
 use stribeck::sim::scene::{GridSpec, Load};
 use stribeck::sim::{Scene, solve_contact};
 use stribeck::surface::Form;
@@ -24,7 +23,6 @@ fn ball(moes_load: f64, n: usize) -> Scene {
     scene.motion.entrainment_speed = 0.5 * speed * MODULUS / 0.04;
     scene.roughness = Default::default();
     scene.plastic = None;
-    scene.solver.scheme = Scheme::SecondOrder;
     let a = scene.hertz().unwrap().a_x;
     scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-4.5 * a, 1.5 * a], y: [-3.0 * a, 3.0 * a] };
     scene

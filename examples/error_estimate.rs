@@ -12,7 +12,6 @@ use std::error::Error;
 use std::io::{self, Write};
 
 use stribeck::Status;
-use stribeck::reynolds::Scheme;
 use stribeck::sim::scene::{GridSpec, Load, LubricantSpec};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
@@ -104,7 +103,6 @@ fn truth(
     let edges = |first: f64, step: f64, n: usize| [first - 0.5 * step, first + (n as f64 - 0.5) * step];
     let (x, y) = (edges(grid.x(0), grid.dx(), nx), edges(grid.y(0), grid.dy(), ny));
     let mut scene = scene.clone();
-    scene.solver.scheme = Scheme::SecondOrder;
     let mut solved = |nx, ny, x, y| -> Result<Option<[f64; 3]>, Box<dyn Error>> {
         scene.grid = GridSpec::Cells { nx, ny, x, y };
         let solution = solve_contact(&scene)?;

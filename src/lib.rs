@@ -57,7 +57,7 @@
 //! })?;
 //! let last = history[3];
 //! assert_eq!(last.time, 240.0);
-//! assert!(last.load_ratio > 0.9, "boundary lubrication: solids carry the load");
+//! assert!(last.load_ratio > 0.0 && last.load_ratio < 1.0, "mixed lubrication: solids carry a part of the load");
 //! assert!(last.mean_film[1] > history[0].mean_film[1], "the film grows");
 //! assert!(sim.ledger_residual()? < 1e-20, "every nanometre is accounted for");
 //! # Ok::<(), stribeck::sim::SimError>(())
@@ -67,7 +67,7 @@
 //!
 //! SI units throughout. Fields are row-major slices, node `(i, j)` at `j * nx + i`, x along the entrainment. Heights point
 //! out of their body. Isothermal fluid, smooth far field, parabolic bodies, half-space elasticity, no subsurface plasticity;
-//! asperity inlets narrower than a cell are not resolved, so contact area and load ratio depend on grid and `h_cut`.
+//! contact area and load ratio depend on `h_cut`, and on the grid where both solids and fluid carry much of the load.
 //!
 //! # Features
 //!

@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::Status;
-use stribeck::reynolds::{FaceMobility, Scheme};
+use stribeck::reynolds::{ContactDefinition, FaceMobility, Scheme};
 use stribeck::sim::scene::{Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 
@@ -43,11 +43,11 @@ fn check_consistency(scene: &Scene, solution: &ContactSolution) {
 
 #[test]
 fn smooth_reference_scene_has_the_known_film() {
-    // 8.3 nm at 256 x 256 with the first-order scheme, by an independent semi-system program.
+    // 7.56 nm in the limit of fine meshes, by an independent program.
+    let [coarse, fine] = [128, 256].map(|n| solve(&smooth(n)).film.central * 1e9);
+    assert!((coarse / 7.56 - 1.0).abs() < 0.02 && (fine / 7.56 - 1.0).abs() < 0.01, "{coarse} and {fine} nm");
     let scene = smooth(256);
     let solution = solve(&scene);
-    let central = solution.film.central * 1e9;
-    assert!((central - 8.3).abs() < 0.05 * 8.3, "central film {central} nm");
     let peak = solution.contact.max_pressure / 1.15e9;
     assert!((peak - 1.0).abs() < 0.01, "peak {peak} of the Hertz pressure");
     check_consistency(&scene, &solution);
@@ -97,7 +97,7 @@ fn rough_scenes_converge() {
             let solution = solve(&scene);
             check_consistency(&scene, &solution);
             let ratio = solution.contact.load_ratio;
-            assert!(ratio > 0.7 && ratio < 1.0, "load ratio {ratio}, seed {seed}, hardness {hardness}");
+            assert!(ratio > 0.02 && ratio < 0.5, "load ratio {ratio}, seed {seed}, hardness {hardness}");
             assert!(solution.report.work.convolutions < 2000.0, "{:?}", solution.report.work);
         }
     }
@@ -112,7 +112,7 @@ fn discretisations_agree_where_the_mesh_resolves_the_film() {
         for mobility in [FaceMobility::Arithmetic, FaceMobility::ReducedPressure] {
             let mut scene = smooth(128);
             scene.motion.entrainment_speed = 10.0;
-            scene.solver.scheme = scheme;
+            scene.solver.scheme = Some(scheme);
             scene.solver.face_mobility = Some(mobility);
             let solution = solve(&scene);
             check_consistency(&scene, &solution);
@@ -126,15 +126,16 @@ fn discretisations_agree_where_the_mesh_resolves_the_film() {
 }
 
 #[test]
-fn the_scene_picks_the_pressure_flow() {
+fn one_discretisation_suits_every_scene_but_the_published_one() {
     let mut scene = Scene::azam_2019(64);
-    assert_eq!(scene.face_mobility(), FaceMobility::ReducedPressure);
-    scene.solver.face_mobility = Some(FaceMobility::Arithmetic);
-    assert_eq!(scene.face_mobility(), FaceMobility::Arithmetic);
-    let mut scene = smooth(64);
-    assert_eq!(scene.face_mobility(), FaceMobility::Arithmetic);
-    scene.solver.scheme = Scheme::SecondOrder;
-    assert_eq!(scene.face_mobility(), FaceMobility::ReducedPressure);
+    for wedge in [scene.clone(), smooth(64)] {
+        assert_eq!((wedge.scheme(), wedge.face_mobility()), (Scheme::Limited, FaceMobility::Wedge));
+    }
+    scene.solver.contact = ContactDefinition::Paper;
+    assert_eq!((scene.scheme(), scene.face_mobility()), (Scheme::FirstOrder, FaceMobility::Arithmetic));
+    (scene.solver.scheme, scene.solver.face_mobility) =
+        (Some(Scheme::SecondOrder), Some(FaceMobility::Wedge));
+    assert_eq!((scene.scheme(), scene.face_mobility()), (Scheme::SecondOrder, FaceMobility::Wedge));
 }
 
 #[test]
@@ -152,7 +153,7 @@ fn slow_rough_contact_tends_to_the_dry_one() {
     }
     scene.motion.entrainment_speed = 1e-4;
     let wet = solve(&scene);
-    assert!(wet.contact.load_ratio > 0.9999, "load ratio {}", wet.contact.load_ratio);
+    assert!(wet.contact.load_ratio > 0.999, "load ratio {}", wet.contact.load_ratio);
     assert!((wet.contact.area_ratio - dry.contact.area_ratio).abs() < 0.005);
     assert!((wet.contact.max_pressure / dry.contact.max_pressure - 1.0).abs() < 0.01);
     assert!((wet.film.mean_central - dry.film.mean_central).abs() < 1.5 * scene.solver.film_cutoff);

@@ -108,7 +108,7 @@ fn both_pressure_flows_tend_to_one_film() {
     let difference = |n: usize| {
         let films = [FaceMobility::Arithmetic, FaceMobility::ReducedPressure].map(|mobility| {
             let mut scene = thinned(&ball(n), 5e6);
-            scene.solver.scheme = Scheme::SecondOrder;
+            scene.solver.scheme = Some(Scheme::SecondOrder);
             scene.solver.face_mobility = Some(mobility);
             solve(&scene).film.central
         });

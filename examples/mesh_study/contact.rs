@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::path::Path;
 
-use stribeck::reynolds::ContactDefinition;
+use stribeck::reynolds::{ContactDefinition, FaceMobility, Scheme};
 use stribeck::sim::scene::{FileRoughness, Roughness, RoughnessPair, SolverKind};
 use stribeck::sim::{Scene, solve_contact};
 use stribeck::surface::{Autocorrelation, Heights, RoughnessSpec, generate, write_npy};
@@ -86,9 +86,12 @@ pub(crate) fn solve(job: &Job, folder: &Path) -> Result<Row, Box<dyn Error>> {
     scene.solver.film_cutoff = job.cutoff;
     match job.contact {
         Contact::Dry => scene.solver.kind = SolverKind::Dry,
-        Contact::Hard(mobility) => scene.solver.face_mobility = Some(mobility),
-        Contact::Paper(mobility) => {
-            scene.solver.face_mobility = Some(mobility);
+        Contact::Wedge => {}
+        Contact::Means => {
+            scene.solver.scheme = Some(Scheme::FirstOrder);
+            scene.solver.face_mobility = Some(FaceMobility::ReducedPressure);
+        }
+        Contact::Paper => {
             scene.solver.contact = ContactDefinition::Paper;
             scene.solver.max_iterations = job.sweeps();
         }

@@ -7,9 +7,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use crate::contact::Row;
-use crate::plan::{
-    CELLS, CONTACTS, CUTOFF, CUTOFFS, Contact, DRY, HARD, HARD_ARITHMETIC, MESH, PAPER, PAPER_ARITHMETIC,
-};
+use crate::plan::{CELLS, CONTACTS, CUTOFF, CUTOFFS, Contact, MESH};
 use crate::summary::{Choice, Mean, first, mean};
 
 const SIZE: (u32, u32) = (960, 1060);
@@ -25,10 +23,9 @@ const QUANTITIES: [(&str, f64, f64); 4] = [
 /// Colours of the palette of Okabe and Ito.
 fn pen(contact: Contact) -> (RGBColor, &'static str) {
     match contact {
-        HARD => (RGBColor(0, 0, 0), "hard, reduced pressures"),
-        HARD_ARITHMETIC => (RGBColor(0, 114, 178), "hard, arithmetic means"),
-        PAPER => (RGBColor(213, 94, 0), "paper, reduced pressures"),
-        PAPER_ARITHMETIC => (RGBColor(230, 159, 0), "paper, arithmetic means"),
+        Contact::Wedge => (RGBColor(0, 0, 0), "hard, wedge"),
+        Contact::Means => (RGBColor(0, 114, 178), "hard, means of cubes"),
+        Contact::Paper => (RGBColor(230, 159, 0), "paper as published"),
         Contact::Dry => (RGBColor(0, 158, 115), "dry"),
     }
 }
@@ -64,7 +61,7 @@ pub(crate) fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
         })?;
         panel(right, k, &films, "contact film / nm", &|contact, x| {
             // A dry contact has no contact film: a line across.
-            let cutoff = if contact == DRY { CUTOFF } else { CUTOFFS[x] };
+            let cutoff = if contact == Contact::Dry { CUTOFF } else { CUTOFFS[x] };
             mean(&rows, Choice { cutoff, ..Choice::reference(contact, MESH) })
         })?;
     }

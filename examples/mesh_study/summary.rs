@@ -3,10 +3,7 @@
 use std::fmt::{Error, Write as _};
 
 use crate::contact::Row;
-use crate::plan::{
-    CONTACTS, CUTOFF, CUTOFFS, Contact, DRY, FULLER, HARD, HARD_ARITHMETIC, MESH, REFERENCE, SEEDS, SLOW,
-    SPEED,
-};
+use crate::plan::{CONTACTS, CUTOFF, CUTOFFS, Contact, FULLER, MESH, REFERENCE, SEEDS, SLOW, SPEED};
 
 /// Which rows a table is of.
 #[derive(Clone, Copy)]
@@ -172,7 +169,7 @@ fn cutoffs(text: &mut String, rows: &[Row]) -> Result<(), Error> {
         "\nContact film at {MESH} cells, mean over surfaces:\n\n| contact | contact film, nm | {HEAD}"
     )?;
     writeln!(text, "|---|---|---|---|---|---|---|---|---|")?;
-    for contact in CONTACTS.into_iter().filter(|contact| *contact != DRY) {
+    for contact in CONTACTS.into_iter().filter(|contact| *contact != Contact::Dry) {
         for cutoff in CUTOFFS {
             let choice = Choice { cutoff, ..Choice::reference(contact, MESH) };
             if let Some(mean) = mean(rows, choice) {
@@ -188,7 +185,7 @@ fn cutoffs(text: &mut String, rows: &[Row]) -> Result<(), Error> {
             write!(text, " {cells} |")?;
         }
         writeln!(text, "\n|---|---|{}", "---|".repeat(cells(rows).len()))?;
-        for contact in [HARD, HARD_ARITHMETIC] {
+        for contact in [Contact::Wedge, Contact::Means] {
             for cutoff in CUTOFFS {
                 write!(text, "| {contact} | {:.1} |", 1e9 * cutoff)?;
                 for cells in cells(rows) {
@@ -216,11 +213,11 @@ fn speeds(text: &mut String, rows: &[Row]) -> Result<(), Error> {
     writeln!(text, "|---|---|---|---|---|---|---|---|")?;
     let first = first(rows);
     for speed in std::iter::once(SPEED).chain(SLOW) {
-        if let Some(mean) = mean(&first, Choice { speed, ..Choice::reference(HARD, MESH) }) {
+        if let Some(mean) = mean(&first, Choice { speed, ..Choice::reference(Contact::Wedge, MESH) }) {
             writeln!(text, "| {speed:e} | {} |", mean.cells())?;
         }
     }
-    if let Some(mean) = mean(&first, Choice::reference(DRY, MESH)) {
+    if let Some(mean) = mean(&first, Choice::reference(Contact::Dry, MESH)) {
         writeln!(text, "| dry | {} |", mean.cells())?;
     }
     Ok(())

@@ -126,8 +126,9 @@ pub(crate) const CHOICES: [Choice; 24] = [
     flip("arithmetic", "arithmetic face mobility instead of reduced pressure", |scene| {
         scene.solver.face_mobility = Some(FaceMobility::Arithmetic);
     }),
-    flip("second_order", "second-order entrainment instead of first", |scene| {
-        scene.solver.scheme = Scheme::SecondOrder;
+    flip("first_order", "first-order entrainment and the mean of `h^3` in place of the wedge", |scene| {
+        scene.solver.scheme = Some(Scheme::FirstOrder);
+        scene.solver.face_mobility = Some(FaceMobility::ReducedPressure);
     }),
     flip(
         INLET,

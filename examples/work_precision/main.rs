@@ -34,8 +34,8 @@ use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
 use stribeck::metrics::average_central_film;
 use stribeck::reynolds::{
-    Auto, ContactSolver, ContactState, Dry, FaceMobility, LubricatedContact, Multigrid, NewtonKrylov, Scheme,
-    SemiSystem, StoppingRule,
+    Auto, ContactSolver, ContactState, Dry, LubricatedContact, Multigrid, NewtonKrylov, SemiSystem,
+    StoppingRule,
 };
 use stribeck::sim::Scene;
 use stribeck::sim::scene::{GridSpec, Load};
@@ -195,7 +195,6 @@ fn ball(moes_load: f64, n: usize) -> Scene {
     scene.motion.entrainment_speed = 0.5 * speed * MODULUS * RADIUS / 0.04;
     scene.roughness = Default::default();
     scene.plastic = None;
-    scene.solver.scheme = Scheme::SecondOrder;
     if let Ok(hertz) = scene.hertz() {
         let a = hertz.a_x;
         scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-4.5 * a, 1.5 * a], y: [-3.0 * a, 3.0 * a] };
@@ -304,8 +303,8 @@ fn solve(
         pressure_limit: limit.as_deref(),
         film_cutoff: scene.solver.film_cutoff,
         contact: scene.solver.contact,
-        scheme: scene.solver.scheme,
-        face_mobility: if case.rough { FaceMobility::ReducedPressure } else { scene.face_mobility() },
+        scheme: scene.scheme(),
+        face_mobility: scene.face_mobility(),
         shear_thinning: None,
         reference_half_widths: (hertz.a_x, hertz.a_y),
         reference_pressure: hertz.p_max,

@@ -1,7 +1,7 @@
 //! The coupled state: what follows from pressures and approach, and how far it is from a solution.
 
 use super::active_set::{Fluid, Kind, Sample, Solid};
-use super::discretisation::{Discretisation, NearField};
+use super::flow::{Discretisation, NearField};
 use super::problem::{LubricatedContact, interior};
 use super::state::ContactState;
 use crate::error::InputError;
@@ -133,9 +133,7 @@ impl Coupled {
             return;
         };
         self.flow(problem, lubricant, &state.fluid_pressure, &state.film);
-        for (k, (mass, h)) in state.mass.iter_mut().zip(&state.film).enumerate() {
-            *mass = self.fluid.carried(k, *h);
-        }
+        state.mass.copy_from_slice(self.fluid.masses());
     }
 
     /// Fluid quantities and balances of a flow through `film`.
@@ -149,7 +147,7 @@ impl Coupled {
         self.fluid.update(lubricant, fluid_pressure, film);
         let previous = problem.squeeze.map(|s| s.previous_mass);
         for k in interior(&self.fluid.grid) {
-            self.balance[k] = self.fluid.balance(k, film, previous);
+            self.balance[k] = self.fluid.balance(k, previous);
         }
     }
 

@@ -15,14 +15,13 @@
 mod active_set;
 mod auto;
 mod coupled;
-mod discretisation;
 mod dry;
 mod evaluation;
+mod flow;
 mod multigrid;
 mod newton_krylov;
 mod problem;
 mod semi_system;
-mod shear_thinning;
 mod state;
 
 use std::fmt::Debug;
@@ -30,11 +29,11 @@ use std::fmt::Debug;
 pub use auto::Auto;
 pub use dry::Dry;
 pub use evaluation::Evaluation;
+pub use flow::{FaceMobility, Scheme, ShearThinning};
 pub use multigrid::Multigrid;
 pub use newton_krylov::NewtonKrylov;
-pub use problem::{ContactDefinition, FaceMobility, LubricatedContact, Scheme, Squeeze};
+pub use problem::{ContactDefinition, LubricatedContact, Squeeze};
 pub use semi_system::SemiSystem;
-pub use shear_thinning::ShearThinning;
 pub use state::ContactState;
 use thiserror::Error;
 

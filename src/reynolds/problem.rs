@@ -1,34 +1,10 @@
 //! The coupled problem that is handed to a solver.
 
-use super::shear_thinning::ShearThinning;
+use super::flow::{FaceMobility, Scheme, ShearThinning};
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
-
-/// Discretisation of the wedge term `u d(rho h)/dx`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum Scheme {
-    /// First-order upwind: the flux through a face is that of the node upstream of it.
-    #[default]
-    FirstOrder,
-    /// Second-order upwind: the flux through a face is extrapolated from the two nodes upstream of it.
-    SecondOrder,
-}
-
-/// How pressure drives fluid through the face between two nodes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
-pub enum FaceMobility {
-    /// Arithmetic mean of the mobilities `rho h^3 / (12 eta)` of the two nodes times their pressure difference: the
-    /// usual choice.
-    #[default]
-    Arithmetic,
-    /// Mean of `h^3 / (12 eta_0)` times the difference of the reduced pressures: exact in the viscosity, so that the
-    /// flow grows with the pressure difference however steep the viscosity is.
-    ReducedPressure,
-}
 
 /// What solid contact is in a lubricated contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

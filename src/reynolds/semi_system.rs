@@ -238,7 +238,7 @@ impl Workspace {
                 (self.below[i], self.diagonal[i], self.above[i], self.rhs[i]) = (0.0, 1.0, 0.0, change);
                 continue;
             }
-            let balance = self.coupled.fluid.balance(k, &state.film, previous);
+            let balance = self.coupled.fluid.balance(k, previous);
             // Where solids touch the film does not follow the fluid pressure.
             let stiffness = if kind.is_contact() { 0.0 } else { stiffness };
             let (below, diagonal, above) = self.coupled.fluid.line_row(k, self.coupled.near, stiffness);

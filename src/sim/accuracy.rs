@@ -8,7 +8,7 @@ use super::setup;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::{Status, Work};
-use crate::reynolds::{ContactState, Scheme};
+use crate::reynolds::ContactState;
 
 /// Ratio of the cells of one mesh to those of the next finer one.
 const RATIO: f64 = 2.0;
@@ -138,7 +138,6 @@ pub(super) fn solve(scene: &Scene, accuracy: f64) -> Result<ContactSolution, Sim
     setup::validate(scene)?;
     let hertz = scene.hertz()?;
     let mut scene = scene.clone();
-    scene.solver.scheme = Scheme::SecondOrder;
     let mut plan = Plan::of(&scene, &hertz, accuracy)?;
     let exponent = setup::viscosity(&scene)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.p_max);
     let growth = SPIKE_GROWTH * (exponent / SHARP).min(1.0).powi(2);

@@ -105,7 +105,7 @@ impl ContactModel {
             lubricant,
             solver: overrides.solver.map_or_else(|| setup::solver(scene), Ok)?,
             rule: setup::stopping_rule(scene)?,
-            scheme: scene.solver.scheme,
+            scheme: scene.scheme(),
             face_mobility: scene.face_mobility(),
             shear_thinning: scene.friction.shear_thinning(scene.motion.sliding_speed())?,
             film_cutoff: scene.solver.film_cutoff,

@@ -9,7 +9,8 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::reynolds::dry::hertzian_on;
-use crate::reynolds::problem::{FaceMobility, LubricatedContact, Scheme, interior};
+use crate::reynolds::flow::{FaceMobility, Scheme};
+use crate::reynolds::problem::{LubricatedContact, interior};
 use crate::reynolds::state::ContactState;
 
 /// Sweeps before and after a coarse-grid correction, each with the share of a change that nodes take which entrainment

@@ -3,7 +3,7 @@
 use crate::elastic::{DeformationModel, NEAR};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
-use crate::reynolds::discretisation::Discretisation;
+use crate::reynolds::flow::Discretisation;
 use crate::reynolds::problem::interior;
 
 /// The first influence coefficients along x \[m/Pa\], of a pressure change at one node and of one that the four
@@ -105,7 +105,7 @@ impl Level {
 
     /// `F_k` as evaluated.
     pub(super) fn balance(&self, k: usize) -> f64 {
-        self.fluid.balance(k, &self.film, self.previous.as_deref())
+        self.fluid.balance(k, self.previous.as_deref())
     }
 
     /// What is missing of the source in cells that hold fluid under pressure, zero elsewhere; as evaluated.
@@ -118,7 +118,7 @@ impl Level {
     /// What pressure flow has to balance; as evaluated.
     pub(super) fn find_drive(&mut self) {
         for k in interior(&self.grid) {
-            let transport = self.fluid.transport(k, &self.film, self.previous.as_deref());
+            let transport = self.fluid.transport(k, self.previous.as_deref());
             self.drive[k] = self.source[k] - transport;
         }
     }

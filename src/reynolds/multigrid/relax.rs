@@ -171,10 +171,7 @@ impl LineRelaxation {
             let upwind = [level.fluid.own_mass(k), next, second];
             // More mass for an own pressure, by compression, and for a film.
             let carried: [[f64; 2]; 3] = std::array::from_fn(|m| {
-                level
-                    .fluid
-                    .mass_derivatives(k - m, level.film[k - m].max(0.0))
-                    .map(|derivative| upwind[m] * derivative)
+                level.fluid.mass_derivatives(k - m).map(|derivative| upwind[m] * derivative)
             });
             let transport = |slot: usize| -> f64 {
                 let along = |m: usize| {

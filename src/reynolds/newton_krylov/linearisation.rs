@@ -6,7 +6,7 @@
 
 use crate::grid::Grid;
 use crate::numerics::STENCIL;
-use crate::reynolds::discretisation::Discretisation;
+use crate::reynolds::flow::Discretisation;
 use crate::reynolds::problem::inner_rows;
 
 /// Largest derivative that counts: that of real films is some 1e12.
@@ -24,9 +24,12 @@ pub(super) struct Linearisation {
     /// Of the face to the east of each node, and of that to the north.
     east: FaceFlows,
     north: FaceFlows,
-    /// Coefficients of the masses of a node and of two upstream: behind the inlet, and elsewhere.
-    upwind: [[f32; 3]; 2],
-    /// The first two of the preconditioner.
+    /// Of what entrainment carries through the face to the east of each node beyond what that node holds; empty where it carries
+    /// no more.
+    beyond: [Vec<f32>; 5],
+    carries_beyond: bool,
+    /// Coefficients of the masses of a node and of the one upstream, and those of the preconditioner.
+    upwind: [f32; 2],
     near: [f32; 2],
     mass_change: Vec<f32>,
     east_change: Vec<f32>,
@@ -42,7 +45,9 @@ impl Linearisation {
             mass: [zeros(), zeros()],
             east: faces(),
             north: faces(),
-            upwind: [[0.0; 3]; 2],
+            beyond: std::array::from_fn(|_| zeros()),
+            carries_beyond: false,
+            upwind: [0.0; 2],
             near: [0.0; 2],
             mass_change: zeros(),
             east_change: zeros(),
@@ -50,12 +55,12 @@ impl Linearisation {
         }
     }
 
-    /// Takes the derivatives at the last update of `fluid`, the films being `film`.
-    pub(super) fn update(&mut self, fluid: &Discretisation, film: &[f64], own_influence: f64) {
+    /// Takes the derivatives at the last update of `fluid`.
+    pub(super) fn update(&mut self, fluid: &Discretisation, own_influence: f64) {
         let (nx, n) = (self.grid.nx(), self.grid.len());
         let stiffness = 1.0 / own_influence;
-        for (k, film) in film.iter().enumerate() {
-            let [by_pressure, by_film] = fluid.mass_derivatives(k, *film);
+        for k in 0..n {
+            let [by_pressure, by_film] = fluid.mass_derivatives(k);
             self.mass[0][k] = single(stiffness * by_pressure);
             self.mass[1][k] = single(by_film);
         }
@@ -71,7 +76,17 @@ impl Linearisation {
         for k in 0..n - nx {
             keep(&mut self.north, k, fluid.north_flow_derivatives(k));
         }
-        self.upwind = [1, 2].map(|column| fluid.mass_coefficients(column).map(single));
+        self.carries_beyond = fluid.carries_beyond();
+        if self.carries_beyond {
+            for k in 0..n {
+                let scales = [stiffness, stiffness, 1.0, 1.0, 1.0];
+                let derivatives = fluid.beyond_derivatives(k);
+                for ((beyond, derivative), scale) in self.beyond.iter_mut().zip(derivatives).zip(scales) {
+                    beyond[k] = single(scale * derivative);
+                }
+            }
+        }
+        self.upwind = fluid.mass_coefficients().map(single);
         self.near = fluid.five_point_mass_coefficients().map(single);
     }
 
@@ -85,16 +100,18 @@ impl Linearisation {
             *mass = a * p + b * h;
         }
         flow_changes(&self.east, 1, pressure, film, &mut self.east_change);
+        if self.carries_beyond {
+            add_beyond(&self.beyond, pressure, film, &mut self.east_change);
+        }
         if ny > 1 {
             flow_changes(&self.north, nx, pressure, film, &mut self.north_change);
         }
         for first in inner_rows(&self.grid).map(|j| j * nx) {
             let (mass, east) = (&self.mass_change[first..first + nx], &self.east_change[first..first + nx]);
             let out = &mut out[first..first + nx];
-            let [inlet, [here, up, second]] = self.upwind;
-            out[1] = inlet[0] * mass[1] + inlet[1] * mass[0] + east[1] - east[0];
-            for i in 2..nx - 1 {
-                out[i] = here * mass[i] + up * mass[i - 1] + second * mass[i - 2] + (east[i] - east[i - 1]);
+            let [here, up] = self.upwind;
+            for i in 1..nx - 1 {
+                out[i] = here * mass[i] + up * mass[i - 1] + (east[i] - east[i - 1]);
             }
             if ny > 1 {
                 let (north, south) = (&self.north_change[first..n], &self.north_change[first - nx..first]);
@@ -151,4 +168,18 @@ fn flow_changes(flows: &FaceFlows, stride: usize, pressure: &[f32], film: &[f32]
     for (k, out) in out[..n].iter_mut().enumerate() {
         *out = (own_p[k] * p[k] + other_p[k] * p_other[k]) + (own_h[k] * h[k] + other_h[k] * h_other[k]);
     }
+}
+
+/// Adds the changes of what entrainment carries through the faces to the east beyond what their first nodes hold.
+fn add_beyond(derivatives: &[Vec<f32>; 5], pressure: &[f32], film: &[f32], out: &mut [f32]) {
+    let n = out.len() - 2;
+    let [own_p, up_p, own_h, next_h, up_h] = derivatives.each_ref().map(|derivatives| &derivatives[1..][..n]);
+    let (p_up, p) = (&pressure[..n], &pressure[1..][..n]);
+    let (h_up, h, h_next) = (&film[..n], &film[1..][..n], &film[2..][..n]);
+    for (k, out) in out[1..][..n].iter_mut().enumerate() {
+        *out += (own_p[k] * p[k] + up_p[k] * p_up[k])
+            + (own_h[k] * h[k] + next_h[k] * h_next[k] + up_h[k] * h_up[k]);
+    }
+    let [own_p, _, own_h, next_h, _] = derivatives;
+    out[0] += own_p[0] * pressure[0] + own_h[0] * film[0] + next_h[0] * film[1];
 }

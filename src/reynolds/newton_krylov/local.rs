@@ -2,7 +2,7 @@
 
 use crate::lubricant::Lubricant;
 use crate::reynolds::active_set::{Fluid, Kind, Solid};
-use crate::reynolds::discretisation::{Discretisation, FaceSums, HeldNeighbour, NodeFlow};
+use crate::reynolds::flow::{Discretisation, HeldNeighbour};
 
 /// Bisections and Newton steps of a local solve.
 const MAX_STEPS: u32 = 60;
@@ -69,65 +69,42 @@ impl Material {
     }
 }
 
-/// The own share of a mass balance as a function of own pressure and film, neighbours held:
-/// `M rho(p) h + sum over faces of c (a(p, h) + a_o) (phi(p) - phi_o) / 2`, with shear thinning divided by the viscosity
-/// ratios `(r(p, h) + r_o) / 2`.
+/// The own share of a mass balance as a function of own pressure and film, neighbours and the films of the faces over those of
+/// their first nodes held: `M rho(p) h + sum over faces of c a(p, h) (phi(p) - phi_o)`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Local<'a> {
     lubricant: &'a Lubricant,
     fluid: &'a Discretisation,
+    node: usize,
     mass: f64,
-    faces: FaceSums,
-    /// With shear thinning alone.
-    neighbours: Option<[HeldNeighbour; 4]>,
+    neighbours: [HeldNeighbour; 4],
 }
 
 impl<'a> Local<'a> {
-    pub(super) fn new(fluid: &'a Discretisation, lubricant: &'a Lubricant, k: usize) -> Self {
-        Self {
-            lubricant,
-            fluid,
-            mass: fluid.own_mass(k),
-            faces: fluid.face_sums(k),
-            neighbours: fluid.held_neighbours(k),
-        }
+    pub(super) fn new(fluid: &'a Discretisation, lubricant: &'a Lubricant, node: usize) -> Self {
+        let neighbours = fluid.held_neighbours(node);
+        Self { lubricant, fluid, node, mass: fluid.own_mass(node), neighbours }
     }
 
     /// Own share at fluid pressure `p` and film `h`, and its derivatives by both.
     fn share(&self, p: f64, h: f64) -> (f64, f64, f64) {
-        self.share_with(p, h, || self.fluid.node_flow(self.lubricant, p, h))
+        let (density, flow) = self.fluid.outflow(self.lubricant, &self.neighbours, p, h);
+        self.with_mass(density, flow, h)
     }
 
-    /// The same at the pressure and the film that node `k` had at the last update of the fluid.
-    pub(super) fn present_share(&self, k: usize, p: f64, h: f64) -> (f64, f64, f64) {
-        self.share_with(p, h, || self.fluid.present_flow(k))
+    /// The same at the last update of the fluid, where the film was `h`.
+    pub(super) fn present_share(&self, h: f64) -> (f64, f64, f64) {
+        let (density, flow) = self.fluid.present_outflow(self.node, &self.neighbours);
+        self.with_mass(density, flow, h)
     }
 
     #[inline]
-    fn share_with(&self, p: f64, h: f64, node: impl FnOnce() -> NodeFlow) -> (f64, f64, f64) {
-        if let Some(neighbours) = &self.neighbours {
-            return self.thinned_share(neighbours, p, h);
-        }
-        let node = node();
-        let faces = &self.faces;
-        let drop = faces.half * node.potential - faces.potential;
-        let mobility = faces.half * node.mobility + faces.mobility;
+    fn with_mass(&self, density: [f64; 2], flow: [f64; 3], h: f64) -> (f64, f64, f64) {
+        let ([density, density_p], [flow, by_pressure, by_film]) = (density, flow);
         (
-            self.mass * node.density * h + node.mobility * drop + faces.mobility * node.potential
-                - faces.inflow,
-            self.mass * node.density_p * h + node.mobility_p * drop + mobility * node.potential_p,
-            self.mass * node.density + node.mobility_h * drop,
-        )
-    }
-
-    #[inline(never)]
-    fn thinned_share(&self, neighbours: &[HeldNeighbour; 4], p: f64, h: f64) -> (f64, f64, f64) {
-        let point = self.lubricant.at(p);
-        let [flow, by_pressure, by_film] = self.fluid.thinned_outflow(self.lubricant, neighbours, p, h);
-        (
-            self.mass * point.density * h + flow,
-            self.mass * point.density_slope * h + by_pressure,
-            self.mass * point.density + by_film,
+            self.mass * density * h + flow,
+            self.mass * density_p * h + by_pressure,
+            self.mass * density + by_film,
         )
     }
 

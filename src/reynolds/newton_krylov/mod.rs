@@ -396,10 +396,10 @@ impl Workspace {
         state: &ContactState,
         tolerance: f64,
     ) -> Result<Option<u64>, ReynoldsError> {
-        let Self { coupled, unknowns, linearisation, preconditioner, gmres, flow_film, .. } = self;
+        let Self { coupled, unknowns, linearisation, preconditioner, gmres, .. } = self;
         unknowns.sort(coupled, problem, state);
         if problem.lubricant.is_some() {
-            linearisation.update(&coupled.fluid, flow_film, coupled.near.own);
+            linearisation.update(&coupled.fluid, coupled.near.own);
         }
         if !preconditioner.prepare(coupled, linearisation, unknowns, problem) {
             return Ok(None);
@@ -463,8 +463,7 @@ impl Workspace {
             let node = match problem.lubricant {
                 Some(lubricant) if kind.fluid != Fluid::Boundary => {
                     let local = Local::new(&coupled.fluid, lubricant, k);
-                    let (share, by_pressure, by_film) =
-                        local.present_share(k, state.fluid_pressure[k], self.flow_film[k]);
+                    let (share, by_pressure, by_film) = local.present_share(self.flow_film[k]);
                     let imbalance =
                         if kind.has_balance() { 0.0 } else { coupled.balance[k] + length * change.balance };
                     let own_change = by_pressure * change.fluid_pressure + by_film * change.film;

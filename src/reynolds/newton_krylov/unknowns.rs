@@ -352,7 +352,7 @@ mod tests {
     use crate::elastic::{DeformationModel, HalfSpace};
     use crate::lubricant::{DowsonHigginson, Lubricant, Roelands};
     use crate::reynolds::problem::interior;
-    use crate::reynolds::{Scheme, ShearThinning};
+    use crate::reynolds::{FaceMobility, Scheme, ShearThinning};
 
     const N: usize = 12;
 
@@ -382,13 +382,20 @@ mod tests {
 
     #[test]
     fn product_is_the_derivative_of_the_equations() {
-        check_product(None);
-        for eyring_stress in [1e5, 1e7] {
-            check_product(Some(ShearThinning { eyring_stress, sliding_speed: 0.1 }));
+        for scheme in [Scheme::FirstOrder, Scheme::SecondOrder, Scheme::Limited] {
+            for face_mobility in
+                [FaceMobility::Arithmetic, FaceMobility::ReducedPressure, FaceMobility::Wedge]
+            {
+                check_product(scheme, face_mobility, None);
+                for eyring_stress in [1e5, 1e7] {
+                    let thinning = ShearThinning { eyring_stress, sliding_speed: 0.1 };
+                    check_product(scheme, face_mobility, Some(thinning));
+                }
+            }
         }
     }
 
-    fn check_product(shear_thinning: Option<ShearThinning>) {
+    fn check_product(scheme: Scheme, face_mobility: FaceMobility, shear_thinning: Option<ShearThinning>) {
         let grid = Grid::centred(N, N, 4e-6, 4e-6).unwrap();
         let mut body = HalfSpace::new(grid, 230e9).unwrap();
         let oil = Lubricant::new(
@@ -412,8 +419,8 @@ mod tests {
             pressure_limit: None,
             film_cutoff: 1e-9,
             contact: Default::default(),
-            scheme: Scheme::FirstOrder,
-            face_mobility: Default::default(),
+            scheme,
+            face_mobility,
             shear_thinning,
             reference_half_widths: (1e-5, 1e-5),
             reference_pressure: 1e9,
@@ -466,7 +473,7 @@ mod tests {
         let (up, down) = (rows_at(1e-1, &mut coupled), rows_at(-1e-1, &mut coupled));
         let _ = rows_at(0.0, &mut coupled);
         let mut linearisation = Linearisation::new(grid);
-        linearisation.update(&coupled.fluid, &film, coupled.near.own);
+        linearisation.update(&coupled.fluid, coupled.near.own);
         let mut product = vec![0.0; x.len()];
         let response = Response::Whole;
         unknowns.product(&mut coupled, &mut problem, &mut linearisation, &x, response, &mut product).unwrap();
@@ -476,7 +483,7 @@ mod tests {
                 ((up - down) / 2e-1, if row == x.len() - 1 { 1.0 } else { f64::from(scale) });
             assert!(
                 (difference - f64::from(product[row])).abs() < 2e-6 * scale,
-                "row {row} of {}: difference {difference:e}, product {:e}, scale {scale:e}",
+                "{scheme:?}, {face_mobility:?}, row {row} of {}: difference {difference:e}, product {:e}, scale {scale:e}",
                 x.len(),
                 product[row]
             );

@@ -253,9 +253,9 @@ pub struct SolverSpec {
     pub tolerance: f64,
     /// Largest number of outer iterations.
     pub max_iterations: u64,
-    /// Discretisation of the wedge term.
-    pub scheme: Scheme,
-    /// Pressure flow through the faces; none for the one that suits the scene, see [`Scene::face_mobility`].
+    /// What entrainment carries through faces; none for that of the contact definition, see [`Scene::scheme`].
+    pub scheme: Option<Scheme>,
+    /// Pressure flow through the faces; none for that of the contact definition, see [`Scene::face_mobility`].
     pub face_mobility: Option<FaceMobility>,
     /// Film thickness at which solids touch \[m\].
     pub film_cutoff: f64,
@@ -275,7 +275,7 @@ impl Default for SolverSpec {
             kind: SolverKind::Auto,
             tolerance: 1e-6,
             max_iterations: 20_000,
-            scheme: Scheme::default(),
+            scheme: None,
             face_mobility: None,
             film_cutoff: 1e-9,
             contact: ContactDefinition::default(),
@@ -444,14 +444,21 @@ impl Scene {
         self.lubricant.is_some() && self.solver.kind != SolverKind::Dry
     }
 
-    /// The pressure flow through faces that the contact is solved with: the one named in `solver`, else arithmetic
-    /// means for a smooth contact with first-order entrainment, where the two errors have opposite signs, and reduced
-    /// pressures otherwise.
+    /// What entrainment carries through faces: the scheme named in `solver`, else the default, of first order in the paper's
+    /// contact as published.
+    pub fn scheme(&self) -> Scheme {
+        self.solver.scheme.unwrap_or(match self.solver.contact {
+            ContactDefinition::Hard => Scheme::default(),
+            ContactDefinition::Paper => Scheme::FirstOrder,
+        })
+    }
+
+    /// The pressure flow through faces: the one named in `solver`, else the default, arithmetic means in the paper's contact as
+    /// published.
     pub fn face_mobility(&self) -> FaceMobility {
-        let smooth = self.roughness.ball.is_smooth() && self.roughness.disc.is_smooth();
-        self.solver.face_mobility.unwrap_or(match self.solver.scheme {
-            Scheme::FirstOrder if smooth => FaceMobility::Arithmetic,
-            _ => FaceMobility::ReducedPressure,
+        self.solver.face_mobility.unwrap_or(match self.solver.contact {
+            ContactDefinition::Hard => FaceMobility::default(),
+            ContactDefinition::Paper => FaceMobility::Arithmetic,
         })
     }
 }

@@ -1,0 +1,12 @@
+//! What the fluid does: mass balances of cells, flow through faces, and their derivatives.
+
+mod discretisation;
+mod entrainment;
+mod face_mobility;
+mod node;
+mod shear_thinning;
+
+pub(super) use discretisation::{Discretisation, HeldNeighbour, NearField};
+pub use entrainment::Scheme;
+pub use face_mobility::FaceMobility;
+pub use shear_thinning::ShearThinning;
