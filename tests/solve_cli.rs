@@ -69,7 +69,7 @@ fn scene(text: &str) -> (tempfile::TempDir, PathBuf) {
 /// The smooth scene of the repository, dry, on `n` x `n` nodes.
 fn dry(n: usize) -> String {
     let text = std::fs::read_to_string(format!("{SCENES}/smooth.toml")).unwrap();
-    let text = text.replace("nx = 64", &format!("nx = {n}")).replace("ny = 64", &format!("ny = {n}"));
+    let text = text.replace("nx = 128", &format!("nx = {n}")).replace("ny = 128", &format!("ny = {n}"));
     format!("{text}\n[solver]\nkind = \"dry\"\n")
 }
 
