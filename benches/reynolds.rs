@@ -44,6 +44,7 @@ fn pieces(criterion: &mut Criterion) {
             contact: Default::default(),
             scheme: Scheme::default(),
             face_mobility: FaceMobility::default(),
+            cavitation: Default::default(),
             shear_thinning: None,
             reference_half_widths: (hertz.a_x, hertz.a_y),
             reference_pressure: hertz.p_max,

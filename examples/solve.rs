@@ -82,10 +82,11 @@ fn in_scene(path: &Path, error: &dyn Error) -> String {
 
 fn write_fields(path: &Path, solution: &ContactSolution) -> Result<(), Box<dyn Error>> {
     let state = &solution.state;
-    let fields: [(&str, &[f64]); 5] = [
+    let fields: [(&str, &[f64]); 6] = [
         ("pressure", &state.pressure),
         ("fluid_pressure", &state.fluid_pressure),
         ("film", &state.film),
+        ("theta", &state.content),
         ("gap", &solution.gap),
         ("plastic_depth", &state.plastic_depth),
     ];

@@ -392,6 +392,7 @@ impl Scene {
             contact: Default::default(),
             scheme: Scheme::FirstOrder,
             face_mobility: Default::default(),
+            cavitation: Default::default(),
             shear_thinning: None,
             reference_half_widths: self.half_widths,
             reference_pressure: self.reference_pressure,

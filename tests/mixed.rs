@@ -152,6 +152,7 @@ fn a_solution_with_fluid_at_the_limit_is_one() {
         contact: ContactDefinition::Hard,
         scheme: scene.scheme(),
         face_mobility: scene.face_mobility(),
+        cavitation: Default::default(),
         shear_thinning: None,
         reference_half_widths: (hertz.a_x, hertz.a_y),
         reference_pressure: hertz.p_max,

@@ -112,9 +112,9 @@ fn files_that_do_not_fit_are_refused() {
     assert!(matches!(refuse(b""), CheckpointError::Foreign { .. }));
     assert!(matches!(refuse(b"step,time_s\n1,2\n"), CheckpointError::Foreign { .. }));
     let mut newer = good.clone();
-    newer[20] = 3;
+    newer[20] = 4;
     let error = refuse(&newer);
-    assert!(matches!(error, CheckpointError::Newer { found: 3, known: 2, .. }), "{error}");
+    assert!(matches!(error, CheckpointError::Newer { found: 4, known: 3, .. }), "{error}");
     // Cut short anywhere, or a byte changed anywhere.
     for length in [20, 30, 36, 37, good.len() / 2, good.len() - 1] {
         let error = refuse(&good[..length]);

@@ -198,6 +198,7 @@ fn cold_solves_do_not_depend_on_what_the_solver_did_before() {
         contact: Default::default(),
         scheme: Scheme::FirstOrder,
         face_mobility: Default::default(),
+        cavitation: Default::default(),
         shear_thinning: None,
         reference_half_widths: (hertz.a_x, hertz.a_y),
         reference_pressure: hertz.p_max,

@@ -181,6 +181,7 @@ fn bad_input_is_named() {
             contact: Default::default(),
             scheme: Default::default(),
             face_mobility: Default::default(),
+            cavitation: Default::default(),
             shear_thinning: Some(thinning),
             reference_half_widths: (4e-5, 4e-5),
             reference_pressure: 3e8,

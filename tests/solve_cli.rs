@@ -215,7 +215,10 @@ fn heights_from_a_file_move_the_gap_of_their_own_node() {
     let mut archive = zip::ZipArchive::new(std::fs::File::open(&fields).unwrap()).unwrap();
     let mut names: Vec<String> = archive.file_names().map(|name| name.unwrap().into_owned()).collect();
     names.sort();
-    assert_eq!(names, ["film.npy", "fluid_pressure.npy", "gap.npy", "plastic_depth.npy", "pressure.npy"]);
+    assert_eq!(
+        names,
+        ["film.npy", "fluid_pressure.npy", "gap.npy", "plastic_depth.npy", "pressure.npy", "theta.npy"]
+    );
     let mut gap = Vec::new();
     for name in names {
         let mut bytes = Vec::new();

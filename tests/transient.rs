@@ -109,6 +109,7 @@ impl Rolling {
             contact: Default::default(),
             scheme: Scheme::SecondOrder,
             face_mobility: FaceMobility::ReducedPressure,
+            cavitation: Default::default(),
             shear_thinning: None,
             reference_half_widths: (self.half_width, self.half_width),
             reference_pressure: self.pressure,

@@ -141,6 +141,7 @@ impl Scene {
             contact: Default::default(),
             scheme: Scheme::FirstOrder,
             face_mobility: Default::default(),
+            cavitation: Default::default(),
             shear_thinning: None,
             reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
             reference_pressure: self.hertz.p_max,

@@ -305,6 +305,7 @@ fn solve(
         contact: scene.solver.contact,
         scheme: scene.scheme(),
         face_mobility: scene.face_mobility(),
+        cavitation: scene.solver.cavitation,
         shear_thinning: None,
         reference_half_widths: (hertz.a_x, hertz.a_y),
         reference_pressure: hertz.p_max,

@@ -130,10 +130,14 @@ impl Coupled {
     pub(super) fn refresh(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let Some(lubricant) = problem.lubricant else {
             state.mass.fill(0.0);
+            state.content.fill(1.0);
             return;
         };
         self.flow(problem, lubricant, &state.fluid_pressure, &state.film);
-        state.mass.copy_from_slice(self.fluid.masses());
+        for (k, mass) in state.mass.iter_mut().enumerate() {
+            *mass = self.fluid.held_mass(k);
+        }
+        state.content.copy_from_slice(self.fluid.content());
     }
 
     /// Fluid quantities and balances of a flow through `film`.
@@ -144,8 +148,8 @@ impl Coupled {
         fluid_pressure: &[f64],
         film: &[f64],
     ) {
-        self.fluid.update(lubricant, fluid_pressure, film);
         let previous = problem.squeeze.map(|s| s.previous_mass);
+        self.fluid.update(lubricant, fluid_pressure, film, previous);
         for k in interior(&self.fluid.grid) {
             self.balance[k] = self.fluid.balance(k, previous);
         }

@@ -19,7 +19,8 @@ use crate::report::Residuals;
 /// let mut problem = LubricatedContact {
 ///     gap: &gap, deformation: &mut HalfSpace::new(grid, 230e9)?, lubricant: None, entrainment_speed: 0.0,
 ///     squeeze: None, load: 1.0, pressure_limit: None, film_cutoff: 1e-9, contact: Default::default(),
-///     scheme: Scheme::default(), face_mobility: Default::default(), shear_thinning: None,
+///     scheme: Scheme::default(), face_mobility: Default::default(),
+///     cavitation: Default::default(), shear_thinning: None,
 ///     reference_half_widths: (4e-5, 4e-5), reference_pressure: 3e8, reference_film: 0.0,
 /// };
 /// // Half of the load on one node.
@@ -39,6 +40,15 @@ impl Evaluation {
     /// Buffers for contacts on `grid`.
     pub fn new(grid: Grid) -> Self {
         Self { coupled: Coupled::new(grid) }
+    }
+
+    /// What flows into and out of the box at the state that was evaluated last, at ambient density \[m^3/s\]; of a line contact
+    /// that of the length `dy`. Without a lubricant nothing does.
+    ///
+    /// At a solution they are equal where cavitation conserves mass; with Reynolds' condition more flows out than in where fluid
+    /// reforms.
+    pub fn edge_flow(&self) -> (f64, f64) {
+        self.coupled.fluid.edge_flow()
     }
 
     /// Overwrites film, plastic depth, mass and contact flags of `state` with those that follow from its pressures and

@@ -1,6 +1,6 @@
 //! The coupled problem that is handed to a solver.
 
-use super::flow::{FaceMobility, Scheme, ShearThinning};
+use super::flow::{Cavitation, FaceMobility, Scheme, ShearThinning};
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -109,6 +109,8 @@ pub struct LubricatedContact<'a> {
     pub scheme: Scheme,
     /// Pressure flow through the faces.
     pub face_mobility: FaceMobility,
+    /// What holds where the fluid cavitates.
+    pub cavitation: Cavitation,
     /// Shear thinning of the pressure flow, or none for a Newtonian one.
     pub shear_thinning: Option<ShearThinning>,
     /// Half-widths `(a_x, a_y)` of the contact \[m\] that residuals are scaled with and starts are built from, usually
@@ -151,6 +153,7 @@ impl LubricatedContact<'_> {
             contact: self.contact,
             scheme: self.scheme,
             face_mobility: self.face_mobility,
+            cavitation: self.cavitation,
             shear_thinning: self.shear_thinning,
             reference_half_widths: self.reference_half_widths,
             reference_pressure: self.reference_pressure,

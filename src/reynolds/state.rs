@@ -15,7 +15,9 @@ pub struct ContactState {
     pub film: Vec<f64>,
     /// Plastic depth that this solve found, not yet applied to any surface \[m\].
     pub plastic_depth: Vec<f64>,
-    /// `rho/rho_0 * h`, to be carried into the squeeze term of a following transient solve \[m\].
+    /// Share `theta` of the gap that is filled with fluid, 1 under pressure.
+    pub content: Vec<f64>,
+    /// `theta rho/rho_0 h`, to be carried into the squeeze term of a following transient solve \[m\].
     pub mass: Vec<f64>,
     /// Whether the node is in solid contact.
     pub in_contact: Vec<bool>,
@@ -30,6 +32,7 @@ impl Clone for ContactState {
             fluid_pressure: self.fluid_pressure.clone(),
             film: self.film.clone(),
             plastic_depth: self.plastic_depth.clone(),
+            content: self.content.clone(),
             mass: self.mass.clone(),
             in_contact: self.in_contact.clone(),
             approach: self.approach,
@@ -42,6 +45,7 @@ impl Clone for ContactState {
         self.fluid_pressure.clone_from(&source.fluid_pressure);
         self.film.clone_from(&source.film);
         self.plastic_depth.clone_from(&source.plastic_depth);
+        self.content.clone_from(&source.content);
         self.mass.clone_from(&source.mass);
         self.in_contact.clone_from(&source.in_contact);
         self.approach = source.approach;
@@ -57,6 +61,7 @@ impl ContactState {
             fluid_pressure: zeros(),
             film: zeros(),
             plastic_depth: zeros(),
+            content: vec![1.0; grid.len()],
             mass: zeros(),
             in_contact: vec![false; grid.len()],
             approach: 0.0,
@@ -81,9 +86,13 @@ impl ContactState {
             ("state.fluid_pressure", &self.fluid_pressure),
             ("state.film", &self.film),
             ("state.plastic_depth", &self.plastic_depth),
+            ("state.content", &self.content),
             ("state.mass", &self.mass),
         ] {
             InputError::require_len(field, values, grid.len())?;
+        }
+        if let Some(&content) = self.content.iter().find(|c| !(0.0..=1.0).contains(*c)) {
+            InputError::require(false, "state.content", content, "from 0 to 1")?;
         }
         if self.in_contact.len() != grid.len() {
             return Err(InputError::Shape {

@@ -26,7 +26,7 @@ use crate::wear::WearDepth;
 
 const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
 /// Format that this version writes and reads.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 /// Bytes before the content.
 const HEADER: usize = 36;
 

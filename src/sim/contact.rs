@@ -13,8 +13,8 @@ use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::metrics;
 use crate::report::SolveReport;
 use crate::reynolds::{
-    ContactDefinition, ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme, ShearThinning,
-    Squeeze, StoppingRule,
+    Cavitation, ContactDefinition, ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme,
+    ShearThinning, Squeeze, StoppingRule,
 };
 
 /// Grid, elastic body, lubricant, load and solver of a scene.
@@ -30,6 +30,7 @@ pub(super) struct ContactModel {
     rule: StoppingRule,
     scheme: Scheme,
     face_mobility: FaceMobility,
+    cavitation: Cavitation,
     shear_thinning: Option<ShearThinning>,
     film_cutoff: f64,
     contact: ContactDefinition,
@@ -107,6 +108,7 @@ impl ContactModel {
             rule: setup::stopping_rule(scene)?,
             scheme: scene.scheme(),
             face_mobility: scene.face_mobility(),
+            cavitation: scene.solver.cavitation,
             shear_thinning: scene.friction.shear_thinning(scene.motion.sliding_speed())?,
             film_cutoff: scene.solver.film_cutoff,
             contact: scene.solver.contact,
@@ -140,6 +142,7 @@ impl ContactModel {
             contact: self.contact,
             scheme: self.scheme,
             face_mobility: self.face_mobility,
+            cavitation: self.cavitation,
             shear_thinning: self.shear_thinning,
             reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
             reference_pressure: self.hertz.p_max,

@@ -89,6 +89,7 @@ impl Case {
             contact: Default::default(),
             scheme: Scheme::default(),
             face_mobility: FaceMobility::default(),
+            cavitation: Default::default(),
             shear_thinning: None,
             reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
             reference_pressure: self.hertz.p_max,

@@ -16,13 +16,14 @@
 //!
 //! In `a` the film counts as at least half the contact film, in `m` it counts as it is.
 
+use super::cavitation::Cavitation;
 use super::entrainment::{FaceFilm, Scheme};
 use super::face_mobility::{Direction, FaceFlow, FaceMobility};
 use super::node::NodeFlow;
 use super::shear_thinning::{ShearThinning, ViscosityRatio};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
-use crate::reynolds::problem::LubricatedContact;
+use crate::reynolds::problem::{LubricatedContact, inner_rows, interior};
 
 /// Weight of the first-order entrainment term in the preconditioner of the second-order one. Their ratio lies between 1
 /// (smooth fields) and 2 (from node to node).
@@ -56,6 +57,7 @@ pub(in crate::reynolds) struct Discretisation {
     pub(in crate::reynolds) grid: Grid,
     face_mobility: FaceMobility,
     scheme: Scheme,
+    cavitation: Cavitation,
     film_floor: f64,
     /// Film below which pressure moves nothing, and film below which none is carried along \[m\]; no such film in hard
     /// contact.
@@ -77,6 +79,11 @@ pub(in crate::reynolds) struct Discretisation {
     /// `M` less `m` of the first node, and film over that of the first node, of the faces to the east.
     beyond: Vec<f64>,
     face_films: Vec<f64>,
+    /// `M` of the faces to the east \[m\], and the share `theta` of the gap that is filled.
+    carried: Vec<f64>,
+    content: Vec<f64>,
+    /// Of nodes that are not filled, what of their inflow they carry on; zero elsewhere.
+    passed: Vec<f64>,
     /// `a` of the faces to the east and to the north of the nodes.
     east: Vec<f64>,
     north: Vec<f64>,
@@ -101,6 +108,7 @@ impl Discretisation {
             grid,
             face_mobility: FaceMobility::default(),
             scheme: Scheme::default(),
+            cavitation: Cavitation::default(),
             film_floor: 0.0,
             closed_film: f64::NEG_INFINITY,
             least_film: f64::NEG_INFINITY,
@@ -114,6 +122,9 @@ impl Discretisation {
             nodes: vec![NodeFlow::default(); grid.len()],
             masses: zeros(),
             beyond: zeros(),
+            carried: zeros(),
+            content: vec![1.0; grid.len()],
+            passed: zeros(),
             face_films: vec![1.0; grid.len()],
             east: zeros(),
             north: zeros(),
@@ -129,6 +140,7 @@ impl Discretisation {
         let speed = problem.entrainment_speed.max(grid_speed);
         self.face_mobility = problem.face_mobility;
         self.scheme = problem.scheme;
+        self.cavitation = problem.cavitation;
         // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor at the
         // contact film itself would hide from Newton that a node just under it can open.
         self.film_floor = 0.5 * problem.contact_film();
@@ -201,8 +213,14 @@ impl Discretisation {
         ViscosityRatio::new(x, by_pressure, if h > self.film_floor { -1.0 / h } else { 0.0 })
     }
 
-    /// Takes over fluid pressure and film of every node.
-    pub(in crate::reynolds) fn update(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
+    /// Takes over fluid pressure and film of every node, and the masses of the previous time, where there is one.
+    pub(in crate::reynolds) fn update(
+        &mut self,
+        lubricant: &Lubricant,
+        pressure: &[f64],
+        film: &[f64],
+        previous: Option<&[f64]>,
+    ) {
         for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
             self.nodes[k] = self.node_flow(lubricant, p, h);
             self.masses[k] = self.nodes[k].density * h.max(self.least_film);
@@ -220,6 +238,38 @@ impl Discretisation {
         for k in 0..n - nx {
             self.north[k] = self.face_flow(k, k + nx, Direction::Across).mobility;
         }
+        for (carried, (mass, beyond)) in self.carried.iter_mut().zip(self.masses.iter().zip(&self.beyond)) {
+            *carried = mass + beyond;
+        }
+        self.content.fill(1.0);
+        self.passed.fill(0.0);
+        if self.cavitation == Cavitation::MassConserving {
+            for k in interior(&self.grid).filter(|k| pressure[*k] <= 0.0) {
+                self.fill(k, previous);
+            }
+        }
+    }
+
+    /// Fills the gap of node `k`, which has no pressure, by what enters it; upstream nodes come first.
+    fn fill(&mut self, k: usize, previous: Option<&[f64]>) {
+        let full = self.wedge * self.carried[k];
+        let whole = full + self.squeeze * self.masses[k];
+        let kept = previous.map_or(0.0, |previous| self.squeeze * previous[k]);
+        let content = (self.wedge * self.carried[k - 1] + kept - self.pressure_outflow(k)) / whole;
+        if whole > 0.0 && content < 1.0 {
+            self.content[k] = content.max(0.0);
+            self.carried[k] *= self.content[k];
+            self.passed[k] = full / (whole + self.step_squeeze * self.masses[k]);
+        }
+    }
+
+    /// Flow by pressure out of node `k`.
+    fn pressure_outflow(&self, k: usize) -> f64 {
+        let own = self.nodes[k].potential;
+        self.neighbours(k)
+            .into_iter()
+            .map(|(o, c, mobility)| c * mobility * (own - self.nodes[o].potential))
+            .sum()
     }
 
     /// What entrainment carries through faces beyond what their first nodes hold.
@@ -275,9 +325,19 @@ impl Discretisation {
         if self.ratios.is_empty() { flow } else { flow.thinned(self.ratios[a], self.ratios[b]) }
     }
 
-    /// What the nodes carry along, `rho/rho_0 h` \[m\].
-    pub(in crate::reynolds) fn masses(&self) -> &[f64] {
-        &self.masses
+    /// What node `k` holds, `theta rho/rho_0 h` \[m\].
+    pub(in crate::reynolds) fn held_mass(&self, k: usize) -> f64 {
+        self.content[k] * self.masses[k]
+    }
+
+    /// The share of the gaps that is filled.
+    pub(in crate::reynolds) fn content(&self) -> &[f64] {
+        &self.content
+    }
+
+    /// What node `k` carries on of a change of its inflow, where it is not filled; zero elsewhere.
+    pub(in crate::reynolds) fn passed(&self, k: usize) -> f64 {
+        self.passed[k]
     }
 
     /// `c` of the face to the east of node `k`.
@@ -313,6 +373,11 @@ impl Discretisation {
     pub(in crate::reynolds) fn set_scheme(&mut self, scheme: Scheme, face_mobility: FaceMobility) {
         self.scheme = scheme;
         self.face_mobility = face_mobility;
+    }
+
+    /// Overrides the condition of the problem until the next [`Self::configure`].
+    pub(in crate::reynolds) fn set_cavitation(&mut self, cavitation: Cavitation) {
+        self.cavitation = cavitation;
     }
 
     /// Makes the next linear steps, until [`Self::configure`], steps in time of `1 / share` passages of a cell.
@@ -355,19 +420,41 @@ impl Discretisation {
         }
     }
 
-    /// `F_k` for an interior node at the last update.
+    /// `F_k` for an interior node at the last update, its own gap filled.
     pub(in crate::reynolds) fn balance(&self, k: usize, previous: Option<&[f64]>) -> f64 {
-        let mut sum = self.transport(k, previous);
-        for (o, c, mobility) in self.neighbours(k) {
-            sum += c * mobility * (self.nodes[k].potential - self.nodes[o].potential);
+        self.transport(k, previous) + self.pressure_outflow(k)
+    }
+
+    /// Flow into and out of the box through the faces to its outermost nodes \[m^3/s\].
+    pub(in crate::reynolds) fn edge_flow(&self) -> (f64, f64) {
+        let (nx, n) = (self.grid.nx(), self.grid.len());
+        let (mut inflow, mut outflow) = (0.0, 0.0);
+        let mut count = |out: f64| if out > 0.0 { outflow += out } else { inflow -= out };
+        for first in inner_rows(&self.grid).map(|j| j * nx) {
+            let through = |k: usize| {
+                let drop = self.nodes[k].potential - self.nodes[k + 1].potential;
+                self.wedge * self.carried[k] + self.coefficient_east(k) * self.east[k] * drop
+            };
+            count(-through(first));
+            count(through(first + nx - 2));
         }
-        sum
+        if self.grid.ny() > 1 {
+            let through = |k: usize| {
+                let drop = self.nodes[k].potential - self.nodes[k + nx].potential;
+                self.coefficient_north(k) * self.north[k] * drop
+            };
+            for i in 1..nx - 1 {
+                count(-through(i));
+                count(through(n - 2 * nx + i));
+            }
+        }
+        let unit = self.rate * self.grid.cell_area();
+        (unit * inflow, unit * outflow)
     }
 
     /// Entrainment and squeeze of `F_k`.
     pub(in crate::reynolds) fn transport(&self, k: usize, previous: Option<&[f64]>) -> f64 {
-        let carried = |q: usize| self.masses[q] + self.beyond[q];
-        let mut sum = self.wedge * (carried(k) - carried(k - 1));
+        let mut sum = self.wedge * (self.masses[k] + self.beyond[k] - self.carried[k - 1]);
         if let Some(previous) = previous {
             sum += self.squeeze * (self.masses[k] - previous[k]);
         }
@@ -411,7 +498,8 @@ impl Discretisation {
         };
         [
             held(east, self.along(k), false),
-            held(west, self.along(k - 1), true),
+            // What flows into a node that is not filled comes back with all it carries on.
+            held((west.0, west.1 * (1.0 - self.passed[k - 1]), west.2), self.along(k - 1), true),
             held(north, Direction::Across, false),
             held(south, Direction::Across, true),
         ]
@@ -598,7 +686,7 @@ mod tests {
         for face_mobility in MOBILITIES {
             let mut fluid = row(face_mobility, law.length(0.04));
             for p in [0.0, 1e8, 5e8, 1e9] {
-                fluid.update(&oil, &[p; 5], &[FILM; 5]);
+                fluid.update(&oil, &[p; 5], &[FILM; 5], None);
                 let eta = oil.viscosity().viscosity(p);
                 let effective = eta * law.viscosity_ratio(eta, FILM);
                 let exact = oil.density().ratio(p) * FILM.powi(3) / (12.0 * effective);
@@ -630,7 +718,7 @@ mod tests {
             let mut fluid = row(face_mobility, law.length(0.04));
             let mut error = |low: f64, high: f64| {
                 let pressure = [low, low, low, high, high];
-                fluid.update(&oil, &pressure, &[FILM; 5]);
+                fluid.update(&oil, &pressure, &[FILM; 5], None);
                 fluid.east[2] * (fluid.nodes[3].potential - fluid.nodes[2].potential) / exact(low, high) - 1.0
             };
             for low in [0.0, 3e8, 1e9] {
@@ -660,7 +748,7 @@ mod tests {
         for face_mobility in MOBILITIES {
             for thinning in [1e-14, 1e-10, 1e-6] {
                 let mut fluid = row(face_mobility, thinning);
-                fluid.update(&oil, &pressure, &film);
+                fluid.update(&oil, &pressure, &film, None);
                 let neighbours = fluid.held_neighbours(2);
                 let flow = |p: f64, h: f64| fluid.outflow(&oil, &neighbours, p, h).1;
                 let (p, h) = (pressure[2], film[2]);
@@ -693,7 +781,7 @@ mod tests {
                 for other in [0.0, 2e8, 1e9] {
                     let mut fluid = row(FaceMobility::ReducedPressure, thinning);
                     let films = [film[1], film[1], film[0], film[1], film[1]];
-                    fluid.update(&oil, &[other; 5], &films);
+                    fluid.update(&oil, &[other; 5], &films, None);
                     let neighbours = fluid.held_neighbours(2);
                     for step in 0..150 {
                         let p = f64::from(step) * 1e7;

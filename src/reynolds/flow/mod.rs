@@ -1,11 +1,13 @@
 //! What the fluid does: mass balances of cells, flow through faces, and their derivatives.
 
+mod cavitation;
 mod discretisation;
 mod entrainment;
 mod face_mobility;
 mod node;
 mod shear_thinning;
 
+pub use cavitation::Cavitation;
 pub(super) use discretisation::{Discretisation, HeldNeighbour, NearField};
 pub use entrainment::Scheme;
 pub use face_mobility::FaceMobility;

@@ -9,7 +9,7 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::reynolds::dry::hertzian_on;
-use crate::reynolds::flow::{FaceMobility, Scheme};
+use crate::reynolds::flow::{Cavitation, FaceMobility, Scheme};
 use crate::reynolds::problem::{LubricatedContact, interior};
 use crate::reynolds::state::ContactState;
 
@@ -131,6 +131,8 @@ impl Hierarchy {
         self.near_share = NEAR_SHARE;
         for level in &mut self.levels {
             level.fluid.configure(problem);
+            // Nothing reforms in a smooth film; where it does, the residuals tell, and another solver finishes.
+            level.fluid.set_cavitation(Cavitation::Reynolds);
             level.source.fill(0.0);
             level.load = problem.load;
             level.is_evaluated = false;

@@ -93,7 +93,7 @@ impl Level {
 
     /// Flow quantities of pressure and film as they are.
     pub(super) fn take_film(&mut self, lubricant: &Lubricant) {
-        self.fluid.update(lubricant, &self.pressure, &self.film);
+        self.fluid.update(lubricant, &self.pressure, &self.film, self.previous.as_deref());
         self.is_evaluated = true;
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
         for j in 0..ny - 1 {

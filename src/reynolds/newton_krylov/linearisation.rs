@@ -28,6 +28,9 @@ pub(super) struct Linearisation {
     /// no more.
     beyond: [Vec<f32>; 5],
     carries_beyond: bool,
+    beyond_change: Vec<f32>,
+    /// What nodes that are not filled carry on of a change of their inflow; zero elsewhere.
+    passed: Vec<f32>,
     /// Coefficients of the masses of a node and of the one upstream, and those of the preconditioner.
     upwind: [f32; 2],
     near: [f32; 2],
@@ -47,6 +50,8 @@ impl Linearisation {
             north: faces(),
             beyond: std::array::from_fn(|_| zeros()),
             carries_beyond: false,
+            beyond_change: zeros(),
+            passed: zeros(),
             upwind: [0.0; 2],
             near: [0.0; 2],
             mass_change: zeros(),
@@ -63,6 +68,9 @@ impl Linearisation {
             let [by_pressure, by_film] = fluid.mass_derivatives(k);
             self.mass[0][k] = single(stiffness * by_pressure);
             self.mass[1][k] = single(by_film);
+        }
+        for (k, passed) in self.passed.iter_mut().enumerate() {
+            *passed = single(fluid.passed(k));
         }
         let keep = |flows: &mut FaceFlows, k: usize, derivatives: [f64; 4]| {
             flows[0][k] = single(stiffness * derivatives[0]);
@@ -101,17 +109,19 @@ impl Linearisation {
         }
         flow_changes(&self.east, 1, pressure, film, &mut self.east_change);
         if self.carries_beyond {
-            add_beyond(&self.beyond, pressure, film, &mut self.east_change);
+            beyond_changes(&self.beyond, pressure, film, &mut self.beyond_change);
         }
         if ny > 1 {
             flow_changes(&self.north, nx, pressure, film, &mut self.north_change);
         }
         for first in inner_rows(&self.grid).map(|j| j * nx) {
-            let (mass, east) = (&self.mass_change[first..first + nx], &self.east_change[first..first + nx]);
-            let out = &mut out[first..first + nx];
-            let [here, up] = self.upwind;
+            let row = first..first + nx;
+            let (mass, east, passed) =
+                (&self.mass_change[row.clone()], &self.east_change[row.clone()], &self.passed[row.clone()]);
+            let beyond = &self.beyond_change[row.clone()];
+            let out = &mut out[row];
             for i in 1..nx - 1 {
-                out[i] = here * mass[i] + up * mass[i - 1] + (east[i] - east[i - 1]);
+                out[i] = east[i] - east[i - 1];
             }
             if ny > 1 {
                 let (north, south) = (&self.north_change[first..n], &self.north_change[first - nx..first]);
@@ -119,12 +129,32 @@ impl Linearisation {
                     *out += north - south;
                 }
             }
+            // What enters through the face to the west.
+            let [here, up] = self.upwind;
+            let mut inflow = beyond[0] - up * mass[0];
+            for i in 1..nx - 1 {
+                let flow = out[i] - inflow;
+                out[i] = flow + here * mass[i] + beyond[i];
+                inflow = if passed[i] > 0.0 { -passed[i] * flow } else { beyond[i] - up * mass[i] };
+            }
         }
     }
 
+    /// Whether node `k` is not filled, and carries on what enters it.
+    pub(super) fn passes(&self, k: usize) -> bool {
+        self.passed[k] > 0.0
+    }
+
     /// Row of inner node `k` of the fluid block, centre, east, west, north and south: entrainment of first order, the film of a
-    /// node following its own unknown by `response`, its pressure by `moves`.
-    pub(super) fn stencil_row(&self, k: usize, moves: &[f32], response: &[f32]) -> [f32; STENCIL] {
+    /// node following its own unknown by `response`, its pressure by `moves`. The unknown of a node that is `linked` is what it
+    /// carries on.
+    pub(super) fn stencil_row(
+        &self,
+        k: usize,
+        moves: &[f32],
+        response: &[f32],
+        linked: &[bool],
+    ) -> [f32; STENCIL] {
         let nx = self.grid.nx();
         let [here, up] = self.near;
         let (east, north, mass) = (&self.east, &self.north, &self.mass);
@@ -147,10 +177,18 @@ impl Linearisation {
         let (by_pressure, by_film) = (derivatives(0), derivatives(2));
         let rows = if self.grid.ny() > 1 { nx } else { 0 };
         let nodes = [k, k + 1, k - 1, k + rows, k - rows];
-        std::array::from_fn(|slot| {
+        let share = if linked[k] { self.passed[k] } else { 1.0 };
+        let mut row = std::array::from_fn(|slot| {
             let node = nodes[slot];
-            by_pressure[slot] * moves[node] + by_film[slot] * response[node]
-        })
+            share * (by_pressure[slot] * moves[node] + by_film[slot] * response[node])
+        });
+        if linked[k] {
+            row[0] = 1.0;
+        }
+        if linked[k - 1] {
+            row[2] = -share;
+        }
+        row
     }
 }
 
@@ -170,16 +208,16 @@ fn flow_changes(flows: &FaceFlows, stride: usize, pressure: &[f32], film: &[f32]
     }
 }
 
-/// Adds the changes of what entrainment carries through the faces to the east beyond what their first nodes hold.
-fn add_beyond(derivatives: &[Vec<f32>; 5], pressure: &[f32], film: &[f32], out: &mut [f32]) {
+/// Changes of what entrainment carries through the faces to the east beyond what their first nodes hold.
+fn beyond_changes(derivatives: &[Vec<f32>; 5], pressure: &[f32], film: &[f32], out: &mut [f32]) {
     let n = out.len() - 2;
     let [own_p, up_p, own_h, next_h, up_h] = derivatives.each_ref().map(|derivatives| &derivatives[1..][..n]);
     let (p_up, p) = (&pressure[..n], &pressure[1..][..n]);
     let (h_up, h, h_next) = (&film[..n], &film[1..][..n], &film[2..][..n]);
     for (k, out) in out[1..][..n].iter_mut().enumerate() {
-        *out += (own_p[k] * p[k] + up_p[k] * p_up[k])
+        *out = (own_p[k] * p[k] + up_p[k] * p_up[k])
             + (own_h[k] * h[k] + next_h[k] * h_next[k] + up_h[k] * h_up[k]);
     }
     let [own_p, _, own_h, next_h, _] = derivatives;
-    out[0] += own_p[0] * pressure[0] + own_h[0] * film[0] + next_h[0] * film[1];
+    out[0] = own_p[0] * pressure[0] + own_h[0] * film[0] + next_h[0] * film[1];
 }

@@ -19,6 +19,7 @@ use unknowns::{Response, Unknowns};
 use super::active_set::{Fluid, Kind, Solid};
 use super::coupled::{Coupled, limit_of};
 use super::dry::DryStart;
+use super::flow::Cavitation;
 use super::problem::LubricatedContact;
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
@@ -201,6 +202,15 @@ impl Workspace {
                 self.coupled.configure(problem);
             }
         }
+        if status != Status::Converged && self.best_residuals.mass == f64::INFINITY {
+            // No step with the cut-off and the condition of the problem was taken.
+            self.coupled.configure(problem);
+            self.coupled.begin(problem, state)?;
+            work.convolutions += self.coupled.convolutions;
+            self.best_residuals = self.coupled.residuals(problem, state);
+            self.best.keep(&self.coupled, state);
+        }
+        self.coupled.fluid.set_cavitation(problem.cavitation);
         if status != Status::Converged && self.best_residuals.is_finite() {
             if status == Status::Diverged {
                 // The last attempt did; an earlier one has left a state.
@@ -260,20 +270,23 @@ impl Workspace {
         }
         self.coupled.configure(problem);
         let squeeze = if cold { attempt.squeeze } else { STEADY };
-        self.newton(problem, state, stop, Attempt { squeeze, ..attempt }, film_cutoff, work)
+        let condition = if cold { Cavitation::Reynolds } else { problem.cavitation };
+        self.newton(problem, state, stop, Attempt { squeeze, ..attempt }, (film_cutoff, condition), work)
     }
 
-    /// Newton steps until `stop` or a stall, the cut-off of the problem falling to `film_cutoff`; keeps the best state of
-    /// all attempts.
+    /// Newton steps until `stop` or a stall, the cut-off of the problem falling to `film_cutoff`, cavitation by `condition` until the
+    /// residual is below [`FREE_BELOW`]: the gaps of the dry contact are empty, and fill layer by layer where mass is conserved. Keeps
+    /// the best state of all attempts.
     fn newton(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
         attempt: Attempt,
-        film_cutoff: f64,
+        (film_cutoff, mut condition): (f64, Cavitation),
         work: &mut Work,
     ) -> Result<Status, ReynoldsError> {
+        self.coupled.fluid.set_cavitation(condition);
         self.coupled.begin(problem, state)?;
         let left = stop.max_iterations.saturating_sub(work.iterations);
         let limit = left.min(attempt.most_steps);
@@ -290,6 +303,13 @@ impl Workspace {
                 break;
             }
             let eased = problem.film_cutoff > film_cutoff;
+            if !eased && condition != problem.cavitation && residuals.max() < FREE_BELOW {
+                condition = problem.cavitation;
+                self.coupled.fluid.set_cavitation(condition);
+                self.coupled.refresh(problem, state);
+                residuals = self.coupled.residuals(problem, state);
+            }
+            let eased = eased || condition != problem.cavitation;
             // Residuals with another contact film than that of the problem tell nothing of its solution.
             if !eased {
                 if residuals.max() < lowest {
@@ -317,6 +337,7 @@ impl Workspace {
             if eased {
                 problem.film_cutoff = (CONTACT_FILM_REDUCTION * problem.film_cutoff).max(film_cutoff);
                 self.coupled.fluid.configure(problem);
+                self.coupled.fluid.set_cavitation(condition);
                 // The flow follows below.
                 self.coupled.apply_plastic_depth(problem, state);
             }

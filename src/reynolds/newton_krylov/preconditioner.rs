@@ -44,6 +44,8 @@ pub(super) struct BlockPreconditioner {
     response: Vec<f32>,
     /// Square root of the share of a fluid node's pressure that is found from its film.
     film_share: Vec<f32>,
+    /// Nodes that are not filled and carry on what enters them to a node with a balance.
+    linked: Vec<bool>,
     fluid: Vec<f32>,
     /// Whether solids touch anywhere, which screens the pressures of the fluid.
     screened: bool,
@@ -66,6 +68,7 @@ impl BlockPreconditioner {
             moves: vec![0.0; n],
             response: vec![0.0; n],
             film_share: vec![0.0; n],
+            linked: vec![false; n],
             fluid: vec![0.0; n],
             screened: false,
             contact_distance: ContactDistance::new(grid, WIDEST),
@@ -104,13 +107,26 @@ impl BlockPreconditioner {
         for row in self.stencil.chunks_exact_mut(STENCIL) {
             row.copy_from_slice(&[1.0, 0.0, 0.0, 0.0, 0.0]);
         }
-        for &k in unknowns.balanced() {
-            let k = k as usize;
-            let row = linearisation.stencil_row(k, &self.moves, &self.response);
+        self.link(linearisation, unknowns);
+        let linked = (0..self.linked.len()).filter(|k| self.linked[*k]);
+        for k in unknowns.balanced().iter().map(|&k| k as usize).chain(linked) {
+            let row = linearisation.stencil_row(k, &self.moves, &self.response, &self.linked);
             self.stencil[STENCIL * k..][..STENCIL].copy_from_slice(&row);
         }
         unknowns.set_row_sizes(|k| self.stencil[STENCIL * k].abs().max(1.0));
         self.lu.factorise(&self.stencil)
+    }
+
+    /// Marks the nodes that carry fluid on to a node with a balance.
+    fn link(&mut self, linearisation: &Linearisation, unknowns: &Unknowns) {
+        self.linked.fill(false);
+        for &k in unknowns.balanced() {
+            let mut up = k as usize - 1;
+            while linearisation.passes(up) && !self.linked[up] {
+                self.linked[up] = true;
+                up -= 1;
+            }
+        }
     }
 
     /// How the fluid block treats every node.

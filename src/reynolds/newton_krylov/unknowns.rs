@@ -352,7 +352,7 @@ mod tests {
     use crate::elastic::{DeformationModel, HalfSpace};
     use crate::lubricant::{DowsonHigginson, Lubricant, Roelands};
     use crate::reynolds::problem::interior;
-    use crate::reynolds::{FaceMobility, Scheme, ShearThinning};
+    use crate::reynolds::{Cavitation, FaceMobility, Scheme, ShearThinning};
 
     const N: usize = 12;
 
@@ -386,16 +386,22 @@ mod tests {
             for face_mobility in
                 [FaceMobility::Arithmetic, FaceMobility::ReducedPressure, FaceMobility::Wedge]
             {
-                check_product(scheme, face_mobility, None);
+                check_product(scheme, face_mobility, Cavitation::Reynolds, None);
+                check_product(scheme, face_mobility, Cavitation::MassConserving, None);
                 for eyring_stress in [1e5, 1e7] {
                     let thinning = ShearThinning { eyring_stress, sliding_speed: 0.1 };
-                    check_product(scheme, face_mobility, Some(thinning));
+                    check_product(scheme, face_mobility, Cavitation::Reynolds, Some(thinning));
                 }
             }
         }
     }
 
-    fn check_product(scheme: Scheme, face_mobility: FaceMobility, shear_thinning: Option<ShearThinning>) {
+    fn check_product(
+        scheme: Scheme,
+        face_mobility: FaceMobility,
+        cavitation: Cavitation,
+        shear_thinning: Option<ShearThinning>,
+    ) {
         let grid = Grid::centred(N, N, 4e-6, 4e-6).unwrap();
         let mut body = HalfSpace::new(grid, 230e9).unwrap();
         let oil = Lubricant::new(
@@ -421,6 +427,7 @@ mod tests {
             contact: Default::default(),
             scheme,
             face_mobility,
+            cavitation,
             shear_thinning,
             reference_half_widths: (1e-5, 1e-5),
             reference_pressure: 1e9,
@@ -483,7 +490,7 @@ mod tests {
                 ((up - down) / 2e-1, if row == x.len() - 1 { 1.0 } else { f64::from(scale) });
             assert!(
                 (difference - f64::from(product[row])).abs() < 2e-6 * scale,
-                "{scheme:?}, {face_mobility:?}, row {row} of {}: difference {difference:e}, product {:e}, scale {scale:e}",
+                "{scheme:?}, {face_mobility:?}, {cavitation:?}, row {row} of {}: difference {difference:e}, product {:e}, scale {scale:e}",
                 x.len(),
                 product[row]
             );

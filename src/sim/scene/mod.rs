@@ -13,7 +13,7 @@ pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec
 use crate::analytic::{HertzLine, HertzPoint};
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::reynolds::{ContactDefinition, FaceMobility, Scheme};
+use crate::reynolds::{Cavitation, ContactDefinition, FaceMobility, Scheme};
 use crate::sim::hertz::{HertzContact, LINE_LENGTH};
 use crate::surface::Form;
 
@@ -257,6 +257,8 @@ pub struct SolverSpec {
     pub scheme: Option<Scheme>,
     /// Pressure flow through the faces; none for that of the contact definition, see [`Scene::face_mobility`].
     pub face_mobility: Option<FaceMobility>,
+    /// What holds where the fluid cavitates.
+    pub cavitation: Cavitation,
     /// Film thickness at which solids touch \[m\].
     pub film_cutoff: f64,
     /// What solid contact is.
@@ -277,6 +279,7 @@ impl Default for SolverSpec {
             max_iterations: 20_000,
             scheme: None,
             face_mobility: None,
+            cavitation: Cavitation::default(),
             film_cutoff: 1e-9,
             contact: ContactDefinition::default(),
             edge_contact: false,

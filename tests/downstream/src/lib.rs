@@ -129,6 +129,8 @@ mod tests {
     fn a_run_is_stopped_and_goes_on() -> Result<(), Box<dyn Error>> {
         let mut scene = Scene::azam_2019(32);
         scene.solver.tolerance = 1e-4;
+        // Slow enough for solids to touch over much of the contact.
+        scene.motion.entrainment_speed = 0.01;
         let law = Deposited { rate: 1e-10, maximum: 80e-9 };
         let mut sim = MixedLubricationSim::builder(scene).growth_law(law).build()?;
         assert_eq!(sim.run(20, 60.0, &mut ThickEnough(2e-9))?, RunEnd::Stopped);
