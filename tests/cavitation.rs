@@ -3,7 +3,10 @@
 
 use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
-use stribeck::reynolds::{Cavitation, Evaluation, LubricatedContact};
+use stribeck::reynolds::{
+    Cavitation, ContactSolver, ContactState, Evaluation, LubricatedContact, NewtonKrylov, Scheme,
+    StoppingRule,
+};
 use stribeck::sim::scene::SolverKind;
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 
@@ -98,4 +101,44 @@ fn contents_beyond_one_are_refused() {
     state.content[3] = 1.5;
     let error = state.validate(&stribeck::Grid::centred(8, 8, 1e-6, 1e-6).unwrap()).unwrap_err().to_string();
     assert!(error.contains("state.content") && error.contains("1.5"), "{error}");
+}
+
+/// Nothing of a solve by another scheme is left in a solver that is used again.
+#[test]
+fn a_solver_is_used_again_with_another_scheme() {
+    let mut scene = Scene::azam_2019(32);
+    let oil = scene.lubricant.unwrap();
+    let oil = Lubricant::new(
+        Roelands::new(oil.eta0, oil.roelands_z, oil.roelands_p0).unwrap(),
+        DowsonHigginson::new(oil.density_a, oil.density_b).unwrap(),
+    );
+    scene.plastic = None;
+    let solution = solved(&scene);
+    let mut body = HalfSpace::new(solution.grid, scene.elastic.equivalent_modulus).unwrap();
+    let mut solve = |solver: &mut NewtonKrylov, scheme: Scheme| {
+        let mut problem = LubricatedContact {
+            gap: &solution.gap,
+            deformation: &mut body,
+            lubricant: Some(&oil),
+            entrainment_speed: scene.motion.entrainment_speed,
+            squeeze: None,
+            load: solution.hertz.load,
+            pressure_limit: None,
+            film_cutoff: scene.solver.film_cutoff,
+            contact: scene.solver.contact,
+            scheme,
+            face_mobility: scene.face_mobility(),
+            cavitation: scene.solver.cavitation,
+            shear_thinning: None,
+            reference_half_widths: (solution.hertz.a_x, solution.hertz.a_y),
+            reference_pressure: solution.hertz.p_max,
+            reference_film: 0.0,
+        };
+        let mut state = ContactState::new(&solution.grid);
+        let report = solver.solve(&mut problem, &mut state, &StoppingRule::default()).unwrap();
+        (report.work, state)
+    };
+    let mut used = NewtonKrylov::new();
+    let _ = solve(&mut used, Scheme::Limited);
+    assert_eq!(solve(&mut used, Scheme::FirstOrder), solve(&mut NewtonKrylov::new(), Scheme::FirstOrder));
 }

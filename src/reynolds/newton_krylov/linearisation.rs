@@ -24,8 +24,7 @@ pub(super) struct Linearisation {
     /// Of the face to the east of each node, and of that to the north.
     east: FaceFlows,
     north: FaceFlows,
-    /// Of what entrainment carries through the face to the east of each node beyond what that node holds; empty where it carries
-    /// no more.
+    /// Of what entrainment carries through the face to the east of each node beyond what that node holds, where it carries more.
     beyond: [Vec<f32>; 5],
     carries_beyond: bool,
     beyond_change: Vec<f32>,
@@ -93,6 +92,8 @@ impl Linearisation {
                     beyond[k] = single(scale * derivative);
                 }
             }
+        } else {
+            self.beyond_change.fill(0.0);
         }
         self.upwind = fluid.mass_coefficients().map(single);
         self.near = fluid.five_point_mass_coefficients().map(single);
