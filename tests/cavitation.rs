@@ -96,8 +96,7 @@ fn smooth_films_do_not_depend_on_the_condition() {
 
 #[test]
 fn contents_beyond_one_are_refused() {
-    let mut state =
-        stribeck::reynolds::ContactState::new(&stribeck::Grid::centred(8, 8, 1e-6, 1e-6).unwrap());
+    let mut state = ContactState::new(&stribeck::Grid::centred(8, 8, 1e-6, 1e-6).unwrap());
     state.content[3] = 1.5;
     let error = state.validate(&stribeck::Grid::centred(8, 8, 1e-6, 1e-6).unwrap()).unwrap_err().to_string();
     assert!(error.contains("state.content") && error.contains("1.5"), "{error}");
