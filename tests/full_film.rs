@@ -360,7 +360,9 @@ fn manufactured_error(n: usize, scheme: Scheme, face_mobility: FaceMobility) -> 
 
 #[test]
 fn manufactured_solutions_are_found_at_the_order_of_the_scheme() {
-    for face_mobility in [FaceMobility::Arithmetic, FaceMobility::ReducedPressure, FaceMobility::Wedge] {
+    for face_mobility in
+        [FaceMobility::Arithmetic, FaceMobility::ReducedPressure, FaceMobility::Wedge, FaceMobility::Inlet]
+    {
         for (scheme, least, most) in
             [(Scheme::FirstOrder, 0.85, 1.5), (Scheme::SecondOrder, 1.8, 2.3), (Scheme::Limited, 1.8, 2.3)]
         {

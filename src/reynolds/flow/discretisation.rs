@@ -19,6 +19,7 @@
 use super::cavitation::Cavitation;
 use super::entrainment::{FaceFilm, Scheme};
 use super::face_mobility::{Direction, FaceFlow, FaceMobility};
+use super::inlet::Inlet;
 use super::node::NodeFlow;
 use super::shear_thinning::{ShearThinning, ViscosityRatio};
 use crate::grid::Grid;
@@ -79,6 +80,10 @@ pub(in crate::reynolds) struct Discretisation {
     /// `M` less `m` of the first node, and film over that of the first node, of the faces to the east.
     beyond: Vec<f64>,
     face_films: Vec<f64>,
+    /// Factors of the inlets, and squares of the cosines between the flow and the gradient of the undeformed gap, at the faces to the
+    /// east.
+    inlets: Vec<f64>,
+    alignments: Vec<f64>,
     /// `M` of the faces to the east \[m\], and the share `theta` of the gap that is filled.
     carried: Vec<f64>,
     content: Vec<f64>,
@@ -126,6 +131,8 @@ impl Discretisation {
             content: vec![1.0; grid.len()],
             passed: zeros(),
             face_films: vec![1.0; grid.len()],
+            inlets: vec![1.0; grid.len()],
+            alignments: vec![1.0; grid.len()],
             east: zeros(),
             north: zeros(),
             thinning: 0.0,
@@ -161,6 +168,24 @@ impl Discretisation {
         self.thinning = problem.shear_thinning.zip(ambient).map_or(0.0, thinning);
         let thinned = if self.thinning > 0.0 { self.grid.len() } else { 0 };
         self.ratios.resize(thinned, ViscosityRatio::NEWTONIAN);
+        // Coarser grids, whose gaps are not those of the problem, only make corrections.
+        if problem.gap.len() == self.grid.len() {
+            self.align(problem.gap);
+        }
+    }
+
+    /// Takes the normals of edges from the undeformed gap.
+    fn align(&mut self, gap: &[f64]) {
+        let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
+        for k in (0..n - 1).filter(|k| k % nx + 1 < nx) {
+            let (above, below) = (if k + nx < n { k + nx } else { k }, if k >= nx { k - nx } else { k });
+            let rows = ((above - below) / nx).max(1) as f64;
+            let along = (gap[k + 1] - gap[k]) / self.grid.dx();
+            let rise = gap[above] + gap[above + 1] - gap[below] - gap[below + 1];
+            let across = if ny == 1 { 0.0 } else { 0.5 * rise / (rows * self.grid.dy()) };
+            let steepness = along * along + across * across;
+            self.alignments[k] = if steepness > 0.0 { along * along / steepness } else { 1.0 };
+        }
     }
 
     /// The quantities of a node at fluid pressure `p` and film `h`.
@@ -186,7 +211,7 @@ impl Discretisation {
                 potential: p,
                 potential_p: 1.0,
             },
-            FaceMobility::ReducedPressure | FaceMobility::Wedge => NodeFlow {
+            FaceMobility::ReducedPressure | FaceMobility::Wedge | FaceMobility::Inlet => NodeFlow {
                 density,
                 density_p,
                 film,
@@ -272,10 +297,11 @@ impl Discretisation {
             .sum()
     }
 
-    /// What entrainment carries through faces beyond what their first nodes hold.
+    /// What entrainment carries through faces beyond what their first nodes hold, and the inlets.
     fn update_entrainment(&mut self) {
         for k in 0..self.nodes.len() {
             let film = self.face_film(k);
+            self.inlets[k] = self.inlet(k).factor;
             let own = &self.nodes[k];
             self.face_films[k] = if film.beyond == 0.0 { 1.0 } else { 1.0 + film.beyond / own.film };
             self.beyond[k] = match self.scheme {
@@ -312,10 +338,24 @@ impl Discretisation {
         }
     }
 
+    /// The inlet at the face to the east of node `k`.
+    #[inline]
+    fn inlet(&self, k: usize) -> Inlet {
+        let column = k % self.grid.nx();
+        if self.face_mobility != FaceMobility::Inlet || column == 0 || column + 1 == self.grid.nx() {
+            return Inlet::NONE;
+        }
+        Inlet::new(self.nodes[k - 1].film, self.nodes[k].film, self.nodes[k + 1].film, self.alignments[k])
+    }
+
     /// The direction of the face to the east of node `k`: nothing distinguishes it from one across where nothing is carried.
     #[inline]
     fn along(&self, k: usize) -> Direction {
-        if self.wedge > 0.0 { Direction::Along(self.face_films[k]) } else { Direction::Across }
+        if self.wedge > 0.0 {
+            Direction::Along(self.face_films[k], self.inlets[k])
+        } else {
+            Direction::Across
+        }
     }
 
     /// Mobility of the face between the nodes `a` and `b`.
@@ -548,8 +588,8 @@ impl Discretisation {
         sums
     }
 
-    /// Derivatives of the flow by pressure through the face to the east of node `k`, its film over that of the node held: by both
-    /// pressures, then by both films.
+    /// Derivatives of the flow by pressure through the face to the east of node `k`, its film over that of the node and the factor of
+    /// the inlet held: by both pressures, then by both films.
     pub(in crate::reynolds) fn east_flow_derivatives(&self, k: usize) -> [f64; 4] {
         self.flow_derivatives(k, k + 1, self.coefficient_east(k), self.along(k))
     }
@@ -572,9 +612,9 @@ impl Discretisation {
         ]
     }
 
-    /// Whether anything is carried through faces beyond what their first nodes hold.
+    /// Whether anything is carried through faces beyond what their first nodes hold, or their mobility depends on the node upstream.
     pub(in crate::reynolds) fn carries_beyond(&self) -> bool {
-        self.scheme != Scheme::FirstOrder
+        self.scheme != Scheme::FirstOrder || self.face_mobility == FaceMobility::Inlet
     }
 
     /// Derivatives of that through the face to the east of node `k`, with what it adds to the flow by pressure.
@@ -602,13 +642,18 @@ impl Discretisation {
             }
             _ => ([film.beyond, 0.0], by_films(own.density)),
         };
-        let by_ratio = self.face_flow(k, k + 1, self.along(k)).by_face_film;
+        let face = self.face_flow(k, k + 1, self.along(k));
         // The film of the face over that of the node is `1 + beyond / film`.
         let mut by_flow = [0.0; 3];
-        if by_ratio != 0.0 {
-            let per_film = self.coefficient_east(k) * by_ratio * (own.potential - next.potential) / own.film;
-            by_flow =
-                [film.by_own - film.beyond / own.film, film.by_next, film.by_up].map(|by| per_film * by);
+        if face.by_face_film != 0.0 {
+            let drop = self.coefficient_east(k) * (own.potential - next.potential);
+            let (per_film, per_inlet) = (drop * face.by_face_film / own.film, drop * face.by_inlet);
+            let inlet = self.inlet(k);
+            by_flow = [
+                per_film * (film.by_own - film.beyond / own.film) + per_inlet * inlet.by_own,
+                per_film * film.by_next + per_inlet * inlet.by_next,
+                per_film * film.by_up + per_inlet * inlet.by_up,
+            ];
         }
         let slopes = [own.density_p, up.density_p];
         let films = [own.film_h, next.film_h, up.film_h];
@@ -660,8 +705,8 @@ mod tests {
     use crate::lubricant::{Barus, DowsonHigginson, Incompressible, Roelands};
 
     const FILM: f64 = 4e-8;
-    const MOBILITIES: [FaceMobility; 3] =
-        [FaceMobility::Arithmetic, FaceMobility::ReducedPressure, FaceMobility::Wedge];
+    const MOBILITIES: [FaceMobility; 4] =
+        [FaceMobility::Arithmetic, FaceMobility::ReducedPressure, FaceMobility::Wedge, FaceMobility::Inlet];
 
     fn oil() -> Lubricant {
         Lubricant::new(

@@ -10,10 +10,12 @@ use super::shear_thinning::ViscosityRatio;
 /// | `Arithmetic` | mean of `rho/rho_0 eta_0/eta h^3` of the nodes | `p` |
 /// | `ReducedPressure` | mean of `h^3` of the nodes | `q = integral of (rho/rho_0) (eta_0/eta) dp` |
 /// | `Wedge`, faces along the flow with `h_0 > h_1` | `2 h_0 h_1 h_f - 2 h_0^2 h_1^2 / (h_0 + h_1)` | `q` |
-/// | `Wedge`, all other faces | `2 h_0^2 h_1^2 / (h_0 + h_1)` | `q` |
+/// | `Inlet`, faces along the flow with `h_0 > h_1` | that of `Wedge` times `(1 + Y)/(1 + 2 h_0^2 I)` | `q` |
+/// | `Wedge` and `Inlet`, all other faces | `2 h_0^2 h_1^2 / (h_0 + h_1)` | `q` |
 ///
 /// The flow through the face is `A / (12 eta_0)` times the difference of the potentials over the distance. `h_0` is the film
-/// upstream, `h_1` that downstream, `h_f` that of the face, which entrainment carries through it.
+/// upstream, `h_1` that downstream, `h_f` that of the face, which entrainment carries through it; `Y = (h_0 - h_1)/h_1`, and `I` is the
+/// integral of `(h - h_1)/h^3` over the distance of the nodes, `Y/(2 h_0^2)` for a film that falls evenly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum FaceMobility {
@@ -28,26 +30,32 @@ pub enum FaceMobility {
     /// upstream of a steep fall run away, so entrainment is `u h_f`; where films fall the mobility that belongs to it gives the
     /// exact rise of pressure to the flow `u h_1` that a node in contact passes on. The inlet in front of an
     /// asperity then builds up its pressure on cells far wider than itself.
-    #[default]
     Wedge,
+    /// That of a film which is flat behind the edge of a contact and rises from it as the gap of a Hertz contact does, `s^(3/2)`. Where
+    /// the edge lies is told by the films of two nodes in front of it. In front of edges oblique to the flow the pressure that builds up
+    /// is that of the flow's component along the normal of the edge, which is taken to be that of the undeformed gap. Films that are
+    /// resolved have the mobility of `Wedge`.
+    #[default]
+    Inlet,
 }
 
 /// Where a face lies: between nodes along the flow, or across it.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Direction {
-    /// From the first node to the second along +x, with the film of the face over that of the first.
-    Along(f64),
+    /// From the first node to the second along +x: the film of the face over that of the first, and the factor of the inlet.
+    Along(f64, f64),
     Across,
 }
 
-/// Mobility of a face with its derivatives by pressure and film of its first and of its second node, and by the film of the face
-/// over that of the first.
+/// Mobility of a face with its derivatives by pressure and film of its first and of its second node, by the film of the face
+/// over that of the first, and by the factor of the inlet.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FaceFlow {
     pub(super) mobility: f64,
     pub(super) first: [f64; 2],
     pub(super) second: [f64; 2],
     pub(super) by_face_film: f64,
+    pub(super) by_inlet: f64,
 }
 
 impl FaceMobility {
@@ -60,14 +68,16 @@ impl FaceMobility {
                 first: [0.5 * a.mobility_p, 0.5 * a.mobility_h],
                 second: [0.5 * b.mobility_p, 0.5 * b.mobility_h],
                 by_face_film: 0.0,
+                by_inlet: 0.0,
             },
-            Self::Wedge => {
-                let [cube, by_a, by_b, by_face] = wedge(a.film, b.film, direction);
+            Self::Wedge | Self::Inlet => {
+                let [cube, by_a, by_b, by_face, by_inlet] = wedge(a.film, b.film, direction);
                 FaceFlow {
                     mobility: fluidity * cube,
                     first: [0.0, fluidity * by_a * a.film_h],
                     second: [0.0, fluidity * by_b * b.film_h],
                     by_face_film: fluidity * by_face,
+                    by_inlet: fluidity * by_inlet,
                 }
             }
         }
@@ -87,26 +97,35 @@ impl FaceFlow {
             first: by(self.first, first),
             second: by(self.second, second),
             by_face_film: self.by_face_film / mean,
+            by_inlet: self.by_inlet / mean,
         }
     }
 }
 
-/// What takes the place of `h^3` between the films `a` and `b`, and its derivatives by both and by the film of the face over `a`.
+/// What takes the place of `h^3` between the films `a` and `b`, and its derivatives by both, by the film of the face over `a` and by the
+/// factor of the inlet.
 #[inline]
-fn wedge(a: f64, b: f64, direction: Direction) -> [f64; 4] {
+fn wedge(a: f64, b: f64, direction: Direction) -> [f64; 5] {
     let sum = a + b;
     if sum == 0.0 {
-        return [0.0; 4];
+        return [0.0; 5];
     }
     let ab = a * b;
     let exact = 2.0 * ab * ab / sum;
     let (by_a, by_b) = ((4.0 * ab * b - exact) / sum, (4.0 * ab * a - exact) / sum);
     match direction {
-        Direction::Along(face) if a > b => {
+        Direction::Along(face, inlet) if a > b => {
             let whole = 2.0 * ab * a;
-            [whole * face - exact, 4.0 * ab * face - by_a, 2.0 * a * a * face - by_b, whole]
+            let even = whole * face - exact;
+            [
+                inlet * even,
+                inlet * (4.0 * ab * face - by_a),
+                inlet * (2.0 * a * a * face - by_b),
+                inlet * whole,
+                even,
+            ]
         }
-        _ => [exact, by_a, by_b, 0.0],
+        _ => [exact, by_a, by_b, 0.0, 0.0],
     }
 }
 
@@ -117,8 +136,8 @@ mod tests {
     #[test]
     fn derivatives_of_the_wedge_are_exact() {
         for (a, b) in [(3.0, 2.0), (2.0, 3.0), (50.0, 1.0), (1.0, 50.0)] {
-            for direction in [Direction::Across, Direction::Along(1.0), Direction::Along(0.7)] {
-                let [_, by_a, by_b, by_face] = wedge(a, b, direction);
+            for direction in [Direction::Across, Direction::Along(1.0, 1.0), Direction::Along(0.7, 0.6)] {
+                let [_, by_a, by_b, by_face, by_inlet] = wedge(a, b, direction);
                 let step = 1e-6;
                 let slope = |value: &dyn Fn(f64) -> f64| (value(step) - value(-step)) / (2.0 * step);
                 let found = [
@@ -128,7 +147,14 @@ mod tests {
                         by_face,
                         match direction {
                             Direction::Across => 0.0,
-                            Direction::Along(f) => slope(&|d| wedge(a, b, Direction::Along(f + d))[0]),
+                            Direction::Along(f, i) => slope(&|d| wedge(a, b, Direction::Along(f + d, i))[0]),
+                        },
+                    ),
+                    (
+                        by_inlet,
+                        match direction {
+                            Direction::Across => 0.0,
+                            Direction::Along(f, i) => slope(&|d| wedge(a, b, Direction::Along(f, i + d))[0]),
                         },
                     ),
                 ];
@@ -146,11 +172,11 @@ mod tests {
         for a in [5.0, 50.0, 500.0] {
             let b = 1.0;
             let exact_rise = (2.0 * a * b / (a + b) - b) / wedge(a, b, Direction::Across)[0];
-            let rise = (a - b) / wedge(a, b, Direction::Along(1.0))[0];
+            let rise = (a - b) / wedge(a, b, Direction::Along(1.0, 1.0))[0];
             assert!((rise / exact_rise - 1.0).abs() < 1.01 / a, "{rise} and {exact_rise} from {a}");
         }
         let cube = |direction| wedge(2.0, 2.0, direction)[0];
-        for direction in [Direction::Across, Direction::Along(1.0)] {
+        for direction in [Direction::Across, Direction::Along(1.0, 1.0)] {
             assert!((cube(direction) - 8.0).abs() < 1e-14);
         }
     }

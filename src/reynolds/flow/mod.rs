@@ -4,6 +4,7 @@ mod cavitation;
 mod discretisation;
 mod entrainment;
 mod face_mobility;
+mod inlet;
 mod node;
 mod shear_thinning;
 

@@ -383,9 +383,12 @@ mod tests {
     #[test]
     fn product_is_the_derivative_of_the_equations() {
         for scheme in [Scheme::FirstOrder, Scheme::SecondOrder, Scheme::Limited] {
-            for face_mobility in
-                [FaceMobility::Arithmetic, FaceMobility::ReducedPressure, FaceMobility::Wedge]
-            {
+            for face_mobility in [
+                FaceMobility::Arithmetic,
+                FaceMobility::ReducedPressure,
+                FaceMobility::Wedge,
+                FaceMobility::Inlet,
+            ] {
                 check_product(scheme, face_mobility, Cavitation::Reynolds, None);
                 check_product(scheme, face_mobility, Cavitation::MassConserving, None);
                 for eyring_stress in [1e5, 1e7] {
