@@ -188,6 +188,7 @@ impl Coupled {
         let contact_film = problem.contact_film();
         let load: f64 = state.pressure.iter().sum::<f64>() * grid.cell_area();
         let film_scale = self.film_scale(problem, state);
+        let previous = problem.squeeze.map(|s| s.previous_mass);
         let (mut mass, mut build_up, mut gap_error) = (0.0, 0.0, 0.0);
         for (k, kind) in self.kinds.iter().enumerate() {
             let (p, fluid_p, film) = (state.pressure[k], state.fluid_pressure[k], state.film[k]);
@@ -195,6 +196,8 @@ impl Coupled {
                 if problem.is_paper() && p >= limit_of(problem, k) {
                     // Cut at the limit: the fluid would push harder.
                     mass += self.balance[k].max(0.0);
+                } else if self.fluid.conserves_mass() {
+                    mass += self.fluid.imbalance(k, previous).abs();
                 } else if fluid_p > 0.0 {
                     mass += self.balance[k].abs();
                 } else {
@@ -207,13 +210,23 @@ impl Coupled {
             let touches = p > fluid_p;
             gap_error += if touches { (film - contact_film).abs() } else { (contact_film - film).max(0.0) };
         }
-        let per_flux = grid.dy() / (film_scale * 2.0 * half_y);
+        let per_flux = grid.dy() / self.flux_scale(problem, film_scale * 2.0 * half_y);
         let per_area = grid.cell_area() / (film_scale * std::f64::consts::PI * half_x * half_y);
         Residuals {
             mass: mass * per_flux,
             load: (load - problem.load).abs() / problem.load,
             complementarity: (build_up * per_flux).max(gap_error * per_area),
         }
+    }
+
+    /// The flux over the speed \[m^2\] that mass residuals are scaled with: that of the mean film through the contact width,
+    /// `through_contact`, or what flows into the box where that is less.
+    fn flux_scale(&self, problem: &LubricatedContact<'_>, through_contact: f64) -> f64 {
+        if problem.lubricant.is_none() {
+            return through_contact;
+        }
+        let inflow = self.fluid.edge_flow().0 / (self.fluid.rate() * self.fluid.grid.dx());
+        if inflow > 0.0 { through_contact.min(inflow) } else { through_contact }
     }
 
     /// Pressure-weighted mean film, or mean elastic displacement where there is no lubricant.

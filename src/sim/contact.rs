@@ -13,8 +13,8 @@ use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::metrics;
 use crate::report::SolveReport;
 use crate::reynolds::{
-    Cavitation, ContactDefinition, ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme,
-    ShearThinning, Squeeze, StoppingRule,
+    Cavitation, ContactDefinition, ContactSolver, ContactState, Evaluation, FaceMobility, FlowBalance,
+    LubricatedContact, Scheme, ShearThinning, Squeeze, StoppingRule,
 };
 
 /// Grid, elastic body, lubricant, load and solver of a scene.
@@ -37,6 +37,10 @@ pub(super) struct ContactModel {
     entrainment_speed: f64,
     /// Film formulas of the smooth contact; none without lubricant.
     formulas: Option<FormulaFilm>,
+    /// Measures the flow of solutions; none without lubricant.
+    evaluation: Option<Evaluation>,
+    /// That of the last one.
+    pub(super) flow: Option<FlowBalance>,
 }
 
 /// What a user puts in place of the scene's own parts.
@@ -99,6 +103,8 @@ impl ContactModel {
         let formulas = setup::formula_film(scene, &hertz, law)?;
         Ok(Self {
             formulas,
+            evaluation: lubricant.is_some().then(|| Evaluation::new(grid)),
+            flow: None,
             grid,
             hertz,
             form_gap,
@@ -148,7 +154,12 @@ impl ContactModel {
             reference_pressure: self.hertz.p_max,
             reference_film,
         };
-        Ok(self.solver.solve(&mut problem, state, &self.rule)?)
+        let report = self.solver.solve(&mut problem, state, &self.rule)?;
+        self.flow = match &mut self.evaluation {
+            Some(evaluation) => evaluation.flow_balance(&problem, state)?,
+            None => None,
+        };
+        Ok(report)
     }
 }
 
@@ -165,6 +176,10 @@ pub struct ContactSolution {
     pub moes: Option<(f64, f64)>,
     /// Entrainment scheme, pressure flow and solid contact; none for a dry contact.
     pub discretisation: Option<(Scheme, FaceMobility, ContactDefinition)>,
+    /// What holds where the fluid cavitates; none for a dry contact.
+    pub cavitation: Option<Cavitation>,
+    /// What flows into the box and out of it; none for a dry contact.
+    pub flow: Option<FlowBalance>,
     /// Fields and approach.
     pub state: ContactState,
     /// Undeformed gap, form and roughness \[m\].
@@ -295,6 +310,8 @@ pub(super) fn solve_on_grid(
         contact,
         friction_coefficient,
         discretisation,
+        cavitation: model.lubricant.is_some().then_some(model.cavitation),
+        flow: model.flow,
         state,
         gap,
         error_estimate: None,

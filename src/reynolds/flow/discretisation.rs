@@ -16,6 +16,7 @@
 //!
 //! In `a` the film counts as at least half the contact film, in `m` it counts as it is.
 
+use super::balance::FlowBalance;
 use super::cavitation::Cavitation;
 use super::entrainment::{FaceFilm, Scheme};
 use super::face_mobility::{Direction, FaceFlow, FaceMobility};
@@ -423,6 +424,26 @@ impl Discretisation {
     /// `F_k` for an interior node at the last update, its own gap filled.
     pub(in crate::reynolds) fn balance(&self, k: usize, previous: Option<&[f64]>) -> f64 {
         self.transport(k, previous) + self.pressure_outflow(k)
+    }
+
+    /// What leaves interior node `k` beyond what enters, its gap filled to its content: zero where the content makes it so.
+    pub(in crate::reynolds) fn imbalance(&self, k: usize, previous: Option<&[f64]>) -> f64 {
+        let stored = previous.map_or(0.0, |previous| self.squeeze * (self.held_mass(k) - previous[k]));
+        self.wedge * (self.carried[k] - self.carried[k - 1]) + stored + self.pressure_outflow(k)
+    }
+
+    /// Whether cells that are not filled carry on what they got.
+    pub(in crate::reynolds) fn conserves_mass(&self) -> bool {
+        self.cavitation == Cavitation::MassConserving
+    }
+
+    /// Flows through the edges of the box and growth of the mass in it.
+    pub(in crate::reynolds) fn flow_balance(&self, previous: Option<&[f64]>) -> FlowBalance {
+        let (inflow, outflow) = self.edge_flow();
+        let grown = previous.map_or(0.0, |previous| {
+            interior(&self.grid).map(|k| self.held_mass(k) - previous[k]).sum::<f64>()
+        });
+        FlowBalance::new(inflow, outflow, self.rate * self.grid.cell_area() * self.squeeze * grown)
     }
 
     /// Flow into and out of the box through the faces to its outermost nodes \[m^3/s\].
