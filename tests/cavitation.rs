@@ -46,6 +46,7 @@ fn problem<'a>(
         scheme: scene.scheme(),
         face_mobility: scene.face_mobility(),
         cavitation: scene.solver.cavitation,
+        supplied_film: None,
         shear_thinning: None,
         reference_half_widths: (solution.hertz.a_x, solution.hertz.a_y),
         reference_pressure: solution.hertz.p_max,

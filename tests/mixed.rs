@@ -153,6 +153,7 @@ fn a_solution_with_fluid_at_the_limit_is_one() {
         scheme: scene.scheme(),
         face_mobility: scene.face_mobility(),
         cavitation: Default::default(),
+        supplied_film: None,
         shear_thinning: None,
         reference_half_widths: (hertz.a_x, hertz.a_y),
         reference_pressure: hertz.p_max,

@@ -21,7 +21,7 @@ use crate::report::Residuals;
 ///     gap: &gap, deformation: &mut HalfSpace::new(grid, 230e9)?, lubricant: None, entrainment_speed: 0.0,
 ///     squeeze: None, load: 1.0, pressure_limit: None, film_cutoff: 1e-9, contact: Default::default(),
 ///     scheme: Scheme::default(), face_mobility: Default::default(),
-///     cavitation: Default::default(), shear_thinning: None,
+///     cavitation: Default::default(), supplied_film: None, shear_thinning: None,
 ///     reference_half_widths: (4e-5, 4e-5), reference_pressure: 3e8, reference_film: 0.0,
 /// };
 /// // Half of the load on one node.

@@ -31,6 +31,7 @@ pub(super) struct ContactModel {
     scheme: Scheme,
     face_mobility: FaceMobility,
     cavitation: Cavitation,
+    supplied_film: Option<f64>,
     shear_thinning: Option<ShearThinning>,
     film_cutoff: f64,
     contact: ContactDefinition,
@@ -115,6 +116,7 @@ impl ContactModel {
             scheme: scene.scheme(),
             face_mobility: scene.face_mobility(),
             cavitation: scene.solver.cavitation,
+            supplied_film: scene.lubricant.and_then(|lubricant| lubricant.supplied_film),
             shear_thinning: scene.friction.shear_thinning(scene.motion.sliding_speed())?,
             film_cutoff: scene.solver.film_cutoff,
             contact: scene.solver.contact,
@@ -135,7 +137,7 @@ impl ContactModel {
         squeeze: Option<Squeeze<'_>>,
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
-        let reference_film = self.formula_film();
+        let reference_film = self.formula_film().min(self.supplied_film.unwrap_or(f64::INFINITY));
         let mut problem = LubricatedContact {
             gap,
             deformation: &mut *self.deformation,
@@ -149,6 +151,7 @@ impl ContactModel {
             scheme: self.scheme,
             face_mobility: self.face_mobility,
             cavitation: self.cavitation,
+            supplied_film: self.supplied_film,
             shear_thinning: self.shear_thinning,
             reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
             reference_pressure: self.hertz.p_max,

@@ -59,6 +59,8 @@ pub(in crate::reynolds) struct Discretisation {
     face_mobility: FaceMobility,
     scheme: Scheme,
     cavitation: Cavitation,
+    /// What enters a row of cells at most \[m\]; infinite at a flooded inlet.
+    supply: f64,
     film_floor: f64,
     /// Film below which pressure moves nothing, and film below which none is carried along \[m\]; no such film in hard
     /// contact.
@@ -110,6 +112,7 @@ impl Discretisation {
             face_mobility: FaceMobility::default(),
             scheme: Scheme::default(),
             cavitation: Cavitation::default(),
+            supply: f64::INFINITY,
             film_floor: 0.0,
             closed_film: f64::NEG_INFINITY,
             least_film: f64::NEG_INFINITY,
@@ -142,6 +145,7 @@ impl Discretisation {
         self.face_mobility = problem.face_mobility;
         self.scheme = problem.scheme;
         self.cavitation = problem.cavitation;
+        self.supply = problem.supplied_film.unwrap_or(f64::INFINITY);
         // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor at the
         // contact film itself would hide from Newton that a node just under it can open.
         self.film_floor = 0.5 * problem.contact_film();
@@ -245,10 +249,28 @@ impl Discretisation {
         self.content.fill(1.0);
         self.passed.fill(0.0);
         if self.cavitation == Cavitation::MassConserving {
+            self.starve();
             for k in interior(&self.grid).filter(|k| pressure[*k] <= 0.0) {
                 self.fill(k, previous);
             }
         }
+    }
+
+    /// Lets no more than the supply through the faces at the inlet edge.
+    fn starve(&mut self) {
+        for first in (0..self.grid.len()).step_by(self.grid.nx()) {
+            let full = self.carried[first];
+            if full > self.supply {
+                self.content[first] = self.supply / full;
+                self.carried[first] = self.supply;
+            }
+        }
+    }
+
+    /// Whether node `k` is one of the inlet edge that gets less than fills it: what it carries on does not depend on its film.
+    #[inline]
+    fn is_starved(&self, k: usize) -> bool {
+        self.content[k] < 1.0 && k.is_multiple_of(self.grid.nx())
     }
 
     /// Fills the gap of node `k`, which has no pressure, by what enters it; upstream nodes come first.
@@ -633,14 +655,18 @@ impl Discretisation {
         }
         let slopes = [own.density_p, up.density_p];
         let films = [own.film_h, next.film_h, up.film_h];
+        let wedge = if self.is_starved(k) { 0.0 } else { self.wedge };
         std::array::from_fn(|slot| match slot {
-            0..2 => self.wedge * by_densities[slot] * slopes[slot],
-            _ => (self.wedge * by_films[slot - 2] + by_flow[slot - 2]) * films[slot - 2],
+            0..2 => wedge * by_densities[slot] * slopes[slot],
+            _ => (wedge * by_films[slot - 2] + by_flow[slot - 2]) * films[slot - 2],
         })
     }
 
     /// Derivatives of the mass of node `k` by its pressure and by its film.
     pub(in crate::reynolds) fn mass_derivatives(&self, k: usize) -> [f64; 2] {
+        if self.is_starved(k) {
+            return [0.0; 2];
+        }
         let NodeFlow { density, density_p, .. } = self.nodes[k];
         [density_p * self.masses[k] / density, density]
     }
