@@ -27,6 +27,7 @@ mod state;
 use std::fmt::Debug;
 
 pub use auto::Auto;
+pub(crate) use coupled::reaches_limit;
 pub use dry::Dry;
 pub use evaluation::Evaluation;
 pub use flow::{Cavitation, FaceMobility, FlowBalance, Scheme, ShearThinning};

@@ -14,8 +14,8 @@ pub enum ContactDefinition {
     #[default]
     Hard,
     /// One pressure, as in Azam et al. (2019): pressure flow is switched off at nodes whose film is below the cut-off, films
-    /// below zero carry nothing along, pressures are cut at the limit. What presses at such nodes is called solid pressure
-    /// afterwards. Nothing keeps gaps from becoming negative, and the answer depends on the mesh. Where the film is above
+    /// are carried along as they are, below zero too, pressures are cut at the limit; there the overlap is plastic depth. What
+    /// presses at nodes below the cut-off is called solid pressure afterwards. Nothing keeps gaps from becoming negative, and the answer depends on the mesh. Where the film is above
     /// the cut-off everywhere, it is that of `Hard`.
     Paper,
 }

@@ -14,7 +14,7 @@ use crate::metrics;
 use crate::report::SolveReport;
 use crate::reynolds::{
     Cavitation, ContactDefinition, ContactSolver, ContactState, Evaluation, FaceMobility, FlowBalance,
-    LubricatedContact, Scheme, ShearThinning, Squeeze, StoppingRule,
+    LubricatedContact, Scheme, ShearThinning, Squeeze, StoppingRule, reaches_limit,
 };
 
 /// Grid, elastic body, lubricant, load and solver of a scene.
@@ -363,7 +363,9 @@ pub(super) fn contact_numbers(
     )?;
     let ellipse = std::f64::consts::PI * model.hertz.a_x * model.hertz.a_y;
     let hardest = limit.map_or(f64::INFINITY, |limit| limit.iter().copied().fold(0.0, f64::max));
-    let at_limit = limit.map_or(0, |limit| state.pressure.iter().zip(limit).filter(|(p, l)| p >= l).count());
+    let at_limit = limit.map_or(0, |limit| {
+        state.pressure.iter().zip(limit).filter(|(p, limit)| reaches_limit(**p, **limit)).count()
+    });
     Ok(ContactNumbers {
         max_pressure: metrics::peak(&model.grid, &state.pressure)?.min(hardest),
         central_pressure: model.grid.interpolate(&state.pressure, 0.0, 0.0)?,

@@ -62,10 +62,8 @@ pub(in crate::reynolds) struct Discretisation {
     /// What enters a row of cells at most \[m\]; infinite at a flooded inlet.
     supply: f64,
     film_floor: f64,
-    /// Film below which pressure moves nothing, and film below which none is carried along \[m\]; no such film in hard
-    /// contact.
+    /// Film below which pressure moves nothing \[m\]; no such film in hard contact.
     closed_film: f64,
-    least_film: f64,
     face_x: f64,
     face_y: f64,
     wedge: f64,
@@ -115,7 +113,6 @@ impl Discretisation {
             supply: f64::INFINITY,
             film_floor: 0.0,
             closed_film: f64::NEG_INFINITY,
-            least_film: f64::NEG_INFINITY,
             face_x: 0.0,
             face_y: 0.0,
             wedge: 0.0,
@@ -149,11 +146,7 @@ impl Discretisation {
         // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor at the
         // contact film itself would hide from Newton that a node just under it can open.
         self.film_floor = 0.5 * problem.contact_film();
-        (self.closed_film, self.least_film) = if problem.is_paper() {
-            (problem.contact_film(), 0.0)
-        } else {
-            (f64::NEG_INFINITY, f64::NEG_INFINITY)
-        };
+        self.closed_film = if problem.is_paper() { problem.contact_film() } else { f64::NEG_INFINITY };
         self.rate = speed / dx;
         self.face_x = 1.0 / (speed * dx);
         self.face_y = if self.grid.ny() == 1 { 0.0 } else { dx / (speed * dy * dy) };
@@ -228,7 +221,7 @@ impl Discretisation {
     ) {
         for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
             self.nodes[k] = self.node_flow(lubricant, p, h);
-            self.masses[k] = self.nodes[k].density * h.max(self.least_film);
+            self.masses[k] = self.nodes[k].density * h;
         }
         if !self.ratios.is_empty() {
             for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
