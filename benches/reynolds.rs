@@ -45,6 +45,7 @@ fn pieces(criterion: &mut Criterion) {
             scheme: Scheme::default(),
             face_mobility: FaceMobility::default(),
             cavitation: Default::default(),
+            supplied_film: None,
             shear_thinning: None,
             reference_half_widths: (hertz.a_x, hertz.a_y),
             reference_pressure: hertz.p_max,

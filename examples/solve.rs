@@ -104,6 +104,8 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
         film,
         contact,
         discretisation,
+        cavitation,
+        flow,
         error_estimate,
         state,
         ..
@@ -113,6 +115,7 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
         "solver": report.solver,
         "scheme": discretisation.map(|(scheme, ..)| scheme),
         "face_mobility": discretisation.map(|(_, face_mobility, _)| face_mobility),
+        "cavitation": cavitation,
         "contact_definition": discretisation.map(|(.., contact)| contact),
         "residual": {
             "mass": report.residuals.mass,
@@ -148,6 +151,11 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
             "film_cutoff": contact.film_cutoff,
         },
         "friction": { "coefficient": solution.friction_coefficient },
+        "flow": flow.map(|flow| json!({
+            "inflow": flow.inflow,
+            "outflow": flow.outflow,
+            "imbalance": flow.imbalance,
+        })),
         "approach": state.approach,
         "error_estimate": error_estimate.map(|estimate| json!({
             "central_film": estimate.central_film,
@@ -160,7 +168,8 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
 }
 
 fn summary(solution: &ContactSolution, seconds: f64) -> String {
-    let ContactSolution { report, grid, hertz, moes, film, contact, error_estimate, state, .. } = solution;
+    let ContactSolution { report, grid, hertz, moes, film, contact, flow, error_estimate, state, .. } =
+        solution;
     let (residuals, work) = (report.residuals, report.work);
     let moes = moes.map_or_else(|| "dry".to_owned(), |(m, l)| format!("Moes M {m:.1}, L {l:.3}"));
     [
@@ -205,6 +214,16 @@ fn summary(solution: &ContactSolution, seconds: f64) -> String {
             contact.plastic_area * 1e12
         ),
         format!("friction   {:.4}", solution.friction_coefficient),
+        flow.map_or_else(
+            || "flow       none: dry".to_owned(),
+            |flow| {
+                let unit = if grid.ny() == 1 { "m^2/s" } else { "m^3/s" };
+                format!(
+                    "flow       in {:.4e}, out {:.4e} {unit}, imbalance {:.1e}",
+                    flow.inflow, flow.outflow, flow.imbalance
+                )
+            },
+        ),
         format!("approach   {:.3} nm", state.approach * 1e9),
         error_estimate.map_or_else(
             || "errors     not estimated: the grid is given".to_owned(),

@@ -40,12 +40,17 @@ impl fmt::Display for Status {
 /// With `h_m` the pressure-weighted mean film and `a_x`, `a_y` the reference contact half-widths:
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Residuals {
-    /// Sum of the absolute mass imbalances of all cells that hold fluid under pressure, over the mass that the mean
-    /// film `h_m` carries through the contact width `2 a_y`. Zero without lubricant.
+    /// Sum of the absolute mass imbalances of the cells that hold fluid under pressure, of all cells where cavitation
+    /// conserves mass, over the mass that the mean film `h_m` carries through the contact width `2 a_y`, or that flows into
+    /// the box where that is less. Zero without lubricant.
+    ///
+    /// Where cavitation conserves mass and the surfaces move it bounds the imbalance of the
+    /// [flow through the box](crate::reynolds::FlowBalance).
     pub mass: f64,
     /// `|sum of pressure - load| / load`.
     pub load: f64,
-    /// Violation of the inequalities: fluid that builds up in cavitated cells (scaled as `mass`), and the gap error
+    /// Violation of the inequalities: fluid that builds up in cavitated cells (scaled as `mass`; with Reynolds' condition
+    /// alone, `mass` counts it else), and the gap error
     /// of solid contact plus penetration elsewhere, averaged over the Hertz area and divided by `h_m`; the larger.
     pub complementarity: f64,
 }

@@ -26,6 +26,7 @@ fn contact(moes_load: f64, moes_lubricant: f64, accuracy: f64) -> Scene {
         alpha: Some(ALPHA),
         density_a: 0.34 / 5.9e8,
         density_b: 1.0 / 5.9e8,
+        supplied_film: None,
     });
     scene.roughness = Default::default();
     scene.plastic = None;

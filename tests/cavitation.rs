@@ -4,11 +4,12 @@
 use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
 use stribeck::reynolds::{
-    Cavitation, ContactSolver, ContactState, Evaluation, LubricatedContact, NewtonKrylov, Scheme,
+    Cavitation, ContactSolver, ContactState, Evaluation, LubricatedContact, NewtonKrylov, Scheme, Squeeze,
     StoppingRule,
 };
-use stribeck::sim::scene::SolverKind;
+use stribeck::sim::scene::{GridSpec, Load, Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
+use stribeck::surface::Form;
 
 fn solved(scene: &Scene) -> ContactSolution {
     let solution = solve_contact(scene).unwrap();
@@ -16,54 +17,73 @@ fn solved(scene: &Scene) -> ContactSolution {
     solution
 }
 
-/// Flow into and out of the box at a solution.
-fn edge_flow(scene: &Scene, solution: &ContactSolution) -> (f64, f64) {
+/// The oil of a scene.
+fn lubricant(scene: &Scene) -> Lubricant {
     let oil = scene.lubricant.unwrap();
-    let oil = Lubricant::new(
+    Lubricant::new(
         Roelands::new(oil.eta0, oil.roelands_z, oil.roelands_p0).unwrap(),
         DowsonHigginson::new(oil.density_a, oil.density_b).unwrap(),
-    );
-    let limit = scene.plastic.map(|plastic| vec![plastic.hardness; solution.grid.len()]);
-    let mut state = solution.state.clone();
-    let mut problem = LubricatedContact {
+    )
+}
+
+/// The problem of a solved scene, without its limit.
+fn problem<'a>(
+    scene: &Scene,
+    solution: &'a ContactSolution,
+    oil: &'a Lubricant,
+    body: &'a mut HalfSpace,
+) -> LubricatedContact<'a> {
+    LubricatedContact {
         gap: &solution.gap,
-        deformation: &mut HalfSpace::new(solution.grid, scene.elastic.equivalent_modulus).unwrap(),
-        lubricant: Some(&oil),
+        deformation: body,
+        lubricant: Some(oil),
         entrainment_speed: scene.motion.entrainment_speed,
         squeeze: None,
         load: solution.hertz.load,
-        pressure_limit: limit.as_deref(),
+        pressure_limit: None,
         film_cutoff: scene.solver.film_cutoff,
         contact: scene.solver.contact,
         scheme: scene.scheme(),
         face_mobility: scene.face_mobility(),
         cavitation: scene.solver.cavitation,
+        supplied_film: None,
         shear_thinning: None,
         reference_half_widths: (solution.hertz.a_x, solution.hertz.a_y),
         reference_pressure: solution.hertz.p_max,
         reference_film: 0.0,
-    };
+    }
+}
+
+/// Asserts that a solution is one by its fields alone, and that its flows are those of its fields.
+fn assert_evaluates(scene: &Scene, solution: &ContactSolution) {
+    let oil = lubricant(scene);
+    let limit = scene.plastic.map(|plastic| vec![plastic.hardness; solution.grid.len()]);
+    let mut state = solution.state.clone();
+    let mut body = HalfSpace::new(solution.grid, scene.elastic.equivalent_modulus).unwrap();
+    let mut problem = problem(scene, solution, &oil, &mut body);
+    problem.pressure_limit = limit.as_deref();
     let mut evaluation = Evaluation::new(solution.grid);
     let residuals = evaluation.evaluate(&mut problem, &mut state).unwrap();
     assert!(residuals.max() < 1e-5, "{residuals:?}");
     assert_eq!(state.content, solution.state.content);
-    evaluation.edge_flow()
+    assert_eq!(evaluation.flow_balance(&problem, &solution.state).unwrap(), solution.flow);
 }
 
 #[test]
 fn what_flows_into_a_rough_contact_flows_out() {
     let mut scene = Scene::azam_2019(64);
-    let imbalance = |scene: &Scene, solution: &ContactSolution| {
-        let (inflow, outflow) = edge_flow(scene, solution);
-        assert!(inflow > 0.0 && outflow > 0.0, "{inflow:e}, {outflow:e}");
-        outflow / inflow - 1.0
-    };
-    let made = imbalance(&scene, &solved(&scene));
-    assert!(made > 1e-3, "Reynolds' condition makes fluid where it reforms: {made:e}");
+    scene.solver.cavitation = Cavitation::Reynolds;
+    let solution = solved(&scene);
+    assert_evaluates(&scene, &solution);
+    let flow = solution.flow.unwrap();
+    assert!(flow.inflow > 0.0, "{flow:?}");
+    assert!((flow.imbalance - (flow.outflow / flow.inflow - 1.0)).abs() < 1e-12, "{flow:?}");
+    assert!(flow.imbalance > 1e-3, "Reynolds' condition makes fluid where it reforms: {flow:?}");
     scene.solver.cavitation = Cavitation::MassConserving;
     let solution = solved(&scene);
-    let made = imbalance(&scene, &solution);
-    assert!(made.abs() <= scene.solver.tolerance, "{made:e}");
+    assert_evaluates(&scene, &solution);
+    let flow = solution.flow.unwrap();
+    assert!(flow.imbalance <= scene.solver.tolerance, "{flow:?}");
     let state = &solution.state;
     let partly = state.content.iter().filter(|content| **content < 1.0).count();
     assert!(partly > 100, "{partly} nodes are not filled");
@@ -73,6 +93,59 @@ fn what_flows_into_a_rough_contact_flows_out() {
             "{content}, {pressure}"
         );
     }
+}
+
+/// The balances of the cells add up to that of the box: the mass residual bounds its imbalance.
+#[test]
+fn the_mass_residual_bounds_the_imbalance_of_the_box() {
+    let mut scenes: Vec<Scene> = [(0.01, 5), (1.0, 6)]
+        .map(|(speed, seed)| {
+            let mut scene = Scene::azam_2019(48);
+            scene.motion.entrainment_speed = speed;
+            if let Roughness::Gaussian(random) = &mut scene.roughness.disc {
+                random.seed = seed;
+            }
+            scene
+        })
+        .to_vec();
+    let mut smooth = Scene::azam_2019(48);
+    (smooth.roughness, smooth.plastic) = (Default::default(), None);
+    let mut line = smooth.clone();
+    line.form = Form::Cylinder { radius: 0.01 };
+    line.load = Load { hertz_pressure: Some(0.6e9), force: None };
+    line.grid = GridSpec::Row { nx: 256, x: [-4e-4, 2e-4] };
+    scenes.extend([smooth, line]);
+    for mut scene in scenes {
+        scene.solver.cavitation = Cavitation::MassConserving;
+        for tolerance in [1e-4, 1e-8] {
+            scene.solver.tolerance = tolerance;
+            let solution = solved(&scene);
+            let (flow, mass) = (solution.flow.unwrap(), solution.report.residuals.mass);
+            assert!(flow.imbalance <= mass + 1e-13, "{flow:?}, mass residual {mass:e}");
+        }
+    }
+}
+
+/// With a squeeze term the box may store what enters: a film that is thicker than the one before takes up the difference.
+#[test]
+fn what_is_stored_is_no_imbalance() {
+    let mut scene = Scene::azam_2019(32);
+    scene.solver.cavitation = Cavitation::MassConserving;
+    let solution = solved(&scene);
+    let oil = lubricant(&scene);
+    let limit = vec![6e9; solution.grid.len()];
+    let previous: Vec<f64> = solution.state.mass.iter().map(|mass| 0.8 * mass).collect();
+    let mut body = HalfSpace::new(solution.grid, scene.elastic.equivalent_modulus).unwrap();
+    let mut problem = problem(&scene, &solution, &oil, &mut body);
+    problem.pressure_limit = Some(&limit);
+    problem.squeeze = Some(Squeeze { previous_mass: &previous, time_step: 1e-4 });
+    let mut state = solution.state.clone();
+    let rule = StoppingRule { tolerance: 1e-9, ..StoppingRule::default() };
+    let report = NewtonKrylov::new().solve(&mut problem, &mut state, &rule).unwrap();
+    let _ = report.require_converged().unwrap();
+    let flow = Evaluation::new(solution.grid).flow_balance(&problem, &state).unwrap().unwrap();
+    assert!((flow.outflow / flow.inflow - 1.0).abs() > 1e-3, "{flow:?}");
+    assert!(flow.imbalance <= report.residuals.mass + 1e-13, "{flow:?}, {report:?}");
 }
 
 /// Nothing reforms behind a smooth contact.
@@ -106,33 +179,13 @@ fn contents_beyond_one_are_refused() {
 #[test]
 fn a_solver_is_used_again_with_another_scheme() {
     let mut scene = Scene::azam_2019(32);
-    let oil = scene.lubricant.unwrap();
-    let oil = Lubricant::new(
-        Roelands::new(oil.eta0, oil.roelands_z, oil.roelands_p0).unwrap(),
-        DowsonHigginson::new(oil.density_a, oil.density_b).unwrap(),
-    );
+    let oil = lubricant(&scene);
     scene.plastic = None;
     let solution = solved(&scene);
     let mut body = HalfSpace::new(solution.grid, scene.elastic.equivalent_modulus).unwrap();
     let mut solve = |solver: &mut NewtonKrylov, scheme: Scheme| {
-        let mut problem = LubricatedContact {
-            gap: &solution.gap,
-            deformation: &mut body,
-            lubricant: Some(&oil),
-            entrainment_speed: scene.motion.entrainment_speed,
-            squeeze: None,
-            load: solution.hertz.load,
-            pressure_limit: None,
-            film_cutoff: scene.solver.film_cutoff,
-            contact: scene.solver.contact,
-            scheme,
-            face_mobility: scene.face_mobility(),
-            cavitation: scene.solver.cavitation,
-            shear_thinning: None,
-            reference_half_widths: (solution.hertz.a_x, solution.hertz.a_y),
-            reference_pressure: solution.hertz.p_max,
-            reference_film: 0.0,
-        };
+        let mut problem = problem(&scene, &solution, &oil, &mut body);
+        problem.scheme = scheme;
         let mut state = ContactState::new(&solution.grid);
         let report = solver.solve(&mut problem, &mut state, &StoppingRule::default()).unwrap();
         (report.work, state)

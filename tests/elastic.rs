@@ -393,6 +393,7 @@ impl Scene {
             scheme: Scheme::FirstOrder,
             face_mobility: Default::default(),
             cavitation: Default::default(),
+            supplied_film: None,
             shear_thinning: None,
             reference_half_widths: self.half_widths,
             reference_pressure: self.reference_pressure,

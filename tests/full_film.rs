@@ -33,6 +33,7 @@ fn ball(moes_load: f64, moes_lubricant: f64, n: usize) -> Scene {
         alpha: Some(ALPHA),
         density_a: 0.34 / 5.9e8,
         density_b: 1.0 / 5.9e8,
+        supplied_film: None,
     });
     scene.roughness = Default::default();
     scene.plastic = None;
@@ -119,6 +120,7 @@ fn steel_ball_in_thick_oil_converges_on_every_grid() {
             alpha: None,
             density_a: 0.34 / 5.9e8,
             density_b: 1.0 / 5.9e8,
+            supplied_film: None,
         });
         scene.roughness = Default::default();
         scene.plastic = None;
@@ -155,6 +157,7 @@ fn with_problem<T>(scene: &Scene, run: impl FnOnce(&mut LubricatedContact<'_>) -
         scheme: scene.scheme(),
         face_mobility: scene.face_mobility(),
         cavitation: Default::default(),
+        supplied_film: None,
         shear_thinning: None,
         reference_half_widths: (hertz.a_x, hertz.a_y),
         reference_pressure: hertz.p_max,
@@ -342,6 +345,7 @@ fn manufactured_error(n: usize, scheme: Scheme, face_mobility: FaceMobility) -> 
         scheme,
         face_mobility,
         cavitation: Default::default(),
+        supplied_film: None,
         shear_thinning: None,
         reference_half_widths: (LENGTH, LENGTH),
         reference_pressure: PEAK,

@@ -153,6 +153,7 @@ fn a_solution_with_fluid_at_the_limit_is_one() {
         scheme: scene.scheme(),
         face_mobility: scene.face_mobility(),
         cavitation: Default::default(),
+        supplied_film: None,
         shear_thinning: None,
         reference_half_widths: (hertz.a_x, hertz.a_y),
         reference_pressure: hertz.p_max,
@@ -206,23 +207,54 @@ fn both_contacts_are_the_same_film_where_nothing_touches() {
     }
 }
 
-/// What the paper's contact does where asperities touch is pinned as it is: it stalls, or ends with negative gaps.
+/// Nodes at the limit are pinned in the sweeps: beside clipped ones no balance would hold.
+#[test]
+fn the_papers_contact_converges_with_nodes_at_the_limit() {
+    let mut scene = Scene::azam_2019(64);
+    scene.motion.entrainment_speed = 1.0;
+    scene.solver.contact = ContactDefinition::Paper;
+    scene.solver.kind = SolverKind::SemiSystem;
+    let solution = solve_contact(&scene).unwrap();
+    assert_eq!(solution.report.status, Status::Converged, "{:?}", solution.report);
+    assert!(solution.contact.plastic_area > 0.0);
+    assert!(solution.state.plastic_depth.iter().any(|depth| *depth > 1e-9));
+}
+
+/// What the paper's contact does where asperities touch is pinned as it is: films settle at negative gaps long before the balances
+/// do, and nodes at the limit yield. The stiffness of the sweeps plays no part in it.
 #[test]
 fn the_papers_contact_lets_gaps_become_negative() {
-    let mut scene = scene(64, 0.1, 130e-9, 10e-6, 1.15e9, Some(6e9));
+    let mut scene = Scene::azam_2019(64);
     scene.solver.contact = ContactDefinition::Paper;
-    scene.solver.max_iterations = 2000;
+    scene.solver.max_iterations = 3000;
     let solution = solve_contact(&scene).unwrap();
     let state = &solution.state;
     assert_eq!(solution.report.solver, "semi_system");
     assert!(solution.report.residuals.is_finite());
     assert_eq!(solution.report.status, Status::MaxIterations, "{:?}", solution.report);
-    assert!(solution.film.minimum_gap < -50e-9, "{}", solution.film.minimum_gap);
+    assert!((solution.contact.area_ratio - 0.457).abs() < 5e-4, "{}", solution.contact.area_ratio);
+    assert!((solution.film.mean_central - 41.0e-9).abs() < 0.05e-9, "{:e}", solution.film.mean_central);
+    assert!((solution.film.minimum_gap + 341e-9).abs() < 0.5e-9, "{:e}", solution.film.minimum_gap);
+    // Relaxed steps end some units in the last place short of the limit: they are at it all the same.
+    let deepest = state.plastic_depth.iter().copied().fold(0.0, f64::max);
+    assert!((deepest - 50.3e-9).abs() < 0.1e-9, "{deepest:e}");
+    assert!(solution.contact.plastic_area > 0.0);
+    for (k, depth) in state.plastic_depth.iter().enumerate() {
+        let yields = state.pressure[k] >= 6e9 * (1.0 - 1e-12) && state.film[k] < 0.0;
+        assert!(
+            if yields { (depth + state.film[k]).abs() < 1e-18 } else { *depth == 0.0 },
+            "node {k}: {depth:e}"
+        );
+    }
     assert!(state.pressure.iter().all(|p| (0.0..=6e9).contains(p)), "pressures are cut");
     for (k, &touches) in state.in_contact.iter().enumerate() {
         assert_eq!(touches, state.pressure[k] > 0.0 && state.film[k] < scene.solver.film_cutoff, "node {k}");
         assert!(!touches || state.fluid_pressure[k] < f64::MIN_POSITIVE, "node {k}: all of it is solid");
     }
+    (scene.solver.kind, scene.solver.stiffness) = (SolverKind::SemiSystem, 20.0);
+    let stiffer = solve_contact(&scene).unwrap();
+    assert!((stiffer.contact.area_ratio - 0.457).abs() < 5e-4, "{}", stiffer.contact.area_ratio);
+    assert!((stiffer.film.mean_central - 41.0e-9).abs() < 0.05e-9, "{:e}", stiffer.film.mean_central);
     scene.solver.kind = SolverKind::NewtonKrylov;
     let refused = solve_contact(&scene).unwrap_err().to_string();
     assert!(refused.contains("newton_krylov") && refused.contains("paper"), "{refused}");

@@ -49,6 +49,7 @@ fn press(gap: &[f64], body: &mut HalfSpace, load: f64, limit: f64) -> ContactSta
         scheme: Scheme::default(),
         face_mobility: FaceMobility::default(),
         cavitation: Default::default(),
+        supplied_film: None,
         shear_thinning: None,
         reference_half_widths: (149.83e-6, 149.83e-6),
         reference_pressure: 1.15e9,

@@ -199,6 +199,7 @@ fn cold_solves_do_not_depend_on_what_the_solver_did_before() {
         scheme: Scheme::FirstOrder,
         face_mobility: Default::default(),
         cavitation: Default::default(),
+        supplied_film: None,
         shear_thinning: None,
         reference_half_widths: (hertz.a_x, hertz.a_y),
         reference_pressure: hertz.p_max,

@@ -182,6 +182,7 @@ fn bad_input_is_named() {
             scheme: Default::default(),
             face_mobility: Default::default(),
             cavitation: Default::default(),
+            supplied_film: None,
             shear_thinning: Some(thinning),
             reference_half_widths: (4e-5, 4e-5),
             reference_pressure: 3e8,

@@ -131,7 +131,7 @@ fn json_fields_are_documented() {
         .map(|name| name.trim().trim_matches('`').to_owned())
         .collect();
     // Null in this scene.
-    for table in ["moes", "error_estimate"] {
+    for table in ["moes", "flow", "error_estimate"] {
         expected.retain(|name| !name.starts_with(&format!("{table}.")));
         expected.push(table.to_owned());
     }
@@ -152,6 +152,8 @@ fn fast_smooth_film_has_no_contact() {
     close(number(&json, "/moes/m"), 5518.2 / 20_f64.powf(0.75), 1e-3);
     assert!((30e-9..150e-9).contains(&number(&json, "/film/central")), "{json}");
     assert!(number(&json, "/film/minimum") < number(&json, "/film/central"));
+    let [inflow, outflow] = ["/flow/inflow", "/flow/outflow"].map(|path| number(&json, path));
+    close(number(&json, "/flow/imbalance"), (outflow / inflow - 1.0).abs(), 1e-9);
 }
 
 #[test]

@@ -110,6 +110,7 @@ impl Rolling {
             scheme: Scheme::SecondOrder,
             face_mobility: FaceMobility::ReducedPressure,
             cavitation: Default::default(),
+            supplied_film: None,
             shear_thinning: None,
             reference_half_widths: (self.half_width, self.half_width),
             reference_pressure: self.pressure,

@@ -142,6 +142,7 @@ impl Scene {
             scheme: Scheme::FirstOrder,
             face_mobility: Default::default(),
             cavitation: Default::default(),
+            supplied_film: None,
             shear_thinning: None,
             reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
             reference_pressure: self.hertz.p_max,

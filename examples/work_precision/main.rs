@@ -306,6 +306,7 @@ fn solve(
         scheme: scene.scheme(),
         face_mobility: scene.face_mobility(),
         cavitation: scene.solver.cavitation,
+        supplied_film: None,
         shear_thinning: None,
         reference_half_widths: (hertz.a_x, hertz.a_y),
         reference_pressure: hertz.p_max,

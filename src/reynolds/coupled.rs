@@ -9,6 +9,10 @@ use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::report::Residuals;
 
+/// Share of the pressure limit within which a pressure counts as at it in the paper's contact. Relaxed steps of a share `w` towards
+/// the limit end where the next one is lost to rounding, short of it by `2^-53 / w`: this holds for `w` down to 1.1e-4.
+const LIMIT_ROUNDING: f64 = 1e-12;
+
 /// Cost of a convolution without padding in those on the padded grid: transforms of a quarter of the points.
 pub(super) const UNPADDED: f64 = 0.25;
 
@@ -108,7 +112,7 @@ impl Coupled {
         if problem.is_paper() {
             // The overlap of nodes at the limit is flattened after the solve and does not enter it.
             for (k, &film) in self.elastic_film.iter().enumerate() {
-                let at_limit = state.pressure[k] >= limit_of(problem, k);
+                let at_limit = is_at_limit(problem, k, state.pressure[k]);
                 state.plastic_depth[k] = if at_limit { (-film).max(0.0) } else { 0.0 };
                 state.film[k] = film;
             }
@@ -188,13 +192,16 @@ impl Coupled {
         let contact_film = problem.contact_film();
         let load: f64 = state.pressure.iter().sum::<f64>() * grid.cell_area();
         let film_scale = self.film_scale(problem, state);
+        let previous = problem.squeeze.map(|s| s.previous_mass);
         let (mut mass, mut build_up, mut gap_error) = (0.0, 0.0, 0.0);
         for (k, kind) in self.kinds.iter().enumerate() {
             let (p, fluid_p, film) = (state.pressure[k], state.fluid_pressure[k], state.film[k]);
             if problem.lubricant.is_some() && kind.fluid != Fluid::Boundary {
-                if problem.is_paper() && p >= limit_of(problem, k) {
+                if problem.is_paper() && is_at_limit(problem, k, p) {
                     // Cut at the limit: the fluid would push harder.
                     mass += self.balance[k].max(0.0);
+                } else if self.fluid.conserves_mass() {
+                    mass += self.fluid.imbalance(k, previous).abs();
                 } else if fluid_p > 0.0 {
                     mass += self.balance[k].abs();
                 } else {
@@ -207,13 +214,23 @@ impl Coupled {
             let touches = p > fluid_p;
             gap_error += if touches { (film - contact_film).abs() } else { (contact_film - film).max(0.0) };
         }
-        let per_flux = grid.dy() / (film_scale * 2.0 * half_y);
+        let per_flux = grid.dy() / self.flux_scale(problem, film_scale * 2.0 * half_y);
         let per_area = grid.cell_area() / (film_scale * std::f64::consts::PI * half_x * half_y);
         Residuals {
             mass: mass * per_flux,
             load: (load - problem.load).abs() / problem.load,
             complementarity: (build_up * per_flux).max(gap_error * per_area),
         }
+    }
+
+    /// The flux over the speed \[m^2\] that mass residuals are scaled with: that of the mean film through the contact width,
+    /// `through_contact`, or what flows into the box where that is less.
+    fn flux_scale(&self, problem: &LubricatedContact<'_>, through_contact: f64) -> f64 {
+        if problem.lubricant.is_none() {
+            return through_contact;
+        }
+        let inflow = self.fluid.edge_flow().0 / (self.fluid.rate() * self.fluid.grid.dx());
+        if inflow > 0.0 { through_contact.min(inflow) } else { through_contact }
     }
 
     /// Pressure-weighted mean film, or mean elastic displacement where there is no lubricant.
@@ -244,6 +261,16 @@ impl Coupled {
             *flag = state.pressure[k] > state.fluid_pressure[k] && self.kinds[k].is_contact();
         }
     }
+}
+
+/// Whether pressure `p` is at the limit of node `k`, or short of it by what [`LIMIT_ROUNDING`] allows.
+fn is_at_limit(problem: &LubricatedContact<'_>, k: usize, p: f64) -> bool {
+    problem.pressure_limit.is_some_and(|limit| reaches_limit(p, limit[k]))
+}
+
+/// Whether pressure `p` is at `limit` within rounding.
+pub(crate) fn reaches_limit(p: f64, limit: f64) -> bool {
+    p >= limit * (1.0 - LIMIT_ROUNDING)
 }
 
 /// Pressure limit of node `k` \[Pa\], infinite where there is none.

@@ -1,6 +1,7 @@
 //! What follows from the pressures of a state: for solvers of one's own.
 
 use super::coupled::Coupled;
+use super::flow::FlowBalance;
 use super::problem::LubricatedContact;
 use super::state::ContactState;
 use super::{ReynoldsError, StoppingRule, check_call};
@@ -20,7 +21,7 @@ use crate::report::Residuals;
 ///     gap: &gap, deformation: &mut HalfSpace::new(grid, 230e9)?, lubricant: None, entrainment_speed: 0.0,
 ///     squeeze: None, load: 1.0, pressure_limit: None, film_cutoff: 1e-9, contact: Default::default(),
 ///     scheme: Scheme::default(), face_mobility: Default::default(),
-///     cavitation: Default::default(), shear_thinning: None,
+///     cavitation: Default::default(), supplied_film: None, shear_thinning: None,
 ///     reference_half_widths: (4e-5, 4e-5), reference_pressure: 3e8, reference_film: 0.0,
 /// };
 /// // Half of the load on one node.
@@ -42,13 +43,37 @@ impl Evaluation {
         Self { coupled: Coupled::new(grid) }
     }
 
-    /// What flows into and out of the box at the state that was evaluated last, at ambient density \[m^3/s\]; of a line contact
-    /// that of the length `dy`. Without a lubricant nothing does.
+    /// What flows into the box and out of it at the pressures and films of `state` as they are; none without a lubricant. No
+    /// elastic displacement.
     ///
-    /// At a solution they are equal where cavitation conserves mass; with Reynolds' condition more flows out than in where fluid
-    /// reforms.
-    pub fn edge_flow(&self) -> (f64, f64) {
-        self.coupled.fluid.edge_flow()
+    /// # Errors
+    /// As of [`evaluate`](Self::evaluate).
+    pub fn flow_balance(
+        &mut self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+    ) -> Result<Option<FlowBalance>, ReynoldsError> {
+        self.prepare(problem, state)?;
+        let Some(lubricant) = problem.lubricant else { return Ok(None) };
+        let pressure = if problem.is_paper() { &state.pressure } else { &state.fluid_pressure };
+        let fluid = &mut self.coupled.fluid;
+        let previous = problem.squeeze.map(|s| s.previous_mass);
+        fluid.configure(problem);
+        fluid.update(lubricant, pressure, &state.film, previous);
+        Ok(Some(fluid.flow_balance(previous)))
+    }
+
+    /// Buffers for the grid of the problem.
+    fn prepare(
+        &mut self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+    ) -> Result<(), ReynoldsError> {
+        let grid = check_call(problem, state, &StoppingRule::default())?;
+        if grid != self.coupled.fluid.grid {
+            self.coupled = Coupled::new(grid);
+        }
+        Ok(())
     }
 
     /// Overwrites film, plastic depth, mass and contact flags of `state` with those that follow from its pressures and
@@ -62,10 +87,7 @@ impl Evaluation {
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
     ) -> Result<Residuals, ReynoldsError> {
-        let grid = check_call(problem, state, &StoppingRule::default())?;
-        if grid != self.coupled.fluid.grid {
-            self.coupled = Coupled::new(grid);
-        }
+        self.prepare(problem, state)?;
         self.coupled.configure(problem);
         self.coupled.begin(problem, state)?;
         let residuals = self.coupled.residuals(problem, state);

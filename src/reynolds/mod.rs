@@ -27,9 +27,10 @@ mod state;
 use std::fmt::Debug;
 
 pub use auto::Auto;
+pub(crate) use coupled::reaches_limit;
 pub use dry::Dry;
 pub use evaluation::Evaluation;
-pub use flow::{Cavitation, FaceMobility, Scheme, ShearThinning};
+pub use flow::{Cavitation, FaceMobility, FlowBalance, Scheme, ShearThinning};
 pub use multigrid::Multigrid;
 pub use newton_krylov::NewtonKrylov;
 pub use problem::{ContactDefinition, LubricatedContact, Squeeze};

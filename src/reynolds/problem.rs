@@ -14,8 +14,8 @@ pub enum ContactDefinition {
     #[default]
     Hard,
     /// One pressure, as in Azam et al. (2019): pressure flow is switched off at nodes whose film is below the cut-off, films
-    /// below zero carry nothing along, pressures are cut at the limit. What presses at such nodes is called solid pressure
-    /// afterwards. Nothing keeps gaps from becoming negative, and the answer depends on the mesh. Where the film is above
+    /// are carried along as they are, below zero too, pressures are cut at the limit; there the overlap is plastic depth. What
+    /// presses at nodes below the cut-off is called solid pressure afterwards. Nothing keeps gaps from becoming negative, and the answer depends on the mesh. Where the film is above
     /// the cut-off everywhere, it is that of `Hard`.
     Paper,
 }
@@ -111,6 +111,9 @@ pub struct LubricatedContact<'a> {
     pub face_mobility: FaceMobility,
     /// What holds where the fluid cavitates.
     pub cavitation: Cavitation,
+    /// Film thickness that the inlet edge is supplied with \[m\], or none for a flooded inlet: the content there is `min(1,
+    /// supplied_film/h)`. Needs cavitation that conserves mass.
+    pub supplied_film: Option<f64>,
     /// Shear thinning of the pressure flow, or none for a Newtonian one.
     pub shear_thinning: Option<ShearThinning>,
     /// Half-widths `(a_x, a_y)` of the contact \[m\] that residuals are scaled with and starts are built from, usually
@@ -154,6 +157,7 @@ impl LubricatedContact<'_> {
             scheme: self.scheme,
             face_mobility: self.face_mobility,
             cavitation: self.cavitation,
+            supplied_film: self.supplied_film,
             shear_thinning: self.shear_thinning,
             reference_half_widths: self.reference_half_widths,
             reference_pressure: self.reference_pressure,
@@ -187,6 +191,10 @@ impl LubricatedContact<'_> {
             InputError::require_non_negative("entrainment_speed", self.entrainment_speed)?;
             if self.squeeze.is_none() {
                 InputError::require_positive("entrainment_speed", self.entrainment_speed)?;
+            }
+            if let Some(film) = self.supplied_film {
+                InputError::require_positive("supplied_film", film)?;
+                self.cavitation.require_conserved("supplied_film", film)?;
             }
         }
         if let Some(squeeze) = self.squeeze {

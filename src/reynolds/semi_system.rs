@@ -1,7 +1,7 @@
 //! The semi-system method: line sweeps whose matrix holds pressure flow and entrainment.
 
 use super::active_set::{Fluid, Solid};
-use super::coupled::{Coupled, limit_of};
+use super::coupled::{Coupled, limit_of, reaches_limit};
 use super::dry::hertzian;
 use super::problem::{LubricatedContact, inner_rows};
 use super::state::ContactState;
@@ -239,6 +239,13 @@ impl Workspace {
                 continue;
             }
             let balance = self.coupled.fluid.balance(k, previous);
+            let limit = limit_of(problem, k);
+            if balance < 0.0 && reaches_limit(state.fluid_pressure[k], limit) {
+                // Pinned as well: it would push harder.
+                let change = limit - state.fluid_pressure[k];
+                (self.below[i], self.diagonal[i], self.above[i], self.rhs[i]) = (0.0, 1.0, 0.0, change);
+                continue;
+            }
             // Where solids touch the film does not follow the fluid pressure.
             let stiffness = if kind.is_contact() { 0.0 } else { stiffness };
             let (below, diagonal, above) = self.coupled.fluid.line_row(k, self.coupled.near, stiffness);

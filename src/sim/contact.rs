@@ -13,8 +13,8 @@ use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::metrics;
 use crate::report::SolveReport;
 use crate::reynolds::{
-    Cavitation, ContactDefinition, ContactSolver, ContactState, FaceMobility, LubricatedContact, Scheme,
-    ShearThinning, Squeeze, StoppingRule,
+    Cavitation, ContactDefinition, ContactSolver, ContactState, Evaluation, FaceMobility, FlowBalance,
+    LubricatedContact, Scheme, ShearThinning, Squeeze, StoppingRule, reaches_limit,
 };
 
 /// Grid, elastic body, lubricant, load and solver of a scene.
@@ -31,12 +31,17 @@ pub(super) struct ContactModel {
     scheme: Scheme,
     face_mobility: FaceMobility,
     cavitation: Cavitation,
+    supplied_film: Option<f64>,
     shear_thinning: Option<ShearThinning>,
     film_cutoff: f64,
     contact: ContactDefinition,
     entrainment_speed: f64,
     /// Film formulas of the smooth contact; none without lubricant.
     formulas: Option<FormulaFilm>,
+    /// Measures the flow of solutions; none without lubricant.
+    evaluation: Option<Evaluation>,
+    /// That of the last one.
+    pub(super) flow: Option<FlowBalance>,
 }
 
 /// What a user puts in place of the scene's own parts.
@@ -99,6 +104,8 @@ impl ContactModel {
         let formulas = setup::formula_film(scene, &hertz, law)?;
         Ok(Self {
             formulas,
+            evaluation: lubricant.is_some().then(|| Evaluation::new(grid)),
+            flow: None,
             grid,
             hertz,
             form_gap,
@@ -109,6 +116,7 @@ impl ContactModel {
             scheme: scene.scheme(),
             face_mobility: scene.face_mobility(),
             cavitation: scene.solver.cavitation,
+            supplied_film: scene.lubricant.and_then(|lubricant| lubricant.supplied_film),
             shear_thinning: scene.friction.shear_thinning(scene.motion.sliding_speed())?,
             film_cutoff: scene.solver.film_cutoff,
             contact: scene.solver.contact,
@@ -129,7 +137,7 @@ impl ContactModel {
         squeeze: Option<Squeeze<'_>>,
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
-        let reference_film = self.formula_film();
+        let reference_film = self.formula_film().min(self.supplied_film.unwrap_or(f64::INFINITY));
         let mut problem = LubricatedContact {
             gap,
             deformation: &mut *self.deformation,
@@ -143,12 +151,18 @@ impl ContactModel {
             scheme: self.scheme,
             face_mobility: self.face_mobility,
             cavitation: self.cavitation,
+            supplied_film: self.supplied_film,
             shear_thinning: self.shear_thinning,
             reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
             reference_pressure: self.hertz.p_max,
             reference_film,
         };
-        Ok(self.solver.solve(&mut problem, state, &self.rule)?)
+        let report = self.solver.solve(&mut problem, state, &self.rule)?;
+        self.flow = match &mut self.evaluation {
+            Some(evaluation) => evaluation.flow_balance(&problem, state)?,
+            None => None,
+        };
+        Ok(report)
     }
 }
 
@@ -165,6 +179,10 @@ pub struct ContactSolution {
     pub moes: Option<(f64, f64)>,
     /// Entrainment scheme, pressure flow and solid contact; none for a dry contact.
     pub discretisation: Option<(Scheme, FaceMobility, ContactDefinition)>,
+    /// What holds where the fluid cavitates; none for a dry contact.
+    pub cavitation: Option<Cavitation>,
+    /// What flows into the box and out of it; none for a dry contact.
+    pub flow: Option<FlowBalance>,
     /// Fields and approach.
     pub state: ContactState,
     /// Undeformed gap, form and roughness \[m\].
@@ -295,6 +313,8 @@ pub(super) fn solve_on_grid(
         contact,
         friction_coefficient,
         discretisation,
+        cavitation: model.lubricant.is_some().then_some(model.cavitation),
+        flow: model.flow,
         state,
         gap,
         error_estimate: None,
@@ -343,7 +363,9 @@ pub(super) fn contact_numbers(
     )?;
     let ellipse = std::f64::consts::PI * model.hertz.a_x * model.hertz.a_y;
     let hardest = limit.map_or(f64::INFINITY, |limit| limit.iter().copied().fold(0.0, f64::max));
-    let at_limit = limit.map_or(0, |limit| state.pressure.iter().zip(limit).filter(|(p, l)| p >= l).count());
+    let at_limit = limit.map_or(0, |limit| {
+        state.pressure.iter().zip(limit).filter(|(p, limit)| reaches_limit(**p, **limit)).count()
+    });
     Ok(ContactNumbers {
         max_pressure: metrics::peak(&model.grid, &state.pressure)?.min(hardest),
         central_pressure: model.grid.interpolate(&state.pressure, 0.0, 0.0)?,

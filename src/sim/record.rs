@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use crate::error::InputError;
 use crate::report::{Residuals, SolveReport, Status, Work};
+use crate::reynolds::FlowBalance;
 
 /// Solvers that a line can name.
 const SOLVERS: [&str; 6] =
@@ -51,6 +52,8 @@ pub struct StepRecord {
     pub friction_coefficient: f64,
     /// Smallest film over all nodes \[m\].
     pub minimum_gap: f64,
+    /// What flows into the box and out of it; none without lubricant.
+    pub flow: Option<FlowBalance>,
     /// Positions of the roughness that were tried before the contact converged.
     pub attempts: u32,
     /// The solve.
@@ -62,11 +65,11 @@ impl StepRecord {
     pub const CSV_HEADER: &'static str = "step,time_s,time_step_s,rq_ball_m,rq_disc_m,rq_composite_m,h_avg_m,lambda,lambda_old,\
         contact_area_ratio,contact_load_ratio,max_pressure_pa,mean_pressure_pa,mean_wear_ball_m,mean_wear_disc_m,\
         max_wear_ball_m,max_wear_disc_m,mean_film_ball_m,mean_film_disc_m,plastic_volume_m3,flash_rise_k,\
-        friction_coefficient,minimum_gap_m,attempts,solver,status,mass_residual,load_residual,\
+        friction_coefficient,minimum_gap_m,inflow_m3_s,outflow_m3_s,flow_imbalance,attempts,solver,status,mass_residual,load_residual,\
         complementarity_residual,convolutions,iterations,inner_iterations";
 
     /// Writes the record as one line of comma-separated values, every digit kept; a flash temperature that is not
-    /// modelled is an empty cell.
+    /// modelled is an empty cell, as are the flows of a dry contact.
     ///
     /// # Errors
     /// Those of the writer.
@@ -101,6 +104,10 @@ impl StepRecord {
             None => write!(out, ",")?,
         }
         write!(out, ",{:e},{:e}", self.friction_coefficient, self.minimum_gap)?;
+        match self.flow {
+            Some(flow) => write!(out, ",{:e},{:e},{:e}", flow.inflow, flow.outflow, flow.imbalance)?,
+            None => write!(out, ",,,")?,
+        }
         let (report, residuals) = (&self.report, &self.report.residuals);
         writeln!(
             out,
@@ -145,6 +152,13 @@ impl StepRecord {
         let flash_rise = if cell.is_empty() { None } else { Some(parsed(column, cell)?) };
         let mut number = || next().and_then(|(column, cell)| parsed::<f64>(column, cell));
         let (friction_coefficient, minimum_gap) = (number()?, number()?);
+        let flows = [next()?, next()?, next()?];
+        let flow = if flows.iter().all(|(_, cell)| cell.is_empty()) {
+            None
+        } else {
+            let [inflow, outflow, imbalance] = flows.map(|(column, cell)| parsed(column, cell));
+            Some(FlowBalance { inflow: inflow?, outflow: outflow?, imbalance: imbalance? })
+        };
         let (column, cell) = next()?;
         let attempts = parsed(column, cell)?;
         let (_, name) = next()?;
@@ -187,6 +201,7 @@ impl StepRecord {
             flash_rise,
             friction_coefficient,
             minimum_gap,
+            flow,
             attempts,
             report: SolveReport { solver, status, residuals, work },
         })

@@ -49,6 +49,12 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     if let Some(spec) = scene.lubricant {
         roelands(&spec)?;
         DowsonHigginson::new(spec.density_a, spec.density_b)?;
+        if let Some(film) = spec.supplied_film {
+            InputError::require_positive("lubricant.supplied_film", film)?;
+            if scene.is_lubricated() {
+                scene.solver.cavitation.require_conserved("lubricant.supplied_film", film)?;
+            }
+        }
     }
     if let Some(spec) = scene.tribofilm {
         growth_law(&spec)?;

@@ -581,6 +581,7 @@ impl MixedLubricationSim {
             flash_rise,
             friction_coefficient: self.fields.friction.coefficient(&self.contact)?,
             minimum_gap: film.minimum_gap,
+            flow: self.contact.flow,
             attempts,
             report,
         })

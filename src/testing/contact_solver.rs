@@ -90,6 +90,7 @@ impl Case {
             scheme: Scheme::default(),
             face_mobility: FaceMobility::default(),
             cavitation: Default::default(),
+            supplied_film: None,
             shear_thinning: None,
             reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
             reference_pressure: self.hertz.p_max,

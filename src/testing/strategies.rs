@@ -62,6 +62,7 @@ fn lubricants() -> impl Strategy<Value = Option<LubricantSpec>> {
             alpha: given.then_some(1.5e-8),
             density_a: 0.6e-9,
             density_b: 1.7e-9,
+            supplied_film: None,
         });
     prop::option::weighted(0.75, oil)
 }

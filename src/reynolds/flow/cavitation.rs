@@ -1,5 +1,7 @@
 //! What becomes of fluid that cannot fill its gap.
 
+use crate::error::{InputError, legible};
+
 /// What holds where the fluid pressure is at the cavitation pressure, zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
@@ -12,4 +14,19 @@ pub enum Cavitation {
     /// nothing.
     #[default]
     Reynolds,
+}
+
+impl Cavitation {
+    /// Refuses a supplied film `value` \[m\], named `field`, where a cell that is not filled carries on a full film.
+    pub(crate) fn require_conserved(self, field: &str, value: f64) -> Result<(), InputError> {
+        if self == Self::MassConserving {
+            return Ok(());
+        }
+        Err(InputError::Conflict {
+            field: format!("{field} = {}", legible(value)),
+            reason: "with Reynolds' condition a cell that is not filled carries on a full film; it needs mass_conserving \
+                     cavitation"
+                .to_owned(),
+        })
+    }
 }

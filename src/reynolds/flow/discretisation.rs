@@ -16,6 +16,7 @@
 //!
 //! In `a` the film counts as at least half the contact film, in `m` it counts as it is.
 
+use super::balance::FlowBalance;
 use super::cavitation::Cavitation;
 use super::entrainment::{FaceFilm, Scheme};
 use super::face_mobility::{Direction, FaceFlow, FaceMobility};
@@ -59,11 +60,11 @@ pub(in crate::reynolds) struct Discretisation {
     face_mobility: FaceMobility,
     scheme: Scheme,
     cavitation: Cavitation,
+    /// What enters a row of cells at most \[m\]; infinite at a flooded inlet.
+    supply: f64,
     film_floor: f64,
-    /// Film below which pressure moves nothing, and film below which none is carried along \[m\]; no such film in hard
-    /// contact.
+    /// Film below which pressure moves nothing \[m\]; no such film in hard contact.
     closed_film: f64,
-    least_film: f64,
     face_x: f64,
     face_y: f64,
     wedge: f64,
@@ -114,9 +115,9 @@ impl Discretisation {
             face_mobility: FaceMobility::default(),
             scheme: Scheme::default(),
             cavitation: Cavitation::default(),
+            supply: f64::INFINITY,
             film_floor: 0.0,
             closed_film: f64::NEG_INFINITY,
-            least_film: f64::NEG_INFINITY,
             face_x: 0.0,
             face_y: 0.0,
             wedge: 0.0,
@@ -148,14 +149,11 @@ impl Discretisation {
         self.face_mobility = problem.face_mobility;
         self.scheme = problem.scheme;
         self.cavitation = problem.cavitation;
+        self.supply = problem.supplied_film.unwrap_or(f64::INFINITY);
         // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor at the
         // contact film itself would hide from Newton that a node just under it can open.
         self.film_floor = 0.5 * problem.contact_film();
-        (self.closed_film, self.least_film) = if problem.is_paper() {
-            (problem.contact_film(), 0.0)
-        } else {
-            (f64::NEG_INFINITY, f64::NEG_INFINITY)
-        };
+        self.closed_film = if problem.is_paper() { problem.contact_film() } else { f64::NEG_INFINITY };
         self.rate = speed / dx;
         self.face_x = 1.0 / (speed * dx);
         self.face_y = if self.grid.ny() == 1 { 0.0 } else { dx / (speed * dy * dy) };
@@ -248,7 +246,7 @@ impl Discretisation {
     ) {
         for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
             self.nodes[k] = self.node_flow(lubricant, p, h);
-            self.masses[k] = self.nodes[k].density * h.max(self.least_film);
+            self.masses[k] = self.nodes[k].density * h;
         }
         if !self.ratios.is_empty() {
             for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
@@ -269,10 +267,28 @@ impl Discretisation {
         self.content.fill(1.0);
         self.passed.fill(0.0);
         if self.cavitation == Cavitation::MassConserving {
+            self.starve();
             for k in interior(&self.grid).filter(|k| pressure[*k] <= 0.0) {
                 self.fill(k, previous);
             }
         }
+    }
+
+    /// Lets no more than the supply through the faces at the inlet edge.
+    fn starve(&mut self) {
+        for first in (0..self.grid.len()).step_by(self.grid.nx()) {
+            let full = self.carried[first];
+            if full > self.supply {
+                self.content[first] = self.supply / full;
+                self.carried[first] = self.supply;
+            }
+        }
+    }
+
+    /// Whether node `k` is one of the inlet edge that gets less than fills it: what it carries on does not depend on its film.
+    #[inline]
+    fn is_starved(&self, k: usize) -> bool {
+        self.content[k] < 1.0 && k.is_multiple_of(self.grid.nx())
     }
 
     /// Fills the gap of node `k`, which has no pressure, by what enters it; upstream nodes come first.
@@ -463,6 +479,26 @@ impl Discretisation {
     /// `F_k` for an interior node at the last update, its own gap filled.
     pub(in crate::reynolds) fn balance(&self, k: usize, previous: Option<&[f64]>) -> f64 {
         self.transport(k, previous) + self.pressure_outflow(k)
+    }
+
+    /// What leaves interior node `k` beyond what enters, its gap filled to its content: zero where the content makes it so.
+    pub(in crate::reynolds) fn imbalance(&self, k: usize, previous: Option<&[f64]>) -> f64 {
+        let stored = previous.map_or(0.0, |previous| self.squeeze * (self.held_mass(k) - previous[k]));
+        self.wedge * (self.carried[k] - self.carried[k - 1]) + stored + self.pressure_outflow(k)
+    }
+
+    /// Whether cells that are not filled carry on what they got.
+    pub(in crate::reynolds) fn conserves_mass(&self) -> bool {
+        self.cavitation == Cavitation::MassConserving
+    }
+
+    /// Flows through the edges of the box and growth of the mass in it.
+    pub(in crate::reynolds) fn flow_balance(&self, previous: Option<&[f64]>) -> FlowBalance {
+        let (inflow, outflow) = self.edge_flow();
+        let grown = previous.map_or(0.0, |previous| {
+            interior(&self.grid).map(|k| self.held_mass(k) - previous[k]).sum::<f64>()
+        });
+        FlowBalance::new(inflow, outflow, self.rate * self.grid.cell_area() * self.squeeze * grown)
     }
 
     /// Flow into and out of the box through the faces to its outermost nodes \[m^3/s\].
@@ -657,14 +693,18 @@ impl Discretisation {
         }
         let slopes = [own.density_p, up.density_p];
         let films = [own.film_h, next.film_h, up.film_h];
+        let wedge = if self.is_starved(k) { 0.0 } else { self.wedge };
         std::array::from_fn(|slot| match slot {
-            0..2 => self.wedge * by_densities[slot] * slopes[slot],
-            _ => (self.wedge * by_films[slot - 2] + by_flow[slot - 2]) * films[slot - 2],
+            0..2 => wedge * by_densities[slot] * slopes[slot],
+            _ => (wedge * by_films[slot - 2] + by_flow[slot - 2]) * films[slot - 2],
         })
     }
 
     /// Derivatives of the mass of node `k` by its pressure and by its film.
     pub(in crate::reynolds) fn mass_derivatives(&self, k: usize) -> [f64; 2] {
+        if self.is_starved(k) {
+            return [0.0; 2];
+        }
         let NodeFlow { density, density_p, .. } = self.nodes[k];
         [density_p * self.masses[k] / density, density]
     }

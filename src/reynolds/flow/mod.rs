@@ -1,5 +1,6 @@
 //! What the fluid does: mass balances of cells, flow through faces, and their derivatives.
 
+mod balance;
 mod cavitation;
 mod discretisation;
 mod entrainment;
@@ -8,6 +9,7 @@ mod inlet;
 mod node;
 mod shear_thinning;
 
+pub use balance::FlowBalance;
 pub use cavitation::Cavitation;
 pub(super) use discretisation::{Discretisation, HeldNeighbour, NearField};
 pub use entrainment::Scheme;

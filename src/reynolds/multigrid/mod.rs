@@ -84,10 +84,13 @@ impl Multigrid {
         Self { hand_over: Some(hand_over), workspace: None }
     }
 
-    /// Whether the problem is a smooth full film on a grid that can be coarsened.
+    /// Whether the problem is a smooth full film behind a flooded inlet on a grid that can be coarsened: a meniscus in front of the
+    /// contact is none of Reynolds' condition, which is that of the cycles.
     pub(super) fn suits(problem: &LubricatedContact<'_>) -> bool {
         let grid = problem.grid();
-        grid.nx().min(grid.ny()) >= SMALLEST_GRID && expects_full_film(problem, EXPECTED_OVER_CONTACT)
+        grid.nx().min(grid.ny()) >= SMALLEST_GRID
+            && problem.supplied_film.is_none()
+            && expects_full_film(problem, EXPECTED_OVER_CONTACT)
     }
 
     fn wrong(&self, reason: &'static str) -> ReynoldsError {

@@ -431,6 +431,7 @@ mod tests {
             scheme,
             face_mobility,
             cavitation,
+            supplied_film: None,
             shear_thinning,
             reference_half_widths: (1e-5, 1e-5),
             reference_pressure: 1e9,

@@ -135,6 +135,10 @@ pub struct LubricantSpec {
     /// Dowson-Higginson `b` \[1/Pa\].
     #[cfg_attr(feature = "serde", serde(default = "defaults::density_b"))]
     pub density_b: f64,
+    /// Film thickness that the inlet edge of the box is supplied with \[m\]; none for a flooded inlet. Needs cavitation that
+    /// conserves mass.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub supplied_film: Option<f64>,
 }
 
 /// The grid, or what is asked of it.
@@ -344,6 +348,7 @@ impl Scene {
                 alpha: None,
                 density_a: 0.6e-9,
                 density_b: 1.7e-9,
+                supplied_film: None,
             }),
             grid: GridSpec::Cells { nx: n, ny: n, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] },
             roughness: RoughnessPair { ball: random(20e-9, 1), disc: random(130e-9, 2) },

@@ -1,0 +1,41 @@
+//! What flows into the box and out of it.
+
+/// Flow through the edges of the box at ambient density \[m^3/s\]; of a line contact, one metre wide, the same number is \[m^2/s\]
+/// a metre of contact.
+///
+/// Flows are those through the faces of the outermost nodes, by entrainment and by pressure. Where cavitation conserves mass the
+/// imbalance is at most the [mass residual](crate::Residuals::mass): the balances of all cells add up to it. With Reynolds'
+/// condition it is what cavitated cells make out of nothing, and no residual counts it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FlowBalance {
+    /// What enters \[m^3/s\].
+    pub inflow: f64,
+    /// What leaves \[m^3/s\].
+    pub outflow: f64,
+    /// `|outflow - inflow + stored| / inflow`; `stored` is the rate at which the mass in the gaps grows, zero without a squeeze
+    /// term. Over the outflow where nothing enters, zero where nothing flows.
+    pub imbalance: f64,
+}
+
+impl FlowBalance {
+    /// From flows and growth of the mass in the gaps.
+    pub(in crate::reynolds) fn new(inflow: f64, outflow: f64, stored: f64) -> Self {
+        let missing = (outflow - inflow + stored).abs();
+        let scale = if inflow > 0.0 { inflow } else { outflow };
+        Self { inflow, outflow, imbalance: if missing == 0.0 { 0.0 } else { missing / scale } }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::FlowBalance;
+
+    #[test]
+    fn what_is_stored_balances() {
+        let imbalance = |inflow, outflow, stored| FlowBalance::new(inflow, outflow, stored).imbalance;
+        assert!((imbalance(2.0, 3.0, 0.0) - 0.5).abs() < 1e-15);
+        assert!(imbalance(2.0, 3.0, -1.0) < 1e-15, "a film that is squeezed out");
+        assert!((imbalance(0.0, 2.0, -1.0) - 0.5).abs() < 1e-15, "nothing enters");
+        assert!(imbalance(0.0, 0.0, 0.0) < 1e-15);
+    }
+}

@@ -1,0 +1,156 @@
+//! Contacts whose inlet is supplied with less than fills it.
+#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+use stribeck::Status;
+use stribeck::lubricant::{DensityLaw, DowsonHigginson};
+use stribeck::reynolds::{Cavitation, Scheme};
+use stribeck::sim::scene::{GridSpec, Load, SolverKind};
+use stribeck::sim::{ContactSolution, Scene, solve_contact};
+use stribeck::surface::Form;
+
+/// A smooth ball.
+fn ball() -> Scene {
+    let mut scene = Scene::azam_2019(64);
+    (scene.roughness, scene.plastic) = (Default::default(), None);
+    scene.solver.cavitation = Cavitation::MassConserving;
+    scene
+}
+
+/// A smooth roller.
+fn roller() -> Scene {
+    let mut scene = ball();
+    scene.form = Form::Cylinder { radius: 0.01 };
+    scene.load = Load { hertz_pressure: Some(0.6e9), force: None };
+    scene.motion.entrainment_speed = 1.0;
+    let a = scene.hertz().unwrap().a_x;
+    scene.grid = GridSpec::Row { nx: 256, x: [-4.0 * a, 2.0 * a] };
+    scene
+}
+
+fn supplied(mut scene: Scene, film: f64) -> Scene {
+    scene.lubricant.as_mut().unwrap().supplied_film = Some(film);
+    scene
+}
+
+fn solved(scene: &Scene) -> ContactSolution {
+    let solution = solve_contact(scene).unwrap();
+    let _ = solution.report.require_converged().unwrap();
+    let flow = solution.flow.unwrap();
+    assert!(flow.imbalance <= scene.solver.tolerance, "{flow:?}");
+    solution
+}
+
+/// The central film at ambient density.
+fn central_mass(scene: &Scene, solution: &ContactSolution) -> f64 {
+    let oil = scene.lubricant.unwrap();
+    let density = DowsonHigginson::new(oil.density_a, oil.density_b).unwrap();
+    density.ratio(solution.contact.central_pressure) * solution.film.central
+}
+
+#[test]
+fn a_film_falls_from_the_flooded_one_to_what_is_supplied() {
+    for (scene, narrow) in [(ball(), 4e-9), (roller(), 50e-9)] {
+        let flooded = solved(&scene);
+        let thick = solved(&supplied(scene.clone(), 1e-2));
+        assert!((thick.film.central / flooded.film.central - 1.0).abs() < 1e-5, "more than the inlet holds");
+        let whole = central_mass(&scene, &flooded);
+        let mut last = whole * (1.0 + 1e-6);
+        for over_film in [100.0, 5.0, 2.0, 1.2, 0.8] {
+            let supply = over_film * whole;
+            let solution = solved(&supplied(scene.clone(), supply));
+            let mass = central_mass(&scene, &solution);
+            assert!(mass < last, "{mass:e} after {last:e} at {supply:e}");
+            assert!(mass < supply * (1.0 + 1e-3), "{mass:e} of a supply of {supply:e}");
+            last = mass;
+        }
+        let film = solved(&supplied(scene.clone(), 100.0 * whole)).film.central;
+        assert!(
+            (film / flooded.film.central - 1.0).abs() < 0.01,
+            "{film:e}, flooded {:e}",
+            flooded.film.central
+        );
+        // A film so thin is that of the inlet, compressed.
+        let mass = central_mass(&scene, &solved(&supplied(scene.clone(), narrow)));
+        assert!((mass / narrow - 1.0).abs() < 2e-3, "{mass:e} of {narrow:e}");
+    }
+}
+
+/// Where no pressure moves it every row carries what it got; beside the contact all rows together do.
+#[test]
+fn what_is_supplied_arrives() {
+    let supply = 20e-9;
+    let mut scene = supplied(ball(), supply);
+    scene.solver.scheme = Some(Scheme::FirstOrder);
+    let solution = solved(&scene);
+    let (grid, state) = (solution.grid, &solution.state);
+    let speed = scene.motion.entrainment_speed;
+    let (mut dry_rows, mut leaving) = (0, 0.0);
+    for j in 1..grid.ny() - 1 {
+        let row = j * grid.nx()..(j + 1) * grid.nx();
+        let out = state.mass[row.end - 2];
+        leaving += speed * grid.dy() * out;
+        // Nor is any pressure in the rows beside it.
+        let beside = row.start - grid.nx()..row.end + grid.nx();
+        if state.fluid_pressure[beside].iter().all(|p| *p <= 0.0) {
+            dry_rows += 1;
+            assert!((out / supply - 1.0).abs() < 1e-12, "{out:e} in row {j}");
+        }
+        assert!((state.content[row.start] - supply / state.film[row.start]).abs() < 1e-12, "row {j}");
+    }
+    assert!(dry_rows > 10, "{dry_rows}");
+    let flow = solution.flow.unwrap();
+    let rows = (grid.ny() - 2) as f64;
+    assert!((flow.inflow / (speed * rows * grid.dy() * supply) - 1.0).abs() < 1e-12, "{flow:?}");
+    assert!((leaving / flow.outflow - 1.0).abs() < 1e-12, "{leaving:e}, {flow:?}");
+}
+
+#[test]
+fn solvers_agree_or_end_as_stalled() {
+    for (supply, knows) in [(1e-3, true), (20e-9, false)] {
+        let films = [SolverKind::Auto, SolverKind::NewtonKrylov, SolverKind::SemiSystem].map(|kind| {
+            let mut scene = supplied(ball(), supply);
+            scene.solver.kind = kind;
+            let solution = solved(&scene);
+            assert!(kind == SolverKind::SemiSystem || solution.report.solver == "newton_krylov");
+            solution.film.central
+        });
+        for film in films {
+            assert!((film / films[0] - 1.0).abs() < 1e-5, "{films:?}");
+        }
+        let mut scene = supplied(ball(), supply);
+        scene.solver.kind = SolverKind::Multigrid;
+        let solution = solve_contact(&scene).unwrap();
+        if knows {
+            assert_eq!(solution.report.status, Status::Converged);
+            assert!((solution.film.central / films[0] - 1.0).abs() < 1e-5, "{films:?}");
+        } else {
+            // The cycles know Reynolds' condition alone.
+            assert_eq!(solution.report.status, Status::Stalled);
+            assert!(solution.report.residuals.mass > 1.0);
+        }
+    }
+}
+
+#[test]
+fn supplies_that_do_not_fit_are_refused() {
+    for (film, text) in [(0.0, "0"), (-1e-8, "-1e-8"), (f64::NAN, "NaN"), (f64::INFINITY, "inf")] {
+        let error = solve_contact(&supplied(ball(), film)).unwrap_err().to_string();
+        assert!(error.contains(&format!("lubricant.supplied_film = {text}")), "{error}");
+    }
+    let mut scene = supplied(ball(), 1e-8);
+    scene.solver.cavitation = Cavitation::Reynolds;
+    let error = solve_contact(&scene).unwrap_err().to_string();
+    assert!(error.contains("lubricant.supplied_film = 1e-8") && error.contains("mass_conserving"), "{error}");
+    // A dry contact needs no supply.
+    scene.solver.kind = SolverKind::Dry;
+    assert!(solve_contact(&scene).is_ok());
+}
+
+#[test]
+#[cfg(feature = "serde")]
+fn scenes_keep_their_supply() {
+    let scene = supplied(ball(), 2e-8);
+    let text = scene.to_toml().unwrap();
+    assert_eq!(Scene::from_toml(&text).unwrap(), scene);
+    assert!(!ball().to_toml().unwrap().contains("supplied_film"));
+}
