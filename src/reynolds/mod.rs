@@ -11,6 +11,8 @@
 //! | [`SemiSystem`] | tridiagonal line sweeps with implicit near-field deformation | smooth full film |
 //! | [`Dry`] | active-set conjugate gradients | no lubricant |
 //! | [`Auto`] | picks and falls back | default |
+//!
+//! [`GivenFilm`] is the Reynolds equation alone, between rigid surfaces.
 
 mod active_set;
 mod auto;

@@ -14,7 +14,8 @@ use super::ReynoldsError;
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
 
-/// Sum of the absolute imbalances of all cells, and imbalance of the box, over the inflow, at which a solve has converged.
+/// Sum of the absolute imbalances of all cells, unless rounding leaves more, and imbalance of the box, over the inflow, at which a
+/// solve has converged.
 const IMBALANCE: f64 = 1e-10;
 
 /// Memory that a solve needs for a node.
