@@ -256,12 +256,16 @@ mod tests {
 
     #[test]
     fn jumps_are_found_wherever_they_are() {
-        for edge in [1e-7, 0.1, 0.5, 0.77, 0.999] {
+        for edge in [1e-5, 0.1, 0.5, 0.77, 0.999] {
             let found = way(|x| if x < edge { 3.0 } else { 1.0 + 0.1 * x }, [0.0, 1.0]);
             assert!((found.share - edge).abs() < 2e-6, "{edge}: {}", found.share);
             assert!((found.pieces[0].cubes - found.share / 27.0).abs() < 1e-9);
         }
-        assert_eq!(way(|x| 1.0 + 0.3 * x, [0.0, 1.0]).share, 0.5);
+        // Closer to a node than the least share it is taken there.
+        let close = way(|x| if x < 1e-8 { 3.0 } else { 1.0 }, [0.0, 1.0]);
+        assert!((close.share - CLOSEST).abs() < 1e-12);
+        // A slope is no jump.
+        assert!((way(|x| 1.0 + 0.3 * x, [0.0, 1.0]).share - 0.5).abs() < 1e-12);
     }
 
     #[test]
