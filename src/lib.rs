@@ -34,6 +34,7 @@
 //! | [`sim::solve_contact`] | one quasi-static contact |
 //! | [`sim::MixedLubricationSim`] | the history; every law replaceable through its builder |
 //! | [`reynolds::LubricatedContact`], [`reynolds::ContactSolver`] | the coupled problem and who solves it |
+//! | [`reynolds::GivenFilm`] | pressure and cavitation between rigid surfaces with a given film |
 //! | [`elastic::DeformationModel`] | elastic response; [`elastic::HalfSpace`] by DC-FFT |
 //! | [`lubricant::ViscosityLaw`], [`lubricant::DensityLaw`] | the fluid |
 //! | [`sim::Observer`] | sees every step; `sim::RunFolder` (features `serde`, `npz`) writes, checkpoints and resumes |

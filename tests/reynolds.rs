@@ -45,7 +45,10 @@ fn check_consistency(scene: &Scene, solution: &ContactSolution) {
 fn smooth_reference_scene_has_the_known_film() {
     // 7.56 nm in the limit of fine meshes, by an independent program.
     let [coarse, fine] = [128, 256].map(|n| solve(&smooth(n)).film.central * 1e9);
-    assert!((coarse / 7.56 - 1.0).abs() < 0.04 && (fine / 7.56 - 1.0).abs() < 0.012, "{coarse} and {fine} nm");
+    assert!(
+        (coarse / 7.56 - 1.0).abs() < 0.04 && (fine / 7.56 - 1.0).abs() < 0.012,
+        "{coarse} and {fine} nm"
+    );
     let scene = smooth(256);
     let solution = solve(&scene);
     let peak = solution.contact.max_pressure / 1.15e9;

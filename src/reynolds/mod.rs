@@ -11,6 +11,8 @@
 //! | [`SemiSystem`] | tridiagonal line sweeps with implicit near-field deformation | smooth full film |
 //! | [`Dry`] | active-set conjugate gradients | no lubricant |
 //! | [`Auto`] | picks and falls back | default |
+//!
+//! [`GivenFilm`] is the Reynolds equation alone, between rigid surfaces.
 
 mod active_set;
 mod auto;
@@ -18,6 +20,7 @@ mod coupled;
 mod dry;
 mod evaluation;
 mod flow;
+mod given_film;
 mod multigrid;
 mod newton_krylov;
 mod problem;
@@ -31,6 +34,7 @@ pub(crate) use coupled::reaches_limit;
 pub use dry::Dry;
 pub use evaluation::Evaluation;
 pub use flow::{Cavitation, FaceMobility, FlowBalance, Scheme, ShearThinning};
+pub use given_film::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
 pub use multigrid::Multigrid;
 pub use newton_krylov::NewtonKrylov;
 pub use problem::{ContactDefinition, LubricatedContact, Squeeze};

@@ -1,0 +1,337 @@
+//! What flows into and out of each cell, with exact derivatives.
+//!
+//! Flows along x are over width and entrainment speed, a film thickness \[m\]; the surfaces move along +x. On the way
+//! between two nodes with the integrals `I_2` and `I_3` of `1/h^2` and `1/h^3` a full film lets flow
+//!
+//! `f = rho I_2 / I_3 + (q_0 - q_1) / (12 eta_0 u I_3)`,
+//!
+//! exactly, with the reduced pressures `q` of the nodes. Where the pressure at the place between the two pieces of the way
+//! would be below that of cavitation, the film ruptures there, and the flow is that of the piece upstream alone:
+//! the smaller of both.
+//!
+//! The unknown of a node is `s`: of a full one pressure above cavitation over a scale of the node, of a cavitated
+//! one content less one. The scale makes the derivative of the outflow by `s` the same on both sides of zero.
+
+use super::film::FilmThickness;
+use super::{GivenFilm, SideEdges};
+use crate::lubricant::Lubricant;
+use crate::numerics::STENCIL;
+
+/// Rounding of a balance over the terms that cancel in it: that of the pressures and of their sums.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Newton steps on the balance of one cell in a sweep.
+const LOCAL_STEPS: usize = 3;
+
+/// Fluid at a node, with derivatives by its unknown.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Fluid {
+    /// Reduced pressure above that of cavitation \[Pa\].
+    pub(super) potential: f64,
+    potential_s: f64,
+    pub(super) density: f64,
+    density_s: f64,
+    pub(super) content: f64,
+    content_s: f64,
+}
+
+/// Flow through a face, with derivatives by the unknowns of both nodes.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Flow {
+    pub(super) value: f64,
+    by_first: f64,
+    by_second: f64,
+    /// Whether the film ruptures between the pieces of the way.
+    pub(super) ruptured: bool,
+    /// Sum of the absolute terms of the flow by pressure, which cancel.
+    terms: f64,
+}
+
+/// Flow through the edges of the box \[m\].
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Through {
+    pub(super) inflow: f64,
+    pub(super) outflow: f64,
+    /// What the sum of all absolute imbalances may be by rounding alone \[m\].
+    pub(super) rounding: f64,
+}
+
+impl Through {
+    /// `|out - in| / in`; zero where nothing flows.
+    pub(super) fn imbalance(self) -> f64 {
+        let difference = (self.outflow - self.inflow).abs();
+        if difference > 0.0 { difference / self.inflow } else { 0.0 }
+    }
+}
+
+/// The way along x between two nodes, as the flow knows it.
+#[derive(Debug, Clone, Copy, Default)]
+struct Face {
+    /// `I_2 / I_3` of the whole way and of its first piece \[m\].
+    film: f64,
+    first_film: f64,
+    /// `1 / (12 eta_0 u I_3)` of both \[m/Pa\].
+    conductance: f64,
+    first_conductance: f64,
+}
+
+/// The balance of the cells of a film.
+#[derive(Debug)]
+pub(super) struct Balance<'a> {
+    pub(super) film: &'a FilmThickness,
+    pub(super) lubricant: &'a Lubricant,
+    pub(super) cavitation: f64,
+    pub(super) ambient: f64,
+    /// `12 eta_0 u` \[Pa m\].
+    pub(super) drag: f64,
+    /// `nx + 1` a row.
+    faces: Vec<Face>,
+    /// Conductances along y, times `dx / dy`, `ny + 1` rows \[m/Pa\].
+    across: Vec<f64>,
+    /// Pressure per unknown of full nodes \[Pa\].
+    scale: Vec<f64>,
+    /// Outflow of a full node by its pressure over the same if the film ruptures beyond it.
+    landing: Vec<f64>,
+    edge: Fluid,
+    /// Density ratio and reduced pressure \[Pa\] where the film is cavitated.
+    pub(super) cavitated_density: f64,
+    cavitated_potential: f64,
+    fluids: Vec<Fluid>,
+}
+
+/// Reduced pressure \[Pa\], its slope, density ratio and its slope at any pressure: below zero as at zero.
+fn point(lubricant: &Lubricant, pressure: f64) -> [f64; 4] {
+    if pressure < 0.0 {
+        return [pressure, 1.0, 1.0, 0.0];
+    }
+    let at = lubricant.at(pressure);
+    [at.reduced_pressure, at.reduced_slope, at.density, at.density_slope]
+}
+
+impl<'a> Balance<'a> {
+    /// The balance of `film` under the conditions of `problem`, entrained with `speed` along +x.
+    pub(super) fn new(problem: &GivenFilm<'a>, film: &'a FilmThickness, speed: f64) -> Self {
+        let grid = film.grid();
+        let (nx, ny) = (grid.nx(), grid.ny());
+        let drag = 12.0 * problem.lubricant.viscosity().viscosity(0.0) * speed;
+        let mut faces = Vec::with_capacity((nx + 1) * ny);
+        for (j, i) in (0..ny).flat_map(|j| (0..=nx).map(move |i| (j, i))) {
+            let [first, second] = film.along(i, j).pieces;
+            let whole = first.and(second);
+            faces.push(Face {
+                film: whole.film(),
+                first_film: first.film(),
+                conductance: 1.0 / (drag * whole.cubes),
+                first_conductance: 1.0 / (drag * first.cubes),
+            });
+        }
+        let closed = ny == 1 || problem.sides == SideEdges::Closed;
+        let aspect = grid.dx() / grid.dy();
+        let mut across = Vec::with_capacity(nx * (ny + 1));
+        for (j, i) in (0..=ny).flat_map(|j| (0..nx).map(move |i| (j, i))) {
+            let shut = closed && (j == 0 || j == ny);
+            across.push(if shut { 0.0 } else { aspect / (drag * film.across(i, j)) });
+        }
+        let [q_cavitation, slope, density, _] = point(problem.lubricant, problem.cavitation_pressure);
+        let [q_ambient, _, ambient_density, _] = point(problem.lubricant, problem.ambient_pressure);
+        let (mut scale, mut landing) = (Vec::with_capacity(grid.len()), Vec::with_capacity(grid.len()));
+        for (j, i) in (0..ny).flat_map(|j| (0..nx).map(move |i| (j, i))) {
+            let k = j * nx + i;
+            let [west, east] = [0, 1].map(|side| faces[j * (nx + 1) + i + side]);
+            let conductances = west.conductance + east.conductance + across[k] + across[k + nx];
+            scale.push(density * east.film / (slope * conductances));
+            landing.push(conductances / (conductances - east.conductance + east.first_conductance));
+        }
+        Self {
+            film,
+            lubricant: problem.lubricant,
+            cavitation: problem.cavitation_pressure,
+            ambient: problem.ambient_pressure,
+            drag,
+            faces,
+            across,
+            scale,
+            landing,
+            edge: Fluid {
+                potential: q_ambient - q_cavitation,
+                density: ambient_density,
+                content: 1.0,
+                ..Fluid::default()
+            },
+            cavitated_density: density,
+            cavitated_potential: q_cavitation,
+            fluids: vec![Fluid::default(); grid.len()],
+        }
+    }
+
+    /// The unknown of a node of pressure `pressure` and content `content`.
+    pub(super) fn unknown(&self, k: usize, pressure: f64, content: f64) -> f64 {
+        let above = pressure - self.cavitation;
+        if above > 0.0 { above / self.scale[k] } else { content - 1.0 }
+    }
+
+    /// Pressure \[Pa\] of a node.
+    pub(super) fn pressure(&self, k: usize, unknown: f64) -> f64 {
+        self.cavitation + self.scale[k] * unknown.max(0.0)
+    }
+
+    /// Pressure \[Pa\] of the reduced pressure `potential` close to that of a place of pressure `pressure` and reduced pressure `known`,
+    /// both above that of cavitation.
+    pub(super) fn pressure_beside(&self, pressure: f64, known: f64, potential: f64) -> f64 {
+        let [_, slope, ..] = point(self.lubricant, pressure);
+        (pressure + (potential - known) / slope).max(self.cavitation)
+    }
+
+    /// The unknown of a node less `change`. A node that becomes full starts with a smaller pressure if a film that ruptures on the way to
+    /// the next node lets more flow out of it than a full one.
+    pub(super) fn moved(&self, k: usize, unknown: f64, change: f64) -> f64 {
+        let next = unknown - change;
+        if unknown < 0.0 && next > 0.0 { self.landing[k] * next } else { next }
+    }
+
+    /// Takes the unknowns of all nodes.
+    pub(super) fn update(&mut self, unknowns: &[f64]) {
+        for (k, &s) in unknowns.iter().enumerate() {
+            self.fluids[k] = self.fluid(k, s);
+        }
+    }
+
+    fn fluid(&self, k: usize, s: f64) -> Fluid {
+        if s < 0.0 {
+            return Fluid {
+                density: self.cavitated_density,
+                content: 1.0 + s,
+                content_s: 1.0,
+                ..Fluid::default()
+            };
+        }
+        let scale = self.scale[k];
+        let [q, slope, density, density_slope] = point(self.lubricant, self.cavitation + scale * s);
+        Fluid {
+            potential: q - self.cavitated_potential,
+            potential_s: scale * slope,
+            density,
+            density_s: scale * density_slope,
+            content: 1.0,
+            content_s: 0.0,
+        }
+    }
+
+    /// Balances each cell under what its neighbours are, one after the other along the flow, rows in the order of `rows`.
+    pub(super) fn sweep(&mut self, unknowns: &mut [f64], rows: impl Iterator<Item = usize>) {
+        let nx = self.film.grid().nx();
+        for (j, i) in rows.flat_map(|j| (0..nx).map(move |i| (j, i))) {
+            let k = j * nx + i;
+            for _ in 0..LOCAL_STEPS {
+                let [west, east] = [self.flow_along(i, j), self.flow_along(i + 1, j)];
+                let [south, north] = [self.flow_across(i, j), self.flow_across(i, j + 1)];
+                let outflow = east.value - west.value + north.value - south.value;
+                let slope = east.by_first - west.by_second + north.by_first - south.by_second;
+                let before = unknowns[k];
+                if slope > 0.0 {
+                    unknowns[k] = self.moved(k, before, outflow / slope);
+                    self.fluids[k] = self.fluid(k, unknowns[k]);
+                }
+                if (unknowns[k] < 0.0) == (before < 0.0) {
+                    break;
+                }
+            }
+        }
+    }
+
+    /// The fluid at both ends of the way along x to node `(i, j)`.
+    pub(super) fn ends_along(&self, i: usize, j: usize) -> [Fluid; 2] {
+        let nx = self.film.grid().nx();
+        let at = |i: Option<usize>| i.filter(|&i| i < nx).map_or(self.edge, |i| self.fluids[j * nx + i]);
+        [at(i.checked_sub(1)), at(Some(i))]
+    }
+
+    /// The flow along x through the face before node `(i, j)` \[m\].
+    pub(super) fn flow_along(&self, i: usize, j: usize) -> Flow {
+        let face = self.faces[j * (self.film.grid().nx() + 1) + i];
+        let [first, second] = self.ends_along(i, j);
+        let density = 0.5 * (first.density + second.density);
+        let c = face.conductance;
+        let joined = density * first.content * face.film + c * (first.potential - second.potential);
+        let ruptured_density = 0.5 * (first.density + self.cavitated_density);
+        let alone =
+            ruptured_density * first.content * face.first_film + face.first_conductance * first.potential;
+        if alone < joined {
+            Flow {
+                value: alone,
+                by_first: face.first_film
+                    * (ruptured_density * first.content_s + 0.5 * first.density_s * first.content)
+                    + face.first_conductance * first.potential_s,
+                by_second: 0.0,
+                ruptured: true,
+                terms: face.first_conductance * first.potential,
+            }
+        } else {
+            Flow {
+                value: joined,
+                by_first: face.film * (density * first.content_s + 0.5 * first.density_s * first.content)
+                    + c * first.potential_s,
+                by_second: 0.5 * face.film * first.content * second.density_s - c * second.potential_s,
+                ruptured: false,
+                terms: c * (first.potential + second.potential),
+            }
+        }
+    }
+
+    /// The flow along y through the face before node `(i, j)`, times `dx / dy` \[m\].
+    pub(super) fn flow_across(&self, i: usize, j: usize) -> Flow {
+        let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
+        let c = self.across[j * nx + i];
+        let at = |j: Option<usize>| j.filter(|&j| j < ny).map_or(self.edge, |j| self.fluids[j * nx + i]);
+        let [first, second] = [at(j.checked_sub(1)), at(Some(j))];
+        Flow {
+            value: c * (first.potential - second.potential),
+            by_first: c * first.potential_s,
+            by_second: -c * second.potential_s,
+            ruptured: false,
+            terms: c * (first.potential + second.potential),
+        }
+    }
+
+    /// Net outflow of each cell \[m\], and its derivatives by the unknowns of the cell and its neighbours to the east, west,
+    /// north and south. Returns what flows through the edges of the box.
+    pub(super) fn linearise(&self, outflow: &mut [f64], stencil: &mut [f64]) -> Through {
+        let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
+        outflow.fill(0.0);
+        stencil.fill(0.0);
+        let (mut through, mut terms) = ([0.0; 2], 0.0);
+        let mut add = |flow: Flow, first: Option<usize>, second: Option<usize>, forward: usize| {
+            terms += flow.terms;
+            if let Some(k) = first {
+                outflow[k] += flow.value;
+                stencil[STENCIL * k] += flow.by_first;
+            } else {
+                through[usize::from(flow.value < 0.0)] += flow.value.abs();
+            }
+            if let Some(k) = second {
+                outflow[k] -= flow.value;
+                stencil[STENCIL * k] -= flow.by_second;
+            } else {
+                through[usize::from(flow.value > 0.0)] += flow.value.abs();
+            }
+            if let (Some(first), Some(second)) = (first, second) {
+                stencil[STENCIL * first + forward] += flow.by_second;
+                stencil[STENCIL * second + forward + 1] -= flow.by_first;
+            }
+        };
+        for j in 0..ny {
+            for i in 0..=nx {
+                let first = i.checked_sub(1).map(|i| j * nx + i);
+                add(self.flow_along(i, j), first, (i < nx).then_some(j * nx + i), 1);
+            }
+        }
+        for j in 0..=ny {
+            for i in 0..nx {
+                let first = j.checked_sub(1).map(|j| j * nx + i);
+                add(self.flow_across(i, j), first, (j < ny).then_some(j * nx + i), 3);
+            }
+        }
+        let [inflow, outflow] = through;
+        Through { inflow, outflow, rounding: ROUNDING * terms }
+    }
+}

@@ -1,0 +1,280 @@
+//! The film between neighbouring nodes, as the flow through it needs it.
+
+use crate::error::InputError;
+use crate::grid::Grid;
+
+/// Halvings of an interval in which the film may jump.
+const HALVINGS: usize = 40;
+/// A film that changes by less than this share of itself does not jump.
+const SMOOTH: f64 = 1e-9;
+/// Places on the piece of unit length at which its film is taken: Gauss's rule of two points.
+const PLACES: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
+/// A jump is at least this share of the way from either node.
+const CLOSEST: f64 = 1e-6;
+
+/// A piece of the way between two nodes: integrals of `1/h^2` \[1/m\] and `1/h^3` \[1/m^2\] over it.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Piece {
+    pub(super) squares: f64,
+    pub(super) cubes: f64,
+}
+
+impl Piece {
+    fn constant(film: f64, length: f64) -> Self {
+        Self { squares: length / (film * film), cubes: length / (film * film * film) }
+    }
+
+    /// Film that entrains as much as the piece does without change of pressure \[m\].
+    pub(super) fn film(self) -> f64 {
+        self.squares / self.cubes
+    }
+
+    pub(super) fn and(self, other: Self) -> Self {
+        Self { squares: self.squares + other.squares, cubes: self.cubes + other.cubes }
+    }
+}
+
+/// The way between two nodes along x, or between the edge of the box and a node, in the order of x.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Way {
+    /// The two pieces meet after this share of the way.
+    pub(super) share: f64,
+    pub(super) pieces: [Piece; 2],
+}
+
+impl Way {
+    /// The same way walked against x.
+    pub(super) fn reversed(self) -> Self {
+        let [first, second] = self.pieces;
+        Self { share: 1.0 - self.share, pieces: [second, first] }
+    }
+}
+
+/// Thickness of the film between two rigid surfaces, on a [`Grid`].
+///
+/// The flow from node to node is that of the film between them, and not of a mean of two nodes:
+/// [`from_nodes`](Self::from_nodes) takes the film as constant in each cell, with jumps at the faces of the cells;
+/// [`from_function`](Self::from_function) asks for the film wherever it needs it, and finds one jump between two nodes,
+/// wherever it is.
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::reynolds::FilmThickness;
+/// // A step at a third of the box, which is not at the face of a cell.
+/// let grid = Grid::from_edges(10, 1, [0.0, 3e-3], [0.0, 1.0])?;
+/// let film = FilmThickness::from_function(grid, |x, _| if x < 1e-3 { 2e-6 } else { 1e-6 })?;
+/// assert_eq!(film.nodes()[0], 2e-6);
+/// assert!(FilmThickness::from_nodes(grid, &[0.0; 10]).is_err());
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilmThickness {
+    grid: Grid,
+    nodes: Vec<f64>,
+    /// `nx + 1` a row.
+    along: Vec<Way>,
+    /// `1/h^3` integrated over the ways along y, `ny + 1` rows of `nx` \[1/m^2\].
+    across: Vec<f64>,
+}
+
+impl FilmThickness {
+    /// A film that is constant in each cell: `film` \[m\] has one value a node. Second order where edges of a texture lie on
+    /// faces of cells, first order where they do not.
+    ///
+    /// # Errors
+    /// A field that does not fit the grid, or a value that is not finite and positive.
+    pub fn from_nodes(grid: Grid, film: &[f64]) -> Result<Self, InputError> {
+        InputError::require_len("film", film, grid.len())?;
+        check_values(film)?;
+        let (nx, ny) = (grid.nx(), grid.ny());
+        let (half_x, half_y) = (0.5 * grid.dx(), 0.5 * grid.dy());
+        let mut along = Vec::with_capacity((nx + 1) * ny);
+        for row in film.chunks_exact(nx) {
+            for i in 0..=nx {
+                let (west, east) = neighbours(row, i);
+                let inside = i > 0 && i < nx;
+                let length = if inside { half_x } else { 0.5 * half_x };
+                along.push(Way {
+                    share: 0.5,
+                    pieces: [Piece::constant(west, length), Piece::constant(east, length)],
+                });
+            }
+        }
+        let mut across = Vec::with_capacity(nx * (ny + 1));
+        for j in 0..=ny {
+            for i in 0..nx {
+                let [south, north] = [j.max(1) - 1, j.min(ny - 1)].map(|j| film[j * nx + i]);
+                let length = if j > 0 && j < ny { half_y } else { 0.5 * half_y };
+                across.push(length / south.powi(3) + length / north.powi(3));
+            }
+        }
+        Ok(Self { grid, nodes: film.to_vec(), along, across })
+    }
+
+    /// The film `thickness(x, y)` \[m\], second order for films that jump at most once between two nodes of a row or
+    /// column, wherever the jump is. Of several jumps between two nodes one is resolved. The function is also asked on the
+    /// edges of the box.
+    ///
+    /// # Errors
+    /// A value that is not finite and positive.
+    pub fn from_function(grid: Grid, thickness: impl Fn(f64, f64) -> f64) -> Result<Self, InputError> {
+        let (nx, ny, dx, dy) = (grid.nx(), grid.ny(), grid.dx(), grid.dy());
+        let nodes: Vec<f64> = grid.nodes().map(|(x, y)| thickness(x, y)).collect();
+        check_values(&nodes)?;
+        let ends = |i: usize, n: usize, first: f64, d: f64| {
+            let start = if i == 0 { first - 0.5 * d } else { first + d * (i - 1) as f64 };
+            let end = if i == n { first + d * (n as f64 - 0.5) } else { first + d * i as f64 };
+            [start, end]
+        };
+        let mut along = Vec::with_capacity((nx + 1) * ny);
+        for y in (0..ny).map(|j| grid.y(j)) {
+            for i in 0..=nx {
+                along.push(way(|x| thickness(x, y), ends(i, nx, grid.x(0), dx)));
+            }
+        }
+        let mut across = Vec::with_capacity(nx * (ny + 1));
+        for j in 0..=ny {
+            let ends = ends(j, ny, grid.y(0), dy);
+            for x in (0..nx).map(|i| grid.x(i)) {
+                let [south, north] = way(|y| thickness(x, y), ends).pieces;
+                across.push(south.cubes + north.cubes);
+            }
+        }
+        let pieces = along.iter().flat_map(|way| way.pieces).flat_map(|piece| [piece.squares, piece.cubes]);
+        if let Some(bad) = pieces.chain(across.iter().copied()).find(|v| !(v.is_finite() && *v > 0.0)) {
+            return Err(InputError::Conflict {
+                field: "film".to_owned(),
+                reason: format!(
+                    "an integral of 1/h^2 or 1/h^3 between two nodes is {bad}: the film must be finite and above 0 there"
+                ),
+            });
+        }
+        Ok(Self { grid, nodes, along, across })
+    }
+
+    /// The grid.
+    pub fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    /// The film at the nodes \[m\].
+    pub fn nodes(&self) -> &[f64] {
+        &self.nodes
+    }
+
+    /// The way to node `(i, j)` from the one before it; `i = nx` leads to the edge.
+    pub(super) fn along(&self, i: usize, j: usize) -> Way {
+        self.along[j * (self.grid.nx() + 1) + i]
+    }
+
+    /// `1/h^3` integrated from node `(i, j - 1)` to `(i, j)`; `j = ny` leads to the edge.
+    pub(super) fn across(&self, i: usize, j: usize) -> f64 {
+        self.across[j * self.grid.nx() + i]
+    }
+
+    /// The same film seen from the other side: x of this one is `x_first + x_last - x` of that.
+    pub(super) fn mirrored(&self) -> Self {
+        let nx = self.grid.nx();
+        let rows = |field: &[f64]| field.chunks_exact(nx).flat_map(|row| row.iter().rev().copied()).collect();
+        Self {
+            grid: self.grid,
+            nodes: rows(&self.nodes),
+            along: self
+                .along
+                .chunks_exact(nx + 1)
+                .flat_map(|row| row.iter().rev().map(|way| way.reversed()))
+                .collect(),
+            across: rows(&self.across),
+        }
+    }
+
+    /// The film on half as many nodes along each side that is longer than `least`; none where no side is.
+    pub(super) fn coarser(&self, least: usize) -> Option<Self> {
+        let (nx, ny) = (self.grid.nx(), self.grid.ny());
+        let half = |n: usize| if n > least { n.div_ceil(2) } else { n };
+        let (coarse_x, coarse_y) = (half(nx), half(ny));
+        if (coarse_x, coarse_y) == (nx, ny) {
+            return None;
+        }
+        let edges = |first: f64, d: f64, n: usize| [first - 0.5 * d, first + d * (n as f64 - 0.5)];
+        let x = edges(self.grid.x(0), self.grid.dx(), nx);
+        let y = edges(self.grid.y(0), self.grid.dy(), ny);
+        let grid = Grid::from_edges(coarse_x, coarse_y, x, y).ok()?;
+        let of = |i: usize, n: usize, coarse: usize| ((2 * i + 1) * n / (2 * coarse)).min(n - 1);
+        let film: Vec<f64> = (0..coarse_y)
+            .flat_map(|j| (0..coarse_x).map(move |i| of(j, ny, coarse_y) * nx + of(i, nx, coarse_x)))
+            .map(|k| self.nodes[k])
+            .collect();
+        Self::from_nodes(grid, &film).ok()
+    }
+}
+
+fn check_values(film: &[f64]) -> Result<(), InputError> {
+    InputError::require_finite("film", film)?;
+    match film.iter().position(|&h| h <= 0.0) {
+        None => Ok(()),
+        Some(k) => InputError::require_positive(&format!("film[{k}]"), film[k]),
+    }
+}
+
+/// The films on both sides of face `i` of a row.
+fn neighbours(row: &[f64], i: usize) -> (f64, f64) {
+    (row[i.max(1) - 1], row[i.min(row.len() - 1)])
+}
+
+/// The two pieces between `ends`, parted where the film jumps, or in the middle.
+fn way(film: impl Fn(f64) -> f64, ends: [f64; 2]) -> Way {
+    let [start, end] = ends;
+    let at = |share: f64| film(start + share * (end - start));
+    let (mut low, mut high) = (0.0, 1.0);
+    let (mut film_low, mut film_high) = (at(low), at(high));
+    for _ in 0..HALVINGS {
+        if (film_high - film_low).abs() <= SMOOTH * film_low.min(film_high) {
+            break;
+        }
+        let middle = 0.5 * (low + high);
+        let between = at(middle);
+        if (between - film_low).abs() > (film_high - between).abs() {
+            (high, film_high) = (middle, between);
+        } else {
+            (low, film_low) = (middle, between);
+        }
+    }
+    let jumps = (film_high - film_low).abs() > SMOOTH * film_low.min(film_high);
+    let share = if jumps { (0.5_f64 * (low + high)).clamp(CLOSEST, 1.0 - CLOSEST) } else { 0.5 };
+    let piece = |from: f64, to: f64| {
+        let length = 0.5 * (to - from) * (end - start);
+        let [one, other] = PLACES.map(|place| Piece::constant(at(from + place * (to - from)), length));
+        one.and(other)
+    };
+    Way { share, pieces: [piece(0.0, share), piece(share, 1.0)] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn jumps_are_found_wherever_they_are() {
+        for edge in [1e-5, 0.1, 0.5, 0.77, 0.999] {
+            let found = way(|x| if x < edge { 3.0 } else { 1.0 + 0.1 * x }, [0.0, 1.0]);
+            assert!((found.share - edge).abs() < 2e-6, "{edge}: {}", found.share);
+            assert!((found.pieces[0].cubes - found.share / 27.0).abs() < 1e-9);
+        }
+        // Closer to a node than the least share it is taken there.
+        let close = way(|x| if x < 1e-8 { 3.0 } else { 1.0 }, [0.0, 1.0]);
+        assert!((close.share - CLOSEST).abs() < 1e-12);
+        // A slope is no jump.
+        assert!((way(|x| 1.0 + 0.3 * x, [0.0, 1.0]).share - 0.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn films_that_are_not_positive_are_named() {
+        let grid = Grid::from_edges(3, 1, [0.0, 3.0], [0.0, 1.0]).unwrap();
+        let error = |film: &[f64]| FilmThickness::from_nodes(grid, film).unwrap_err().to_string();
+        assert!(error(&[1.0, -2.0, 1.0]).contains("film[1] = -2"));
+        assert!(error(&[1.0, 1.0, f64::NAN]).contains("film[2] = NaN"));
+        assert!(error(&[1.0]).contains("film has 1 values, expected 3"));
+        assert!(FilmThickness::from_function(grid, |x, _| if x > 2.8 { 0.0 } else { 1.0 }).is_err());
+    }
+}

@@ -1,0 +1,145 @@
+//! Newton's method on pressure and content, from coarse grids to the given one.
+
+use super::balance::{Balance, Through};
+use super::film::FilmThickness;
+use super::linear::LinearSolver;
+use super::{GivenFilm, IMBALANCE};
+use crate::numerics::STENCIL;
+use crate::report::Status;
+
+/// Sides of this many nodes are not halved any further.
+const COARSEST: usize = 12;
+/// Sum of all imbalances over the inflow at which a coarser grid is left.
+const COARSE_TOLERANCE: f64 = 1e-6;
+/// Largest number of steps on one grid.
+const MAX_STEPS: u64 = 100;
+
+/// Sweeps after each step.
+const SWEEPS: usize = 3;
+/// Smallest share of a step that is taken.
+const SHORTEST: f64 = 0.125;
+
+/// Where Newton's method ended on one grid.
+#[derive(Debug)]
+pub(super) struct Solved<'a> {
+    pub(super) balance: Balance<'a>,
+    pub(super) unknowns: Vec<f64>,
+    pub(super) status: Status,
+    /// Sum of the absolute imbalances of all cells over the inflow.
+    pub(super) residual: f64,
+    pub(super) through: Through,
+    pub(super) steps: u64,
+    pub(super) substitutions: u64,
+    /// Newton steps on all coarser grids together.
+    pub(super) coarse_steps: u64,
+}
+
+/// What the next finer grid starts from.
+struct Start {
+    film: FilmThickness,
+    pressure: Vec<f64>,
+    content: Vec<f64>,
+    steps: u64,
+}
+
+/// Solves `problem`, whose film is `film`, entrained with `speed` along +x.
+pub(super) fn solve<'a>(problem: &GivenFilm<'a>, film: &'a FilmThickness, speed: f64) -> Solved<'a> {
+    let mut films = Vec::new();
+    while let Some(coarser) = films.last().unwrap_or(film).coarser(COARSEST) {
+        films.push(coarser);
+    }
+    let mut start = None;
+    while let Some(film) = films.pop() {
+        let solved = on_grid(problem, &film, speed, start.as_ref(), COARSE_TOLERANCE);
+        let pressure = (0..).zip(&solved.unknowns).map(|(k, &s)| solved.balance.pressure(k, s)).collect();
+        let content = solved.unknowns.iter().map(|&s| 1.0 + s.min(0.0)).collect();
+        let steps = solved.steps + solved.coarse_steps;
+        drop(solved);
+        start = Some(Start { film, pressure, content, steps });
+    }
+    on_grid(problem, film, speed, start.as_ref(), IMBALANCE)
+}
+
+/// Newton's method on one grid.
+///
+/// Each step is followed by sweeps over the cells along the flow: they carry contents through the cavitated cells as far as the
+/// changed ones let them, which the linear system does not know. Without them fronts move by a few cells a step.
+fn on_grid<'a>(
+    problem: &GivenFilm<'a>,
+    film: &'a FilmThickness,
+    speed: f64,
+    start: Option<&Start>,
+    tolerance: f64,
+) -> Solved<'a> {
+    let grid = film.grid();
+    let zeros = |values: usize| vec![0.0; values * grid.len()];
+    let mut balance = Balance::new(problem, film, speed);
+    let mut unknowns = first_unknowns(&balance, start);
+    let (mut outflow, mut stencil, mut change) = (zeros(1), zeros(STENCIL), zeros(1));
+    let mut best = (f64::INFINITY, unknowns.clone());
+    let mut linear = LinearSolver::new(grid);
+    let (mut steps, mut substitutions) = (0, 0);
+    let (mut share, mut last) = (1.0, f64::INFINITY);
+    let status = loop {
+        balance.update(&unknowns);
+        let through = balance.linearise(&mut outflow, &mut stencil);
+        let missing = outflow.iter().map(|f| f.abs()).sum::<f64>();
+        if missing < best.0 {
+            best.0 = missing;
+            best.1.copy_from_slice(&unknowns);
+        }
+        let bound = through.rounding.max(tolerance * through.inflow);
+        if missing <= bound && through.imbalance() <= tolerance {
+            break Status::Converged;
+        }
+        if steps == MAX_STEPS {
+            break Status::MaxIterations;
+        }
+        let solved = missing.is_finite().then(|| linear.solve(&stencil, &outflow, &mut change));
+        let Some(count) = solved.flatten() else { break Status::Diverged };
+        // Steps that go to and fro between two sets of cavitated cells are shortened.
+        share = if missing < last { 1.0_f64.min(2.0 * share) } else { SHORTEST.max(0.5 * share) };
+        last = missing;
+        for (k, (s, change)) in unknowns.iter_mut().zip(&change).enumerate() {
+            *s = balance.moved(k, *s, share * change);
+        }
+        balance.update(&unknowns);
+        for sweep in 0..SWEEPS {
+            if sweep % 2 == 0 {
+                balance.sweep(&mut unknowns, 0..grid.ny());
+            } else {
+                balance.sweep(&mut unknowns, (0..grid.ny()).rev());
+            }
+        }
+        substitutions += count;
+        steps += 1;
+    };
+    if status != Status::Converged {
+        unknowns.copy_from_slice(&best.1);
+        balance.update(&unknowns);
+    }
+    let through = balance.linearise(&mut outflow, &mut stencil);
+    let missing = outflow.iter().map(|f| f.abs()).sum::<f64>();
+    let residual = if missing > 0.0 { missing / through.inflow } else { 0.0 };
+    let coarse_steps = start.map_or(0, |start| start.steps);
+    Solved { balance, unknowns, status, residual, through, steps, substitutions, coarse_steps }
+}
+
+/// Pressure and content of the coarser grid between its nodes; ambient pressure where there is none.
+fn first_unknowns(balance: &Balance<'_>, start: Option<&Start>) -> Vec<f64> {
+    let grid = balance.film.grid();
+    let at = |start: &Start, field: &[f64], [x, y]: [f64; 2]| {
+        // The field is one of its grid.
+        start.film.grid().interpolate(field, x, y).unwrap_or_default()
+    };
+    grid.nodes()
+        .enumerate()
+        .map(|(k, (x, y))| match start {
+            Some(start) => {
+                let pressure = at(start, &start.pressure, [x, y]);
+                balance.unknown(k, pressure, at(start, &start.content, [x, y]))
+            }
+            None => balance.unknown(k, balance.ambient, 1.0),
+        })
+        .collect()
+}

@@ -1,0 +1,136 @@
+//! What the fluid does along one row of cells: pressure from edge to edge, friction, reformation.
+
+use super::GivenFilm;
+use super::film::FilmThickness;
+use super::newton::Solved;
+use crate::grid::Grid;
+
+/// The edges of the box across x \[m\].
+pub(super) fn edges(grid: Grid) -> [f64; 2] {
+    let west = grid.x(0) - 0.5 * grid.dx();
+    [west, west + grid.size_x()]
+}
+
+/// Lengths of the two pieces of the way to node `(i, j)` \[m\].
+pub(super) fn lengths(film: &FilmThickness, i: usize, j: usize) -> [f64; 2] {
+    let grid = film.grid();
+    let whole = if i == 0 || i == grid.nx() { 0.5 * grid.dx() } else { grid.dx() };
+    let share = film.along(i, j).share;
+    [share * whole, (1.0 - share) * whole]
+}
+
+/// A row of cells, entrained along +x.
+#[derive(Debug)]
+pub(super) struct Row {
+    /// Places \[m\] and pressures \[Pa\] from edge to edge, straight in between.
+    pub(super) profile: Vec<[f64; 2]>,
+    /// Shear force on the lower and upper surface over the width of the row \[N/m\].
+    pub(super) friction: [f64; 2],
+    /// Where the film reforms first \[m\].
+    pub(super) reformation: Option<f64>,
+}
+
+impl Row {
+    pub(super) fn new(problem: &GivenFilm<'_>, solved: &Solved<'_>, j: usize) -> Self {
+        let grid = problem.film.grid();
+        let [west, _] = edges(grid);
+        let mut row =
+            Self { profile: Vec::with_capacity(2 * grid.nx() + 3), friction: [0.0; 2], reformation: None };
+        row.profile.push([west, problem.ambient_pressure]);
+        let (mut before, mut x) = (problem.ambient_pressure, west);
+        for i in 0..=grid.nx() {
+            let after = if i < grid.nx() {
+                let k = j * grid.nx() + i;
+                solved.balance.pressure(k, solved.unknowns[k])
+            } else {
+                problem.ambient_pressure
+            };
+            let lengths = lengths(problem.film, i, j);
+            row.walk(problem, solved, [i, j], [before, after], x, lengths);
+            x += lengths[0] + lengths[1];
+            row.profile.push([x, after]);
+            before = after;
+        }
+        row
+    }
+
+    /// Integral of the pressure along the row \[N/m\].
+    pub(super) fn load(&self) -> f64 {
+        self.profile.windows(2).map(|ends| 0.5 * (ends[1][0] - ends[0][0]) * (ends[0][1] + ends[1][1])).sum()
+    }
+
+    /// The way to node `[i, j]`, which begins at `x`, between the `pressures` of its ends.
+    fn walk(
+        &mut self,
+        problem: &GivenFilm<'_>,
+        solved: &Solved<'_>,
+        [i, j]: [usize; 2],
+        pressures: [f64; 2],
+        x: f64,
+        lengths: [f64; 2],
+    ) {
+        let balance = &solved.balance;
+        let pieces = problem.film.along(i, j).pieces;
+        let [first, second] = balance.ends_along(i, j);
+        let flow = balance.flow_along(i, j);
+        let density = 0.5 * (first.density + second.density);
+        // What a full piece adds to the reduced pressure.
+        let [rise, further] =
+            pieces.map(|piece| balance.drag * (density * piece.squares - flow.value * piece.cubes));
+        let cavitated = first.content < 1.0;
+        let potential = if flow.ruptured {
+            0.0
+        } else if !cavitated {
+            (first.potential + rise).max(0.0)
+        } else if second.potential > 0.0 {
+            (second.potential - further).max(0.0)
+        } else {
+            0.0
+        };
+        let middle = if cavitated || flow.ruptured {
+            balance.pressure_beside(pressures[1], second.potential, potential)
+        } else {
+            balance.pressure_beside(pressures[0], first.potential, potential)
+        };
+        let split = x + lengths[0];
+        if second.potential > 0.0 && (cavitated || flow.ruptured) {
+            let front = if potential > 0.0 {
+                split - lengths[0] * share(potential, rise)
+            } else {
+                split + lengths[1] * (1.0 - share(second.potential, further))
+            };
+            self.reformation.get_or_insert(front);
+            // In the order of x.
+            let [one, other] = if front < split {
+                [[front, problem.cavitation_pressure], [split, middle]]
+            } else {
+                [[split, middle], [front, problem.cavitation_pressure]]
+            };
+            self.profile.extend([one, other]);
+        } else {
+            self.profile.push([split, middle]);
+        }
+        let behind = if flow.ruptured {
+            (flow.value / (balance.cavitated_density * pieces[1].film())).min(1.0)
+        } else {
+            first.content
+        };
+        let sliding = problem.speeds[1] - problem.speeds[0];
+        let ends = [[pressures[0], middle], [middle, pressures[1]]];
+        for (((piece, length), content), [from, to]) in
+            pieces.iter().zip(lengths).zip([first.content, behind]).zip(ends)
+        {
+            let film = piece.film();
+            let viscosity = problem.lubricant.viscosity().viscosity(0.5 * (from + to));
+            let by_sliding = viscosity * content * sliding * length / film;
+            let by_pressure = 0.5 * film * (to - from);
+            self.friction[0] += by_sliding - by_pressure;
+            self.friction[1] -= by_sliding + by_pressure;
+        }
+    }
+}
+
+/// The share of a piece of whole rise `rise` that rises by `part`.
+fn share(part: f64, rise: f64) -> f64 {
+    if rise > part { part / rise } else { 1.0 }
+}

@@ -1,0 +1,413 @@
+//! Rigid surfaces with a given film: benchmarks of cavitation, conservation of mass, bad input.
+#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+use stribeck::lubricant::{Barus, DowsonHigginson, Incompressible, Lubricant};
+use stribeck::reynolds::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
+use stribeck::{Grid, Status};
+
+/// Viscosity of the sliders \[Pa s\].
+const ETA: f64 = 0.01;
+
+fn oil(eta: f64, alpha: f64) -> Lubricant {
+    Lubricant::new(Barus::new(eta, alpha).unwrap(), Incompressible)
+}
+
+fn solved(problem: &GivenFilm<'_>) -> GivenFilmSolution {
+    let solution = problem.solve().unwrap();
+    let _ = solution.report.require_converged().unwrap();
+    assert!(solution.imbalance <= 1e-10, "imbalance {:e}", solution.imbalance);
+    let pairs = solution.pressure.iter().zip(&solution.content);
+    for (&p, &theta) in pairs {
+        let p = p - problem.cavitation_pressure;
+        assert!(p >= 0.0 && (0.0..=1.0).contains(&theta) && (p <= 0.0 || theta >= 1.0), "{p} {theta}");
+    }
+    solution
+}
+
+/// A slider of 10 mm with a pocket from 2 to 5 mm, infinitely wide.
+#[derive(Debug, Clone, Copy)]
+struct PocketSlider {
+    inlet: f64,
+    outlet: f64,
+    depth: f64,
+    speed: f64,
+}
+
+/// What is known of it: pressures at the ends of the pocket, load, place of reformation, flow.
+#[derive(Debug)]
+struct Exact {
+    pressures: [f64; 2],
+    load: f64,
+    reformation: Option<f64>,
+    flow: f64,
+}
+
+impl PocketSlider {
+    const LENGTH: f64 = 10e-3;
+    const POCKET: [f64; 2] = [2e-3, 5e-3];
+    const AMBIENT: f64 = 1e5;
+
+    fn fowell(speed: f64) -> Self {
+        Self { inlet: 1.05e-6, outlet: 1e-6, depth: 1e-6, speed }
+    }
+
+    fn giacopini() -> Self {
+        Self { inlet: 1e-6, outlet: 1e-6, depth: 5e-6, speed: 1.0 }
+    }
+
+    fn pad(&self, x: f64) -> f64 {
+        self.inlet + (self.outlet - self.inlet) * x / Self::LENGTH
+    }
+
+    fn film(&self, x: f64) -> f64 {
+        let in_pocket = x > Self::POCKET[0] && x < Self::POCKET[1];
+        self.pad(x) + if in_pocket { self.depth } else { 0.0 }
+    }
+
+    fn solve(&self, cells: usize) -> GivenFilmSolution {
+        let grid = Grid::from_edges(cells, 1, [0.0, Self::LENGTH], [0.0, 1.0]).unwrap();
+        let film = FilmThickness::from_function(grid, |x, _| self.film(x)).unwrap();
+        solved(&GivenFilm {
+            film: &film,
+            lubricant: &oil(ETA, 0.0),
+            speeds: [self.speed, 0.0],
+            ambient_pressure: Self::AMBIENT,
+            cavitation_pressure: 0.0,
+            sides: SideEdges::Closed,
+        })
+    }
+
+    /// Integrals of `1/h^2` and `1/h^3`; films are straight on each part.
+    fn moments(&self, from: f64, to: f64) -> [f64; 2] {
+        let mut sums = [0.0; 2];
+        let parts =
+            [(0.0, Self::POCKET[0], 0.0), (Self::POCKET[0], Self::POCKET[1], self.depth), (5e-3, 1e-2, 0.0)];
+        for (start, end, depth) in parts {
+            let (start, end) = (from.max(start), to.min(end));
+            if end > start {
+                let (a, b) = (self.pad(start) + depth, self.pad(end) + depth);
+                sums[0] += (end - start) / (a * b);
+                sums[1] += (end - start) * (a + b) / (2.0 * a * a * b * b);
+            }
+        }
+        sums
+    }
+
+    /// `dp/dx = 12 eta (u/h^2 - q/h^3)`, integrated; the film ruptures where the pocket begins if it ruptures at all.
+    fn exact(&self) -> Exact {
+        let u = 0.5 * self.speed;
+        let [start, end] = Self::POCKET;
+        let rise = |flow: f64, from: f64, to: f64| {
+            let [squares, cubes] = self.moments(from, to);
+            12.0 * ETA * (u * squares - flow * cubes)
+        };
+        let area = |p: &dyn Fn(f64) -> f64, from: f64, to: f64| {
+            let n = 2000;
+            let step = (to - from) / f64::from(n);
+            let at = |i: i32| p(from + step * f64::from(i));
+            let inner: f64 = (1..n).map(|i| at(i) * if i % 2 == 1 { 4.0 } else { 2.0 }).sum();
+            (at(0) + inner + at(n)) * step / 3.0
+        };
+        let [squares, cubes] = self.moments(0.0, Self::LENGTH);
+        let full = u * squares / cubes;
+        let whole = |x: f64| Self::AMBIENT + rise(full, 0.0, x);
+        if whole(start) >= 0.0 {
+            let load = area(&whole, 0.0, start) + area(&whole, start, end) + area(&whole, end, Self::LENGTH);
+            return Exact { pressures: [whole(start), whole(end)], load, reformation: None, flow: full };
+        }
+        let [squares, cubes] = self.moments(0.0, start);
+        let flow = (u * squares + Self::AMBIENT / (12.0 * ETA)) / cubes;
+        let before = |x: f64| Self::AMBIENT + rise(flow, 0.0, x);
+        let behind = |x: f64| Self::AMBIENT - rise(flow, x, Self::LENGTH);
+        let (mut low, mut high) = (start, end);
+        for _ in 0..100 {
+            let middle = 0.5 * (low + high);
+            if behind(middle) > 0.0 { high = middle } else { low = middle }
+        }
+        let load = area(&before, 0.0, start) + area(&behind, high, end) + area(&behind, end, Self::LENGTH);
+        Exact { pressures: [0.0, behind(end)], load, reformation: Some(high), flow }
+    }
+
+    /// Pressures, flows, load and place of reformation are exact to second order, wherever the edges of the pocket lie in their
+    /// cells.
+    fn check(&self, cells: usize) {
+        let (found, exact) = (self.solve(cells), self.exact());
+        let off = |a: f64, b: f64| (a - b).abs() / b.abs();
+        let order = 0.3 / (cells * cells) as f64;
+        for (x, exact) in Self::POCKET.into_iter().zip(exact.pressures) {
+            let p = found.pressure_at(x, 0).unwrap();
+            assert!((p - exact).abs() < 1e-9 * exact.abs() + 1e-6, "{self:?}, {cells}: {p} at {x}, {exact}");
+        }
+        for flow in [found.inflow, found.outflow] {
+            assert!(off(flow, exact.flow) < 1e-10, "{self:?}, {cells}: {flow}, {exact:?}");
+        }
+        assert!(off(found.load, exact.load) < order, "{self:?}, {cells}: {}, {exact:?}", found.load);
+        assert_eq!(found.reformation(0).is_some(), exact.reformation.is_some());
+        if let (Some(found), Some(exact)) = (found.reformation(0), exact.reformation) {
+            assert!(off(found, exact) < order, "{self:?}, {cells}: {found}, {exact}");
+        }
+    }
+}
+
+#[test]
+fn slider_with_a_pocket_is_that_of_the_integrals() {
+    let load = PocketSlider::fowell(0.02).exact().load;
+    assert!((load - 2333.452).abs() < 1e-3, "{load}");
+    for speed in [1e-4, 0.02, 0.033, 0.034, 0.05, 0.2, 1.0, 5.0] {
+        for cells in [60, 97, 100, 333, 700, 1000] {
+            PocketSlider::fowell(speed).check(cells);
+        }
+    }
+}
+
+#[test]
+fn deep_pocket_in_a_parallel_slider() {
+    for cells in [100, 333, 1000] {
+        PocketSlider::giacopini().check(cells);
+    }
+}
+
+/// Peak pressure \[Pa\] of the pocket of finite width of Bertocchi et al. (2013), and its place over the length.
+fn pocket_of_finite_width(lubricant: &Lubricant) -> (f64, f64) {
+    let (length, width) = (20e-3, 10e-3);
+    let grid = Grid::from_edges(200, 100, [0.0, length], [-0.5 * width, 0.5 * width]).unwrap();
+    let film = FilmThickness::from_function(grid, |x, y| {
+        let in_pocket = x > 4e-3 && x < 10e-3 && y.abs() < 3.5e-3;
+        1.1e-6 - 0.1e-6 * x / length + if in_pocket { 0.4e-6 } else { 0.0 }
+    })
+    .unwrap();
+    let solution = solved(&GivenFilm {
+        film: &film,
+        lubricant,
+        speeds: [1.0, 0.0],
+        ambient_pressure: 0.0,
+        cavitation_pressure: 0.0,
+        sides: SideEdges::Ambient,
+    });
+    let largest = |best: (usize, f64), (k, &p): (usize, &f64)| if p > best.1 { (k, p) } else { best };
+    let (k, peak) = solution.pressure.iter().enumerate().fold((0, 0.0), largest);
+    (peak, grid.x(k % grid.nx()) / length)
+}
+
+#[test]
+fn pocket_of_finite_width_has_the_peak_of_the_figure() {
+    let barus = || Barus::new(ETA, 1.2e-8).unwrap();
+    let compressible = Lubricant::new(barus(), DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap());
+    let (peak, place) = pocket_of_finite_width(&compressible);
+    assert!((peak / 8.50e6 - 1.0).abs() < 0.03, "{peak}");
+    assert!((place - 0.504).abs() < 0.01, "{place}");
+    // The wedge of a tenth is so slight that half a per cent of compression takes a twentieth of the pressure.
+    let (incompressible, _) = pocket_of_finite_width(&Lubricant::new(barus(), Incompressible));
+    assert!((incompressible / peak - 1.048).abs() < 0.005, "{incompressible} {peak}");
+}
+
+/// Sommerfeld number `F psi^2 / (B D eta omega)` of a bearing as wide as its diameter, supplied where its gap is widest.
+fn sommerfeld_number(eccentricity: f64, cells: [usize; 2]) -> f64 {
+    let (radius, clearance, omega) = (0.05_f64, 5e-5, 100.0);
+    let [length, width] = [2.0 * std::f64::consts::PI * radius, 2.0 * radius];
+    let grid = Grid::from_edges(cells[0], cells[1], [0.0, length], [0.0, width]).unwrap();
+    let film =
+        FilmThickness::from_function(grid, |x, _| clearance * (1.0 + eccentricity * (x / radius).cos()))
+            .unwrap();
+    let solution = solved(&GivenFilm {
+        film: &film,
+        lubricant: &oil(ETA, 0.0),
+        speeds: [omega * radius, 0.0],
+        ambient_pressure: 0.0,
+        cavitation_pressure: 0.0,
+        sides: SideEdges::Ambient,
+    });
+    let sum = |of: fn(f64) -> f64| {
+        let parts = grid.nodes().zip(&solution.pressure).map(|((x, _), p)| p * of(x / radius));
+        parts.sum::<f64>() * grid.cell_area()
+    };
+    let force = sum(f64::cos).hypot(sum(f64::sin));
+    let psi = clearance / radius;
+    force * psi * psi / (width * 2.0 * radius * ETA * omega)
+}
+
+#[test]
+fn journal_bearing_carries_what_the_table_says() {
+    for (eccentricity, expected) in [(0.5, 0.8903), (0.8, 3.5663), (0.9, 8.4352)] {
+        let found = sommerfeld_number(eccentricity, [360, 80]);
+        assert!((found / expected - 1.0).abs() < 0.01, "{eccentricity}: {found}");
+    }
+}
+
+/// 5 x 5 square dimples, a third of their distance wide, in parallel squares of 80 mm.
+fn textured_square(cells: usize) -> GivenFilmSolution {
+    let side = 0.08;
+    let grid = Grid::from_edges(cells, cells, [0.0, side], [0.0, side]).unwrap();
+    let centre = |x: f64| (5.0 * x / side).fract() - 0.5;
+    let film = FilmThickness::from_function(grid, |x, y| {
+        if centre(x).abs() < 1.0 / 6.0 && centre(y).abs() < 1.0 / 6.0 { 27e-6 } else { 15e-6 }
+    })
+    .unwrap();
+    solved(&GivenFilm {
+        film: &film,
+        lubricant: &oil(0.03, 0.0),
+        speeds: [5.0, 0.0],
+        ambient_pressure: 1e5,
+        cavitation_pressure: 3e4,
+        sides: SideEdges::Ambient,
+    })
+}
+
+#[test]
+fn newton_steps_do_not_grow_with_the_grid() {
+    let steps: Vec<u64> =
+        [30, 60, 120, 240].into_iter().map(|cells| textured_square(cells).report.work.iterations).collect();
+    let spread = steps.iter().max().unwrap() - steps.iter().min().unwrap();
+    assert!(spread <= 2, "{steps:?}");
+}
+
+#[test]
+fn edges_that_cut_cells_converge() {
+    // Round dimples on grids that fit nothing, from hardly to heavily cavitated.
+    for cells in [57, 83, 101] {
+        for speed in [0.3, 0.7, 5.0] {
+            let grid = Grid::from_edges(cells, cells, [0.0, 0.08], [0.0, 0.08]).unwrap();
+            let centre = |x: f64| (125.0 * x).fract() - 0.5;
+            let dimpled = |x: f64, y: f64| if centre(x).hypot(centre(y)) < 0.35 { 27e-6 } else { 15e-6 };
+            let film = FilmThickness::from_function(grid, dimpled).unwrap();
+            let _ = solved(&GivenFilm {
+                film: &film,
+                lubricant: &oil(0.03, 0.0),
+                speeds: [speed, 0.0],
+                ambient_pressure: 1e5,
+                cavitation_pressure: 3e4,
+                sides: SideEdges::Ambient,
+            });
+        }
+    }
+}
+
+/// A pad of 10 mm that converges from 2 to 1 um.
+fn pad(rows: usize, lubricant: &Lubricant, speeds: [f64; 2], turned: bool) -> GivenFilmSolution {
+    let grid = Grid::from_edges(400, rows, [0.0, 1e-2], [0.0, 1.0]).unwrap();
+    let film = FilmThickness::from_function(grid, |x, _| {
+        let x = if turned { 1e-2 - x } else { x };
+        2e-6 - 1e-4 * x
+    })
+    .unwrap();
+    solved(&GivenFilm {
+        film: &film,
+        lubricant,
+        speeds,
+        ambient_pressure: 0.0,
+        cavitation_pressure: 0.0,
+        sides: SideEdges::Closed,
+    })
+}
+
+#[test]
+fn friction_of_a_pad() {
+    let (lubricant, u) = (oil(ETA, 0.0), 2.0);
+    let unit = ETA * u * 1e-2 / 1e-6;
+    let solution = pad(1, &lubricant, [u, 0.0], false);
+    let [moving, resting] = solution.friction;
+    let log = 2.0_f64.ln();
+    assert!((moving / unit + 4.0 * log - 2.0).abs() < 1e-5, "{moving}");
+    // Both forces and the pressure on the slope of the film balance.
+    let on_slope = 1e-4 * solution.load;
+    assert!(((moving + resting + on_slope) / unit).abs() < 1e-5, "{moving} {resting} {on_slope}");
+    // The same entrainment by two surfaces that do not slide: no shear but that of the pressure.
+    let rolling = pad(1, &lubricant, [0.5 * u, 0.5 * u], false);
+    assert!((rolling.load / solution.load - 1.0).abs() < 1e-12);
+    assert!((rolling.friction[0] / rolling.friction[1] - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn turned_round_it_is_the_same() {
+    let lubricant = oil(ETA, 2e-9);
+    let forward = pad(1, &lubricant, [1.0, 0.0], false);
+    let backward = pad(1, &lubricant, [-1.0, 0.0], true);
+    assert!((forward.load / backward.load - 1.0).abs() < 1e-12);
+    assert!((forward.friction[0] / backward.friction[0] + 1.0).abs() < 1e-12);
+    let turned = backward.pressure.iter().rev();
+    assert!(forward.pressure.iter().zip(turned).all(|(a, b)| (a - b).abs() <= 1e-9 * a.abs()));
+}
+
+#[test]
+fn closed_sides_make_many_rows_one() {
+    let lubricant = oil(ETA, 0.0);
+    let (one, many) = (pad(1, &lubricant, [1.0, 0.0], false), pad(5, &lubricant, [1.0, 0.0], false));
+    assert!((one.load / many.load - 1.0).abs() < 1e-9);
+    assert!((one.inflow / many.inflow - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn viscosity_that_grows_with_pressure() {
+    // The reduced pressure is the pressure of the fluid that does not thicken.
+    let (alpha, speeds) = (2e-9, [1.0, 0.0]);
+    let thin = pad(1, &oil(ETA, 0.0), speeds, false);
+    let thick = pad(1, &oil(ETA, alpha), speeds, false);
+    for (q, p) in thin.pressure.iter().zip(&thick.pressure) {
+        let exact = -(-alpha * q).ln_1p() / alpha;
+        assert!((p / exact - 1.0).abs() < 1e-6, "{p} {exact}");
+    }
+}
+
+#[test]
+fn films_on_nodes_and_of_functions_agree_where_edges_are_faces() {
+    let slider = PocketSlider::giacopini();
+    let grid = Grid::from_edges(500, 1, [0.0, PocketSlider::LENGTH], [0.0, 1.0]).unwrap();
+    let values: Vec<f64> = grid.nodes().map(|(x, _)| slider.film(x)).collect();
+    let film = FilmThickness::from_nodes(grid, &values).unwrap();
+    let found = solved(&GivenFilm {
+        film: &film,
+        lubricant: &oil(ETA, 0.0),
+        speeds: [slider.speed, 0.0],
+        ambient_pressure: PocketSlider::AMBIENT,
+        cavitation_pressure: 0.0,
+        sides: SideEdges::Closed,
+    });
+    assert!((found.load / slider.solve(500).load - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn nothing_flows_without_entrainment() {
+    let grid = Grid::from_edges(10, 4, [0.0, 1e-2], [0.0, 1e-2]).unwrap();
+    let film = FilmThickness::from_nodes(grid, &[1e-6; 40]).unwrap();
+    let lubricant = oil(ETA, 0.0);
+    let solution = solved(&GivenFilm {
+        film: &film,
+        lubricant: &lubricant,
+        speeds: [1.0, -1.0],
+        ambient_pressure: 1e5,
+        cavitation_pressure: 0.0,
+        sides: SideEdges::Ambient,
+    });
+    assert_eq!(solution.report.status, Status::Converged);
+    assert_eq!((solution.inflow, solution.imbalance), (0.0, 0.0));
+    assert!((solution.load - 10.0).abs() < 1e-9, "{}", solution.load);
+    // eta (u_1 - u_0) / h over the area.
+    assert!((solution.friction[0] + 2.0).abs() < 1e-9, "{:?}", solution.friction);
+}
+
+#[test]
+fn bad_input_names_field_and_value() {
+    let grid = Grid::from_edges(10, 1, [0.0, 1e-2], [0.0, 1.0]).unwrap();
+    let film = FilmThickness::from_nodes(grid, &[1e-6; 10]).unwrap();
+    let lubricant = oil(ETA, 0.0);
+    let good = GivenFilm {
+        film: &film,
+        lubricant: &lubricant,
+        speeds: [1.0, 0.0],
+        ambient_pressure: 1e5,
+        cavitation_pressure: 0.0,
+        sides: SideEdges::Ambient,
+    };
+    let error = |problem: GivenFilm<'_>| problem.solve().unwrap_err().to_string();
+    assert!(error(GivenFilm { speeds: [0.0, f64::NAN], ..good }).starts_with("speeds.1 = NaN"));
+    assert!(
+        error(GivenFilm { ambient_pressure: f64::INFINITY, ..good }).starts_with("ambient_pressure = inf")
+    );
+    assert!(
+        error(GivenFilm { cavitation_pressure: 2e5, ..good }).starts_with("cavitation_pressure = 200000")
+    );
+    let of = |film: &[f64]| FilmThickness::from_nodes(grid, film).unwrap_err().to_string();
+    assert!(of(&[1e-6; 9]).contains("film has 9 values, expected 10"));
+    assert!(of(&[0.0; 10]).starts_with("film[0] = 0"));
+    assert!(of(&[f64::INFINITY; 10]).starts_with("film[0] = inf"));
+}
