@@ -22,7 +22,7 @@ impl FluidBlock for GridLu {
     }
 
     fn solve(&mut self, _stencil: &[f32], rhs: &mut [f32]) {
-        GridLu::solve(self, rhs);
+        Self::solve(self, rhs);
     }
 }
 

@@ -3,7 +3,7 @@
 mod lines;
 mod sweeps;
 
-use lines::{LineRelaxation, PASSES};
+use lines::{LineRelaxation, passes};
 use sweeps::{Damping, Sweeps};
 
 use super::newton_krylov::{BY_LINES, Method, NewtonKrylov};
@@ -37,8 +37,8 @@ const RELAXED: Method = Method {
 /// 3. combines two such relaxations so that the equations, the elastic response whole, lack the least;
 /// 4. lets every node settle by its own equations, which decides its side.
 ///
-/// Linearisation, sides and starts are those of [`NewtonKrylov`]; no matrix is factorised and no Krylov space is built up, at
-/// two to three times the steps. Starts are steps in time, of a few passages of a cell at first.
+/// Linearisation, sides and starts are those of [`NewtonKrylov`]; no matrix is factorised, and a Krylov space of two directions is all
+/// that a step builds up, at two to three times the steps. Starts are steps in time, of a few passages of a cell at first.
 ///
 /// In the paper's contact ([`ContactDefinition::Paper`](super::ContactDefinition::Paper)) each sweep takes its pressures at once, with
 /// the three nearest influence coefficients in the matrix, under-relaxed; the approach follows the load error. Two numbers decide
@@ -106,8 +106,9 @@ impl ContactSolver for SemiSystem {
         if !problem.is_paper() {
             let report = self.relaxed.solve(problem, state, stop)?;
             let Work { iterations, inner_iterations, .. } = report.work;
-            // Each relaxation is so many passes, and one more finds what the approach does.
-            let work = Work { inner_iterations: PASSES * (inner_iterations + iterations), ..report.work };
+            // One relaxation more in each step finds what the approach does.
+            let inner_iterations = passes(grid.ny()) * (inner_iterations + iterations);
+            let work = Work { inner_iterations, ..report.work };
             return Ok(SolveReport { solver, work, ..report });
         }
         let fits = self.sweeps.as_ref().is_some_and(|sweeps| sweeps.coupled.fluid.grid == grid);
