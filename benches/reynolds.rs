@@ -56,7 +56,7 @@ fn pieces(criterion: &mut Criterion) {
         let once = StoppingRule { max_iterations: 1, ..none };
         let _ = Multigrid::new().solve(&mut problem, &mut start, &none).unwrap();
         let solvers: [(&str, Box<dyn ContactSolver>); 3] = [
-            ("semi_system_sweep", Box::new(SemiSystem::default())),
+            ("semi_system_step", Box::new(SemiSystem::default())),
             ("multigrid_cycle", Box::new(Multigrid::new())),
             ("newton_step", Box::new(NewtonKrylov::new())),
         ];

@@ -75,7 +75,7 @@ pub struct Work {
     pub convolutions: f64,
     /// Outer iterations: sweeps, Newton steps or active-set passes.
     pub iterations: u64,
-    /// Inner iterations: Krylov or conjugate-gradient steps.
+    /// Inner iterations: Krylov or conjugate-gradient steps, passes over all lines of the semi-system.
     pub inner_iterations: u64,
 }
 

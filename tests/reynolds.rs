@@ -79,6 +79,7 @@ fn semi_system_and_newton_agree_on_full_films() {
 fn textbook_coefficients_fail_and_say_so() {
     let mut scene = smooth(64);
     scene.solver.kind = SolverKind::SemiSystem;
+    scene.solver.contact = ContactDefinition::Paper;
     scene.solver.stiffness = 1.0;
     scene.solver.max_iterations = 3000;
     let solution = solve_contact(&scene).unwrap();

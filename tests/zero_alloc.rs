@@ -8,8 +8,8 @@ use stribeck::analytic::HertzPoint;
 use stribeck::elastic::{DeformationModel, HalfSpace};
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
 use stribeck::reynolds::{
-    ContactSolver, ContactState, Dry, LubricatedContact, Multigrid, NewtonKrylov, Scheme, SemiSystem,
-    ShearThinning, StoppingRule,
+    ContactDefinition, ContactSolver, ContactState, Dry, LubricatedContact, Multigrid, NewtonKrylov, Scheme,
+    SemiSystem, ShearThinning, StoppingRule,
 };
 use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
 use stribeck::tribochem::{FilmGrowthLaw, FlashTemperature, Ghanbarzadeh, ThermalBody, Tribofilm};
@@ -204,13 +204,20 @@ fn newton_krylov() {
 #[test]
 fn semi_system() {
     let oil = oil();
-    for (nx, ny) in [(24, 24), (23, 19), (29, 32)] {
-        let mut scene = Scene::new(nx, ny, 0.0);
-        // Whether it converges here is no matter.
-        let stop = StoppingRule { tolerance: 1e-6, max_iterations: 50 };
-        let mut problem = scene.problem(Some(&oil));
-        for (_, allocations) in solve_again(&mut SemiSystem::default(), &mut problem, &stop) {
-            assert_eq!(allocations, 0, "{nx} x {ny}");
+    // A full film, a mixed contact, and the paper's contact, which is not meant to converge in 50 sweeps.
+    for (rq, contact) in
+        [(0.0, ContactDefinition::Hard), (50e-9, ContactDefinition::Hard), (0.0, ContactDefinition::Paper)]
+    {
+        for (nx, ny) in [(24, 24), (23, 19), (29, 32)] {
+            let mut scene = Scene::new(nx, ny, rq);
+            let is_paper = contact == ContactDefinition::Paper;
+            let stop = StoppingRule { tolerance: 1e-6, max_iterations: if is_paper { 50 } else { 20_000 } };
+            let mut problem = scene.problem(Some(&oil));
+            problem.contact = contact;
+            for (report, allocations) in solve_again(&mut SemiSystem::default(), &mut problem, &stop) {
+                assert!(is_paper || report.status == Status::Converged, "{report:?}");
+                assert_eq!(allocations, 0, "{nx} x {ny}, {contact:?}");
+            }
         }
     }
 }

@@ -13,7 +13,7 @@ use crate::scenes::Case;
 
 /// Residual at which a scene counts as converged.
 const TOLERANCE: f64 = 1e-6;
-/// Sweeps that the semi-system is given: where it converges it mostly does so within 2000.
+/// Steps that the semi-system is given, and sweeps of the paper's contact: where these converge they mostly do so within 2000.
 const SWEEPS: u64 = 3000;
 /// Distance below the contact film that no gap may have \[m\].
 const SLACK: f64 = 0.1e-9;

@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | [`NewtonKrylov`] | semismooth Newton, block-preconditioned GMRES | mixed and full film |
 //! | [`Multigrid`] | full multigrid, hybrid line relaxation | smooth full film |
-//! | [`SemiSystem`] | tridiagonal line sweeps with implicit near-field deformation | smooth full film |
+//! | [`SemiSystem`] | line relaxation of flow and elastic response in one system | mixed and full film |
 //! | [`Dry`] | active-set conjugate gradients | no lubricant |
 //! | [`Auto`] | picks and falls back | default |
 //!

@@ -54,6 +54,9 @@ pub(super) const ATTEMPTS: [Attempt; 5] = [
         most_steps: MAX_NEWTON_STEPS,
     },
 ];
+/// What steps whose fluid equations are relaxed by lines try: mostly they take 20 to 60, some that creep up to 180. Where they swing, the
+/// slow attempt does not help.
+pub(in crate::reynolds) const BY_LINES: [Attempt; 1] = [Attempt { most_steps: 200, ..ATTEMPTS[0] }];
 /// Where the residual is low already, single pockets near a fold swing for many steps if they may.
 const CAREFUL: Caution = Caution { unforeseen: 0.3, careful_below: 30.0 };
 /// Far from the solution the residual has to grow, while plateaus part and close: this reaches contacts that the other does not.
@@ -67,7 +70,7 @@ const EXACT: Effort = Effort { start: 1e-7, krylov: 0.001 };
 
 /// How the nonlinear equations are approached.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Attempt {
+pub(in crate::reynolds) struct Attempt {
     /// How far the local equations may take a pressure from where the linear step puts it, in reference pressures.
     pub(super) trust: f64,
     /// Whether large moves are left to the linear steps, which know of all nodes: the start then parts the bodies by the eased

@@ -4,13 +4,16 @@ mod attempt;
 mod coarse_films;
 mod contact_distance;
 mod continuation;
+mod fluid_block;
 mod given_films;
 mod linearisation;
 mod local;
 mod preconditioner;
 mod unknowns;
 
-use attempt::{ATTEMPTS, Attempt, STEADY, THOROUGH};
+use attempt::{ATTEMPTS, STEADY, THOROUGH};
+pub(super) use attempt::{Attempt, BY_LINES};
+pub(super) use fluid_block::{FluidBlock, Method};
 use linearisation::Linearisation;
 use local::{Forecast, Local, Material, Settling};
 use preconditioner::BlockPreconditioner;
@@ -24,7 +27,7 @@ use super::problem::LubricatedContact;
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::grid::Grid;
-use crate::numerics::{Gmres, PreconditionedOperator};
+use crate::numerics::{Gmres, GridLu, PreconditionedOperator};
 use crate::report::{Residuals, SolveReport, Status, Work};
 
 /// Krylov steps within one Newton step.
@@ -68,13 +71,24 @@ const LEAST_TRUST: f64 = 0.001;
 /// A state that carries no pressure is started from the dry contact, which is close to the answer in mixed
 /// lubrication: the asperities already carry their load and the fluid fills what is left. A contact that stalls from there is
 /// followed in time, from the dry contact full of fluid until it rests.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct NewtonKrylov {
+    method: Method,
     workspace: Option<Box<Workspace>>,
 }
 
+/// Sparse LU, and Krylov's method to the tolerance of the attempt.
+const FACTORISED: Method = Method {
+    fluid_block: |grid| Box::new(GridLu::new(grid.nx(), grid.ny())),
+    directions: MAX_KRYLOV_STEPS,
+    passes: MAX_PASSES,
+    attempts: &ATTEMPTS,
+    follows_time: true,
+};
+
 #[derive(Debug)]
 struct Workspace {
+    method: Method,
     coupled: Coupled,
     unknowns: Unknowns,
     linearisation: Linearisation,
@@ -123,10 +137,21 @@ impl Snapshot {
     }
 }
 
+impl Default for NewtonKrylov {
+    fn default() -> Self {
+        Self::by(FACTORISED)
+    }
+}
+
 impl NewtonKrylov {
     /// A solver; buffers are made at the first solve and kept.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// A solver that goes about its equations by `method`.
+    pub(super) fn by(method: Method) -> Self {
+        Self { method, workspace: None }
     }
 
     fn workspace(&mut self, problem: &LubricatedContact<'_>) -> Result<&mut Workspace, ReynoldsError> {
@@ -134,12 +159,14 @@ impl NewtonKrylov {
         let fits = self.workspace.as_ref().is_some_and(|w| w.coupled.fluid.grid == grid);
         if !fits {
             let length = Unknowns::most(&grid);
+            let method = self.method;
             self.workspace = Some(Box::new(Workspace {
+                method,
                 coupled: Coupled::new(grid),
                 unknowns: Unknowns::new(grid),
                 linearisation: Linearisation::new(grid),
-                preconditioner: BlockPreconditioner::new(grid),
-                gmres: Gmres::new(length, MAX_KRYLOV_STEPS),
+                preconditioner: BlockPreconditioner::new(grid, (method.fluid_block)(&grid)),
+                gmres: Gmres::new(length, method.directions),
                 missing: vec![0.0; length],
                 step: vec![0.0; length],
                 correction: vec![0.0; length],
@@ -191,9 +218,10 @@ impl Workspace {
         stop: &StoppingRule,
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
-        let mut status = self.attempts(&ATTEMPTS, problem, state, stop, work)?;
+        let mut status = self.attempts(self.method.attempts, problem, state, stop, work)?;
         let is_stuck = matches!(status, Status::Stalled | Status::Diverged);
-        if is_stuck && problem.lubricant.is_some() && problem.entrainment_speed > 0.0 {
+        let may_follow = self.method.follows_time && problem.lubricant.is_some();
+        if is_stuck && may_follow && problem.entrainment_speed > 0.0 {
             let (residuals, best) = (self.best_residuals, self.best.clone());
             if self.follow_time(problem, state, stop, work)? {
                 status = Status::Converged;
@@ -417,6 +445,7 @@ impl Workspace {
         state: &ContactState,
         tolerance: f64,
     ) -> Result<Option<u64>, ReynoldsError> {
+        let passes = self.method.passes;
         let Self { coupled, unknowns, linearisation, preconditioner, gmres, .. } = self;
         unknowns.sort(coupled, problem, state);
         if problem.lubricant.is_some() {
@@ -434,7 +463,7 @@ impl Workspace {
         let whole = norm(missing);
         let mut response = if coupled.fluid.grid.ny() > 1 { Response::Sketch } else { Response::Whole };
         let (mut left, mut steps) = (1.0, 0);
-        for _ in 0..MAX_PASSES {
+        for _ in 0..passes {
             let least = if response == Response::Sketch { LEAST_SKETCHED } else { 0.0 };
             let wanted = (tolerance / left).max(least);
             let mut system = System { unknowns, coupled, problem, linearisation, preconditioner, response };

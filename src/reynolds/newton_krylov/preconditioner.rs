@@ -1,13 +1,14 @@
-//! The preconditioner of the linearised equations: sparse LU of the fluid equations, then the pressures of the nodes whose
-//! films are given, load balance as a border.
+//! The preconditioner of the linearised equations: the fluid equations, by sparse LU or what takes its place, then the pressures
+//! of the nodes whose films are given, load balance as a border.
 
 use super::contact_distance::ContactDistance;
+use super::fluid_block::FluidBlock;
 use super::given_films::GivenFilms;
 use super::linearisation::Linearisation;
 use super::unknowns::Unknowns;
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::numerics::{GridLu, STENCIL};
+use crate::numerics::STENCIL;
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::problem::LubricatedContact;
 
@@ -31,13 +32,13 @@ const OPEN: Coupling = Coupling { stiff: 0.0, balanced: 10.0, free: 1000.0, widt
 const SCREENED: Coupling = Coupling { stiff: 0.1, balanced: 3.0, free: 30.0, width: 0.2 };
 const WIDEST: f32 = 6.0;
 
-/// Sparse LU of the fluid equations in which films follow their own pressures alone; where solids touch, then the pressures of
+/// The fluid equations in which films follow their own pressures alone, solved by a [`FluidBlock`]; where solids touch, then the pressures of
 /// the nodes in contact, and of those whose film the first block has found, under the pressures of all others; load balance
 /// as a border.
 #[derive(Debug)]
 pub(super) struct BlockPreconditioner {
     stencil: Vec<f32>,
-    lu: GridLu,
+    fluid_block: Box<dyn FluidBlock>,
     /// By how much the unknown of a node moves its pressure: one or zero.
     moves: Vec<f32>,
     /// Film per unknown of the fluid block.
@@ -59,12 +60,12 @@ pub(super) struct BlockPreconditioner {
 }
 
 impl BlockPreconditioner {
-    pub(super) fn new(grid: Grid) -> Self {
+    pub(super) fn new(grid: Grid, fluid_block: Box<dyn FluidBlock>) -> Self {
         let n = grid.len();
         let most = Unknowns::most(&grid);
         Self {
             stencil: vec![0.0; STENCIL * n],
-            lu: GridLu::new(grid.nx(), grid.ny()),
+            fluid_block,
             moves: vec![0.0; n],
             response: vec![0.0; n],
             film_share: vec![0.0; n],
@@ -84,7 +85,7 @@ impl BlockPreconditioner {
         self.given.configure(problem.deformation)
     }
 
-    /// Factorises the fluid block, and gives the mass balances the sizes of its diagonal; false where the block has no finite
+    /// Prepares the fluid block, and gives the mass balances the sizes of its diagonal; false where the block has no finite
     /// factors.
     pub(super) fn prepare(
         &mut self,
@@ -114,7 +115,7 @@ impl BlockPreconditioner {
             self.stencil[STENCIL * k..][..STENCIL].copy_from_slice(&row);
         }
         unknowns.set_row_sizes(|k| self.stencil[STENCIL * k].abs().max(1.0));
-        self.lu.factorise(&self.stencil)
+        self.fluid_block.prepare(&self.stencil)
     }
 
     /// Marks the nodes that carry fluid on to a node with a balance.
@@ -216,7 +217,7 @@ impl BlockPreconditioner {
             for (row, (&k, r)) in balanced.iter().zip(r).enumerate() {
                 self.fluid[k as usize] = r / unknowns.weight(row);
             }
-            self.lu.solve(&mut self.fluid);
+            self.fluid_block.solve(&self.stencil, &mut self.fluid);
         }
         let gaps = &r[balanced.len()..];
         let GivenFilms { films, pressures, .. } = &mut self.given;

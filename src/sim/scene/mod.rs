@@ -269,9 +269,9 @@ pub struct SolverSpec {
     pub contact: ContactDefinition,
     /// Whether a dry contact may reach the edge of the box.
     pub edge_contact: bool,
-    /// Under-relaxation of the semi-system sweeps.
+    /// Under-relaxation of the semi-system sweeps of the paper's contact.
     pub relaxation: f64,
-    /// Stiffening of the implicit deformation in the semi-system sweeps.
+    /// Stiffening of the implicit deformation in these sweeps.
     pub stiffness: f64,
 }
 

@@ -1,124 +1,40 @@
-//! The semi-system method: line sweeps whose matrix holds pressure flow and entrainment.
+//! The paper's contact: line sweeps, each from line to line with a convolution after it.
 
-use super::active_set::{Fluid, Solid};
-use super::coupled::{Coupled, limit_of, reaches_limit};
-use super::dry::hertzian;
-use super::problem::{LubricatedContact, inner_rows};
-use super::state::ContactState;
-use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
-use crate::error::InputError;
-use crate::report::{Residuals, SolveReport, Status, Work};
+use crate::grid::Grid;
+use crate::report::{Residuals, Status, Work};
+use crate::reynolds::active_set::Fluid;
+use crate::reynolds::coupled::{Coupled, limit_of, reaches_limit};
+use crate::reynolds::dry::hertzian;
+use crate::reynolds::problem::{LubricatedContact, inner_rows};
+use crate::reynolds::state::ContactState;
+use crate::reynolds::{ReynoldsError, StoppingRule};
 
 /// Share of the approach that a load error asks for taken after each sweep.
 const LOAD_GAIN: f64 = 0.01;
-/// Share of the self-influence by which solid pressure follows the gap: other nodes in contact answer too.
-const CONTACT_RELAXATION: f64 = 0.02;
 /// Pressure of a cavitating node, in reference pressures, below which it is zero.
 const NEGLIGIBLE_PRESSURE: f64 = 1e-12;
 /// A solve whose best residual did not fall by a tenth over this many sweeps has stalled.
 const STALL_SWEEPS: u64 = 5_000;
 
-/// Tridiagonal line sweeps along x that hold the pressure flow and the entrainment, the latter with the three nearest
-/// influence coefficients (Ai 1993 and Hu and Zhu 2000 in spirit), Gauss-Seidel from line to line, under-relaxed; the
-/// approach follows the load error.
-///
-/// Two knobs decide whether it converges:
-/// - `relaxation`: the share of each new pressure that is taken;
-/// - `stiffness`: factor on the implicit influence coefficients. With 1, the textbook value, highly loaded contacts end
-///   in a limit cycle unless the relaxation is some 0.02: neighbouring lines see each other's deformation one sweep
-///   late. Factors of 4 to 8 damp just the elastic part and leave the answer unchanged.
-///
-/// Meant for full films. Solid contact is relaxed node by node and converges slowly.
-#[derive(Debug)]
-pub struct SemiSystem {
-    relaxation: f64,
-    stiffness: f64,
-    workspace: Option<Box<Workspace>>,
+/// What decides whether sweeps converge.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Damping {
+    /// Share of each new pressure that is taken.
+    pub(super) relaxation: f64,
+    /// Factor on the implicit influence coefficients.
+    pub(super) stiffness: f64,
 }
 
+/// Tridiagonal sweeps that hold the pressure flow and the entrainment, the latter with the three nearest influence coefficients,
+/// under-relaxed; the approach follows the load error.
 #[derive(Debug)]
-struct Workspace {
-    coupled: Coupled,
+pub(super) struct Sweeps {
+    pub(super) coupled: Coupled,
     best: ContactState,
     below: Vec<f64>,
     diagonal: Vec<f64>,
     above: Vec<f64>,
     rhs: Vec<f64>,
-}
-
-impl Default for SemiSystem {
-    /// Relaxation 0.2, stiffness 6.
-    fn default() -> Self {
-        Self { relaxation: 0.2, stiffness: 6.0, workspace: None }
-    }
-}
-
-impl SemiSystem {
-    /// A solver with given knobs.
-    ///
-    /// # Errors
-    /// A relaxation outside (0, 1], a stiffness below 1 or not finite.
-    pub fn new(relaxation: f64, stiffness: f64) -> Result<Self, InputError> {
-        InputError::require(
-            relaxation > 0.0 && relaxation <= 1.0,
-            "solver.relaxation",
-            relaxation,
-            "above 0 and at most 1",
-        )?;
-        InputError::require(
-            stiffness.is_finite() && stiffness >= 1.0,
-            "solver.stiffness",
-            stiffness,
-            "finite and at least 1",
-        )?;
-        Ok(Self { relaxation, stiffness, workspace: None })
-    }
-}
-
-impl ContactSolver for SemiSystem {
-    fn name(&self) -> &'static str {
-        "semi_system"
-    }
-
-    fn solve(
-        &mut self,
-        problem: &mut LubricatedContact<'_>,
-        state: &mut ContactState,
-        stop: &StoppingRule,
-    ) -> Result<SolveReport, ReynoldsError> {
-        let grid = check_call(problem, state, stop)?;
-        if problem.lubricant.is_none() {
-            return Err(ReynoldsError::WrongSolver {
-                solver: self.name(),
-                reason: "the problem has no lubricant",
-            });
-        }
-        let fits = self.workspace.as_ref().is_some_and(|w| w.coupled.fluid.grid == grid);
-        if !fits {
-            let line = || vec![0.0; grid.nx()];
-            self.workspace = Some(Box::new(Workspace {
-                coupled: Coupled::new(grid),
-                best: ContactState::new(&grid),
-                below: line(),
-                diagonal: line(),
-                above: line(),
-                rhs: line(),
-            }));
-        }
-        let knobs = (self.relaxation, self.stiffness);
-        let Some(workspace) = self.workspace.as_deref_mut() else {
-            return Err(ReynoldsError::Memory { nodes: grid.len() });
-        };
-        let cold = state.pressure.iter().all(|&p| p <= 0.0);
-        if cold {
-            start_from_hertz(problem, state);
-        }
-        let mut work = Work::default();
-        let (status, residuals) = workspace.iterate(problem, state, stop, knobs, cold, &mut work)?;
-        workspace.coupled.mark_contact(problem, state);
-        work.convolutions += workspace.coupled.convolutions;
-        Ok(SolveReport { solver: "semi_system", status, residuals, work })
-    }
 }
 
 /// Hertzian pressure with the load of the problem, and the approach that leaves the film open.
@@ -133,16 +49,46 @@ fn start_from_hertz(problem: &LubricatedContact<'_>, state: &mut ContactState) {
     state.fluid_pressure.clone_from(&state.pressure);
 }
 
-impl Workspace {
+impl Sweeps {
+    pub(super) fn new(grid: Grid) -> Self {
+        let line = || vec![0.0; grid.nx()];
+        Self {
+            coupled: Coupled::new(grid),
+            best: ContactState::new(&grid),
+            below: line(),
+            diagonal: line(),
+            above: line(),
+            rhs: line(),
+        }
+    }
+
+    /// Sweeps until `stop` or a stall, from a Hertzian pressure where `state` has none; leaves the best state.
+    pub(super) fn solve(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+        damping: Damping,
+        work: &mut Work,
+    ) -> Result<(Status, Residuals), ReynoldsError> {
+        let (status, residuals) = self.iterate(problem, state, stop, damping, work)?;
+        self.coupled.mark_contact(problem, state);
+        work.convolutions += self.coupled.convolutions;
+        Ok((status, residuals))
+    }
+
     fn iterate(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
-        knobs: (f64, f64),
-        cold: bool,
+        damping: Damping,
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
+        let cold = state.pressure.iter().all(|&p| p <= 0.0);
+        if cold {
+            start_from_hertz(problem, state);
+        }
         self.coupled.configure(problem);
         self.coupled.evaluate(problem, state)?;
         if cold {
@@ -175,7 +121,7 @@ impl Workspace {
             }
             work.iterations += 1;
             self.coupled.classify(problem, state);
-            self.sweep(problem, state, knobs);
+            self.sweep(problem, state, damping);
             self.balance_load(problem, state);
             self.coupled.evaluate(problem, state)?;
         }
@@ -204,17 +150,17 @@ impl Workspace {
     }
 
     /// One pass over all lines.
-    fn sweep(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState, knobs: (f64, f64)) {
+    fn sweep(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState, damping: Damping) {
         let grid = self.coupled.fluid.grid;
         for j in inner_rows(&grid) {
-            self.assemble_line(problem, state, j, knobs.1);
+            self.assemble_line(problem, state, j, damping.stiffness);
             self.solve_line();
-            self.update_line(problem, state, j, knobs.0);
+            self.update_line(problem, state, j, damping.relaxation);
         }
         for k in 0..grid.len() {
             if self.coupled.kinds[k].fluid == Fluid::Boundary {
                 state.fluid_pressure[k] = 0.0;
-                state.pressure[k] = self.total_pressure(problem, state, k, 0.0);
+                state.pressure[k] = 0.0;
             }
         }
     }
@@ -246,8 +192,6 @@ impl Workspace {
                 (self.below[i], self.diagonal[i], self.above[i], self.rhs[i]) = (0.0, 1.0, 0.0, change);
                 continue;
             }
-            // Where solids touch the film does not follow the fluid pressure.
-            let stiffness = if kind.is_contact() { 0.0 } else { stiffness };
             let (below, diagonal, above) = self.coupled.fluid.line_row(k, self.coupled.near, stiffness);
             (self.below[i], self.diagonal[i], self.above[i], self.rhs[i]) =
                 (below, diagonal, above, -balance);
@@ -287,24 +231,7 @@ impl Workspace {
             // A start may lie above the limit.
             let fluid = fluid.min(limit);
             state.fluid_pressure[k] = fluid;
-            state.pressure[k] = self.total_pressure(problem, state, k, fluid);
-        }
-    }
-
-    /// The next pressure of a node with this fluid pressure: solid contact follows its gap.
-    fn total_pressure(
-        &self,
-        problem: &LubricatedContact<'_>,
-        state: &ContactState,
-        k: usize,
-        fluid: f64,
-    ) -> f64 {
-        match self.coupled.kinds[k].solid {
-            Solid::Open => fluid,
-            Solid::Contact | Solid::Yielded => {
-                let push = (problem.contact_film() - state.film[k]) / self.coupled.near.own;
-                (state.pressure[k] + CONTACT_RELAXATION * push).clamp(fluid, limit_of(problem, k))
-            }
+            state.pressure[k] = fluid;
         }
     }
 
