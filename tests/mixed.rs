@@ -191,7 +191,7 @@ fn both_contacts_are_the_same_film_where_nothing_touches() {
     for scene in [&mut hard, &mut paper, &mut sweeps] {
         scene.solver.tolerance = 1e-8;
         scene.solver.scheme = Some(Scheme::Limited);
-        scene.solver.face_mobility = Some(FaceMobility::Inlet);
+        scene.solver.face_mobility = Some(FaceMobility::Wedge);
     }
     let [hard, paper, sweeps] = [hard, paper, sweeps].map(|scene| solve_contact(&scene).unwrap());
     assert!(!hard.state.in_contact.contains(&true), "a full film");

@@ -224,9 +224,9 @@ impl Coupled {
     }
 
     /// The flux over the speed \[m^2\] that mass residuals are scaled with: that of the mean film through the contact width,
-    /// `through_contact`, or what flows into the box where that is less.
+    /// `through_contact`, or what flows into the box of a contact at rest where that is less.
     fn flux_scale(&self, problem: &LubricatedContact<'_>, through_contact: f64) -> f64 {
-        if problem.lubricant.is_none() {
+        if problem.lubricant.is_none() || problem.squeeze.is_some() {
             return through_contact;
         }
         let inflow = self.fluid.edge_flow().0 / (self.fluid.rate() * self.fluid.grid.dx());

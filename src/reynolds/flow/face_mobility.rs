@@ -30,12 +30,12 @@ pub enum FaceMobility {
     /// upstream of a steep fall run away, so entrainment is `u h_f`; where films fall the mobility that belongs to it gives the
     /// exact rise of pressure to the flow `u h_1` that a node in contact passes on. The inlet in front of an
     /// asperity then builds up its pressure on cells far wider than itself.
+    #[default]
     Wedge,
     /// That of a film which is flat behind the edge of a contact and rises from it as the gap of a Hertz contact does, `s^(3/2)`. Where
     /// the edge lies is told by the films of two nodes in front of it. In front of edges oblique to the flow the pressure that builds up
     /// is that of the flow's component along the normal of the edge, which is taken to be that of the undeformed gap. Films that are
     /// resolved have the mobility of `Wedge`.
-    #[default]
     Inlet,
 }
 

@@ -3,6 +3,7 @@
 use super::Workspace;
 use super::attempt::{Attempt, BOLD, MAX_NEWTON_STEPS, QUICK, STEADY, THOROUGH};
 use crate::report::{Status, Work};
+use crate::reynolds::flow::Cavitation;
 use crate::reynolds::problem::{LubricatedContact, Squeeze};
 use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
@@ -25,7 +26,7 @@ const FOLLOWING: Attempt = Attempt {
 };
 /// How the last one is.
 const ARRIVING: Attempt = Attempt { most_steps: MAX_NEWTON_STEPS, ..FOLLOWING };
-/// Residual to which they are solved at first, and its reduction once the contact rests there.
+/// Residual to which they are solved at first, and its reduction where the contact rests there and the steady one stalls from it.
 const ON_THE_WAY: (f64, f64) = (1e-3, 0.1);
 /// Growth of the time step after a solve of at most so many Newton steps.
 const GROWTH: [(u64, f64); 3] = [(6, 2.0), (9, 1.3), (FOLLOWING.most_steps, 1.15)];
@@ -48,6 +49,8 @@ impl Workspace {
         state.pressure.fill(0.0);
         *work += self.start.run(problem, state, QUICK.start)?;
         self.coupled.configure(problem);
+        // All gaps are full.
+        self.coupled.fluid.set_cavitation(Cavitation::Reynolds);
         self.coupled.evaluate(problem, state)?;
         work.convolutions += self.coupled.convolutions;
         let mut last = state.clone();
@@ -55,11 +58,15 @@ impl Workspace {
         let passing = problem.grid().dx() / problem.entrainment_speed;
         let (mut time_step, mut longest) = (TIME_STEPS.0 * passing, TIME_STEPS.1 * passing);
         let mut on_the_way = StoppingRule { tolerance: ON_THE_WAY.0.max(stop.tolerance), ..*stop };
+        let mut rests = false;
         for _ in 0..MAX_TIME_STEPS {
-            if time_step > longest {
+            if rests || time_step > longest {
                 match self.attempts(&[ARRIVING], problem, state, stop, work)? {
                     Status::Converged => return Ok(true),
                     Status::MaxIterations => return Ok(false),
+                    _ if rests => {
+                        on_the_way.tolerance = (ON_THE_WAY.1 * on_the_way.tolerance).max(stop.tolerance)
+                    }
                     _ => longest *= LATER,
                 }
                 state.clone_from(&last);
@@ -71,14 +78,13 @@ impl Workspace {
                 Status::Converged => {
                     last.clone_from(state);
                     let steps = work.iterations - before;
-                    if steps == 0 {
-                        on_the_way.tolerance = (ON_THE_WAY.1 * on_the_way.tolerance).max(stop.tolerance);
-                    }
+                    rests = steps == 0;
                     time_step *=
                         GROWTH.iter().find(|(most, _)| steps <= *most).map_or(1.0, |(_, growth)| *growth);
                 }
                 Status::MaxIterations => return Ok(false),
                 _ => {
+                    rests = false;
                     time_step *= SHORTER_TIME;
                     state.clone_from(&last);
                 }
