@@ -65,7 +65,7 @@ impl Workspace {
                     Status::Converged => return Ok(true),
                     Status::MaxIterations => return Ok(false),
                     _ if rests => {
-                        on_the_way.tolerance = (ON_THE_WAY.1 * on_the_way.tolerance).max(stop.tolerance)
+                        on_the_way.tolerance = (ON_THE_WAY.1 * on_the_way.tolerance).max(stop.tolerance);
                     }
                     _ => longest *= LATER,
                 }
