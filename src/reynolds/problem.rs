@@ -35,7 +35,8 @@ impl<'a> Squeeze<'a> {
     /// `((1 + 2 r)/(1 + r) m - (1 + r) m_1 + r^2/(1 + r) m_2) / dt`, for equal steps `(3 m - 4 m_1 + m_2) / (2 dt)`. That is a
     /// difference of first order over a shorter step from a mean of `m_1` and `m_2`, which is written to `combined`. A wave that
     /// travels through a contact is damped by first order already at twenty steps a period. Histories whose steps grow by more
-    /// than 2.4 each are unstable with it.
+    /// than 2.4 each are unstable with it. Where a cell empties fast, that mean is below zero, which no content of the cell can make
+    /// up for: the difference is then of first order, in all cells.
     ///
     /// # Errors
     /// Slices of different lengths, a time step that is not positive.
@@ -64,10 +65,15 @@ impl<'a> Squeeze<'a> {
         InputError::require_positive("time_steps.1", time_steps[1])?;
         let ratio = time_steps[0] / time_steps[1];
         let share = 1.0 / (1.0 + 2.0 * ratio);
+        let mut time_step = share * (1.0 + ratio) * time_steps[0];
         for (out, (newest, oldest)) in combined.iter_mut().zip(last[0].iter().zip(last[1])) {
             *out = newest + share * ratio * ratio * (newest - oldest);
         }
-        Ok(Self { previous_mass: combined, time_step: share * (1.0 + ratio) * time_steps[0] })
+        if combined.iter().any(|mass| *mass < 0.0) {
+            combined.copy_from_slice(last[0]);
+            time_step = time_steps[0];
+        }
+        Ok(Self { previous_mass: combined, time_step })
     }
 }
 
