@@ -9,10 +9,10 @@ pub enum Cavitation {
     /// Mass is conserved: the gap is filled to the content `theta`, `p_f >= 0`, `0 <= theta <= 1`, `p_f (1 - theta) = 0`, and
     /// `theta rho h` is carried along in place of `rho h` (Elrod and Adams 1974; as one complementary pair Giacopini, Fowell, Dini
     /// and Strozzi 2010, doi 10.1115/1.4000794). Fluid reforms where what arrives fills the gap again.
+    #[default]
     MassConserving,
     /// Reynolds' condition: a cavitated cell carries along a full film, whatever it got. Where fluid reforms, it is made out of
     /// nothing.
-    #[default]
     Reynolds,
 }
 

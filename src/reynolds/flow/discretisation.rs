@@ -18,7 +18,7 @@
 
 use super::balance::FlowBalance;
 use super::cavitation::Cavitation;
-use super::entrainment::{FaceFilm, Scheme};
+use super::entrainment::{DensityRise, FaceFilm, Scheme};
 use super::face_mobility::{Direction, FaceFlow, FaceMobility};
 use super::inlet::Inlet;
 use super::node::NodeFlow;
@@ -323,7 +323,7 @@ impl Discretisation {
             self.beyond[k] = match self.scheme {
                 Scheme::FirstOrder => 0.0,
                 Scheme::Limited => {
-                    let rise = self.density_rise(k);
+                    let rise = self.density_rise(k).rise;
                     own.density * film.beyond + rise * (self.masses[k] / own.density + film.beyond)
                 }
                 Scheme::SecondOrder if k % self.grid.nx() == 0 => own.density * film.beyond,
@@ -334,9 +334,12 @@ impl Discretisation {
 
     /// Density of the face to the east of node `k` beyond that of the node, extrapolated from the nodes upstream.
     #[inline]
-    fn density_rise(&self, k: usize) -> f64 {
-        let column = k % self.grid.nx();
-        if column == 0 { 0.0 } else { 0.5 * (self.nodes[k].density - self.nodes[k - 1].density) }
+    fn density_rise(&self, k: usize) -> DensityRise {
+        if k.is_multiple_of(self.grid.nx()) {
+            return DensityRise::default();
+        }
+        let (own, up) = (&self.nodes[k], &self.nodes[k - 1]);
+        DensityRise::new((own.density, own.film), (up.density, up.film))
     }
 
     /// The film of the face to the east of node `k`; that of the node itself of first order.
@@ -671,10 +674,13 @@ impl Discretisation {
                 ([0.5 * own_film, -0.5 * up_film], [0.5 * own.density, 0.0, -0.5 * up.density])
             }
             Scheme::Limited if column > 0 => {
-                let rise = self.density_rise(k);
+                let DensityRise { rise, by_density, by_own_film, by_up_film } = self.density_rise(k);
                 let whole = own_film + film.beyond;
                 let [by_own, by_next, by_up] = by_films(own.density + rise);
-                ([film.beyond + 0.5 * whole, -0.5 * whole], [by_own + rise, by_next, by_up])
+                (
+                    [film.beyond + by_density * whole, -by_density * whole],
+                    [by_own + rise + whole * by_own_film, by_next, by_up + whole * by_up_film],
+                )
             }
             _ => ([film.beyond, 0.0], by_films(own.density)),
         };

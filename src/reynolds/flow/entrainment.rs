@@ -9,9 +9,10 @@ pub enum Scheme {
     /// Second-order upwind: the flux through a face is extrapolated from the two nodes upstream of it. On films that fall
     /// steeply it may become negative.
     SecondOrder,
-    /// Limited second order: the density extrapolated from the two nodes upstream times the film of the face,
-    /// `h_f = h_0 + minmod(h_0 - h_-1, h_1 - h_0)/2`, with `h_-1`, `h_0` the films of the two nodes upstream and `h_1` that of the
-    /// node downstream. `minmod` is the smaller of both, zero where their signs differ: no film of a face is negative.
+    /// Limited second order: the density `rho_0 + (rho_0 - rho_-1)/2 min(1, h_0/h_-1)^2` extrapolated from the two nodes upstream
+    /// times the film of the face, `h_f = h_0 + minmod(h_0 - h_-1, h_1 - h_0)/2`, with `h_-1`, `h_0` the films of the two nodes
+    /// upstream and `h_1` that of the node downstream. `minmod` is the smaller of both, zero where their signs differ: no film of a
+    /// face is negative. Where films fall steeply, at the edge of a contact, density rises with them, but no further behind the edge.
     #[default]
     Limited,
 }
@@ -47,9 +48,58 @@ impl FaceFilm {
     }
 }
 
+/// What the density of a face is beyond that of the node upstream, extrapolated from the node further upstream, with its
+/// derivatives by the densities and the films of the two.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct DensityRise {
+    pub(super) rise: f64,
+    /// By the density of the node; by that of the one further upstream it is the negative.
+    pub(super) by_density: f64,
+    pub(super) by_own_film: f64,
+    pub(super) by_up_film: f64,
+}
+
+impl DensityRise {
+    /// Of densities and films at the node upstream of a face, `own`, and further upstream, `up`.
+    #[inline]
+    pub(super) fn new(own: (f64, f64), up: (f64, f64)) -> Self {
+        let half = 0.5 * (own.0 - up.0);
+        if own.1 >= up.1 {
+            return Self { rise: half, by_density: 0.5, by_own_film: 0.0, by_up_film: 0.0 };
+        }
+        let ratio = own.1 / up.1;
+        let weight = ratio * ratio;
+        let slope = 2.0 * half * ratio / up.1;
+        Self { rise: weight * half, by_density: 0.5 * weight, by_own_film: slope, by_up_film: -slope * ratio }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn densities_are_extrapolated_where_films_do_not_fall() {
+        for (films, rise) in
+            [([3.0, 3.0], 0.05), ([2.0, 4.0], 0.05), ([4.0, 2.0], 0.0125), ([40.0, 1.0], 0.05 / 1600.0)]
+        {
+            let [up, own] = films;
+            let found = DensityRise::new((1.2, own), (1.1, up));
+            assert!((found.rise - rise).abs() < 1e-15, "{found:?}");
+            let moved =
+                |by: [f64; 4]| DensityRise::new((1.2 + by[0], own + by[2]), (1.1 + by[1], up + by[3])).rise;
+            let exact = [found.by_density, -found.by_density, found.by_own_film, found.by_up_film];
+            for (slot, exact) in exact.into_iter().enumerate() {
+                // Beside the kink at equal films.
+                if films[0] == films[1] && slot > 1 {
+                    continue;
+                }
+                let by = |step: f64| std::array::from_fn(|other| if other == slot { step } else { 0.0 });
+                let difference = (moved(by(1e-6)) - moved(by(-1e-6))) / 2e-6;
+                assert!((difference - exact).abs() < 1e-8, "{films:?}, {slot}: {difference}, {exact}");
+            }
+        }
+    }
 
     #[test]
     fn the_film_of_a_face_lies_between_those_of_its_nodes() {

@@ -13,6 +13,9 @@ use super::shear_thinning::ViscosityRatio;
 /// | `Inlet`, faces along the flow with `h_0 > h_1` | that of `Wedge` times `(1 + Y)/(1 + 2 h_0^2 I)` | `q` |
 /// | `Wedge` and `Inlet`, all other faces | `2 h_0^2 h_1^2 / (h_0 + h_1)` | `q` |
 ///
+/// On faces along the flow whose films fall and whose density rises, that of `Wedge` and `Inlet` is taken times
+/// `1 + (rho_1/rho_0 - 1)(1 - h_1/h_0)`.
+///
 /// The flow through the face is `A / (12 eta_0)` times the difference of the potentials over the distance. `h_0` is the film
 /// upstream, `h_1` that downstream, `h_f` that of the face, which entrainment carries through it; `Y = (h_0 - h_1)/h_1`, and `I` is the
 /// integral of `(h - h_1)/h^3` over the distance of the nodes, `Y/(2 h_0^2)` for a film that falls evenly.
@@ -30,12 +33,12 @@ pub enum FaceMobility {
     /// upstream of a steep fall run away, so entrainment is `u h_f`; where films fall the mobility that belongs to it gives the
     /// exact rise of pressure to the flow `u h_1` that a node in contact passes on. The inlet in front of an
     /// asperity then builds up its pressure on cells far wider than itself.
-    #[default]
     Wedge,
     /// That of a film which is flat behind the edge of a contact and rises from it as the gap of a Hertz contact does, `s^(3/2)`. Where
     /// the edge lies is told by the films of two nodes in front of it. In front of edges oblique to the flow the pressure that builds up
     /// is that of the flow's component along the normal of the edge, which is taken to be that of the undeformed gap. Films that are
     /// resolved have the mobility of `Wedge`.
+    #[default]
     Inlet,
 }
 
@@ -72,19 +75,46 @@ impl FaceMobility {
             },
             Self::Wedge | Self::Inlet => {
                 let [cube, by_a, by_b, by_face, by_inlet] = wedge(a.film, b.film, direction);
-                FaceFlow {
+                let flow = FaceFlow {
                     mobility: fluidity * cube,
                     first: [0.0, fluidity * by_a * a.film_h],
                     second: [0.0, fluidity * by_b * b.film_h],
                     by_face_film: fluidity * by_face,
                     by_inlet: fluidity * by_inlet,
-                }
+                };
+                if matches!(direction, Direction::Along(..)) { flow.densified(a, b) } else { flow }
             }
         }
     }
 }
 
 impl FaceFlow {
+    /// The same times `1 + (rho_1/rho_0 - 1)(1 - h_1/h_0)` where the film falls and the density rises along the flow: what the denser
+    /// fluid carries on through the film downstream need not be pushed back in the inlet.
+    #[inline]
+    fn densified(self, a: &NodeFlow, b: &NodeFlow) -> Self {
+        let (rise, fall) = (b.density / a.density - 1.0, 1.0 - b.film / a.film);
+        if !(rise > 0.0 && fall > 0.0) {
+            return self;
+        }
+        let factor = 1.0 + rise * fall;
+        let by = |[p, h]: [f64; 2], factor_p: f64, factor_h: f64| {
+            [factor * p + self.mobility * factor_p, factor * h + self.mobility * factor_h]
+        };
+        let per_film = rise / a.film;
+        Self {
+            mobility: factor * self.mobility,
+            first: by(
+                self.first,
+                -fall * b.density * a.density_p / (a.density * a.density),
+                per_film * (1.0 - fall) * a.film_h,
+            ),
+            second: by(self.second, fall * b.density_p / a.density, -per_film * b.film_h),
+            by_face_film: factor * self.by_face_film,
+            by_inlet: factor * self.by_inlet,
+        }
+    }
+
     /// The same with shear thinning: over the mean of the viscosity ratios of the nodes.
     pub(super) fn thinned(self, first: ViscosityRatio, second: ViscosityRatio) -> Self {
         let mean = 0.5 * (first.value + second.value);

@@ -34,20 +34,79 @@ const GROWTH: [(u64, f64); 3] = [(6, 2.0), (9, 1.3), (FOLLOWING.most_steps, 1.15
 const SHORTER_TIME: f64 = 0.3;
 
 impl Workspace {
-    /// Follows the fluid in time, from the dry contact whose gap is full of it, until it rests; says whether it comes to rest
-    /// at a solution. If not, state and best one are those of some time.
+    /// Other ways to a contact that stalls from the dry one; says whether one of them leads to a solution. If not, state and best one
+    /// are those of some contact on the way.
     ///
-    /// Pockets between solids fill and drain as slowly as their rims let them. Each of these times is a contact with a squeeze
-    /// term, which changes little in a short step; what has no solution near by in a steady contact is passed in time.
-    pub(super) fn follow_time(
+    /// Where mass is conserved, the contact with Reynolds' condition comes first: its gaps are full, and drain from there.
+    pub(super) fn take_another_way(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
         work: &mut Work,
     ) -> Result<bool, ReynoldsError> {
+        if problem.cavitation == Cavitation::Reynolds {
+            self.start_full(problem, state, work)?;
+            return self.follow_time(problem, state, stop, work);
+        }
+        problem.cavitation = Cavitation::Reynolds;
+        state.pressure.fill(0.0);
+        let full = self.solve_full(problem, state, stop, work);
+        problem.cavitation = Cavitation::MassConserving;
+        if full? {
+            let start = state.clone();
+            if self.attempts(&[ARRIVING], problem, state, stop, work)? == Status::Converged {
+                return Ok(true);
+            }
+            state.clone_from(&start);
+        } else {
+            self.start_full(problem, state, work)?;
+        }
+        self.follow_time(problem, state, stop, work)
+    }
+
+    /// Solves a contact with Reynolds' condition, in time if need be.
+    fn solve_full(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+        work: &mut Work,
+    ) -> Result<bool, ReynoldsError> {
+        match self.attempts(self.method.attempts, problem, state, stop, work)? {
+            Status::Converged => Ok(true),
+            Status::MaxIterations => Ok(false),
+            _ => {
+                self.start_full(problem, state, work)?;
+                self.follow_time(problem, state, stop, work)
+            }
+        }
+    }
+
+    /// The dry contact.
+    fn start_full(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        work: &mut Work,
+    ) -> Result<(), ReynoldsError> {
         state.pressure.fill(0.0);
         *work += self.start.run(problem, state, QUICK.start)?;
+        Ok(())
+    }
+
+    /// Follows the fluid in time, from the contact of `state` whose gap is full of it, until it rests; says whether it comes to rest
+    /// at a solution. If not, state and best one are those of some time.
+    ///
+    /// Pockets between solids fill and drain as slowly as their rims let them. Each of these times is a contact with a squeeze
+    /// term, which changes little in a short step; what has no solution near by in a steady contact is passed in time.
+    fn follow_time(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+        work: &mut Work,
+    ) -> Result<bool, ReynoldsError> {
         self.coupled.configure(problem);
         // All gaps are full.
         self.coupled.fluid.set_cavitation(Cavitation::Reynolds);

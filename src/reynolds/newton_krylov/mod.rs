@@ -107,33 +107,35 @@ struct Workspace {
     foreseen: Vec<f64>,
 }
 
-/// A state with the sides of its nodes, to come back to.
+/// A state with the sides of its nodes and the films without plastic depth, to come back to.
 #[derive(Debug, Clone)]
 struct Snapshot {
     state: ContactState,
     kinds: Vec<Kind>,
+    elastic_film: Vec<f64>,
 }
 
 impl Snapshot {
     fn new(grid: Grid) -> Self {
-        Self { state: ContactState::new(&grid), kinds: vec![Kind::BOUNDARY; grid.len()] }
+        Self {
+            state: ContactState::new(&grid),
+            kinds: vec![Kind::BOUNDARY; grid.len()],
+            elastic_film: vec![0.0; grid.len()],
+        }
     }
 
     fn keep(&mut self, coupled: &Coupled, state: &ContactState) {
         self.state.clone_from(state);
         self.kinds.copy_from_slice(&coupled.kinds);
+        self.elastic_film.copy_from_slice(&coupled.elastic_film);
     }
 
-    /// Puts state and sides back; one convolution.
-    fn restore(
-        &self,
-        coupled: &mut Coupled,
-        problem: &mut LubricatedContact<'_>,
-        state: &mut ContactState,
-    ) -> Result<(), ReynoldsError> {
+    /// Puts state, sides and films back.
+    fn restore(&self, coupled: &mut Coupled, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         state.clone_from(&self.state);
         coupled.kinds.copy_from_slice(&self.kinds);
-        Ok(coupled.evaluate(problem, state)?)
+        coupled.elastic_film.copy_from_slice(&self.elastic_film);
+        coupled.settle(problem, state);
     }
 }
 
@@ -210,7 +212,7 @@ impl ContactSolver for NewtonKrylov {
 
 impl Workspace {
     /// Solves from the state as it is if it carries pressure; else, and again where that stalls, from the dry contact; at last by
-    /// following the fluid in time. Leaves the best state.
+    /// another way. Leaves the best state.
     fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -223,7 +225,7 @@ impl Workspace {
         let may_follow = self.method.follows_time && problem.lubricant.is_some();
         if is_stuck && may_follow && problem.entrainment_speed > 0.0 {
             let (residuals, best) = (self.best_residuals, self.best.clone());
-            if self.follow_time(problem, state, stop, work)? {
+            if self.take_another_way(problem, state, stop, work)? {
                 status = Status::Converged;
             } else {
                 (self.best_residuals, self.best) = (residuals, best);
@@ -244,8 +246,7 @@ impl Workspace {
                 // The last attempt did; an earlier one has left a state.
                 status = Status::Stalled;
             }
-            self.best.restore(&mut self.coupled, problem, state)?;
-            work.convolutions += 1.0;
+            self.best.restore(&mut self.coupled, problem, state);
         }
         Ok((status, self.best_residuals))
     }
@@ -426,7 +427,7 @@ impl Workspace {
                 break;
             }
             length *= SHORTER;
-            self.before.restore(&mut self.coupled, problem, state)?;
+            self.before.restore(&mut self.coupled, problem, state);
             self.close_contact(problem, state);
             self.advance(problem, state, Settling { trust: length * settling.trust, ..settling }, length)?;
             residuals = self.coupled.residuals(problem, state);
