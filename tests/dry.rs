@@ -115,3 +115,27 @@ fn what_rounding_does_not_allow_ends_as_stalled() {
         assert!(report.work.iterations < 1000 && report.residuals.max() < 1e-12, "{report:?}");
     }
 }
+
+/// The area of a Hertz circle: cells along its edge count too much by a share of their size, which the correction knows.
+#[test]
+fn corrected_areas_fall_faster_to_that_of_hertz() {
+    // Root mean square over sizes next to each other, as the rounding of one circle to cells is chance.
+    let errors = |sizes: [usize; 6]| {
+        let mut squares = [0.0; 2];
+        for n in sizes {
+            let solution = solved(&smooth(n));
+            for (sum, area) in
+                squares.iter_mut().zip([solution.contact.area, solution.contact.corrected_area])
+            {
+                *sum += (area / solution.hertz.area - 1.0).powi(2);
+            }
+        }
+        squares.map(|sum: f64| (sum / 6.0).sqrt())
+    };
+    let [coarse, coarse_corrected] = errors([60, 62, 64, 66, 68, 70]);
+    let [fine, fine_corrected] = errors([240, 244, 248, 252, 256, 260]);
+    println!("{coarse} {coarse_corrected} {fine} {fine_corrected}");
+    assert!((2.5..5.5).contains(&(coarse / fine)), "{coarse} {fine}");
+    assert!(coarse_corrected < 0.7 * coarse && fine_corrected < 0.4 * fine);
+    assert!(coarse_corrected / fine_corrected > coarse / fine);
+}

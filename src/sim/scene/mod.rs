@@ -163,10 +163,25 @@ pub enum GridSpec {
         /// Outer edges along x \[m\]; the flow goes along +x.
         x: [f64; 2],
     },
-    /// Box and cells are picked for a relative error of the central film (of the maximum pressure in a dry contact),
-    /// which is estimated from coarser grids; single smooth contacts only.
+    /// Box and cells are picked for an error, which is estimated from coarser grids: of a smooth contact the relative one of
+    /// the central film (dry: of the maximum pressure), of a rough one as in [`GridSpec::Refined`]. Single contacts only;
+    /// roughness of Gaussian autocorrelation, whose shortest waves tell the cells to begin with.
     Accuracy {
-        /// Largest relative error.
+        /// Largest error.
+        accuracy: f64,
+    },
+    /// Cells that hold the surfaces of a rough contact, halved until the largest of four estimated errors, those of load and area
+    /// ratio and the relative ones of mean film and friction, is small enough. Single contacts only.
+    Refined {
+        /// Cells along x to begin with.
+        nx: usize,
+        /// Cells along y to begin with.
+        ny: usize,
+        /// Outer edges along x \[m\]; the flow goes along +x.
+        x: [f64; 2],
+        /// Outer edges along y \[m\].
+        y: [f64; 2],
+        /// Largest error.
         accuracy: f64,
     },
 }
@@ -267,6 +282,9 @@ pub struct SolverSpec {
     pub film_cutoff: f64,
     /// What solid contact is.
     pub contact: ContactDefinition,
+    /// Whether errors are estimated by a second solve on half the cells along each side; single contacts on a given grid
+    /// only, others estimate where they are asked for an accuracy.
+    pub estimate: bool,
     /// Whether a dry contact may reach the edge of the box.
     pub edge_contact: bool,
     /// Under-relaxation of the semi-system sweeps of the paper's contact.
@@ -286,6 +304,7 @@ impl Default for SolverSpec {
             cavitation: Cavitation::default(),
             film_cutoff: 1e-9,
             contact: ContactDefinition::default(),
+            estimate: false,
             edge_contact: false,
             relaxation: 0.2,
             stiffness: 6.0,
@@ -384,9 +403,9 @@ impl Scene {
             }
             GridSpec::Row { nx, x } if self.form.is_line() => row(nx, x),
             GridSpec::Row { .. } => conflict("grid", "ny and y are missing; only a cylinder needs none"),
-            GridSpec::Accuracy { .. } => conflict(
+            GridSpec::Accuracy { .. } | GridSpec::Refined { .. } => conflict(
                 "grid.accuracy",
-                "only a single smooth contact picks its grid, this needs nx, ny, x and y",
+                "only a single contact picks its grid, this needs nx, ny, x and y alone",
             ),
         }
     }

@@ -1,0 +1,176 @@
+//! A rough contact and its errors: one surface, by its Fourier series, on meshes whose cells halve.
+
+use super::smooth::Plan;
+use super::surfaces::Surfaces;
+use super::{ErrorEstimate, Spent, change};
+use crate::error::InputError;
+use crate::report::Status;
+use crate::reynolds::{ContactDefinition, ContactState};
+use crate::sim::contact::{ContactSolution, solve_heights};
+use crate::sim::scene::{GridSpec, Roughness, Scene};
+use crate::sim::{SimError, setup};
+
+/// Meshes of more nodes are not tried.
+const MAX_NODES: usize = 1 << 20;
+/// Fewest cells along a side that have a half.
+const FEWEST: usize = 10;
+/// Cells in the length over which a Gaussian autocorrelation falls to 10 %: the density of waves shorter than two of them is below
+/// 1e-4 of the largest.
+const CELLS_IN_LENGTH: f64 = 3.0;
+/// Fewest cells in a Hertz half-width that a contact begins with.
+const CELLS_IN_AXIS: f64 = 10.0;
+
+/// Solves on the grid of `scene` and on half its cells, and estimates the errors of the former.
+pub(super) fn on_given_grid(scene: &Scene) -> Result<ContactSolution, SimError> {
+    refined(scene.clone(), f64::INFINITY, "solver.estimate")
+}
+
+/// Solves on finer and finer meshes until the largest of the four estimated errors is at most `accuracy`, or the mesh is not
+/// solved, or the next one would be too large.
+pub(super) fn solve(scene: &Scene, accuracy: f64) -> Result<ContactSolution, SimError> {
+    let mut scene = scene.clone();
+    scene.grid = match scene.grid {
+        GridSpec::Refined { nx, ny, x, y, .. } => GridSpec::Cells { nx, ny, x, y },
+        _ => cells_of_waves(&scene, accuracy)?,
+    };
+    refined(scene, accuracy, "grid.accuracy")
+}
+
+/// `field` is the key that asks for an estimate.
+fn refined(mut scene: Scene, accuracy: f64, field: &str) -> Result<ContactSolution, SimError> {
+    let surfaces = surfaces(&scene, field)?;
+    let solved = |scene: &Scene| -> Result<ContactSolution, SimError> {
+        let heights = surfaces.on(&scene.grid()?)?;
+        solve_heights(scene, heights, |grid| Ok(ContactState::new(grid)))
+    };
+    let halved = Scene { grid: of_cells(scene.grid, |n| n.div_ceil(2)), ..scene.clone() };
+    let mut coarse = solved(&halved).map_err(|error| on_half(error, field))?;
+    let mut work = Spent::default();
+    work.add(&coarse);
+    loop {
+        let mut solution = solved(&scene)?;
+        work.add(&solution);
+        solution.error_estimate = change::estimate(&coarse, &solution);
+        let error = solution.error_estimate.map_or(f64::INFINITY, |estimate| largest(&estimate));
+        let finer = Scene { grid: of_cells(scene.grid, |n| 2 * n), ..scene.clone() };
+        let solvable = solution.report.status == Status::Converged && is_affordable(&finer)?;
+        if error <= accuracy || !solvable {
+            solution.report.work = work.on(&solution.grid);
+            return Ok(solution);
+        }
+        (coarse, scene) = (solution, finer);
+    }
+}
+
+/// What an accuracy of a rough contact bounds.
+fn largest(estimate: &ErrorEstimate) -> f64 {
+    let ErrorEstimate { mean_film, load_ratio, area_ratio, friction_coefficient, .. } = *estimate;
+    mean_film.max(load_ratio).max(area_ratio).max(friction_coefficient)
+}
+
+fn is_affordable(scene: &Scene) -> Result<bool, SimError> {
+    let grid = scene.grid()?;
+    Ok(grid.len() <= MAX_NODES && setup::validate_memory(&grid, scene.is_lubricated()).is_ok())
+}
+
+/// The surfaces of a scene that can be solved on half its cells too.
+fn surfaces(scene: &Scene, field: &str) -> Result<Surfaces, SimError> {
+    if scene.is_lubricated() && scene.solver.contact == ContactDefinition::Paper {
+        return Err(SimError::Input(InputError::Conflict {
+            field: "solver.contact = \"paper\"".to_owned(),
+            reason: format!("{field} needs \"hard\": where the pressure flow ends, numbers have no limit on fine meshes"),
+        }));
+    }
+    setup::validate(scene)?;
+    let grid = scene.grid()?;
+    setup::validate_box(&grid, &scene.hertz()?, scene.form.is_line())?;
+    setup::validate_memory(&grid, scene.is_lubricated())?;
+    let few = |n: usize| n < FEWEST;
+    for (axis, n, counts) in [("grid.nx", grid.nx(), true), ("grid.ny", grid.ny(), grid.ny() > 1)] {
+        if counts && few(n) {
+            return Err(SimError::Input(InputError::Conflict {
+                field: format!("{axis} = {n}"),
+                reason: format!("{field} needs at least {FEWEST} cells along each side, so that half of them are a mesh"),
+            }));
+        }
+    }
+    Surfaces::new(scene, &grid)
+}
+
+/// The error of the mesh of half the cells.
+fn on_half(error: SimError, field: &str) -> SimError {
+    match error {
+        SimError::Input(error) => SimError::Input(InputError::Conflict {
+            field: field.to_owned(),
+            reason: format!("on half the cells along each side: {error}"),
+        }),
+        other => other,
+    }
+}
+
+/// The same box with other cells.
+fn of_cells(grid: GridSpec, count: impl Fn(usize) -> usize) -> GridSpec {
+    match grid {
+        GridSpec::Cells { nx, ny, x, y } => GridSpec::Cells { nx: count(nx), ny: count(ny), x, y },
+        GridSpec::Row { nx, x } => GridSpec::Row { nx: count(nx), x },
+        other => other,
+    }
+}
+
+/// The box of the smooth contact, with cells that hold the waves of the random surfaces.
+fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
+    setup::validate(scene)?;
+    let hertz = scene.hertz()?;
+    let [along_x, along_y] = shortest_lengths(scene)?;
+    let plan = Plan::of(scene, &hertz, accuracy)?;
+    let x = [-plan.inlet * hertz.a_x, plan.outlet * hertz.a_x];
+    let y = [-plan.side * hertz.a_y, plan.side * hertz.a_y];
+    let cells = |[low, high]: [f64; 2], length: f64, axis: f64| {
+        ((high - low) / (length / CELLS_IN_LENGTH).min(axis / CELLS_IN_AXIS)).ceil()
+    };
+    let line = scene.form.is_line();
+    let (nx, ny) = (cells(x, along_x, hertz.a_x), if line { 1.0 } else { cells(y, along_y, hertz.a_y) });
+    if nx * ny > MAX_NODES as f64 {
+        return Err(SimError::Input(InputError::Conflict {
+            field: "grid.accuracy".to_owned(),
+            reason: format!("the waves of the surfaces need {:.2e} nodes, more than {MAX_NODES}", nx * ny),
+        }));
+    }
+    let (nx, ny) = (nx as usize, ny as usize);
+    Ok(if line { GridSpec::Row { nx, x } } else { GridSpec::Cells { nx, ny, x, y } })
+}
+
+/// The shortest lengths along x and y of the autocorrelations \[m\].
+fn shortest_lengths(scene: &Scene) -> Result<[f64; 2], SimError> {
+    let needs_cells = |field: String, reason: &str| {
+        let reason = format!("{reason}: with grid.accuracy give nx, ny, x and y, the cells that hold the surface");
+        Err(SimError::Input(InputError::Conflict { field, reason }))
+    };
+    let mut shortest = [f64::INFINITY; 2];
+    for (roughness, body) in [(&scene.roughness.ball, "ball"), (&scene.roughness.disc, "disc")] {
+        match roughness {
+            Roughness::Gaussian(random) if !roughness.is_smooth() => {
+                for (shortest, (name, length)) in
+                    shortest.iter_mut().zip([("length_x", random.length_x), ("length_y", random.length_y)])
+                {
+                    InputError::require_positive(&format!("roughness.{body}.{name}"), length)?;
+                    *shortest = shortest.min(length);
+                }
+            }
+            Roughness::Exponential(_) if !roughness.is_smooth() => {
+                return needs_cells(
+                    format!("roughness.{body}.kind = \"exponential\""),
+                    "the surface has waves of every length and no finest ones to refine",
+                );
+            }
+            Roughness::File(file) => {
+                return needs_cells(
+                    format!("roughness.{body}.path = {}", file.path.display()),
+                    "the box that the heights belong to is not known",
+                );
+            }
+            _ => {}
+        }
+    }
+    Ok(shortest)
+}
