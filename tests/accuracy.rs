@@ -153,8 +153,8 @@ fn files_say_it_in_place_of_a_grid() {
 /// A small mixed contact on `n` x `n` cells.
 fn rough(n: usize) -> Scene {
     let mut scene = Scene::azam_2019(n);
-    scene.form = Form::Sphere { radius: 2.4e-3 };
-    let edges = [-64e-6, 64e-6];
+    scene.form = Form::Sphere { radius: 2.0e-3 };
+    let edges = [-80e-6, 80e-6];
     scene.grid = GridSpec::Cells { nx: n, ny: n, x: edges, y: edges };
     scene.motion.entrainment_speed = 0.03;
     scene
@@ -280,7 +280,7 @@ fn surfaces_and_grids_without_an_estimate_are_refused() {
     paper.solver.contact = ContactDefinition::Paper;
     assert!(message(&paper).starts_with("solver.contact = \"paper\""), "{}", message(&paper));
     let mut wrong = rough(16);
-    wrong.grid = GridSpec::Refined { nx: 16, ny: 16, x: [-64e-6, 64e-6], y: [-64e-6, 64e-6], accuracy: 0.5 };
+    wrong.grid = GridSpec::Refined { nx: 16, ny: 16, x: [-80e-6, 80e-6], y: [-80e-6, 80e-6], accuracy: 0.5 };
     assert!(message(&wrong).starts_with("grid.accuracy = 0.5"), "{}", message(&wrong));
 }
 

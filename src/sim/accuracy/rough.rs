@@ -19,6 +19,11 @@ const FEWEST: usize = 10;
 const CELLS_IN_LENGTH: f64 = 3.0;
 /// Fewest cells in a Hertz half-width that a contact begins with.
 const CELLS_IN_AXIS: f64 = 10.0;
+/// Beyond the Hertz circle the bodies part by `1.2 e^1.5 a^2/R` at the distance `e a`; asperities reach over five times their Rq.
+const GAP_BEYOND: f64 = 1.2;
+const REACH: f64 = 5.0;
+/// Room between the last asperities that may touch and the edge of the box, in Hertz half-widths.
+const ROOM: f64 = 0.3;
 
 /// Solves on the grid of `scene` and on half its cells, and estimates the errors of the former.
 pub(super) fn on_given_grid(scene: &Scene) -> Result<ContactSolution, SimError> {
@@ -117,14 +122,18 @@ fn of_cells(grid: GridSpec, count: impl Fn(usize) -> usize) -> GridSpec {
     }
 }
 
-/// The box of the smooth contact, with cells that hold the waves of the random surfaces.
+/// The box of the smooth contact, or one that holds all asperities that may touch, with cells that hold the waves of the random
+/// surfaces.
 fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
     setup::validate(scene)?;
     let hertz = scene.hertz()?;
-    let [along_x, along_y] = shortest_lengths(scene)?;
+    let Waves { lengths: [along_x, along_y], rq } = waves(scene)?;
     let plan = Plan::of(scene, &hertz, accuracy)?;
-    let x = [-plan.inlet * hertz.a_x, plan.outlet * hertz.a_x];
-    let y = [-plan.side * hertz.a_y, plan.side * hertz.a_y];
+    let depth = GAP_BEYOND * hertz.a_x.powi(2) / scene.form.radii().0;
+    let reach = 1.0 + (REACH * rq / depth).powf(2.0 / 3.0) + ROOM;
+    let x = [-plan.inlet.max(reach) * hertz.a_x, plan.outlet.max(reach) * hertz.a_x];
+    let side = plan.side.max(reach) * hertz.a_y;
+    let y = [-side, side];
     let cells = |[low, high]: [f64; 2], length: f64, axis: f64| {
         ((high - low) / (length / CELLS_IN_LENGTH).min(axis / CELLS_IN_AXIS)).ceil()
     };
@@ -140,19 +149,27 @@ fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
     Ok(if line { GridSpec::Row { nx, x } } else { GridSpec::Cells { nx, ny, x, y } })
 }
 
-/// The shortest lengths along x and y of the autocorrelations \[m\].
-fn shortest_lengths(scene: &Scene) -> Result<[f64; 2], SimError> {
+/// The random surfaces of both bodies.
+struct Waves {
+    /// The shortest lengths along x and y of the autocorrelations \[m\].
+    lengths: [f64; 2],
+    /// Root mean square of the heights of both \[m\].
+    rq: f64,
+}
+
+fn waves(scene: &Scene) -> Result<Waves, SimError> {
     let needs_cells = |field: String, reason: &str| {
         let reason = format!("{reason}: with grid.accuracy give nx, ny, x and y, the cells that hold the surface");
         Err(SimError::Input(InputError::Conflict { field, reason }))
     };
-    let mut shortest = [f64::INFINITY; 2];
+    let (mut lengths, mut square) = ([f64::INFINITY; 2], 0.0);
     for (roughness, body) in [(&scene.roughness.ball, "ball"), (&scene.roughness.disc, "disc")] {
         match roughness {
             Roughness::Gaussian(random) if !roughness.is_smooth() => {
-                for (shortest, (name, length)) in
-                    shortest.iter_mut().zip([("length_x", random.length_x), ("length_y", random.length_y)])
-                {
+                InputError::require_non_negative(&format!("roughness.{body}.rq"), random.rq)?;
+                square += random.rq.powi(2);
+                let given = [("length_x", random.length_x), ("length_y", random.length_y)];
+                for (shortest, (name, length)) in lengths.iter_mut().zip(given) {
                     InputError::require_positive(&format!("roughness.{body}.{name}"), length)?;
                     *shortest = shortest.min(length);
                 }
@@ -172,5 +189,5 @@ fn shortest_lengths(scene: &Scene) -> Result<[f64; 2], SimError> {
             _ => {}
         }
     }
-    Ok(shortest)
+    Ok(Waves { lengths, rq: square.sqrt() })
 }
