@@ -21,15 +21,7 @@ pub(crate) struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self {
-            first: 1,
-            scenes: 20,
-            cells: 64,
-            finer: 4,
-            waves: None,
-            face_mobility: None,
-            cavitation: None,
-        }
+        Self { first: 1, scenes: 20, cells: 64, finer: 4, waves: None, face_mobility: None, cavitation: None }
     }
 }
 
@@ -116,7 +108,10 @@ fn numbers(solution: &ContactSolution) -> [f64; 4] {
 
 pub(crate) fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let folder = tempfile::tempdir()?;
-    println!("| contact | speed, m/s | contact film, nm | Rq, nm | load ratio | mean film, nm | errors and estimates, %: {} |", NAMES.join(" | "));
+    println!(
+        "| contact | speed, m/s | contact film, nm | Rq, nm | load ratio | mean film, nm | errors and estimates, %: {} |",
+        NAMES.join(" | ")
+    );
     println!("|---|---|---|---|---|---|---|---|---|---|");
     let (mut held, mut ratios, mut total) = ([0; 4], [const { Vec::new() }; 4], 0);
     for seed in options.first..options.first + options.scenes {
@@ -130,12 +125,8 @@ pub(crate) fn run(options: &Options) -> Result<(), Box<dyn Error>> {
             println!(" not solved | | | |");
             continue;
         };
-        let estimates = [
-            estimate.load_ratio,
-            estimate.area_ratio,
-            estimate.mean_film,
-            estimate.friction_coefficient,
-        ];
+        let estimates =
+            [estimate.load_ratio, estimate.area_ratio, estimate.mean_film, estimate.friction_coefficient];
         total += 1;
         for (k, estimate) in estimates.into_iter().enumerate() {
             let scale = if k < 2 { 1.0 } else { truth[k] };
@@ -153,7 +144,11 @@ pub(crate) fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         let ratios = &mut ratios[k];
         ratios.sort_by(f64::total_cmp);
         let median = ratios.get(ratios.len() / 2).copied().unwrap_or(f64::NAN);
-        println!("{name}: {} of {total} hold; estimate over error {median:.1} in the median of {} contacts", held[k], ratios.len());
+        println!(
+            "{name}: {} of {total} hold; estimate over error {median:.1} in the median of {} contacts",
+            held[k],
+            ratios.len()
+        );
     }
     Ok(())
 }

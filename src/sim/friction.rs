@@ -67,6 +67,12 @@ impl FrictionFields {
 
     /// Friction force over load; zero without sliding.
     pub(super) fn coefficient(&self, contact: &ContactModel) -> Result<f64, InputError> {
-        metrics::friction_coefficient(&contact.grid, self.boundary(), &self.solid, &self.shear, contact.hertz.load)
+        metrics::friction_coefficient(
+            &contact.grid,
+            self.boundary(),
+            &self.solid,
+            &self.shear,
+            contact.hertz.load,
+        )
     }
 }

@@ -23,6 +23,8 @@ const BOUNDARY: f64 = 0.75;
 const SHEAR: f64 = 0.15;
 /// Pieces along each axis of the central region, in each of which changes of the film may cancel.
 const PIECES: usize = 3;
+/// Of the changes of the film in these pieces.
+const FILM: f64 = 1.15;
 /// Of the change of a film or a pressure at one point.
 const POINT: f64 = 1.5;
 /// Changes of a film below this share of the approach are rounding of a contact without one.
@@ -48,10 +50,16 @@ pub(super) fn estimate(coarse: &ContactSolution, fine: &ContactSolution) -> Opti
         central_film: POINT * relative(|solution| solution.film.central),
         minimum_film: POINT * relative(|solution| solution.film.minimum),
         max_pressure: POINT * relative(|solution| solution.contact.max_pressure),
-        mean_film: if fine.film.mean_central <= NO_FILM * fine.state.approach.abs() { 0.0 } else { change.film },
+        mean_film: if fine.film.mean_central <= NO_FILM * fine.state.approach.abs() {
+            0.0
+        } else {
+            FILM * change.film
+        },
         load_ratio,
         area_ratio: edge + AREA * sides,
-        friction_coefficient: of_friction(BOUNDARY * fine.boundary_friction * load_ratio + SHEAR * change.shear),
+        friction_coefficient: of_friction(
+            BOUNDARY * fine.boundary_friction * load_ratio + SHEAR * change.shear,
+        ),
     })
 }
 

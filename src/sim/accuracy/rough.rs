@@ -83,7 +83,9 @@ fn surfaces(scene: &Scene, field: &str) -> Result<Surfaces, SimError> {
     if scene.is_lubricated() && scene.solver.contact == ContactDefinition::Paper {
         return Err(SimError::Input(InputError::Conflict {
             field: "solver.contact = \"paper\"".to_owned(),
-            reason: format!("{field} needs \"hard\": where the pressure flow ends, numbers have no limit on fine meshes"),
+            reason: format!(
+                "{field} needs \"hard\": where the pressure flow ends, numbers have no limit on fine meshes"
+            ),
         }));
     }
     setup::validate(scene)?;
@@ -95,7 +97,9 @@ fn surfaces(scene: &Scene, field: &str) -> Result<Surfaces, SimError> {
         if counts && few(n) {
             return Err(SimError::Input(InputError::Conflict {
                 field: format!("{axis} = {n}"),
-                reason: format!("{field} needs at least {FEWEST} cells along each side, so that half of them are a mesh"),
+                reason: format!(
+                    "{field} needs at least {FEWEST} cells along each side, so that half of them are a mesh"
+                ),
             }));
         }
     }
@@ -159,7 +163,8 @@ struct Waves {
 
 fn waves(scene: &Scene) -> Result<Waves, SimError> {
     let needs_cells = |field: String, reason: &str| {
-        let reason = format!("{reason}: with grid.accuracy give nx, ny, x and y, the cells that hold the surface");
+        let reason =
+            format!("{reason}: with grid.accuracy give nx, ny, x and y, the cells that hold the surface");
         Err(SimError::Input(InputError::Conflict { field, reason }))
     };
     let (mut lengths, mut square) = ([f64::INFINITY; 2], 0.0);
