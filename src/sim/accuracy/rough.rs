@@ -58,8 +58,8 @@ fn refined(mut scene: Scene, accuracy: f64, field: &str) -> Result<ContactSoluti
         solution.error_estimate = change::estimate(&coarse, &solution);
         let error = solution.error_estimate.map_or(f64::INFINITY, |estimate| largest(&estimate));
         let finer = Scene { grid: of_cells(scene.grid, |n| 2 * n), ..scene.clone() };
-        let solvable = solution.report.status == Status::Converged && is_affordable(&finer)?;
-        if error <= accuracy || !solvable {
+        let unsolved = solution.report.status != Status::Converged;
+        if error <= accuracy || unsolved || !is_affordable(&finer) {
             solution.report.work = work.on(&solution.grid);
             return Ok(solution);
         }
@@ -73,9 +73,10 @@ fn largest(estimate: &ErrorEstimate) -> f64 {
     mean_film.max(load_ratio).max(area_ratio).max(friction_coefficient)
 }
 
-fn is_affordable(scene: &Scene) -> Result<bool, SimError> {
-    let grid = scene.grid()?;
-    Ok(grid.len() <= MAX_NODES && setup::validate_memory(&grid, scene.is_lubricated()).is_ok())
+fn is_affordable(scene: &Scene) -> bool {
+    scene.grid().is_ok_and(|grid| {
+        grid.len() <= MAX_NODES && setup::validate_memory(&grid, scene.is_lubricated()).is_ok()
+    })
 }
 
 /// The surfaces of a scene that can be solved on half its cells too.
