@@ -232,7 +232,7 @@ fn summary(solution: &ContactSolution, seconds: f64) -> String {
         ),
         format!("approach   {:.3} nm", state.approach * 1e9),
         error_estimate.map_or_else(
-            || "errors     not estimated (solver.estimate, grid.accuracy)".to_owned(),
+            || "errors     not estimated".to_owned(),
             |estimate| {
                 format!(
                     "errors     central film {:.2} %, minimum film {:.2} %, maximum pressure {:.2} %, mean film {:.2} %, friction {:.2} %, \

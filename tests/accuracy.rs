@@ -131,11 +131,6 @@ fn files_say_it_in_place_of_a_grid() {
     let scene = Scene::from_toml(&text("accuracy = 0.01")).unwrap();
     assert_eq!(scene.grid, GridSpec::Accuracy { accuracy: 0.01 });
     assert_eq!(Scene::from_toml(&scene.to_toml().unwrap()).unwrap(), scene);
-    let cells = "nx = 64\nny = 32\nx = [-1e-3, 1e-3]\ny = [-2e-3, 2e-3]\naccuracy = 0.02";
-    let scene = Scene::from_toml(&text(cells)).unwrap();
-    let (x, y) = ([-1e-3, 1e-3], [-2e-3, 2e-3]);
-    assert_eq!(scene.grid, GridSpec::Refined { nx: 64, ny: 32, x, y, accuracy: 0.02 });
-    assert_eq!(Scene::from_toml(&scene.to_toml().unwrap()).unwrap(), scene);
     for (grid, part) in [
         ("accuracy = 0.01\nnx = 64", "`nx`"),
         ("accuracy = \"fine\"", "accuracy"),
@@ -222,8 +217,7 @@ fn a_coarser_solve_estimates_a_rough_contact() {
 fn the_surface_of_a_seed_is_refined_by_its_fourier_series() {
     let folder = tempfile::tempdir().unwrap();
     let refined = |mut scene: Scene, accuracy| {
-        let GridSpec::Cells { nx, ny, x, y } = scene.grid else { panic!("{:?}", scene.grid) };
-        scene.grid = GridSpec::Refined { nx, ny, x, y, accuracy };
+        scene.solver.accuracy = Some(accuracy);
         solved(&scene)
     };
     // Dry, so that two refinements are cheap.
@@ -280,8 +274,11 @@ fn surfaces_and_grids_without_an_estimate_are_refused() {
     paper.solver.contact = ContactDefinition::Paper;
     assert!(message(&paper).starts_with("solver.contact = \"paper\""), "{}", message(&paper));
     let mut wrong = rough(16);
-    wrong.grid = GridSpec::Refined { nx: 16, ny: 16, x: [-80e-6, 80e-6], y: [-80e-6, 80e-6], accuracy: 0.5 };
-    assert!(message(&wrong).starts_with("grid.accuracy = 0.5"), "{}", message(&wrong));
+    wrong.solver.accuracy = Some(0.5);
+    assert!(message(&wrong).starts_with("solver.accuracy = 0.5"), "{}", message(&wrong));
+    wrong.solver.accuracy = Some(0.05);
+    wrong.grid = GridSpec::Accuracy { accuracy: 0.05 };
+    assert!(message(&wrong).starts_with("solver.accuracy"), "{}", message(&wrong));
 }
 
 /// A limit of iterations is a status: the best state is there, and no estimate that it would not bear out.

@@ -276,11 +276,11 @@ impl ContactNumbers {
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {
-    let given = matches!(scene.grid, GridSpec::Cells { .. } | GridSpec::Row { .. });
-    if given && !scene.solver.estimate {
-        return solve_on_grid(scene, |grid| Ok(ContactState::new(grid)));
+    let asked = scene.solver.estimate || scene.solver.accuracy.is_some();
+    if asked || matches!(scene.grid, GridSpec::Accuracy { .. }) {
+        return accuracy::solve(scene);
     }
-    accuracy::solve(scene)
+    solve_on_grid(scene, |grid| Ok(ContactState::new(grid)))
 }
 
 /// Solves the contact on the grid of the scene from the state that `start` makes.

@@ -22,9 +22,9 @@ const BOUNDARY: f64 = 0.75;
 /// Of the change of the shear of the fluid, node by node.
 const SHEAR: f64 = 0.15;
 /// Pieces along each axis of the central region, in each of which changes of the film may cancel.
-const PIECES: usize = 3;
+const PIECES: usize = 4;
 /// Of the changes of the film in these pieces.
-const FILM: f64 = 1.15;
+const FILM: f64 = 1.2;
 /// Of the change of a film or a pressure at one point.
 const POINT: f64 = 1.5;
 /// Changes of a film below this share of the approach are rounding of a contact without one.

@@ -8,6 +8,7 @@ mod surfaces;
 use super::SimError;
 use super::contact::ContactSolution;
 use super::scene::{GridSpec, Scene};
+use super::setup;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::Work;
@@ -42,14 +43,18 @@ pub struct ErrorEstimate {
 /// # Errors
 /// A scene that does not fit, an accuracy out of range, surfaces that are not known on other meshes.
 pub(super) fn solve(scene: &Scene) -> Result<ContactSolution, SimError> {
-    let (GridSpec::Accuracy { accuracy } | GridSpec::Refined { accuracy, .. }) = scene.grid else {
-        return rough::on_given_grid(scene);
-    };
-    InputError::require((1e-4..=0.1).contains(&accuracy), "grid.accuracy", accuracy, "between 1e-4 and 0.1")?;
     let smooth = scene.roughness.ball.is_smooth() && scene.roughness.disc.is_smooth();
-    match scene.grid {
-        GridSpec::Accuracy { .. } if smooth => smooth::solve(scene, accuracy),
-        _ => rough::solve(scene, accuracy),
+    match (scene.grid, scene.solver.accuracy) {
+        (GridSpec::Accuracy { .. }, Some(_)) => Err(SimError::Input(InputError::Conflict {
+            field: "solver.accuracy".to_owned(),
+            reason: "it is for given cells, grid.accuracy stands in its place".to_owned(),
+        })),
+        (GridSpec::Accuracy { accuracy }, None) => {
+            setup::validate_accuracy("grid.accuracy", accuracy)?;
+            if smooth { smooth::solve(scene, accuracy) } else { rough::on_own_grid(scene, accuracy) }
+        }
+        (_, Some(accuracy)) => rough::refined(scene.clone(), accuracy, "solver.accuracy"),
+        (_, None) => rough::on_given_grid(scene),
     }
 }
 

@@ -30,19 +30,15 @@ pub(super) fn on_given_grid(scene: &Scene) -> Result<ContactSolution, SimError> 
     refined(scene.clone(), f64::INFINITY, "solver.estimate")
 }
 
-/// Solves on finer and finer meshes until the largest of the four estimated errors is at most `accuracy`, or the mesh is not
-/// solved, or the next one would be too large.
-pub(super) fn solve(scene: &Scene, accuracy: f64) -> Result<ContactSolution, SimError> {
-    let mut scene = scene.clone();
-    scene.grid = match scene.grid {
-        GridSpec::Refined { nx, ny, x, y, .. } => GridSpec::Cells { nx, ny, x, y },
-        _ => cells_of_waves(&scene, accuracy)?,
-    };
-    refined(scene, accuracy, "grid.accuracy")
+/// Solves on finer and finer meshes, the first of which holds the waves of the random surfaces.
+pub(super) fn on_own_grid(scene: &Scene, accuracy: f64) -> Result<ContactSolution, SimError> {
+    let grid = cells_of_waves(scene, accuracy)?;
+    refined(Scene { grid, ..scene.clone() }, accuracy, "grid.accuracy")
 }
 
-/// `field` is the key that asks for an estimate.
-fn refined(mut scene: Scene, accuracy: f64, field: &str) -> Result<ContactSolution, SimError> {
+/// Solves on finer and finer meshes until the largest of the four estimated errors is at most `accuracy`, or the mesh is not
+/// solved, or the next one would be too large. `field` is the key that asks for it.
+pub(super) fn refined(mut scene: Scene, accuracy: f64, field: &str) -> Result<ContactSolution, SimError> {
     let surfaces = surfaces(&scene, field)?;
     let solved = |scene: &Scene| -> Result<ContactSolution, SimError> {
         let heights = surfaces.on(&scene.grid()?)?;
@@ -165,7 +161,7 @@ struct Waves {
 fn waves(scene: &Scene) -> Result<Waves, SimError> {
     let needs_cells = |field: String, reason: &str| {
         let reason =
-            format!("{reason}: with grid.accuracy give nx, ny, x and y, the cells that hold the surface");
+            format!("{reason}: give nx, ny, x and y, the cells that hold the surface, and solver.accuracy");
         Err(SimError::Input(InputError::Conflict { field, reason }))
     };
     let (mut lengths, mut square) = ([f64::INFINITY; 2], 0.0);

@@ -68,10 +68,12 @@ impl GridTable {
     fn into_spec(self) -> Result<GridSpec, String> {
         let Self { nx, ny, x, y, accuracy } = self;
         if let Some(accuracy) = accuracy {
-            return match (nx, ny, x, y) {
-                (None, None, None, None) => Ok(GridSpec::Accuracy { accuracy }),
-                (Some(nx), Some(ny), Some(x), Some(y)) => Ok(GridSpec::Refined { nx, ny, x, y, accuracy }),
-                _ => Err("`accuracy` stands alone, or with all of `nx`, `ny`, `x` and `y`".to_owned()),
+            let given = [("nx", nx.is_some()), ("ny", ny.is_some()), ("x", x.is_some()), ("y", y.is_some())];
+            return match given.iter().find(|(_, present)| *present) {
+                Some((key, _)) => {
+                    Err(format!("`accuracy` stands in place of nx, ny, x and y, not with `{key}`"))
+                }
+                None => Ok(GridSpec::Accuracy { accuracy }),
             };
         }
         let (nx, x) = (required("nx", nx)?, required("x", x)?);
