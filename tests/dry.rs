@@ -135,12 +135,9 @@ fn corrected_areas_fall_faster_to_that_of_hertz() {
     let [coarse, coarse_corrected] = errors([60, 62, 64, 66, 68, 70]);
     let [fine, fine_corrected] = errors([240, 244, 248, 252, 256, 260]);
     // The figures of docs/errors.md.
-    for (found, shown) in [
-        (coarse, 1.19e-2),
-        (coarse_corrected, 0.75e-2),
-        (fine, 0.29e-2),
-        (fine_corrected, 0.12e-2),
-    ] {
+    for (found, shown) in
+        [(coarse, 1.19e-2), (coarse_corrected, 0.75e-2), (fine, 0.29e-2), (fine_corrected, 0.12e-2)]
+    {
         assert!((found - shown).abs() < 1e-4, "{found} {shown}");
     }
     assert!(coarse_corrected / fine_corrected > coarse / fine);
