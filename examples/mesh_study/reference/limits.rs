@@ -1,0 +1,218 @@
+//! The limits of fine meshes, and how far from them coarse meshes are.
+
+use std::error::Error;
+use std::fmt::Write as _;
+
+use super::plan::{CAVITATIONS, CELLS, Case, LAWS, Law, Miniature, Run, SEEDS, cases};
+use super::run::Row;
+
+pub(crate) const COLUMNS: &str = "scene,radius_m,box_m,rq_ball_m,rq_disc_m,length_m,film_cutoff_m,entrainment_speed_m_per_s,cavitation,\
+     surfaces,cell_m,area_ratio,area_ratio_spread,load_ratio,load_ratio_spread,mean_film_m,mean_film_spread_m,\
+     friction_coefficient,friction_coefficient_spread";
+
+impl Case {
+    /// Area ratio, load ratio, mean film and friction of a surface on a mesh, where its solve converged.
+    fn values(&self, rows: &[Row], law: Law, seed: u64, cells: usize) -> Option<[f64; 4]> {
+        let Self { miniature, speed, cavitation } = *self;
+        let run = Run { miniature, speed, cavitation, law, seed, cells };
+        rows.iter().find(|row| row.run == run && row.converged()).map(|row| row.values)
+    }
+}
+
+/// Numbers of one surface as cells become small, with their spreads: area ratio, load ratio, mean film \[m\] and friction.
+#[derive(Debug)]
+pub(crate) struct OfSurface {
+    seed: u64,
+    /// Cells of the finest mesh.
+    cells: usize,
+    values: [f64; 4],
+    spreads: [f64; 4],
+}
+
+/// Those of a case: means over its surfaces.
+#[derive(Debug)]
+pub(crate) struct Limit {
+    surfaces: Vec<OfSurface>,
+    pub(crate) values: [f64; 4],
+    pub(crate) spreads: [f64; 4],
+}
+
+impl Limit {
+    /// Cells of the coarsest of the meshes that the limit is of.
+    fn cells(&self) -> usize {
+        self.surfaces.iter().map(|surface| surface.cells).min().unwrap_or(0)
+    }
+}
+
+/// The limit of one surface: the mean of both laws on the finest mesh that both converge on, each extrapolated with first order from its
+/// last two meshes; the spread is what the two extrapolations differ by, or the mean of their corrections where that is more.
+fn of_surface(case: &Case, rows: &[Row], seed: u64) -> Option<OfSurface> {
+    let on = |law, cells| case.values(rows, law, seed, cells);
+    let (cells, pairs) = CELLS.into_iter().rev().find_map(|cells| {
+        let pair = |law| Some([on(law, cells / 2)?, on(law, cells)?]);
+        Some((cells, [pair(Law::Wedge)?, pair(Law::Inlet)?]))
+    })?;
+    let limit = |k: usize| pairs.map(|[coarse, fine]| 2.0 * fine[k] - coarse[k]);
+    Some(OfSurface {
+        seed,
+        cells,
+        values: std::array::from_fn(|k| 0.5 * limit(k).iter().sum::<f64>()),
+        spreads: std::array::from_fn(|k| {
+            let [a, b] = limit(k);
+            let corrections = pairs.iter().map(|[coarse, fine]| (fine[k] - coarse[k]).abs()).sum::<f64>();
+            (a - b).abs().max(0.5 * corrections)
+        }),
+    })
+}
+
+/// The limit of a case; none where no surface has one.
+pub(crate) fn limit(case: &Case, rows: &[Row]) -> Option<Limit> {
+    let surfaces: Vec<OfSurface> =
+        SEEDS.into_iter().filter_map(|seed| of_surface(case, rows, seed)).collect();
+    if surfaces.is_empty() {
+        return None;
+    }
+    let mean = |of: &dyn Fn(&OfSurface) -> f64| surfaces.iter().map(of).sum::<f64>() / surfaces.len() as f64;
+    Some(Limit {
+        values: std::array::from_fn(|k| mean(&|surface| surface.values[k])),
+        spreads: std::array::from_fn(|k| mean(&|surface| surface.spreads[k])),
+        surfaces,
+    })
+}
+
+/// The limits, a line for each case.
+pub(crate) fn table(rows: &[Row]) -> Result<String, Box<dyn Error>> {
+    let mut text = format!("{COLUMNS}\n");
+    for case in cases() {
+        let Some(limit) = limit(&case, rows) else { continue };
+        let Case { miniature, speed, cavitation } = case;
+        let run = Run { miniature, speed, cavitation, law: Law::Wedge, seed: SEEDS[0], cells: limit.cells() };
+        let scene = run.scene();
+        let (grid, radius) = (scene.grid()?, scene.form.radii().0);
+        let Miniature { name, rq, length, film_cutoff, .. } = miniature;
+        write!(
+            text,
+            "{name},{radius:e},{:e},{:e},{:e},{length:e},{film_cutoff:e},{speed},{},{},{:.4e}",
+            grid.size_x(),
+            rq[0],
+            rq[1],
+            cavitation.1,
+            limit.surfaces.len(),
+            grid.dx()
+        )?;
+        for k in 0..4 {
+            write!(text, ",{:.5e},{:.1e}", limit.values[k], limit.spreads[k])?;
+        }
+        writeln!(text)?;
+    }
+    Ok(text)
+}
+
+/// How far from the limit a law is on a mesh: mean over the surfaces of the distances, of films and friction relative.
+fn distance(case: &Case, limit: &Limit, rows: &[Row], law: Law, cells: usize) -> Option<[f64; 4]> {
+    let found: Option<Vec<[f64; 4]>> = limit
+        .surfaces
+        .iter()
+        .map(|surface| {
+            let values = case.values(rows, law, surface.seed, cells)?;
+            let limit = surface.values;
+            Some(std::array::from_fn(|k| (values[k] - limit[k]) / if k > 1 { limit[k] } else { 1.0 }))
+        })
+        .collect();
+    let found = found?;
+    Some(std::array::from_fn(|k| found.iter().map(|d| d[k].abs()).sum::<f64>() / found.len() as f64))
+}
+
+/// The mean over the surfaces of a limit.
+pub(crate) fn mean(case: &Case, limit: &Limit, rows: &[Row], law: Law, cells: usize) -> Option<[f64; 4]> {
+    let on = |surface: &OfSurface| case.values(rows, law, surface.seed, cells);
+    let found: Vec<[f64; 4]> = limit.surfaces.iter().map(on).collect::<Option<_>>()?;
+    Some(std::array::from_fn(|k| found.iter().map(|values| values[k]).sum::<f64>() / found.len() as f64))
+}
+
+/// Tables to read: limits, the meshes on the way there, and errors of each law.
+pub(crate) fn text(rows: &[Row]) -> Result<String, Box<dyn Error>> {
+    let mut text = String::new();
+    writeln!(
+        text,
+        "| scene | speed, m/s | cavitation | cells | area ratio | load ratio | mean film, nm | friction |"
+    )?;
+    writeln!(text, "|---|---|---|---|---|---|---|---|")?;
+    for case in cases() {
+        let Some(limit) = limit(&case, rows) else { continue };
+        let (name, [area, load, film, friction], spread) = (case.miniature.name, limit.values, limit.spreads);
+        writeln!(
+            text,
+            "| {name} | {} | {} | {} | {area:.3} ± {:.3} | {load:.3} ± {:.3} | {:.2} ± {:.2} | {friction:.4} ± {:.4} |",
+            case.speed,
+            case.cavitation.1,
+            limit.cells(),
+            spread[0],
+            spread[1],
+            1e9 * film,
+            1e9 * spread[2],
+            spread[3]
+        )?;
+    }
+    let cells = |text: &mut String| {
+        let names: Vec<String> =
+            CELLS.iter().map(|cells| format!("{:.2} um |", 62.5 / *cells as f64)).collect();
+        writeln!(text, "| {} |\n|---|---|---|---{}|", names.join(" "), "|---".repeat(CELLS.len()))
+    };
+    for (k, name) in ["area ratio", "load ratio", "mean film, nm", "friction"].into_iter().enumerate() {
+        writeln!(
+            text,
+            "\nMean over surfaces, {name} on cells of\n\n| scene | speed, m/s | cavitation | faces"
+        )?;
+        cells(&mut text)?;
+        for (case, law) in cases().into_iter().flat_map(|case| LAWS.map(|law| (case, law))) {
+            let Some(limit) = limit(&case, rows) else { continue };
+            write!(
+                text,
+                "| {} | {} | {} | {} |",
+                case.miniature.name,
+                case.speed,
+                case.cavitation.1,
+                law.name()
+            )?;
+            for cells in CELLS {
+                match mean(&case, &limit, rows, law, cells) {
+                    Some(values) => write!(text, " {:.3} |", values[k] * if k == 2 { 1e9 } else { 1.0 })?,
+                    None => write!(text, " |")?,
+                }
+            }
+            writeln!(text)?;
+        }
+    }
+    errors(&mut text, rows)?;
+    Ok(text)
+}
+
+/// Mean and largest distance of each law from the limits.
+fn errors(text: &mut String, rows: &[Row]) -> Result<(), Box<dyn Error>> {
+    let limits: Vec<(Case, Limit)> =
+        cases().into_iter().filter_map(|case| limit(&case, rows).map(|limit| (case, limit))).collect();
+    writeln!(text, "\nDistance from the limit, mean over cases and surfaces (largest of a case):\n")?;
+    writeln!(text, "| cavitation | faces | cells of | area ratio | load ratio | mean film | friction |")?;
+    writeln!(text, "|---|---|---|---|---|---|---|")?;
+    for ((cavitation, law), cells) in CAVITATIONS
+        .into_iter()
+        .flat_map(|cavitation| LAWS.map(|law| (cavitation, law)))
+        .flat_map(|pair| CELLS.map(|cells| (pair, cells)))
+    {
+        let of = limits.iter().filter(|(case, limit)| case.cavitation == cavitation && cells < limit.cells());
+        let found: Vec<[f64; 4]> =
+            of.filter_map(|(case, limit)| distance(case, limit, rows, law, cells)).collect();
+        if found.is_empty() {
+            continue;
+        }
+        write!(text, "| {} | {} | {:.2} um |", cavitation.1, law.name(), 62.5 / cells as f64)?;
+        for k in 0..4 {
+            let mean = found.iter().map(|d| d[k]).sum::<f64>() / found.len() as f64;
+            let largest = found.iter().fold(0.0_f64, |most, d| most.max(d[k]));
+            write!(text, " {mean:.4} ({largest:.4}) |")?;
+        }
+        writeln!(text)?;
+    }
+    Ok(())
+}
