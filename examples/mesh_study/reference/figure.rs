@@ -1,4 +1,5 @@
-//! The figure: a column of panels for each scene, load ratio, area ratio and friction over the size of the cells, at all speeds.
+//! The figure, of the first surface: a column of panels for each scene, load ratio, area ratio and friction over the size of the cells, at
+//! all speeds.
 
 use std::error::Error;
 use std::path::Path;
@@ -7,8 +8,8 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use stribeck::reynolds::Cavitation;
 
-use super::limits::{limit, mean};
-use super::plan::{CELLS, Case, LAWS, Law, MINIATURES, cases};
+use super::limits::{limit, mean, size};
+use super::plan::{CELLS, Case, LAWS, Law, MINIATURES, SEEDS, cases};
 use super::run::Row;
 
 const SIZE: (u32, u32) = (960, 900);
@@ -30,12 +31,8 @@ fn font(size: u32) -> FontDesc<'static> {
     ("sans-serif", size).into_font()
 }
 
-/// Size of cells \[um\].
-fn size(cells: usize) -> f64 {
-    62.5 / cells as f64
-}
-
 pub(crate) fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
+    let rows: Vec<Row> = rows.iter().filter(|row| row.run.seed == SEEDS[0]).cloned().collect();
     let root = SVGBackend::new(path, SIZE).into_drawing_area();
     root.fill(&WHITE)?;
     let (head, body) = root.split_vertically(HEAD);
@@ -59,7 +56,7 @@ pub(crate) fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
             let of =
                 |case: &Case| case.miniature == miniature && case.cavitation.0 == Cavitation::MassConserving;
             let cases: Vec<Case> = cases().into_iter().filter(of).collect();
-            panel(area, k, &cases, rows)?;
+            panel(area, k, &cases, &rows)?;
         }
     }
     root.present()?;

@@ -7,7 +7,7 @@ use super::plan::{CAVITATIONS, CELLS, Case, LAWS, Law, Miniature, Run, SEEDS, ca
 use super::run::Row;
 
 pub(crate) const COLUMNS: &str = "scene,radius_m,box_m,rq_ball_m,rq_disc_m,length_m,film_cutoff_m,entrainment_speed_m_per_s,cavitation,\
-     surfaces,cell_m,area_ratio,area_ratio_spread,load_ratio,load_ratio_spread,mean_film_m,mean_film_spread_m,\
+     seed,cells,area_ratio,area_ratio_spread,load_ratio,load_ratio_spread,mean_film_m,mean_film_spread_m,\
      friction_coefficient,friction_coefficient_spread";
 
 impl Case {
@@ -44,24 +44,16 @@ impl Limit {
     }
 }
 
-/// The limit of one surface: the mean of both laws on the finest mesh that both converge on, each extrapolated with first order from its
-/// last two meshes; the spread is what the two extrapolations differ by, or the mean of their corrections where that is more.
+/// The limit of one surface, from the finest mesh that both laws with limited entrainment converge on: the value of the first law; the
+/// spread is what the second differs by, or what the first changed by from the mesh before where that is more.
 fn of_surface(case: &Case, rows: &[Row], seed: u64) -> Option<OfSurface> {
     let on = |law, cells| case.values(rows, law, seed, cells);
-    let (cells, pairs) = CELLS.into_iter().rev().find_map(|cells| {
-        let pair = |law| Some([on(law, cells / 2)?, on(law, cells)?]);
-        Some((cells, [pair(Law::Wedge)?, pair(Law::Inlet)?]))
-    })?;
-    let limit = |k: usize| pairs.map(|[coarse, fine]| 2.0 * fine[k] - coarse[k]);
-    Some(OfSurface {
-        seed,
-        cells,
-        values: std::array::from_fn(|k| 0.5 * limit(k).iter().sum::<f64>()),
-        spreads: std::array::from_fn(|k| {
-            let [a, b] = limit(k);
-            let corrections = pairs.iter().map(|[coarse, fine]| (fine[k] - coarse[k]).abs()).sum::<f64>();
-            (a - b).abs().max(0.5 * corrections)
-        }),
+    CELLS.into_iter().rev().find_map(|cells| {
+        let (before, values) = (on(Law::Inlet, cells / 2)?, on(Law::Inlet, cells)?);
+        let other = on(Law::Wedge, cells)?;
+        let spreads =
+            std::array::from_fn(|k| (values[k] - other[k]).abs().max((values[k] - before[k]).abs()));
+        Some(OfSurface { seed, cells, values, spreads })
     })
 }
 
@@ -80,46 +72,48 @@ pub(crate) fn limit(case: &Case, rows: &[Row]) -> Option<Limit> {
     })
 }
 
-/// The limits, a line for each case.
+/// The limits, a line for each surface of each case.
 pub(crate) fn table(rows: &[Row]) -> Result<String, Box<dyn Error>> {
     let mut text = format!("{COLUMNS}\n");
     for case in cases() {
         let Some(limit) = limit(&case, rows) else { continue };
         let Case { miniature, speed, cavitation } = case;
-        let run = Run { miniature, speed, cavitation, law: Law::Wedge, seed: SEEDS[0], cells: limit.cells() };
-        let scene = run.scene();
-        let (grid, radius) = (scene.grid()?, scene.form.radii().0);
         let Miniature { name, rq, length, film_cutoff, .. } = miniature;
-        write!(
-            text,
-            "{name},{radius:e},{:e},{:e},{:e},{length:e},{film_cutoff:e},{speed},{},{},{:.4e}",
-            grid.size_x(),
-            rq[0],
-            rq[1],
-            cavitation.1,
-            limit.surfaces.len(),
-            grid.dx()
-        )?;
-        for k in 0..4 {
-            write!(text, ",{:.5e},{:.1e}", limit.values[k], limit.spreads[k])?;
+        for OfSurface { seed, cells, values, spreads } in limit.surfaces {
+            let scene = Run { miniature, speed, cavitation, law: Law::Inlet, seed, cells }.scene();
+            let (grid, radius) = (scene.grid()?, scene.form.radii().0);
+            write!(
+                text,
+                "{name},{radius:e},{:e},{:e},{:e},{length:e},{film_cutoff:e},{speed},{},{seed},{cells}",
+                grid.size_x(),
+                rq[0],
+                rq[1],
+                cavitation.1
+            )?;
+            for (value, spread) in values.into_iter().zip(spreads) {
+                write!(text, ",{value:.5e},{spread:.1e}")?;
+            }
+            writeln!(text)?;
         }
-        writeln!(text)?;
     }
     Ok(text)
 }
 
 /// How far from the limit a law is on a mesh: mean over the surfaces of the distances, of films and friction relative.
 fn distance(case: &Case, limit: &Limit, rows: &[Row], law: Law, cells: usize) -> Option<[f64; 4]> {
-    let found: Option<Vec<[f64; 4]>> = limit
+    let found: Vec<[f64; 4]> = limit
         .surfaces
         .iter()
-        .map(|surface| {
+        .filter(|surface| cells < surface.cells)
+        .filter_map(|surface| {
             let values = case.values(rows, law, surface.seed, cells)?;
             let limit = surface.values;
             Some(std::array::from_fn(|k| (values[k] - limit[k]) / if k > 1 { limit[k] } else { 1.0 }))
         })
         .collect();
-    let found = found?;
+    if found.is_empty() {
+        return None;
+    }
     Some(std::array::from_fn(|k| found.iter().map(|d| d[k].abs()).sum::<f64>() / found.len() as f64))
 }
 
@@ -154,17 +148,9 @@ pub(crate) fn text(rows: &[Row]) -> Result<String, Box<dyn Error>> {
             spread[3]
         )?;
     }
-    let cells = |text: &mut String| {
-        let names: Vec<String> =
-            CELLS.iter().map(|cells| format!("{:.2} um |", 62.5 / *cells as f64)).collect();
-        writeln!(text, "| {} |\n|---|---|---|---{}|", names.join(" "), "|---".repeat(CELLS.len()))
-    };
     for (k, name) in ["area ratio", "load ratio", "mean film, nm", "friction"].into_iter().enumerate() {
-        writeln!(
-            text,
-            "\nMean over surfaces, {name} on cells of\n\n| scene | speed, m/s | cavitation | faces"
-        )?;
-        cells(&mut text)?;
+        writeln!(text, "\nMean over surfaces, {name} on cells of\n")?;
+        head(&mut text)?;
         for (case, law) in cases().into_iter().flat_map(|case| LAWS.map(|law| (case, law))) {
             let Some(limit) = limit(&case, rows) else { continue };
             write!(
@@ -188,6 +174,17 @@ pub(crate) fn text(rows: &[Row]) -> Result<String, Box<dyn Error>> {
     Ok(text)
 }
 
+/// Size of cells \[um\].
+pub(crate) fn size(cells: usize) -> f64 {
+    62.5 / cells as f64
+}
+
+fn head(text: &mut String) -> std::fmt::Result {
+    let names: Vec<String> = CELLS.iter().map(|cells| format!("{:.2} um", size(*cells))).collect();
+    writeln!(text, "| scene | speed, m/s | cavitation | faces | {} |", names.join(" | "))?;
+    writeln!(text, "|---|---|---|---{}|", "|---".repeat(CELLS.len()))
+}
+
 /// Mean and largest distance of each law from the limits.
 fn errors(text: &mut String, rows: &[Row]) -> Result<(), Box<dyn Error>> {
     let limits: Vec<(Case, Limit)> =
@@ -200,13 +197,13 @@ fn errors(text: &mut String, rows: &[Row]) -> Result<(), Box<dyn Error>> {
         .flat_map(|cavitation| LAWS.map(|law| (cavitation, law)))
         .flat_map(|pair| CELLS.map(|cells| (pair, cells)))
     {
-        let of = limits.iter().filter(|(case, limit)| case.cavitation == cavitation && cells < limit.cells());
+        let of = limits.iter().filter(|(case, _)| case.cavitation == cavitation);
         let found: Vec<[f64; 4]> =
             of.filter_map(|(case, limit)| distance(case, limit, rows, law, cells)).collect();
         if found.is_empty() {
             continue;
         }
-        write!(text, "| {} | {} | {:.2} um |", cavitation.1, law.name(), 62.5 / cells as f64)?;
+        write!(text, "| {} | {} | {:.2} um |", cavitation.1, law.name(), size(cells))?;
         for k in 0..4 {
             let mean = found.iter().map(|d| d[k]).sum::<f64>() / found.len() as f64;
             let largest = found.iter().fold(0.0_f64, |most, d| most.max(d[k]));

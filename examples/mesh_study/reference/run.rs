@@ -1,4 +1,4 @@
-//! A contact on finer and finer meshes, each started from the solution on the one before; lines of the table.
+//! One contact of the reference: its surfaces, its solve, its line of the table.
 
 use std::error::Error;
 
@@ -13,6 +13,9 @@ use stribeck::surface::{Autocorrelation, Heights, RoughnessSpec, generate};
 use stribeck::{Grid, Status};
 
 use super::plan::{Run, SURFACE_CELLS};
+
+/// Newton steps of a solve; what takes more has not converged.
+const MOST_STEPS: u64 = 100;
 
 pub(crate) const COLUMNS: &str = "scene,entrainment_speed_m_per_s,cavitation,face_mobility,seed,cells,status,convolutions,\
      area_ratio,load_ratio,mean_film_m,friction_coefficient";
@@ -57,8 +60,8 @@ impl Row {
     }
 }
 
-/// Solves the contact of `run` from `start`, the solution on half as many cells along each side, or from the dry contact.
-pub(crate) fn solve(run: Run, start: Option<&ContactState>) -> Result<(Row, ContactState), Box<dyn Error>> {
+/// Solves the contact of `run` from `start`, or from the dry contact.
+pub(crate) fn solve(run: Run, start: Option<ContactState>) -> Result<(Row, ContactState), Box<dyn Error>> {
     let scene = run.scene();
     let (grid, hertz) = (scene.grid()?, scene.hertz()?);
     let gap = gap(run, &scene, grid)?;
@@ -88,8 +91,12 @@ pub(crate) fn solve(run: Run, start: Option<&ContactState>) -> Result<(Row, Cont
         reference_pressure: hertz.p_max,
         reference_film: 0.0,
     };
-    let mut state = start.map_or_else(|| ContactState::new(&grid), |coarse| finer(coarse, run.cells / 2));
-    let report = NewtonKrylov::new().solve(&mut problem, &mut state, &StoppingRule::default())?;
+    let mut state = start.unwrap_or_else(|| ContactState::new(&grid));
+    let report = NewtonKrylov::new().solve(
+        &mut problem,
+        &mut state,
+        &StoppingRule { max_iterations: MOST_STEPS, ..StoppingRule::default() },
+    )?;
     let status = report.status;
     let row = Row {
         run,
@@ -152,9 +159,10 @@ fn numbers(
 }
 
 /// A state of `n` by `n` cells on twice as many along each side: linear between their centres, flags of contact from the nearest.
-fn finer(state: &ContactState, n: usize) -> ContactState {
+pub(crate) fn finer(state: &ContactState, n: usize) -> ContactState {
     let nodes = || (0..4 * n * n).map(|k| (k % (2 * n), k / (2 * n)));
-    let neighbour = |k: usize| if k % 2 == 0 { (k / 2).saturating_sub(1) } else { (k / 2 + 1).min(n - 1) };
+    let neighbour =
+        |k: usize| if k.is_multiple_of(2) { (k / 2).saturating_sub(1) } else { (k / 2 + 1).min(n - 1) };
     let linear = |field: &[f64]| -> Vec<f64> {
         let value = |(i, j): (usize, usize)| {
             let (i, j, near_i, near_j) = (i / 2, j / 2, neighbour(i), neighbour(j));
