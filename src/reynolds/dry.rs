@@ -14,7 +14,7 @@ const FILM_OVER_GAP: f64 = 2.0;
 const START_PASSES: u64 = 40;
 
 /// The dry contact of a problem, whatever its lubricant, written into a state.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(super) struct DryStart {
     solver: DrySolver,
     excluded: Vec<bool>,
@@ -33,24 +33,23 @@ impl DryStart {
         tolerance: f64,
     ) -> Result<Work, ReynoldsError> {
         let outcome = self.solve(problem, state, tolerance, START_PASSES)?;
-        if problem.reference_film > FILM_OVER_GAP * self.mean_gap(problem, state) {
+        if problem.reference_film > FILM_OVER_GAP * self.mean_gap(problem) {
             // A film thicker than what the dry surfaces leave between them carries the load as fluid.
             for k in interior(&problem.grid()) {
                 state.fluid_pressure[k] = state.pressure[k];
             }
             state.approach -= problem.reference_film - problem.contact_film();
         }
-        Ok(Work { convolutions: outcome.convolutions as f64, ..Work::default() })
+        Ok(Work { convolutions: outcome.convolutions, ..Work::default() })
     }
 
     /// Mean gap of the dry contact inside the reference ellipse \[m\].
-    fn mean_gap(&self, problem: &LubricatedContact<'_>, state: &ContactState) -> f64 {
+    fn mean_gap(&self, problem: &LubricatedContact<'_>) -> f64 {
         let (a, b) = problem.reference_half_widths;
         let (mut sum, mut n) = (0.0, 0_usize);
         for (k, (x, y)) in problem.grid().nodes().enumerate() {
             if (x / a).powi(2) + (y / b).powi(2) <= 1.0 {
-                let level = state.approach + problem.contact_film();
-                sum += (self.solver.deformed_gap()[k] - level).max(0.0);
+                sum += self.solver.gap()[k].max(0.0);
                 n += 1;
             }
         }
@@ -181,10 +180,10 @@ impl ContactSolver for Dry {
             refuse_edge_contact(&grid, state)?;
         }
         let work = Work {
-            convolutions: outcome.convolutions as f64 + coupled.convolutions,
+            convolutions: outcome.convolutions + coupled.convolutions,
             iterations: outcome.passes,
             inner_iterations: outcome.steps,
         };
-        Ok(SolveReport { solver: "dry", status, residuals, work })
+        Ok(SolveReport { solver: "dry", status, residuals, energy_error: Some(outcome.energy_error), work })
     }
 }
