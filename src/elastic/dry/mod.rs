@@ -6,6 +6,7 @@ mod sides;
 
 use super::DeformationModel;
 use crate::error::InputError;
+use crate::grid::Grid;
 use coarser::Coarser;
 use sides::Side;
 
@@ -39,6 +40,17 @@ impl DryProblem<'_> {
     fn limit_of(&self, k: usize) -> f64 {
         self.limit.map_or(f64::INFINITY, |limit| limit[k])
     }
+}
+
+/// What a solve is asked for.
+struct Task<'a> {
+    problem: &'a DryProblem<'a>,
+    /// Sum of the pressures \[Pa\].
+    target: f64,
+    /// What gaps are counted from \[m\].
+    datum: f64,
+    tolerance: f64,
+    max_passes: u64,
 }
 
 /// How a dry solve ended. All of it is of the pressure that is returned.
@@ -84,6 +96,8 @@ pub struct DrySolver {
     estimate: Vec<f64>,
     direction: Vec<f64>,
     displacement: Vec<f64>,
+    /// Pressure of the lowest gap error.
+    best: Vec<f64>,
     coarser: Option<Box<Coarser>>,
 }
 
@@ -98,12 +112,13 @@ impl DrySolver {
             estimate: zeros(),
             direction: zeros(),
             displacement: zeros(),
+            best: zeros(),
             coarser: None,
         }
     }
 
     /// Solves `problem`, starting from `pressure`. Ends when the gap error is at most `tolerance`, after `max_passes` passes, or
-    /// when a hundred passes have brought nothing, as rounding bounds what can be reached.
+    /// when a hundred passes have brought nothing, as rounding bounds what can be reached; then with the best pressure found.
     ///
     /// # Errors
     /// Slices that do not fit the grid of `deformation` or this solver.
@@ -116,6 +131,30 @@ impl DrySolver {
         max_passes: u64,
     ) -> Result<DryOutcome, InputError> {
         let grid = deformation.grid();
+        self.check(problem, pressure, &grid)?;
+        // Gaps are counted from the lowest, so that no offset of the bodies costs digits.
+        let touchable = (0..grid.len()).filter(|&k| !problem.excluded[k]).map(|k| problem.gap[k]);
+        let datum = touchable.fold(f64::INFINITY, f64::min);
+        let task = Task { problem, target: problem.load / grid.cell_area(), datum, tolerance, max_passes };
+        let mut outcome = DryOutcome {
+            gap_error: f64::INFINITY,
+            energy_error: f64::INFINITY,
+            approach: 0.0,
+            convolutions: 0.0,
+            passes: 0,
+            steps: 0,
+            converged: false,
+        };
+        let level = self.iterate(&task, deformation, pressure, &mut outcome)?;
+        if outcome.gap_error.is_finite() {
+            outcome.energy_error = self.energy_error(problem, pressure);
+        }
+        outcome.approach = level + datum;
+        self.gap.iter_mut().for_each(|g| *g -= level);
+        Ok(outcome)
+    }
+
+    fn check(&self, problem: &DryProblem<'_>, pressure: &[f64], grid: &Grid) -> Result<(), InputError> {
         for (field, len) in [
             ("gap", problem.gap.len()),
             ("pressure", pressure.len()),
@@ -127,36 +166,42 @@ impl DrySolver {
                 return Err(InputError::Shape { field: field.to_owned(), expected: grid.len(), found: len });
             }
         }
-        let target = problem.load / grid.cell_area();
-        self.start(problem, pressure, target);
-        // Gaps are counted from the lowest, so that no offset of the bodies costs digits.
-        let datum = (0..grid.len()).filter(|&k| !problem.excluded[k]).map(|k| problem.gap[k]);
-        let datum = datum.fold(f64::INFINITY, f64::min);
-        let mut outcome = DryOutcome {
-            gap_error: f64::INFINITY,
-            energy_error: f64::INFINITY,
-            approach: 0.0,
-            convolutions: 0.0,
-            passes: 0,
-            steps: 0,
-            converged: false,
-        };
-        let (mut lowest, mut last_gain) = (f64::INFINITY, 0);
-        let level = loop {
+        Ok(())
+    }
+
+    /// Passes until one of the ends of a solve; returns the level of the gaps and leaves the best pressure.
+    fn iterate(
+        &mut self,
+        task: &Task<'_>,
+        deformation: &mut dyn DeformationModel,
+        pressure: &mut [f64],
+        outcome: &mut DryOutcome,
+    ) -> Result<f64, InputError> {
+        let problem = task.problem;
+        self.start(problem, pressure, task.target);
+        let (mut lowest, mut best, mut last_gain) = (f64::INFINITY, f64::INFINITY, 0);
+        loop {
             outcome.passes += 1;
-            let (level, scale, is_settled) = self.evaluate(problem, deformation, pressure, datum, &mut outcome)?;
-            outcome.converged = outcome.gap_error <= tolerance;
+            let (level, scale, is_settled) = self.evaluate(task, deformation, pressure, outcome)?;
+            outcome.converged = outcome.gap_error <= task.tolerance;
             if outcome.gap_error < LEAST_GAIN * lowest {
                 (lowest, last_gain) = (outcome.gap_error, outcome.passes);
             }
-            if outcome.converged || outcome.passes >= max_passes || outcome.passes - last_gain >= PATIENCE {
-                break level;
+            if outcome.gap_error < best {
+                best = outcome.gap_error;
+                self.best.copy_from_slice(pressure);
             }
-            if outcome.passes == 1 && !(outcome.gap_error <= COARSE_START) {
-                let cost = self.start_from_coarser(problem, deformation, pressure, tolerance)?;
+            if outcome.converged {
+                return Ok(level);
+            }
+            if outcome.passes >= task.max_passes || outcome.passes - last_gain >= PATIENCE {
+                break;
+            }
+            if outcome.passes == 1 && outcome.gap_error > COARSE_START {
+                let cost = self.start_from_coarser(problem, deformation, pressure, task.tolerance)?;
                 outcome.convolutions += cost;
                 if cost > 0.0 {
-                    self.start(problem, pressure, target);
+                    self.start(problem, pressure, task.target);
                     continue;
                 }
             }
@@ -164,16 +209,15 @@ impl DrySolver {
             if cautious || is_settled {
                 self.touch(level, cautious);
             }
-            self.relax(problem, deformation, pressure, (tolerance * scale, cautious), &mut outcome)?;
+            self.relax(problem, deformation, pressure, (task.tolerance * scale, cautious), outcome)?;
             self.clip(problem, pressure, cautious);
-            self.restore_load(problem, pressure, target);
-        };
-        if outcome.gap_error.is_finite() {
-            outcome.energy_error = self.energy_error(problem, pressure);
+            self.restore_load(problem, pressure, task.target);
         }
-        outcome.approach = level + datum;
-        self.gap.iter_mut().for_each(|g| *g -= level);
-        Ok(outcome)
+        if outcome.gap_error > best {
+            pressure.copy_from_slice(&self.best);
+            self.start(problem, pressure, task.target);
+        }
+        Ok(self.evaluate(task, deformation, pressure, outcome)?.0)
     }
 
     /// Gap under the pressure that the last solve returned \[m\], negative where nodes at their limit overlap.
@@ -181,27 +225,26 @@ impl DrySolver {
         &self.gap
     }
 
-    /// Deformed gaps over `datum` and their error; returns the level of the free ones, the mean displacement, and whether the gaps of
+    /// Deformed gaps over the datum and their error; returns the level of the free ones, the mean displacement, and whether the gaps of
     /// the free nodes are closed so far that those of the others tell who is next to touch.
     fn evaluate(
         &mut self,
-        problem: &DryProblem<'_>,
+        task: &Task<'_>,
         deformation: &mut dyn DeformationModel,
         pressure: &[f64],
-        datum: f64,
         outcome: &mut DryOutcome,
     ) -> Result<(f64, f64, bool), InputError> {
         deformation.displacement(pressure, &mut self.displacement)?;
         outcome.convolutions += 1.0;
         let (mut work, mut sum) = (0.0, 0.0);
-        for ((g, z), (u, p)) in self.gap.iter_mut().zip(problem.gap).zip(self.displacement.iter().zip(pressure)) {
-            *g = (z - datum) + u;
+        for ((g, z), (u, p)) in self.gap.iter_mut().zip(task.problem.gap).zip(self.displacement.iter().zip(pressure)) {
+            *g = (z - task.datum) + u;
             work += u * p;
             sum += p;
         }
         let scale = if sum > 0.0 { work / sum } else { f64::MIN_POSITIVE };
         let level = self.free_mean(&self.gap);
-        let (error, is_settled) = self.gap_error(problem, pressure, level);
+        let (error, is_settled) = self.gap_error(task.problem, pressure, level);
         outcome.gap_error = error / scale;
         Ok((level, scale, is_settled))
     }
