@@ -88,9 +88,9 @@ impl Spectrum<f64> {
     fn map<U: Precision>(&self, each: impl Fn(f64) -> U) -> Spectrum<U> {
         match self {
             Self::Symmetric(values) => Spectrum::Symmetric(values.iter().map(|&value| each(value)).collect()),
-            Self::General(values) => {
-                Spectrum::General(values.iter().map(|value| Complex::new(each(value.re), each(value.im))).collect())
-            }
+            Self::General(values) => Spectrum::General(
+                values.iter().map(|value| Complex::new(each(value.re), each(value.im))).collect(),
+            ),
         }
     }
 
@@ -372,6 +372,29 @@ impl<T: Precision> Convolution<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn spectra_of_symmetric_kernels_are_real_and_halved() {
+        for (nx, ny) in [(8, 6), (7, 5), (5, 9), (12, 1)] {
+            let even = |i: isize, j: isize| 1.0 / (1.0 + (i * i + 2 * j * j) as f64).sqrt();
+            let skew = |i: isize, j: isize| even(i, j) * (1.0 + 0.1 * (i as f64 + 0.5 * j as f64));
+            let field: Vec<f64> = (0..nx * ny).map(|k| (k as f64).sin()).collect();
+            let check = |kernel: &dyn Fn(isize, isize) -> f64, is_symmetric: bool| {
+                let plan = Arc::new(ConvolutionPlan::new(nx, ny, kernel));
+                assert_eq!(matches!(plan.spectrum, Spectrum::Symmetric(_)), is_symmetric, "{nx} x {ny}");
+                let mut out = vec![0.0; nx * ny];
+                Convolution::new(plan).apply(&field, &mut out);
+                for (k, value) in out.iter().enumerate() {
+                    let along = |l: usize| (k % nx) as isize - (l % nx) as isize;
+                    let down = |l: usize| (k / nx) as isize - (l / nx) as isize;
+                    let sum: f64 = (0..nx * ny).map(|l| kernel(along(l), down(l)) * field[l]).sum();
+                    assert!((value - sum).abs() < 1e-12, "{nx} x {ny}, {k}: {value} {sum}");
+                }
+            };
+            check(&even, true);
+            check(&skew, false);
+        }
+    }
 
     #[test]
     fn lanes_change_no_bit() {

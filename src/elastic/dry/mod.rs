@@ -237,7 +237,9 @@ impl DrySolver {
         deformation.displacement(pressure, &mut self.displacement)?;
         outcome.convolutions += 1.0;
         let (mut work, mut sum) = (0.0, 0.0);
-        for ((g, z), (u, p)) in self.gap.iter_mut().zip(task.problem.gap).zip(self.displacement.iter().zip(pressure)) {
+        for ((g, z), (u, p)) in
+            self.gap.iter_mut().zip(task.problem.gap).zip(self.displacement.iter().zip(pressure))
+        {
             *g = (z - task.datum) + u;
             work += u * p;
             sum += p;

@@ -60,7 +60,8 @@ impl DrySolver {
             }
             let mean = sums.estimate / n_free as f64;
             // Conjugate to the last direction, whatever the rounding of the products.
-            let beta = if step == 0 { 0.0 } else { (mean * shift * n_free as f64 - sums.overlap) / curvature };
+            let beta =
+                if step == 0 { 0.0 } else { (mean * shift * n_free as f64 - sums.overlap) / curvature };
             self.turn(mean, beta);
             deformation.displacement_estimate(&self.direction, &mut self.displacement)?;
             outcome.convolutions += STEP_COST;
