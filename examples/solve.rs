@@ -122,6 +122,7 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
             "load": report.residuals.load,
             "complementarity": report.residuals.complementarity,
         },
+        "energy_error": report.energy_error,
         "work": {
             "convolutions": report.work.convolutions,
             "iterations": report.work.iterations,
