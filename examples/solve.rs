@@ -122,6 +122,7 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
             "load": report.residuals.load,
             "complementarity": report.residuals.complementarity,
         },
+        "energy_error": report.energy_error,
         "work": {
             "convolutions": report.work.convolutions,
             "iterations": report.work.iterations,
@@ -147,6 +148,8 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
             "area_ratio": contact.area_ratio,
             "load_ratio": contact.load_ratio,
             "area": contact.area,
+            "corrected_area_ratio": contact.corrected_area_ratio,
+            "corrected_area": contact.corrected_area,
             "plastic_area": contact.plastic_area,
             "film_cutoff": contact.film_cutoff,
         },
@@ -161,6 +164,10 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
             "central_film": estimate.central_film,
             "minimum_film": estimate.minimum_film,
             "max_pressure": estimate.max_pressure,
+            "mean_film": estimate.mean_film,
+            "load_ratio": estimate.load_ratio,
+            "area_ratio": estimate.area_ratio,
+            "friction_coefficient": estimate.friction_coefficient,
         })),
         "grid": { "nx": grid.nx(), "ny": grid.ny(), "dx": grid.dx(), "dy": grid.dy() },
         "version": env!("CARGO_PKG_VERSION"),
@@ -226,13 +233,18 @@ fn summary(solution: &ContactSolution, seconds: f64) -> String {
         ),
         format!("approach   {:.3} nm", state.approach * 1e9),
         error_estimate.map_or_else(
-            || "errors     not estimated: the grid is given".to_owned(),
+            || "errors     not estimated".to_owned(),
             |estimate| {
                 format!(
-                    "errors     central film {:.2} %, minimum film {:.2} %, maximum pressure {:.2} %",
+                    "errors     central film {:.2} %, minimum film {:.2} %, maximum pressure {:.2} %, mean film {:.2} %, friction {:.2} %, \
+                     load ratio {:.4}, area ratio {:.4}",
                     estimate.central_film * 100.0,
                     estimate.minimum_film * 100.0,
-                    estimate.max_pressure * 100.0
+                    estimate.max_pressure * 100.0,
+                    estimate.mean_film * 100.0,
+                    estimate.friction_coefficient * 100.0,
+                    estimate.load_ratio,
+                    estimate.area_ratio
                 )
             },
         ),

@@ -97,6 +97,10 @@ pub struct SolveReport {
     pub status: Status,
     /// Residuals of the state that was returned.
     pub residuals: Residuals,
+    /// Of dry contacts: what the energy lies above its minimum at most, over the elastic energy
+    /// ([`DryOutcome::energy_error`](crate::elastic::DryOutcome::energy_error)). It holds whatever the solver did. None with a lubricant, which has no
+    /// energy to minimise, and from solvers that do not tell.
+    pub energy_error: Option<f64>,
     /// Work of the whole solve, starts and fallbacks included.
     pub work: Work,
 }

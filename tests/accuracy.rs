@@ -1,10 +1,15 @@
 //! `grid.accuracy`: meshes that reach it, estimates that hold, scenes it is not for.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
+use std::path::Path;
+
 use stribeck::Status;
-use stribeck::sim::scene::{GridSpec, Load, LubricantSpec};
-use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, solve_contact};
-use stribeck::surface::Form;
+use stribeck::reynolds::ContactDefinition;
+use stribeck::sim::scene::{
+    FileRoughness, GridSpec, Load, LubricantSpec, RandomRoughness, Roughness, RoughnessPair, SolverKind,
+};
+use stribeck::sim::{ContactSolution, ErrorEstimate, MixedLubricationSim, Scene, solve_contact};
+use stribeck::surface::{Autocorrelation, Form, Heights, RoughnessSpec, generate, write_npy};
 
 const RADIUS: f64 = 1.0;
 const MODULUS: f64 = 226e9;
@@ -108,9 +113,7 @@ fn what_it_cannot_be_asked_of_is_refused() {
     for accuracy in [0.0, -0.01, 0.2, 1e-9, f64::NAN] {
         named(&contact(20.0, 10.0, accuracy), "between");
     }
-    let mut rough = Scene::azam_2019(16);
-    rough.grid = GridSpec::Accuracy { accuracy: 0.01 };
-    named(&rough, "rough");
+    let rough = Scene { grid: GridSpec::Accuracy { accuracy: 0.01 }, ..Scene::azam_2019(16) };
     // A history needs one grid for all of its steps.
     let message = MixedLubricationSim::builder(rough).build().unwrap_err().to_string();
     assert!(message.starts_with("grid.accuracy"), "{message}");
@@ -140,4 +143,151 @@ fn files_say_it_in_place_of_a_grid() {
     let row = Scene::from_toml(&text("nx = 64\nx = [-1e-3, 1e-3]")).unwrap();
     let message = solve_contact(&row).unwrap_err().to_string();
     assert!(message.contains("ny and y are missing"), "{message}");
+}
+
+/// A small mixed contact on `n` x `n` cells.
+fn rough(n: usize) -> Scene {
+    let mut scene = Scene::azam_2019(n);
+    scene.form = Form::Sphere { radius: 2.0e-3 };
+    let edges = [-80e-6, 80e-6];
+    scene.grid = GridSpec::Cells { nx: n, ny: n, x: edges, y: edges };
+    scene.motion.entrainment_speed = 0.03;
+    scene
+}
+
+/// The heights of `of` on its grid as node-by-node files in `folder`, by their Fourier series on `n` x `n` cells.
+fn as_files(of: &Scene, n: usize, folder: &Path) -> RoughnessPair {
+    let grid = of.grid().unwrap();
+    let file = |roughness: &Roughness, name: &str| {
+        let Roughness::Gaussian(random) = roughness else { panic!("not a random surface") };
+        let spec = RoughnessSpec {
+            autocorrelation: Autocorrelation::Gaussian,
+            rq: random.rq,
+            length_x: random.length_x,
+            length_y: random.length_y,
+            seed: random.seed,
+        };
+        let heights = generate(&grid, &spec).unwrap();
+        let surface = Heights::new(grid.nx(), grid.ny(), None, heights, None).unwrap();
+        let path = folder.join(name);
+        write_npy(&path, n, n, surface.resample_fourier(n, n).unwrap().heights()).unwrap();
+        Roughness::File(FileRoughness { path, rq: None })
+    };
+    RoughnessPair {
+        ball: file(&of.roughness.ball, &format!("ball{n}.npy")),
+        disc: file(&of.roughness.disc, &format!("disc{n}.npy")),
+    }
+}
+
+fn four(solution: &ContactSolution) -> [f64; 4] {
+    let contact = solution.contact;
+    [contact.load_ratio, contact.area_ratio, solution.film.mean_central, solution.friction_coefficient]
+}
+
+fn four_estimates(estimate: &ErrorEstimate) -> [f64; 4] {
+    [estimate.load_ratio, estimate.area_ratio, estimate.mean_film, estimate.friction_coefficient]
+}
+
+/// The solution is that of the grid alone, and its errors against four times finer cells are below the estimates.
+#[test]
+fn a_coarser_solve_estimates_a_rough_contact() {
+    let folder = tempfile::tempdir().unwrap();
+    let given = rough(32);
+    let on = |n: usize, estimate: bool| {
+        let mut scene = rough(n);
+        scene.roughness = as_files(&given, n, folder.path());
+        scene.solver.estimate = estimate;
+        solved(&scene)
+    };
+    let (alone, solution, fine) = (on(64, false), on(64, true), on(256, false));
+    assert!(alone.error_estimate.is_none());
+    assert_eq!(alone.state.pressure, solution.state.pressure);
+    assert!(solution.report.work.convolutions > alone.report.work.convolutions);
+    assert!((0.05..0.95).contains(&solution.contact.load_ratio), "{:?}", solution.contact);
+    let estimate = solution.error_estimate.unwrap();
+    let [found, truth] = [&solution, &fine].map(four);
+    for (k, bound) in four_estimates(&estimate).into_iter().enumerate() {
+        let scale = if k < 2 { 1.0 } else { truth[k] };
+        let error = (found[k] - truth[k]).abs() / scale;
+        assert!(error <= bound && bound < 0.5, "number {k}: {error}, {estimate:?}");
+    }
+}
+
+#[test]
+fn the_surface_of_a_seed_is_refined_by_its_fourier_series() {
+    let folder = tempfile::tempdir().unwrap();
+    let refined = |mut scene: Scene, accuracy| {
+        scene.solver.accuracy = Some(accuracy);
+        solved(&scene)
+    };
+    // Dry, so that two refinements are cheap.
+    let mut given = rough(24);
+    given.solver.kind = SolverKind::Dry;
+    let coarse = refined(given.clone(), 0.1);
+    let fine = refined(given.clone(), 0.01);
+    assert!(fine.grid.nx() > coarse.grid.nx() && fine.grid.nx() % 24 == 0);
+    for (solution, accuracy) in [(&coarse, 0.1), (&fine, 0.01)] {
+        let largest = four_estimates(&solution.error_estimate.unwrap()).into_iter().fold(0.0, f64::max);
+        assert!(largest <= accuracy, "{largest}");
+    }
+    let n = fine.grid.nx();
+    let mut by_file = Scene { roughness: as_files(&given, n, folder.path()), ..rough(n) };
+    by_file.solver.kind = SolverKind::Dry;
+    assert_eq!(solved(&by_file).state.pressure, fine.state.pressure);
+    // Node-by-node files hold the waves of their own cells.
+    let from_file = Scene { roughness: as_files(&given, 24, folder.path()), ..given.clone() };
+    let by_file = refined(from_file, 0.01);
+    assert_eq!(by_file.grid, fine.grid);
+    assert!((by_file.contact.area_ratio - fine.contact.area_ratio).abs() < 1e-9);
+}
+
+#[test]
+fn a_random_surface_picks_its_own_cells() {
+    let mut scene = rough(16);
+    scene.solver.kind = SolverKind::Dry;
+    scene.grid = GridSpec::Accuracy { accuracy: 0.05 };
+    let solution = solved(&scene);
+    let largest = four_estimates(&solution.error_estimate.unwrap()).into_iter().fold(0.0, f64::max);
+    assert!(largest <= 0.05, "{largest}");
+    assert!(solution.grid.dx() <= 10e-6 / 3.0, "{}", solution.grid.dx());
+}
+
+#[test]
+fn surfaces_and_grids_without_an_estimate_are_refused() {
+    let message = |scene: &Scene| solve_contact(scene).unwrap_err().to_string();
+    let mut scene = rough(16);
+    scene.grid = GridSpec::Accuracy { accuracy: 0.05 };
+    let random = RandomRoughness { rq: 1e-7, length_x: 1e-5, length_y: 1e-5, seed: 1 };
+    scene.roughness.disc = Roughness::Exponential(random);
+    let text = message(&scene);
+    assert!(text.starts_with("roughness.disc.kind = \"exponential\"") && text.contains("nx"), "{text}");
+    scene.roughness.disc = Roughness::File(FileRoughness { path: "disc.npy".into(), rq: None });
+    let text = message(&scene);
+    assert!(text.starts_with("roughness.disc.path = disc.npy") && text.contains("nx"), "{text}");
+    scene.roughness.disc = Roughness::Gaussian(RandomRoughness { length_x: 1e-9, ..random });
+    assert!(message(&scene).contains("nodes"), "{}", message(&scene));
+    let mut few = rough(9);
+    few.solver.estimate = true;
+    assert!(message(&few).starts_with("grid.nx = 9"), "{}", message(&few));
+    let mut paper = rough(16);
+    paper.solver.estimate = true;
+    paper.solver.contact = ContactDefinition::Paper;
+    assert!(message(&paper).starts_with("solver.contact = \"paper\""), "{}", message(&paper));
+    let mut wrong = rough(16);
+    wrong.solver.accuracy = Some(0.5);
+    assert!(message(&wrong).starts_with("solver.accuracy = 0.5"), "{}", message(&wrong));
+    wrong.solver.accuracy = Some(0.05);
+    wrong.grid = GridSpec::Accuracy { accuracy: 0.05 };
+    assert!(message(&wrong).starts_with("solver.accuracy"), "{}", message(&wrong));
+}
+
+/// A limit of iterations is a status: the best state is there, and no estimate that it would not bear out.
+#[test]
+fn what_does_not_converge_has_no_estimate() {
+    let mut scene = rough(32);
+    scene.solver.estimate = true;
+    scene.solver.max_iterations = 1;
+    let solution = solve_contact(&scene).unwrap();
+    assert_ne!(solution.report.status, Status::Converged);
+    assert!(solution.error_estimate.is_none() && solution.film.mean_central.is_finite());
 }

@@ -238,3 +238,28 @@ fn heights_from_a_file_move_the_gap_of_their_own_node() {
     assert!((node(10, 2) - node(5, 2) - 50e-9).abs() < 1e-15);
     assert!((node(10, 9) - node(5, 9)).abs() < 1e-15);
 }
+
+#[test]
+fn estimates_are_printed_and_written() {
+    let text = std::fs::read_to_string(format!("{SCENES}/rough.toml")).unwrap().replace("= 128", "= 64");
+    let (_folder, path) = scene(&text.replace("[solver]", "[solver]\nestimate = true"));
+    let json = json_of(&solve(&[path.to_str().unwrap(), "--json"]));
+    assert_eq!(json["status"], "converged");
+    let estimates = json["error_estimate"].as_object().unwrap();
+    assert_eq!(estimates.len(), 7);
+    for (key, value) in estimates {
+        let documented = include_str!("../docs/scene.md").contains(&format!("`error_estimate.{key}`"));
+        assert!(documented && value.as_f64().unwrap() >= 0.0, "{key}: {value}");
+    }
+    for key in ["mean_film", "friction_coefficient", "load_ratio", "area_ratio"] {
+        assert!((1e-3..1.0).contains(&number(&json, &format!("/error_estimate/{key}"))), "{json}");
+    }
+    let [counted, corrected] =
+        ["/contact/area_ratio", "/contact/corrected_area_ratio"].map(|path| number(&json, path));
+    assert!(0.0 < corrected && corrected < counted);
+    let report = String::from_utf8(solve(&[path.to_str().unwrap()]).stdout).unwrap();
+    let errors = report.lines().find(|line| line.starts_with("errors")).unwrap();
+    for name in ["mean film", "friction", "load ratio", "area ratio"] {
+        assert!(errors.contains(name), "{errors}");
+    }
+}

@@ -168,7 +168,8 @@ fn solve_again(
 
 #[test]
 fn dry_contact() {
-    for (nx, ny) in SHAPES {
+    // The last two have coarser grids.
+    for (nx, ny) in SHAPES.into_iter().chain([(40, 36), (67, 33)]) {
         let mut scene = Scene::new(nx, ny, 100e-9);
         let stop = StoppingRule { tolerance: 1e-9, max_iterations: 500 };
         for (report, allocations) in solve_again(&mut Dry::new(), &mut scene.problem(None), &stop) {

@@ -38,7 +38,7 @@ impl ContactSolver for SteepestDescent {
             let converged = residuals.max() <= stop.tolerance;
             if converged || work.iterations == stop.max_iterations {
                 let status = if converged { Status::Converged } else { Status::MaxIterations };
-                return Ok(SolveReport { solver: self.name(), status, residuals, work });
+                return Ok(SolveReport { solver: self.name(), status, residuals, energy_error: None, work });
             }
             work.iterations += 1;
             // The bodies come closer until the gaps under pressure are those of contact on average.

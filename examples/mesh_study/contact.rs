@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::path::Path;
 
-use stribeck::reynolds::{ContactDefinition, FaceMobility, Scheme};
+use stribeck::reynolds::{Cavitation, ContactDefinition, FaceMobility, Scheme};
 use stribeck::sim::scene::{FileRoughness, Roughness, RoughnessPair, SolverKind};
 use stribeck::sim::{Scene, solve_contact};
 use stribeck::surface::{Autocorrelation, Heights, RoughnessSpec, generate, write_npy};
@@ -13,7 +13,7 @@ use crate::plan::{CONTACTS, Contact, Job};
 /// Where the autocorrelation is 10 % \[m\].
 const LENGTH: f64 = 10e-6;
 
-pub(crate) const COLUMNS: &str = "contact,face_mobility,cells,cells_of_surface,seed,film_cutoff_m,entrainment_speed_m_per_s,rq_ball_m,rq_disc_m,status,ran,\
+pub(crate) const COLUMNS: &str = "contact,face_mobility,cavitation,cells,cells_of_surface,seed,film_cutoff_m,entrainment_speed_m_per_s,rq_ball_m,rq_disc_m,status,ran,\
      mass_residual,load_residual,complementarity_residual,iterations,convolutions,minimum_gap_m,area_ratio,load_ratio,\
      mean_film_m,friction_coefficient";
 
@@ -56,25 +56,25 @@ impl Row {
         let fields: Vec<&str> = line.split(',').collect();
         let number = |k: usize| fields.get(k)?.parse::<f64>().ok();
         let count = |k: usize| fields.get(k)?.parse::<u64>().ok();
-        let kind = format!("{},{}", fields.first()?, fields.get(1)?);
+        let kind = fields.get(..3)?.join(",");
         let job = Job {
             contact: CONTACTS.into_iter().find(|contact| contact.to_string() == kind)?,
-            cells: fields.get(2)?.parse().ok()?,
-            coarsest: fields.get(3)?.parse().ok()?,
-            seed: count(4)?,
-            cutoff: number(5)?,
-            speed: number(6)?,
-            rq: [number(7)?, number(8)?],
+            cells: fields.get(3)?.parse().ok()?,
+            coarsest: fields.get(4)?.parse().ok()?,
+            seed: count(5)?,
+            cutoff: number(6)?,
+            speed: number(7)?,
+            rq: [number(8)?, number(9)?],
         };
         Some(Self {
             job,
-            status: (*fields.get(9)?).to_owned(),
-            ran: (*fields.get(10)?).to_owned(),
-            residuals: [number(11)?, number(12)?, number(13)?],
-            iterations: count(14)?,
-            convolutions: number(15)?,
-            gap: number(16)?,
-            values: [number(17)?, number(18)?, number(19)?, number(20)?],
+            status: (*fields.get(10)?).to_owned(),
+            ran: (*fields.get(11)?).to_owned(),
+            residuals: [number(12)?, number(13)?, number(14)?],
+            iterations: count(15)?,
+            convolutions: number(16)?,
+            gap: number(17)?,
+            values: [number(18)?, number(19)?, number(20)?, number(21)?],
         })
     }
 }
@@ -84,9 +84,14 @@ pub(crate) fn solve(job: &Job, folder: &Path) -> Result<Row, Box<dyn Error>> {
     let mut scene = Scene::azam_2019(job.cells);
     scene.motion.entrainment_speed = job.speed;
     scene.solver.film_cutoff = job.cutoff;
+    scene.solver.cavitation = Cavitation::Reynolds;
     match job.contact {
         Contact::Dry => scene.solver.kind = SolverKind::Dry,
-        Contact::Wedge => {}
+        Contact::Inlet => {
+            scene.solver.scheme = Some(Scheme::Limited);
+            scene.solver.face_mobility = Some(FaceMobility::Inlet);
+            scene.solver.cavitation = Cavitation::MassConserving;
+        }
         Contact::Means => {
             scene.solver.scheme = Some(Scheme::FirstOrder);
             scene.solver.face_mobility = Some(FaceMobility::ReducedPressure);

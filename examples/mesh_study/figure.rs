@@ -23,8 +23,8 @@ const QUANTITIES: [(&str, f64, f64); 4] = [
 /// Colours of the palette of Okabe and Ito.
 fn pen(contact: Contact) -> (RGBColor, &'static str) {
     match contact {
-        Contact::Wedge => (RGBColor(0, 0, 0), "hard, wedge"),
-        Contact::Means => (RGBColor(0, 114, 178), "hard, means of cubes"),
+        Contact::Inlet => (RGBColor(213, 94, 0), "inlet, mass conserved"),
+        Contact::Means => (RGBColor(0, 114, 178), "means, Reynolds"),
         Contact::Paper => (RGBColor(230, 159, 0), "paper as published"),
         Contact::Dry => (RGBColor(0, 158, 115), "dry"),
     }
@@ -52,7 +52,8 @@ pub(crate) fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
     }
     head.draw(&Text::new("mesh, contact film 1 nm", (190, 70), font(19)))?;
     head.draw(&Text::new(format!("contact film, {MESH} cells"), (670, 70), font(19)))?;
-    let grids: Vec<f64> = CELLS.iter().map(|cells| *cells as f64).collect();
+    let finest = rows.iter().map(|row| row.job.cells).max().unwrap_or(CELLS[0]);
+    let grids: Vec<f64> = CELLS.iter().filter(|cells| **cells <= finest).map(|cells| *cells as f64).collect();
     let films: Vec<f64> = CUTOFFS.iter().map(|cutoff| 1e9 * cutoff).collect();
     for (k, areas) in body.split_evenly((QUANTITIES.len(), 2)).chunks(2).enumerate() {
         let [left, right] = areas else { continue };

@@ -6,6 +6,7 @@
 //! cargo run --release --example mesh_study                   # up to 512 x 512 cells
 //! cargo run --release --example mesh_study -- --finest 1024  # one more
 //! cargo run --release --example mesh_study -- --quick        # coarse grids alone
+//! cargo run --release --example mesh_study -- --reference    # the limits of small contacts
 //! ```
 //!
 //! The surfaces are generated on the coarsest grid and brought to the others by their Fourier series. Contacts that are in the
@@ -18,6 +19,7 @@ mod command;
 mod contact;
 mod figure;
 mod plan;
+mod reference;
 mod summary;
 
 use std::error::Error;
@@ -28,15 +30,17 @@ use contact::Row;
 use lexopt::prelude::*;
 
 const USAGE: &str = "\
-usage: cargo run --release --example mesh_study -- [--quick] [--finest CELLS] [--out DIR]
+usage: cargo run --release --example mesh_study -- [--quick | --reference] [--finest CELLS] [--out DIR]
 
   --quick         grids of 32 and 64 cells alone
+  --reference     limits of the contact cut down to an eighth, by two discretisations
   --finest CELLS  cells along each side of the finest grid, 64 to 1024 (default 512)
-  --out DIR       where mixed.csv and mixed.svg are (default target/mesh_study)
+  --out DIR       where tables and figures are (default target/mesh_study)
 ";
 
 struct Options {
     quick: bool,
+    reference: bool,
     finest: usize,
     out: PathBuf,
 }
@@ -46,11 +50,13 @@ fn main() -> ExitCode {
 }
 
 fn options() -> Result<Option<Options>, lexopt::Error> {
-    let mut options = Options { quick: false, finest: 512, out: PathBuf::from("target/mesh_study") };
+    let mut options =
+        Options { quick: false, reference: false, finest: 512, out: PathBuf::from("target/mesh_study") };
     let mut parser = lexopt::Parser::from_env();
     while let Some(argument) = parser.next()? {
         match argument {
             Long("quick") => options.quick = true,
+            Long("reference") => options.reference = true,
             Long("finest") => options.finest = parser.value()?.parse()?,
             Long("out") => options.out = PathBuf::from(parser.value()?),
             Long("help") | Short('h') => return Ok(None),
@@ -63,6 +69,9 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let folder = &options.out;
     std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    if options.reference {
+        return reference::run(folder, options.finest);
+    }
     let table = folder.join("mixed.csv");
     let known = if table.exists() { read(&table)? } else { Vec::new() };
     if options.finest < plan::CELLS[0] {

@@ -185,7 +185,7 @@ fn cutoffs(text: &mut String, rows: &[Row]) -> Result<(), Error> {
             write!(text, " {cells} |")?;
         }
         writeln!(text, "\n|---|---|{}", "---|".repeat(cells(rows).len()))?;
-        for contact in [Contact::Wedge, Contact::Means] {
+        for contact in [Contact::Inlet, Contact::Means] {
             for cutoff in CUTOFFS {
                 write!(text, "| {contact} | {:.1} |", 1e9 * cutoff)?;
                 for cells in cells(rows) {
@@ -213,7 +213,7 @@ fn speeds(text: &mut String, rows: &[Row]) -> Result<(), Error> {
     writeln!(text, "|---|---|---|---|---|---|---|---|")?;
     let first = first(rows);
     for speed in std::iter::once(SPEED).chain(SLOW) {
-        if let Some(mean) = mean(&first, Choice { speed, ..Choice::reference(Contact::Wedge, MESH) }) {
+        if let Some(mean) = mean(&first, Choice { speed, ..Choice::reference(Contact::Inlet, MESH) }) {
             writeln!(text, "| {speed:e} | {} |", mean.cells())?;
         }
     }

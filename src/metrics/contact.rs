@@ -1,10 +1,23 @@
 //! How much of a contact is solid.
 
+use std::f64::consts::{LN_2, PI};
+
 use super::film::{normalised_radius_squared, require_semi_axes};
 use crate::error::InputError;
 use crate::grid::Grid;
 
+/// Share of a cell that each change between contact and gap counts too much: `(pi - 1 + ln 2)/24`, the mean over all
+/// directions of a straight edge.
+const EXCESS: f64 = (PI - 1.0 + LN_2) / 24.0;
+
 /// Size and load of the solid contact.
+///
+/// A cell counts whole as soon as its node touches, so that the area is too large by a share of the cells along its edge.
+/// With `M` changes between contact and gap along all grid lines the corrected area is `A - c M dx dy`,
+/// `c = (pi - 1 + ln 2)/24`, whose error falls faster with the size of the cells. On fine grids the limit lies between the
+/// two, which makes them an estimate of the error without a second solve.
+///
+/// Source: Yastrebov, V. A., Anciaux, G. and Molinari, J.-F. (2017), Tribology International 114, 161-171.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct ContactStatistics {
@@ -14,6 +27,10 @@ pub struct ContactStatistics {
     ///
     /// Cells count whole, so complete contact on a coarse grid gives 1 only to within the cells on the rim.
     pub area_ratio: f64,
+    /// Area of all nodes in contact, corrected for their edge \[m^2\].
+    pub corrected_area: f64,
+    /// The same of the nodes within the Hertz ellipse, over the area of the ellipse.
+    pub corrected_area_ratio: f64,
     /// Share of the load carried by solid contact, over all nodes in contact, within the ellipse or not.
     pub load_ratio: f64,
 }
@@ -31,6 +48,7 @@ pub struct ContactStatistics {
 /// in_contact[5] = true;
 /// let contact = contact_statistics(&grid, &in_contact, &[1e9; 16], 2e-3, 2e-6, 2e-6)?;
 /// assert!((contact.area - 1e-12).abs() < 1e-24);
+/// assert!((contact.corrected_area / 1e-12 - (1.0 - 4.0 * 0.11811)).abs() < 1e-4); // four changes
 /// assert!((contact.load_ratio - 0.5).abs() < 1e-12);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
@@ -47,16 +65,52 @@ pub fn contact_statistics(
     InputError::require_finite("solid_pressure", solid_pressure)?;
     InputError::require_positive("load", load)?;
     require_semi_axes(a_x, a_y)?;
-    let (mut touching, mut inside, mut pressure) = (0_usize, 0_usize, 0.0);
+    let (mut all, mut inside, mut pressure) = (Count::default(), Count::default(), 0.0);
     for (k, (x, y)) in grid.nodes().enumerate().filter(|&(k, _)| in_contact[k]) {
-        touching += 1;
-        inside += usize::from(normalised_radius_squared(x, y, a_x, a_y) <= 1.0);
+        let changes = open_neighbours(grid, in_contact, k);
+        all.add(changes);
+        if normalised_radius_squared(x, y, a_x, a_y) <= 1.0 {
+            inside.add(changes);
+        }
         pressure += solid_pressure[k];
     }
-    let cell = grid.cell_area();
+    let (cell, ellipse) = (grid.cell_area(), PI * a_x * a_y);
     Ok(ContactStatistics {
-        area: touching as f64 * cell,
-        area_ratio: inside as f64 * cell / (std::f64::consts::PI * a_x * a_y),
+        area: all.nodes as f64 * cell,
+        area_ratio: inside.nodes as f64 * cell / ellipse,
+        corrected_area: all.corrected() * cell,
+        corrected_area_ratio: inside.corrected() * cell / ellipse,
         load_ratio: pressure * cell / load,
     })
+}
+
+/// Nodes in contact and changes between contact and gap beside them.
+#[derive(Debug, Clone, Copy, Default)]
+struct Count {
+    nodes: usize,
+    changes: usize,
+}
+
+impl Count {
+    fn add(&mut self, changes: usize) {
+        self.nodes += 1;
+        self.changes += changes;
+    }
+
+    /// Cells in contact without what their edge counts too much.
+    fn corrected(self) -> f64 {
+        self.nodes as f64 - EXCESS * self.changes as f64
+    }
+}
+
+/// How many of the up to four neighbours of node `k` are not in contact.
+fn open_neighbours(grid: &Grid, in_contact: &[bool], k: usize) -> usize {
+    let (nx, column) = (grid.nx(), k % grid.nx());
+    let neighbours = [
+        (column > 0).then(|| k - 1),
+        (column + 1 < nx).then_some(k + 1),
+        k.checked_sub(nx),
+        (k + nx < grid.len()).then_some(k + nx),
+    ];
+    neighbours.into_iter().flatten().filter(|&other| !in_contact[other]).count()
 }

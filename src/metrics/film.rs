@@ -4,7 +4,7 @@ use crate::error::InputError;
 use crate::grid::Grid;
 
 /// Share of the Hertz radii within which the average film is taken.
-const CENTRAL: f64 = 2.0 / 3.0;
+pub(crate) const CENTRAL: f64 = 2.0 / 3.0;
 
 /// Average film \[m\] of the centre: mean of `max(film, 0)` over the nodes with
 /// `(x/a_x)^2 + (y/a_y)^2 <= (2/3)^2`, for Hertz semi-axes `a_x`, `a_y` \[m\] centred on the origin of the grid.
@@ -28,7 +28,7 @@ pub fn average_central_film(grid: &Grid, film: &[f64], a_x: f64, a_y: f64) -> Re
     require_semi_axes(a_x, a_y)?;
     let (mut sum, mut count) = (0.0, 0_usize);
     for ((x, y), h) in grid.nodes().zip(film) {
-        if normalised_radius_squared(x, y, a_x, a_y) <= CENTRAL * CENTRAL {
+        if is_central(x, y, a_x, a_y) {
             sum += h.max(0.0);
             count += 1;
         }
@@ -40,6 +40,11 @@ pub fn average_central_film(grid: &Grid, film: &[f64], a_x: f64, a_y: f64) -> Re
         });
     }
     Ok(sum / count as f64)
+}
+
+/// Whether the point lies in the region of the average film.
+pub(crate) fn is_central(x: f64, y: f64, a_x: f64, a_y: f64) -> bool {
+    normalised_radius_squared(x, y, a_x, a_y) <= CENTRAL * CENTRAL
 }
 
 /// `(x/a_x)^2 + (y/a_y)^2`.

@@ -31,6 +31,7 @@ mod spectrum;
 pub use bearing::{BearingCurve, CoreParameters, VolumeParameters};
 pub use contact::{ContactStatistics, contact_statistics};
 pub use correlation::{AreaCorrelation, SpatialParameters};
+pub(crate) use film::{CENTRAL, is_central};
 pub use film::{average_central_film, lambda_ratio, minimum_film, minimum_gap};
 pub use friction::{friction_coefficient, viscous_shear_into};
 pub use histogram::{HeightHistogram, height_histogram};

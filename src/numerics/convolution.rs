@@ -52,8 +52,78 @@ pub(crate) struct ConvolutionPlan<T: Precision = f64> {
     rows_inverse: Arc<dyn ComplexToReal<T>>,
     columns_forward: Arc<dyn Fft<T>>,
     columns_inverse: Arc<dyn Fft<T>>,
-    /// Spectrum of the kernel, column by column (`[kx][ky]`), with the normalisation of the inverse folded in.
-    spectrum: Vec<Complex<T>>,
+    /// Spectrum of the kernel with the normalisation of the inverse folded in.
+    spectrum: Spectrum<T>,
+}
+
+/// Spectrum of a kernel, column by column (`[kx][ky]`).
+#[derive(Clone)]
+enum Spectrum<T> {
+    /// Of a kernel that mirrors itself along both axes: real, the first half of each column.
+    Symmetric(Vec<T>),
+    General(Vec<Complex<T>>),
+}
+
+/// Share of the largest value below which a difference from a symmetric spectrum is rounding.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+impl Spectrum<f64> {
+    /// Of columns of `length` values.
+    fn new(values: Vec<Complex<f64>>, length: usize) -> Self {
+        let rounding = ROUNDING * values.iter().fold(0.0_f64, |largest, value| largest.max(value.norm()));
+        let mirrored = |column: &[Complex<f64>]| {
+            (0..length).all(|k| (column[k] - column[(length - k) % length].conj()).norm() <= rounding)
+                && column.iter().all(|value| value.im.abs() <= rounding)
+        };
+        if values.chunks_exact(length).all(mirrored) {
+            let half = |column: &[Complex<f64>]| -> Vec<f64> {
+                column[..=length / 2].iter().map(|value| value.re).collect()
+            };
+            Self::Symmetric(values.chunks_exact(length).flat_map(half).collect())
+        } else {
+            Self::General(values)
+        }
+    }
+
+    fn map<U: Precision>(&self, each: impl Fn(f64) -> U) -> Spectrum<U> {
+        match self {
+            Self::Symmetric(values) => Spectrum::Symmetric(values.iter().map(|&value| each(value)).collect()),
+            Self::General(values) => Spectrum::General(
+                values.iter().map(|value| Complex::new(each(value.re), each(value.im))).collect(),
+            ),
+        }
+    }
+
+    fn reciprocal(&mut self, factor: f64) {
+        let reciprocal = |modulus: f64| factor / modulus.max(f64::MIN_POSITIVE);
+        match self {
+            Self::Symmetric(values) => values.iter_mut().for_each(|value| *value = reciprocal(value.abs())),
+            Self::General(values) => {
+                values.iter_mut().for_each(|value| *value = Complex::new(reciprocal(value.norm()), 0.0));
+            }
+        }
+    }
+}
+
+impl<T: Precision> Spectrum<T> {
+    /// Multiplies column `kx` of a field by that of the kernel.
+    fn multiply(&self, kx: usize, column: &mut [Complex<T>]) {
+        let length = column.len();
+        match self {
+            Self::Symmetric(values) => {
+                let half = length / 2 + 1;
+                let kernel = &values[kx * half..(kx + 1) * half];
+                let (low, high) = column.split_at_mut(half);
+                low.iter_mut().zip(kernel).for_each(|(value, &k)| *value = *value * k);
+                let mirrored = kernel.iter().skip(1).rev().skip(usize::from(length.is_multiple_of(2)));
+                high.iter_mut().zip(mirrored).for_each(|(value, &k)| *value = *value * k);
+            }
+            Self::General(values) => {
+                let kernel = &values[kx * length..(kx + 1) * length];
+                column.iter_mut().zip(kernel).for_each(|(value, k)| *value = *value * k);
+            }
+        }
+    }
 }
 
 impl<T: Precision> fmt::Debug for ConvolutionPlan<T> {
@@ -99,25 +169,21 @@ impl ConvolutionPlan {
     pub(crate) fn inverse(&self) -> Self {
         let mut plan = self.clone();
         let scale = 1.0 / (plan.padded_x as f64 * plan.padded_y as f64);
-        for value in &mut plan.spectrum {
-            *value = Complex::new(scale * scale / value.norm().max(f64::MIN_POSITIVE), 0.0);
-        }
+        plan.spectrum.reciprocal(scale * scale);
         plan
     }
 
     /// The same in single precision, the kernel multiplied by `factor`: half the memory and about half the time.
     pub(crate) fn to_single(&self, factor: f64) -> ConvolutionPlan<f32> {
         let mut plan = ConvolutionPlan::transforms([self.nx, self.ny], [self.padded_x, self.padded_y]);
-        let single =
-            |value: &Complex<f64>| Complex::new((factor * value.re) as f32, (factor * value.im) as f32);
-        plan.spectrum = self.spectrum.iter().map(single).collect();
+        plan.spectrum = self.spectrum.map(|value| (factor * value) as f32);
         plan
     }
 
     fn padded(nx: usize, ny: usize, least: [usize; 2], kernel: impl Fn(isize, isize) -> f64) -> Self {
         let padded_y = if ny == 1 { 1 } else { fast_length(least[1]) };
         let mut plan = Self::transforms([nx, ny], [fast_length(least[0]), padded_y]);
-        plan.spectrum = plan.kernel_spectrum(kernel);
+        plan.spectrum = Spectrum::new(plan.kernel_spectrum(kernel), padded_y);
         plan
     }
 
@@ -164,7 +230,7 @@ impl<T: Precision> ConvolutionPlan<T> {
             rows_inverse: real.plan_fft_inverse(padded_x),
             columns_forward: complex.plan_fft_forward(padded_y),
             columns_inverse: complex.plan_fft_inverse(padded_y),
-            spectrum: Vec::new(),
+            spectrum: Spectrum::General(Vec::new()),
         }
     }
 
@@ -195,6 +261,7 @@ pub(crate) struct Convolution<T: Precision = f64> {
 
 struct Buffers<T> {
     rows: Vec<Complex<T>>,
+    /// Column by column, without the padding.
     columns: Vec<Complex<T>>,
     lanes: Vec<Lane<T>>,
 }
@@ -204,6 +271,8 @@ struct Lane<T> {
     row: Vec<T>,
     /// Spectra of a block of rows.
     spectra: Vec<Complex<T>>,
+    /// A block of padded columns, which stay in the cache from the rows to the product and back.
+    padded: Vec<Complex<T>>,
     scratch: Vec<Complex<T>>,
 }
 
@@ -228,7 +297,7 @@ impl<T: Precision> Convolution<T> {
     fn buffers(plan: &ConvolutionPlan<T>) -> Buffers<T> {
         Buffers {
             rows: vec![Complex::default(); plan.half() * plan.ny],
-            columns: vec![Complex::default(); plan.half() * plan.padded_y],
+            columns: vec![Complex::default(); plan.half() * plan.ny],
             lanes: (0..lanes_for(plan.nx * plan.ny)).map(|_| Self::lane(plan)).collect(),
         }
     }
@@ -243,6 +312,7 @@ impl<T: Precision> Convolution<T> {
         Lane {
             row: vec![T::zero(); plan.padded_x],
             spectra: vec![Complex::default(); plan.half() * plan.ny.min(BLOCK)],
+            padded: vec![Complex::default(); plan.half().min(BLOCK) * plan.padded_y],
             scratch: vec![Complex::default(); scratch],
         }
     }
@@ -268,22 +338,26 @@ impl<T: Precision> Convolution<T> {
                 plan.forward_row(&mut lane.row, spectrum, &mut lane.scratch);
             }
         });
-        share_lines(lanes, columns, py, |first, columns, lane| {
-            transpose(rows, half, first, columns, py, ny);
-            let kernels = plan.spectrum[first * py..].chunks_exact(py);
-            for (column, kernel) in columns.chunks_exact_mut(py).zip(kernels) {
-                column[ny..].fill(Complex::default());
-                plan.columns_forward.process_with_scratch(column, &mut lane.scratch);
-                for (value, k) in column.iter_mut().zip(kernel) {
-                    *value = *value * k;
+        share_lines(lanes, columns, ny, |first, columns, lane| {
+            for (block, columns) in columns.chunks_mut(BLOCK * ny).enumerate() {
+                let first = first + block * BLOCK;
+                let padded = &mut lane.padded[..columns.len() / ny * py];
+                transpose(rows, half, first, padded, py, ny);
+                for (kx, (column, kept)) in
+                    (first..).zip(padded.chunks_exact_mut(py).zip(columns.chunks_exact_mut(ny)))
+                {
+                    column[ny..].fill(Complex::default());
+                    plan.columns_forward.process_with_scratch(column, &mut lane.scratch);
+                    plan.spectrum.multiply(kx, column);
+                    plan.columns_inverse.process_with_scratch(column, &mut lane.scratch);
+                    kept.copy_from_slice(&column[..ny]);
                 }
-                plan.columns_inverse.process_with_scratch(column, &mut lane.scratch);
             }
         });
         share_lines(lanes, out, nx, |first, out, lane| {
             for (block, out) in out.chunks_mut(BLOCK * nx).enumerate() {
                 let spectra = &mut lane.spectra[..out.len() / nx * half];
-                transpose(columns, py, first + block * BLOCK, spectra, half, half);
+                transpose(columns, ny, first + block * BLOCK, spectra, half, half);
                 for (row, spectrum) in out.chunks_exact_mut(nx).zip(spectra.chunks_exact_mut(half)) {
                     plan.inverse_row(spectrum, &mut lane.row, &mut lane.scratch);
                     for (value, own) in row.iter_mut().zip(&lane.row) {
@@ -298,6 +372,29 @@ impl<T: Precision> Convolution<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn spectra_of_symmetric_kernels_are_real_and_halved() {
+        for (nx, ny) in [(8, 6), (7, 5), (5, 9), (12, 1)] {
+            let even = |i: isize, j: isize| 1.0 / (1.0 + (i * i + 2 * j * j) as f64).sqrt();
+            let skew = |i: isize, j: isize| even(i, j) * (1.0 + 0.1 * (i as f64 + 0.5 * j as f64));
+            let field: Vec<f64> = (0..nx * ny).map(|k| (k as f64).sin()).collect();
+            let check = |kernel: &dyn Fn(isize, isize) -> f64, is_symmetric: bool| {
+                let plan = Arc::new(ConvolutionPlan::new(nx, ny, kernel));
+                assert_eq!(matches!(plan.spectrum, Spectrum::Symmetric(_)), is_symmetric, "{nx} x {ny}");
+                let mut out = vec![0.0; nx * ny];
+                Convolution::new(plan).apply(&field, &mut out);
+                for (k, value) in out.iter().enumerate() {
+                    let along = |l: usize| (k % nx) as isize - (l % nx) as isize;
+                    let down = |l: usize| (k / nx) as isize - (l / nx) as isize;
+                    let sum: f64 = (0..nx * ny).map(|l| kernel(along(l), down(l)) * field[l]).sum();
+                    assert!((value - sum).abs() < 1e-12, "{nx} x {ny}, {k}: {value} {sum}");
+                }
+            };
+            check(&even, true);
+            check(&skew, false);
+        }
+    }
 
     #[test]
     fn lanes_change_no_bit() {

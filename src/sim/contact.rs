@@ -187,7 +187,8 @@ pub struct ContactSolution {
     pub state: ContactState,
     /// Undeformed gap, form and roughness \[m\].
     pub gap: Vec<f64>,
-    /// Estimated errors; only where the scene asks for an accuracy in place of a grid.
+    /// Estimated errors where the scene asks for an accuracy or for an estimate; none also where the coarser meshes were
+    /// not solved.
     pub error_estimate: Option<ErrorEstimate>,
     /// Film numbers.
     pub film: FilmNumbers,
@@ -196,6 +197,10 @@ pub struct ContactSolution {
     /// Friction coefficient, from boundary friction under the solid pressure and shear of the fluid; zero without
     /// sliding.
     pub friction_coefficient: f64,
+    /// Coefficient of friction of solid contact; zero without sliding.
+    pub(super) boundary_friction: f64,
+    /// Shear stress of the fluid \[Pa\].
+    pub(super) shear: Vec<f64>,
 }
 
 /// Film thickness of a solution \[m\].
@@ -229,6 +234,10 @@ pub struct ContactNumbers {
     pub load_ratio: f64,
     /// Area of solid contact \[m^2\].
     pub area: f64,
+    /// The area ratio with the edges of the contacts corrected, see [`metrics::ContactStatistics`].
+    pub corrected_area_ratio: f64,
+    /// The area with the edges of the contacts corrected \[m^2\].
+    pub corrected_area: f64,
     /// Area of nodes at the pressure limit \[m^2\].
     pub plastic_area: f64,
     /// Film at which solids touch, without which the ratios say little; zero in a dry contact \[m\].
@@ -242,13 +251,15 @@ impl ContactNumbers {
         area_ratio: f64::NAN,
         load_ratio: f64::NAN,
         area: f64::NAN,
+        corrected_area_ratio: f64::NAN,
+        corrected_area: f64::NAN,
         plastic_area: f64::NAN,
         film_cutoff: f64::NAN,
     };
 }
 
-/// Solves the single contact of `scene`, surfaces as they are. With an accuracy in place of a grid the contact is solved on
-/// finer and finer meshes, the last of which is returned.
+/// Solves the single contact of `scene`, surfaces as they are. With an accuracy the contact is solved on finer and finer
+/// meshes, the last of which is returned; with `solver.estimate` on half the cells of its grid too.
 ///
 /// # Errors
 /// A scene that does not fit; a load that the pressure limit cannot carry. Not converging is a status of the report.
@@ -265,10 +276,11 @@ impl ContactNumbers {
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {
-    match scene.grid {
-        GridSpec::Accuracy { accuracy } => accuracy::solve(scene, accuracy),
-        _ => solve_on_grid(scene, |grid| Ok(ContactState::new(grid))),
+    let asked = scene.solver.estimate || scene.solver.accuracy.is_some();
+    if asked || matches!(scene.grid, GridSpec::Accuracy { .. }) {
+        return accuracy::solve(scene);
     }
+    solve_on_grid(scene, |grid| Ok(ContactState::new(grid)))
 }
 
 /// Solves the contact on the grid of the scene from the state that `start` makes.
@@ -276,10 +288,28 @@ pub(super) fn solve_on_grid(
     scene: &Scene,
     start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
 ) -> Result<ContactSolution, SimError> {
-    let mut model = ContactModel::new(scene, Overrides::default())?;
+    let model = ContactModel::new(scene, Overrides::default())?;
+    let ball = setup::heights(&scene.roughness.ball, &model.grid, "ball")?;
+    let disc = setup::heights(&scene.roughness.disc, &model.grid, "disc")?;
+    solve_model(scene, model, [ball, disc], start)
+}
+
+/// The same with the heights of ball and disc on this grid given \[m\].
+pub(super) fn solve_heights(
+    scene: &Scene,
+    heights: [Vec<f64>; 2],
+    start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
+) -> Result<ContactSolution, SimError> {
+    solve_model(scene, ContactModel::new(scene, Overrides::default())?, heights, start)
+}
+
+fn solve_model(
+    scene: &Scene,
+    mut model: ContactModel,
+    [ball, disc]: [Vec<f64>; 2],
+    start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
+) -> Result<ContactSolution, SimError> {
     let grid = model.grid;
-    let ball = setup::heights(&scene.roughness.ball, &grid, "ball")?;
-    let disc = setup::heights(&scene.roughness.disc, &grid, "disc")?;
     let gap: Vec<f64> =
         model.form_gap.iter().zip(ball.iter().zip(&disc)).map(|(form, (b, d))| form - b - d).collect();
     let limit = match scene.plastic {
@@ -291,9 +321,9 @@ pub(super) fn solve_on_grid(
     };
     let mut state = start(&grid)?;
     let report = model.solve(&gap, limit.as_deref(), None, &mut state)?;
+    let mut friction = FrictionFields::new(scene, grid.len())?;
     let (film, contact, friction_coefficient) =
         if state.pressure.iter().chain(&state.film).all(|value| value.is_finite()) {
-            let mut friction = FrictionFields::new(scene, grid.len())?;
             friction.update(&model, &state)?;
             let contact = contact_numbers(&model, &state, &friction.solid, limit.as_deref())?;
             (film_numbers(&model, &state)?, contact, friction.coefficient(&model)?)
@@ -312,6 +342,8 @@ pub(super) fn solve_on_grid(
         film,
         contact,
         friction_coefficient,
+        boundary_friction: friction.boundary(),
+        shear: friction.shear,
         discretisation,
         cavitation: model.lubricant.is_some().then_some(model.cavitation),
         flow: model.flow,
@@ -372,6 +404,8 @@ pub(super) fn contact_numbers(
         area_ratio: statistics.area_ratio * ellipse / model.hertz.area,
         load_ratio: statistics.load_ratio,
         area: statistics.area,
+        corrected_area_ratio: statistics.corrected_area_ratio * ellipse / model.hertz.area,
+        corrected_area: statistics.corrected_area,
         plastic_area: at_limit as f64 * model.grid.cell_area(),
         film_cutoff: if model.lubricant.is_some() { model.film_cutoff } else { 0.0 },
     })

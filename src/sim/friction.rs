@@ -60,9 +60,19 @@ impl FrictionFields {
         self.stress(k) * self.sliding
     }
 
+    /// Friction coefficient of solid contact; zero without sliding.
+    pub(super) fn boundary(&self) -> f64 {
+        if self.sliding > 0.0 { self.boundary } else { 0.0 }
+    }
+
     /// Friction force over load; zero without sliding.
     pub(super) fn coefficient(&self, contact: &ContactModel) -> Result<f64, InputError> {
-        let boundary = if self.sliding > 0.0 { self.boundary } else { 0.0 };
-        metrics::friction_coefficient(&contact.grid, boundary, &self.solid, &self.shear, contact.hertz.load)
+        metrics::friction_coefficient(
+            &contact.grid,
+            self.boundary(),
+            &self.solid,
+            &self.shear,
+            contact.hertz.load,
+        )
     }
 }

@@ -66,10 +66,10 @@ impl StepRecord {
         contact_area_ratio,contact_load_ratio,max_pressure_pa,mean_pressure_pa,mean_wear_ball_m,mean_wear_disc_m,\
         max_wear_ball_m,max_wear_disc_m,mean_film_ball_m,mean_film_disc_m,plastic_volume_m3,flash_rise_k,\
         friction_coefficient,minimum_gap_m,inflow_m3_s,outflow_m3_s,flow_imbalance,attempts,solver,status,mass_residual,load_residual,\
-        complementarity_residual,convolutions,iterations,inner_iterations";
+        complementarity_residual,energy_error,convolutions,iterations,inner_iterations";
 
     /// Writes the record as one line of comma-separated values, every digit kept; a flash temperature that is not
-    /// modelled is an empty cell, as are the flows of a dry contact.
+    /// modelled is an empty cell, as are the flows of a dry contact and the energy error of others.
     ///
     /// # Errors
     /// Those of the writer.
@@ -109,19 +109,22 @@ impl StepRecord {
             None => write!(out, ",,,")?,
         }
         let (report, residuals) = (&self.report, &self.report.residuals);
-        writeln!(
+        write!(
             out,
-            ",{},{},{},{:e},{:e},{:e},{},{},{}",
+            ",{},{},{},{:e},{:e},{:e}",
             self.attempts,
             report.solver,
             report.status,
             residuals.mass,
             residuals.load,
-            residuals.complementarity,
-            report.work.convolutions,
-            report.work.iterations,
-            report.work.inner_iterations
-        )
+            residuals.complementarity
+        )?;
+        match report.energy_error {
+            Some(error) => write!(out, ",{error:e}")?,
+            None => write!(out, ",")?,
+        }
+        let work = report.work;
+        writeln!(out, ",{},{},{}", work.convolutions, work.iterations, work.inner_iterations)
     }
 
     /// The record that [`write_csv`](Self::write_csv) wrote as `line`, every bit of it, but for the name of a solver that is
@@ -175,7 +178,10 @@ impl StepRecord {
         let status = status.ok_or_else(|| unreadable(column, cell))?;
         let mut number = || next().and_then(|(column, cell)| parsed::<f64>(column, cell));
         let residuals = Residuals { mass: number()?, load: number()?, complementarity: number()? };
-        let convolutions = number()?;
+        let (column, cell) = next()?;
+        let energy_error = if cell.is_empty() { None } else { Some(parsed(column, cell)?) };
+        let (column, cell) = next()?;
+        let convolutions = parsed(column, cell)?;
         let mut whole = || next().and_then(|(column, cell)| parsed::<u64>(column, cell));
         let work = Work { convolutions, iterations: whole()?, inner_iterations: whole()? };
         if let Some(stray) = cells.next() {
@@ -203,7 +209,7 @@ impl StepRecord {
             minimum_gap,
             flow,
             attempts,
-            report: SolveReport { solver, status, residuals, work },
+            report: SolveReport { solver, status, residuals, energy_error, work },
         })
     }
 }

@@ -80,8 +80,15 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     }
     InputError::require_positive("solver.film_cutoff", scene.solver.film_cutoff)?;
     SemiSystem::new(scene.solver.relaxation, scene.solver.stiffness)?;
+    if let Some(accuracy) = scene.solver.accuracy {
+        validate_accuracy("solver.accuracy", accuracy)?;
+    }
     stopping_rule(scene)?;
     Ok(())
+}
+
+pub(super) fn validate_accuracy(field: &str, accuracy: f64) -> Result<(), InputError> {
+    InputError::require((1e-4..=0.1).contains(&accuracy), field, accuracy, "between 1e-4 and 0.1")
 }
 
 /// Checks that the box holds the point of first touch and resolves the contact.

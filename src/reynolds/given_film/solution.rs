@@ -138,6 +138,7 @@ fn report(status: Status, mass: f64, iterations: u64, inner_iterations: u64) -> 
         solver: "given_film",
         status,
         residuals: Residuals { mass, ..Residuals::default() },
+        energy_error: None,
         work: Work { iterations, inner_iterations, ..Work::default() },
     }
 }

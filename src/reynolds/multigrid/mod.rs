@@ -144,7 +144,7 @@ impl ContactSolver for Multigrid {
         workspace.coupled.mark_contact(problem, state);
         work.inner_iterations = workspace.hierarchy.sweeps;
         work.convolutions += workspace.hierarchy.convolutions + workspace.coupled.convolutions;
-        Ok(SolveReport { solver, status, residuals, work })
+        Ok(SolveReport { solver, status, residuals, energy_error: None, work })
     }
 }
 

@@ -206,7 +206,7 @@ impl ContactSolver for NewtonKrylov {
         let mut work = Work::default();
         let (status, residuals) = workspace.run(problem, state, stop, &mut work)?;
         workspace.coupled.mark_contact(problem, state);
-        Ok(SolveReport { solver: name, status, residuals, work })
+        Ok(SolveReport { solver: name, status, residuals, energy_error: None, work })
     }
 }
 

@@ -121,6 +121,6 @@ impl ContactSolver for SemiSystem {
         };
         let mut work = Work::default();
         let (status, residuals) = sweeps.solve(problem, state, stop, damping, &mut work)?;
-        Ok(SolveReport { solver, status, residuals, work })
+        Ok(SolveReport { solver, status, residuals, energy_error: None, work })
     }
 }

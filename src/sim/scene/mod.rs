@@ -163,10 +163,11 @@ pub enum GridSpec {
         /// Outer edges along x \[m\]; the flow goes along +x.
         x: [f64; 2],
     },
-    /// Box and cells are picked for a relative error of the central film (of the maximum pressure in a dry contact),
-    /// which is estimated from coarser grids; single smooth contacts only.
+    /// Box and cells are picked for an error, which is estimated from coarser grids: of a smooth contact the relative one of
+    /// the central film (dry: of the maximum pressure), of a rough one that of [`SolverSpec::accuracy`]. Single contacts only;
+    /// roughness of Gaussian autocorrelation, whose shortest waves tell the cells to begin with.
     Accuracy {
-        /// Largest relative error.
+        /// Largest error.
         accuracy: f64,
     },
 }
@@ -267,6 +268,13 @@ pub struct SolverSpec {
     pub film_cutoff: f64,
     /// What solid contact is.
     pub contact: ContactDefinition,
+    /// Whether errors are estimated by a second solve on half the cells along each side; single contacts on a given grid
+    /// only.
+    pub estimate: bool,
+    /// Cells of a given grid are halved until the largest of four estimated errors, those of load and area ratio and the relative
+    /// ones of mean film and friction, is at most this; single contacts only.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub accuracy: Option<f64>,
     /// Whether a dry contact may reach the edge of the box.
     pub edge_contact: bool,
     /// Under-relaxation of the semi-system sweeps of the paper's contact.
@@ -286,6 +294,8 @@ impl Default for SolverSpec {
             cavitation: Cavitation::default(),
             film_cutoff: 1e-9,
             contact: ContactDefinition::default(),
+            estimate: false,
+            accuracy: None,
             edge_contact: false,
             relaxation: 0.2,
             stiffness: 6.0,
@@ -384,10 +394,9 @@ impl Scene {
             }
             GridSpec::Row { nx, x } if self.form.is_line() => row(nx, x),
             GridSpec::Row { .. } => conflict("grid", "ny and y are missing; only a cylinder needs none"),
-            GridSpec::Accuracy { .. } => conflict(
-                "grid.accuracy",
-                "only a single smooth contact picks its grid, this needs nx, ny, x and y",
-            ),
+            GridSpec::Accuracy { .. } => {
+                conflict("grid.accuracy", "only a single contact picks its grid, this needs nx, ny, x and y")
+            }
         }
     }
 

@@ -1,14 +1,19 @@
 //! A smooth contact to a wanted accuracy: box and mesh by the film's own scale, coarse to fine, with an error estimate.
+//!
+//! Of three meshes whose cells halve, a number changes by `d_2` and then `d_1`. The estimate is 1.5 times the largest of
+//! `|d_1|/3` and `|d_2|/15`, which are the error at second order, and `|d_1| r/(1 - r)` with `r = |d_1/d_2|`, which is that at
+//! the order observed. The box ends at a finite distance `X` before the contact, in Hertz half-widths, which makes a film
+//! `h = H a^2/R` thinner by about `4 H^1.3 X^-3.2` (line contact: 6.5).
 
-use super::SimError;
-use super::contact::{ContactSolution, solve_on_grid};
-use super::hertz::HertzContact;
-use super::scene::{GridSpec, Scene};
-use super::setup;
+use super::{ErrorEstimate, Spent, change};
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::report::{Status, Work};
+use crate::report::Status;
 use crate::reynolds::ContactState;
+use crate::sim::contact::{ContactSolution, solve_on_grid};
+use crate::sim::hertz::HertzContact;
+use crate::sim::scene::{GridSpec, Scene};
+use crate::sim::{SimError, setup};
 
 /// Ratio of the cells of one mesh to those of the next finer one.
 const RATIO: f64 = 2.0;
@@ -43,31 +48,12 @@ const ROUNDS: u32 = 3;
 /// More nodes than these are refused.
 const MAX_NODES: usize = 1 << 22;
 
-/// Estimated relative errors of a solution: that of the mesh, from the differences to coarser ones, and of the films that
-/// of the box, which no mesh shows.
-///
-/// Of three meshes whose cells halve, a number changes by `d_2` and then `d_1`. The estimate is 1.5 times the largest of
-/// `|d_1|/3` and `|d_2|/15`, which are the error at second order, and `|d_1| r/(1 - r)` with `r = |d_1/d_2|`, which is that at
-/// the order observed. The box ends at a finite distance `X` before the contact, in Hertz half-widths, which makes a film
-/// `h = H a^2/R` thinner by about `4 H^1.3 X^-3.2` (line contact: 6.5).
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct ErrorEstimate {
-    /// Of the central film; 0 in a dry contact, whose film is none.
-    pub central_film: f64,
-    /// Of the minimum film; 0 in a dry contact.
-    pub minimum_film: f64,
-    /// Of the maximum pressure. A pressure spike at the outlet does not converge on such meshes: where it is, or may still
-    /// become, the maximum, the estimate says so and is large.
-    pub max_pressure: f64,
-}
-
 /// Box and cell size in Hertz units.
 #[derive(Debug, Clone, Copy)]
-struct Plan {
-    inlet: f64,
-    outlet: f64,
-    side: f64,
+pub(super) struct Plan {
+    pub(super) inlet: f64,
+    pub(super) outlet: f64,
+    pub(super) side: f64,
     cell: f64,
     /// Relative error of the films that the box makes.
     box_error: f64,
@@ -76,7 +62,7 @@ struct Plan {
 impl Plan {
     /// A box that makes the share [`BOX_SHARE`] of the error, and cells whose error of second order, `C h^2` of the film `h R/a^2`, is the share
     /// [`AIM`] of the accuracy.
-    fn of(scene: &Scene, hertz: &HertzContact, accuracy: f64) -> Result<Self, InputError> {
+    pub(super) fn of(scene: &Scene, hertz: &HertzContact, accuracy: f64) -> Result<Self, InputError> {
         let viscosity = setup::viscosity(scene)?;
         let Some(formulas) = setup::formula_film(scene, hertz, viscosity.as_deref())? else {
             let (side, cell) = (1.5, 0.25 * accuracy.sqrt());
@@ -127,14 +113,6 @@ impl Plan {
 /// Solves the single contact of `scene` so that the estimated error of the central film (of the maximum pressure where it
 /// is dry) is at most `accuracy`, or reports the estimate that was reached.
 pub(super) fn solve(scene: &Scene, accuracy: f64) -> Result<ContactSolution, SimError> {
-    InputError::require((1e-4..=0.1).contains(&accuracy), "grid.accuracy", accuracy, "between 1e-4 and 0.1")?;
-    if !(scene.roughness.ball.is_smooth() && scene.roughness.disc.is_smooth()) {
-        return Err(SimError::Input(InputError::Conflict {
-            field: "grid.accuracy".to_owned(),
-            reason: "a rough contact needs nx, ny, x and y: its film has the scale of the roughness"
-                .to_owned(),
-        }));
-    }
     setup::validate(scene)?;
     let hertz = scene.hertz()?;
     let mut scene = scene.clone();
@@ -161,35 +139,11 @@ pub(super) fn solve(scene: &Scene, accuracy: f64) -> Result<ContactSolution, Sim
     }
 }
 
-/// Work of all meshes, convolutions as node counts.
-#[derive(Debug, Default)]
-struct Spent {
-    convolved_nodes: f64,
-    iterations: u64,
-    inner_iterations: u64,
-}
-
-impl Spent {
-    fn add(&mut self, solution: &ContactSolution) {
-        let work = solution.report.work;
-        self.convolved_nodes += work.convolutions * solution.grid.len() as f64;
-        self.iterations += work.iterations;
-        self.inner_iterations += work.inner_iterations;
-    }
-
-    fn on(&self, grid: &Grid) -> Work {
-        Work {
-            convolutions: self.convolved_nodes / grid.len() as f64,
-            iterations: self.iterations,
-            inner_iterations: self.inner_iterations,
-        }
-    }
-}
-
-/// The finest solution and the numbers `[central film, minimum film, maximum pressure]` of all converged meshes, finest
-/// last.
+/// The finest solution, the one before, and the numbers `[central film, minimum film, maximum pressure]` of all converged
+/// meshes, finest last.
 struct Meshes {
     finest: ContactSolution,
+    middle: Option<ContactSolution>,
     numbers: Vec<[f64; 3]>,
 }
 
@@ -201,7 +155,7 @@ impl Meshes {
         work: &mut Spent,
     ) -> Result<Self, SimError> {
         let mut numbers = Vec::new();
-        let mut previous: Option<ContactSolution> = None;
+        let (mut middle, mut previous): (Option<ContactSolution>, Option<ContactSolution>) = (None, None);
         for level in (0..LEVELS).rev() {
             scene.grid = plan.cells(hertz, level, scene.form.is_line())?;
             let solution = solve_on_grid(scene, |grid| match &previous {
@@ -215,13 +169,13 @@ impl Meshes {
                 // A mesh too coarse for a film, or one that is not solved, says nothing of the others.
                 numbers.clear();
             }
-            previous = Some(solution);
+            middle = previous.replace(solution);
         }
         let finest = previous.ok_or_else(|| InputError::Conflict {
             field: "grid.accuracy".to_owned(),
             reason: "no mesh was solved".to_owned(),
         })?;
-        Ok(Self { finest, numbers })
+        Ok(Self { finest, middle, numbers })
     }
 
     /// The finest solution and its estimate, which takes two converged meshes.
@@ -231,12 +185,13 @@ impl Meshes {
         box_error: f64,
         spike_growth: f64,
     ) -> (ContactSolution, Option<ErrorEstimate>) {
-        let estimate = match self.numbers.as_slice() {
+        let numbers = match self.numbers.as_slice() {
             [.., coarsest, middle, finest] => Some((Some(coarsest), middle, finest)),
             [middle, finest] => Some((None, middle, finest)),
             _ => None,
         };
-        let errors = estimate.map(|(coarsest, middle, finest)| {
+        let changes = self.middle.and_then(|middle| change::estimate(&middle, &self.finest));
+        let errors = numbers.zip(changes).map(|((coarsest, middle, finest), changes)| {
             let of = |k: usize| relative_error(coarsest.map(|c| c[k]), middle[k], finest[k]);
             let film = |k, share| if lubricated { of(k) + share * box_error } else { 0.0 };
             let spike = highest_spike(&self.finest);
@@ -245,6 +200,8 @@ impl Meshes {
                 central_film: film(0, 1.0),
                 minimum_film: film(1, BOX_MINIMUM),
                 max_pressure: of(2).max(overtaken),
+                mean_film: changes.mean_film + box_error,
+                ..changes
             }
         });
         (self.finest, errors)

@@ -1,12 +1,5 @@
-//! Does the error estimate of `grid.accuracy` hold? Full-film contacts are solved to an accuracy, again on finer meshes, and
-//! once more on a box of twice the size; extrapolated values stand for the truth.
-//!
-//! ```text
-//! cargo run --release --example error_estimate -- [ACCURACY [FINEST_NODES]]
-//! ```
-//!
-//! Prints one row per contact: Moes parameters, cells, and for central film, minimum film and maximum pressure the true
-//! relative error and the estimate, in per cent. Meshes of more than `FINEST_NODES` nodes are left out.
+//! Full-film contacts solved to an accuracy, again on finer meshes, and once more on a box of twice the size; extrapolated
+//! values stand for the truth.
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -21,10 +14,7 @@ const RADIUS: f64 = 1.0;
 const MODULUS: f64 = 226e9;
 const ALPHA: f64 = 2.2e-8;
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let mut arguments = std::env::args().skip(1);
-    let accuracy: f64 = arguments.next().map_or(Ok(0.02), |text| text.parse())?;
-    let finest_nodes: usize = arguments.next().map_or(Ok(300_000), |text| text.parse())?;
+pub(crate) fn run(accuracy: f64, finest_nodes: usize) -> Result<(), Box<dyn Error>> {
     let mut out = io::stdout();
     writeln!(
         out,

@@ -1,0 +1,139 @@
+//! A dry contact on half of the cells, as the start of that on all of them.
+
+use super::{DryProblem, DrySolver};
+use crate::elastic::{DeformationModel, NEAR};
+use crate::error::InputError;
+use crate::grid::Grid;
+
+/// Cells along an axis below which a grid is not coarsened.
+const SMALLEST: usize = 32;
+/// Gap error to which a coarser contact is solved: its cells leave more than that on the finer ones of any mesh.
+const TOLERANCE: f64 = 0.001;
+const PASSES: u64 = 40;
+
+/// What the coarser grid holds.
+#[derive(Debug)]
+pub(super) struct Coarser {
+    finer: Key,
+    body: Box<dyn DeformationModel>,
+    solver: DrySolver,
+    gap: Vec<f64>,
+    limit: Vec<f64>,
+    excluded: Vec<bool>,
+    pressure: Vec<f64>,
+}
+
+/// What tells bodies apart.
+#[derive(Debug, PartialEq)]
+struct Key {
+    grid: Grid,
+    influence: [[f64; NEAR + 1]; 2],
+}
+
+impl Key {
+    fn new(body: &dyn DeformationModel) -> Self {
+        let along_x = std::array::from_fn(|m| body.influence(m, 0));
+        let along_y = std::array::from_fn(|m| body.influence(0, m));
+        Self { grid: body.grid(), influence: [along_x, along_y] }
+    }
+}
+
+/// Pairs of cells as one, along an axis with more than one; the last cell of an odd count has one beyond the edge for a partner.
+fn coarsened(grid: &Grid) -> Option<Grid> {
+    let halved = |n: usize| if n == 1 { 1 } else { n.div_ceil(2) };
+    let (nx, ny) = (halved(grid.nx()), halved(grid.ny()));
+    if grid.nx() < SMALLEST || (grid.ny() > 1 && grid.ny() < SMALLEST) {
+        return None;
+    }
+    let rows = if grid.ny() == 1 { 1.0 } else { 2.0 };
+    let (left, bottom) = (grid.x(0) - 0.5 * grid.dx(), grid.y(0) - 0.5 * grid.dy());
+    let (width, height) = (2.0 * grid.dx() * nx as f64, rows * grid.dy() * ny as f64);
+    Grid::from_edges(nx, ny, [left, left + width], [bottom, bottom + height]).ok()
+}
+
+impl Coarser {
+    /// None where the grid is small or the model lives on it alone.
+    fn new(finer: &dyn DeformationModel) -> Option<Self> {
+        let grid = coarsened(&finer.grid())?;
+        let body = finer.on_grid(grid)?;
+        let zeros = || vec![0.0; grid.len()];
+        Some(Self {
+            finer: Key::new(finer),
+            body,
+            solver: DrySolver::new(grid.len()),
+            gap: zeros(),
+            limit: zeros(),
+            excluded: vec![false; grid.len()],
+            pressure: zeros(),
+        })
+    }
+
+    /// Solves the contact of the averages; returns convolutions in equivalents of this grid.
+    fn solve(
+        &mut self,
+        problem: &DryProblem<'_>,
+        pressure: &[f64],
+        tolerance: f64,
+    ) -> Result<f64, InputError> {
+        self.average(problem, pressure);
+        let Self { body, solver, gap, limit, excluded, pressure, .. } = self;
+        let limit = problem.limit.map(|_| limit.as_slice());
+        let coarse = DryProblem { gap, load: problem.load, limit, excluded };
+        let outcome = solver.solve(&coarse, body.as_mut(), pressure, tolerance.max(TOLERANCE), PASSES)?;
+        Ok(outcome.convolutions)
+    }
+
+    /// Means of gaps, limits and pressures over the cells that may carry pressure.
+    fn average(&mut self, problem: &DryProblem<'_>, pressure: &[f64]) {
+        let (fine, nx) = (self.finer.grid, self.body.grid().nx());
+        for k in 0..self.gap.len() {
+            let (mut n, mut gap, mut limit, mut sum) = (0.0, 0.0, 0.0, 0.0);
+            for child in children(&fine, k % nx, k / nx).filter(|&child| !problem.excluded[child]) {
+                n += 1.0;
+                gap += problem.gap[child];
+                limit += problem.limit_of(child);
+                sum += pressure[child];
+            }
+            self.excluded[k] = n == 0.0;
+            let share = 1.0 / f64::max(n, 1.0);
+            (self.gap[k], self.limit[k], self.pressure[k]) = (gap * share, limit * share, sum * share);
+        }
+    }
+
+    /// The pressure of each cell for the cells in it.
+    fn inject(&self, pressure: &mut [f64]) {
+        let (fine, nx) = (self.finer.grid, self.body.grid().nx());
+        for (k, &p) in self.pressure.iter().enumerate() {
+            for child in children(&fine, k % nx, k / nx) {
+                pressure[child] = p;
+            }
+        }
+    }
+}
+
+/// The nodes of the finer grid in cell `i`, `j` of the coarser one.
+fn children(fine: &Grid, i: usize, j: usize) -> impl Iterator<Item = usize> {
+    let (nx, ny) = (fine.nx(), fine.ny());
+    let rows = if ny == 1 { j..j + 1 } else { 2 * j..(2 * j + 2).min(ny) };
+    rows.flat_map(move |row| (2 * i..(2 * i + 2).min(nx)).map(move |column| row * nx + column))
+}
+
+impl DrySolver {
+    /// Overwrites `pressure` with that of the contact on half of the cells; returns its convolutions, zero where there is no such grid.
+    pub(super) fn start_from_coarser(
+        &mut self,
+        problem: &DryProblem<'_>,
+        deformation: &dyn DeformationModel,
+        pressure: &mut [f64],
+        tolerance: f64,
+    ) -> Result<f64, InputError> {
+        let fits = self.coarser.as_ref().is_some_and(|coarser| coarser.finer == Key::new(deformation));
+        if !fits {
+            self.coarser = Coarser::new(deformation).map(Box::new);
+        }
+        let Some(coarser) = &mut self.coarser else { return Ok(0.0) };
+        let convolutions = coarser.solve(problem, pressure, tolerance)?;
+        coarser.inject(pressure);
+        Ok(convolutions * coarser.gap.len() as f64 / pressure.len() as f64)
+    }
+}

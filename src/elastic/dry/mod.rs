@@ -1,0 +1,289 @@
+//! Dry rough contact: pressure between zero and a limit that closes the gap where it acts.
+
+mod coarser;
+mod relax;
+mod sides;
+
+use super::DeformationModel;
+use crate::error::InputError;
+use crate::grid::Grid;
+use coarser::Coarser;
+use sides::Side;
+
+/// Passes of the active set after which only the worst violators change sides, which ends cycling.
+const FREE_PASSES: u64 = 25;
+/// Passes in which the gap error must fall, by the factor [`LEAST_GAIN`] at least, for the solve to go on.
+const PATIENCE: u64 = 100;
+/// Factor by which an error is lower than the lowest before for that to count.
+const LEAST_GAIN: f64 = 0.9;
+/// Gap error above which a start is no better than that of a coarser grid, whose pressures leave this much.
+const COARSE_START: f64 = 0.02;
+
+/// The problem: find pressure `p` and approach `delta` with `g = gap + K p - delta`, `0 <= p <= limit`, `g >= 0`
+/// where `p = 0`, `g = 0` between, `g <= 0` where `p = limit`, and the sum of `p` times the cell area equal to the
+/// load.
+///
+/// Pressure stays zero on nodes with `excluded` set.
+#[derive(Debug, Clone, Copy)]
+pub struct DryProblem<'a> {
+    /// Undeformed gap per node \[m\].
+    pub gap: &'a [f64],
+    /// Load \[N\].
+    pub load: f64,
+    /// Largest pressure per node \[Pa\], or none.
+    pub limit: Option<&'a [f64]>,
+    /// Nodes that carry no pressure.
+    pub excluded: &'a [bool],
+}
+
+impl DryProblem<'_> {
+    fn limit_of(&self, k: usize) -> f64 {
+        self.limit.map_or(f64::INFINITY, |limit| limit[k])
+    }
+}
+
+/// What a solve is asked for.
+struct Task<'a> {
+    problem: &'a DryProblem<'a>,
+    /// Sum of the pressures \[Pa\].
+    target: f64,
+    /// What gaps are counted from \[m\].
+    datum: f64,
+    tolerance: f64,
+    max_passes: u64,
+}
+
+/// How a dry solve ended. All of it is of the pressure that is returned.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DryOutcome {
+    /// Mean absolute gap error on contact nodes plus penetration elsewhere, over the pressure-weighted mean
+    /// displacement.
+    pub gap_error: f64,
+    /// What the energy `1/2 p K p + gap p` lies above its minimum at most, over the elastic energy `1/2 p K p`: the duality gap
+    /// of Frank and Wolfe (1956, Nav. Res. Logist. Q. 3, 95-110), the sum of `p (v - w)` with `v = gap + K p` and `w` its
+    /// minimum over the nodes below their limit, nodes at the limit with `v < w` left out. It holds whatever the solver did.
+    pub energy_error: f64,
+    /// Approach of the bodies \[m\].
+    pub approach: f64,
+    /// Elastic convolutions in equivalents of the grid: those of a coarser one count by its share of nodes, a pressure
+    /// estimate as a quarter.
+    pub convolutions: f64,
+    /// Passes of the active set on the grid itself.
+    pub passes: u64,
+    /// Conjugate-gradient steps on the grid itself.
+    pub steps: u64,
+    /// Whether `gap_error` reached the tolerance.
+    pub converged: bool,
+}
+
+/// Active-set conjugate gradients with a per-node pressure limit and the load as a constraint, on nested grids.
+///
+/// Within a pass the sets are fixed, and conjugate gradients at constant load close the gap of the free nodes, preconditioned
+/// by the pressure estimate of the model (`|q|` on the periodic grid for the half-space) masked to them. A pass ends as soon as the
+/// nodes beyond their bounds hold as much energy as the gaps of the free ones. Then nodes beyond their bounds change sides, and
+/// nodes whose gaps are on the wrong side become free once these gaps outweigh those of the free nodes (proportioning:
+/// Dostal 1997, SIAM J. Optim. 7, 871-887).
+/// Polonsky and Keer (1999, Wear 231, 206-219) change sides at every step instead, which stalls once many nodes sit at the limit.
+///
+/// The products within a pass are [`DeformationModel::displacement_estimate`], the gaps that decide are of
+/// [`DeformationModel::displacement`]. A start whose gap error exceeds 2 % is solved to 0.1 % on half the cells first, where the model
+/// lives on other grids ([`DeformationModel::on_grid`]), down to 16 cells.
+#[derive(Debug)]
+pub struct DrySolver {
+    side: Vec<Side>,
+    gap: Vec<f64>,
+    residual: Vec<f64>,
+    estimate: Vec<f64>,
+    direction: Vec<f64>,
+    displacement: Vec<f64>,
+    /// Pressure of the lowest gap error.
+    best: Vec<f64>,
+    coarser: Option<Box<Coarser>>,
+}
+
+impl DrySolver {
+    /// Solver for fields of `n` nodes. What it needs of coarser grids is made when they are first used.
+    pub fn new(n: usize) -> Self {
+        let zeros = || vec![0.0; n];
+        Self {
+            side: vec![Side::Open; n],
+            gap: zeros(),
+            residual: zeros(),
+            estimate: zeros(),
+            direction: zeros(),
+            displacement: zeros(),
+            best: zeros(),
+            coarser: None,
+        }
+    }
+
+    /// Solves `problem`, starting from `pressure`. Ends when the gap error is at most `tolerance`, after `max_passes` passes, or
+    /// when a hundred passes have brought nothing, as rounding bounds what can be reached; then with the best pressure found.
+    ///
+    /// # Errors
+    /// Slices that do not fit the grid of `deformation` or this solver.
+    pub fn solve(
+        &mut self,
+        problem: &DryProblem<'_>,
+        deformation: &mut dyn DeformationModel,
+        pressure: &mut [f64],
+        tolerance: f64,
+        max_passes: u64,
+    ) -> Result<DryOutcome, InputError> {
+        let grid = deformation.grid();
+        self.check(problem, pressure, &grid)?;
+        // Gaps are counted from the lowest, so that no offset of the bodies costs digits.
+        let touchable = (0..grid.len()).filter(|&k| !problem.excluded[k]).map(|k| problem.gap[k]);
+        let datum = touchable.fold(f64::INFINITY, f64::min);
+        let task = Task { problem, target: problem.load / grid.cell_area(), datum, tolerance, max_passes };
+        let mut outcome = DryOutcome {
+            gap_error: f64::INFINITY,
+            energy_error: f64::INFINITY,
+            approach: 0.0,
+            convolutions: 0.0,
+            passes: 0,
+            steps: 0,
+            converged: false,
+        };
+        let level = self.iterate(&task, deformation, pressure, &mut outcome)?;
+        if outcome.gap_error.is_finite() {
+            outcome.energy_error = self.energy_error(problem, pressure);
+        }
+        outcome.approach = level + datum;
+        self.gap.iter_mut().for_each(|g| *g -= level);
+        Ok(outcome)
+    }
+
+    fn check(&self, problem: &DryProblem<'_>, pressure: &[f64], grid: &Grid) -> Result<(), InputError> {
+        for (field, len) in [
+            ("gap", problem.gap.len()),
+            ("pressure", pressure.len()),
+            ("excluded", problem.excluded.len()),
+            ("dry solver", self.gap.len()),
+            ("limit", problem.limit.map_or(grid.len(), <[f64]>::len)),
+        ] {
+            if len != grid.len() {
+                return Err(InputError::Shape { field: field.to_owned(), expected: grid.len(), found: len });
+            }
+        }
+        Ok(())
+    }
+
+    /// Passes until one of the ends of a solve; returns the level of the gaps and leaves the best pressure.
+    fn iterate(
+        &mut self,
+        task: &Task<'_>,
+        deformation: &mut dyn DeformationModel,
+        pressure: &mut [f64],
+        outcome: &mut DryOutcome,
+    ) -> Result<f64, InputError> {
+        let problem = task.problem;
+        self.start(problem, pressure, task.target);
+        let (mut lowest, mut best, mut last_gain) = (f64::INFINITY, f64::INFINITY, 0);
+        loop {
+            outcome.passes += 1;
+            let (level, scale, is_settled) = self.evaluate(task, deformation, pressure, outcome)?;
+            outcome.converged = outcome.gap_error <= task.tolerance;
+            if outcome.gap_error < LEAST_GAIN * lowest {
+                (lowest, last_gain) = (outcome.gap_error, outcome.passes);
+            }
+            if outcome.gap_error < best {
+                best = outcome.gap_error;
+                self.best.copy_from_slice(pressure);
+            }
+            if outcome.converged {
+                return Ok(level);
+            }
+            if outcome.passes >= task.max_passes || outcome.passes - last_gain >= PATIENCE {
+                break;
+            }
+            if outcome.passes == 1 && outcome.gap_error > COARSE_START {
+                let cost = self.start_from_coarser(problem, deformation, pressure, task.tolerance)?;
+                outcome.convolutions += cost;
+                if cost > 0.0 {
+                    self.start(problem, pressure, task.target);
+                    continue;
+                }
+            }
+            let cautious = outcome.passes > FREE_PASSES;
+            if cautious || is_settled {
+                self.touch(level, cautious);
+            }
+            self.relax(problem, deformation, pressure, (task.tolerance * scale, cautious), outcome)?;
+            self.clip(problem, pressure, cautious);
+            self.restore_load(problem, pressure, task.target);
+        }
+        if outcome.gap_error > best {
+            pressure.copy_from_slice(&self.best);
+            self.start(problem, pressure, task.target);
+        }
+        Ok(self.evaluate(task, deformation, pressure, outcome)?.0)
+    }
+
+    /// Gap under the pressure that the last solve returned \[m\], negative where nodes at their limit overlap.
+    pub fn gap(&self) -> &[f64] {
+        &self.gap
+    }
+
+    /// Deformed gaps over the datum and their error; returns the level of the free ones, the mean displacement, and whether the gaps of
+    /// the free nodes are closed so far that those of the others tell who is next to touch.
+    fn evaluate(
+        &mut self,
+        task: &Task<'_>,
+        deformation: &mut dyn DeformationModel,
+        pressure: &[f64],
+        outcome: &mut DryOutcome,
+    ) -> Result<(f64, f64, bool), InputError> {
+        deformation.displacement(pressure, &mut self.displacement)?;
+        outcome.convolutions += 1.0;
+        let (mut work, mut sum) = (0.0, 0.0);
+        for ((g, z), (u, p)) in
+            self.gap.iter_mut().zip(task.problem.gap).zip(self.displacement.iter().zip(pressure))
+        {
+            *g = (z - task.datum) + u;
+            work += u * p;
+            sum += p;
+        }
+        let scale = if sum > 0.0 { work / sum } else { f64::MIN_POSITIVE };
+        let level = self.free_mean(&self.gap);
+        let (error, is_settled) = self.gap_error(task.problem, pressure, level);
+        outcome.gap_error = error / scale;
+        Ok((level, scale, is_settled))
+    }
+
+    /// Mean gap error \[m\], and whether the gaps on the wrong side have the larger sum of squares than those of the free nodes.
+    fn gap_error(&self, problem: &DryProblem<'_>, pressure: &[f64], level: f64) -> (f64, bool) {
+        let (mut error, mut n, mut free, mut wrong) = (0.0, 0_usize, 0.0, 0.0);
+        for (k, (side, g)) in self.side.iter().zip(&self.gap).enumerate() {
+            let violation = match side {
+                // Cautious passes leave some of these beyond their bounds.
+                Side::Free if pressure[k] < 0.0 || pressure[k] > problem.limit_of(k) => f64::INFINITY,
+                Side::Free => (g - level).abs(),
+                Side::Open => (level - g).max(0.0),
+                Side::Limited => (g - level).max(0.0),
+                Side::Excluded => 0.0,
+            };
+            error += violation;
+            *(if *side == Side::Free { &mut free } else { &mut wrong }) += violation * violation;
+            n += usize::from(matches!(side, Side::Free | Side::Limited));
+        }
+        (error / n.max(1) as f64, wrong > free)
+    }
+
+    /// The duality gap over the elastic energy, from pressures, gaps and displacements as evaluated.
+    fn energy_error(&self, problem: &DryProblem<'_>, pressure: &[f64]) -> f64 {
+        let lowest = (0..pressure.len())
+            .filter(|&k| !problem.excluded[k] && pressure[k] < problem.limit_of(k))
+            .map(|k| self.gap[k])
+            .fold(f64::INFINITY, f64::min);
+        if lowest == f64::INFINITY {
+            return 0.0;
+        }
+        let (mut excess, mut work) = (0.0, 0.0);
+        for (k, &p) in pressure.iter().enumerate() {
+            excess += p * (self.gap[k] - lowest).max(0.0);
+            work += p * self.displacement[k];
+        }
+        excess / (0.5 * work)
+    }
+}

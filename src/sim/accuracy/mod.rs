@@ -1,0 +1,84 @@
+//! Errors of a single contact that coarser meshes tell, and meshes for a wanted accuracy.
+
+mod change;
+mod rough;
+mod smooth;
+mod surfaces;
+
+use super::SimError;
+use super::contact::ContactSolution;
+use super::scene::{GridSpec, Scene};
+use super::setup;
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::report::Work;
+
+/// Estimated errors of a solution, those of films, pressure and friction over their value, those of the two ratios as they are.
+///
+/// The estimates of a smooth contact that picks its mesh come from three meshes and hold the error of the box, which no
+/// mesh shows; all others from one mesh of half the cells, on which the surfaces are the Fourier series of the given ones. How
+/// far they were found to hold is in `docs/errors.md`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct ErrorEstimate {
+    /// Of the central film; 0 in a smooth dry contact, whose film is none.
+    pub central_film: f64,
+    /// Of the minimum film; 0 in a smooth dry contact.
+    pub minimum_film: f64,
+    /// Of the maximum pressure. A pressure spike at the outlet does not converge on such meshes: where it is, or may still
+    /// become, the maximum, the estimate of a smooth contact says so and is large.
+    pub max_pressure: f64,
+    /// Of the mean film within two thirds of the Hertz radii.
+    pub mean_film: f64,
+    /// Of the share of the load that solid contact carries, absolute.
+    pub load_ratio: f64,
+    /// Of the area of solid contact over the Hertz area, absolute.
+    pub area_ratio: f64,
+    /// Of the friction coefficient; 0 without sliding.
+    pub friction_coefficient: f64,
+}
+
+/// Solves the single contact of `scene` on meshes of its own choice and estimates its errors.
+///
+/// # Errors
+/// A scene that does not fit, an accuracy out of range, surfaces that are not known on other meshes.
+pub(super) fn solve(scene: &Scene) -> Result<ContactSolution, SimError> {
+    let smooth = scene.roughness.ball.is_smooth() && scene.roughness.disc.is_smooth();
+    match (scene.grid, scene.solver.accuracy) {
+        (GridSpec::Accuracy { .. }, Some(_)) => Err(SimError::Input(InputError::Conflict {
+            field: "solver.accuracy".to_owned(),
+            reason: "it is for given cells, grid.accuracy stands in its place".to_owned(),
+        })),
+        (GridSpec::Accuracy { accuracy }, None) => {
+            setup::validate_accuracy("grid.accuracy", accuracy)?;
+            if smooth { smooth::solve(scene, accuracy) } else { rough::on_own_grid(scene, accuracy) }
+        }
+        (_, Some(accuracy)) => rough::refined(scene.clone(), accuracy, "solver.accuracy"),
+        (_, None) => rough::on_given_grid(scene),
+    }
+}
+
+/// Work of all meshes, convolutions as node counts.
+#[derive(Debug, Default)]
+struct Spent {
+    convolved_nodes: f64,
+    iterations: u64,
+    inner_iterations: u64,
+}
+
+impl Spent {
+    fn add(&mut self, solution: &ContactSolution) {
+        let work = solution.report.work;
+        self.convolved_nodes += work.convolutions * solution.grid.len() as f64;
+        self.iterations += work.iterations;
+        self.inner_iterations += work.inner_iterations;
+    }
+
+    fn on(&self, grid: &Grid) -> Work {
+        Work {
+            convolutions: self.convolved_nodes / grid.len() as f64,
+            iterations: self.iterations,
+            inner_iterations: self.inner_iterations,
+        }
+    }
+}

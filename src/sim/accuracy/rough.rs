@@ -1,0 +1,195 @@
+//! A rough contact and its errors: one surface, by its Fourier series, on meshes whose cells halve.
+
+use super::smooth::Plan;
+use super::surfaces::Surfaces;
+use super::{ErrorEstimate, Spent, change};
+use crate::error::InputError;
+use crate::report::Status;
+use crate::reynolds::{ContactDefinition, ContactState};
+use crate::sim::contact::{ContactSolution, solve_heights};
+use crate::sim::scene::{GridSpec, Roughness, Scene};
+use crate::sim::{SimError, setup};
+
+/// Meshes of more nodes are not tried.
+const MAX_NODES: usize = 1 << 20;
+/// Fewest cells along a side that have a half.
+const FEWEST: usize = 10;
+/// Cells in the length over which a Gaussian autocorrelation falls to 10 %: the density of waves shorter than two of them is below
+/// 1e-4 of the largest.
+const CELLS_IN_LENGTH: f64 = 3.0;
+/// Fewest cells in a Hertz half-width that a contact begins with.
+const CELLS_IN_AXIS: f64 = 10.0;
+/// Beyond the Hertz circle the bodies part by `1.2 e^1.5 a^2/R` at the distance `e a`; asperities reach over five times their Rq.
+const GAP_BEYOND: f64 = 1.2;
+const REACH: f64 = 5.0;
+/// Room between the last asperities that may touch and the edge of the box, in Hertz half-widths.
+const ROOM: f64 = 0.3;
+
+/// Solves on the grid of `scene` and on half its cells, and estimates the errors of the former.
+pub(super) fn on_given_grid(scene: &Scene) -> Result<ContactSolution, SimError> {
+    refined(scene.clone(), f64::INFINITY, "solver.estimate")
+}
+
+/// Solves on finer and finer meshes, the first of which holds the waves of the random surfaces.
+pub(super) fn on_own_grid(scene: &Scene, accuracy: f64) -> Result<ContactSolution, SimError> {
+    let grid = cells_of_waves(scene, accuracy)?;
+    refined(Scene { grid, ..scene.clone() }, accuracy, "grid.accuracy")
+}
+
+/// Solves on finer and finer meshes until the largest of the four estimated errors is at most `accuracy`, or the mesh is not
+/// solved, or the next one would be too large. `field` is the key that asks for it.
+pub(super) fn refined(mut scene: Scene, accuracy: f64, field: &str) -> Result<ContactSolution, SimError> {
+    let surfaces = surfaces(&scene, field)?;
+    let solved = |scene: &Scene| -> Result<ContactSolution, SimError> {
+        let heights = surfaces.on(&scene.grid()?)?;
+        solve_heights(scene, heights, |grid| Ok(ContactState::new(grid)))
+    };
+    let halved = Scene { grid: of_cells(scene.grid, |n| n.div_ceil(2)), ..scene.clone() };
+    let mut coarse = solved(&halved).map_err(|error| on_half(error, field))?;
+    let mut work = Spent::default();
+    work.add(&coarse);
+    loop {
+        let mut solution = solved(&scene)?;
+        work.add(&solution);
+        solution.error_estimate = change::estimate(&coarse, &solution);
+        let error = solution.error_estimate.map_or(f64::INFINITY, |estimate| largest(&estimate));
+        let finer = Scene { grid: of_cells(scene.grid, |n| 2 * n), ..scene.clone() };
+        let unsolved = solution.report.status != Status::Converged;
+        if error <= accuracy || unsolved || !is_affordable(&finer) {
+            solution.report.work = work.on(&solution.grid);
+            return Ok(solution);
+        }
+        (coarse, scene) = (solution, finer);
+    }
+}
+
+/// What an accuracy of a rough contact bounds.
+fn largest(estimate: &ErrorEstimate) -> f64 {
+    let ErrorEstimate { mean_film, load_ratio, area_ratio, friction_coefficient, .. } = *estimate;
+    mean_film.max(load_ratio).max(area_ratio).max(friction_coefficient)
+}
+
+fn is_affordable(scene: &Scene) -> bool {
+    scene.grid().is_ok_and(|grid| {
+        grid.len() <= MAX_NODES && setup::validate_memory(&grid, scene.is_lubricated()).is_ok()
+    })
+}
+
+/// The surfaces of a scene that can be solved on half its cells too.
+fn surfaces(scene: &Scene, field: &str) -> Result<Surfaces, SimError> {
+    if scene.is_lubricated() && scene.solver.contact == ContactDefinition::Paper {
+        return Err(SimError::Input(InputError::Conflict {
+            field: "solver.contact = \"paper\"".to_owned(),
+            reason: format!(
+                "{field} needs \"hard\": where the pressure flow ends, numbers have no limit on fine meshes"
+            ),
+        }));
+    }
+    setup::validate(scene)?;
+    let grid = scene.grid()?;
+    setup::validate_box(&grid, &scene.hertz()?, scene.form.is_line())?;
+    setup::validate_memory(&grid, scene.is_lubricated())?;
+    let few = |n: usize| n < FEWEST;
+    for (axis, n, counts) in [("grid.nx", grid.nx(), true), ("grid.ny", grid.ny(), grid.ny() > 1)] {
+        if counts && few(n) {
+            return Err(SimError::Input(InputError::Conflict {
+                field: format!("{axis} = {n}"),
+                reason: format!(
+                    "{field} needs at least {FEWEST} cells along each side, so that half of them are a mesh"
+                ),
+            }));
+        }
+    }
+    Surfaces::new(scene, &grid)
+}
+
+/// The error of the mesh of half the cells.
+fn on_half(error: SimError, field: &str) -> SimError {
+    match error {
+        SimError::Input(error) => SimError::Input(InputError::Conflict {
+            field: field.to_owned(),
+            reason: format!("on half the cells along each side: {error}"),
+        }),
+        other => other,
+    }
+}
+
+/// The same box with other cells.
+fn of_cells(grid: GridSpec, count: impl Fn(usize) -> usize) -> GridSpec {
+    match grid {
+        GridSpec::Cells { nx, ny, x, y } => GridSpec::Cells { nx: count(nx), ny: count(ny), x, y },
+        GridSpec::Row { nx, x } => GridSpec::Row { nx: count(nx), x },
+        other => other,
+    }
+}
+
+/// The box of the smooth contact, or one that holds all asperities that may touch, with cells that hold the waves of the random
+/// surfaces.
+fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
+    setup::validate(scene)?;
+    let hertz = scene.hertz()?;
+    let Waves { lengths: [along_x, along_y], rq } = waves(scene)?;
+    let plan = Plan::of(scene, &hertz, accuracy)?;
+    let depth = GAP_BEYOND * hertz.a_x.powi(2) / scene.form.radii().0;
+    let reach = 1.0 + (REACH * rq / depth).powf(2.0 / 3.0) + ROOM;
+    let x = [-plan.inlet.max(reach) * hertz.a_x, plan.outlet.max(reach) * hertz.a_x];
+    let side = plan.side.max(reach) * hertz.a_y;
+    let y = [-side, side];
+    let cells = |[low, high]: [f64; 2], length: f64, axis: f64| {
+        ((high - low) / (length / CELLS_IN_LENGTH).min(axis / CELLS_IN_AXIS)).ceil()
+    };
+    let line = scene.form.is_line();
+    let (nx, ny) = (cells(x, along_x, hertz.a_x), if line { 1.0 } else { cells(y, along_y, hertz.a_y) });
+    if nx * ny > MAX_NODES as f64 {
+        return Err(SimError::Input(InputError::Conflict {
+            field: "grid.accuracy".to_owned(),
+            reason: format!("the waves of the surfaces need {:.2e} nodes, more than {MAX_NODES}", nx * ny),
+        }));
+    }
+    let (nx, ny) = (nx as usize, ny as usize);
+    Ok(if line { GridSpec::Row { nx, x } } else { GridSpec::Cells { nx, ny, x, y } })
+}
+
+/// The random surfaces of both bodies.
+struct Waves {
+    /// The shortest lengths along x and y of the autocorrelations \[m\].
+    lengths: [f64; 2],
+    /// Root mean square of the heights of both \[m\].
+    rq: f64,
+}
+
+fn waves(scene: &Scene) -> Result<Waves, SimError> {
+    let needs_cells = |field: String, reason: &str| {
+        let reason =
+            format!("{reason}: give nx, ny, x and y, the cells that hold the surface, and solver.accuracy");
+        Err(SimError::Input(InputError::Conflict { field, reason }))
+    };
+    let (mut lengths, mut square) = ([f64::INFINITY; 2], 0.0);
+    for (roughness, body) in [(&scene.roughness.ball, "ball"), (&scene.roughness.disc, "disc")] {
+        match roughness {
+            Roughness::Gaussian(random) if !roughness.is_smooth() => {
+                InputError::require_non_negative(&format!("roughness.{body}.rq"), random.rq)?;
+                square += random.rq.powi(2);
+                let given = [("length_x", random.length_x), ("length_y", random.length_y)];
+                for (shortest, (name, length)) in lengths.iter_mut().zip(given) {
+                    InputError::require_positive(&format!("roughness.{body}.{name}"), length)?;
+                    *shortest = shortest.min(length);
+                }
+            }
+            Roughness::Exponential(_) if !roughness.is_smooth() => {
+                return needs_cells(
+                    format!("roughness.{body}.kind = \"exponential\""),
+                    "the surface has waves of every length and no finest ones to refine",
+                );
+            }
+            Roughness::File(file) => {
+                return needs_cells(
+                    format!("roughness.{body}.path = {}", file.path.display()),
+                    "the box that the heights belong to is not known",
+                );
+            }
+            _ => {}
+        }
+    }
+    Ok(Waves { lengths, rq: square.sqrt() })
+}
