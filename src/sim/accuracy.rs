@@ -78,7 +78,8 @@ impl Plan {
     /// [`AIM`] of the accuracy.
     fn of(scene: &Scene, hertz: &HertzContact, accuracy: f64) -> Result<Self, InputError> {
         let viscosity = setup::viscosity(scene)?;
-        let Some(formulas) = setup::formula_film(scene, hertz, viscosity.as_deref())? else {
+        let speed = scene.conditions(0.0)?.motion.entrainment_speed;
+        let Some(formulas) = setup::formula_film(scene, hertz, speed, viscosity.as_deref(), None)? else {
             let (side, cell) = (1.5, 0.25 * accuracy.sqrt());
             return Ok(Self { inlet: side, outlet: side, side, cell, box_error: 0.0 });
         };

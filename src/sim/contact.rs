@@ -1,10 +1,11 @@
 //! One quasi-static contact: the pieces that stay fixed while surfaces change, and its solution in numbers.
 
 use super::accuracy::{self, ErrorEstimate};
-use super::friction::FrictionFields;
+use super::friction::{FrictionFields, FrictionShares, boundary_law};
 use super::hertz::HertzContact;
-use super::scene::{GridSpec, Scene};
+use super::scene::{GridSpec, Motion, Scene};
 use super::setup::FormulaFilm;
+use super::timetable::{Conditions, Timetable};
 use super::{SimError, setup};
 use crate::elastic::{DeformationModel, HalfSpace, LineHalfSpace};
 use crate::error::InputError;
@@ -35,9 +36,11 @@ pub(super) struct ContactModel {
     shear_thinning: Option<ShearThinning>,
     film_cutoff: f64,
     contact: ContactDefinition,
-    entrainment_speed: f64,
+    pub(super) motion: Motion,
     /// Film formulas of the smooth contact; none without lubricant.
     formulas: Option<FormulaFilm>,
+    /// Central film by formula, by the pressure-viscosity coefficient that is stated for it; zero without lubricant \[m\].
+    pub(super) stated_film: f64,
     /// Measures the flow of solutions; none without lubricant.
     evaluation: Option<Evaluation>,
     /// That of the last one.
@@ -57,8 +60,18 @@ impl ContactModel {
     pub(super) fn new(scene: &Scene, overrides: Overrides) -> Result<Self, SimError> {
         setup::validate(scene)?;
         let grid = scene.grid()?;
+        let timetable = Timetable::new(scene)?;
+        let conditions = timetable.at(0.0);
         let hertz = scene.hertz()?;
         setup::validate_box(&grid, &hertz, scene.form.is_line())?;
+        for load in timetable.loads().into_iter().filter(|_| scene.schedule.load.is_some()) {
+            let hertz = scene.hertz_under(load)?;
+            setup::validate_box(&grid, &hertz, scene.form.is_line())?;
+            if let Some(plastic) = scene.plastic {
+                let [ball, disc] = scene.hardnesses(plastic.hardness);
+                setup::validate_hardness(ball.min(disc), &grid, &hertz)?;
+            }
+        }
         setup::validate_film_cutoff(scene)?;
         setup::validate_memory(&grid, scene.is_lubricated())?;
         let mut form_gap = vec![0.0; grid.len()];
@@ -101,9 +114,11 @@ impl ContactModel {
             _ => None,
         };
         let law = lubricant.as_ref().map(Lubricant::viscosity);
-        let formulas = setup::formula_film(scene, &hertz, law)?;
+        let formulas = setup::formula_film(scene, &hertz, conditions.motion.entrainment_speed, law, None)?;
+        let stated_film = stated_film(scene, &hertz, &conditions, law)?;
         Ok(Self {
             formulas,
+            stated_film,
             evaluation: lubricant.is_some().then(|| Evaluation::new(grid)),
             flow: None,
             grid,
@@ -117,11 +132,32 @@ impl ContactModel {
             face_mobility: scene.face_mobility(),
             cavitation: scene.solver.cavitation,
             supplied_film: scene.lubricant.and_then(|lubricant| lubricant.supplied_film),
-            shear_thinning: scene.friction.shear_thinning(scene.motion.sliding_speed())?,
+            shear_thinning: scene.friction.shear_thinning(conditions.motion.sliding_speed())?,
             film_cutoff: scene.solver.film_cutoff,
             contact: scene.solver.contact,
-            entrainment_speed: scene.motion.entrainment_speed,
+            motion: conditions.motion,
         })
+    }
+
+    /// The Hertz contact under `load` \[N\].
+    pub(super) fn hertz_under(&self, scene: &Scene, load: f64) -> Result<HertzContact, InputError> {
+        if load.to_bits() == self.hertz.load.to_bits() { Ok(self.hertz) } else { scene.hertz_under(load) }
+    }
+
+    /// Takes over the load and the speeds of `conditions`.
+    pub(super) fn put_under(&mut self, scene: &Scene, conditions: &Conditions) -> Result<(), InputError> {
+        let same = conditions.motion == self.motion && conditions.load.to_bits() == self.hertz.load.to_bits();
+        if same {
+            return Ok(());
+        }
+        let (hertz, motion) = (self.hertz_under(scene, conditions.load)?, conditions.motion);
+        let law = self.lubricant.as_ref().map(Lubricant::viscosity);
+        let formulas = setup::formula_film(scene, &hertz, motion.entrainment_speed, law, None)?;
+        let stated_film = stated_film(scene, &hertz, conditions, law)?;
+        let shear_thinning = scene.friction.shear_thinning(motion.sliding_speed())?;
+        (self.hertz, self.motion, self.formulas, self.stated_film) = (hertz, motion, formulas, stated_film);
+        self.shear_thinning = shear_thinning;
+        Ok(())
     }
 
     /// Central film of the smooth contact by formula; zero without lubricant \[m\].
@@ -142,7 +178,7 @@ impl ContactModel {
             gap,
             deformation: &mut *self.deformation,
             lubricant: self.lubricant.as_ref(),
-            entrainment_speed: self.entrainment_speed,
+            entrainment_speed: self.motion.entrainment_speed,
             squeeze,
             load: self.hertz.load,
             pressure_limit: limit,
@@ -196,6 +232,10 @@ pub struct ContactSolution {
     /// Friction coefficient, from boundary friction under the solid pressure and shear of the fluid; zero without
     /// sliding.
     pub friction_coefficient: f64,
+    /// Part of the friction coefficient that solid contact makes.
+    pub friction_boundary: f64,
+    /// Part of the friction coefficient that shear of the fluid makes.
+    pub friction_fluid: f64,
 }
 
 /// Film thickness of a solution \[m\].
@@ -285,46 +325,102 @@ pub(super) fn solve_on_grid(
     let limit = match scene.plastic {
         None => None,
         Some(plastic) => {
-            setup::validate_hardness(plastic.hardness, &grid, &model.hertz)?;
-            Some(vec![plastic.hardness; grid.len()])
+            let [ball, disc] = scene.hardnesses(plastic.hardness);
+            let softer = ball.min(disc);
+            setup::validate_hardness(softer, &grid, &model.hertz)?;
+            Some(vec![softer; grid.len()])
         }
     };
     let mut state = start(&grid)?;
     let report = model.solve(&gap, limit.as_deref(), None, &mut state)?;
-    let (film, contact, friction_coefficient) =
-        if state.pressure.iter().chain(&state.film).all(|value| value.is_finite()) {
-            let mut friction = FrictionFields::new(scene, grid.len())?;
-            friction.update(&model, &state)?;
-            let contact = contact_numbers(&model, &state, &friction.solid, limit.as_deref())?;
-            (film_numbers(&model, &state)?, contact, friction.coefficient(&model)?)
-        } else {
-            // A solve that diverged is a status; its numbers are unknown.
-            (FilmNumbers::UNKNOWN, ContactNumbers::UNKNOWN, f64::NAN)
+    let law = boundary_law(&scene.friction, None)?;
+    let mut friction = FrictionFields::new(scene, grid.len())?;
+    let known = is_known(&state);
+    if known {
+        friction.update(&model, &state, law.as_ref(), None)?;
+    }
+    let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
+    Ok(model.solution(report, state, gap, numbers))
+}
+
+/// Whether a state is a state: one of a solve that diverged may be none.
+pub(super) fn is_known(state: &ContactState) -> bool {
+    state.pressure.iter().chain(&state.film).all(|value| value.is_finite())
+}
+
+/// The numbers of a solved contact.
+pub(super) struct Numbers {
+    film: FilmNumbers,
+    contact: ContactNumbers,
+    friction: FrictionShares,
+}
+
+impl Numbers {
+    /// Those of `state`; without `friction` the solve diverged, which is a status, and its numbers are unknown.
+    pub(super) fn of(
+        model: &ContactModel,
+        state: &ContactState,
+        friction: Option<&FrictionFields>,
+        limit: Option<&[f64]>,
+    ) -> Result<Self, InputError> {
+        let Some(friction) = friction else {
+            let (film, contact) = (FilmNumbers::UNKNOWN, ContactNumbers::UNKNOWN);
+            return Ok(Self { film, contact, friction: FrictionShares::UNKNOWN });
         };
-    let (hertz, moes) = (model.hertz, model.formulas.map(|formulas| formulas.moes));
-    let discretisation =
-        model.lubricant.is_some().then_some((model.scheme, model.face_mobility, model.contact));
-    Ok(ContactSolution {
-        report,
-        grid,
-        hertz,
-        moes,
-        film,
-        contact,
-        friction_coefficient,
-        discretisation,
-        cavitation: model.lubricant.is_some().then_some(model.cavitation),
-        flow: model.flow,
-        state,
-        gap,
-        error_estimate: None,
-    })
+        Ok(Self {
+            film: film_numbers(model, state)?,
+            contact: contact_numbers(model, state, &friction.solid, limit)?,
+            friction: friction.shares(model)?,
+        })
+    }
+}
+
+impl ContactModel {
+    /// The solution that a solve with this model has led to.
+    pub(super) fn solution(
+        &self,
+        report: SolveReport,
+        state: ContactState,
+        gap: Vec<f64>,
+        numbers: Numbers,
+    ) -> ContactSolution {
+        let lubricated = self.lubricant.is_some();
+        ContactSolution {
+            report,
+            grid: self.grid,
+            hertz: self.hertz,
+            moes: self.formulas.map(|formulas| formulas.moes),
+            film: numbers.film,
+            contact: numbers.contact,
+            friction_coefficient: numbers.friction.coefficient,
+            friction_boundary: numbers.friction.boundary,
+            friction_fluid: numbers.friction.fluid,
+            discretisation: lubricated.then_some((self.scheme, self.face_mobility, self.contact)),
+            cavitation: lubricated.then_some(self.cavitation),
+            flow: self.flow,
+            state,
+            gap,
+            error_estimate: None,
+        }
+    }
+}
+
+/// Central film by formula, by the coefficient that is stated for it, else the slope of the law; zero without lubricant \[m\].
+fn stated_film(
+    scene: &Scene,
+    hertz: &HertzContact,
+    conditions: &Conditions,
+    law: Option<&dyn ViscosityLaw>,
+) -> Result<f64, InputError> {
+    let alpha = scene.lubricant.and_then(|lubricant| lubricant.formula_alpha);
+    let film = setup::formula_film(scene, hertz, conditions.motion.entrainment_speed, law, alpha)?;
+    Ok(film.map_or(0.0, |film| film.central))
 }
 
 /// The elastic bodies of the scene. Displacements of a line contact count from the distance of the radius, or the length of
 /// the box where that is longer.
 fn half_space(scene: &Scene, grid: Grid) -> Result<Box<dyn DeformationModel>, InputError> {
-    let modulus = scene.elastic.equivalent_modulus;
+    let modulus = scene.equivalent_modulus()?;
     Ok(if scene.form.is_line() {
         let reference = scene.form.radii().0.max(grid.size_x());
         Box::new(LineHalfSpace::new(grid, modulus, reference)?)
@@ -362,12 +458,14 @@ pub(super) fn contact_numbers(
         model.hertz.a_y,
     )?;
     let ellipse = std::f64::consts::PI * model.hertz.a_x * model.hertz.a_y;
-    let hardest = limit.map_or(f64::INFINITY, |limit| limit.iter().copied().fold(0.0, f64::max));
+    // Between nodes no more than the node of the largest pressure may carry.
+    let top = state.pressure.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1));
+    let bound = top.and_then(|(k, _)| limit?.get(k).copied()).unwrap_or(f64::INFINITY);
     let at_limit = limit.map_or(0, |limit| {
         state.pressure.iter().zip(limit).filter(|(p, limit)| reaches_limit(**p, **limit)).count()
     });
     Ok(ContactNumbers {
-        max_pressure: metrics::peak(&model.grid, &state.pressure)?.min(hardest),
+        max_pressure: metrics::peak(&model.grid, &state.pressure)?.min(bound),
         central_pressure: model.grid.interpolate(&state.pressure, 0.0, 0.0)?,
         area_ratio: statistics.area_ratio * ellipse / model.hertz.area,
         load_ratio: statistics.load_ratio,

@@ -9,13 +9,18 @@ mod builder;
 #[cfg(feature = "serde")]
 mod checkpoint;
 mod contact;
+mod course;
 pub mod ensemble;
 mod error;
 mod friction;
+mod heat;
 mod hertz;
+#[cfg(feature = "serde")]
+mod identity;
 #[cfg(feature = "npz")]
 mod npz;
 mod observer;
+mod per_body;
 mod record;
 #[cfg(all(feature = "serde", feature = "npz"))]
 mod run_folder;
@@ -23,7 +28,12 @@ pub mod scene;
 mod setup;
 mod simulation;
 mod squeeze_memory;
+mod standing;
+mod start;
+#[cfg(all(feature = "formats", feature = "npz"))]
+mod start_file;
 mod step_control;
+mod timetable;
 #[cfg(feature = "vtk")]
 mod vtk;
 #[cfg(feature = "serde")]
@@ -44,8 +54,10 @@ pub use observer::Observer;
 pub use record::StepRecord;
 #[cfg(all(feature = "serde", feature = "npz"))]
 pub use run_folder::RunFolder;
-pub use scene::Scene;
+pub use scene::{Scene, Schedule};
 pub use simulation::{MixedLubricationSim, RunEnd};
+pub use start::BodyStart;
 pub use step_control::StepControl;
+pub use timetable::Conditions;
 #[cfg(feature = "vtk")]
 pub use vtk::write_vtk;

@@ -4,13 +4,16 @@ use std::io::{self, Write};
 
 use crate::error::InputError;
 use crate::report::{Residuals, SolveReport, Status, Work};
+use super::scene::Motion;
 use crate::reynolds::FlowBalance;
 
 /// Solvers that a line can name.
 const SOLVERS: [&str; 6] =
     ["newton_krylov", "semi_system", "dry", "auto", "multigrid", "multigrid+newton_krylov"];
 
-/// The numbers of one committed step; all SI.
+/// The numbers of one committed step; all SI. Those of the contact (roughness, film, pressures, friction, heat) are of one
+/// instant, the start of the step, under the conditions that held then: the contact of the first record is that of time zero. Wear, tribofilm and
+/// flattened volume are those at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepRecord {
     /// Number of the step, from 0.
@@ -19,7 +22,7 @@ pub struct StepRecord {
     pub time: f64,
     /// Length of the step \[s\].
     pub time_step: f64,
-    /// Root mean square heights of ball and disc over their patches, after the step \[m\].
+    /// Root mean square heights of ball and disc over their patches, as they met in the contact \[m\].
     pub rq: [f64; 2],
     /// Composite `sqrt(rq_ball^2 + rq_disc^2)` \[m\].
     pub composite_rq: f64,
@@ -27,13 +30,14 @@ pub struct StepRecord {
     pub average_film: f64,
     /// `average_film / composite_rq`.
     pub lambda: f64,
-    /// Hamrock-Dowson central film over `composite_rq`; zero without lubricant.
+    /// Central film by formula (Hamrock and Dowson, of a line contact Dowson and Toyoda) with the stated pressure-viscosity
+    /// coefficient over `composite_rq`; zero without lubricant.
     pub lambda_old: f64,
     /// Solid contact area inside the Hertz ellipse over its area.
     pub area_ratio: f64,
     /// Share of the load that solid contact carries.
     pub load_ratio: f64,
-    /// Largest pressure \[Pa\].
+    /// Largest pressure, never above the limit of its node \[Pa\].
     pub max_pressure: f64,
     /// Mean pressure over the nodes that carry any \[Pa\].
     pub mean_pressure: f64,
@@ -50,6 +54,16 @@ pub struct StepRecord {
     /// Friction coefficient, from boundary friction under the solid pressure and shear of the fluid; zero without
     /// sliding.
     pub friction_coefficient: f64,
+    /// Part of the friction coefficient that solid contact makes.
+    pub friction_boundary: f64,
+    /// Part of the friction coefficient that shear of the fluid makes.
+    pub friction_fluid: f64,
+    /// Normal load \[N\].
+    pub load: f64,
+    /// Speeds of the surfaces.
+    pub motion: Motion,
+    /// Bulk temperature \[K\].
+    pub bulk_temperature: f64,
     /// Smallest film over all nodes \[m\].
     pub minimum_gap: f64,
     /// What flows into the box and out of it; none without lubricant.
@@ -66,7 +80,8 @@ impl StepRecord {
         contact_area_ratio,contact_load_ratio,max_pressure_pa,mean_pressure_pa,mean_wear_ball_m,mean_wear_disc_m,\
         max_wear_ball_m,max_wear_disc_m,mean_film_ball_m,mean_film_disc_m,plastic_volume_m3,flash_rise_k,\
         friction_coefficient,minimum_gap_m,inflow_m3_s,outflow_m3_s,flow_imbalance,attempts,solver,status,mass_residual,load_residual,\
-        complementarity_residual,convolutions,iterations,inner_iterations";
+        complementarity_residual,convolutions,iterations,inner_iterations,friction_boundary,friction_fluid,load_n,\
+        entrainment_speed_m_s,slide_roll_ratio,bulk_temperature_k";
 
     /// Writes the record as one line of comma-separated values, every digit kept; a flash temperature that is not
     /// modelled is an empty cell, as are the flows of a dry contact.
@@ -109,7 +124,7 @@ impl StepRecord {
             None => write!(out, ",,,")?,
         }
         let (report, residuals) = (&self.report, &self.report.residuals);
-        writeln!(
+        write!(
             out,
             ",{},{},{},{:e},{:e},{:e},{},{},{}",
             self.attempts,
@@ -121,7 +136,13 @@ impl StepRecord {
             report.work.convolutions,
             report.work.iterations,
             report.work.inner_iterations
-        )
+        )?;
+        let Motion { entrainment_speed, slide_roll_ratio } = self.motion;
+        let shares = [self.friction_boundary, self.friction_fluid];
+        for number in shares.into_iter().chain([self.load, entrainment_speed, slide_roll_ratio]) {
+            write!(out, ",{number:e}")?;
+        }
+        writeln!(out, ",{:e}", self.bulk_temperature)
     }
 
     /// The record that [`write_csv`](Self::write_csv) wrote as `line`, every bit of it, but for the name of a solver that is
@@ -178,6 +199,10 @@ impl StepRecord {
         let convolutions = number()?;
         let mut whole = || next().and_then(|(column, cell)| parsed::<u64>(column, cell));
         let work = Work { convolutions, iterations: whole()?, inner_iterations: whole()? };
+        let mut number = || next().and_then(|(column, cell)| parsed::<f64>(column, cell));
+        let (friction_boundary, friction_fluid, load) = (number()?, number()?, number()?);
+        let motion = Motion { entrainment_speed: number()?, slide_roll_ratio: number()? };
+        let bulk_temperature = number()?;
         if let Some(stray) = cells.next() {
             return Err(unreadable("history", stray));
         }
@@ -200,6 +225,11 @@ impl StepRecord {
             plastic_volume,
             flash_rise,
             friction_coefficient,
+            friction_boundary,
+            friction_fluid,
+            load,
+            motion,
+            bulk_temperature,
             minimum_gap,
             flow,
             attempts,

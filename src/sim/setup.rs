@@ -1,6 +1,7 @@
 //! From a scene to the pieces of a contact problem.
 
 use super::SimError;
+use super::friction::boundary_law;
 use super::hertz::{HertzContact, LINE_LENGTH};
 use super::scene::{
     FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind, TribofilmSpec,
@@ -23,16 +24,23 @@ const LARGEST_CUTOFF: f64 = 1e-3;
 /// Checks every value of the scene but form, load, grid and roughness, used or not.
 pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     let speed = scene.motion.entrainment_speed;
-    if scene.is_lubricated() {
+    if scene.is_lubricated() && scene.schedule.entrainment_speed.is_none() {
         InputError::require_positive("motion.entrainment_speed", speed)?;
     }
     InputError::require_non_negative("motion.entrainment_speed", speed)?;
     let ratio = scene.motion.slide_roll_ratio;
     InputError::require(ratio.is_finite(), "motion.slide_roll_ratio", ratio, "finite")?;
     let friction = scene.friction;
-    InputError::require_non_negative("friction.boundary_coefficient", friction.boundary_coefficient)?;
+    boundary_law(&friction, None)?;
+    if let (Some(thickness), None) = (friction.covering_thickness, friction.film_coefficient) {
+        return Err(InputError::Conflict {
+            field: format!("friction.covering_thickness = {thickness:e}"),
+            reason: "friction.film_coefficient is missing".to_owned(),
+        });
+    }
     friction.rheology()?;
     friction.shear_thinning(scene.motion.sliding_speed())?;
+    scene.validate_materials()?;
     let thermal = scene.thermal;
     InputError::require_positive("thermal.bulk_temperature", thermal.bulk_temperature)?;
     InputError::require_positive("thermal.conductivity", thermal.conductivity)?;
@@ -49,6 +57,9 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     if let Some(spec) = scene.lubricant {
         roelands(&spec)?;
         DowsonHigginson::new(spec.density_a, spec.density_b)?;
+        if let Some(alpha) = spec.formula_alpha {
+            InputError::require_positive("lubricant.formula_alpha", alpha)?;
+        }
         if let Some(film) = spec.supplied_film {
             InputError::require_positive("lubricant.supplied_film", film)?;
             if scene.is_lubricated() {
@@ -307,16 +318,18 @@ pub(super) struct FormulaFilm {
     pub(super) central: f64,
 }
 
-/// The film formulas; none without a lubricant.
+/// The film formulas at `entrainment_speed` \[m/s\], by the pressure-viscosity coefficient `alpha` \[1/Pa\] or the slope of the
+/// law; none without a lubricant.
 pub(super) fn formula_film(
     scene: &Scene,
     hertz: &HertzContact,
+    entrainment_speed: f64,
     viscosity: Option<&dyn ViscosityLaw>,
+    alpha: Option<f64>,
 ) -> Result<Option<FormulaFilm>, InputError> {
     let Some(law) = viscosity else { return Ok(None) };
-    let (entrainment_speed, equivalent_modulus) =
-        (scene.motion.entrainment_speed, scene.elastic.equivalent_modulus);
-    let (viscosity, pressure_viscosity) = (law.viscosity(0.0), law.log_slope(0.0));
+    let equivalent_modulus = scene.equivalent_modulus()?;
+    let (viscosity, pressure_viscosity) = (law.viscosity(0.0), alpha.unwrap_or_else(|| law.log_slope(0.0)));
     let (radius, load) = (scene.form.radii().0, hertz.load);
     Ok(Some(if scene.form.is_line() {
         let line = LineFilmConditions {

@@ -7,26 +7,26 @@ use super::body::Body;
 use super::builder::SimBuilder;
 use super::contact::{ContactModel, contact_numbers, film_numbers};
 use super::friction::FrictionFields;
+use super::heat::Heat;
 use super::hertz::HertzContact;
 use super::observer::Observer;
+use super::per_body::PerBody;
 use super::record::StepRecord;
 use super::scene::Scene;
 use super::squeeze_memory::SqueezeMemory;
 use super::step_control::StepControl;
+use super::timetable::{Conditions, Timetable};
 use super::yielding::Yielding;
-#[cfg(feature = "serde")]
-use crate::elastic::NEAR;
+use crate::boundary_friction::BoundaryFriction;
 use crate::error::InputError;
 use crate::grid::Grid;
-#[cfg(feature = "serde")]
-use crate::lubricant::Lubricant;
 use crate::metrics;
 use crate::plastic::PlasticityModel;
 use crate::report::{SolveReport, Status};
 use crate::reynolds::ContactState;
 use crate::rubbing::RubbingPoint;
 use crate::surface::{FourierShift, Offset, RoughnessMotion, add_blended, blend_shifted, copy_shifted};
-use crate::tribochem::{FilmGrowthLaw, FlashTemperature};
+use crate::tribochem::FilmGrowthLaw;
 use crate::wear::WearLaw;
 
 /// Positions of the roughness that a step tries before it gives up.
@@ -43,20 +43,12 @@ const MAX_CUTS: usize = 40;
 /// The laws of a run; absent ones cost nothing.
 #[derive(Debug)]
 pub(super) struct Laws {
-    pub(super) plasticity: Option<Box<dyn PlasticityModel>>,
+    pub(super) plasticity: Option<PerBody<dyn PlasticityModel>>,
     pub(super) growth: Option<Box<dyn FilmGrowthLaw>>,
-    pub(super) wear: Option<Box<dyn WearLaw>>,
+    pub(super) wear: Option<PerBody<dyn WearLaw>>,
+    pub(super) friction: Box<dyn BoundaryFriction>,
     /// Share of the time that ball and disc wear.
     pub(super) duty: [f64; 2],
-}
-
-/// The heat pass.
-#[derive(Debug)]
-pub(super) struct Heat {
-    /// None where it is left out.
-    pub(super) flash: Option<FlashTemperature>,
-    /// Estimate of the largest rise \[K\].
-    pub(super) estimate: f64,
 }
 
 /// How the contact moves on from step to step.
@@ -103,11 +95,12 @@ pub enum RunEnd {
 /// ```
 #[derive(Debug)]
 pub struct MixedLubricationSim {
-    scene: Scene,
+    pub(super) scene: Scene,
+    timetable: Timetable,
     pub(super) contact: ContactModel,
     pub(super) laws: Laws,
     heat: Heat,
-    travel: Travel,
+    pub(super) travel: Travel,
     between_nodes: FourierShift,
     pub(super) bodies: [Body; 2],
     pub(super) state: ContactState,
@@ -116,44 +109,24 @@ pub struct MixedLubricationSim {
     pub(super) step: u64,
     /// Positions of the roughness that were tried; with the seed the state of the random numbers.
     pub(super) draws: u64,
-    fields: Fields,
+    pub(super) fields: Fields,
     pub(super) backup: [Body; 2],
-}
-
-/// What tells one simulation from another: the scene and what was put in place of its parts, in words.
-#[cfg(feature = "serde")]
-#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-pub(super) struct Identity {
-    parts: Vec<(String, String)>,
-}
-
-#[cfg(feature = "serde")]
-impl Identity {
-    /// The first part in which both differ.
-    pub(super) fn difference<'a>(&'a self, other: &'a Self) -> Option<&'a str> {
-        let longer = if self.parts.len() >= other.parts.len() { self } else { other };
-        let shorter = if self.parts.len() >= other.parts.len() { other } else { self };
-        let differs = |(k, part): (usize, &'a (String, String))| {
-            (shorter.parts.get(k) != Some(part)).then_some(part.0.as_str())
-        };
-        longer.parts.iter().enumerate().find_map(differs)
-    }
 }
 
 /// Fields of the step in progress, all in the frame of the contact unless a name says otherwise.
 #[derive(Debug)]
-struct Fields {
-    gap: Vec<f64>,
+pub(super) struct Fields {
+    pub(super) gap: Vec<f64>,
     heights: Vec<f64>,
-    films: [Vec<f64>; 2],
+    pub(super) films: [Vec<f64>; 2],
     depths: [Vec<f64>; 2],
     on_body: Vec<f64>,
     heat: Vec<f64>,
     rise: Vec<f64>,
     /// Mass that the squeeze refers to.
     squeezed: Vec<f64>,
-    friction: FrictionFields,
-    yielding: Yielding,
+    pub(super) friction: FrictionFields,
+    pub(super) yielding: Yielding,
 }
 
 impl Fields {
@@ -182,7 +155,7 @@ impl MixedLubricationSim {
     }
 
     pub(super) fn assemble(
-        scene: Scene,
+        (scene, timetable): (Scene, Timetable),
         contact: ContactModel,
         bodies: [Body; 2],
         laws: Laws,
@@ -196,6 +169,7 @@ impl MixedLubricationSim {
             fields: Fields::new(&scene, grid.len())?,
             between_nodes: FourierShift::new(grid.nx()),
             scene,
+            timetable,
             contact,
             laws,
             heat,
@@ -218,30 +192,6 @@ impl MixedLubricationSim {
         self.travel.squeeze
     }
 
-    /// The scene and the parts in its place by what `Debug` prints of them, which for laws are their constants.
-    #[cfg(feature = "serde")]
-    pub(super) fn identity(&self) -> Identity {
-        let (laws, lubricant) = (&self.laws, &self.contact.lubricant);
-        let parts = [
-            ("scene", format!("{:?}", self.scene)),
-            ("motion", format!("{:?}", self.travel.motion)),
-            ("squeeze", format!("{:?}", self.travel.squeeze)),
-            // First: the film of the law is in those of the scene that follow.
-            ("growth law", format!("{:?}", laws.growth)),
-            ("plasticity model", format!("{:?}", laws.plasticity)),
-            ("wear law", format!("{:?}", laws.wear)),
-            ("viscosity law", format!("{:?}", lubricant.as_ref().map(Lubricant::viscosity))),
-            ("density law", format!("{:?}", lubricant.as_ref().map(Lubricant::density))),
-            ("solver", self.contact.solver.name().to_owned()),
-            // By what it does: buffers may show in `Debug`.
-            (
-                "deformation model",
-                format!("{:?}", [0, 1, NEAR].map(|di| self.contact.deformation.influence(di, 0))),
-            ),
-        ];
-        Identity { parts: parts.into_iter().map(|(part, words)| (part.to_owned(), words)).collect() }
-    }
-
     /// The grid of the contact and of both bodies' patches.
     pub fn grid(&self) -> Grid {
         self.contact.grid
@@ -252,7 +202,12 @@ impl MixedLubricationSim {
         &self.scene
     }
 
-    /// Hertz contact of the smooth bodies.
+    /// What acts on the contact at the time that has passed.
+    pub fn conditions(&self) -> Conditions {
+        self.timetable.at(self.time)
+    }
+
+    /// Hertz contact of the smooth bodies under the load of the last step.
     pub fn hertz(&self) -> HertzContact {
         self.contact.hertz
     }
@@ -282,8 +237,10 @@ impl MixedLubricationSim {
         self.heat.flash.is_some()
     }
 
-    /// Largest flash temperature rise that the smooth contact would have \[K\], by which it is modelled or left out
-    /// unless the scene says which (see [`estimate_maximum_rise`](crate::tribochem::estimate_maximum_rise)).
+    /// Largest flash temperature rise that the smooth contact would have \[K\] under any conditions of the schedule, by which it
+    /// is modelled or left out unless the scene says which: by boundary friction under all of the load, or by shear of a fluid
+    /// film of the thickness that the formulas give, whichever is hotter (see
+    /// [`estimate_rise_under_flux`](crate::tribochem::estimate_rise_under_flux)).
     pub fn flash_estimate(&self) -> f64 {
         self.heat.estimate
     }
@@ -316,7 +273,7 @@ impl MixedLubricationSim {
         Ok(RunEnd::Finished)
     }
 
-    /// Steps until the time `end` \[s\], each as long as `control` allows; `observer` sees each and may stop the run.
+    /// Steps until the time `end` \[s\], each as long as `control` allows and none across an entry of a schedule; `observer` sees each and may stop the run.
     ///
     /// # Errors
     /// See [`MixedLubricationSim::step_within`]; the steps before are committed.
@@ -330,8 +287,11 @@ impl MixedLubricationSim {
         control.validate()?;
         // What rounding leaves of the last step is none.
         while end - self.time > 1e-9 * control.longest {
-            let record =
-                self.step_within(&StepControl { longest: control.longest.min(end - self.time), ..*control })?;
+            let mut left = end - self.time;
+            if let Some(entry) = self.timetable.next_entry(self.time) {
+                left = left.min(entry - self.time);
+            }
+            let record = self.step_within(&StepControl { longest: control.longest.min(left), ..*control })?;
             if observer.after_step(self, &record) == ControlFlow::Break(()) {
                 return Ok(RunEnd::Stopped);
             }
@@ -339,7 +299,7 @@ impl MixedLubricationSim {
         Ok(RunEnd::Finished)
     }
 
-    /// Takes one step of `time_step` \[s\].
+    /// Takes one step of `time_step` \[s\] under the conditions that hold at its start.
     ///
     /// # Errors
     /// A time step that is negative or not finite; a contact that did not converge at any tried position of the
@@ -355,8 +315,12 @@ impl MixedLubricationSim {
     /// As of [`MixedLubricationSim::step`], and laws that change a node by more than the depth in any time.
     pub fn step_within(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         control.validate()?;
+        let conditions = self.conditions();
+        self.contact.put_under(&self.scene, &conditions)?;
+        self.heat.move_at(conditions.motion.surface_speeds(), &self.contact.grid)?;
         let (report, offsets, attempts) = self.solve_somewhere()?;
         let flash_rise = self.rub()?;
+        let rq = self.roughness()?;
         for (backup, body) in self.backup.iter_mut().zip(&self.bodies) {
             backup.clone_from(body);
         }
@@ -369,7 +333,7 @@ impl MixedLubricationSim {
         };
         self.time += time_step;
         self.squeeze_memory.keep(&self.state.mass, time_step);
-        let record = self.record(report, attempts, flash_rise)?;
+        let record = self.record(report, attempts, flash_rise, (conditions, rq))?;
         self.step += 1;
         Ok(record)
     }
@@ -407,7 +371,7 @@ impl MixedLubricationSim {
     fn solve_somewhere(&mut self) -> Result<(SolveReport, Offsets, u32), SimError> {
         let random = matches!(self.travel.motion, RoughnessMotion::RandomShift { .. });
         let tries = if random { MAX_ATTEMPTS } else { 1 };
-        let speeds = self.scene.motion.surface_speeds();
+        let speeds = self.timetable.mean_speeds(self.time);
         let mut attempt = 1;
         loop {
             let (draw, time, grid) = (self.draws, self.time, self.contact.grid);
@@ -445,7 +409,7 @@ impl MixedLubricationSim {
         Ok(())
     }
 
-    fn solve_at(&mut self, offsets: Offsets) -> Result<SolveReport, SimError> {
+    pub(super) fn solve_at(&mut self, offsets: Offsets) -> Result<SolveReport, SimError> {
         self.place(offsets)?;
         let Self { fields, contact, laws, state, travel, squeeze_memory, step, .. } = self;
         let squeeze =
@@ -458,16 +422,16 @@ impl MixedLubricationSim {
         let Some(model) = &laws.plasticity else {
             return contact.solve(&fields.gap, None, squeeze, state);
         };
-        fields.yielding.start(model.as_ref(), &fields.films, &fields.depths)?;
+        fields.yielding.start(model, &fields.films, &fields.depths)?;
         let mut report = contact.solve(&fields.gap, Some(&fields.yielding.limit), squeeze, state)?;
-        if !model.hardens() {
+        if !model.each().iter().any(|model| model.hardens()) {
             return Ok(report);
         }
         let compliance = PATCH_COMPLIANCE * contact.deformation.influence(0, 0);
         for _ in 0..MAX_HARDENING {
             let (films, depths) = (&fields.films, &fields.depths);
             let distance =
-                fields.yielding.harden(model.as_ref(), films, depths, &state.plastic_depth, compliance);
+                fields.yielding.harden(model, films, depths, &state.plastic_depth, compliance);
             if report.status != Status::Converged || distance <= HARDENING_TOLERANCE {
                 return Ok(report);
             }
@@ -482,8 +446,8 @@ impl MixedLubricationSim {
     /// Shear, heat and temperature under the solved pressures; returns the largest flash rise \[K\], none where it is not
     /// modelled.
     fn rub(&mut self) -> Result<Option<f64>, SimError> {
-        let Self { fields, contact, state, heat, .. } = self;
-        fields.friction.update(contact, state)?;
+        let Self { fields, contact, laws, state, heat, .. } = self;
+        fields.friction.update(contact, state, laws.friction.as_ref(), Some(&fields.films))?;
         let Some(flash) = &mut heat.flash else { return Ok(None) };
         for (k, heat) in fields.heat.iter_mut().enumerate() {
             *heat = fields.friction.heat(k);
@@ -494,9 +458,10 @@ impl MixedLubricationSim {
     /// Applies wear, film growth and flattening to the bodies. The film grows half before and half after the wear, so
     /// that the wear coefficient is that of the middle of the step.
     fn commit(&mut self, time_step: f64, offsets: Offsets) -> Result<(), SimError> {
-        let Self { fields, bodies, contact, laws, state, scene, .. } = self;
+        let conditions = self.conditions();
+        let Self { fields, bodies, contact, laws, state, .. } = self;
         let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
-        let (bulk, sliding) = (scene.thermal.bulk_temperature, scene.motion.sliding_speed());
+        let (bulk, sliding) = (conditions.bulk_temperature, conditions.motion.sliding_speed());
         if laws.plasticity.is_some() {
             fields.yielding.share(&state.plastic_depth)?;
             for (index, body) in bodies.iter_mut().enumerate() {
@@ -514,7 +479,7 @@ impl MixedLubricationSim {
             film_thickness: state.film[k],
             in_contact: state.in_contact[k],
         };
-        for ((body, offset), duty) in bodies.iter_mut().zip(offsets).zip(laws.duty) {
+        for (index, (body, offset)) in bodies.iter_mut().zip(offsets).enumerate() {
             let point = |node: usize| {
                 // Where this node of the body stands in the frame of the contact: on a node, or short of it.
                 let (i, j) = ((node % nx + nx - offset.columns) % nx, (node / nx + ny - offset.rows) % ny);
@@ -528,8 +493,9 @@ impl MixedLubricationSim {
                 film.advance(law.as_ref(), 0.5 * time_step, point)?;
             }
             if let Some(law) = &laws.wear {
+                let (law, duty) = (law.each()[index], laws.duty[index]);
                 let thickness = body.film.as_ref().map(|film| film.thickness());
-                body.wear.advance(law.as_ref(), duty * time_step, |node| {
+                body.wear.advance(law, duty * time_step, |node| {
                     (point(node), thickness.map_or(0.0, |thickness| thickness[node]))
                 })?;
             }
@@ -541,19 +507,25 @@ impl MixedLubricationSim {
         Ok(())
     }
 
+    /// Root mean square heights of both bodies \[m\].
+    fn roughness(&self) -> Result<[f64; 2], InputError> {
+        let [ball, disc] = &self.bodies;
+        Ok([metrics::height_statistics(&ball.surface)?.sq, metrics::height_statistics(&disc.surface)?.sq])
+    }
+
+    /// The record of the step that was committed last, whose contact was solved under `conditions` on surfaces of roughness `rq`.
     fn record(
         &self,
         report: SolveReport,
         attempts: u32,
         flash_rise: Option<f64>,
+        (conditions, rq): (Conditions, [f64; 2]),
     ) -> Result<StepRecord, SimError> {
         let (state, grid) = (&self.state, self.contact.grid);
         let film = film_numbers(&self.contact, state)?;
-        let contact = contact_numbers(&self.contact, state, &self.fields.friction.solid, None)?;
-        let rq = [
-            metrics::height_statistics(&self.bodies[0].surface)?.sq,
-            metrics::height_statistics(&self.bodies[1].surface)?.sq,
-        ];
+        let limit = self.laws.plasticity.is_some().then_some(self.fields.yielding.limit.as_slice());
+        let contact = contact_numbers(&self.contact, state, &self.fields.friction.solid, limit)?;
+        let friction = self.fields.friction.shares(&self.contact)?;
         let composite_rq = metrics::composite_rq(rq[0], rq[1]);
         let over_rq = |film: f64| if composite_rq > 0.0 { film / composite_rq } else { 0.0 };
         let carrying = state.pressure.iter().filter(|p| **p > 0.0).count().max(1);
@@ -569,7 +541,7 @@ impl MixedLubricationSim {
             composite_rq,
             average_film: film.mean_central,
             lambda: over_rq(film.mean_central),
-            lambda_old: over_rq(self.contact.formula_film()),
+            lambda_old: over_rq(self.contact.stated_film),
             area_ratio: contact.area_ratio,
             load_ratio: contact.load_ratio,
             max_pressure: contact.max_pressure,
@@ -579,7 +551,12 @@ impl MixedLubricationSim {
             mean_film: [mean(ball.film_thickness()), mean(disc.film_thickness())],
             plastic_volume: ball.volumes(area)?.plastic + disc.volumes(area)?.plastic,
             flash_rise,
-            friction_coefficient: self.fields.friction.coefficient(&self.contact)?,
+            friction_coefficient: friction.coefficient,
+            friction_boundary: friction.boundary,
+            friction_fluid: friction.fluid,
+            load: conditions.load,
+            motion: conditions.motion,
+            bulk_temperature: conditions.bulk_temperature,
             minimum_gap: film.minimum_gap,
             flow: self.contact.flow,
             attempts,

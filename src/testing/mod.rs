@@ -7,6 +7,7 @@
 //! |---|---|
 //! | [`film_growth_law`] | finite rates, bounds, frozen idle nodes, rate = derivative, any cut of the time step |
 //! | [`wear_law`] | finite, never negative, none without sliding or load, monotone in both |
+//! | [`boundary_friction`] | finite, never negative, by the arguments alone |
 //! | [`viscosity_law`] | finite, positive, monotone, slope = derivative, negative pressures |
 //! | [`density_law`] | 1 at ambient pressure, monotone, slope = derivative, negative pressures |
 //! | [`plasticity_model`] | positive limits that do not fall with depth, the pair's limit the smaller |
@@ -15,6 +16,7 @@
 //!
 //! For proptest there are strategies: [`scenes`], [`absurd_scenes`] and [`pressures`].
 
+mod boundary_friction;
 mod contact_solver;
 mod deformation;
 mod film_growth;
@@ -25,6 +27,7 @@ mod wear;
 
 use std::fmt::Debug;
 
+pub use boundary_friction::boundary_friction;
 pub use contact_solver::contact_solver;
 pub use deformation::deformation_model;
 pub use film_growth::film_growth_law;

@@ -5,8 +5,8 @@ use proptest::prelude::*;
 use crate::grid::Grid;
 use crate::sim::Scene;
 use crate::sim::scene::{
-    Elastic, Flash, FrictionSpec, GridSpec, Load, LubricantSpec, Motion, PlasticSpec, RandomRoughness,
-    Roughness, RoughnessPair, SolverKind, SolverSpec, ThermalSpec, TribofilmSpec, WearSpec,
+    Elastic, Flash, FrictionSpec, GridSpec, Load, LubricantSpec, Materials, Motion, PlasticSpec, RandomRoughness,
+    Roughness, RoughnessPair, Schedules, SolverKind, SolverSpec, ThermalSpec, TribofilmSpec, WearSpec,
 };
 use crate::surface::Form;
 use crate::tribochem::Activation;
@@ -60,6 +60,7 @@ fn lubricants() -> impl Strategy<Value = Option<LubricantSpec>> {
             roelands_z,
             roelands_p0: 1.96e8,
             alpha: given.then_some(1.5e-8),
+            formula_alpha: None,
             density_a: 0.6e-9,
             density_b: 1.7e-9,
             supplied_film: None,
@@ -160,6 +161,8 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
         Scene {
             form,
             elastic: Elastic { equivalent_modulus },
+            materials: Materials::default(),
+            schedule: Schedules::default(),
             load,
             motion,
             lubricant,

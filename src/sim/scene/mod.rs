@@ -2,12 +2,17 @@
 
 #[cfg(feature = "serde")]
 mod files;
+mod materials;
 mod processes;
+mod schedule;
 #[cfg(feature = "serde")]
 mod tables;
 
 use std::path::PathBuf;
 
+pub(super) use materials::BODIES;
+pub use materials::{Material, Materials};
+pub use schedule::{Schedule, Schedules};
 pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec, WearSpec};
 
 use crate::analytic::{HertzLine, HertzPoint};
@@ -28,7 +33,11 @@ pub struct Scene {
     #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::form"))]
     pub form: Form,
     /// Elastic constants.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Elastic::is_absent"))]
     pub elastic: Elastic,
+    /// Materials of the bodies, where they differ or their moduli are given one by one.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Materials::is_empty"))]
+    pub materials: Materials,
     /// Normal load.
     pub load: Load,
     /// Speeds; needed where there is a lubricant, sliding or a history.
@@ -58,6 +67,9 @@ pub struct Scene {
     /// Temperatures.
     #[cfg_attr(feature = "serde", serde(default))]
     pub thermal: ThermalSpec,
+    /// Conditions that change in time; a single contact is that of the start.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Schedules::is_empty"))]
+    pub schedule: Schedules,
     /// How the contact problem is solved.
     #[cfg_attr(feature = "serde", serde(default))]
     pub solver: SolverSpec,
@@ -67,8 +79,23 @@ pub struct Scene {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Elastic {
-    /// `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`.
+    /// `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`; infinite where the materials give the moduli
+    /// ([`Scene::equivalent_modulus`]).
     pub equivalent_modulus: f64,
+}
+
+impl Elastic {
+    #[cfg(feature = "serde")]
+    fn is_absent(&self) -> bool {
+        self.equivalent_modulus == f64::INFINITY
+    }
+}
+
+impl Default for Elastic {
+    /// The modulus is that of the materials.
+    fn default() -> Self {
+        Self { equivalent_modulus: f64::INFINITY }
+    }
 }
 
 /// Normal load, by exactly one of the two.
@@ -129,6 +156,10 @@ pub struct LubricantSpec {
     /// from `eta0`, `roelands_z` and `roelands_p0`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub alpha: Option<f64>,
+    /// Pressure-viscosity coefficient \[1/Pa\] of the film formulas alone, where the data sheet states another one than the slope
+    /// of the viscosity law; absent: that slope.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub formula_alpha: Option<f64>,
     /// Dowson-Higginson `a` \[1/Pa\].
     #[cfg_attr(feature = "serde", serde(default = "defaults::density_a"))]
     pub density_a: f64,
@@ -339,6 +370,7 @@ impl Scene {
         Self {
             form: Form::Sphere { radius: 9.525e-3 },
             elastic: Elastic { equivalent_modulus: 229.67e9 },
+            materials: Materials::default(),
             load: Load { hertz_pressure: Some(1.15e9), force: None },
             motion: Motion { entrainment_speed: 0.1, slide_roll_ratio: 0.05 },
             lubricant: Some(LubricantSpec {
@@ -346,6 +378,7 @@ impl Scene {
                 roelands_z: 0.68,
                 roelands_p0: 1.96e8,
                 alpha: None,
+                formula_alpha: Some(1.494e-8),
                 density_a: 0.6e-9,
                 density_b: 1.7e-9,
                 supplied_film: None,
@@ -357,6 +390,7 @@ impl Scene {
             tribofilm: None,
             wear: Some(WearSpec::default()),
             thermal: ThermalSpec::default(),
+            schedule: Schedules::default(),
             solver: SolverSpec::default(),
         }
     }
@@ -391,11 +425,28 @@ impl Scene {
         }
     }
 
-    /// The Hertz contact of the smooth bodies.
+    /// The Hertz contact of the smooth bodies, at the start where the load is scheduled.
     ///
     /// # Errors
-    /// Form, modulus or load out of range, or both kinds of load, or none.
+    /// Form, modulus, load or schedule out of range, or both kinds of load, or none.
     pub fn hertz(&self) -> Result<HertzContact, InputError> {
+        match self.schedule.load {
+            None => self.constant_hertz(),
+            Some(_) => self.hertz_under(self.conditions(0.0)?.load),
+        }
+    }
+
+    /// The Hertz contact under the `load` \[N\] of a schedule.
+    pub(super) fn hertz_under(&self, load: f64) -> Result<HertzContact, InputError> {
+        self.hertz_by(Load { hertz_pressure: None, force: Some(load) })
+    }
+
+    /// The Hertz contact under the load of the scene, whatever the schedule.
+    pub(super) fn constant_hertz(&self) -> Result<HertzContact, InputError> {
+        self.hertz_by(self.load)
+    }
+
+    fn hertz_by(&self, load: Load) -> Result<HertzContact, InputError> {
         self.form.validate()?;
         let (radius_x, radius_y) = self.form.radii();
         let line = self.form.is_line();
@@ -403,9 +454,8 @@ impl Scene {
         let largest = HertzPoint::MAX_RADIUS_RATIO;
         let fits = line || (1.0 / largest..=largest).contains(&ratio);
         InputError::require(fits, "form.radius_x / form.radius_y", ratio, "between 1e-8 and 1e8")?;
-        let modulus = self.elastic.equivalent_modulus;
-        InputError::require_positive("elastic.equivalent_modulus", modulus)?;
-        let (field, value, contact) = match (self.load.hertz_pressure, self.load.force) {
+        let modulus = self.equivalent_modulus()?;
+        let (field, value, contact) = match (load.hertz_pressure, load.force) {
             (Some(pressure), None) => {
                 InputError::require_positive("load.hertz_pressure", pressure)?;
                 let contact = if line {
