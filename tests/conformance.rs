@@ -5,7 +5,7 @@ use stribeck::lubricant::{Barus, DensityLaw, DowsonHigginson, Incompressible, Ro
 use stribeck::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
 use stribeck::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem};
 use stribeck::testing::{
-    contact_solver, deformation_model, density_law, film_growth_law, plasticity_model, viscosity_law,
+    boundary_friction, contact_solver, deformation_model, density_law, film_growth_law, plasticity_model, viscosity_law,
     wear_law,
 };
 use stribeck::tribochem::{
@@ -13,7 +13,7 @@ use stribeck::tribochem::{
     ThermalArrhenius,
 };
 use stribeck::wear::{Archard, FrictionalEnergy, WearLaw, WearPressure};
-use stribeck::{Grid, RubbingPoint};
+use stribeck::{BoundaryFriction, ConstantFriction, FilmFriction, Grid, RubbingPoint};
 
 #[test]
 fn growth_laws() {
@@ -236,4 +236,35 @@ fn broken_contracts_are_found() {
     assert!(density_law(&WrongSlope).unwrap_err().clause.contains("derivative"));
     // A dry solver cannot do a lubricated contact, and the check says so instead of passing.
     assert!(contact_solver(&mut Dry::new(), true).is_err());
+}
+
+/// A coefficient that counts how often it was asked for.
+#[derive(Debug, Default)]
+struct Counting(std::sync::atomic::AtomicU32);
+
+impl BoundaryFriction for Counting {
+    fn coefficient(&self, _: f64, _: f64, _: [f64; 2]) -> f64 {
+        f64::from(self.0.fetch_add(1, std::sync::atomic::Ordering::Relaxed))
+    }
+}
+
+/// A Stribeck-like law that divides by the speed.
+#[derive(Debug)]
+struct Diverging;
+
+impl BoundaryFriction for Diverging {
+    fn coefficient(&self, _: f64, sliding_speed: f64, _: [f64; 2]) -> f64 {
+        1e-3 / sliding_speed
+    }
+}
+
+#[test]
+fn boundary_friction_laws() {
+    boundary_friction(&ConstantFriction::new(0.115).unwrap()).unwrap();
+    boundary_friction(&FilmFriction::new(0.08, 0.12, 20e-9).unwrap()).unwrap();
+    boundary_friction(&FilmFriction::new(0.12, 0.0, 1e-12).unwrap()).unwrap();
+    let violation = boundary_friction(&Counting::default()).unwrap_err();
+    assert_eq!(violation.clause, "coefficients depend on the arguments alone");
+    let violation = boundary_friction(&Diverging).unwrap_err();
+    assert_eq!(violation.clause, "coefficients are finite and not negative");
 }

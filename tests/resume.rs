@@ -9,9 +9,9 @@ use std::process::{Child, Command, Stdio};
 use std::sync::OnceLock;
 
 use stribeck::elastic::HalfSpace;
-use stribeck::sim::scene::PlasticSpec;
+use stribeck::sim::scene::{Flash, PlasticSpec};
 use stribeck::sim::{
-    CheckpointError, MixedLubricationSim, RunFolder, Scene, SimBuilder, SimError, StepRecord,
+    CheckpointError, MixedLubricationSim, RunFolder, Scene, Schedule, SimBuilder, SimError, StepControl, StepRecord,
 };
 use stribeck::surface::RoughnessMotion;
 use stribeck::tribochem::ThermalArrhenius;
@@ -364,4 +364,81 @@ fn fifty_killed_runs() {
 #[ignore = "takes minutes"]
 fn killed_runs_of_shared_lines() {
     killed_runs(6, SHARED);
+}
+
+/// Loads in steps, speeds on ramps, so that the last step before the checkpoint and the first after it meet other conditions.
+fn scheduled() -> Scene {
+    let mut scene = scene();
+    scene.schedule.load = Some(Schedule::steps(&[(0.0, 30.0), (60.0, 40.0), (150.0, 50.0)]));
+    scene.schedule.entrainment_speed = Some(Schedule::ramps(&[(0.0, 0.1), (200.0, 0.4)]));
+    scene.schedule.slide_roll_ratio = Some(Schedule::ramps(&[(0.0, 0.05), (300.0, 0.5)]));
+    scene.schedule.bulk_temperature = Some(Schedule::ramps(&[(0.0, 353.0), (300.0, 383.0)]));
+    scene.thermal.flash = Flash::On;
+    scene
+}
+
+#[test]
+fn scheduled_history() {
+    resumed_equals_uninterrupted(|| MixedLubricationSim::builder(scheduled()), 60.0);
+    resumed_equals_uninterrupted(
+        || MixedLubricationSim::builder(scheduled()).motion(RoughnessMotion::Convected).with_squeeze(),
+        0.01,
+    );
+}
+
+#[test]
+fn scheduled_runs_that_end_early_go_on_across_the_entries() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("checkpoint");
+    let control = StepControl { longest: 40.0, depth: 20e-9 };
+    let build = || MixedLubricationSim::builder(scheduled()).build().unwrap();
+    let mut whole = build();
+    whole.run_until(200.0, &control, &mut ignore).unwrap();
+    let mut first = build();
+    let stop = &mut |sim: &MixedLubricationSim, _: &StepRecord| {
+        if sim.time() >= 60.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    first.run_until(200.0, &control, stop).unwrap();
+    first.save(&path).unwrap();
+    let mut second = build();
+    second.restore(&path).unwrap();
+    second.run_until(200.0, &control, &mut ignore).unwrap();
+    assert!(bits(&second) == bits(&whole), "the resumed run differs");
+}
+
+#[test]
+fn a_run_goes_on_under_other_conditions_when_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("checkpoint");
+    let mut sim = MixedLubricationSim::builder(scene()).build().unwrap();
+    sim.step(60.0).unwrap();
+    sim.save(&path).unwrap();
+    let mut other = scheduled();
+    other.lubricant.as_mut().unwrap().eta0 = 0.008;
+    let mut under = MixedLubricationSim::builder(other).build().unwrap();
+    let before = bits(&under);
+    let names = ["scene.lubricant", "scene.thermal", "scene.schedule", "viscosity law"];
+    match under.restore(&path).unwrap_err() {
+        CheckpointError::Other { part, .. } => assert_eq!(part, names.join(", ")),
+        error => panic!("{error}"),
+    }
+    assert!(bits(&under) == before);
+    assert_eq!(under.restore_under_other_conditions(&path).unwrap(), names);
+    assert!(bits(&under) == bits(&sim));
+    let record = under.step(60.0).unwrap();
+    assert_eq!((record.time, record.load, record.step), (120.0, 40.0, 1));
+    assert!((record.motion.entrainment_speed - 0.19).abs() < 1e-12, "{record:?}");
+
+    // What is no condition stays refused, with all that differs named.
+    let mut other = scheduled();
+    other.plastic.as_mut().unwrap().hardness = 5e9;
+    let mut harder = MixedLubricationSim::builder(other).build().unwrap();
+    let before = bits(&harder);
+    match harder.restore_under_other_conditions(&path).unwrap_err() {
+        CheckpointError::Other { part, .. } => {
+            assert_eq!(part, "scene.plastic, scene.thermal, scene.schedule, plasticity model");
+        }
+        error => panic!("{error}"),
+    }
+    assert!(bits(&harder) == before);
 }

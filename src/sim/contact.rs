@@ -37,6 +37,8 @@ pub(super) struct ContactModel {
     film_cutoff: f64,
     contact: ContactDefinition,
     pub(super) motion: Motion,
+    /// Load that was asked for; that of the Hertz contact is rounded \[N\].
+    load: f64,
     /// Film formulas of the smooth contact; none without lubricant.
     formulas: Option<FormulaFilm>,
     /// Central film by formula, by the pressure-viscosity coefficient that is stated for it; zero without lubricant \[m\].
@@ -136,17 +138,18 @@ impl ContactModel {
             film_cutoff: scene.solver.film_cutoff,
             contact: scene.solver.contact,
             motion: conditions.motion,
+            load: conditions.load,
         })
     }
 
     /// The Hertz contact under `load` \[N\].
     pub(super) fn hertz_under(&self, scene: &Scene, load: f64) -> Result<HertzContact, InputError> {
-        if load.to_bits() == self.hertz.load.to_bits() { Ok(self.hertz) } else { scene.hertz_under(load) }
+        if load.to_bits() == self.load.to_bits() { Ok(self.hertz) } else { scene.hertz_under(load) }
     }
 
     /// Takes over the load and the speeds of `conditions`.
     pub(super) fn put_under(&mut self, scene: &Scene, conditions: &Conditions) -> Result<(), InputError> {
-        let same = conditions.motion == self.motion && conditions.load.to_bits() == self.hertz.load.to_bits();
+        let same = conditions.motion == self.motion && conditions.load.to_bits() == self.load.to_bits();
         if same {
             return Ok(());
         }
@@ -156,7 +159,7 @@ impl ContactModel {
         let stated_film = stated_film(scene, &hertz, conditions, law)?;
         let shear_thinning = scene.friction.shear_thinning(motion.sliding_speed())?;
         (self.hertz, self.motion, self.formulas, self.stated_film) = (hertz, motion, formulas, stated_film);
-        self.shear_thinning = shear_thinning;
+        (self.load, self.shear_thinning) = (conditions.load, shear_thinning);
         Ok(())
     }
 

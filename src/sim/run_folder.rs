@@ -11,6 +11,7 @@ use super::checkpoint::CheckpointError;
 use super::npz::write_npz;
 use super::observer::Observer;
 use super::record::StepRecord;
+use super::scene::BODIES;
 use super::simulation::MixedLubricationSim;
 use super::{SimError, whole_file};
 use crate::error::InputError;
@@ -25,7 +26,7 @@ use crate::surface::RoughnessMotion;
 /// | `run.toml` | version of the crate, motion of the roughness and its seed |
 /// | `history.csv` | a line per step ([`StepRecord::CSV_HEADER`]) |
 /// | `checkpoint` | the simulation after the last multiple of `every` steps and at the end |
-/// | `fields.npz` | heights, wear, plastic depth and tribofilm of both bodies, pressures and film; at the end |
+/// | `fields.npz` | heights, wear, plastic depth and tribofilm of both bodies, pressures and film; at the end. A start of another run ([`BodyStart`](super::BodyStart)) |
 ///
 /// A run that was killed, whenever that was, goes on from its checkpoint and leaves the same files as one that was not.
 ///
@@ -227,6 +228,8 @@ impl RunFolder {
                 ("film_m", &contact.film),
             ]);
         }
+        let states = film_states(sim);
+        fields.extend(states.iter().map(|(name, state)| (name.as_str(), state.as_slice())));
         let (file, grid) = (self.path.join("fields.npz"), sim.grid());
         write_npz(whole_file::draft(&file), grid.nx(), grid.ny(), &fields)?;
         whole_file::put_in_place(&file).map_err(|source| SimError::Io { path: file, source })
@@ -236,6 +239,19 @@ impl RunFolder {
     pub fn last_contact(&self) -> Option<&ContactState> {
         self.last_contact.as_ref()
     }
+}
+
+/// States of the tribofilms, where there is more to them than the thickness: a start of another run needs them.
+fn film_states(sim: &MixedLubricationSim) -> Vec<(String, Vec<f64>)> {
+    let mut fields = Vec::new();
+    for (name, body) in BODIES.into_iter().zip(sim.bodies()) {
+        let Some(film) = body.film.as_ref().filter(|film| film.n_states() > 1) else { continue };
+        for state in 0..film.n_states() {
+            let values = film.states().iter().skip(state).step_by(film.n_states());
+            fields.push((format!("{name}_tribofilm_state_{state}"), values.copied().collect()));
+        }
+    }
+    fields
 }
 
 impl Observer for RunFolder {

@@ -59,7 +59,7 @@ impl Timetable {
         let temperatures = &schedules.bulk_temperature;
         let temperature = course("bulk_temperature", temperatures, positive, "finite and > 0")?;
         let base = Conditions {
-            load: scene.constant_hertz()?.load,
+            load: scene.load.force.unwrap_or(scene.constant_hertz()?.load),
             motion: scene.motion,
             bulk_temperature: scene.thermal.bulk_temperature,
         };
