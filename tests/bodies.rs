@@ -52,7 +52,8 @@ fn the_softer_body_yields() {
         (scene.tribofilm, scene.wear) = (None, None);
         scene.plastic.as_mut().unwrap().film_hardness = None;
         (scene.materials.ball.hardness, scene.materials.disc.hardness) = (ball, disc);
-        let mut sim = MixedLubricationSim::builder(scene.clone()).motion(RoughnessMotion::Fixed).build().unwrap();
+        let mut sim =
+            MixedLubricationSim::builder(scene.clone()).motion(RoughnessMotion::Fixed).build().unwrap();
         let record = run(&mut sim, 1)[0];
         let single = solve_contact(&scene).unwrap();
         assert_eq!(single.contact.max_pressure, record.max_pressure);
@@ -129,7 +130,10 @@ fn materials_out_of_range_are_named() {
     let error = pair(Material::default(), Material::default());
     assert!(error.contains("elastic.equivalent_modulus"), "{error}");
     let error = refused(&|scene| (scene.materials.ball, scene.materials.disc) = (steel, steel));
-    assert!(error.contains("elastic.equivalent_modulus = 2.2967e11") && error.contains("one of both"), "{error}");
+    assert!(
+        error.contains("elastic.equivalent_modulus = 2.2967e11") && error.contains("one of both"),
+        "{error}"
+    );
     let error = refused(&|scene| scene.materials.disc.hardness = Some(f64::NAN));
     assert!(error.contains("materials.disc.hardness = NaN"), "{error}");
     let error = refused(&|scene| scene.materials.ball.diffusivity = Some(0.0));
@@ -154,9 +158,8 @@ fn bodies_go_on_where_another_run_ended() {
     files.finish(&first).unwrap();
     let starts = first.starts();
     let grid = first.grid();
-    let read = ["ball", "disc"].map(|name| {
-        BodyStart::read_npz(folder.path().join("fields.npz"), name, grid).unwrap()
-    });
+    let read = ["ball", "disc"]
+        .map(|name| BodyStart::read_npz(folder.path().join("fields.npz"), name, grid).unwrap());
     assert_eq!(read, starts);
     let next = run(&mut first, 1)[0];
     assert!(next.mean_film[1] > 0.0 && next.plastic_volume > 0.0, "{next:?}");
@@ -188,7 +191,10 @@ fn starts_that_do_not_fit_are_named() {
     // Another count of cells, and as many cells of another size.
     let other = Scene::azam_2019(16).grid().unwrap();
     let error = refused(BodyStart::new(other, vec![0.0; 256]));
-    assert!(error.contains("ball start") && error.contains("16 x 16") && error.contains("32 x 32"), "{error}");
+    assert!(
+        error.contains("ball start") && error.contains("16 x 16") && error.contains("32 x 32"),
+        "{error}"
+    );
     let wide = Grid::centred(32, 32, 2.0 * grid.dx(), grid.dy()).unwrap();
     let error = refused(BodyStart::new(wide, vec![0.0; n]));
     assert!(error.contains("ball start") && error.contains("3.125e-5 x 1.5625e-5 m"), "{error}");

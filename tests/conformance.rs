@@ -5,8 +5,8 @@ use stribeck::lubricant::{Barus, DensityLaw, DowsonHigginson, Incompressible, Ro
 use stribeck::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
 use stribeck::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem};
 use stribeck::testing::{
-    boundary_friction, contact_solver, deformation_model, density_law, film_growth_law, plasticity_model, viscosity_law,
-    wear_law,
+    boundary_friction, contact_solver, deformation_model, density_law, film_growth_law, plasticity_model,
+    viscosity_law, wear_law,
 };
 use stribeck::tribochem::{
     Activation, ELECTRON_VOLT, FilmGrowthLaw, Ghanbarzadeh, ProportionalRemoval, StressActivated,

@@ -1,10 +1,10 @@
 //! Friction, its heat, and the numbers of records.
 #![expect(clippy::unwrap_used, clippy::float_cmp, clippy::print_stdout, reason = "tests")]
 
+use stribeck::BoundaryFriction;
 use stribeck::metrics::height_statistics;
 use stribeck::sim::scene::{FrictionSpec, SolverKind};
 use stribeck::sim::{BodyStart, MixedLubricationSim, Scene, solve_contact};
-use stribeck::BoundaryFriction;
 
 /// Rough, dry and quick.
 fn dry(n: usize) -> Scene {
@@ -83,8 +83,14 @@ fn friction_of_the_user_takes_the_place_of_the_scenes() {
 #[test]
 fn friction_laws_out_of_range_are_named() {
     for (change, part) in [
-        (&(|spec: &mut FrictionSpec| spec.film_coefficient = Some(-0.1)) as &dyn Fn(&mut FrictionSpec), "friction.film_coefficient = -0.1"),
-        (&|spec| (spec.film_coefficient, spec.covering_thickness) = (Some(0.1), Some(0.0)), "friction.covering_thickness = 0"),
+        (
+            &(|spec: &mut FrictionSpec| spec.film_coefficient = Some(-0.1)) as &dyn Fn(&mut FrictionSpec),
+            "friction.film_coefficient = -0.1",
+        ),
+        (
+            &|spec| (spec.film_coefficient, spec.covering_thickness) = (Some(0.1), Some(0.0)),
+            "friction.covering_thickness = 0",
+        ),
         (&|spec| spec.covering_thickness = Some(1e-8), "friction.film_coefficient is missing"),
     ] {
         let mut scene = Scene::azam_2019(32);
@@ -130,7 +136,8 @@ fn the_record_tells_the_truth() {
         let record = sim.step(200.0).unwrap();
         assert_eq!(record.rq, before, "step {step}");
         assert_eq!(record.lambda, record.average_film / record.composite_rq);
-        let thickest = sim.bodies().iter().flat_map(|body| body.film_thickness()).copied().fold(0.0, f64::max);
+        let thickest =
+            sim.bodies().iter().flat_map(|body| body.film_thickness()).copied().fold(0.0, f64::max);
         assert!(record.max_pressure <= 2.5e9 && record.max_pressure > 2e9, "{record:?} under {thickest} m");
         if step > 0 {
             assert!(rq(&sim) != before, "the step changes the surfaces");

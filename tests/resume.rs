@@ -11,7 +11,8 @@ use std::sync::OnceLock;
 use stribeck::elastic::HalfSpace;
 use stribeck::sim::scene::{Flash, PlasticSpec};
 use stribeck::sim::{
-    CheckpointError, MixedLubricationSim, RunFolder, Scene, Schedule, SimBuilder, SimError, StepControl, StepRecord,
+    CheckpointError, MixedLubricationSim, RunFolder, Scene, Schedule, SimBuilder, SimError, StepControl,
+    StepRecord,
 };
 use stribeck::surface::RoughnessMotion;
 use stribeck::tribochem::ThermalArrhenius;

@@ -5,9 +5,12 @@
     reason = "a test stops at what it did not expect; equal histories are equal to the last bit"
 )]
 
+use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
-use stribeck::sim::{MixedLubricationSim, Scene, Schedule, StepControl, StepRecord, solve_contact};
+use stribeck::sim::{
+    Conditions, MixedLubricationSim, Scene, Schedule, StepControl, StepRecord, solve_contact,
+};
 use stribeck::surface::RoughnessMotion;
 
 fn scene() -> Scene {
@@ -72,7 +75,8 @@ fn records_hold_what_holds_at_their_time_and_no_step_crosses_an_entry() {
     assert!((carried / 60.0 - 1.0).abs() < 2e-4, "{carried}");
     assert!((sim.hertz().load - 60.0).abs() < 1e-9 && sim.conditions().load == 60.0);
     // The first contact is the one of the scene at the start.
-    let mut fixed = MixedLubricationSim::builder(scene.clone()).motion(RoughnessMotion::Fixed).build().unwrap();
+    let mut fixed =
+        MixedLubricationSim::builder(scene.clone()).motion(RoughnessMotion::Fixed).build().unwrap();
     let first = fixed.step(1.0).unwrap();
     let single = solve_contact(&scene).unwrap();
     assert_eq!(first.load_ratio, single.contact.load_ratio);
@@ -112,8 +116,7 @@ fn convected_roughness_moves_by_the_integral_of_the_speed() {
             Schedule::steps(&[(0.0, 0.1), (0.9999999 * end, 0.15)])
         };
         scene.schedule.entrainment_speed = Some(schedule);
-        let mut sim =
-            MixedLubricationSim::builder(scene).motion(RoughnessMotion::Convected).build().unwrap();
+        let mut sim = MixedLubricationSim::builder(scene).motion(RoughnessMotion::Convected).build().unwrap();
         sim.run(5, end / 4.0, &mut |_: &MixedLubricationSim, _: &StepRecord| ControlFlow::Continue(()))
             .unwrap();
         sim.state().film.clone()
@@ -155,7 +158,10 @@ fn what_a_schedule_cannot_be_is_named() {
     let error = load(&[(0.0, 20.0), (0.0, 30.0)]);
     assert!(error.contains("schedule.load.times[1] = 0"), "{error}");
     let error = load(&[(1.0, 20.0)]);
-    assert!(error.contains("schedule.load.times[0] = 1") && error.contains("no value at the start"), "{error}");
+    assert!(
+        error.contains("schedule.load.times[0] = 1") && error.contains("no value at the start"),
+        "{error}"
+    );
     let error = load(&[]);
     assert!(error.contains("schedule.load.times") && error.contains("no value at the start"), "{error}");
     let error = load(&[(0.0, 20.0), (10.0, -30.0)]);
@@ -213,7 +219,9 @@ fn schedules_of_files_are_read_and_written() {
     assert_eq!(sim.scene().schedule.entrainment_speed.as_ref().unwrap(), &numbers);
     assert_eq!(Scene::from_toml(&sim.scene().to_toml().unwrap()).unwrap(), *sim.scene());
 
-    for (content, part) in [("0,0.1\n10\n", "line 2"), ("0,0.1\na,b\n", "`a,b`"), ("0,1,2\n", "line 1"), ("", "start")] {
+    for (content, part) in
+        [("0,0.1\n10\n", "line 2"), ("0,0.1\na,b\n", "`a,b`"), ("0,1,2\n", "line 1"), ("", "start")]
+    {
         std::fs::write(&table, content).unwrap();
         let error = MixedLubricationSim::builder(scene.clone()).build().unwrap_err().to_string();
         assert!(error.contains("schedule.entrainment_speed") && error.contains(part), "{content}: {error}");
@@ -231,4 +239,60 @@ fn schedules_of_files_are_read_and_written() {
         let error = Scene::from_toml(&format!("{HEAD}{broken}")).unwrap_err().to_string();
         assert!(error.contains(part) && error.contains("line"), "{error}");
     }
+}
+
+/// The scene and the steps of the example `running_in`: loads of 20, 40 and 60 N wear the peaks away, solids carry less at the
+/// same speed, and friction falls by their share. In the mean over speeds: a single contact may meet a peak that is left.
+#[test]
+fn running_in_lowers_friction_of_mixed_contacts() {
+    let scene = Scene::from_toml(include_str!("../examples/scenes/running_in.toml")).unwrap();
+    let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
+    let sweep = |sim: &mut MixedLubricationSim| {
+        [0.003, 0.01, 0.03].map(|speed| {
+            let mut conditions = sim.conditions();
+            (conditions.load, conditions.motion.entrainment_speed) = (20.0, speed);
+            let solution = sim.solve_under(&conditions).unwrap();
+            let _ = solution.report.require_converged().unwrap();
+            assert!((solution.hertz.load / 20.0 - 1.0).abs() < 1e-12);
+            let sum = solution.friction_boundary + solution.friction_fluid;
+            assert!((sum / solution.friction_coefficient - 1.0).abs() < 1e-14);
+            (solution.friction_coefficient, solution.contact.load_ratio)
+        })
+    };
+    let new = sweep(&mut sim);
+    // A look at the contact changes nothing.
+    assert_eq!((sim.steps(), sim.conditions().load), (0, 20.0));
+    assert_eq!(sweep(&mut sim), new);
+    let records = records(&mut sim, 1800.0, &StepControl { longest: 20.0, depth: 5e-9 });
+    let loads: BTreeSet<u64> = records.iter().map(|record| record.load as u64).collect();
+    assert_eq!(loads, BTreeSet::from([20, 40, 60]));
+    let worn = sweep(&mut sim);
+    let mean = |sweep: [(f64, f64); 3]| {
+        let sum = sweep.into_iter().reduce(|(a, b), (c, d)| (a + c, b + d)).unwrap();
+        (sum.0 / 3.0, sum.1 / 3.0)
+    };
+    let (new, worn) = (mean(new), mean(worn));
+    assert!(worn.0 < 0.99 * new.0 && worn.1 < 0.97 * new.1, "{worn:?} after {new:?}");
+    assert_eq!(sim.conditions().load, 60.0);
+}
+
+#[test]
+fn conditions_out_of_range_are_named() {
+    let mut sim = MixedLubricationSim::builder(scene()).build().unwrap();
+    let mut refused = |change: &dyn Fn(&mut Conditions)| {
+        let mut conditions = sim.conditions();
+        change(&mut conditions);
+        sim.solve_under(&conditions).unwrap_err().to_string()
+    };
+    assert!(refused(&|c| c.load = -1.0).contains("conditions.load = -1"));
+    assert!(refused(&|c| c.load = 1e-9).contains("no node lies within"));
+    assert!(
+        refused(&|c| c.motion.entrainment_speed = 0.0).contains("conditions.motion.entrainment_speed = 0")
+    );
+    assert!(
+        refused(&|c| c.motion.slide_roll_ratio = f64::NAN)
+            .contains("conditions.motion.slide_roll_ratio = NaN")
+    );
+    assert!(refused(&|c| c.bulk_temperature = 0.0).contains("conditions.bulk_temperature = 0"));
+    assert!(scene().conditions(-1.0).unwrap_err().to_string().contains("time = -1"));
 }

@@ -71,8 +71,9 @@ fn figure(new: &Sweep, worn: &Sweep) -> Figure {
 }
 
 fn table(new: &Sweep, worn: &Sweep) -> Result<String, std::fmt::Error> {
-    let mut text =
-        String::from("surfaces,entrainment_speed_m_per_s,friction_coefficient,friction_boundary,load_ratio,lambda\n");
+    let mut text = String::from(
+        "surfaces,entrainment_speed_m_per_s,friction_coefficient,friction_boundary,load_ratio,lambda\n",
+    );
     for (name, sweep) in [("new", new), ("worn", worn)] {
         for (decade, [friction, boundary, solids, lambda]) in sweep {
             let speed = 10_f64.powf(*decade);
@@ -94,7 +95,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let worn = sweep(&mut sim, count)?;
     let roughness = |heights| height_statistics(heights).map(|statistics| 1e9 * statistics.sq);
     let [_, disc] = sim.bodies();
-    println!("{} steps; Rq of the disc {:.1} nm new, {:.1} nm worn", sim.steps(), roughness(disc.initial())?, roughness(disc.surface())?);
+    println!(
+        "{} steps; Rq of the disc {:.1} nm new, {:.1} nm worn",
+        sim.steps(),
+        roughness(disc.initial())?,
+        roughness(disc.surface())?
+    );
     println!("{:>10} {:>22} {:>22}", "", "friction", "load ratio");
     println!("{:>10} {:>11}{:>11} {:>11}{:>11}", "speed, m/s", "new", "worn", "new", "worn");
     for (decade, numbers) in &new {

@@ -7,7 +7,6 @@ use super::timetable::{Conditions, Timetable};
 use crate::boundary_friction::BoundaryFriction;
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::lubricant::Lubricant;
 use crate::tribochem::{FlashTemperature, ThermalBody, estimate_rise_under_flux};
 
 use super::setup;
@@ -45,8 +44,7 @@ impl Heat {
             Flash::Auto => estimate >= NEGLIGIBLE_RISE,
         };
         let speeds = timetable.at(0.0).motion.surface_speeds();
-        let flash =
-            if wanted { Some(FlashTemperature::new(&contact.grid, bodies, speeds)?) } else { None };
+        let flash = if wanted { Some(FlashTemperature::new(&contact.grid, bodies, speeds)?) } else { None };
         Ok(Self { flash, estimate, bodies, speeds })
     }
 
@@ -80,7 +78,7 @@ fn estimated_rise(
     InputError::require_non_negative("boundary friction of the law", coefficient)?;
     let mut flux = coefficient * 2.0 / 3.0 * hertz.p_max * (speeds[0] - speeds[1]).abs();
     if let Some(lubricant) = &contact.lubricant {
-        let law = Some(lubricant).map(Lubricant::viscosity);
+        let law = Some(lubricant.viscosity());
         let film = setup::formula_film(scene, &hertz, motion.entrainment_speed, law, None)?;
         let film = film.map_or(0.0, |film| film.central);
         let rheology = scene.friction.rheology()?;

@@ -2,9 +2,9 @@
 
 use std::io::{self, Write};
 
+use super::scene::Motion;
 use crate::error::InputError;
 use crate::report::{Residuals, SolveReport, Status, Work};
-use super::scene::Motion;
 use crate::reynolds::FlowBalance;
 
 /// Solvers that a line can name.

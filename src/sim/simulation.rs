@@ -430,8 +430,7 @@ impl MixedLubricationSim {
         let compliance = PATCH_COMPLIANCE * contact.deformation.influence(0, 0);
         for _ in 0..MAX_HARDENING {
             let (films, depths) = (&fields.films, &fields.depths);
-            let distance =
-                fields.yielding.harden(model, films, depths, &state.plastic_depth, compliance);
+            let distance = fields.yielding.harden(model, films, depths, &state.plastic_depth, compliance);
             if report.status != Status::Converged || distance <= HARDENING_TOLERANCE {
                 return Ok(report);
             }

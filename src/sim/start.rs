@@ -131,7 +131,11 @@ impl BodyStart {
         }
         Err(InputError::Conflict {
             field: format!("{name} start"),
-            reason: format!("it lives on {}, the scene on {} or elsewhere in the box", words(&self.grid), words(grid)),
+            reason: format!(
+                "it lives on {}, the scene on {} or elsewhere in the box",
+                words(&self.grid),
+                words(grid)
+            ),
         })
     }
 

@@ -45,9 +45,8 @@ impl BodyStart {
         while let Some(state) = array(&format!("tribofilm_state_{}", states.len()))? {
             states.push(state);
         }
-        start.states = (!states.is_empty()).then(|| {
-            (0..grid.len()).flat_map(|node| states.iter().map(move |state| state[node])).collect()
-        });
+        start.states = (!states.is_empty())
+            .then(|| (0..grid.len()).flat_map(|node| states.iter().map(move |state| state[node])).collect());
         Ok(start)
     }
 }

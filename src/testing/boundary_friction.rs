@@ -28,16 +28,16 @@ pub fn boundary_friction(law: &dyn BoundaryFriction) -> Result<(), Violation> {
                     let coefficient = law.coefficient(pressure, speed, [ball, disc]);
                     let sound = coefficient.is_finite() && coefficient >= 0.0;
                     contract.require(sound, "coefficients are finite and not negative", || {
-                        format!("{coefficient} at {pressure} Pa, {speed} m/s under {ball} m and {disc} m of film")
+                        format!(
+                            "{coefficient} at {pressure} Pa, {speed} m/s under {ball} m and {disc} m of film"
+                        )
                     })?;
                 }
             }
         }
     }
     let again = law.coefficient(1e9, 0.1, [10e-9, 20e-9]);
-    contract.require(
-        again.to_bits() == first.to_bits(),
-        "coefficients depend on the arguments alone",
-        || format!("{first} at first and {again} later"),
-    )
+    contract.require(again.to_bits() == first.to_bits(), "coefficients depend on the arguments alone", || {
+        format!("{first} at first and {again} later")
+    })
 }

@@ -5,8 +5,9 @@ use proptest::prelude::*;
 use crate::grid::Grid;
 use crate::sim::Scene;
 use crate::sim::scene::{
-    Elastic, Flash, FrictionSpec, GridSpec, Load, LubricantSpec, Materials, Motion, PlasticSpec, RandomRoughness,
-    Roughness, RoughnessPair, Schedules, SolverKind, SolverSpec, ThermalSpec, TribofilmSpec, WearSpec,
+    Elastic, Flash, FrictionSpec, GridSpec, Load, LubricantSpec, Materials, Motion, PlasticSpec,
+    RandomRoughness, Roughness, RoughnessPair, Schedules, SolverKind, SolverSpec, ThermalSpec, TribofilmSpec,
+    WearSpec,
 };
 use crate::surface::Form;
 use crate::tribochem::Activation;

@@ -109,7 +109,9 @@ impl Scene {
             Some(modulus) if given == f64::INFINITY => Ok(modulus),
             Some(modulus) => Err(InputError::Conflict {
                 field: format!("{field} = {given:e}"),
-                reason: format!("the moduli of the materials are given too, E' = {modulus:e} Pa; give one of both"),
+                reason: format!(
+                    "the moduli of the materials are given too, E' = {modulus:e} Pa; give one of both"
+                ),
             }),
         }
     }

@@ -12,8 +12,8 @@ use std::path::PathBuf;
 
 pub(super) use materials::BODIES;
 pub use materials::{Material, Materials};
-pub use schedule::{Schedule, Schedules};
 pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec, WearSpec};
+pub use schedule::{Schedule, Schedules};
 
 use crate::analytic::{HertzLine, HertzPoint};
 use crate::error::InputError;
