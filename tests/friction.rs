@@ -1,5 +1,5 @@
 //! Friction, its heat, and the numbers of records.
-#![expect(clippy::unwrap_used, clippy::float_cmp, clippy::print_stdout, reason = "tests")]
+#![expect(clippy::float_cmp, reason = "tests")]
 
 use stribeck::BoundaryFriction;
 use stribeck::metrics::height_statistics;

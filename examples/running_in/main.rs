@@ -104,7 +104,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{:>10} {:>22} {:>22}", "", "friction", "load ratio");
     println!("{:>10} {:>11}{:>11} {:>11}{:>11}", "speed, m/s", "new", "worn", "new", "worn");
     for (decade, numbers) in &new {
-        let other = worn.iter().find(|(other, _)| other == decade);
+        let other = worn.iter().find(|(other, _)| (other - decade).abs() < 1e-9);
         let [friction, solids] = [0, 2].map(|k| other.map_or(f64::NAN, |(_, numbers)| numbers[k]));
         let speed = 10_f64.powf(*decade);
         println!("{speed:10.4} {:11.4}{friction:11.4} {:11.4}{solids:11.4}", numbers[0], numbers[2]);
