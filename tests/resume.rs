@@ -388,23 +388,31 @@ fn scheduled_history() {
 }
 
 #[test]
-fn scheduled_runs_that_end_early_go_on_across_the_entries() {
+fn scheduled_runs_that_are_stopped_end_as_uninterrupted_ones() {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("checkpoint");
+    let (whole, parts) = (folder.path().join("whole"), folder.path().join("parts"));
     let control = StepControl { longest: 40.0, depth: 20e-9 };
     let build = || MixedLubricationSim::builder(scheduled()).build().unwrap();
-    let mut whole = build();
-    whole.run_until(200.0, &control, &mut ignore).unwrap();
-    let mut first = build();
-    let stop = &mut |sim: &MixedLubricationSim, _: &StepRecord| {
-        if sim.time() >= 60.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    first.run_until(200.0, &control, stop).unwrap();
-    first.save(&path).unwrap();
-    let mut second = build();
-    second.restore(&path).unwrap();
-    second.run_until(200.0, &control, &mut ignore).unwrap();
-    assert!(bits(&second) == bits(&whole), "the resumed run differs");
+    let mut sim = build();
+    let mut files = RunFolder::create(&whole, &sim, 1).unwrap();
+    sim.run_until(200.0, &control, &mut files).unwrap();
+    files.finish(&sim).unwrap();
+    // Stopped after each step in turn, on both sides of the entries of the schedules.
+    for stop in 1..sim.steps() {
+        let mut sim = build();
+        let mut files = RunFolder::create(&parts, &sim, 1).unwrap();
+        let _ = sim.run_until(200.0, &control, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
+            let written = stribeck::sim::Observer::after_step(&mut files, sim, record);
+            if sim.steps() == stop { ControlFlow::Break(()) } else { written }
+        });
+        drop(files);
+        let mut sim = build();
+        let (mut files, records) = RunFolder::resume(&parts, &mut sim, 1).unwrap();
+        assert_eq!(records.len() as u64, stop);
+        sim.run_until(200.0, &control, &mut files).unwrap();
+        files.finish(&sim).unwrap();
+        assert_eq!(contents(&parts), contents(&whole), "stopped after {stop} steps");
+    }
 }
 
 #[test]

@@ -1,10 +1,12 @@
 //! A smooth contact to a wanted accuracy: box and mesh by the film's own scale, coarse to fine, with an error estimate.
 
 use super::SimError;
-use super::contact::{ContactSolution, solve_on_grid};
+use super::contact::solve_on_grid;
+use super::formula::formula_film;
 use super::hertz::HertzContact;
 use super::scene::{GridSpec, Scene};
 use super::setup;
+use super::solution::ContactSolution;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::{Status, Work};
@@ -79,7 +81,7 @@ impl Plan {
     fn of(scene: &Scene, hertz: &HertzContact, accuracy: f64) -> Result<Self, InputError> {
         let viscosity = setup::viscosity(scene)?;
         let speed = scene.conditions(0.0)?.motion.entrainment_speed;
-        let Some(formulas) = setup::formula_film(scene, hertz, speed, viscosity.as_deref(), None)? else {
+        let Some(formulas) = formula_film(scene, hertz, speed, viscosity.as_deref(), None)? else {
             let (side, cell) = (1.5, 0.25 * accuracy.sqrt());
             return Ok(Self { inlet: side, outlet: side, side, cell, box_error: 0.0 });
         };

@@ -163,7 +163,7 @@ impl SimBuilder {
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
         let timetable = Timetable::new(&self.scene)?;
-        let heat = Heat::new(&self.scene, &contact, &timetable, laws.friction.as_ref())?;
+        let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
         let travel = Travel { motion: self.motion, squeeze: self.squeeze };
         Ok(MixedLubricationSim::assemble((self.scene, timetable), contact, bodies, laws, heat, travel)?)
     }

@@ -1,15 +1,14 @@
 //! The heat pass of a history: whether it is worth its time, and its plan for the speeds that hold.
 
 use super::contact::ContactModel;
+use super::formula::formula_film;
 use super::friction::mean_fluid_stress;
 use super::scene::{Flash, Scene};
+use super::simulation::Laws;
 use super::timetable::{Conditions, Timetable};
-use crate::boundary_friction::BoundaryFriction;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::tribochem::{FlashTemperature, ThermalBody, estimate_rise_under_flux};
-
-use super::setup;
 
 /// Flash temperature rise below which the heat pass is left out unless asked for \[K\].
 const NEGLIGIBLE_RISE: f64 = 1.0;
@@ -19,7 +18,7 @@ const NEGLIGIBLE_RISE: f64 = 1.0;
 pub(super) struct Heat {
     /// None where it is left out.
     pub(super) flash: Option<FlashTemperature>,
-    /// Estimate of the largest rise under any conditions of the schedule \[K\].
+    /// Estimate of the largest rise under the conditions at the entries of the schedule \[K\].
     pub(super) estimate: f64,
     bodies: [ThermalBody; 2],
     speeds: [f64; 2],
@@ -31,12 +30,12 @@ impl Heat {
         scene: &Scene,
         contact: &ContactModel,
         timetable: &Timetable,
-        friction: &dyn BoundaryFriction,
+        laws: &Laws,
     ) -> Result<Self, InputError> {
         let bodies = scene.thermal_bodies();
         let mut estimate = 0.0_f64;
         for conditions in timetable.entries() {
-            estimate = estimate.max(estimated_rise(scene, contact, &conditions, friction)?);
+            estimate = estimate.max(estimated_rise(scene, contact, &conditions, laws)?);
         }
         let wanted = match scene.thermal.flash {
             Flash::On => true,
@@ -66,20 +65,20 @@ fn estimated_rise(
     scene: &Scene,
     contact: &ContactModel,
     conditions: &Conditions,
-    friction: &dyn BoundaryFriction,
+    laws: &Laws,
 ) -> Result<f64, InputError> {
     let hertz = contact.hertz_under(scene, conditions.load)?;
     let (motion, mean) = (conditions.motion, 2.0 / 3.0 * hertz.p_max);
     let (sliding, speeds) = (motion.sliding_speed(), motion.surface_speeds());
-    let full = scene.tribofilm.map_or(0.0, |spec| spec.maximum_thickness);
+    let full = laws.growth.as_ref().map_or(0.0, |law| law.maximum_thickness());
     // Bare or covered.
-    let coefficient = [0.0, full].map(|film| friction.coefficient(mean, sliding, [film; 2]));
+    let coefficient = [0.0, full].map(|film| laws.friction.coefficient(mean, sliding, [film; 2]));
     let coefficient = coefficient[0].max(coefficient[1]);
     InputError::require_non_negative("boundary friction of the law", coefficient)?;
     let mut flux = coefficient * 2.0 / 3.0 * hertz.p_max * (speeds[0] - speeds[1]).abs();
     if let Some(lubricant) = &contact.lubricant {
         let law = Some(lubricant.viscosity());
-        let film = setup::formula_film(scene, &hertz, motion.entrainment_speed, law, None)?;
+        let film = formula_film(scene, &hertz, motion.entrainment_speed, law, None)?;
         let film = film.map_or(0.0, |film| film.central);
         let rheology = scene.friction.rheology()?;
         let stress = mean_fluid_stress(lubricant, &rheology, hertz.p_max, film, sliding);

@@ -2,11 +2,10 @@
 
 use super::SimError;
 use super::friction::boundary_law;
-use super::hertz::{HertzContact, LINE_LENGTH};
+use super::hertz::HertzContact;
 use super::scene::{
     FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind, TribofilmSpec,
 };
-use crate::analytic::{FilmConditions, LineFilmConditions};
 use crate::error::{InputError, legible};
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, DowsonHigginson, Roelands, ViscosityLaw};
@@ -307,56 +306,4 @@ pub(super) fn stopping_rule(scene: &Scene) -> Result<StoppingRule, InputError> {
         StoppingRule { tolerance: scene.solver.tolerance, max_iterations: scene.solver.max_iterations };
     rule.validate()?;
     Ok(rule)
-}
-
-/// What the film formulas make of a scene.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct FormulaFilm {
-    /// Moes parameters `(M, L)`.
-    pub(super) moes: (f64, f64),
-    /// Central film, Hamrock and Dowson of a point contact, Dowson and Toyoda of a line contact \[m\].
-    pub(super) central: f64,
-}
-
-/// The film formulas at `entrainment_speed` \[m/s\], by the pressure-viscosity coefficient `alpha` \[1/Pa\] or the slope of the
-/// law; none without a lubricant.
-pub(super) fn formula_film(
-    scene: &Scene,
-    hertz: &HertzContact,
-    entrainment_speed: f64,
-    viscosity: Option<&dyn ViscosityLaw>,
-    alpha: Option<f64>,
-) -> Result<Option<FormulaFilm>, InputError> {
-    let Some(law) = viscosity else { return Ok(None) };
-    let equivalent_modulus = scene.equivalent_modulus()?;
-    let (viscosity, pressure_viscosity) = (law.viscosity(0.0), alpha.unwrap_or_else(|| law.log_slope(0.0)));
-    let (radius, load) = (scene.form.radii().0, hertz.load);
-    Ok(Some(if scene.form.is_line() {
-        let line = LineFilmConditions {
-            entrainment_speed,
-            viscosity,
-            pressure_viscosity,
-            equivalent_modulus,
-            radius,
-            load: load / LINE_LENGTH,
-        };
-        FormulaFilm {
-            moes: (line.moes_load(), line.moes_lubricant()),
-            central: line.dowson_toyoda_central()?,
-        }
-    } else {
-        let point = FilmConditions {
-            entrainment_speed,
-            viscosity,
-            pressure_viscosity,
-            equivalent_modulus,
-            radius,
-            load,
-            ellipticity: hertz.a_y / hertz.a_x,
-        };
-        FormulaFilm {
-            moes: (point.moes_load(), point.moes_lubricant()),
-            central: point.hamrock_dowson_central()?,
-        }
-    }))
 }

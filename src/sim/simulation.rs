@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::SimError;
 use super::body::Body;
 use super::builder::SimBuilder;
-use super::contact::{ContactModel, contact_numbers, film_numbers};
+use super::contact::ContactModel;
 use super::friction::FrictionFields;
 use super::heat::Heat;
 use super::hertz::HertzContact;
@@ -13,6 +13,7 @@ use super::observer::Observer;
 use super::per_body::PerBody;
 use super::record::StepRecord;
 use super::scene::Scene;
+use super::solution::{contact_numbers, film_numbers};
 use super::squeeze_memory::SqueezeMemory;
 use super::step_control::StepControl;
 use super::timetable::{Conditions, Timetable};
@@ -237,7 +238,7 @@ impl MixedLubricationSim {
         self.heat.flash.is_some()
     }
 
-    /// Largest flash temperature rise that the smooth contact would have \[K\] under any conditions of the schedule, by which it
+    /// Largest flash temperature rise that the smooth contact would have \[K\] under the conditions at any entry of the schedule, by which it
     /// is modelled or left out unless the scene says which: by boundary friction under all of the load, or by shear of a fluid
     /// film of the thickness that the formulas give, whichever is hotter (see
     /// [`estimate_rise_under_flux`](crate::tribochem::estimate_rise_under_flux)).

@@ -1,9 +1,9 @@
 //! The contact of bodies as they stand, for curves of worn surfaces.
 
 use super::SimError;
-use super::contact::{ContactSolution, Numbers, is_known};
 use super::setup;
 use super::simulation::MixedLubricationSim;
+use super::solution::{ContactSolution, Numbers, is_known};
 use super::timetable::Conditions;
 use crate::error::InputError;
 use crate::reynolds::ContactState;

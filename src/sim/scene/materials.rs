@@ -78,7 +78,9 @@ impl Materials {
             InputError::require((-1.0 < ratio) && (ratio <= 0.5), &field, ratio, "above -1 and at most 0.5")?;
             compliance += (1.0 - ratio * ratio) / modulus;
         }
-        Ok(Some(2.0 / compliance))
+        let equivalent = 2.0 / compliance;
+        InputError::require_positive("equivalent modulus of the materials", equivalent)?;
+        Ok(Some(equivalent))
     }
 }
 
