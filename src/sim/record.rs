@@ -12,8 +12,8 @@ const SOLVERS: [&str; 6] =
     ["newton_krylov", "semi_system", "dry", "auto", "multigrid", "multigrid+newton_krylov"];
 
 /// The numbers of one committed step; all SI. Those of the contact (roughness, film, pressures, friction, heat) are of one
-/// instant, the start of the step, under the conditions that held then: the contact of the first record is that of time zero. Wear, tribofilm and
-/// flattened volume are those at its end.
+/// instant, the start of the step, under the conditions that held then: the contact of the first record is that of
+/// time zero. Wear, tribofilm and flattened volume are those at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepRecord {
     /// Number of the step, from 0.

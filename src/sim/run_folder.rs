@@ -26,7 +26,9 @@ use crate::surface::RoughnessMotion;
 /// | `run.toml` | version of the crate, motion of the roughness and its seed |
 /// | `history.csv` | a line per step ([`StepRecord::CSV_HEADER`]) |
 /// | `checkpoint` | the simulation after the last multiple of `every` steps and at the end |
-/// | `fields.npz` | heights, wear, plastic depth and tribofilm of both bodies, pressures and film; at the end. A start of another run ([`BodyStart`](super::BodyStart)) |
+/// | `fields.npz` | heights, wear, plastic depth and tribofilm of both bodies, pressures and film; at the end |
+///
+/// Bodies of `fields.npz` are starts of other runs ([`BodyStart`](super::BodyStart)).
 ///
 /// A run that was killed, whenever that was, goes on from its checkpoint and leaves the same files as one that was not.
 ///

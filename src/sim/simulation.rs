@@ -238,8 +238,8 @@ impl MixedLubricationSim {
         self.heat.flash.is_some()
     }
 
-    /// Largest flash temperature rise that the smooth contact would have \[K\] under the conditions at any entry of the schedule, by which it
-    /// is modelled or left out unless the scene says which: by boundary friction under all of the load, or by shear of a fluid
+    /// Largest flash temperature rise that the smooth contact would have \[K\] under the conditions at any entry of the schedule,
+    /// by which it is modelled or left out unless the scene says which: by boundary friction under all of the load, or by shear of a fluid
     /// film of the thickness that the formulas give, whichever is hotter (see
     /// [`estimate_rise_under_flux`](crate::tribochem::estimate_rise_under_flux)).
     pub fn flash_estimate(&self) -> f64 {
@@ -274,7 +274,8 @@ impl MixedLubricationSim {
         Ok(RunEnd::Finished)
     }
 
-    /// Steps until the time `end` \[s\], each as long as `control` allows and none across an entry of a schedule; `observer` sees each and may stop the run.
+    /// Steps until the time `end` \[s\], each as long as `control` allows and none across an entry of a schedule;
+    /// `observer` sees each and may stop the run.
     ///
     /// # Errors
     /// See [`MixedLubricationSim::step_within`]; the steps before are committed.
