@@ -302,16 +302,14 @@ impl Random {
 
 /// Runs that are killed (SIGKILL) at random moments, once to three times each, and resumed with another number of threads
 /// end with the files of one that is not killed, byte by byte.
-fn killed_runs(ends: usize, size: Size) {
+fn killed_runs(ends: usize, files: usize, start: impl Fn(&Path, &str) -> Child) {
     let folder = tempfile::tempdir().unwrap();
     let whole = folder.path().join("whole");
-    // Built before the clock starts: the length of a run is when the others are killed.
-    let _ = program();
     let begin = std::time::Instant::now();
-    assert!(start(&whole, size, "1").wait().unwrap().success());
+    assert!(start(&whole, "1").wait().unwrap().success());
     let length = begin.elapsed();
     let expected = contents(&whole);
-    assert!(expected.len() >= 18, "{} files", expected.len());
+    assert!(expected.len() >= files, "{} files", expected.len());
     let mut random = Random(0x2545_f491_4f6c_dd1d);
     let (mut same, mut kills, mut half_written) = (0, 0, 0);
     while same < ends {
@@ -319,7 +317,7 @@ fn killed_runs(ends: usize, size: Size) {
         let wanted = 1 + (3.0 * random.share()) as usize;
         let mut hits = 0;
         loop {
-            let mut child = start(&out, size, if (same + hits) % 2 == 0 { "1" } else { "2" });
+            let mut child = start(&out, if (same + hits) % 2 == 0 { "1" } else { "2" });
             if hits < wanted {
                 std::thread::sleep(length.mul_f64(0.9 * random.share()));
                 // The first kill of every second run waits for a file to be written; later ones may find what that left.
@@ -350,21 +348,54 @@ fn killed_runs(ends: usize, size: Size) {
     );
 }
 
+fn killed_examples(ends: usize, size: Size) {
+    // Built before the clock starts: the length of a run is when the others are killed.
+    let _ = program();
+    killed_runs(ends, 18, |out, threads| start(out, size, threads));
+}
+
+/// Where the process that is killed keeps its run.
+const FOLDER: &str = "STRIBECK_TEST_FOLDER";
+
+#[test]
+#[ignore = "the process that another test starts and kills"]
+fn scheduled_run_in_a_process_of_its_own() {
+    let Some(out) = std::env::var_os(FOLDER) else { return };
+    let mut sim = MixedLubricationSim::builder(scheduled()).build().unwrap();
+    let (mut files, _) = RunFolder::resume(PathBuf::from(out), &mut sim, 1).unwrap();
+    sim.run_until(200.0, &StepControl { longest: 8.0, depth: 20e-9 }, &mut files).unwrap();
+    files.finish(&sim).unwrap();
+}
+
+#[test]
+fn killed_scheduled_runs_end_as_uninterrupted_ones() {
+    killed_runs(3, 5, |out, threads| {
+        Command::new(std::env::current_exe().unwrap())
+            .args(["--exact", "--ignored", "scheduled_run_in_a_process_of_its_own"])
+            .env(FOLDER, out)
+            .env("RAYON_NUM_THREADS", threads)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap()
+    });
+}
+
 #[test]
 fn killed_runs_end_as_uninterrupted_ones() {
-    killed_runs(2, SMALL);
+    killed_examples(2, SMALL);
 }
 
 #[test]
 #[ignore = "takes minutes"]
 fn fifty_killed_runs() {
-    killed_runs(50, SMALL);
+    killed_examples(50, SMALL);
 }
 
 #[test]
 #[ignore = "takes minutes"]
 fn killed_runs_of_shared_lines() {
-    killed_runs(6, SHARED);
+    killed_examples(6, SHARED);
 }
 
 /// Loads in steps, speeds on ramps, so that the last step before the checkpoint and the first after it meet other conditions.
