@@ -66,41 +66,14 @@ impl ContactModel {
         let conditions = timetable.at(0.0);
         let hertz = scene.hertz()?;
         setup::validate_box(&grid, &hertz, scene.form.is_line())?;
-        for load in timetable.loads().into_iter().filter(|_| scene.schedule.load.is_some()) {
-            let hertz = scene.hertz_under(load)?;
-            setup::validate_box(&grid, &hertz, scene.form.is_line())?;
-            if let Some(plastic) = scene.plastic {
-                let [ball, disc] = scene.hardnesses(plastic.hardness);
-                setup::validate_hardness(ball.min(disc), &grid, &hertz)?;
-            }
+        if scene.schedule.load.is_some() {
+            validate_loads(scene, &grid, &timetable)?;
         }
         setup::validate_film_cutoff(scene)?;
         setup::validate_memory(&grid, scene.is_lubricated())?;
         let mut form_gap = vec![0.0; grid.len()];
         scene.form.gap_into(&grid, &mut form_gap)?;
-        let own_deformation = overrides.deformation.is_some();
-        let deformation = match overrides.deformation {
-            Some(model) if model.grid() != grid => {
-                return Err(SimError::Input(InputError::Conflict {
-                    field: "deformation".to_owned(),
-                    reason: "the model lives on another grid than the scene".to_owned(),
-                }));
-            }
-            Some(model) => model,
-            None => half_space(scene, grid)?,
-        };
-        let influence = deformation.influence(0, 0);
-        if !influence.is_normal() || influence < 0.0 {
-            return Err(SimError::Input(InputError::Conflict {
-                field: if own_deformation { "deformation" } else { "grid" }.to_owned(),
-                reason: format!(
-                    "a cell of {:.3e} x {:.3e} m deflects by {influence:e} m under a pressure of 1 Pa, which must be a \
-                     positive number and no subnormal one",
-                    grid.dx(),
-                    grid.dy()
-                ),
-            }));
-        }
+        let deformation = checked_deformation(scene, grid, overrides.deformation)?;
         let missing =
             [("viscosity", overrides.viscosity.is_some()), ("density", overrides.density.is_some())];
         if let (None, Some((law, _))) = (&scene.lubricant, missing.iter().find(|(_, given)| *given)) {
@@ -259,6 +232,51 @@ pub(super) fn solve_on_grid(
     }
     let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
     Ok(model.solution(report, state, gap, numbers))
+}
+
+/// Checks that grid and hardness do for the smallest and the largest load of the schedule.
+fn validate_loads(scene: &Scene, grid: &Grid, timetable: &Timetable) -> Result<(), InputError> {
+    for load in timetable.loads() {
+        let hertz = scene.hertz_under(load)?;
+        setup::validate_box(grid, &hertz, scene.form.is_line())?;
+        if let Some(plastic) = scene.plastic {
+            let [ball, disc] = scene.hardnesses(plastic.hardness);
+            setup::validate_hardness(ball.min(disc), grid, &hertz)?;
+        }
+    }
+    Ok(())
+}
+
+/// The elastic model in place of that of the scene, or that of the scene; it must live on the grid and have a stiffness.
+fn checked_deformation(
+    scene: &Scene,
+    grid: Grid,
+    own: Option<Box<dyn DeformationModel>>,
+) -> Result<Box<dyn DeformationModel>, SimError> {
+    let own_deformation = own.is_some();
+    let deformation = match own {
+        Some(model) if model.grid() != grid => {
+            return Err(SimError::Input(InputError::Conflict {
+                field: "deformation".to_owned(),
+                reason: "the model lives on another grid than the scene".to_owned(),
+            }));
+        }
+        Some(model) => model,
+        None => half_space(scene, grid)?,
+    };
+    let influence = deformation.influence(0, 0);
+    if !influence.is_normal() || influence < 0.0 {
+        return Err(SimError::Input(InputError::Conflict {
+            field: if own_deformation { "deformation" } else { "grid" }.to_owned(),
+            reason: format!(
+                "a cell of {:.3e} x {:.3e} m deflects by {influence:e} m under a pressure of 1 Pa, which must be a \
+                 positive number and no subnormal one",
+                grid.dx(),
+                grid.dy()
+            ),
+        }));
+    }
+    Ok(deformation)
 }
 
 /// The elastic bodies of the scene. Displacements of a line contact count from the distance of the radius, or the length of
