@@ -27,6 +27,7 @@ mod patches;
 mod peak;
 mod roughness;
 mod spectrum;
+mod track_form;
 
 pub use bearing::{BearingCurve, CoreParameters, VolumeParameters};
 pub use contact::{ContactStatistics, contact_statistics};
@@ -39,3 +40,4 @@ pub use patches::{ContactPatches, contact_patches};
 pub use peak::peak;
 pub use roughness::{HeightStatistics, composite_rq, height_statistics};
 pub use spectrum::{Axis, Spectrum, profile_spectrum, radial_spectrum};
+pub use track_form::{track_rq, without_track_form};

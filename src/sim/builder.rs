@@ -4,7 +4,7 @@ use super::body::Body;
 use super::contact::{ContactModel, Overrides};
 use super::scene::{Flash, Scene};
 use super::simulation::{Heat, Laws, MixedLubricationSim, Travel};
-use super::{SimError, setup};
+use super::{SimError, exposure, setup};
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
 use crate::lubricant::{DensityLaw, ViscosityLaw};
@@ -25,7 +25,7 @@ pub struct SimBuilder {
     plasticity: Option<Box<dyn PlasticityModel>>,
     growth: Option<Box<dyn FilmGrowthLaw>>,
     wear: Option<Box<dyn WearLaw>>,
-    motion: RoughnessMotion,
+    motion: Option<Box<dyn RoughnessMotion>>,
     squeeze: bool,
     heights: [Option<Vec<f64>>; 2],
 }
@@ -38,7 +38,7 @@ impl SimBuilder {
             plasticity: None,
             growth: None,
             wear: None,
-            motion: RoughnessMotion::RandomShift { seed: 0 },
+            motion: None,
             squeeze: false,
             heights: [None, None],
         }
@@ -93,16 +93,16 @@ impl SimBuilder {
         self
     }
 
-    /// Sets how the roughness of the bodies moves from step to step; random shifts with seed 0 by default.
+    /// Replaces the motion of the roughness from step to step.
     #[must_use]
-    pub fn motion(mut self, motion: RoughnessMotion) -> Self {
-        self.motion = motion;
+    pub fn motion(mut self, motion: impl RoughnessMotion + 'static) -> Self {
+        self.motion = Some(Box::new(motion));
         self
     }
 
     /// Makes the history transient: each contact after the first feels the squeeze of the films of the two before
     /// ([`Squeeze::second_order`](crate::reynolds::Squeeze::second_order); of first order in the second contact and after a step
-    /// more than twice as long as the one before). It belongs to [`RoughnessMotion::Convected`] and steps of the time that the
+    /// more than twice as long as the one before). It belongs to [`Carried`](crate::surface::Carried) and steps of the time that the
     /// surfaces need for a cell; in the long steps of a wear history the squeeze is nothing.
     #[must_use]
     pub fn with_squeeze(mut self) -> Self {
@@ -131,12 +131,14 @@ impl SimBuilder {
     pub fn build(mut self) -> Result<MixedLubricationSim, SimError> {
         let overrides = std::mem::take(&mut self.overrides);
         let contact = ContactModel::new(&self.scene, overrides)?;
+        exposure::validate(&self.scene, &contact.grid)?;
         let laws = self.laws()?;
         let [ball, disc] = std::mem::take(&mut self.heights);
         let bodies = [self.body(ball, 0, &contact, &laws)?, self.body(disc, 1, &contact, &laws)?];
         let (flash, flash_estimate) = self.flash(&contact)?;
         let heat = Heat { flash, estimate: flash_estimate };
-        let travel = Travel { motion: self.motion, squeeze: self.squeeze };
+        let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion());
+        let travel = Travel { motion, squeeze: self.squeeze };
         Ok(MixedLubricationSim::assemble(self.scene, contact, bodies, laws, heat, travel)?)
     }
 

@@ -11,6 +11,7 @@ mod checkpoint;
 mod contact;
 pub mod ensemble;
 mod error;
+mod exposure;
 mod friction;
 mod hertz;
 #[cfg(feature = "npz")]
@@ -24,6 +25,7 @@ mod setup;
 mod simulation;
 mod squeeze_memory;
 mod step_control;
+mod track;
 #[cfg(feature = "vtk")]
 mod vtk;
 #[cfg(feature = "serde")]

@@ -19,7 +19,8 @@ pub struct StepRecord {
     pub time: f64,
     /// Length of the step \[s\].
     pub time_step: f64,
-    /// Root mean square heights of ball and disc over their patches, after the step \[m\].
+    /// Root mean square heights of ball and disc over their patches without the form of the track, after the step
+    /// ([`track_rq`](crate::metrics::track_rq)) \[m\].
     pub rq: [f64; 2],
     /// Composite `sqrt(rq_ball^2 + rq_disc^2)` \[m\].
     pub composite_rq: f64,

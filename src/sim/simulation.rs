@@ -6,6 +6,7 @@ use super::SimError;
 use super::body::Body;
 use super::builder::SimBuilder;
 use super::contact::{ContactModel, contact_numbers, film_numbers};
+use super::exposure;
 use super::friction::FrictionFields;
 use super::hertz::HertzContact;
 use super::observer::Observer;
@@ -62,7 +63,7 @@ pub(super) struct Heat {
 /// How the contact moves on from step to step.
 #[derive(Debug)]
 pub(super) struct Travel {
-    pub(super) motion: RoughnessMotion,
+    pub(super) motion: Box<dyn RoughnessMotion>,
     /// Whether a contact feels the squeeze of the film before it.
     pub(super) squeeze: bool,
 }
@@ -81,9 +82,9 @@ pub enum RunEnd {
 
 /// A rough lubricated contact whose surfaces flatten, grow a tribofilm and wear as they rub.
 ///
-/// Each step solves the quasi-static contact of the surfaces as they stand, advances tribofilm and wear over the
-/// time step under its pressures, applies the plastic depth, and moves the roughness of both bodies to the
-/// next position. One solve stands for all passages within the step. Nothing irreversible happens unless the
+/// Each step solves the quasi-static contact of the surfaces as they stand, advances tribofilm and wear under its pressures
+/// for the time that the step exposes the nodes to it ([`Exposure`](super::scene::Exposure)), applies the plastic depth, and
+/// moves the roughness of both bodies to the next position. One solve stands for all passages within the step. Nothing irreversible happens unless the
 /// solve converged: where it did not, the step tries other positions of the roughness, and if all fail the step is
 /// an error and the state is as before.
 ///
@@ -209,8 +210,8 @@ impl MixedLubricationSim {
     }
 
     /// How the roughness moves from step to step.
-    pub fn motion(&self) -> RoughnessMotion {
-        self.travel.motion
+    pub fn motion(&self) -> &dyn RoughnessMotion {
+        self.travel.motion.as_ref()
     }
 
     /// Whether each contact feels the squeeze of the film before it.
@@ -405,23 +406,35 @@ impl MixedLubricationSim {
 
     /// Solves the contact at the next position of the roughness, or at further ones where that fails.
     fn solve_somewhere(&mut self) -> Result<(SolveReport, Offsets, u32), SimError> {
-        let random = matches!(self.travel.motion, RoughnessMotion::RandomShift { .. });
-        let tries = if random { MAX_ATTEMPTS } else { 1 };
-        let speeds = self.scene.motion.surface_speeds();
         let mut attempt = 1;
         loop {
-            let (draw, time, grid) = (self.draws, self.time, self.contact.grid);
-            let offsets = [0, 1].map(|body| self.travel.motion.offset(body, draw, time, speeds[body], &grid));
+            let offsets = self.offsets()?;
             self.draws += 1;
             let report = self.solve_at(offsets)?;
             match report.require_converged() {
                 Ok(report) => return Ok((report, offsets, attempt)),
-                Err(source) if attempt >= tries => {
+                // A motion that has no other position has no other contact.
+                Err(source) if attempt >= MAX_ATTEMPTS || self.offsets()? == offsets => {
                     return Err(SimError::NotConverged { step: self.step, attempts: attempt, source });
                 }
                 Err(_) => attempt += 1,
             }
         }
+    }
+
+    /// Where the roughness stands at the next solve, within the patch.
+    fn offsets(&self) -> Result<Offsets, InputError> {
+        let (motion, grid, speeds) =
+            (&self.travel.motion, self.contact.grid, self.scene.motion.surface_speeds());
+        let [ball, disc] =
+            [0, 1].map(|body| motion.offset(body, self.draws, self.time, speeds[body], &grid));
+        ball.validate_as("motion: offset.fraction of the ball")?;
+        disc.validate_as("motion: offset.fraction of the disc")?;
+        Ok([ball, disc].map(|offset| Offset {
+            columns: offset.columns % grid.nx(),
+            rows: offset.rows % grid.ny(),
+            ..offset
+        }))
     }
 
     /// Surfaces, films and depths of both bodies as they lie at `offsets`.
@@ -494,14 +507,23 @@ impl MixedLubricationSim {
     /// Applies wear, film growth and flattening to the bodies. The film grows half before and half after the wear, so
     /// that the wear coefficient is that of the middle of the step.
     fn commit(&mut self, time_step: f64, offsets: Offsets) -> Result<(), SimError> {
-        let Self { fields, bodies, contact, laws, state, scene, .. } = self;
+        let Self { fields, bodies, contact, laws, state, scene, travel, .. } = self;
         let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
+        let ageing = exposure::ageing(
+            &scene.track,
+            travel.motion.as_ref(),
+            &contact.grid,
+            &contact.hertz,
+            scene.motion.surface_speeds(),
+        );
         let (bulk, sliding) = (scene.thermal.bulk_temperature, scene.motion.sliding_speed());
         if laws.plasticity.is_some() {
             fields.yielding.share(&state.plastic_depth)?;
             for (index, body) in bodies.iter_mut().enumerate() {
                 fields.on_body.fill(0.0);
                 add_blended(&fields.yielding.split[index], nx, ny, offsets[index], &mut fields.on_body)?;
+                let share = ageing[index].print(time_step);
+                fields.on_body.iter_mut().for_each(|depth| *depth *= share);
                 body.plastic.add(&fields.on_body)?;
             }
         }
@@ -514,7 +536,8 @@ impl MixedLubricationSim {
             film_thickness: state.film[k],
             in_contact: state.in_contact[k],
         };
-        for ((body, offset), duty) in bodies.iter_mut().zip(offsets).zip(laws.duty) {
+        for (index, (body, offset)) in bodies.iter_mut().zip(offsets).enumerate() {
+            let exposed = ageing[index].rate * time_step;
             let point = |node: usize| {
                 // Where this node of the body stands in the frame of the contact: on a node, or short of it.
                 let (i, j) = ((node % nx + nx - offset.columns) % nx, (node / nx + ny - offset.rows) % ny);
@@ -525,16 +548,16 @@ impl MixedLubricationSim {
                 at.towards(&on_grid(j * nx + (i + nx - 1) % nx), offset.fraction)
             };
             if let (Some(law), Some(film)) = (&laws.growth, &mut body.film) {
-                film.advance(law.as_ref(), 0.5 * time_step, point)?;
+                film.advance(law.as_ref(), 0.5 * exposed, point)?;
             }
             if let Some(law) = &laws.wear {
                 let thickness = body.film.as_ref().map(|film| film.thickness());
-                body.wear.advance(law.as_ref(), duty * time_step, |node| {
+                body.wear.advance(law.as_ref(), laws.duty[index] * exposed, |node| {
                     (point(node), thickness.map_or(0.0, |thickness| thickness[node]))
                 })?;
             }
             if let (Some(law), Some(film)) = (&laws.growth, &mut body.film) {
-                film.advance(law.as_ref(), 0.5 * time_step, point)?;
+                film.advance(law.as_ref(), 0.5 * exposed, point)?;
             }
             body.rebuild()?;
         }
@@ -550,9 +573,10 @@ impl MixedLubricationSim {
         let (state, grid) = (&self.state, self.contact.grid);
         let film = film_numbers(&self.contact, state)?;
         let contact = contact_numbers(&self.contact, state, &self.fields.friction.solid, None)?;
+        let nx = grid.nx();
         let rq = [
-            metrics::height_statistics(&self.bodies[0].surface)?.sq,
-            metrics::height_statistics(&self.bodies[1].surface)?.sq,
+            metrics::track_rq(&self.bodies[0].surface, nx)?,
+            metrics::track_rq(&self.bodies[1].surface, nx)?,
         ];
         let composite_rq = metrics::composite_rq(rq[0], rq[1]);
         let over_rq = |film: f64| if composite_rq > 0.0 { film / composite_rq } else { 0.0 };

@@ -6,7 +6,8 @@ use crate::grid::Grid;
 use crate::sim::Scene;
 use crate::sim::scene::{
     Elastic, Flash, FrictionSpec, GridSpec, Load, LubricantSpec, Motion, PlasticSpec, RandomRoughness,
-    Roughness, RoughnessPair, SolverKind, SolverSpec, ThermalSpec, TribofilmSpec, WearSpec,
+    Roughness, RoughnessPair, SolverKind, SolverSpec, ThermalSpec, TrackSpec,
+    TribofilmSpec, WearSpec,
 };
 use crate::surface::Form;
 use crate::tribochem::Activation;
@@ -169,6 +170,7 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
             friction,
             tribofilm,
             wear,
+            track: TrackSpec::default(),
             thermal,
             solver,
         }

@@ -5,10 +5,12 @@ mod files;
 mod processes;
 #[cfg(feature = "serde")]
 mod tables;
+mod track;
 
 use std::path::PathBuf;
 
 pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec, WearSpec};
+pub use track::{Exposure, TrackMotion, TrackSpec};
 
 use crate::analytic::{HertzLine, HertzPoint};
 use crate::error::InputError;
@@ -55,6 +57,9 @@ pub struct Scene {
     /// Wear; absent: none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub wear: Option<WearSpec>,
+    /// Motion of the roughness and exposure of the track in a history.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub track: TrackSpec,
     /// Temperatures.
     #[cfg_attr(feature = "serde", serde(default))]
     pub thermal: ThermalSpec,
@@ -356,6 +361,7 @@ impl Scene {
             friction: FrictionSpec::default(),
             tribofilm: None,
             wear: Some(WearSpec::default()),
+            track: TrackSpec::default(),
             thermal: ThermalSpec::default(),
             solver: SolverSpec::default(),
         }

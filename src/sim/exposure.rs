@@ -1,0 +1,109 @@
+//! How long the nodes under the contact age in a step.
+//!
+//! A point of the track, which is `l` long, meets the contact once a round. In the middle, `y = 0`, it is in the contact of the
+//! half-width `a` for the share `2a/l` of the time, elsewhere for that of the chord. The patch of a body is a piece of the track,
+//! `L` long, whose places the contact meets equally often: in the simulation the middle is in the contact for the share `2a/L` of
+//! the steps, whatever `l` is. A node under the contact of a solve therefore ages for
+//!
+//! | exposure | body that moves along x | that stays |
+//! |---|---|---|
+//! | contact clock | `dt L/(2a)` | `dt` |
+//! | track | `dt L/l` | `dt` at rest, else `dt 2a/l` |
+//!
+//! so that the middle of the track ages by `dt` in a step on average (contact clock), or by `dt 2a/l` (track), in a box of any length.
+//! Roughness that is met at random in both directions has `L_x L_y/(pi a b)` in place of `L/(2a)`, with the area of the contact. A
+//! body at rest relative to the contact (at a slide-roll ratio of 2 or -2) has no track: what is in the contact stays there.
+//!
+//! Growth and wear of a step take this time. A print of the contact takes no time: a passage leaves one. Where a step is so
+//! short that less than one passage of a point falls to a solve, it leaves that share of its print.
+
+use super::hertz::HertzContact;
+use super::scene::{self, Scene, TrackSpec};
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::surface::{RoughnessMotion, Visits};
+
+/// What a step of a second does to the nodes of one body that are under the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Ageing {
+    /// Time in the contact per second \[1\].
+    pub(super) rate: f64,
+    /// Passages that a solve stands for per second \[1/s\]; infinite where every solve leaves its whole print.
+    passages: f64,
+}
+
+impl Ageing {
+    /// Share of the print of a solve that a step of `time_step` \[s\] leaves.
+    pub(super) fn print(&self, time_step: f64) -> f64 {
+        (self.passages * time_step).min(1.0)
+    }
+}
+
+/// Checks what the exposure of a scene needs.
+///
+/// # Errors
+/// A track whose radius is missing, that is shorter than the patch, or whose exposure is counted twice in the wear.
+pub(super) fn validate(scene: &Scene, grid: &Grid) -> Result<(), InputError> {
+    scene.track.validate()?;
+    if scene.track.exposure == scene::Exposure::ContactClock {
+        return Ok(());
+    }
+    let radii = [("ball", scene.track.radius_ball), ("disc", scene.track.radius_disc)];
+    for ((body, radius), speed) in radii.into_iter().zip(scene.motion.surface_speeds()) {
+        let field = format!("track.radius_{body}");
+        match radius {
+            Some(radius) if track_length(radius) < grid.size_x() => {
+                let (length, patch) = (track_length(radius), grid.size_x());
+                let reason = format!("a track of {length:e} m is shorter than the patch, which is {patch:e} m long");
+                return Err(InputError::Conflict { field: format!("{field} = {radius:e}"), reason });
+            }
+            None if speed != 0.0 => {
+                let reason = "is missing; track.exposure = \"track\" needs it".to_owned();
+                return Err(InputError::Conflict { field, reason });
+            }
+            _ => {}
+        }
+    }
+    let wear = scene.wear.unwrap_or_default();
+    for (field, share) in
+        [("wear.duty_factor_ball", wear.duty_factor_ball), ("wear.duty_factor_disc", wear.duty_factor_disc)]
+    {
+        InputError::require(share == 1.0, field, share, "1 with track.exposure = \"track\", which holds it already")?;
+    }
+    Ok(())
+}
+
+/// The ageing of ball and disc that move at `speeds` \[m/s\] as `motion` says.
+pub(super) fn ageing(
+    track: &TrackSpec,
+    motion: &dyn RoughnessMotion,
+    grid: &Grid,
+    hertz: &HertzContact,
+    speeds: [f64; 2],
+) -> [Ageing; 2] {
+    [(track.radius_ball, speeds[0]), (track.radius_disc, speeds[1])].map(|(radius, speed)| {
+        let visits = motion.visits(speed);
+        // How much rarer the contact is met than if it stayed.
+        let spread = match visits {
+            Visits::Stays => 1.0,
+            Visits::Patch if grid.ny() > 1 => {
+                grid.size_x() * grid.size_y() / (std::f64::consts::PI * hertz.a_x * hertz.a_y)
+            }
+            Visits::Track | Visits::Patch => grid.size_x() / (2.0 * hertz.a_x),
+        };
+        let share = match (track.exposure, radius) {
+            (scene::Exposure::Track, Some(radius)) if speed != 0.0 => {
+                (2.0 * hertz.a_x / track_length(radius)).min(1.0)
+            }
+            _ => 1.0,
+        };
+        // A box within the contact cannot be met more often than always.
+        let rate = share * spread.max(1.0);
+        let passages = if visits == Visits::Stays { f64::INFINITY } else { rate * speed.abs() / (2.0 * hertz.a_x) };
+        Ageing { rate, passages }
+    })
+}
+
+fn track_length(radius: f64) -> f64 {
+    2.0 * std::f64::consts::PI * radius
+}
