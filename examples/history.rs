@@ -57,23 +57,25 @@ fn run() -> Result<(), Box<dyn Error>> {
     let mut means = Means::default();
     let mut csv = arguments.csv.as_deref().map(csv_file).transpose()?;
     let mut failure = None;
-    let outcome = sim.run(arguments.steps, arguments.time_step, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
+    let outcome = sim.run(arguments.steps, arguments.time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
         progress(record, arguments.steps);
-        if let Err(error) = means.see(sim, record, arguments.steps).and_then(|()| write_row(csv.as_mut(), record)) {
+        means.see(record, arguments.steps);
+        if let Err(error) = write_row(csv.as_mut(), record) {
             failure = Some(error);
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())
     });
+    // The rows of a run that ends early are those of its steps.
+    if let Some(mut csv) = csv {
+        csv.flush()?;
+    }
     outcome?;
     if let Some(error) = failure {
         return Err(error);
     }
-    if let Some(mut csv) = csv {
-        csv.flush()?;
-    }
     let numbers = means.to_json(&sim, start.elapsed().as_secs_f64());
-    let text = if arguments.json { numbers.to_string() } else { serde_json::to_string_pretty(&numbers)? };
+    let text = if arguments.json { numbers.to_string() } else { means.summary() };
     writeln!(io::stdout(), "{text}")?;
     Ok(())
 }
@@ -131,7 +133,7 @@ fn progress(record: &StepRecord, steps: u64) {
 }
 
 /// Names of the numbers, table and key, in the order of [`numbers`].
-const NAMES: [(&str, &str); 19] = [
+const NAMES: [(&str, &str); 18] = [
     ("contact", "area_ratio"),
     ("contact", "load_ratio"),
     ("film", "mean_central"),
@@ -150,12 +152,10 @@ const NAMES: [(&str, &str); 19] = [
     ("tribofilm", "ball_in_contact"),
     ("tribofilm", "disc_in_contact"),
     ("plastic", "volume"),
-    ("plastic", "disc_in_contact"),
 ];
 
-fn numbers(sim: &MixedLubricationSim, record: &StepRecord) -> Result<[f64; NAMES.len()], InputError> {
-    let [ball, disc] = sim.bodies();
-    Ok([
+fn numbers(record: &StepRecord) -> [f64; NAMES.len()] {
+    [
         record.area_ratio,
         record.load_ratio,
         record.average_film,
@@ -167,15 +167,14 @@ fn numbers(sim: &MixedLubricationSim, record: &StepRecord) -> Result<[f64; NAMES
         record.rq[0],
         record.rq[1],
         record.composite_rq,
-        sim.mean_on_track(ball.wear_depth())?,
-        sim.mean_on_track(disc.wear_depth())?,
+        record.track_wear[0],
+        record.track_wear[1],
         record.mean_wear[0],
         record.mean_wear[1],
-        sim.mean_on_track(ball.film_thickness())?,
-        sim.mean_on_track(disc.film_thickness())?,
+        record.track_film[0],
+        record.track_film[1],
         record.plastic_volume,
-        sim.mean_on_track(disc.plastic_depth())?,
-    ])
+    ]
 }
 
 /// Sums over the last tenth of a run.
@@ -187,15 +186,24 @@ struct Means {
 }
 
 impl Means {
-    fn see(&mut self, sim: &MixedLubricationSim, record: &StepRecord, steps: u64) -> Result<(), Box<dyn Error>> {
+    fn see(&mut self, record: &StepRecord, steps: u64) {
         self.moved += u64::from(record.attempts > 1);
         if record.step + steps.div_ceil(10) >= steps {
-            for (sum, number) in self.sums.iter_mut().zip(numbers(sim, record)?) {
+            for (sum, number) in self.sums.iter_mut().zip(numbers(record)) {
                 *sum += number;
             }
             self.count += 1;
         }
-        Ok(())
+    }
+
+    fn of_names(&self) -> impl Iterator<Item = (&'static str, &'static str, f64)> {
+        let count = self.count.max(1) as f64;
+        NAMES.into_iter().zip(self.sums).map(move |((table, key), sum)| (table, key, sum / count))
+    }
+
+    fn summary(&self) -> String {
+        let lines = self.of_names().map(|(table, key, mean)| format!("{:<28} {mean:.6e}", format!("{table}.{key}")));
+        lines.collect::<Vec<_>>().join("\n")
     }
 
     /// Everything in SI units; a number that is not finite becomes null.
@@ -209,8 +217,8 @@ impl Means {
             "seconds": seconds,
             "version": env!("CARGO_PKG_VERSION"),
         });
-        for ((table, key), sum) in NAMES.into_iter().zip(self.sums) {
-            out[table][key] = json!(sum / self.count.max(1) as f64);
+        for (table, key, mean) in self.of_names() {
+            out[table][key] = json!(mean);
         }
         let [ball, disc] = sim.bodies();
         out["wear"]["ball_profile"] = json!(sim.worn_profile(ball));

@@ -13,7 +13,7 @@ use stribeck::sim::scene::PlasticSpec;
 use stribeck::sim::{
     CheckpointError, MixedLubricationSim, RunFolder, Scene, SimBuilder, SimError, StepRecord,
 };
-use stribeck::surface::RoughnessMotion;
+use stribeck::surface::{Carried, RandomShift};
 use stribeck::tribochem::ThermalArrhenius;
 
 fn scene() -> Scene {
@@ -70,7 +70,7 @@ fn wear_history_with_film() {
 #[test]
 fn hardening_history() {
     resumed_equals_uninterrupted(
-        || MixedLubricationSim::builder(hardening()).motion(RoughnessMotion::RandomShift { seed: u64::MAX }),
+        || MixedLubricationSim::builder(hardening()).motion(RandomShift { seed: u64::MAX }),
         60.0,
     );
 }
@@ -79,7 +79,7 @@ fn hardening_history() {
 fn squeezed_history_starts_from_its_last_contact() {
     // Each solve starts from the pressures before: they belong to the checkpoint.
     resumed_equals_uninterrupted(
-        || MixedLubricationSim::builder(scene()).motion(RoughnessMotion::Convected).with_squeeze(),
+        || MixedLubricationSim::builder(scene()).motion(Carried).with_squeeze(),
         3e-5,
     );
 }
@@ -139,7 +139,7 @@ fn files_that_do_not_fit_are_refused() {
     let mut other = scene();
     other.load.hertz_pressure = Some(1.1500000000000002e9);
     assert_eq!(part(MixedLubricationSim::builder(other)), "scene");
-    let motion = RoughnessMotion::RandomShift { seed: 1 };
+    let motion = RandomShift { seed: 1 };
     assert_eq!(part(MixedLubricationSim::builder(scene()).motion(motion)), "motion");
     let law = ThermalArrhenius::new(100e-9, 1e-3, 0.1).unwrap();
     assert_eq!(part(MixedLubricationSim::builder(scene()).growth_law(law)), "growth law");
@@ -219,7 +219,7 @@ fn folder_of_a_run() {
     let scene = Scene::load(parts.join("scene.toml")).unwrap();
     assert_eq!(&scene, sim.scene());
     let run = fs::read_to_string(parts.join("run.toml")).unwrap();
-    assert!(run.contains(env!("CARGO_PKG_VERSION")) && run.contains("seed = \"0\""), "{run}");
+    assert!(run.contains(env!("CARGO_PKG_VERSION")) && run.contains("AlongTrack { seed: 0 }"), "{run}");
 
     // A history that does not reach the checkpoint.
     fs::write(parts.join("history.csv"), format!("{}\n", StepRecord::CSV_HEADER)).unwrap();

@@ -27,7 +27,6 @@ mod patches;
 mod peak;
 mod roughness;
 mod spectrum;
-mod track_form;
 
 pub use bearing::{BearingCurve, CoreParameters, VolumeParameters};
 pub use contact::{ContactStatistics, contact_statistics};
@@ -40,4 +39,3 @@ pub use patches::{ContactPatches, contact_patches};
 pub use peak::peak;
 pub use roughness::{HeightStatistics, composite_rq, height_statistics};
 pub use spectrum::{Axis, Spectrum, profile_spectrum, radial_spectrum};
-pub use track_form::{track_rq, without_track_form};

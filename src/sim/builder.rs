@@ -181,8 +181,7 @@ impl SimBuilder {
             }
             (None, None) => None,
         };
-        let duty = self.scene.wear.map_or([1.0; 2], |spec| [spec.duty_factor_ball, spec.duty_factor_disc]);
-        Ok(Laws { plasticity, growth, wear, duty })
+        Ok(Laws { plasticity, growth, wear })
     }
 
     fn body(

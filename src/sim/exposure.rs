@@ -22,6 +22,7 @@ use super::scene::{self, Scene, TrackSpec};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::surface::{RoughnessMotion, Visits};
+use crate::wear::track_duty_factor;
 
 /// What a step of a second does to the nodes of one body that are under the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +43,7 @@ impl Ageing {
 /// Checks what the exposure of a scene needs.
 ///
 /// # Errors
-/// A track whose radius is missing, that is shorter than the patch, or whose exposure is counted twice in the wear.
+/// A track whose radius is missing or that is shorter than the patch.
 pub(super) fn validate(scene: &Scene, grid: &Grid) -> Result<(), InputError> {
     scene.track.validate()?;
     if scene.track.exposure == scene::Exposure::ContactClock {
@@ -64,24 +65,21 @@ pub(super) fn validate(scene: &Scene, grid: &Grid) -> Result<(), InputError> {
             _ => {}
         }
     }
-    let wear = scene.wear.unwrap_or_default();
-    for (field, share) in
-        [("wear.duty_factor_ball", wear.duty_factor_ball), ("wear.duty_factor_disc", wear.duty_factor_disc)]
-    {
-        InputError::require(share == 1.0, field, share, "1 with track.exposure = \"track\", which holds it already")?;
-    }
     Ok(())
 }
 
 /// The ageing of ball and disc that move at `speeds` \[m/s\] as `motion` says.
+///
+/// # Errors
+/// A radius that is not finite and positive.
 pub(super) fn ageing(
     track: &TrackSpec,
     motion: &dyn RoughnessMotion,
     grid: &Grid,
     hertz: &HertzContact,
     speeds: [f64; 2],
-) -> [Ageing; 2] {
-    [(track.radius_ball, speeds[0]), (track.radius_disc, speeds[1])].map(|(radius, speed)| {
+) -> Result<[Ageing; 2], InputError> {
+    let of = |radius: Option<f64>, speed: f64| {
         let visits = motion.visits(speed);
         // How much rarer the contact is met than if it stayed.
         let spread = match visits {
@@ -93,15 +91,16 @@ pub(super) fn ageing(
         };
         let share = match (track.exposure, radius) {
             (scene::Exposure::Track, Some(radius)) if speed != 0.0 => {
-                (2.0 * hertz.a_x / track_length(radius)).min(1.0)
+                track_duty_factor(hertz.a_x, radius)?
             }
             _ => 1.0,
         };
         // A box within the contact cannot be met more often than always.
         let rate = share * spread.max(1.0);
         let passages = if visits == Visits::Stays { f64::INFINITY } else { rate * speed.abs() / (2.0 * hertz.a_x) };
-        Ageing { rate, passages }
-    })
+        Ok(Ageing { rate, passages })
+    };
+    Ok([of(track.radius_ball, speeds[0])?, of(track.radius_disc, speeds[1])?])
 }
 
 fn track_length(radius: f64) -> f64 {

@@ -47,8 +47,6 @@ pub(super) struct Laws {
     pub(super) plasticity: Option<Box<dyn PlasticityModel>>,
     pub(super) growth: Option<Box<dyn FilmGrowthLaw>>,
     pub(super) wear: Option<Box<dyn WearLaw>>,
-    /// Share of the time that ball and disc wear.
-    pub(super) duty: [f64; 2],
 }
 
 /// The heat pass.
@@ -515,7 +513,7 @@ impl MixedLubricationSim {
             &contact.grid,
             &contact.hertz,
             scene.motion.surface_speeds(),
-        );
+        )?;
         let (bulk, sliding) = (scene.thermal.bulk_temperature, scene.motion.sliding_speed());
         if laws.plasticity.is_some() {
             fields.yielding.share(&state.plastic_depth)?;
@@ -552,7 +550,7 @@ impl MixedLubricationSim {
             }
             if let Some(law) = &laws.wear {
                 let thickness = body.film.as_ref().map(|film| film.thickness());
-                body.wear.advance(law.as_ref(), laws.duty[index] * exposed, |node| {
+                body.wear.advance(law.as_ref(), exposed, |node| {
                     (point(node), thickness.map_or(0.0, |thickness| thickness[node]))
                 })?;
             }
@@ -573,11 +571,7 @@ impl MixedLubricationSim {
         let (state, grid) = (&self.state, self.contact.grid);
         let film = film_numbers(&self.contact, state)?;
         let contact = contact_numbers(&self.contact, state, &self.fields.friction.solid, None)?;
-        let nx = grid.nx();
-        let rq = [
-            metrics::track_rq(&self.bodies[0].surface, nx)?,
-            metrics::track_rq(&self.bodies[1].surface, nx)?,
-        ];
+        let rq = [self.track_rq(&self.bodies[0].surface)?, self.track_rq(&self.bodies[1].surface)?];
         let composite_rq = metrics::composite_rq(rq[0], rq[1]);
         let over_rq = |film: f64| if composite_rq > 0.0 { film / composite_rq } else { 0.0 };
         let carrying = state.pressure.iter().filter(|p| **p > 0.0).count().max(1);
@@ -601,6 +595,11 @@ impl MixedLubricationSim {
             mean_wear: [mean(ball.wear_depth()), mean(disc.wear_depth())],
             max_wear: [largest(ball.wear_depth()), largest(disc.wear_depth())],
             mean_film: [mean(ball.film_thickness()), mean(disc.film_thickness())],
+            track_wear: [self.mean_on_track(ball.wear_depth())?, self.mean_on_track(disc.wear_depth())?],
+            track_film: [
+                self.mean_on_track(ball.film_thickness())?,
+                self.mean_on_track(disc.film_thickness())?,
+            ],
             plastic_volume: ball.volumes(area)?.plastic + disc.volumes(area)?.plastic,
             flash_rise,
             friction_coefficient: self.fields.friction.coefficient(&self.contact)?,

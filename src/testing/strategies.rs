@@ -282,7 +282,10 @@ fn distort(scene: &mut Scene, change: usize, value: f64) {
         35 => {
             scene.wear = Some(WearSpec { coefficient: value, film_coefficient: 0.0, ..WearSpec::default() });
         }
-        36 => scene.wear = Some(WearSpec { hardness: value, duty_factor_ball: value, ..WearSpec::default() }),
+        36 => {
+            scene.wear = Some(WearSpec { hardness: value, ..WearSpec::default() });
+            scene.track.radius_ball = Some(value);
+        }
         37 => scene.thermal = ThermalSpec { bulk_temperature: value, conductivity: value, ..scene.thermal },
         38 => scene.solver = SolverSpec { tolerance: value, max_iterations: 0, ..scene.solver },
         _ => {
