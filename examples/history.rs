@@ -52,20 +52,20 @@ fn run() -> Result<(), Box<dyn Error>> {
     };
     let start = Instant::now();
     let scene = Scene::load(&arguments.scene).map_err(|e| in_scene(&arguments.scene, &e))?;
-    let mut sim =
-        MixedLubricationSim::builder(scene).build().map_err(|e| in_scene(&arguments.scene, &e))?;
+    let mut sim = MixedLubricationSim::builder(scene).build().map_err(|e| in_scene(&arguments.scene, &e))?;
     let mut means = Means::default();
     let mut csv = arguments.csv.as_deref().map(csv_file).transpose()?;
     let mut failure = None;
-    let outcome = sim.run(arguments.steps, arguments.time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-        progress(record, arguments.steps);
-        means.see(record, arguments.steps);
-        if let Err(error) = write_row(csv.as_mut(), record) {
-            failure = Some(error);
-            return ControlFlow::Break(());
-        }
-        ControlFlow::Continue(())
-    });
+    let outcome =
+        sim.run(arguments.steps, arguments.time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
+            progress(record, arguments.steps);
+            means.see(record, arguments.steps);
+            if let Err(error) = write_row(csv.as_mut(), record) {
+                failure = Some(error);
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
+        });
     // The rows of a run that ends early are those of its steps.
     if let Some(mut csv) = csv {
         csv.flush()?;
@@ -202,7 +202,8 @@ impl Means {
     }
 
     fn summary(&self) -> String {
-        let lines = self.of_names().map(|(table, key, mean)| format!("{:<28} {mean:.6e}", format!("{table}.{key}")));
+        let lines =
+            self.of_names().map(|(table, key, mean)| format!("{:<28} {mean:.6e}", format!("{table}.{key}")));
         lines.collect::<Vec<_>>().join("\n")
     }
 

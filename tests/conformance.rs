@@ -4,11 +4,11 @@ use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{Barus, DensityLaw, DowsonHigginson, Incompressible, Roelands, ViscosityLaw};
 use stribeck::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
 use stribeck::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem};
+use stribeck::surface::{AlongTrack, AtRest, Carried, Offset, RandomShift, RoughnessMotion, Visits};
 use stribeck::testing::{
     contact_solver, deformation_model, density_law, film_growth_law, plasticity_model, roughness_motion,
     viscosity_law, wear_law,
 };
-use stribeck::surface::{AlongTrack, AtRest, Carried, Offset, RandomShift, RoughnessMotion, Visits};
 use stribeck::tribochem::{
     Activation, ELECTRON_VOLT, FilmGrowthLaw, Ghanbarzadeh, ProportionalRemoval, StressActivated,
     ThermalArrhenius,

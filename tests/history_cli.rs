@@ -20,7 +20,16 @@ fn program() -> &'static Path {
             other => other,
         };
         let built = Command::new(env!("CARGO"))
-            .args(["build", "--quiet", "--offline", "--profile", profile, "--example", "history", "--target-dir"])
+            .args([
+                "build",
+                "--quiet",
+                "--offline",
+                "--profile",
+                profile,
+                "--example",
+                "history",
+                "--target-dir",
+            ])
             .arg(folder.parent().unwrap())
             .current_dir(env!("CARGO_MANIFEST_DIR"))
             .output()
@@ -49,10 +58,12 @@ fn json_holds_the_means_of_the_last_tenth() {
     let output = history(&scene(), &["--steps", "20", "--time-step", "30", "--json"]);
     assert!(output.status.success(), "{output:?}");
     let json: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let number = |path: &str| json.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("{path}: {json}"));
+    let number =
+        |path: &str| json.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("{path}: {json}"));
     let mut sim = MixedLubricationSim::builder(scene()).build().unwrap();
     let records: Vec<_> = (0..20).map(|_| sim.step(30.0).unwrap()).collect();
-    let mean = |value: fn(&stribeck::sim::StepRecord) -> f64| 0.5 * (value(&records[18]) + value(&records[19]));
+    let mean =
+        |value: fn(&stribeck::sim::StepRecord) -> f64| 0.5 * (value(&records[18]) + value(&records[19]));
     for (path, expected) in [
         ("/contact/area_ratio", mean(|r| r.area_ratio)),
         ("/contact/load_ratio", mean(|r| r.load_ratio)),

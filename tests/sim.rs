@@ -67,10 +67,7 @@ fn every_step_keeps_the_account_and_the_residuals() {
 #[test]
 fn equal_seeds_give_equal_histories_and_others_do_not() {
     let history = |seed| {
-        let mut sim = MixedLubricationSim::builder(scene())
-            .motion(AlongTrack { seed })
-            .build()
-            .unwrap();
+        let mut sim = MixedLubricationSim::builder(scene()).motion(AlongTrack { seed }).build().unwrap();
         run(&mut sim, 2, 60.0)
     };
     assert_eq!(history(5), history(5));

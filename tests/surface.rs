@@ -8,8 +8,9 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 use stribeck::metrics::height_statistics;
 use stribeck::surface::{
-    AlongTrack, AtRest, Autocorrelation, Carried, Form, FourierShift, Heights, Offset, RandomShift, RoughnessMotion, RoughnessSpec, SurfaceError,
-    add_blended, blend_shifted, copy_shifted, generate, read, write_npy,
+    AlongTrack, AtRest, Autocorrelation, Carried, Form, FourierShift, Heights, Offset, RandomShift,
+    RoughnessMotion, RoughnessSpec, SurfaceError, add_blended, blend_shifted, copy_shifted, generate, read,
+    write_npy,
 };
 use stribeck::{Grid, InputError};
 

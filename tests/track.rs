@@ -48,9 +48,7 @@ fn close(value: f64, expected: f64, tolerance: f64) {
 
 #[test]
 fn the_first_contact_is_that_of_solve_contact() {
-    for motion in
-        [TrackMotion::AlongTrack, TrackMotion::Random, TrackMotion::Carried, TrackMotion::AtRest]
-    {
+    for motion in [TrackMotion::AlongTrack, TrackMotion::Random, TrackMotion::Carried, TrackMotion::AtRest] {
         let mut scene = Scene::azam_2019(32).with_tribofilm();
         (scene.track.motion, scene.track.seed) = (motion, 17);
         let single = solve_contact(&scene).unwrap();
@@ -118,7 +116,8 @@ fn a_body_that_does_not_move_stays_in_the_contact() {
         // The disc is worn where the contact is and nowhere else.
         let grid = sim.grid();
         let depths = grid.nodes().zip(sim.bodies()[1].wear_depth());
-        let outside: Vec<f64> = depths.filter(|((x, y), _)| x.hypot(*y) > 2e-4).map(|(_, depth)| *depth).collect();
+        let outside: Vec<f64> =
+            depths.filter(|((x, y), _)| x.hypot(*y) > 2e-4).map(|(_, depth)| *depth).collect();
         assert!(outside.len() > 100 && outside.iter().all(|depth| *depth == 0.0));
     }
 }

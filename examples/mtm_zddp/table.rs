@@ -11,7 +11,7 @@ use crate::history::History;
 enum End {
     /// Belongs to the surfaces: the last step has it.
     Last,
-    /// Belongs to one random position of the roughness: the mean of the last steps tells more.
+    /// Belongs to one position of the roughness: the mean of the last steps tells more.
     Mean,
 }
 
@@ -53,7 +53,11 @@ pub(crate) fn closing(with: &History, without: &History) -> String {
         let [left, right] = histories.map(|history| ends(history, &row));
         let _ = writeln!(text, "{:<29}{unit:<7}{left}  {right}", format!("{name}{mark}"));
     }
-    let _ = writeln!(text, "start: first step; end: last step (*: mean of the last {}); track: mean over its width", with.window());
+    let _ = writeln!(
+        text,
+        "start: first step; end: last step (*: mean of the last {}); track: mean over its width",
+        with.window()
+    );
     for history in histories {
         let moved = history.records.iter().filter(|record| record.attempts > 1).count();
         let count = history.records.len();

@@ -85,14 +85,25 @@ pub(crate) const CHOICES: [Choice; 25] = [
             }
         },
     ),
-    flip("duty", "a point of the track is in contact as long as the contact takes to pass, instead of all the time", |scene| {
-        scene.track.exposure = Exposure::Track;
-        [scene.track.radius_ball, scene.track.radius_disc] = TRACK_RADII.map(Some);
-    }),
-    Choice { motion: TrackMotion::AtRest, ..flip("fixed", "roughness fixed instead of moved along the track", |_| {}) },
+    flip(
+        "duty",
+        "a point of the track is in contact as long as the contact takes to pass, instead of all the time",
+        |scene| {
+            scene.track.exposure = Exposure::Track;
+            [scene.track.radius_ball, scene.track.radius_disc] = TRACK_RADII.map(Some);
+        },
+    ),
+    Choice {
+        motion: TrackMotion::AtRest,
+        ..flip("fixed", "roughness fixed instead of moved along the track", |_| {})
+    },
     Choice {
         motion: TrackMotion::Carried,
-        ..flip("convected", "roughness carried by the bodies instead of moved to places along the track", |_| {})
+        ..flip(
+            "convected",
+            "roughness carried by the bodies instead of moved to places along the track",
+            |_| {},
+        )
     },
     Choice {
         motion: TrackMotion::Random,
@@ -108,16 +119,12 @@ pub(crate) const CHOICES: [Choice; 25] = [
         scene.solver.scheme = Some(Scheme::FirstOrder);
         scene.solver.face_mobility = Some(FaceMobility::ReducedPressure);
     }),
-    flip(
-        "inlet",
-        "box from -2.5 to 1.5 contact radii instead of centred",
-        |scene| {
-            let Ok(hertz) = scene.hertz() else { return };
-            if let GridSpec::Cells { x, .. } = &mut scene.grid {
-                *x = [-2.5 * hertz.a_x, 1.5 * hertz.a_x];
-            }
-        },
-    ),
+    flip("inlet", "box from -2.5 to 1.5 contact radii instead of centred", |scene| {
+        let Ok(hertz) = scene.hertz() else { return };
+        if let GridSpec::Cells { x, .. } = &mut scene.grid {
+            *x = [-2.5 * hertz.a_x, 1.5 * hertz.a_x];
+        }
+    }),
     flip("exponential", "exponential autocorrelation instead of Gaussian", |scene| {
         for body in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
             if let Roughness::Gaussian(random) = *body {

@@ -11,7 +11,7 @@ use crate::choices::{BASE, CHOICES, Choice, LONG_STEPS, NO_FLIP};
 use crate::history;
 use crate::options::Options;
 
-/// Bound of every residual of a solve: one solve stands for hundreds of passages at a random position of the roughness,
+/// Bound of every residual of a solve: one solve stands for hundreds of passages at one position of the roughness,
 /// and columns scatter by some 10 % from one position to the next.
 const TOLERANCE: f64 = 1e-3;
 

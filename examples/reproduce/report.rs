@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-
 use crate::choices::{BASE, Choice, LONG_STEPS, NOT_FLIPPED};
 use crate::history::{self, History};
 use crate::options::Options;
@@ -92,7 +91,7 @@ fn introduction(page: &mut String, results: &Results, options: &Options) {
         "# The paper's experiment\n\n\
          Written by `{command}`: Azam, Ghanbarzadeh, Neville, Morina, Wilson (2019), Tribology International 135, 161-169. \
          {seeds} seeds of roughness and motion, {grid} x {grid} nodes, {steps} steps of {step} s, residuals of 1e-3, \
-         contact below 1 nm, random shift of both roughnesses each step. What the paper leaves open is chosen as in \
+         contact below 1 nm, roughness moved along the track each step. What the paper leaves open is chosen as in \
          `Scene::azam_2019`; nothing was tuned.\n\n"
     );
     if steps as f64 * step < 7200.0 {

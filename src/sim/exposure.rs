@@ -15,7 +15,8 @@
 //! body at rest relative to the contact (at a slide-roll ratio of 2 or -2) has no track: what is in the contact stays there.
 //!
 //! Growth and wear of a step take this time. A print of the contact takes no time: a passage leaves one. Where a step is so
-//! short that less than one passage of a point falls to a solve, it leaves that share of its print.
+//! short that less than one passage of a point falls to a solve at one of the places of the track, it leaves that share of its
+//! print; a body that stays, or whose passages the steps follow, takes the whole print each time.
 
 use super::hertz::HertzContact;
 use super::scene::{self, Scene, TrackSpec};
@@ -40,25 +41,24 @@ impl Ageing {
     }
 }
 
-/// Checks what the exposure of a scene needs.
+/// Checks the tracks of a scene.
 ///
 /// # Errors
-/// A track whose radius is missing or that is shorter than the patch.
+/// A track that is shorter than the patch, one that is missing where the exposure needs it.
 pub(super) fn validate(scene: &Scene, grid: &Grid) -> Result<(), InputError> {
     scene.track.validate()?;
-    if scene.track.exposure == scene::Exposure::ContactClock {
-        return Ok(());
-    }
+    let needed = scene.track.exposure == scene::Exposure::Track;
     let radii = [("ball", scene.track.radius_ball), ("disc", scene.track.radius_disc)];
     for ((body, radius), speed) in radii.into_iter().zip(scene.motion.surface_speeds()) {
         let field = format!("track.radius_{body}");
         match radius {
             Some(radius) if track_length(radius) < grid.size_x() => {
                 let (length, patch) = (track_length(radius), grid.size_x());
-                let reason = format!("a track of {length:e} m is shorter than the patch, which is {patch:e} m long");
+                let reason =
+                    format!("a track of {length:e} m is shorter than the patch, which is {patch:e} m long");
                 return Err(InputError::Conflict { field: format!("{field} = {radius:e}"), reason });
             }
-            None if speed != 0.0 => {
+            None if needed && speed != 0.0 => {
                 let reason = "is missing; track.exposure = \"track\" needs it".to_owned();
                 return Err(InputError::Conflict { field, reason });
             }
@@ -87,17 +87,18 @@ pub(super) fn ageing(
             Visits::Patch if grid.ny() > 1 => {
                 grid.size_x() * grid.size_y() / (std::f64::consts::PI * hertz.a_x * hertz.a_y)
             }
-            Visits::Track | Visits::Patch => grid.size_x() / (2.0 * hertz.a_x),
+            Visits::Passing | Visits::Track | Visits::Patch => grid.size_x() / (2.0 * hertz.a_x),
         };
         let share = match (track.exposure, radius) {
-            (scene::Exposure::Track, Some(radius)) if speed != 0.0 => {
-                track_duty_factor(hertz.a_x, radius)?
-            }
+            (scene::Exposure::Track, Some(radius)) if speed != 0.0 => track_duty_factor(hertz.a_x, radius)?,
             _ => 1.0,
         };
         // A box within the contact cannot be met more often than always.
         let rate = share * spread.max(1.0);
-        let passages = if visits == Visits::Stays { f64::INFINITY } else { rate * speed.abs() / (2.0 * hertz.a_x) };
+        let passages = match visits {
+            Visits::Stays | Visits::Passing => f64::INFINITY,
+            Visits::Track | Visits::Patch => rate * speed.abs() / (2.0 * hertz.a_x),
+        };
         Ok(Ageing { rate, passages })
     };
     Ok([of(track.radius_ball, speeds[0])?, of(track.radius_disc, speeds[1])?])

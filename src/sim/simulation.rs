@@ -6,7 +6,7 @@ use super::SimError;
 use super::body::Body;
 use super::builder::SimBuilder;
 use super::contact::{ContactModel, contact_numbers, film_numbers};
-use super::exposure;
+use super::exposure::{self, Ageing};
 use super::friction::FrictionFields;
 use super::hertz::HertzContact;
 use super::observer::Observer;
@@ -424,8 +424,7 @@ impl MixedLubricationSim {
     fn offsets(&self) -> Result<Offsets, InputError> {
         let (motion, grid, speeds) =
             (&self.travel.motion, self.contact.grid, self.scene.motion.surface_speeds());
-        let [ball, disc] =
-            [0, 1].map(|body| motion.offset(body, self.draws, self.time, speeds[body], &grid));
+        let [ball, disc] = [0, 1].map(|body| motion.offset(body, self.draws, self.time, speeds[body], &grid));
         ball.validate_as("motion: offset.fraction of the ball")?;
         disc.validate_as("motion: offset.fraction of the disc")?;
         Ok([ball, disc].map(|offset| Offset {
@@ -502,29 +501,38 @@ impl MixedLubricationSim {
         Ok(Some(flash.rise(&fields.heat, &mut fields.rise)?.maximum))
     }
 
+    /// What a step of a second does to ball and disc as they move.
+    fn ageing(&self) -> Result<[Ageing; 2], InputError> {
+        let (track, motion) = (&self.scene.track, self.travel.motion.as_ref());
+        let speeds = self.scene.motion.surface_speeds();
+        exposure::ageing(track, motion, &self.contact.grid, &self.contact.hertz, speeds)
+    }
+
+    /// Adds the print of the contact to the plastic depth of the bodies.
+    fn flatten(&mut self, ageing: [Ageing; 2], time_step: f64, offsets: Offsets) -> Result<(), SimError> {
+        let Self { fields, bodies, contact, state, .. } = self;
+        let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
+        fields.yielding.share(&state.plastic_depth)?;
+        for (index, body) in bodies.iter_mut().enumerate() {
+            fields.on_body.fill(0.0);
+            add_blended(&fields.yielding.split[index], nx, ny, offsets[index], &mut fields.on_body)?;
+            let share = ageing[index].print(time_step);
+            fields.on_body.iter_mut().for_each(|depth| *depth *= share);
+            body.plastic.add(&fields.on_body)?;
+        }
+        Ok(())
+    }
+
     /// Applies wear, film growth and flattening to the bodies. The film grows half before and half after the wear, so
     /// that the wear coefficient is that of the middle of the step.
     fn commit(&mut self, time_step: f64, offsets: Offsets) -> Result<(), SimError> {
-        let Self { fields, bodies, contact, laws, state, scene, travel, .. } = self;
-        let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
-        let ageing = exposure::ageing(
-            &scene.track,
-            travel.motion.as_ref(),
-            &contact.grid,
-            &contact.hertz,
-            scene.motion.surface_speeds(),
-        )?;
-        let (bulk, sliding) = (scene.thermal.bulk_temperature, scene.motion.sliding_speed());
-        if laws.plasticity.is_some() {
-            fields.yielding.share(&state.plastic_depth)?;
-            for (index, body) in bodies.iter_mut().enumerate() {
-                fields.on_body.fill(0.0);
-                add_blended(&fields.yielding.split[index], nx, ny, offsets[index], &mut fields.on_body)?;
-                let share = ageing[index].print(time_step);
-                fields.on_body.iter_mut().for_each(|depth| *depth *= share);
-                body.plastic.add(&fields.on_body)?;
-            }
+        let ageing = self.ageing()?;
+        if self.laws.plasticity.is_some() {
+            self.flatten(ageing, time_step, offsets)?;
         }
+        let Self { fields, bodies, contact, laws, state, scene, .. } = self;
+        let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
+        let (bulk, sliding) = (scene.thermal.bulk_temperature, scene.motion.sliding_speed());
         let on_grid = |k: usize| RubbingPoint {
             pressure: state.pressure[k],
             solid_pressure: fields.friction.solid[k],

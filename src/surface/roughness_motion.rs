@@ -50,7 +50,9 @@ pub trait RoughnessMotion: Debug + Send + Sync {
 pub enum Visits {
     /// The same ones all the time.
     Stays,
-    /// All along x, at one place across.
+    /// All along x one after the other, as the body carries them past.
+    Passing,
+    /// All along x, in any order.
     Track,
     /// All along x and y.
     Patch,
@@ -96,7 +98,7 @@ impl RoughnessMotion for Carried {
     }
 
     fn visits(&self, speed: f64) -> Visits {
-        visits_along_x(speed)
+        if speed == 0.0 { Visits::Stays } else { Visits::Passing }
     }
 }
 
@@ -141,7 +143,7 @@ impl RoughnessMotion for AlongTrack {
     }
 
     fn visits(&self, speed: f64) -> Visits {
-        visits_along_x(speed)
+        if speed == 0.0 { Visits::Stays } else { Visits::Track }
     }
 }
 
@@ -177,11 +179,6 @@ impl RoughnessMotion for RandomShift {
     fn visits(&self, _speed: f64) -> Visits {
         Visits::Patch
     }
-}
-
-/// A surface that moves brings all its track along; one at rest does not.
-fn visits_along_x(speed: f64) -> Visits {
-    if speed == 0.0 { Visits::Stays } else { Visits::Track }
 }
 
 fn generator(seed: u64, body: usize, draw: u64, purpose: &[u8; 8]) -> ChaCha8Rng {

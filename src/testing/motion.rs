@@ -66,9 +66,11 @@ fn check_visits(
     let row = |offset: Offset| offset.rows % grid.ny();
     match visits {
         Visits::Stays => contract.require(offset == first, "a body that stays keeps its offset", place),
-        Visits::Track => {
-            contract.require(row(offset) == row(first), "a body that moves along its track keeps its row", place)
-        }
+        Visits::Passing | Visits::Track => contract.require(
+            row(offset) == row(first),
+            "a body that moves along its track keeps its row",
+            place,
+        ),
         Visits::Patch => Ok(()),
     }
 }

@@ -6,8 +6,7 @@ use crate::grid::Grid;
 use crate::sim::Scene;
 use crate::sim::scene::{
     Elastic, Flash, FrictionSpec, GridSpec, Load, LubricantSpec, Motion, PlasticSpec, RandomRoughness,
-    Roughness, RoughnessPair, SolverKind, SolverSpec, ThermalSpec, TrackSpec,
-    TribofilmSpec, WearSpec,
+    Roughness, RoughnessPair, SolverKind, SolverSpec, ThermalSpec, TrackSpec, TribofilmSpec, WearSpec,
 };
 use crate::surface::Form;
 use crate::tribochem::Activation;

@@ -69,7 +69,9 @@ impl TrackSpec {
     /// # Errors
     /// A radius that is not finite and positive.
     pub fn validate(&self) -> Result<(), InputError> {
-        for (field, radius) in [("track.radius_ball", self.radius_ball), ("track.radius_disc", self.radius_disc)] {
+        for (field, radius) in
+            [("track.radius_ball", self.radius_ball), ("track.radius_disc", self.radius_disc)]
+        {
             if let Some(radius) = radius {
                 InputError::require_positive(field, radius)?;
             }
