@@ -14,7 +14,7 @@ use stribeck::sim::{
     CheckpointError, MixedLubricationSim, RunFolder, Scene, Schedule, SimBuilder, SimError, StepControl,
     StepRecord,
 };
-use stribeck::surface::RoughnessMotion;
+use stribeck::surface::{Carried, RandomShift};
 use stribeck::tribochem::ThermalArrhenius;
 
 fn scene() -> Scene {
@@ -71,7 +71,7 @@ fn wear_history_with_film() {
 #[test]
 fn hardening_history() {
     resumed_equals_uninterrupted(
-        || MixedLubricationSim::builder(hardening()).motion(RoughnessMotion::RandomShift { seed: u64::MAX }),
+        || MixedLubricationSim::builder(hardening()).motion(RandomShift { seed: u64::MAX }),
         60.0,
     );
 }
@@ -80,7 +80,7 @@ fn hardening_history() {
 fn squeezed_history_starts_from_its_last_contact() {
     // Each solve starts from the pressures before: they belong to the checkpoint.
     resumed_equals_uninterrupted(
-        || MixedLubricationSim::builder(scene()).motion(RoughnessMotion::Convected).with_squeeze(),
+        || MixedLubricationSim::builder(scene()).motion(Carried).with_squeeze(),
         3e-5,
     );
 }
@@ -140,7 +140,7 @@ fn files_that_do_not_fit_are_refused() {
     let mut other = scene();
     other.load.hertz_pressure = Some(1.1500000000000002e9);
     assert_eq!(part(MixedLubricationSim::builder(other)), "scene.load");
-    let motion = RoughnessMotion::RandomShift { seed: 1 };
+    let motion = RandomShift { seed: 1 };
     assert_eq!(part(MixedLubricationSim::builder(scene()).motion(motion)), "motion");
     let law = ThermalArrhenius::new(100e-9, 1e-3, 0.1).unwrap();
     let parts = part(MixedLubricationSim::builder(scene()).growth_law(law));
@@ -222,7 +222,7 @@ fn folder_of_a_run() {
     let scene = Scene::load(parts.join("scene.toml")).unwrap();
     assert_eq!(&scene, sim.scene());
     let run = fs::read_to_string(parts.join("run.toml")).unwrap();
-    assert!(run.contains(env!("CARGO_PKG_VERSION")) && run.contains("seed = \"0\""), "{run}");
+    assert!(run.contains(env!("CARGO_PKG_VERSION")) && run.contains("AlongTrack { seed: 0 }"), "{run}");
 
     // A history that does not reach the checkpoint.
     fs::write(parts.join("history.csv"), format!("{}\n", StepRecord::CSV_HEADER)).unwrap();
@@ -413,7 +413,7 @@ fn scheduled() -> Scene {
 fn scheduled_history() {
     resumed_equals_uninterrupted(|| MixedLubricationSim::builder(scheduled()), 60.0);
     resumed_equals_uninterrupted(
-        || MixedLubricationSim::builder(scheduled()).motion(RoughnessMotion::Convected).with_squeeze(),
+        || MixedLubricationSim::builder(scheduled()).motion(Carried).with_squeeze(),
         0.01,
     );
 }

@@ -9,7 +9,7 @@ use super::scene::{BODIES, PlasticSpec, Scene, WearSpec};
 use super::simulation::{Laws, MixedLubricationSim, Travel};
 use super::start::BodyStart;
 use super::timetable::Timetable;
-use super::{SimError, setup};
+use super::{SimError, exposure, setup};
 use crate::boundary_friction::BoundaryFriction;
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
@@ -29,7 +29,7 @@ pub struct SimBuilder {
     growth: Option<Box<dyn FilmGrowthLaw>>,
     wear: Option<Box<dyn WearLaw>>,
     friction: Option<Box<dyn BoundaryFriction>>,
-    motion: RoughnessMotion,
+    motion: Option<Box<dyn RoughnessMotion>>,
     squeeze: bool,
     heights: [Option<Vec<f64>>; 2],
     starts: [Option<BodyStart>; 2],
@@ -44,7 +44,7 @@ impl SimBuilder {
             growth: None,
             wear: None,
             friction: None,
-            motion: RoughnessMotion::RandomShift { seed: 0 },
+            motion: None,
             squeeze: false,
             heights: [None, None],
             starts: [None, None],
@@ -121,16 +121,16 @@ impl SimBuilder {
         self
     }
 
-    /// Sets how the roughness of the bodies moves from step to step; random shifts with seed 0 by default.
+    /// Replaces the motion of the roughness from step to step.
     #[must_use]
-    pub fn motion(mut self, motion: RoughnessMotion) -> Self {
-        self.motion = motion;
+    pub fn motion(mut self, motion: impl RoughnessMotion + 'static) -> Self {
+        self.motion = Some(Box::new(motion));
         self
     }
 
     /// Makes the history transient: each contact after the first feels the squeeze of the films of the two before
     /// ([`Squeeze::second_order`](crate::reynolds::Squeeze::second_order); of first order in the second contact and after a step
-    /// more than twice as long as the one before). It belongs to [`RoughnessMotion::Convected`] and steps of the time that the
+    /// more than twice as long as the one before). It belongs to [`Carried`](crate::surface::Carried) and steps of the time that the
     /// surfaces need for a cell; in the long steps of a wear history the squeeze is nothing.
     #[must_use]
     pub fn with_squeeze(mut self) -> Self {
@@ -160,11 +160,13 @@ impl SimBuilder {
         self.scene.schedule.read_tables()?;
         let overrides = std::mem::take(&mut self.overrides);
         let contact = ContactModel::new(&self.scene, overrides)?;
+        let timetable = Timetable::new(&self.scene)?;
+        exposure::validate(&self.scene, &timetable, &contact.grid)?;
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
-        let timetable = Timetable::new(&self.scene)?;
         let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
-        let travel = Travel { motion: self.motion, squeeze: self.squeeze };
+        let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion());
+        let travel = Travel { motion, squeeze: self.squeeze };
         Ok(MixedLubricationSim::assemble((self.scene, timetable), contact, bodies, laws, heat, travel)?)
     }
 
@@ -194,8 +196,7 @@ impl SimBuilder {
             Some(law) => law,
             None => boundary_law(&scene.friction, film_thickness)?,
         };
-        let duty = self.scene.wear.map_or([1.0; 2], |spec| [spec.duty_factor_ball, spec.duty_factor_disc]);
-        Ok(Laws { plasticity, growth, wear, friction, duty })
+        Ok(Laws { plasticity, growth, wear, friction })
     }
 
     fn body(&mut self, index: usize, contact: &ContactModel, laws: &Laws) -> Result<Body, SimError> {

@@ -53,6 +53,7 @@ impl MixedLubricationSim {
             ("scene.friction", format!("{:?}", scene.friction)),
             ("scene.tribofilm", format!("{:?}", scene.tribofilm)),
             ("scene.wear", format!("{:?}", scene.wear)),
+            ("scene.track", format!("{:?}", scene.track)),
             ("scene.thermal", format!("{:?}", scene.thermal)),
             ("scene.schedule", format!("{:?}", scene.schedule)),
             ("scene.solver", format!("{:?}", scene.solver)),

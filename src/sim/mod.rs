@@ -12,6 +12,7 @@ mod contact;
 mod course;
 pub mod ensemble;
 mod error;
+mod exposure;
 mod formula;
 mod friction;
 mod heat;
@@ -36,6 +37,7 @@ mod start;
 mod start_file;
 mod step_control;
 mod timetable;
+mod track;
 #[cfg(feature = "vtk")]
 mod vtk;
 #[cfg(feature = "serde")]

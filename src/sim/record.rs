@@ -22,7 +22,8 @@ pub struct StepRecord {
     pub time: f64,
     /// Length of the step \[s\].
     pub time_step: f64,
-    /// Root mean square heights of ball and disc over their patches, as they met in the contact \[m\].
+    /// Root mean square roughness of ball and disc on the track without its form, as they met in the contact
+    /// ([`track_roughness`](super::MixedLubricationSim::track_roughness)) \[m\].
     pub rq: [f64; 2],
     /// Composite `sqrt(rq_ball^2 + rq_disc^2)` \[m\].
     pub composite_rq: f64,
@@ -47,6 +48,11 @@ pub struct StepRecord {
     pub max_wear: [f64; 2],
     /// Tribofilm of ball and disc, mean over the patch \[m\].
     pub mean_film: [f64; 2],
+    /// Worn depth of ball and disc, mean over the width of the track `|y| <= a`
+    /// ([`mean_on_track`](super::MixedLubricationSim::mean_on_track)) \[m\].
+    pub track_wear: [f64; 2],
+    /// Tribofilm of ball and disc, mean over the width of the track \[m\].
+    pub track_film: [f64; 2],
     /// Volume flattened away, both bodies \[m^3\].
     pub plastic_volume: f64,
     /// Largest flash temperature rise \[K\]; none where it is not modelled.
@@ -78,7 +84,8 @@ impl StepRecord {
     /// Names of the columns that [`StepRecord::write_csv`] writes, with units.
     pub const CSV_HEADER: &'static str = "step,time_s,time_step_s,rq_ball_m,rq_disc_m,rq_composite_m,h_avg_m,lambda,lambda_old,\
         contact_area_ratio,contact_load_ratio,max_pressure_pa,mean_pressure_pa,mean_wear_ball_m,mean_wear_disc_m,\
-        max_wear_ball_m,max_wear_disc_m,mean_film_ball_m,mean_film_disc_m,plastic_volume_m3,flash_rise_k,\
+        max_wear_ball_m,max_wear_disc_m,mean_film_ball_m,mean_film_disc_m,track_wear_ball_m,track_wear_disc_m,\
+        track_film_ball_m,track_film_disc_m,plastic_volume_m3,flash_rise_k,\
         friction_coefficient,minimum_gap_m,inflow_m3_s,outflow_m3_s,flow_imbalance,attempts,solver,status,mass_residual,load_residual,\
         complementarity_residual,convolutions,iterations,inner_iterations,friction_boundary,friction_fluid,load_n,\
         entrainment_speed_m_s,slide_roll_ratio,bulk_temperature_k";
@@ -108,6 +115,10 @@ impl StepRecord {
             self.max_wear[1],
             self.mean_film[0],
             self.mean_film[1],
+            self.track_wear[0],
+            self.track_wear[1],
+            self.track_film[0],
+            self.track_film[1],
             self.plastic_volume,
         ];
         write!(out, "{}", self.step)?;
@@ -168,7 +179,8 @@ impl StepRecord {
         let (lambda, lambda_old, area_ratio, load_ratio) = (number()?, number()?, number()?, number()?);
         let (max_pressure, mean_pressure) = (number()?, number()?);
         let (mean_wear, max_wear) = ([number()?, number()?], [number()?, number()?]);
-        let (mean_film, plastic_volume) = ([number()?, number()?], number()?);
+        let (mean_film, track_wear) = ([number()?, number()?], [number()?, number()?]);
+        let (track_film, plastic_volume) = ([number()?, number()?], number()?);
         let (column, cell) = next()?;
         let flash_rise = if cell.is_empty() { None } else { Some(parsed(column, cell)?) };
         let mut number = || next().and_then(|(column, cell)| parsed::<f64>(column, cell));
@@ -222,6 +234,8 @@ impl StepRecord {
             mean_wear,
             max_wear,
             mean_film,
+            track_wear,
+            track_film,
             plastic_volume,
             flash_rise,
             friction_coefficient,

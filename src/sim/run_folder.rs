@@ -16,7 +16,6 @@ use super::simulation::MixedLubricationSim;
 use super::{SimError, whole_file};
 use crate::error::InputError;
 use crate::reynolds::ContactState;
-use crate::surface::RoughnessMotion;
 
 /// Writes a run into a folder, as an [`Observer`] or called by one.
 ///
@@ -66,10 +65,8 @@ pub struct RunFolder {
 struct RunTable {
     /// Version of the crate.
     stribeck: &'static str,
-    motion: &'static str,
-    /// As text: integers of TOML are too short for it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    seed: Option<String>,
+    /// By what `Debug` prints of it.
+    motion: String,
     squeeze: bool,
 }
 
@@ -91,12 +88,8 @@ impl RunFolder {
                 _ => {}
             }
         }
-        let (motion, seed) = match sim.motion() {
-            RoughnessMotion::Fixed => ("fixed", None),
-            RoughnessMotion::RandomShift { seed } => ("random_shift", Some(seed.to_string())),
-            RoughnessMotion::Convected => ("convected", None),
-        };
-        let run = RunTable { stribeck: env!("CARGO_PKG_VERSION"), motion, seed, squeeze: sim.has_squeeze() };
+        let motion = format!("{:?}", sim.motion());
+        let run = RunTable { stribeck: env!("CARGO_PKG_VERSION"), motion, squeeze: sim.has_squeeze() };
         let run = toml::to_string(&run).map_err(|error| SimError::Scene { reason: error.to_string() })?;
         let header = format!("{}\n", StepRecord::CSV_HEADER);
         for (name, text) in

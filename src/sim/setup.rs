@@ -69,6 +69,7 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     if let Some(spec) = scene.tribofilm {
         growth_law(&spec)?;
     }
+    scene.track.validate()?;
     if let Some(wear) = scene.wear {
         InputError::require_non_negative("wear.coefficient", wear.coefficient)?;
         InputError::require(
@@ -80,12 +81,6 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
         InputError::require_positive("wear.hardness", wear.hardness)?;
         if let Some(film) = wear.film_hardness {
             InputError::require_positive("wear.film_hardness", film)?;
-        }
-        for (field, share) in [
-            ("wear.duty_factor_ball", wear.duty_factor_ball),
-            ("wear.duty_factor_disc", wear.duty_factor_disc),
-        ] {
-            InputError::require((0.0..=1.0).contains(&share), field, share, "from 0 to 1")?;
         }
     }
     InputError::require_positive("solver.film_cutoff", scene.solver.film_cutoff)?;

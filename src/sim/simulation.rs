@@ -6,6 +6,7 @@ use super::SimError;
 use super::body::Body;
 use super::builder::SimBuilder;
 use super::contact::ContactModel;
+use super::exposure::{self, Ageing};
 use super::friction::FrictionFields;
 use super::heat::Heat;
 use super::hertz::HertzContact;
@@ -48,14 +49,12 @@ pub(super) struct Laws {
     pub(super) growth: Option<Box<dyn FilmGrowthLaw>>,
     pub(super) wear: Option<PerBody<dyn WearLaw>>,
     pub(super) friction: Box<dyn BoundaryFriction>,
-    /// Share of the time that ball and disc wear.
-    pub(super) duty: [f64; 2],
 }
 
 /// How the contact moves on from step to step.
 #[derive(Debug)]
 pub(super) struct Travel {
-    pub(super) motion: RoughnessMotion,
+    pub(super) motion: Box<dyn RoughnessMotion>,
     /// Whether a contact feels the squeeze of the film before it.
     pub(super) squeeze: bool,
 }
@@ -74,9 +73,9 @@ pub enum RunEnd {
 
 /// A rough lubricated contact whose surfaces flatten, grow a tribofilm and wear as they rub.
 ///
-/// Each step solves the quasi-static contact of the surfaces as they stand, advances tribofilm and wear over the
-/// time step under its pressures, applies the plastic depth, and moves the roughness of both bodies to the
-/// next position. One solve stands for all passages within the step. Nothing irreversible happens unless the
+/// Each step solves the quasi-static contact of the surfaces as they stand, advances tribofilm and wear under its pressures
+/// for the time that the step exposes the nodes to it ([`Exposure`](super::scene::Exposure)), applies the plastic depth, and
+/// moves the roughness of both bodies to the next position. One solve stands for all passages within the step. Nothing irreversible happens unless the
 /// solve converged: where it did not, the step tries other positions of the roughness, and if all fail the step is
 /// an error and the state is as before.
 ///
@@ -184,8 +183,8 @@ impl MixedLubricationSim {
     }
 
     /// How the roughness moves from step to step.
-    pub fn motion(&self) -> RoughnessMotion {
-        self.travel.motion
+    pub fn motion(&self) -> &dyn RoughnessMotion {
+        self.travel.motion.as_ref()
     }
 
     /// Whether each contact feels the squeeze of the film before it.
@@ -371,23 +370,34 @@ impl MixedLubricationSim {
 
     /// Solves the contact at the next position of the roughness, or at further ones where that fails.
     fn solve_somewhere(&mut self) -> Result<(SolveReport, Offsets, u32), SimError> {
-        let random = matches!(self.travel.motion, RoughnessMotion::RandomShift { .. });
-        let tries = if random { MAX_ATTEMPTS } else { 1 };
-        let speeds = self.timetable.mean_speeds(self.time);
         let mut attempt = 1;
         loop {
-            let (draw, time, grid) = (self.draws, self.time, self.contact.grid);
-            let offsets = [0, 1].map(|body| self.travel.motion.offset(body, draw, time, speeds[body], &grid));
+            let offsets = self.offsets()?;
             self.draws += 1;
             let report = self.solve_at(offsets)?;
             match report.require_converged() {
                 Ok(report) => return Ok((report, offsets, attempt)),
-                Err(source) if attempt >= tries => {
+                // A motion that has no other position has no other contact.
+                Err(source) if attempt >= MAX_ATTEMPTS || self.offsets()? == offsets => {
                     return Err(SimError::NotConverged { step: self.step, attempts: attempt, source });
                 }
                 Err(_) => attempt += 1,
             }
         }
+    }
+
+    /// Where the roughness stands at the next solve, within the patch.
+    fn offsets(&self) -> Result<Offsets, InputError> {
+        let (motion, grid, speeds) =
+            (&self.travel.motion, self.contact.grid, self.timetable.mean_speeds(self.time));
+        let [ball, disc] = [0, 1].map(|body| motion.offset(body, self.draws, self.time, speeds[body], &grid));
+        ball.validate_as("motion: offset.fraction of the ball")?;
+        disc.validate_as("motion: offset.fraction of the disc")?;
+        Ok([ball, disc].map(|offset| Offset {
+            columns: offset.columns % grid.nx(),
+            rows: offset.rows % grid.ny(),
+            ..offset
+        }))
     }
 
     /// Surfaces, films and depths of both bodies as they lie at `offsets`.
@@ -456,21 +466,39 @@ impl MixedLubricationSim {
         Ok(Some(flash.rise(&fields.heat, &mut fields.rise)?.maximum))
     }
 
+    /// What a step of a second does to ball and disc as they move under `conditions`.
+    fn ageing(&self, conditions: &Conditions) -> Result<[Ageing; 2], InputError> {
+        let (track, motion) = (&self.scene.track, self.travel.motion.as_ref());
+        let speeds = conditions.motion.surface_speeds();
+        exposure::ageing(track, motion, &self.contact.grid, &self.contact.hertz, speeds)
+    }
+
+    /// Adds the print of the contact to the plastic depth of the bodies.
+    fn flatten(&mut self, ageing: [Ageing; 2], time_step: f64, offsets: Offsets) -> Result<(), SimError> {
+        let Self { fields, bodies, contact, state, .. } = self;
+        let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
+        fields.yielding.share(&state.plastic_depth)?;
+        for (index, body) in bodies.iter_mut().enumerate() {
+            fields.on_body.fill(0.0);
+            add_blended(&fields.yielding.split[index], nx, ny, offsets[index], &mut fields.on_body)?;
+            let share = ageing[index].print(time_step);
+            fields.on_body.iter_mut().for_each(|depth| *depth *= share);
+            body.plastic.add(&fields.on_body)?;
+        }
+        Ok(())
+    }
+
     /// Applies wear, film growth and flattening to the bodies. The film grows half before and half after the wear, so
     /// that the wear coefficient is that of the middle of the step.
     fn commit(&mut self, time_step: f64, offsets: Offsets) -> Result<(), SimError> {
         let conditions = self.conditions();
+        let ageing = self.ageing(&conditions)?;
+        if self.laws.plasticity.is_some() {
+            self.flatten(ageing, time_step, offsets)?;
+        }
         let Self { fields, bodies, contact, laws, state, .. } = self;
         let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
         let (bulk, sliding) = (conditions.bulk_temperature, conditions.motion.sliding_speed());
-        if laws.plasticity.is_some() {
-            fields.yielding.share(&state.plastic_depth)?;
-            for (index, body) in bodies.iter_mut().enumerate() {
-                fields.on_body.fill(0.0);
-                add_blended(&fields.yielding.split[index], nx, ny, offsets[index], &mut fields.on_body)?;
-                body.plastic.add(&fields.on_body)?;
-            }
-        }
         let on_grid = |k: usize| RubbingPoint {
             pressure: state.pressure[k],
             solid_pressure: fields.friction.solid[k],
@@ -481,6 +509,7 @@ impl MixedLubricationSim {
             in_contact: state.in_contact[k],
         };
         for (index, (body, offset)) in bodies.iter_mut().zip(offsets).enumerate() {
+            let exposed = ageing[index].rate * time_step;
             let point = |node: usize| {
                 // Where this node of the body stands in the frame of the contact: on a node, or short of it.
                 let (i, j) = ((node % nx + nx - offset.columns) % nx, (node / nx + ny - offset.rows) % ny);
@@ -491,27 +520,26 @@ impl MixedLubricationSim {
                 at.towards(&on_grid(j * nx + (i + nx - 1) % nx), offset.fraction)
             };
             if let (Some(law), Some(film)) = (&laws.growth, &mut body.film) {
-                film.advance(law.as_ref(), 0.5 * time_step, point)?;
+                film.advance(law.as_ref(), 0.5 * exposed, point)?;
             }
             if let Some(law) = &laws.wear {
-                let (law, duty) = (law.each()[index], laws.duty[index]);
                 let thickness = body.film.as_ref().map(|film| film.thickness());
-                body.wear.advance(law, duty * time_step, |node| {
+                body.wear.advance(law.each()[index], exposed, |node| {
                     (point(node), thickness.map_or(0.0, |thickness| thickness[node]))
                 })?;
             }
             if let (Some(law), Some(film)) = (&laws.growth, &mut body.film) {
-                film.advance(law.as_ref(), 0.5 * time_step, point)?;
+                film.advance(law.as_ref(), 0.5 * exposed, point)?;
             }
             body.rebuild()?;
         }
         Ok(())
     }
 
-    /// Root mean square heights of both bodies \[m\].
+    /// Root mean square roughness of both bodies on the track \[m\].
     fn roughness(&self) -> Result<[f64; 2], InputError> {
         let [ball, disc] = &self.bodies;
-        Ok([metrics::height_statistics(&ball.surface)?.sq, metrics::height_statistics(&disc.surface)?.sq])
+        Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
     }
 
     /// The record of the step that was committed last, whose contact was solved under `conditions` on surfaces of roughness `rq`.
@@ -550,6 +578,11 @@ impl MixedLubricationSim {
             mean_wear: [mean(ball.wear_depth()), mean(disc.wear_depth())],
             max_wear: [largest(ball.wear_depth()), largest(disc.wear_depth())],
             mean_film: [mean(ball.film_thickness()), mean(disc.film_thickness())],
+            track_wear: [self.mean_on_track(ball.wear_depth())?, self.mean_on_track(disc.wear_depth())?],
+            track_film: [
+                self.mean_on_track(ball.film_thickness())?,
+                self.mean_on_track(disc.film_thickness())?,
+            ],
             plastic_volume: ball.volumes(area)?.plastic + disc.volumes(area)?.plastic,
             flash_rise,
             friction_coefficient: friction.coefficient,

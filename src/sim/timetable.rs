@@ -101,6 +101,24 @@ impl Timetable {
         std::iter::once(0.0).chain(times).map(|time| self.at(time)).collect()
     }
 
+    /// Whether ball and disc move at any time.
+    pub(super) fn moving(&self) -> [bool; 2] {
+        let speeds = |time| self.at(time).motion.surface_speeds().map(|speed| speed != 0.0);
+        let (mut from, mut moving) = (0.0, speeds(0.0));
+        while let Some(to) = self.next_entry(from) {
+            // Products of two ramps are parabolas: one that is zero at three places between entries is zero.
+            for share in [0.25, 0.5, 0.75, 1.0] {
+                let now = speeds(from + share * (to - from));
+                moving.iter_mut().zip(now).for_each(|(moving, now)| *moving |= now);
+            }
+            if to <= from {
+                break;
+            }
+            from = to;
+        }
+        moving
+    }
+
     /// Mean speeds \[m/s\] of ball and disc from the start to `time` \[s\]: what carries them as far as they have come.
     pub(super) fn mean_speeds(&self, time: f64) -> [f64; 2] {
         let changes = self.speed.is_some() || self.slide_roll_ratio.is_some();

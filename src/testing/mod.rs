@@ -12,6 +12,7 @@
 //! | [`density_law`] | 1 at ambient pressure, monotone, slope = derivative, negative pressures |
 //! | [`plasticity_model`] | positive limits that do not fall with depth, the pair's limit the smaller |
 //! | [`deformation_model`] | linear, symmetric, translation invariant, positive; errors of shape |
+//! | [`roughness_motion`] | fractions within a column, offsets by arguments alone, what stays stays |
 //! | [`contact_solver`] | a smooth contact solved: load, bounds, residuals, restart; bad input refused |
 //!
 //! For proptest there are strategies: [`scenes`], [`absurd_scenes`] and [`pressures`].
@@ -21,6 +22,7 @@ mod contact_solver;
 mod deformation;
 mod film_growth;
 mod fluid;
+mod motion;
 mod plasticity;
 mod strategies;
 mod wear;
@@ -32,6 +34,7 @@ pub use contact_solver::contact_solver;
 pub use deformation::deformation_model;
 pub use film_growth::film_growth_law;
 pub use fluid::{density_law, viscosity_law};
+pub use motion::roughness_motion;
 pub use plasticity::plasticity_model;
 pub use strategies::{absurd_scenes, pressures, scenes};
 use thiserror::Error;

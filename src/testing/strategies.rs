@@ -7,7 +7,7 @@ use crate::sim::Scene;
 use crate::sim::scene::{
     Elastic, Flash, FrictionSpec, GridSpec, Load, LubricantSpec, Material, Materials, Motion, PlasticSpec,
     RandomRoughness, Roughness, RoughnessPair, Schedule, Schedules, SolverKind, SolverSpec, ThermalSpec,
-    TribofilmSpec, WearSpec,
+    TrackSpec, TribofilmSpec, WearSpec,
 };
 use crate::surface::Form;
 use crate::tribochem::Activation;
@@ -173,6 +173,7 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
             friction,
             tribofilm,
             wear,
+            track: TrackSpec::default(),
             thermal,
             solver,
         }
@@ -284,7 +285,10 @@ fn distort(scene: &mut Scene, change: usize, value: f64) {
         35 => {
             scene.wear = Some(WearSpec { coefficient: value, film_coefficient: 0.0, ..WearSpec::default() });
         }
-        36 => scene.wear = Some(WearSpec { hardness: value, duty_factor_ball: value, ..WearSpec::default() }),
+        36 => {
+            scene.wear = Some(WearSpec { hardness: value, ..WearSpec::default() });
+            scene.track.radius_ball = Some(value);
+        }
         37 => scene.thermal = ThermalSpec { bulk_temperature: value, conductivity: value, ..scene.thermal },
         38 => (scene.materials.ball.modulus, scene.materials.ball.poisson_ratio) = (Some(value), Some(0.3)),
         39 => {

@@ -7,6 +7,7 @@ mod processes;
 mod schedule;
 #[cfg(feature = "serde")]
 mod tables;
+mod track;
 
 use std::path::PathBuf;
 
@@ -14,6 +15,7 @@ pub(super) use materials::BODIES;
 pub use materials::{Material, Materials};
 pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec, WearSpec};
 pub use schedule::{Schedule, Schedules};
+pub use track::{Exposure, TrackMotion, TrackSpec};
 
 use crate::analytic::{HertzLine, HertzPoint};
 use crate::error::InputError;
@@ -64,6 +66,9 @@ pub struct Scene {
     /// Wear; absent: none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub wear: Option<WearSpec>,
+    /// Motion of the roughness and exposure of the track in a history.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub track: TrackSpec,
     /// Temperatures.
     #[cfg_attr(feature = "serde", serde(default))]
     pub thermal: ThermalSpec,
@@ -389,6 +394,7 @@ impl Scene {
             friction: FrictionSpec::default(),
             tribofilm: None,
             wear: Some(WearSpec::default()),
+            track: TrackSpec::default(),
             thermal: ThermalSpec::default(),
             schedule: Schedules::default(),
             solver: SolverSpec::default(),

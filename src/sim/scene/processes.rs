@@ -136,10 +136,6 @@ pub struct WearSpec {
     pub film_hardness: Option<f64>,
     /// Whether only solid pressure wears, or all pressure.
     pub solid_pressure_only: bool,
-    /// Share of the time that a point of the ball's track wears.
-    pub duty_factor_ball: f64,
-    /// Share of the time that a point of the disc's track wears.
-    pub duty_factor_disc: f64,
 }
 
 impl Default for WearSpec {
@@ -151,8 +147,6 @@ impl Default for WearSpec {
             hardness: 6e9,
             film_hardness: None,
             solid_pressure_only: false,
-            duty_factor_ball: 1.0,
-            duty_factor_disc: 1.0,
         }
     }
 }
