@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use stribeck::Grid;
 use stribeck::sim::scene::{Exposure, GridSpec, Roughness, SolverKind, TrackMotion};
-use stribeck::sim::{MixedLubricationSim, Scene, StepRecord, solve_contact};
+use stribeck::sim::{MixedLubricationSim, Scene, Schedule, StepRecord, solve_contact};
 use stribeck::surface::{AtRest, Offset, RoughnessMotion, Visits};
 
 /// Dry and smooth, all pressure wears, on cells of 500 um / 32.
@@ -148,7 +148,9 @@ fn roughness_and_wear_do_not_depend_on_the_number_of_steps() {
 /// A groove is the form of the track, not its roughness; the profile of the wear holds it.
 #[test]
 fn the_groove_is_no_roughness() {
-    let (sim, record) = run(smooth(32, 32), 60, 100.0);
+    let (mut sim, _) = run(smooth(32, 32), 59, 100.0);
+    let met = sim.track_roughness(sim.bodies()[1].surface()).unwrap();
+    let record = sim.step(100.0).unwrap();
     let disc = &sim.bodies()[1];
     let profile = sim.worn_profile(disc);
     assert_eq!(profile.len(), 32);
@@ -156,9 +158,35 @@ fn the_groove_is_no_roughness() {
     assert!(profile[16] > 100e-9 && profile[0] == 0.0, "{profile:?}");
     let deepest = disc.surface().iter().copied().fold(0.0, f64::min);
     assert!(deepest < -100e-9 && record.rq[1] < 5e-9, "{deepest} {:?}", record.rq);
-    let roughness = sim.track_roughness(disc.surface()).unwrap();
-    assert_eq!(roughness.len() % 32, 0);
-    close(stribeck::metrics::height_statistics(&roughness).unwrap().sq, record.rq[1], 1e-6);
+    assert_eq!(met.len() % 32, 0);
+    close(stribeck::metrics::height_statistics(&met).unwrap().sq, record.rq[1], 1e-6);
+}
+
+/// Bodies and contacts of all entries of a schedule count.
+#[test]
+fn tracks_are_checked_under_the_whole_schedule() {
+    let refused = |scene: Scene| MixedLubricationSim::builder(scene).build().unwrap_err().to_string();
+    let mut scene = smooth(32, 32);
+    scene.plastic = None;
+    (scene.track.exposure, scene.track.radius_ball) = (Exposure::Track, Some(23e-3));
+    // The disc rests at a ratio of 2.
+    scene.schedule.slide_roll_ratio = Some(Schedule::Constant { value: 2.0 });
+    MixedLubricationSim::builder(scene.clone()).build().unwrap();
+    // It rests at both entries and moves between them.
+    scene.schedule.slide_roll_ratio = Some(Schedule::ramps(&[(0.0, 0.0), (9.0, 2.0)]));
+    scene.schedule.entrainment_speed = Some(Schedule::ramps(&[(0.0, 0.0), (9.0, 0.1)]));
+    let missing = "track.radius_disc: is missing; track.exposure = \"track\" needs it";
+    assert_eq!(refused(scene), missing);
+    let mut scene = smooth(32, 32);
+    scene.plastic = None;
+    scene.track.radius_ball = Some(100e-6);
+    MixedLubricationSim::builder(scene.clone()).build().unwrap();
+    scene.schedule.load = Some(Schedule::steps(&[(0.0, 20.0), (5.0, 600.0), (9.0, 20.0)]));
+    let error = refused(scene);
+    assert!(
+        error.starts_with("track.radius_ball = 1e-4") && error.contains("shorter than the contact"),
+        "{error}"
+    );
 }
 
 /// Offsets that are no numbers from the second solve on.

@@ -15,6 +15,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use chart::{BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
+use stribeck::InputError;
 use stribeck::metrics::{composite_rq, height_statistics};
 use stribeck::sim::{MixedLubricationSim, RunFolder, Scene, StepControl};
 
@@ -28,11 +29,16 @@ const CONTROL: StepControl = StepControl { longest: 20.0, depth: 5e-9 };
 /// Decade of the speed, and friction coefficient, its boundary share, load ratio and lambda at it.
 type Sweep = Vec<(f64, [f64; 4])>;
 
+/// Root mean square roughness of `heights` on the track of `sim` \[m\].
+fn track_rq(sim: &MixedLubricationSim, heights: &[f64]) -> Result<f64, InputError> {
+    Ok(height_statistics(&sim.track_roughness(heights)?)?.sq)
+}
+
 /// Contacts of the bodies as they stand from 1 mm/s to 1 m/s.
 fn sweep(sim: &mut MixedLubricationSim, count: u32) -> Result<Sweep, Box<dyn Error>> {
     let mut curve = Vec::new();
-    let [ball, disc] = sim.bodies().each_ref().map(|body| height_statistics(body.surface()));
-    let rq = composite_rq(ball?.sq, disc?.sq);
+    let [ball, disc] = sim.bodies();
+    let rq = composite_rq(track_rq(sim, ball.surface())?, track_rq(sim, disc.surface())?);
     for k in 0..count {
         let decade = 3.0 * f64::from(k) / f64::from(count - 1) - 3.0;
         let mut conditions = sim.conditions();
@@ -93,13 +99,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     sim.run_until(END, &CONTROL, &mut files)?;
     files.finish(&sim)?;
     let worn = sweep(&mut sim, count)?;
-    let roughness = |heights| height_statistics(heights).map(|statistics| 1e9 * statistics.sq);
     let [_, disc] = sim.bodies();
     println!(
-        "{} steps; Rq of the disc {:.1} nm new, {:.1} nm worn",
+        "{} steps; Rq of the disc on its track {:.1} nm new, {:.1} nm worn",
         sim.steps(),
-        roughness(disc.initial())?,
-        roughness(disc.surface())?
+        1e9 * track_rq(&sim, disc.initial())?,
+        1e9 * track_rq(&sim, disc.surface())?
     );
     println!("{:>10} {:>22} {:>22}", "", "friction", "load ratio");
     println!("{:>10} {:>11}{:>11} {:>11}{:>11}", "speed, m/s", "new", "worn", "new", "worn");

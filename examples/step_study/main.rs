@@ -16,6 +16,7 @@ use std::path::Path;
 
 use chart::{BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
 use plotters::style::RGBColor;
+use stribeck::metrics::height_statistics;
 use stribeck::sim::scene::{RoughnessPair, TrackMotion};
 use stribeck::sim::{MixedLubricationSim, Scene, SimError, StepRecord};
 
@@ -38,17 +39,11 @@ struct Case {
 }
 
 const CASES: [Case; 3] = [
-    Case {
-        name: "smooth",
-        label: "Rq, smooth ball, nm",
-        value: |r| 1e9 * r.rq[0],
-        rough: false,
-        film: false,
-    },
-    Case { name: "bare", label: "Rq, rough ball, nm", value: |r| 1e9 * r.rq[0], rough: true, film: false },
+    Case { name: "smooth", label: "Rq smooth, nm", value: |r| 1e9 * r.rq[0], rough: false, film: false },
+    Case { name: "bare", label: "Rq rough, nm", value: |r| 1e9 * r.rq[0], rough: true, film: false },
     Case {
         name: "film",
-        label: "flattened with film, \u{b5}m\u{b3}",
+        label: "flattened, \u{b5}m\u{b3}",
         value: |r| 1e18 * r.plastic_volume,
         rough: true,
         film: true,
@@ -67,6 +62,10 @@ fn end(scene: &Scene, steps: u32) -> Result<Option<StepRecord>, SimError> {
             ControlFlow::Continue(())
         },
     )?;
+    // The record has the roughness before the last step.
+    for (rq, body) in last.iter_mut().flat_map(|record| &mut record.rq).zip(sim.bodies()) {
+        *rq = height_statistics(&sim.track_roughness(body.surface())?)?.sq;
+    }
     Ok(last)
 }
 

@@ -6,7 +6,7 @@ use crate::error::InputError;
 
 impl MixedLubricationSim {
     /// Mean of `field`, one value per node of a body's patch, over the width of the track, `|y| <= a` with the half-width `a` of
-    /// the Hertz contact across; cells count by their share of it. The box does not change it.
+    /// the Hertz contact across under the load of the last step; cells count by their share of it. The box does not change it.
     ///
     /// # Errors
     /// A field of another length than the grid.
@@ -51,8 +51,8 @@ impl MixedLubricationSim {
     /// use stribeck::metrics::height_statistics;
     /// use stribeck::sim::{MixedLubricationSim, Scene};
     /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(32)).build()?;
-    /// let record = sim.step(10.0)?;
     /// let roughness = sim.track_roughness(sim.bodies()[1].surface())?;
+    /// let record = sim.step(10.0)?;
     /// assert!((height_statistics(&roughness)?.sq / record.rq[1] - 1.0).abs() < 1e-9);
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
