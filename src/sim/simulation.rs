@@ -75,8 +75,8 @@ pub enum RunEnd {
 ///
 /// Each step solves the quasi-static contact of the surfaces as they stand, advances tribofilm and wear under its pressures
 /// for the time that the step exposes the nodes to it ([`Exposure`](super::scene::Exposure)), applies the plastic depth, and
-/// moves the roughness of both bodies to the next position. One solve stands for all passages within the step. Nothing irreversible happens unless the
-/// solve converged: where it did not, the step tries other positions of the roughness, and if all fail the step is
+/// moves the roughness of both bodies to the next position. One solve stands for all passages within the step. Nothing
+/// irreversible happens unless the solve converged: where it did not, the step tries other positions of the roughness, and if all fail the step is
 /// an error and the state is as before.
 ///
 /// ```
