@@ -11,7 +11,6 @@ use std::path::{Path, PathBuf};
 
 use stribeck::sim::Scene;
 use stribeck::sim::ensemble::{Member, Outcome};
-use stribeck::surface::RoughnessMotion;
 
 /// Steps between checkpoints.
 const EVERY: u64 = 2;
@@ -25,8 +24,8 @@ fn members() -> Vec<Member> {
             scene.load.hertz_pressure = Some(pressure);
             scene.solver.tolerance = 1e-3;
             let name = format!("{:.1}_gpa_seed_{seed}", pressure * 1e-9);
-            let motion = RoughnessMotion::RandomShift { seed };
-            members.push(Member { name, scene, motion, steps: 4, time_step: 60.0 });
+            scene.track.seed = seed;
+            members.push(Member { name, scene, steps: 4, time_step: 60.0 });
         }
     }
     members

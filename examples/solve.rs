@@ -153,7 +153,11 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
             "plastic_area": contact.plastic_area,
             "film_cutoff": contact.film_cutoff,
         },
-        "friction": { "coefficient": solution.friction_coefficient },
+        "friction": {
+            "coefficient": solution.friction_coefficient,
+            "boundary": solution.friction_boundary,
+            "fluid": solution.friction_fluid,
+        },
         "flow": flow.map(|flow| json!({
             "inflow": flow.inflow,
             "outflow": flow.outflow,

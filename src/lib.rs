@@ -80,6 +80,7 @@
 
 pub mod analytic;
 mod boundary;
+mod boundary_friction;
 pub mod elastic;
 mod error;
 mod grid;
@@ -99,6 +100,7 @@ pub mod wear;
 
 // What every room speaks of.
 pub use boundary::Boundary;
+pub use boundary_friction::{BoundaryFriction, ConstantFriction, FilmFriction};
 pub use error::InputError;
 pub use grid::Grid;
 pub use report::{NotConverged, Residuals, SolveReport, Status, Work};

@@ -168,7 +168,8 @@ fn every_number() -> String {
         .replace("[grid]", "alpha = 1.5e-8\n[grid]")
         .replace("[friction]", "hardening_modulus = 1e16\n[friction]")
         .replace("[tribofilm]", "eyring_stress = 5e6\n[tribofilm]")
-        .replace("[thermal]", "film_hardness = 2e9\n[thermal]")
+        .replace("[track]", "film_hardness = 2e9\n[track]")
+        .replace("[thermal]", "radius_ball = 9.525e-3\nradius_disc = 23e-3\n[thermal]")
 }
 
 #[test]

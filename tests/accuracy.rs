@@ -29,6 +29,7 @@ fn contact(moes_load: f64, moes_lubricant: f64, accuracy: f64) -> Scene {
         roelands_z: 0.68,
         roelands_p0: 1.96e8,
         alpha: Some(ALPHA),
+        formula_alpha: None,
         density_a: 0.34 / 5.9e8,
         density_b: 1.0 / 5.9e8,
         supplied_film: None,

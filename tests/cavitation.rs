@@ -45,7 +45,7 @@ fn problem<'a>(
         contact: scene.solver.contact,
         scheme: scene.scheme(),
         face_mobility: scene.face_mobility(),
-        cavitation: scene.solver.cavitation,
+        cavitation: scene.cavitation(),
         supplied_film: None,
         shear_thinning: None,
         reference_half_widths: (solution.hertz.a_x, solution.hertz.a_y),
@@ -72,14 +72,14 @@ fn assert_evaluates(scene: &Scene, solution: &ContactSolution) {
 #[test]
 fn what_flows_into_a_rough_contact_flows_out() {
     let mut scene = Scene::azam_2019(64);
-    scene.solver.cavitation = Cavitation::Reynolds;
+    scene.solver.cavitation = Some(Cavitation::Reynolds);
     let solution = solved(&scene);
     assert_evaluates(&scene, &solution);
     let flow = solution.flow.unwrap();
     assert!(flow.inflow > 0.0, "{flow:?}");
     assert!((flow.imbalance - (flow.outflow / flow.inflow - 1.0)).abs() < 1e-12, "{flow:?}");
     assert!(flow.imbalance > 1e-3, "Reynolds' condition makes fluid where it reforms: {flow:?}");
-    scene.solver.cavitation = Cavitation::MassConserving;
+    scene.solver.cavitation = Some(Cavitation::MassConserving);
     let solution = solved(&scene);
     assert_evaluates(&scene, &solution);
     let flow = solution.flow.unwrap();
@@ -116,7 +116,7 @@ fn the_mass_residual_bounds_the_imbalance_of_the_box() {
     line.grid = GridSpec::Row { nx: 256, x: [-4e-4, 2e-4] };
     scenes.extend([smooth, line]);
     for mut scene in scenes {
-        scene.solver.cavitation = Cavitation::MassConserving;
+        scene.solver.cavitation = Some(Cavitation::MassConserving);
         for tolerance in [1e-4, 1e-8] {
             scene.solver.tolerance = tolerance;
             let solution = solved(&scene);
@@ -130,7 +130,7 @@ fn the_mass_residual_bounds_the_imbalance_of_the_box() {
 #[test]
 fn what_is_stored_is_no_imbalance() {
     let mut scene = Scene::azam_2019(32);
-    scene.solver.cavitation = Cavitation::MassConserving;
+    scene.solver.cavitation = Some(Cavitation::MassConserving);
     let solution = solved(&scene);
     let oil = lubricant(&scene);
     let limit = vec![6e9; solution.grid.len()];
@@ -157,7 +157,7 @@ fn smooth_films_do_not_depend_on_the_condition() {
             scene.roughness = Default::default();
             scene.plastic = None;
             scene.solver.kind = kind;
-            scene.solver.cavitation = cavitation;
+            scene.solver.cavitation = Some(cavitation);
             scene.solver.tolerance = 1e-8;
             solved(&scene).film
         });

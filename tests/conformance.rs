@@ -4,16 +4,17 @@ use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{Barus, DensityLaw, DowsonHigginson, Incompressible, Roelands, ViscosityLaw};
 use stribeck::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
 use stribeck::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem};
+use stribeck::surface::{AlongTrack, AtRest, Carried, Offset, RandomShift, RoughnessMotion, Visits};
 use stribeck::testing::{
-    contact_solver, deformation_model, density_law, film_growth_law, plasticity_model, viscosity_law,
-    wear_law,
+    boundary_friction, contact_solver, deformation_model, density_law, film_growth_law, plasticity_model,
+    roughness_motion, viscosity_law, wear_law,
 };
 use stribeck::tribochem::{
     Activation, ELECTRON_VOLT, FilmGrowthLaw, Ghanbarzadeh, ProportionalRemoval, StressActivated,
     ThermalArrhenius,
 };
 use stribeck::wear::{Archard, FrictionalEnergy, WearLaw, WearPressure};
-use stribeck::{Grid, RubbingPoint};
+use stribeck::{BoundaryFriction, ConstantFriction, FilmFriction, Grid, RubbingPoint};
 
 #[test]
 fn growth_laws() {
@@ -145,6 +146,42 @@ fn solvers() {
     contact_solver(&mut Multigrid::new(), true).unwrap();
 }
 
+#[test]
+fn motions() {
+    roughness_motion(&AtRest).unwrap();
+    roughness_motion(&Carried).unwrap();
+    for seed in [0, 1, u64::MAX] {
+        roughness_motion(&AlongTrack { seed }).unwrap();
+        roughness_motion(&RandomShift { seed }).unwrap();
+    }
+}
+
+/// Walks across the track and says something else.
+#[derive(Debug)]
+struct Straying(Visits);
+
+impl RoughnessMotion for Straying {
+    fn offset(&self, _body: usize, draw: u64, _time: f64, _speed: f64, _grid: &Grid) -> Offset {
+        Offset { columns: 0, rows: (draw % 3) as usize, fraction: 0.0 }
+    }
+    fn visits(&self, _speed: f64) -> Visits {
+        self.0
+    }
+}
+
+/// Nowhere.
+#[derive(Debug)]
+struct Lost;
+
+impl RoughnessMotion for Lost {
+    fn offset(&self, _body: usize, draw: u64, _time: f64, _speed: f64, _grid: &Grid) -> Offset {
+        Offset { fraction: if draw > 1 { f64::NAN } else { 0.0 }, ..Offset::default() }
+    }
+    fn visits(&self, _speed: f64) -> Visits {
+        Visits::Track
+    }
+}
+
 /// One broken clause each.
 #[derive(Debug)]
 enum Broken {
@@ -230,10 +267,50 @@ fn broken_contracts_are_found() {
         let violation = film_growth_law(&law).unwrap_err();
         assert!(clause == "any" || violation.to_string().contains(clause), "{violation}");
     }
+    for (motion, clause) in [
+        (&Straying(Visits::Stays) as &dyn RoughnessMotion, "keeps its offset"),
+        (&Straying(Visits::Track), "keeps its row"),
+        (&Lost, "from 0 to 1"),
+    ] {
+        let violation = roughness_motion(motion).unwrap_err();
+        assert!(violation.clause.contains(clause), "{violation}");
+    }
+    roughness_motion(&Straying(Visits::Patch)).unwrap();
     assert!(plasticity_model(&Softening).unwrap_err().clause.contains("do not fall"));
     assert!(wear_law(&Healing).unwrap_err().clause.contains("never negative"));
     assert!(viscosity_law(&Thinning).unwrap_err().clause.contains("does not fall"));
     assert!(density_law(&WrongSlope).unwrap_err().clause.contains("derivative"));
     // A dry solver cannot do a lubricated contact, and the check says so instead of passing.
     assert!(contact_solver(&mut Dry::new(), true).is_err());
+}
+
+/// A coefficient that counts how often it was asked for.
+#[derive(Debug, Default)]
+struct Counting(std::sync::atomic::AtomicU32);
+
+impl BoundaryFriction for Counting {
+    fn coefficient(&self, _: f64, _: f64, _: [f64; 2]) -> f64 {
+        f64::from(self.0.fetch_add(1, std::sync::atomic::Ordering::Relaxed))
+    }
+}
+
+/// A Stribeck-like law that divides by the speed.
+#[derive(Debug)]
+struct Diverging;
+
+impl BoundaryFriction for Diverging {
+    fn coefficient(&self, _: f64, sliding_speed: f64, _: [f64; 2]) -> f64 {
+        1e-3 / sliding_speed
+    }
+}
+
+#[test]
+fn boundary_friction_laws() {
+    boundary_friction(&ConstantFriction::new(0.115).unwrap()).unwrap();
+    boundary_friction(&FilmFriction::new(0.08, 0.12, 20e-9).unwrap()).unwrap();
+    boundary_friction(&FilmFriction::new(0.12, 0.0, 1e-12).unwrap()).unwrap();
+    let violation = boundary_friction(&Counting::default()).unwrap_err();
+    assert_eq!(violation.clause, "coefficients depend on the arguments alone");
+    let violation = boundary_friction(&Diverging).unwrap_err();
+    assert_eq!(violation.clause, "coefficients are finite and not negative");
 }

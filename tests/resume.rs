@@ -9,11 +9,12 @@ use std::process::{Child, Command, Stdio};
 use std::sync::OnceLock;
 
 use stribeck::elastic::HalfSpace;
-use stribeck::sim::scene::PlasticSpec;
+use stribeck::sim::scene::{Flash, PlasticSpec};
 use stribeck::sim::{
-    CheckpointError, MixedLubricationSim, RunFolder, Scene, SimBuilder, SimError, StepRecord,
+    CheckpointError, MixedLubricationSim, RunFolder, Scene, Schedule, SimBuilder, SimError, StepControl,
+    StepRecord,
 };
-use stribeck::surface::RoughnessMotion;
+use stribeck::surface::{Carried, RandomShift};
 use stribeck::tribochem::ThermalArrhenius;
 
 fn scene() -> Scene {
@@ -70,7 +71,7 @@ fn wear_history_with_film() {
 #[test]
 fn hardening_history() {
     resumed_equals_uninterrupted(
-        || MixedLubricationSim::builder(hardening()).motion(RoughnessMotion::RandomShift { seed: u64::MAX }),
+        || MixedLubricationSim::builder(hardening()).motion(RandomShift { seed: u64::MAX }),
         60.0,
     );
 }
@@ -79,7 +80,7 @@ fn hardening_history() {
 fn squeezed_history_starts_from_its_last_contact() {
     // Each solve starts from the pressures before: they belong to the checkpoint.
     resumed_equals_uninterrupted(
-        || MixedLubricationSim::builder(scene()).motion(RoughnessMotion::Convected).with_squeeze(),
+        || MixedLubricationSim::builder(scene()).motion(Carried).with_squeeze(),
         3e-5,
     );
 }
@@ -112,9 +113,9 @@ fn files_that_do_not_fit_are_refused() {
     assert!(matches!(refuse(b""), CheckpointError::Foreign { .. }));
     assert!(matches!(refuse(b"step,time_s\n1,2\n"), CheckpointError::Foreign { .. }));
     let mut newer = good.clone();
-    newer[20] = 4;
+    newer[20] = 5;
     let error = refuse(&newer);
-    assert!(matches!(error, CheckpointError::Newer { found: 4, known: 3, .. }), "{error}");
+    assert!(matches!(error, CheckpointError::Newer { found: 5, known: 4, .. }), "{error}");
     // Cut short anywhere, or a byte changed anywhere.
     for length in [20, 30, 36, 37, good.len() / 2, good.len() - 1] {
         let error = refuse(&good[..length]);
@@ -138,11 +139,13 @@ fn files_that_do_not_fit_are_refused() {
     };
     let mut other = scene();
     other.load.hertz_pressure = Some(1.1500000000000002e9);
-    assert_eq!(part(MixedLubricationSim::builder(other)), "scene");
-    let motion = RoughnessMotion::RandomShift { seed: 1 };
+    assert_eq!(part(MixedLubricationSim::builder(other)), "scene.load");
+    let motion = RandomShift { seed: 1 };
     assert_eq!(part(MixedLubricationSim::builder(scene()).motion(motion)), "motion");
     let law = ThermalArrhenius::new(100e-9, 1e-3, 0.1).unwrap();
-    assert_eq!(part(MixedLubricationSim::builder(scene()).growth_law(law)), "growth law");
+    let parts = part(MixedLubricationSim::builder(scene()).growth_law(law));
+    // The thickness of the film is in the two others.
+    assert_eq!(parts, "growth law, plasticity model, wear law");
     let stiffer = HalfSpace::new(scene().grid().unwrap(), 230e9).unwrap();
     assert_eq!(part(MixedLubricationSim::builder(scene()).deformation(stiffer)), "deformation model");
     let heights = vec![1e-9; 32 * 32];
@@ -219,7 +222,7 @@ fn folder_of_a_run() {
     let scene = Scene::load(parts.join("scene.toml")).unwrap();
     assert_eq!(&scene, sim.scene());
     let run = fs::read_to_string(parts.join("run.toml")).unwrap();
-    assert!(run.contains(env!("CARGO_PKG_VERSION")) && run.contains("seed = \"0\""), "{run}");
+    assert!(run.contains(env!("CARGO_PKG_VERSION")) && run.contains("AlongTrack { seed: 0 }"), "{run}");
 
     // A history that does not reach the checkpoint.
     fs::write(parts.join("history.csv"), format!("{}\n", StepRecord::CSV_HEADER)).unwrap();
@@ -299,16 +302,14 @@ impl Random {
 
 /// Runs that are killed (SIGKILL) at random moments, once to three times each, and resumed with another number of threads
 /// end with the files of one that is not killed, byte by byte.
-fn killed_runs(ends: usize, size: Size) {
+fn killed_runs(ends: usize, files: usize, start: impl Fn(&Path, &str) -> Child) {
     let folder = tempfile::tempdir().unwrap();
     let whole = folder.path().join("whole");
-    // Built before the clock starts: the length of a run is when the others are killed.
-    let _ = program();
     let begin = std::time::Instant::now();
-    assert!(start(&whole, size, "1").wait().unwrap().success());
+    assert!(start(&whole, "1").wait().unwrap().success());
     let length = begin.elapsed();
     let expected = contents(&whole);
-    assert!(expected.len() >= 18, "{} files", expected.len());
+    assert!(expected.len() >= files, "{} files", expected.len());
     let mut random = Random(0x2545_f491_4f6c_dd1d);
     let (mut same, mut kills, mut half_written) = (0, 0, 0);
     while same < ends {
@@ -316,7 +317,7 @@ fn killed_runs(ends: usize, size: Size) {
         let wanted = 1 + (3.0 * random.share()) as usize;
         let mut hits = 0;
         loop {
-            let mut child = start(&out, size, if (same + hits) % 2 == 0 { "1" } else { "2" });
+            let mut child = start(&out, if (same + hits) % 2 == 0 { "1" } else { "2" });
             if hits < wanted {
                 std::thread::sleep(length.mul_f64(0.9 * random.share()));
                 // The first kill of every second run waits for a file to be written; later ones may find what that left.
@@ -347,19 +348,137 @@ fn killed_runs(ends: usize, size: Size) {
     );
 }
 
+fn killed_examples(ends: usize, size: Size) {
+    // Built before the clock starts: the length of a run is when the others are killed.
+    let _ = program();
+    killed_runs(ends, 18, |out, threads| start(out, size, threads));
+}
+
+/// Where the process that is killed keeps its run.
+const FOLDER: &str = "STRIBECK_TEST_FOLDER";
+
+#[test]
+#[ignore = "the process that another test starts and kills"]
+fn scheduled_run_in_a_process_of_its_own() {
+    let Some(out) = std::env::var_os(FOLDER) else { return };
+    let mut sim = MixedLubricationSim::builder(scheduled()).build().unwrap();
+    let (mut files, _) = RunFolder::resume(PathBuf::from(out), &mut sim, 1).unwrap();
+    sim.run_until(200.0, &StepControl { longest: 8.0, depth: 20e-9 }, &mut files).unwrap();
+    files.finish(&sim).unwrap();
+}
+
+#[test]
+fn killed_scheduled_runs_end_as_uninterrupted_ones() {
+    killed_runs(3, 5, |out, threads| {
+        Command::new(std::env::current_exe().unwrap())
+            .args(["--exact", "--ignored", "scheduled_run_in_a_process_of_its_own"])
+            .env(FOLDER, out)
+            .env("RAYON_NUM_THREADS", threads)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap()
+    });
+}
+
 #[test]
 fn killed_runs_end_as_uninterrupted_ones() {
-    killed_runs(2, SMALL);
+    killed_examples(2, SMALL);
 }
 
 #[test]
 #[ignore = "takes minutes"]
 fn fifty_killed_runs() {
-    killed_runs(50, SMALL);
+    killed_examples(50, SMALL);
 }
 
 #[test]
 #[ignore = "takes minutes"]
 fn killed_runs_of_shared_lines() {
-    killed_runs(6, SHARED);
+    killed_examples(6, SHARED);
+}
+
+/// Loads in steps, speeds on ramps, so that the last step before the checkpoint and the first after it meet other conditions.
+fn scheduled() -> Scene {
+    let mut scene = scene();
+    scene.schedule.load = Some(Schedule::steps(&[(0.0, 30.0), (60.0, 40.0), (150.0, 50.0)]));
+    scene.schedule.entrainment_speed = Some(Schedule::ramps(&[(0.0, 0.1), (200.0, 0.4)]));
+    scene.schedule.slide_roll_ratio = Some(Schedule::ramps(&[(0.0, 0.05), (300.0, 0.5)]));
+    scene.schedule.bulk_temperature = Some(Schedule::ramps(&[(0.0, 353.0), (300.0, 383.0)]));
+    scene.thermal.flash = Flash::On;
+    scene
+}
+
+#[test]
+fn scheduled_history() {
+    resumed_equals_uninterrupted(|| MixedLubricationSim::builder(scheduled()), 60.0);
+    resumed_equals_uninterrupted(
+        || MixedLubricationSim::builder(scheduled()).motion(Carried).with_squeeze(),
+        0.01,
+    );
+}
+
+#[test]
+fn scheduled_runs_that_are_stopped_end_as_uninterrupted_ones() {
+    let folder = tempfile::tempdir().unwrap();
+    let (whole, parts) = (folder.path().join("whole"), folder.path().join("parts"));
+    let control = StepControl { longest: 40.0, depth: 20e-9 };
+    let build = || MixedLubricationSim::builder(scheduled()).build().unwrap();
+    let mut sim = build();
+    let mut files = RunFolder::create(&whole, &sim, 1).unwrap();
+    sim.run_until(200.0, &control, &mut files).unwrap();
+    files.finish(&sim).unwrap();
+    // Stopped after each step in turn, on both sides of the entries of the schedules.
+    for stop in 1..sim.steps() {
+        let mut sim = build();
+        let mut files = RunFolder::create(&parts, &sim, 1).unwrap();
+        let _ = sim.run_until(200.0, &control, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
+            let written = stribeck::sim::Observer::after_step(&mut files, sim, record);
+            if sim.steps() == stop { ControlFlow::Break(()) } else { written }
+        });
+        drop(files);
+        let mut sim = build();
+        let (mut files, records) = RunFolder::resume(&parts, &mut sim, 1).unwrap();
+        assert_eq!(records.len() as u64, stop);
+        sim.run_until(200.0, &control, &mut files).unwrap();
+        files.finish(&sim).unwrap();
+        assert_eq!(contents(&parts), contents(&whole), "stopped after {stop} steps");
+    }
+}
+
+#[test]
+fn a_run_goes_on_under_other_conditions_when_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("checkpoint");
+    let mut sim = MixedLubricationSim::builder(scene()).build().unwrap();
+    sim.step(60.0).unwrap();
+    sim.save(&path).unwrap();
+    let mut other = scheduled();
+    other.lubricant.as_mut().unwrap().eta0 = 0.008;
+    let mut under = MixedLubricationSim::builder(other).build().unwrap();
+    let before = bits(&under);
+    let names = ["scene.lubricant", "scene.thermal", "scene.schedule", "viscosity law"];
+    match under.restore(&path).unwrap_err() {
+        CheckpointError::Other { part, .. } => assert_eq!(part, names.join(", ")),
+        error => panic!("{error}"),
+    }
+    assert!(bits(&under) == before);
+    assert_eq!(under.restore_under_other_conditions(&path).unwrap(), names);
+    assert!(bits(&under) == bits(&sim));
+    let record = under.step(60.0).unwrap();
+    assert_eq!((record.time, record.load, record.step), (120.0, 40.0, 1));
+    assert!((record.motion.entrainment_speed - 0.19).abs() < 1e-12, "{record:?}");
+
+    // What is no condition stays refused, with all that differs named.
+    let mut other = scheduled();
+    other.plastic.as_mut().unwrap().hardness = 5e9;
+    let mut harder = MixedLubricationSim::builder(other).build().unwrap();
+    let before = bits(&harder);
+    match harder.restore_under_other_conditions(&path).unwrap_err() {
+        CheckpointError::Other { part, .. } => {
+            assert_eq!(part, "scene.plastic, scene.thermal, scene.schedule, plasticity model");
+        }
+        error => panic!("{error}"),
+    }
+    assert!(bits(&harder) == before);
 }

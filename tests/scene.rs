@@ -67,7 +67,9 @@ fn defaults_are_those_of_the_document() {
     assert_eq!((scene.friction, scene.tribofilm), (minimal.friction, minimal.tribofilm));
     assert_eq!(scene.wear, minimal.wear);
     let lubricant = scene.lubricant.take();
-    let short = Scene::from_toml(&dry("[lubricant]\neta0 = 0.004\nroelands_z = 0.68\n")).unwrap();
+    let short =
+        Scene::from_toml(&dry("[lubricant]\neta0 = 0.004\nroelands_z = 0.68\nformula_alpha = 1.494e-8\n"))
+            .unwrap();
     assert_eq!(short.lubricant, lubricant);
     assert_eq!(short.motion.entrainment_speed, 0.0);
 }
@@ -78,6 +80,8 @@ fn document_lists_every_key() {
     let code = [
         include_str!("../src/sim/scene/mod.rs"),
         include_str!("../src/sim/scene/processes.rs"),
+        include_str!("../src/sim/scene/materials.rs"),
+        include_str!("../src/sim/scene/schedule.rs"),
         include_str!("../src/surface/form.rs"),
     ]
     .concat();
@@ -112,7 +116,7 @@ fn unknown_keys_are_named_in_every_table() {
     assert_names(&format!("surprise = 1\n{}", dry("")), &["surprise", "line 1"]);
     let text = documented();
     let headers: Vec<&str> = text.lines().filter(|line| line.starts_with('[')).collect();
-    assert_eq!(headers.len(), 14);
+    assert_eq!(headers.len(), 15);
     for header in headers {
         let broken = text.replacen(header, &format!("{header}\nsurprise = 1"), 1);
         let line = 2 + text.lines().position(|other| other == header).unwrap();
@@ -165,6 +169,7 @@ fn values_out_of_range_are_named() {
         ("lubricant.eta0", "eta0 = 0.004", "eta0 = 1e-5", "1e-5"),
         ("lubricant.roelands_z", "= 0.68", "= 0.0", "0"),
         ("lubricant.roelands_p0", "= 1.96e8", "= -1.0", "-1"),
+        ("lubricant.formula_alpha", "= 1.494e-8", "= 0.0", "0"),
         ("lubricant.density_a", "= 0.6e-9", "= -1.0", "-1"),
         ("lubricant.density_b", "= 1.7e-9", "= nan", "NaN"),
         ("grid.nx", "nx = 128", "nx = 0", "0"),

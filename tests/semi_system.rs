@@ -75,7 +75,7 @@ fn every_law_of_the_flow_is_solved() {
         let mut scene = scene(64, 0.1, 60e-9, 10e-6, Some(6e9));
         scene.solver.scheme = Some(scheme);
         scene.solver.face_mobility = Some(face_mobility);
-        scene.solver.cavitation = cavitation;
+        scene.solver.cavitation = Some(cavitation);
         compare(&scene);
     }
 }

@@ -12,7 +12,7 @@ use stribeck::surface::Form;
 fn ball() -> Scene {
     let mut scene = Scene::azam_2019(64);
     (scene.roughness, scene.plastic) = (Default::default(), None);
-    scene.solver.cavitation = Cavitation::MassConserving;
+    scene.solver.cavitation = Some(Cavitation::MassConserving);
     scene
 }
 
@@ -140,7 +140,7 @@ fn supplies_that_do_not_fit_are_refused() {
         assert!(error.contains(&format!("lubricant.supplied_film = {text}")), "{error}");
     }
     let mut scene = supplied(ball(), 1e-8);
-    scene.solver.cavitation = Cavitation::Reynolds;
+    scene.solver.cavitation = Some(Cavitation::Reynolds);
     let error = solve_contact(&scene).unwrap_err().to_string();
     assert!(error.contains("lubricant.supplied_film = 1e-8") && error.contains("mass_conserving"), "{error}");
     // A dry contact needs no supply.

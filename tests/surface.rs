@@ -8,8 +8,9 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 use stribeck::metrics::height_statistics;
 use stribeck::surface::{
-    Autocorrelation, Form, FourierShift, Heights, Offset, RoughnessMotion, RoughnessSpec, SurfaceError,
-    add_blended, blend_shifted, copy_shifted, generate, read, write_npy,
+    AlongTrack, AtRest, Autocorrelation, Carried, Form, FourierShift, Heights, Offset, RandomShift,
+    RoughnessMotion, RoughnessSpec, SurfaceError, add_blended, blend_shifted, copy_shifted, generate, read,
+    write_npy,
 };
 use stribeck::{Grid, InputError};
 
@@ -147,7 +148,7 @@ fn extreme_and_bad_specifications() {
 fn shifts_depend_on_seed_body_and_step_and_fill_the_grid() {
     let shift = |seed, body, step, nx, ny| {
         let grid = Grid::centred(nx, ny, 1e-6, 1e-6).unwrap();
-        let offset = RoughnessMotion::RandomShift { seed }.offset(body, step, 1.0, 0.1, &grid);
+        let offset = RandomShift { seed }.offset(body, step, 1.0, 0.1, &grid);
         assert!(offset.fraction.abs() < f64::EPSILON);
         (offset.columns, offset.rows)
     };
@@ -172,9 +173,33 @@ fn shifts_depend_on_seed_body_and_step_and_fill_the_grid() {
 }
 
 #[test]
-fn a_convected_pattern_moves_with_its_body_and_comes_round() {
+fn places_along_the_track_are_even_for_each_body_and_of_one_on_the_other() {
+    let grid = Grid::centred(128, 96, 1e-6, 1e-6).unwrap();
+    for seed in [0, 5, u64::MAX] {
+        let column = |body, draw| AlongTrack { seed }.offset(body, draw, 7.0, 0.1, &grid).columns;
+        let even = |places: Vec<usize>| {
+            for eighth in 0..8 {
+                let count = places.iter().filter(|place| **place / 16 == eighth).count();
+                assert!((count as i64 - 90).abs() <= 3, "{count} of 720 places in eighth {eighth}");
+            }
+        };
+        for body in [0, 1] {
+            even((1..721).map(|draw| column(body, draw)).collect());
+        }
+        even((1..721).map(|draw| (column(0, draw) + 128 - column(1, draw)) % 128).collect());
+    }
+    let motion = AlongTrack { seed: 5 };
+    assert_eq!(motion.offset(0, 0, 7.0, 0.1, &grid), Offset::default());
+    // At rest relative to the contact.
+    assert_eq!(motion.offset(0, 9, 7.0, 0.0, &grid), Offset::default());
+    assert_eq!(AtRest.offset(0, 9, 7.0, 0.1, &grid), Offset::default());
+    assert_ne!(motion.offset(0, 9, 7.0, 0.1, &grid), AlongTrack { seed: 6 }.offset(0, 9, 7.0, 0.1, &grid));
+}
+
+#[test]
+fn a_carried_pattern_moves_with_its_body_and_comes_round() {
     let grid = Grid::centred(64, 5, 2e-6, 1e-6).unwrap();
-    let at = |time, speed| RoughnessMotion::Convected.offset(0, 9, time, speed, &grid);
+    let at = |time, speed| Carried.offset(0, 9, time, speed, &grid);
     assert_eq!(at(0.0, 0.1), Offset::default());
     // 1.5 cells downstream: column 0 of the grid sees what was 1.5 columns upstream.
     let offset = at(3e-6, 1.0);

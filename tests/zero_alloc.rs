@@ -316,7 +316,7 @@ fn a_step_of_the_simulation_with_everything() {
         (plastic.hardness, plastic.hardening_modulus) = (3e9, Some(1e16));
     }
     let builder = stribeck::sim::MixedLubricationSim::builder(scene);
-    let mut sim = builder.motion(stribeck::surface::RoughnessMotion::Convected).build().unwrap();
+    let mut sim = builder.motion(stribeck::surface::Carried).build().unwrap();
     let control = stribeck::sim::StepControl { longest: 7.0001, depth: 1e-9 };
     for _ in 0..10 {
         let _ = sim.step_within(&control).unwrap();

@@ -73,7 +73,7 @@ impl Contact {
         scene.solver.estimate = cells == options.cells;
         scene.solver.face_mobility = options.face_mobility;
         if let Some(cavitation) = options.cavitation {
-            scene.solver.cavitation = cavitation;
+            scene.solver.cavitation = Some(cavitation);
         }
         if self.elastic {
             scene.plastic = None;

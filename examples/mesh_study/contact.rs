@@ -84,13 +84,13 @@ pub(crate) fn solve(job: &Job, folder: &Path) -> Result<Row, Box<dyn Error>> {
     let mut scene = Scene::azam_2019(job.cells);
     scene.motion.entrainment_speed = job.speed;
     scene.solver.film_cutoff = job.cutoff;
-    scene.solver.cavitation = Cavitation::Reynolds;
+    scene.solver.cavitation = Some(Cavitation::Reynolds);
     match job.contact {
         Contact::Dry => scene.solver.kind = SolverKind::Dry,
         Contact::Inlet => {
             scene.solver.scheme = Some(Scheme::Limited);
             scene.solver.face_mobility = Some(FaceMobility::Inlet);
-            scene.solver.cavitation = Cavitation::MassConserving;
+            scene.solver.cavitation = Some(Cavitation::MassConserving);
         }
         Contact::Means => {
             scene.solver.scheme = Some(Scheme::FirstOrder);

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::Path;
 
 use stribeck::metrics::BearingCurve;
-use stribeck::sim::StepRecord;
+use stribeck::sim::{Body, StepRecord};
 
 use crate::chart::{BLACK, BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
 use crate::history::History;
@@ -202,7 +202,7 @@ fn film_profile(pair: Pair<'_>) -> Result<Figure, Box<dyn Error>> {
         lines.push(Line { pen: Pen::strong(colour), points });
     }
     Ok(Figure {
-        title: "Film along y at x = 0 in the last step (one random position of the roughness)".to_owned(),
+        title: "Film along y at x = 0 in the last step (one position of the roughness)".to_owned(),
         x_label: "y, \u{b5}m",
         x_scale: XScale::FromZero,
         legend: legend(pair),
@@ -210,7 +210,7 @@ fn film_profile(pair: Pair<'_>) -> Result<Figure, Box<dyn Error>> {
     })
 }
 
-/// Height of the disc over the share of its area that stands as high.
+/// Roughness of the disc on the track over the share of its area that stands as high.
 fn bearing_area(pair: Pair<'_>) -> Result<Figure, Box<dyn Error>> {
     let line = |heights: &[f64], pen: Pen| -> Result<Line, Box<dyn Error>> {
         let curve = BearingCurve::new(heights)?;
@@ -219,7 +219,12 @@ fn bearing_area(pair: Pair<'_>) -> Result<Figure, Box<dyn Error>> {
             (0..=BEARING_POINTS).map(|k| (100.0 * share(k), 1e9 * curve.height_at(share(k)))).collect();
         Ok(Line { pen, points })
     };
-    let [without, with] = pair.map(|history| &history.sim.bodies()[1]);
+    let on_track = |history: &History, heights: fn(&Body) -> &[f64]| {
+        history.sim.track_roughness(heights(&history.sim.bodies()[1]))
+    };
+    let [without, with] = pair;
+    let initial = on_track(without, Body::initial)?;
+    let (without, with) = (on_track(without, Body::surface)?, on_track(with, Body::surface)?);
     let mut legend = vec![(Pen::dashed(BLACK), "initial".to_owned())];
     legend.extend(
         pair.into_iter()
@@ -232,11 +237,11 @@ fn bearing_area(pair: Pair<'_>) -> Result<Figure, Box<dyn Error>> {
         x_scale: XScale::FromZero,
         legend,
         panels: vec![Panel {
-            y_label: "height above the mean, nm",
+            y_label: "height above the mean along the track, nm",
             lines: vec![
-                line(without.initial(), Pen::dashed(BLACK))?,
-                line(without.surface(), Pen::strong(BLUE))?,
-                line(with.surface(), Pen::strong(VERMILION))?,
+                line(&initial, Pen::dashed(BLACK))?,
+                line(&without, Pen::strong(BLUE))?,
+                line(&with, Pen::strong(VERMILION))?,
             ],
         }],
     })

@@ -4,13 +4,12 @@ use std::path::Path;
 
 use stribeck::sim::scene::{Flash, Roughness};
 use stribeck::sim::{MixedLubricationSim, Scene, SimError};
-use stribeck::surface::RoughnessMotion;
 use stribeck::{Grid, InputError, surface};
 
 use crate::options::Options;
 
-/// Bound of every residual of a solve: mass, load and complementarity. One solve stands for hundreds of passages at a
-/// random position of the roughness, and columns scatter by some 10 % from one position to the next.
+/// Bound of every residual of a solve: mass, load and complementarity. One solve stands for hundreds of passages at one
+/// position of the roughness, and columns scatter by some 10 % from one position to the next.
 const TOLERANCE: f64 = 1e-3;
 
 /// The simulations with and without tribofilm; all else is the same, roughness and its motion included.
@@ -19,8 +18,7 @@ pub(crate) fn pair(options: &Options) -> Result<[MixedLubricationSim; 2], SimErr
     let grid = scene.grid()?;
     let disc = options.surface.as_deref().map(|path| disc_heights(path, &grid)).transpose()?;
     let build = |scene: Scene| {
-        let motion = RoughnessMotion::RandomShift { seed: options.seed };
-        let builder = MixedLubricationSim::builder(scene).motion(motion);
+        let builder = MixedLubricationSim::builder(scene);
         match &disc {
             Some(heights) => builder.disc_heights(heights.clone()).build(),
             None => builder.build(),
@@ -34,6 +32,7 @@ fn scene(options: &Options) -> Scene {
     // Below a kelvin and negligible, but then the history can say so.
     scene.thermal.flash = Flash::On;
     scene.solver.tolerance = TOLERANCE;
+    scene.track.seed = options.seed;
     // Seed 1 gives the scene's own surfaces.
     let disc_seed = options.seed.wrapping_mul(2);
     let seeds = [disc_seed.wrapping_sub(1), disc_seed];

@@ -6,12 +6,14 @@ use stribeck::sim::StepRecord;
 
 use crate::history::History;
 
-/// How the end of a column is read.
+/// How start and end of a column are read.
 #[derive(Clone, Copy, PartialEq)]
 enum End {
     /// Belongs to the surfaces: the last step has it.
     Last,
-    /// Belongs to one random position of the roughness: the mean of the last steps tells more.
+    /// Adds up from nothing at the start: the last step has it.
+    Sum,
+    /// Belongs to one position of the roughness: the mean of the last steps tells more.
     Mean,
 }
 
@@ -29,12 +31,12 @@ const ROWS: [Row; 18] = [
     Row("contact load ratio", "", 1.0, 3, End::Mean, |r| r.load_ratio),
     Row("largest pressure", "GPa", 1e-9, 2, End::Mean, |r| r.max_pressure),
     Row("mean pressure", "GPa", 1e-9, 3, End::Mean, |r| r.mean_pressure),
-    Row("wear of the ball, mean", "nm", 1e9, 2, End::Last, |r| r.mean_wear[0]),
-    Row("wear of the disc, mean", "nm", 1e9, 2, End::Last, |r| r.mean_wear[1]),
-    Row("wear of the disc, largest", "nm", 1e9, 1, End::Last, |r| r.max_wear[1]),
-    Row("tribofilm of the ball, mean", "nm", 1e9, 1, End::Last, |r| r.mean_film[0]),
-    Row("tribofilm of the disc, mean", "nm", 1e9, 1, End::Last, |r| r.mean_film[1]),
-    Row("volume flattened", "um^3", 1e18, 1, End::Last, |r| r.plastic_volume),
+    Row("wear of the ball, track", "nm", 1e9, 2, End::Sum, |r| r.track_wear[0]),
+    Row("wear of the disc, track", "nm", 1e9, 2, End::Sum, |r| r.track_wear[1]),
+    Row("wear of the disc, largest", "nm", 1e9, 1, End::Sum, |r| r.max_wear[1]),
+    Row("tribofilm of the ball, track", "nm", 1e9, 1, End::Sum, |r| r.track_film[0]),
+    Row("tribofilm of the disc, track", "nm", 1e9, 1, End::Sum, |r| r.track_film[1]),
+    Row("volume flattened", "um^3", 1e18, 1, End::Sum, |r| r.plastic_volume),
     Row("flash temperature rise", "K", 1.0, 2, End::Mean, |r| r.flash_rise.unwrap_or(f64::NAN)),
     Row("friction coefficient", "", 1.0, 4, End::Mean, |r| r.friction_coefficient),
 ];
@@ -53,7 +55,11 @@ pub(crate) fn closing(with: &History, without: &History) -> String {
         let [left, right] = histories.map(|history| ends(history, &row));
         let _ = writeln!(text, "{:<29}{unit:<7}{left}  {right}", format!("{name}{mark}"));
     }
-    let _ = writeln!(text, "start: first step; end: last step (*: mean of the last {})", with.window());
+    let _ = writeln!(
+        text,
+        "start: time zero; end: last step (*: mean of the last {}); track: mean over its width",
+        with.window()
+    );
     for history in histories {
         let moved = history.records.iter().filter(|record| record.attempts > 1).count();
         let count = history.records.len();
@@ -68,12 +74,15 @@ fn ends(history: &History, &Row(_, _, factor, decimals, end, value): &Row) -> St
     let [Some(first), Some(last)] = [records.first(), records.last()] else {
         return format!("{:>11}{:>11}", "-", "-");
     };
+    let sums = end == End::Sum;
     let end = match end {
-        End::Last => value(last),
+        End::Last | End::Sum => value(last),
         End::Mean => {
             let tail = &records[records.len().saturating_sub(history.window())..];
             tail.iter().map(value).sum::<f64>() / tail.len() as f64
         }
     };
-    format!("{:>11.decimals$}{:>11.decimals$}", factor * value(first), factor * end)
+    // The contact of the first step is that of time zero.
+    let start = if sums { 0.0 } else { value(first) };
+    format!("{:>11.decimals$}{:>11.decimals$}", factor * start, factor * end)
 }

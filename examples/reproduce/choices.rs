@@ -2,10 +2,8 @@
 
 use stribeck::reynolds::{FaceMobility, Scheme};
 use stribeck::sim::Scene;
-use stribeck::sim::scene::{Flash, GridSpec, Roughness};
-use stribeck::surface::RoughnessMotion;
+use stribeck::sim::scene::{Exposure, Flash, GridSpec, Roughness, TrackMotion};
 use stribeck::tribochem::Activation;
-use stribeck::wear::track_duty_factor;
 
 /// One flip.
 #[derive(Debug)]
@@ -15,35 +13,14 @@ pub(crate) struct Choice {
     /// What is changed, in words.
     pub(crate) text: &'static str,
     pub(crate) flip: fn(&mut Scene),
-    pub(crate) motion: Motion,
+    pub(crate) motion: TrackMotion,
     /// Factor of the time step; the steps are fewer by it.
     pub(crate) time_step: f64,
 }
 
-/// Motion of the roughness.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Motion {
-    Random,
-    Fixed,
-    Convected,
-}
-
-impl Motion {
-    pub(crate) fn of_seed(self, seed: u64) -> RoughnessMotion {
-        match self {
-            Self::Random => RoughnessMotion::RandomShift { seed },
-            Self::Fixed => RoughnessMotion::Fixed,
-            Self::Convected => RoughnessMotion::Convected,
-        }
-    }
-}
-
 /// The scene as it is.
 pub(crate) const BASE: Choice =
-    Choice { name: "base", text: "none", flip: |_| {}, motion: Motion::Random, time_step: 1.0 };
-
-/// The flip with a box of another size.
-pub(crate) const INLET: &str = "inlet";
+    Choice { name: "base", text: "none", flip: |_| {}, motion: TrackMotion::AlongTrack, time_step: 1.0 };
 
 /// Radius of the track on the disc, as printed, and of the ball \[m\].
 const TRACK_RADII: [f64; 2] = [9.525e-3, 23e-3];
@@ -55,7 +32,7 @@ pub(crate) const NO_FLIP: Choice = flip("no_flip", "none", |_| {});
 pub(crate) const LONG_STEPS: Choice = Choice { name: "long_steps", time_step: 4.0, ..NO_FLIP };
 
 /// All flips.
-pub(crate) const CHOICES: [Choice; 24] = [
+pub(crate) const CHOICES: [Choice; 25] = [
     flip("alpha", "alpha 14.94 1/GPa as stated, instead of 14.39 by Roelands", |scene| {
         if let Some(oil) = &mut scene.lubricant {
             oil.alpha = Some(14.94e-9);
@@ -108,17 +85,29 @@ pub(crate) const CHOICES: [Choice; 24] = [
             }
         },
     ),
-    flip("duty", "track duty factor instead of none", |scene| {
-        let Ok(hertz) = scene.hertz() else { return };
-        let shares = TRACK_RADII.map(|radius| track_duty_factor(hertz.a_x, radius).unwrap_or(1.0));
-        if let Some(wear) = &mut scene.wear {
-            [wear.duty_factor_ball, wear.duty_factor_disc] = shares;
-        }
-    }),
-    Choice { motion: Motion::Fixed, ..flip("fixed", "roughness fixed instead of moved at random", |_| {}) },
+    flip(
+        "duty",
+        "a point of the track is in contact as long as the contact takes to pass, instead of all the time",
+        |scene| {
+            scene.track.exposure = Exposure::Track;
+            [scene.track.radius_ball, scene.track.radius_disc] = TRACK_RADII.map(Some);
+        },
+    ),
     Choice {
-        motion: Motion::Convected,
-        ..flip("convected", "roughness carried by the bodies instead of moved at random", |_| {})
+        motion: TrackMotion::AtRest,
+        ..flip("fixed", "roughness fixed instead of moved along the track", |_| {})
+    },
+    Choice {
+        motion: TrackMotion::Carried,
+        ..flip(
+            "convected",
+            "roughness carried by the bodies instead of moved to places along the track",
+            |_| {},
+        )
+    },
+    Choice {
+        motion: TrackMotion::Random,
+        ..flip("random", "roughness moved at random along and across instead of along the track", |_| {})
     },
     Choice { time_step: 6.0, ..flip("time_step_long", "steps three times as long", |_| {}) },
     Choice { time_step: 0.5, ..flip("time_step_short", "steps a quarter as long", |_| {}) },
@@ -130,16 +119,12 @@ pub(crate) const CHOICES: [Choice; 24] = [
         scene.solver.scheme = Some(Scheme::FirstOrder);
         scene.solver.face_mobility = Some(FaceMobility::ReducedPressure);
     }),
-    flip(
-        INLET,
-        "box from -2.5 to 1.5 contact radii instead of centred (its mean wear is over a larger box)",
-        |scene| {
-            let Ok(hertz) = scene.hertz() else { return };
-            if let GridSpec::Cells { x, .. } = &mut scene.grid {
-                *x = [-2.5 * hertz.a_x, 1.5 * hertz.a_x];
-            }
-        },
-    ),
+    flip("inlet", "box from -2.5 to 1.5 contact radii instead of centred", |scene| {
+        let Ok(hertz) = scene.hertz() else { return };
+        if let GridSpec::Cells { x, .. } = &mut scene.grid {
+            *x = [-2.5 * hertz.a_x, 1.5 * hertz.a_x];
+        }
+    }),
     flip("exponential", "exponential autocorrelation instead of Gaussian", |scene| {
         for body in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
             if let Roughness::Gaussian(random) = *body {
@@ -159,7 +144,7 @@ pub(crate) const CHOICES: [Choice; 24] = [
 ];
 
 const fn flip(name: &'static str, text: &'static str, flip: fn(&mut Scene)) -> Choice {
-    Choice { name, text, flip, motion: Motion::Random, time_step: 2.0 }
+    Choice { name, text, flip, motion: TrackMotion::AlongTrack, time_step: 2.0 }
 }
 
 fn set_length(scene: &mut Scene, length: f64) {

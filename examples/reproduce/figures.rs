@@ -32,7 +32,7 @@ pub(crate) fn draw_all(results: &Results, folder: &Path) -> Result<(), Box<dyn E
         over_time(
             results,
             "Wear depth of the disc, mean over its patch",
-            &[("wear depth, nm", "mean_wear_disc_m", 1e9)],
+            &[("wear depth, nm", "track_wear_disc_m", 1e9)],
         ),
         profiles(results),
         bearing(results),

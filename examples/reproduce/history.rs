@@ -31,10 +31,10 @@ const COLUMNS: [&str; 17] = [
     "area_ratio",
     "load_ratio",
     "max_pressure_pa",
-    "mean_wear_ball_m",
-    "mean_wear_disc_m",
+    "track_wear_ball_m",
+    "track_wear_disc_m",
     "max_wear_disc_m",
-    "mean_film_disc_m",
+    "track_film_disc_m",
     "friction_coefficient",
     "flash_rise_k",
     "attempts",
@@ -52,10 +52,10 @@ fn row(record: &StepRecord) -> [f64; COLUMNS.len()] {
         record.area_ratio,
         record.load_ratio,
         record.max_pressure,
-        record.mean_wear[0],
-        record.mean_wear[1],
+        record.track_wear[0],
+        record.track_wear[1],
         record.max_wear[1],
-        record.mean_film[1],
+        record.track_film[1],
         record.friction_coefficient,
         record.flash_rise.unwrap_or(0.0),
         f64::from(record.attempts),
@@ -178,7 +178,8 @@ pub(crate) fn write(run: &Run, options: &Options) -> Result<String, String> {
     let _ = writeln!(text, "# profile\n{profile}# initial");
     let disc = &sim.bodies()[1];
     for (heights, next) in [(disc.initial(), "# final\n"), (disc.surface(), "")] {
-        let curve = BearingCurve::new(heights).map_err(|error| error.to_string())?;
+        let on_track = sim.track_roughness(heights).map_err(|error| error.to_string())?;
+        let curve = BearingCurve::new(&on_track).map_err(|error| error.to_string())?;
         for k in 0..=BEARING_POINTS {
             let share = f64::from(k) / f64::from(BEARING_POINTS);
             push(&mut text, &[share, curve.height_at(share)]);

@@ -4,14 +4,14 @@ use std::collections::VecDeque;
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
-use stribeck::sim::scene::{Flash, Roughness};
+use stribeck::sim::scene::{Flash, Roughness, TrackMotion};
 use stribeck::sim::{MixedLubricationSim, Scene, SimError};
 
-use crate::choices::{BASE, CHOICES, Choice, LONG_STEPS, Motion, NO_FLIP};
+use crate::choices::{BASE, CHOICES, Choice, LONG_STEPS, NO_FLIP};
 use crate::history;
 use crate::options::Options;
 
-/// Bound of every residual of a solve: one solve stands for hundreds of passages at a random position of the roughness,
+/// Bound of every residual of a solve: one solve stands for hundreds of passages at one position of the roughness,
 /// and columns scatter by some 10 % from one position to the next.
 const TOLERANCE: f64 = 1e-3;
 
@@ -42,8 +42,8 @@ impl Run {
     pub(crate) fn time_step(&self, options: &Options) -> f64 {
         let time_step = options.time_step * self.choice.time_step;
         match self.choice.motion {
-            Motion::Random | Motion::Fixed => time_step,
-            Motion::Convected => time_step + OFF_BEAT,
+            TrackMotion::Carried => time_step + OFF_BEAT,
+            _ => time_step,
         }
     }
 
@@ -61,8 +61,9 @@ impl Run {
                 random.seed = seed;
             }
         }
+        (scene.track.motion, scene.track.seed) = (self.choice.motion, self.seed);
         (self.choice.flip)(&mut scene);
-        MixedLubricationSim::builder(scene).motion(self.choice.motion.of_seed(self.seed)).build()
+        MixedLubricationSim::builder(scene).build()
     }
 }
 

@@ -3,9 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-use stribeck::sim::Scene;
-
-use crate::choices::{BASE, Choice, INLET, LONG_STEPS, NOT_FLIPPED};
+use crate::choices::{BASE, Choice, LONG_STEPS, NOT_FLIPPED};
 use crate::history::{self, History};
 use crate::options::Options;
 use crate::plan::Run;
@@ -14,6 +12,8 @@ use crate::statements::{Pair, STATEMENTS};
 
 /// The paper's wear of the disc without and with film \[nm\].
 const PAPER_WEAR: [f64; 2] = [152.0, 132.0];
+/// Area of the square around the Hertz circle over that of the circle.
+const CIRCLE: f64 = 4.0 / PI;
 
 /// All pairs of histories.
 pub(crate) struct Results {
@@ -91,7 +91,7 @@ fn introduction(page: &mut String, results: &Results, options: &Options) {
         "# The paper's experiment\n\n\
          Written by `{command}`: Azam, Ghanbarzadeh, Neville, Morina, Wilson (2019), Tribology International 135, 161-169. \
          {seeds} seeds of roughness and motion, {grid} x {grid} nodes, {steps} steps of {step} s, residuals of 1e-3, \
-         contact below 1 nm, random shift of both roughnesses each step. What the paper leaves open is chosen as in \
+         contact below 1 nm, roughness moved along the track each step. What the paper leaves open is chosen as in \
          `Scene::azam_2019`; nothing was tuned.\n\n"
     );
     if steps as f64 * step < 7200.0 {
@@ -143,9 +143,9 @@ fn quantities(page: &mut String, results: &Results) {
         ("area ratio", "area_ratio", 1.0, 3),
         ("load ratio", "load_ratio", 1.0, 3),
         ("largest pressure, GPa", "max_pressure_pa", 1e-9, 2),
-        ("mean wear ball, nm", "mean_wear_ball_m", 1e9, 2),
-        ("mean wear disc, nm", "mean_wear_disc_m", 1e9, 2),
-        ("mean film disc, nm", "mean_film_disc_m", 1e9, 1),
+        ("wear of the ball's track, nm", "track_wear_ball_m", 1e9, 2),
+        ("wear of the disc's track, nm", "track_wear_disc_m", 1e9, 2),
+        ("film on the disc's track, nm", "track_film_disc_m", 1e9, 1),
         ("friction coefficient", "friction_coefficient", 1.0, 4),
         ("largest flash temperature, K", "flash_rise_k", 1.0, 2),
     ] {
@@ -200,18 +200,13 @@ fn wear_readings(page: &mut String, results: &Results, table: Option<&Table>) {
         page,
         "\n## The paper's two numbers\n\nWear of the disc after two hours: {} nm without, {} nm with film, ratio {:.3}. The \
          paper does not say over which area it averages, nor which pressure wears. Seen from the contact \
-         nearly all wear falls inside the Hertz circle: the mean over it is taken as that of the box times the ratio of the areas.\n\n\
+         nearly all wear falls inside the Hertz circle: the mean over it is taken as that over the width of the track, whose square has \
+         4/pi times the area of the circle, times this.\n\n\
          | reading | without, nm | with, nm | ratio |\n|---|---|---|---|\n",
         PAPER_WEAR[0],
         PAPER_WEAR[1],
         PAPER_WEAR[1] / PAPER_WEAR[0]
     );
-    let scene = Scene::azam_2019(128);
-    let areas = scene.hertz().map_or(f64::NAN, |hertz| {
-        scene
-            .grid()
-            .map_or(f64::NAN, |grid| grid.len() as f64 * grid.cell_area() / (PI * hertz.a_x * hertz.a_y))
-    });
     let mut row = |reading: &str, without: f64, with: f64| {
         let ratio = with / without;
         let _ = writeln!(page, "| {reading} | {:.1} | {:.1} | {ratio:.3} |", 1e9 * without, 1e9 * with);
@@ -219,17 +214,17 @@ fn wear_readings(page: &mut String, results: &Results, table: Option<&Table>) {
     let mean = |column: &'static str| {
         [results.mean(|pair| pair.without.last(column)), results.mean(|pair| pair.with.last(column))]
     };
-    let [without, with] = mean("mean_wear_disc_m");
-    row("all pressure, mean over the box", without, with);
-    row("all pressure, mean over the Hertz circle", areas * without, areas * with);
+    let [without, with] = mean("track_wear_disc_m");
+    row("all pressure, mean over the width of the track", without, with);
+    row("all pressure, mean over the Hertz circle", CIRCLE * without, CIRCLE * with);
     let [without, with] = mean("max_wear_disc_m");
     row("all pressure, deepest node", without, with);
     let flips = table.map_or(&[][..], |table| &table.rows);
-    // Histories of different lengths cannot be compared, nor boxes of another size.
-    for flip in flips.iter().filter(|flip| flip.is_whole() && flip.name != INLET) {
+    // Histories of different lengths cannot be compared.
+    for flip in flips.iter().filter(|flip| flip.is_whole()) {
         let [ratio, without, ..] = flip.numbers[..] else { continue };
         let reading = format!("first seed, flipped: {} (`{}`), Hertz circle", flip.flip, flip.name);
-        row(&reading, areas * without, areas * without * ratio);
+        row(&reading, CIRCLE * without, CIRCLE * without * ratio);
     }
 }
 

@@ -118,8 +118,8 @@ impl Table {
 }
 
 fn row(choice: &Choice, pair: &Pair, base: &Pair) -> Row {
-    let wear = [&pair.with, &pair.without].map(|history| history.last("mean_wear_disc_m"));
-    let mut numbers = vec![wear[0] / wear[1], wear[1], pair.with.last("mean_film_disc_m")];
+    let wear = [&pair.with, &pair.without].map(|history| history.last("track_wear_disc_m"));
+    let mut numbers = vec![wear[0] / wear[1], wear[1], pair.with.last("track_film_disc_m")];
     for column in ["lambda", "area_ratio", "load_ratio"] {
         numbers.extend([pair.with.end(column), pair.without.end(column)]);
     }

@@ -38,7 +38,7 @@ pub(crate) const STATEMENTS: [Statement; 17] = [
     Statement { text: "lambda falls in time, without film", holds: |p| falls(&p.without, "lambda") },
     Statement {
         text: "wear of the disc lower with film",
-        holds: |p| p.with.last("mean_wear_disc_m") < p.without.last("mean_wear_disc_m"),
+        holds: |p| p.with.last("track_wear_disc_m") < p.without.last("track_wear_disc_m"),
     },
     Statement {
         text: "largest pressure first at the 6 GPa that an elastic contact exceeds",

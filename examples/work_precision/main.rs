@@ -305,7 +305,7 @@ fn solve(
         contact: scene.solver.contact,
         scheme: scene.scheme(),
         face_mobility: scene.face_mobility(),
-        cavitation: scene.solver.cavitation,
+        cavitation: scene.cavitation(),
         supplied_film: None,
         shear_thinning: None,
         reference_half_widths: (hertz.a_x, hertz.a_y),

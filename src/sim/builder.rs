@@ -2,20 +2,23 @@
 
 use super::body::Body;
 use super::contact::{ContactModel, Overrides};
-use super::scene::{Flash, Scene};
-use super::simulation::{Heat, Laws, MixedLubricationSim, Travel};
-use super::{SimError, setup};
+use super::friction::boundary_law;
+use super::heat::Heat;
+use super::per_body::PerBody;
+use super::scene::{BODIES, PlasticSpec, Scene, WearSpec};
+use super::simulation::{Laws, MixedLubricationSim, Travel};
+use super::start::BodyStart;
+use super::timetable::Timetable;
+use super::{SimError, exposure, setup};
+use crate::boundary_friction::BoundaryFriction;
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
 use crate::lubricant::{DensityLaw, ViscosityLaw};
 use crate::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
 use crate::reynolds::ContactSolver;
 use crate::surface::RoughnessMotion;
-use crate::tribochem::{FilmGrowthLaw, FlashTemperature, ThermalBody, estimate_maximum_rise};
+use crate::tribochem::FilmGrowthLaw;
 use crate::wear::{Archard, WearLaw, WearPressure};
-
-/// Flash temperature rise below which the heat pass is left out unless asked for \[K\].
-const NEGLIGIBLE_RISE: f64 = 1.0;
 
 /// Builder of a [`MixedLubricationSim`].
 #[derive(Debug)]
@@ -25,9 +28,11 @@ pub struct SimBuilder {
     plasticity: Option<Box<dyn PlasticityModel>>,
     growth: Option<Box<dyn FilmGrowthLaw>>,
     wear: Option<Box<dyn WearLaw>>,
-    motion: RoughnessMotion,
+    friction: Option<Box<dyn BoundaryFriction>>,
+    motion: Option<Box<dyn RoughnessMotion>>,
     squeeze: bool,
     heights: [Option<Vec<f64>>; 2],
+    starts: [Option<BodyStart>; 2],
 }
 
 impl SimBuilder {
@@ -38,9 +43,11 @@ impl SimBuilder {
             plasticity: None,
             growth: None,
             wear: None,
-            motion: RoughnessMotion::RandomShift { seed: 0 },
+            friction: None,
+            motion: None,
             squeeze: false,
             heights: [None, None],
+            starts: [None, None],
         }
     }
 
@@ -93,16 +100,37 @@ impl SimBuilder {
         self
     }
 
-    /// Sets how the roughness of the bodies moves from step to step; random shifts with seed 0 by default.
+    /// Replaces the law of friction in solid contact.
     #[must_use]
-    pub fn motion(mut self, motion: RoughnessMotion) -> Self {
-        self.motion = motion;
+    pub fn boundary_friction(mut self, law: impl BoundaryFriction + 'static) -> Self {
+        self.friction = Some(Box::new(law));
+        self
+    }
+
+    /// Begins with a ball that has been through an earlier run: its heights, wear, plastic depth and tribofilm.
+    #[must_use]
+    pub fn ball_start(mut self, start: BodyStart) -> Self {
+        self.starts[0] = Some(start);
+        self
+    }
+
+    /// Begins with a disc that has been through an earlier run: its heights, wear, plastic depth and tribofilm.
+    #[must_use]
+    pub fn disc_start(mut self, start: BodyStart) -> Self {
+        self.starts[1] = Some(start);
+        self
+    }
+
+    /// Replaces the motion of the roughness from step to step.
+    #[must_use]
+    pub fn motion(mut self, motion: impl RoughnessMotion + 'static) -> Self {
+        self.motion = Some(Box::new(motion));
         self
     }
 
     /// Makes the history transient: each contact after the first feels the squeeze of the films of the two before
     /// ([`Squeeze::second_order`](crate::reynolds::Squeeze::second_order); of first order in the second contact and after a step
-    /// more than twice as long as the one before). It belongs to [`RoughnessMotion::Convected`] and steps of the time that the
+    /// more than twice as long as the one before). It belongs to [`Carried`](crate::surface::Carried) and steps of the time that the
     /// surfaces need for a cell; in the long steps of a wear history the squeeze is nothing.
     #[must_use]
     pub fn with_squeeze(mut self) -> Self {
@@ -129,15 +157,17 @@ impl SimBuilder {
     /// # Errors
     /// A scene or heights that do not fit.
     pub fn build(mut self) -> Result<MixedLubricationSim, SimError> {
+        self.scene.schedule.read_tables()?;
         let overrides = std::mem::take(&mut self.overrides);
         let contact = ContactModel::new(&self.scene, overrides)?;
+        let timetable = Timetable::new(&self.scene)?;
+        exposure::validate(&self.scene, &timetable, &contact.grid)?;
         let laws = self.laws()?;
-        let [ball, disc] = std::mem::take(&mut self.heights);
-        let bodies = [self.body(ball, 0, &contact, &laws)?, self.body(disc, 1, &contact, &laws)?];
-        let (flash, flash_estimate) = self.flash(&contact)?;
-        let heat = Heat { flash, estimate: flash_estimate };
-        let travel = Travel { motion: self.motion, squeeze: self.squeeze };
-        Ok(MixedLubricationSim::assemble(self.scene, contact, bodies, laws, heat, travel)?)
+        let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
+        let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
+        let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion());
+        let travel = Travel { motion, squeeze: self.squeeze };
+        Ok(MixedLubricationSim::assemble((self.scene, timetable), contact, bodies, laws, heat, travel)?)
     }
 
     fn laws(&mut self) -> Result<Laws, SimError> {
@@ -148,53 +178,41 @@ impl SimBuilder {
             (None, None) => None,
         };
         let film_thickness = growth.as_ref().map(|law| law.maximum_thickness());
-        let plasticity: Option<Box<dyn PlasticityModel>> = match (self.plasticity.take(), scene.plastic) {
-            (Some(model), _) => Some(model),
-            (None, Some(spec)) => {
-                let initial = match (spec.film_hardness, film_thickness) {
-                    (Some(film), Some(full)) => {
-                        ElasticPerfectlyPlastic::with_film(spec.hardness, film, full)?
-                    }
-                    _ => ElasticPerfectlyPlastic::uniform(spec.hardness)?,
-                };
-                Some(match spec.hardening_modulus {
-                    Some(modulus) => Box::new(IsotropicHardening::new(initial, modulus)?),
-                    None => Box::new(initial),
-                })
-            }
+        let plasticity = match (self.plasticity.take(), scene.plastic) {
+            (Some(model), _) => Some(PerBody::same(model)),
+            (None, Some(spec)) => Some(PerBody::by(scene.hardnesses(spec.hardness), |hardness| {
+                plasticity_model(&PlasticSpec { hardness, ..spec }, film_thickness)
+            })?),
             (None, None) => None,
         };
-        let wear: Option<Box<dyn WearLaw>> = match (self.wear.take(), scene.wear) {
-            (Some(law), _) => Some(law),
-            (None, Some(spec)) => {
-                // Without a film the reference thickness is never reached: any positive one will do.
-                let full = film_thickness.unwrap_or(1.0);
-                let mut law = Archard::new(spec.coefficient, spec.film_coefficient, full, spec.hardness)?;
-                if let Some(film_hardness) = spec.film_hardness {
-                    law = law.with_film_hardness(film_hardness)?;
-                }
-                let pressure =
-                    if spec.solid_pressure_only { WearPressure::Solid } else { WearPressure::Total };
-                Some(Box::new(law.with_pressure(pressure)))
-            }
+        let wear = match (self.wear.take(), scene.wear) {
+            (Some(law), _) => Some(PerBody::same(law)),
+            (None, Some(spec)) => Some(PerBody::by(scene.hardnesses(spec.hardness), |hardness| {
+                wear_law(&WearSpec { hardness, ..spec }, film_thickness)
+            })?),
             (None, None) => None,
         };
-        let duty = self.scene.wear.map_or([1.0; 2], |spec| [spec.duty_factor_ball, spec.duty_factor_disc]);
-        Ok(Laws { plasticity, growth, wear, duty })
+        let friction = match self.friction.take() {
+            Some(law) => law,
+            None => boundary_law(&scene.friction, film_thickness)?,
+        };
+        Ok(Laws { plasticity, growth, wear, friction })
     }
 
-    fn body(
-        &self,
-        heights: Option<Vec<f64>>,
-        index: usize,
-        contact: &ContactModel,
-        laws: &Laws,
-    ) -> Result<Body, SimError> {
-        let (name, roughness) = if index == 0 {
-            ("ball", &self.scene.roughness.ball)
-        } else {
-            ("disc", &self.scene.roughness.disc)
-        };
+    fn body(&mut self, index: usize, contact: &ContactModel, laws: &Laws) -> Result<Body, SimError> {
+        let name = BODIES[index];
+        let (heights, start) = (self.heights[index].take(), self.starts[index].take());
+        if let Some(start) = start {
+            if heights.is_some() {
+                return Err(SimError::Input(InputError::Conflict {
+                    field: format!("{name} start"),
+                    reason: format!("heights of the {name} are given too, and a start brings its own"),
+                }));
+            }
+            return Ok(start.into_body(name, &contact.grid, laws.growth.as_deref())?);
+        }
+        let roughness = &self.scene.roughness;
+        let roughness = [&roughness.ball, &roughness.disc][index];
         let initial = match heights {
             Some(heights) => heights,
             None => setup::heights(roughness, &contact.grid, name)?,
@@ -204,22 +222,29 @@ impl SimBuilder {
         InputError::require_finite(&field, &initial)?;
         Ok(Body::new(initial, laws.growth.as_deref()))
     }
+}
 
-    /// The heat pass, unless it is switched off or its estimate is negligible, and the estimate \[K\].
-    fn flash(&self, contact: &ContactModel) -> Result<(Option<FlashTemperature>, f64), SimError> {
-        let (thermal, motion) = (self.scene.thermal, self.scene.motion);
-        let steel = ThermalBody { conductivity: thermal.conductivity, diffusivity: thermal.diffusivity };
-        let speeds = motion.surface_speeds();
-        let radius = contact.hertz.radius;
-        let friction = self.scene.friction.boundary_coefficient;
-        let estimate = estimate_maximum_rise([steel; 2], speeds, friction, contact.hertz.p_max, radius)?;
-        let wanted = match thermal.flash {
-            Flash::On => true,
-            Flash::Off => false,
-            Flash::Auto => estimate >= NEGLIGIBLE_RISE,
-        };
-        let flash =
-            if wanted { Some(FlashTemperature::new(&contact.grid, [steel; 2], speeds)?) } else { None };
-        Ok((flash, estimate))
+fn plasticity_model(
+    spec: &PlasticSpec,
+    film_thickness: Option<f64>,
+) -> Result<Box<dyn PlasticityModel>, InputError> {
+    let initial = match (spec.film_hardness, film_thickness) {
+        (Some(film), Some(full)) => ElasticPerfectlyPlastic::with_film(spec.hardness, film, full)?,
+        _ => ElasticPerfectlyPlastic::uniform(spec.hardness)?,
+    };
+    Ok(match spec.hardening_modulus {
+        Some(modulus) => Box::new(IsotropicHardening::new(initial, modulus)?),
+        None => Box::new(initial),
+    })
+}
+
+fn wear_law(spec: &WearSpec, film_thickness: Option<f64>) -> Result<Box<dyn WearLaw>, InputError> {
+    // Without a film the reference thickness is never reached: any positive one will do.
+    let full = film_thickness.unwrap_or(1.0);
+    let mut law = Archard::new(spec.coefficient, spec.film_coefficient, full, spec.hardness)?;
+    if let Some(film_hardness) = spec.film_hardness {
+        law = law.with_film_hardness(film_hardness)?;
     }
+    let pressure = if spec.solid_pressure_only { WearPressure::Solid } else { WearPressure::Total };
+    Ok(Box::new(law.with_pressure(pressure)))
 }

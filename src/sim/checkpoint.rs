@@ -15,7 +15,8 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::body::Body;
-use super::simulation::{Identity, MixedLubricationSim};
+use super::identity::{CONDITIONS, Identity};
+use super::simulation::MixedLubricationSim;
 use super::squeeze_memory::SqueezeMemory;
 use super::whole_file;
 use crate::error::InputError;
@@ -26,7 +27,7 @@ use crate::wear::WearDepth;
 
 const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
 /// Format that this version writes and reads.
-const FORMAT: u32 = 3;
+const FORMAT: u32 = 4;
 /// Bytes before the content.
 const HEADER: usize = 36;
 
@@ -201,7 +202,41 @@ impl MixedLubricationSim {
     /// # Errors
     /// A file that cannot be read, is no checkpoint, is damaged, has a newer format or belongs to another simulation.
     pub fn restore(&mut self, path: impl AsRef<Path>) -> Result<(), CheckpointError> {
-        let path = path.as_ref();
+        self.take_over(path.as_ref(), &[]).map(|_| ())
+    }
+
+    /// Goes on from what [`save`](Self::save) wrote under other conditions: load, speeds, lubricant, friction, temperatures,
+    /// schedule and solver may be others than those of the file. Returns the names of the parts that differ. Time and steps go on
+    /// from those of the file, and a schedule is asked for its values at that time.
+    ///
+    /// # Errors
+    /// As of [`restore`](Self::restore); the simulation is then as before.
+    ///
+    /// ```
+    /// # let folder = tempfile::tempdir()?;
+    /// # let path = folder.path().join("checkpoint");
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut slow = MixedLubricationSim::builder(Scene::azam_2019(32)).build()?;
+    /// slow.step(10.0)?;
+    /// slow.save(&path)?;
+    /// let mut scene = Scene::azam_2019(32);
+    /// scene.motion.entrainment_speed = 0.2;
+    /// let mut fast = MixedLubricationSim::builder(scene).build()?;
+    /// assert!(fast.restore(&path).unwrap_err().to_string().contains("scene.motion"));
+    /// assert_eq!(fast.restore_under_other_conditions(&path)?, ["scene.motion"]);
+    /// fast.step(10.0)?;
+    /// assert_eq!(fast.time(), 20.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn restore_under_other_conditions(
+        &mut self,
+        path: impl AsRef<Path>,
+    ) -> Result<Vec<String>, CheckpointError> {
+        self.take_over(path.as_ref(), &CONDITIONS)
+    }
+
+    /// Takes over the file at `path`, which may differ in the parts `allowed`; returns those in which it does.
+    fn take_over(&mut self, path: &Path, allowed: &[&str]) -> Result<Vec<String>, CheckpointError> {
         let bytes =
             std::fs::read(path).map_err(|source| CheckpointError::Io { path: path.to_owned(), source })?;
         let content = checked_content(path, &bytes)?;
@@ -209,8 +244,9 @@ impl MixedLubricationSim {
         let content: Content<'_> =
             postcard::from_bytes(content).map_err(|error| damaged(error.to_string()))?;
         let other = |part: &str| CheckpointError::Other { path: path.to_owned(), part: part.to_owned() };
-        if let Some(part) = self.identity().difference(&content.identity) {
-            return Err(other(part));
+        let differences = self.identity().differences(&content.identity);
+        if !differences.iter().all(|part| allowed.contains(&part.as_str())) {
+            return Err(other(&differences.join(", ")));
         }
         for (name, (own, saved)) in
             ["ball heights", "disc heights"].into_iter().zip(self.bodies.iter().zip(&content.bodies))
@@ -238,7 +274,7 @@ impl MixedLubricationSim {
         self.state = state.into_owned();
         self.squeeze_memory = squeeze_memory.into_owned();
         (self.time, self.step, self.draws) = (time, step, draws);
-        Ok(())
+        Ok(differences)
     }
 }
 
@@ -262,7 +298,7 @@ fn checked_content<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a [u8], Checkpo
         return Err(CheckpointError::Newer { path: path.to_owned(), found, known: FORMAT });
     }
     if found < FORMAT {
-        return Err(damaged("its format was never written"));
+        return Err(damaged("its format is none that this version reads"));
     }
     if length != (content.len() as u64).to_le_bytes().as_slice() {
         return Err(damaged("its length is not the one it was written with"));

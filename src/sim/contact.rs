@@ -1,20 +1,21 @@
 //! One quasi-static contact: the pieces that stay fixed while surfaces change, and its solution in numbers.
 
-use super::accuracy::{self, ErrorEstimate};
-use super::friction::FrictionFields;
+use super::accuracy;
+use super::formula::{FormulaFilm, formula_film, stated_film};
+use super::friction::{FrictionFields, boundary_law};
 use super::hertz::HertzContact;
-use super::scene::{GridSpec, Scene};
-use super::setup::FormulaFilm;
+use super::scene::{GridSpec, Motion, Scene};
+use super::solution::{ContactSolution, Numbers, is_known};
+use super::timetable::{Conditions, Timetable};
 use super::{SimError, setup};
 use crate::elastic::{DeformationModel, HalfSpace, LineHalfSpace};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
-use crate::metrics;
 use crate::report::SolveReport;
 use crate::reynolds::{
     Cavitation, ContactDefinition, ContactSolver, ContactState, Evaluation, FaceMobility, FlowBalance,
-    LubricatedContact, Scheme, ShearThinning, Squeeze, StoppingRule, reaches_limit,
+    LubricatedContact, Scheme, ShearThinning, Squeeze, StoppingRule,
 };
 
 /// Grid, elastic body, lubricant, load and solver of a scene.
@@ -28,16 +29,20 @@ pub(super) struct ContactModel {
     pub(super) lubricant: Option<Lubricant>,
     pub(super) solver: Box<dyn ContactSolver>,
     rule: StoppingRule,
-    scheme: Scheme,
-    face_mobility: FaceMobility,
-    cavitation: Cavitation,
+    pub(super) scheme: Scheme,
+    pub(super) face_mobility: FaceMobility,
+    pub(super) cavitation: Cavitation,
     supplied_film: Option<f64>,
     shear_thinning: Option<ShearThinning>,
-    film_cutoff: f64,
-    contact: ContactDefinition,
-    entrainment_speed: f64,
+    pub(super) film_cutoff: f64,
+    pub(super) contact: ContactDefinition,
+    pub(super) motion: Motion,
+    /// Load that was asked for; that of the Hertz contact is rounded \[N\].
+    load: f64,
     /// Film formulas of the smooth contact; none without lubricant.
-    formulas: Option<FormulaFilm>,
+    pub(super) formulas: Option<FormulaFilm>,
+    /// Central film by formula, by the pressure-viscosity coefficient that is stated for it; zero without lubricant \[m\].
+    pub(super) stated_film: f64,
     /// Measures the flow of solutions; none without lubricant.
     evaluation: Option<Evaluation>,
     /// That of the last one.
@@ -57,35 +62,18 @@ impl ContactModel {
     pub(super) fn new(scene: &Scene, overrides: Overrides) -> Result<Self, SimError> {
         setup::validate(scene)?;
         let grid = scene.grid()?;
+        let timetable = Timetable::new(scene)?;
+        let conditions = timetable.at(0.0);
         let hertz = scene.hertz()?;
         setup::validate_box(&grid, &hertz, scene.form.is_line())?;
+        if scene.schedule.load.is_some() {
+            validate_loads(scene, &grid, &timetable)?;
+        }
         setup::validate_film_cutoff(scene)?;
         setup::validate_memory(&grid, scene.is_lubricated())?;
         let mut form_gap = vec![0.0; grid.len()];
         scene.form.gap_into(&grid, &mut form_gap)?;
-        let own_deformation = overrides.deformation.is_some();
-        let deformation = match overrides.deformation {
-            Some(model) if model.grid() != grid => {
-                return Err(SimError::Input(InputError::Conflict {
-                    field: "deformation".to_owned(),
-                    reason: "the model lives on another grid than the scene".to_owned(),
-                }));
-            }
-            Some(model) => model,
-            None => half_space(scene, grid)?,
-        };
-        let influence = deformation.influence(0, 0);
-        if !influence.is_normal() || influence < 0.0 {
-            return Err(SimError::Input(InputError::Conflict {
-                field: if own_deformation { "deformation" } else { "grid" }.to_owned(),
-                reason: format!(
-                    "a cell of {:.3e} x {:.3e} m deflects by {influence:e} m under a pressure of 1 Pa, which must be a \
-                     positive number and no subnormal one",
-                    grid.dx(),
-                    grid.dy()
-                ),
-            }));
-        }
+        let deformation = checked_deformation(scene, grid, overrides.deformation)?;
         let missing =
             [("viscosity", overrides.viscosity.is_some()), ("density", overrides.density.is_some())];
         if let (None, Some((law, _))) = (&scene.lubricant, missing.iter().find(|(_, given)| *given)) {
@@ -101,9 +89,11 @@ impl ContactModel {
             _ => None,
         };
         let law = lubricant.as_ref().map(Lubricant::viscosity);
-        let formulas = setup::formula_film(scene, &hertz, law)?;
+        let formulas = formula_film(scene, &hertz, conditions.motion.entrainment_speed, law, None)?;
+        let stated_film = stated_film(scene, &hertz, &conditions, law)?;
         Ok(Self {
             formulas,
+            stated_film,
             evaluation: lubricant.is_some().then(|| Evaluation::new(grid)),
             flow: None,
             grid,
@@ -115,13 +105,35 @@ impl ContactModel {
             rule: setup::stopping_rule(scene)?,
             scheme: scene.scheme(),
             face_mobility: scene.face_mobility(),
-            cavitation: scene.solver.cavitation,
+            cavitation: scene.cavitation(),
             supplied_film: scene.lubricant.and_then(|lubricant| lubricant.supplied_film),
-            shear_thinning: scene.friction.shear_thinning(scene.motion.sliding_speed())?,
+            shear_thinning: scene.friction.shear_thinning(conditions.motion.sliding_speed())?,
             film_cutoff: scene.solver.film_cutoff,
             contact: scene.solver.contact,
-            entrainment_speed: scene.motion.entrainment_speed,
+            motion: conditions.motion,
+            load: conditions.load,
         })
+    }
+
+    /// The Hertz contact under `load` \[N\].
+    pub(super) fn hertz_under(&self, scene: &Scene, load: f64) -> Result<HertzContact, InputError> {
+        if load.to_bits() == self.load.to_bits() { Ok(self.hertz) } else { scene.hertz_under(load) }
+    }
+
+    /// Takes over the load and the speeds of `conditions`.
+    pub(super) fn put_under(&mut self, scene: &Scene, conditions: &Conditions) -> Result<(), InputError> {
+        let same = conditions.motion == self.motion && conditions.load.to_bits() == self.load.to_bits();
+        if same {
+            return Ok(());
+        }
+        let (hertz, motion) = (self.hertz_under(scene, conditions.load)?, conditions.motion);
+        let law = self.lubricant.as_ref().map(Lubricant::viscosity);
+        let formulas = formula_film(scene, &hertz, motion.entrainment_speed, law, None)?;
+        let stated_film = stated_film(scene, &hertz, conditions, law)?;
+        let shear_thinning = scene.friction.shear_thinning(motion.sliding_speed())?;
+        (self.hertz, self.motion, self.formulas, self.stated_film) = (hertz, motion, formulas, stated_film);
+        (self.load, self.shear_thinning) = (conditions.load, shear_thinning);
+        Ok(())
     }
 
     /// Central film of the smooth contact by formula; zero without lubricant \[m\].
@@ -142,7 +154,7 @@ impl ContactModel {
             gap,
             deformation: &mut *self.deformation,
             lubricant: self.lubricant.as_ref(),
-            entrainment_speed: self.entrainment_speed,
+            entrainment_speed: self.motion.entrainment_speed,
             squeeze,
             load: self.hertz.load,
             pressure_limit: limit,
@@ -164,98 +176,6 @@ impl ContactModel {
         };
         Ok(report)
     }
-}
-
-/// The solution of one contact.
-#[derive(Debug, Clone)]
-pub struct ContactSolution {
-    /// How the solve ended, residuals and work.
-    pub report: SolveReport,
-    /// The grid.
-    pub grid: Grid,
-    /// Hertz contact of the smooth bodies.
-    pub hertz: HertzContact,
-    /// Moes parameters `(M, L)`; none for a dry contact.
-    pub moes: Option<(f64, f64)>,
-    /// Entrainment scheme, pressure flow and solid contact; none for a dry contact.
-    pub discretisation: Option<(Scheme, FaceMobility, ContactDefinition)>,
-    /// What holds where the fluid cavitates; none for a dry contact.
-    pub cavitation: Option<Cavitation>,
-    /// What flows into the box and out of it; none for a dry contact.
-    pub flow: Option<FlowBalance>,
-    /// Fields and approach.
-    pub state: ContactState,
-    /// Undeformed gap, form and roughness \[m\].
-    pub gap: Vec<f64>,
-    /// Estimated errors where the scene asks for an accuracy or for an estimate; none also where the coarser meshes were
-    /// not solved.
-    pub error_estimate: Option<ErrorEstimate>,
-    /// Film numbers.
-    pub film: FilmNumbers,
-    /// Contact numbers.
-    pub contact: ContactNumbers,
-    /// Friction coefficient, from boundary friction under the solid pressure and shear of the fluid; zero without
-    /// sliding.
-    pub friction_coefficient: f64,
-    /// Coefficient of friction of solid contact; zero without sliding.
-    pub(super) boundary_friction: f64,
-    /// Shear stress of the fluid \[Pa\].
-    pub(super) shear: Vec<f64>,
-}
-
-/// Film thickness of a solution \[m\].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FilmNumbers {
-    /// At x = y = 0, interpolated between nodes.
-    pub central: f64,
-    /// Smallest over the nodes that carry pressure.
-    pub minimum: f64,
-    /// Mean over r <= 2a/3.
-    pub mean_central: f64,
-    /// Smallest over all nodes.
-    pub minimum_gap: f64,
-}
-
-impl FilmNumbers {
-    const UNKNOWN: Self =
-        Self { central: f64::NAN, minimum: f64::NAN, mean_central: f64::NAN, minimum_gap: f64::NAN };
-}
-
-/// Pressure and contact of a solution.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ContactNumbers {
-    /// Largest pressure, between nodes where the peak is resolved (see [`metrics::peak`]) \[Pa\].
-    pub max_pressure: f64,
-    /// Pressure at x = y = 0 \[Pa\].
-    pub central_pressure: f64,
-    /// Area of solid contact inside the Hertz ellipse over its area.
-    pub area_ratio: f64,
-    /// Share of the load that solid contact carries.
-    pub load_ratio: f64,
-    /// Area of solid contact \[m^2\].
-    pub area: f64,
-    /// The area ratio with the edges of the contacts corrected, see [`metrics::ContactStatistics`].
-    pub corrected_area_ratio: f64,
-    /// The area with the edges of the contacts corrected \[m^2\].
-    pub corrected_area: f64,
-    /// Area of nodes at the pressure limit \[m^2\].
-    pub plastic_area: f64,
-    /// Film at which solids touch, without which the ratios say little; zero in a dry contact \[m\].
-    pub film_cutoff: f64,
-}
-
-impl ContactNumbers {
-    const UNKNOWN: Self = Self {
-        max_pressure: f64::NAN,
-        central_pressure: f64::NAN,
-        area_ratio: f64::NAN,
-        load_ratio: f64::NAN,
-        area: f64::NAN,
-        corrected_area_ratio: f64::NAN,
-        corrected_area: f64::NAN,
-        plastic_area: f64::NAN,
-        film_cutoff: f64::NAN,
-    };
 }
 
 /// Solves the single contact of `scene`, surfaces as they are. With an accuracy the contact is solved on finer and finer
@@ -315,98 +235,77 @@ fn solve_model(
     let limit = match scene.plastic {
         None => None,
         Some(plastic) => {
-            setup::validate_hardness(plastic.hardness, &grid, &model.hertz)?;
-            Some(vec![plastic.hardness; grid.len()])
+            let [ball, disc] = scene.hardnesses(plastic.hardness);
+            let softer = ball.min(disc);
+            setup::validate_hardness(softer, &grid, &model.hertz)?;
+            Some(vec![softer; grid.len()])
         }
     };
     let mut state = start(&grid)?;
     let report = model.solve(&gap, limit.as_deref(), None, &mut state)?;
+    let law = boundary_law(&scene.friction, None)?;
     let mut friction = FrictionFields::new(scene, grid.len())?;
-    let (film, contact, friction_coefficient) =
-        if state.pressure.iter().chain(&state.film).all(|value| value.is_finite()) {
-            friction.update(&model, &state)?;
-            let contact = contact_numbers(&model, &state, &friction.solid, limit.as_deref())?;
-            (film_numbers(&model, &state)?, contact, friction.coefficient(&model)?)
-        } else {
-            // A solve that diverged is a status; its numbers are unknown.
-            (FilmNumbers::UNKNOWN, ContactNumbers::UNKNOWN, f64::NAN)
-        };
-    let (hertz, moes) = (model.hertz, model.formulas.map(|formulas| formulas.moes));
-    let discretisation =
-        model.lubricant.is_some().then_some((model.scheme, model.face_mobility, model.contact));
-    Ok(ContactSolution {
-        report,
-        grid,
-        hertz,
-        moes,
-        film,
-        contact,
-        friction_coefficient,
-        boundary_friction: friction.boundary(),
-        shear: friction.shear,
-        discretisation,
-        cavitation: model.lubricant.is_some().then_some(model.cavitation),
-        flow: model.flow,
-        state,
-        gap,
-        error_estimate: None,
-    })
+    let known = is_known(&state);
+    if known {
+        friction.update(&model, &state, law.as_ref(), None)?;
+    }
+    let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
+    Ok(model.solution(report, state, gap, numbers))
+}
+
+/// Checks that grid and hardness do for the smallest and the largest load of the schedule.
+fn validate_loads(scene: &Scene, grid: &Grid, timetable: &Timetable) -> Result<(), InputError> {
+    for load in timetable.loads() {
+        let hertz = scene.hertz_under(load)?;
+        setup::validate_box(grid, &hertz, scene.form.is_line())?;
+        if let Some(plastic) = scene.plastic {
+            let [ball, disc] = scene.hardnesses(plastic.hardness);
+            setup::validate_hardness(ball.min(disc), grid, &hertz)?;
+        }
+    }
+    Ok(())
+}
+
+/// The elastic model in place of that of the scene, or that of the scene; it must live on the grid and have a stiffness.
+fn checked_deformation(
+    scene: &Scene,
+    grid: Grid,
+    own: Option<Box<dyn DeformationModel>>,
+) -> Result<Box<dyn DeformationModel>, SimError> {
+    let own_deformation = own.is_some();
+    let deformation = match own {
+        Some(model) if model.grid() != grid => {
+            return Err(SimError::Input(InputError::Conflict {
+                field: "deformation".to_owned(),
+                reason: "the model lives on another grid than the scene".to_owned(),
+            }));
+        }
+        Some(model) => model,
+        None => half_space(scene, grid)?,
+    };
+    let influence = deformation.influence(0, 0);
+    if !influence.is_normal() || influence < 0.0 {
+        return Err(SimError::Input(InputError::Conflict {
+            field: if own_deformation { "deformation" } else { "grid" }.to_owned(),
+            reason: format!(
+                "a cell of {:.3e} x {:.3e} m deflects by {influence:e} m under a pressure of 1 Pa, which must be a \
+                 positive number and no subnormal one",
+                grid.dx(),
+                grid.dy()
+            ),
+        }));
+    }
+    Ok(deformation)
 }
 
 /// The elastic bodies of the scene. Displacements of a line contact count from the distance of the radius, or the length of
 /// the box where that is longer.
 fn half_space(scene: &Scene, grid: Grid) -> Result<Box<dyn DeformationModel>, InputError> {
-    let modulus = scene.elastic.equivalent_modulus;
+    let modulus = scene.equivalent_modulus()?;
     Ok(if scene.form.is_line() {
         let reference = scene.form.radii().0.max(grid.size_x());
         Box::new(LineHalfSpace::new(grid, modulus, reference)?)
     } else {
         Box::new(HalfSpace::new(grid, modulus)?)
-    })
-}
-
-pub(super) fn film_numbers(model: &ContactModel, state: &ContactState) -> Result<FilmNumbers, InputError> {
-    Ok(FilmNumbers {
-        central: model.grid.interpolate(&state.film, 0.0, 0.0)?,
-        minimum: metrics::minimum_film(&state.film, &state.pressure)?.unwrap_or(0.0),
-        mean_central: metrics::average_central_film(
-            &model.grid,
-            &state.film,
-            model.hertz.a_x,
-            model.hertz.a_y,
-        )?,
-        minimum_gap: metrics::minimum_gap(&state.film)?,
-    })
-}
-
-pub(super) fn contact_numbers(
-    model: &ContactModel,
-    state: &ContactState,
-    solid: &[f64],
-    limit: Option<&[f64]>,
-) -> Result<ContactNumbers, InputError> {
-    let statistics = metrics::contact_statistics(
-        &model.grid,
-        &state.in_contact,
-        solid,
-        model.hertz.load,
-        model.hertz.a_x,
-        model.hertz.a_y,
-    )?;
-    let ellipse = std::f64::consts::PI * model.hertz.a_x * model.hertz.a_y;
-    let hardest = limit.map_or(f64::INFINITY, |limit| limit.iter().copied().fold(0.0, f64::max));
-    let at_limit = limit.map_or(0, |limit| {
-        state.pressure.iter().zip(limit).filter(|(p, limit)| reaches_limit(**p, **limit)).count()
-    });
-    Ok(ContactNumbers {
-        max_pressure: metrics::peak(&model.grid, &state.pressure)?.min(hardest),
-        central_pressure: model.grid.interpolate(&state.pressure, 0.0, 0.0)?,
-        area_ratio: statistics.area_ratio * ellipse / model.hertz.area,
-        load_ratio: statistics.load_ratio,
-        area: statistics.area,
-        corrected_area_ratio: statistics.corrected_area_ratio * ellipse / model.hertz.area,
-        corrected_area: statistics.corrected_area,
-        plastic_area: at_limit as f64 * model.grid.cell_area(),
-        film_cutoff: if model.lubricant.is_some() { model.film_cutoff } else { 0.0 },
     })
 }

@@ -1,21 +1,53 @@
 //! Shear in a solved contact: boundary friction under the solid pressure, shear of the fluid under its own.
 
 use super::contact::ContactModel;
-use super::scene::Scene;
+use super::scene::{FrictionSpec, Scene};
+use crate::boundary_friction::{BoundaryFriction, ConstantFriction, FilmFriction};
 use crate::error::InputError;
-use crate::lubricant::Rheology;
+use crate::lubricant::{Lubricant, Rheology};
 use crate::metrics;
 use crate::reynolds::ContactState;
+
+/// Points of the mean over a Hertz contact.
+const MEAN_POINTS: u32 = 32;
+
+/// Friction coefficient of a contact and its parts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct FrictionShares {
+    /// Friction force over load; zero without sliding.
+    pub(super) coefficient: f64,
+    /// Part of the coefficient that solid contact makes.
+    pub(super) boundary: f64,
+    /// Part of the coefficient that shear of the fluid makes.
+    pub(super) fluid: f64,
+}
+
+impl FrictionShares {
+    pub(super) const UNKNOWN: Self = Self { coefficient: f64::NAN, boundary: f64::NAN, fluid: f64::NAN };
+}
+
+/// The law of solid contact in a scene whose tribofilm has the largest thickness `full` \[m\].
+pub(super) fn boundary_law(
+    spec: &FrictionSpec,
+    full: Option<f64>,
+) -> Result<Box<dyn BoundaryFriction>, InputError> {
+    let bare = spec.boundary_coefficient;
+    let Some(covered) = spec.film_coefficient else { return Ok(Box::new(ConstantFriction::new(bare)?)) };
+    // Without a film any thickness will do: none is reached.
+    let thickness = spec.covering_thickness.or(full).unwrap_or(1.0);
+    Ok(Box::new(FilmFriction::new(bare, covered, thickness)?))
+}
 
 /// Friction fields of one solved contact. A node in contact that also carries fluid pressure has both shares, each by
 /// its own pressure.
 #[derive(Debug)]
 pub(super) struct FrictionFields {
-    boundary: f64,
     rheology: Rheology,
     sliding: f64,
     /// Pressure that solid contact carries \[Pa\].
     pub(super) solid: Vec<f64>,
+    /// Friction coefficient of solid contact.
+    boundary: Vec<f64>,
     viscosity: Vec<f64>,
     /// Shear stress of the fluid \[Pa\].
     pub(super) shear: Vec<f64>,
@@ -25,19 +57,29 @@ impl FrictionFields {
     pub(super) fn new(scene: &Scene, n: usize) -> Result<Self, InputError> {
         let zeros = || vec![0.0; n];
         Ok(Self {
-            boundary: scene.friction.boundary_coefficient,
             rheology: scene.friction.rheology()?,
-            sliding: scene.motion.sliding_speed(),
+            sliding: 0.0,
             solid: zeros(),
+            boundary: zeros(),
             viscosity: zeros(),
             shear: zeros(),
         })
     }
 
-    /// Overwrites the fields with those of `state`.
-    pub(super) fn update(&mut self, contact: &ContactModel, state: &ContactState) -> Result<(), InputError> {
-        for (k, solid) in self.solid.iter_mut().enumerate() {
+    /// Overwrites the fields with those of `state`, whose bodies carry the tribofilms `films` \[m\]; without them they are bare.
+    pub(super) fn update(
+        &mut self,
+        contact: &ContactModel,
+        state: &ContactState,
+        law: &dyn BoundaryFriction,
+        films: Option<&[Vec<f64>; 2]>,
+    ) -> Result<(), InputError> {
+        self.sliding = contact.motion.sliding_speed();
+        for (k, (solid, boundary)) in self.solid.iter_mut().zip(&mut self.boundary).enumerate() {
             *solid = state.solid_pressure(k);
+            let tribofilm = films.map_or([0.0; 2], |[ball, disc]| [ball[k], disc[k]]);
+            *boundary = law.coefficient(*solid, self.sliding, tribofilm);
+            InputError::require_non_negative("boundary friction of the law", *boundary)?;
         }
         match &contact.lubricant {
             None => self.shear.fill(0.0),
@@ -52,7 +94,7 @@ impl FrictionFields {
 
     /// Shear stress on the surfaces at node `k` \[Pa\]; none without sliding.
     pub(super) fn stress(&self, k: usize) -> f64 {
-        if self.sliding > 0.0 { self.boundary * self.solid[k] + self.shear[k] } else { 0.0 }
+        if self.sliding > 0.0 { self.boundary[k] * self.solid[k] + self.shear[k] } else { 0.0 }
     }
 
     /// Heat of friction at node `k` \[W/m^2\].
@@ -60,19 +102,49 @@ impl FrictionFields {
         self.stress(k) * self.sliding
     }
 
-    /// Friction coefficient of solid contact; zero without sliding.
-    pub(super) fn boundary(&self) -> f64 {
-        if self.sliding > 0.0 { self.boundary } else { 0.0 }
+    /// Coefficient of friction of solid contact at the first node; zero without sliding.
+    pub(super) fn first_boundary(&self) -> f64 {
+        if self.sliding > 0.0 { self.boundary.first().copied().unwrap_or(0.0) } else { 0.0 }
     }
 
-    /// Friction force over load; zero without sliding.
-    pub(super) fn coefficient(&self, contact: &ContactModel) -> Result<f64, InputError> {
-        metrics::friction_coefficient(
-            &contact.grid,
-            self.boundary(),
-            &self.solid,
-            &self.shear,
-            contact.hertz.load,
-        )
+    /// Friction force over load and its parts; zero without sliding.
+    pub(super) fn shares(&self, contact: &ContactModel) -> Result<FrictionShares, InputError> {
+        InputError::require_finite("solid_pressure", &self.solid)?;
+        InputError::require_finite("viscous_shear", &self.shear)?;
+        if self.sliding <= 0.0 {
+            return Ok(FrictionShares { coefficient: 0.0, boundary: 0.0, fluid: 0.0 });
+        }
+        // About the coefficient of the first node: exact where the law is a constant.
+        let reference = self.boundary.first().copied().unwrap_or(0.0);
+        let nodes = self.boundary.iter().zip(&self.solid);
+        let beyond: f64 = nodes.map(|(coefficient, solid)| (coefficient - reference) * solid).sum();
+        let boundary = reference * self.solid.iter().sum::<f64>() + beyond;
+        let fluid = self.shear.iter().sum::<f64>();
+        let (area, load) = (contact.grid.cell_area(), contact.hertz.load);
+        Ok(FrictionShares {
+            coefficient: (boundary + fluid) * area / load,
+            boundary: boundary * area / load,
+            fluid: fluid * area / load,
+        })
     }
+}
+
+/// Mean shear stress \[Pa\] of a fluid that fills a Hertz contact of maximum pressure `p_max` \[Pa\] with a `film` \[m\]
+/// everywhere, at `sliding` \[m/s\]: the mean over the area of the stress under `p_max sqrt(1 - r^2/a^2)`.
+pub(super) fn mean_fluid_stress(
+    lubricant: &Lubricant,
+    rheology: &Rheology,
+    p_max: f64,
+    film: f64,
+    sliding: f64,
+) -> f64 {
+    if film <= 0.0 || sliding <= 0.0 {
+        return 0.0;
+    }
+    // Rings of one area.
+    let stress = |ring: u32| {
+        let pressure = p_max * ((f64::from(ring) + 0.5) / f64::from(MEAN_POINTS)).sqrt();
+        rheology.shear_stress(lubricant.viscosity().viscosity(pressure), sliding / film)
+    };
+    (0..MEAN_POINTS).map(stress).sum::<f64>() / f64::from(MEAN_POINTS)
 }

@@ -9,21 +9,35 @@ mod builder;
 #[cfg(feature = "serde")]
 mod checkpoint;
 mod contact;
+mod course;
 pub mod ensemble;
 mod error;
+mod exposure;
+mod formula;
 mod friction;
+mod heat;
 mod hertz;
+#[cfg(feature = "serde")]
+mod identity;
 #[cfg(feature = "npz")]
 mod npz;
 mod observer;
+mod per_body;
 mod record;
 #[cfg(all(feature = "serde", feature = "npz"))]
 mod run_folder;
 pub mod scene;
 mod setup;
 mod simulation;
+mod solution;
 mod squeeze_memory;
+mod standing;
+mod start;
+#[cfg(all(feature = "formats", feature = "npz"))]
+mod start_file;
 mod step_control;
+mod timetable;
+mod track;
 #[cfg(feature = "vtk")]
 mod vtk;
 #[cfg(feature = "serde")]
@@ -35,7 +49,7 @@ pub use body::Body;
 pub use builder::SimBuilder;
 #[cfg(feature = "serde")]
 pub use checkpoint::CheckpointError;
-pub use contact::{ContactNumbers, ContactSolution, FilmNumbers, solve_contact};
+pub use contact::solve_contact;
 pub use error::SimError;
 pub use hertz::HertzContact;
 #[cfg(feature = "npz")]
@@ -44,8 +58,11 @@ pub use observer::Observer;
 pub use record::StepRecord;
 #[cfg(all(feature = "serde", feature = "npz"))]
 pub use run_folder::RunFolder;
-pub use scene::Scene;
+pub use scene::{Scene, Schedule};
 pub use simulation::{MixedLubricationSim, RunEnd};
+pub use solution::{ContactNumbers, ContactSolution, FilmNumbers};
+pub use start::BodyStart;
 pub use step_control::StepControl;
+pub use timetable::Conditions;
 #[cfg(feature = "vtk")]
 pub use vtk::write_vtk;

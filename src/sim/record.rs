@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::scene::Motion;
 use crate::error::InputError;
 use crate::report::{Residuals, SolveReport, Status, Work};
 use crate::reynolds::FlowBalance;
@@ -10,7 +11,9 @@ use crate::reynolds::FlowBalance;
 const SOLVERS: [&str; 6] =
     ["newton_krylov", "semi_system", "dry", "auto", "multigrid", "multigrid+newton_krylov"];
 
-/// The numbers of one committed step; all SI.
+/// The numbers of one committed step; all SI. Those of the contact (roughness, film, pressures, friction, heat) are of one
+/// instant, the start of the step, under the conditions that held then: the contact of the first record is that of
+/// time zero. Wear, tribofilm and flattened volume are those at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepRecord {
     /// Number of the step, from 0.
@@ -19,7 +22,8 @@ pub struct StepRecord {
     pub time: f64,
     /// Length of the step \[s\].
     pub time_step: f64,
-    /// Root mean square heights of ball and disc over their patches, after the step \[m\].
+    /// Root mean square roughness of ball and disc on the track without its form, as they met in the contact
+    /// ([`track_roughness`](super::MixedLubricationSim::track_roughness)) \[m\].
     pub rq: [f64; 2],
     /// Composite `sqrt(rq_ball^2 + rq_disc^2)` \[m\].
     pub composite_rq: f64,
@@ -27,13 +31,14 @@ pub struct StepRecord {
     pub average_film: f64,
     /// `average_film / composite_rq`.
     pub lambda: f64,
-    /// Hamrock-Dowson central film over `composite_rq`; zero without lubricant.
+    /// Central film by formula (Hamrock and Dowson, of a line contact Dowson and Toyoda) with the stated pressure-viscosity
+    /// coefficient over `composite_rq`; zero without lubricant.
     pub lambda_old: f64,
     /// Solid contact area inside the Hertz ellipse over its area.
     pub area_ratio: f64,
     /// Share of the load that solid contact carries.
     pub load_ratio: f64,
-    /// Largest pressure \[Pa\].
+    /// Largest pressure, never above the limit of its node \[Pa\].
     pub max_pressure: f64,
     /// Mean pressure over the nodes that carry any \[Pa\].
     pub mean_pressure: f64,
@@ -43,6 +48,11 @@ pub struct StepRecord {
     pub max_wear: [f64; 2],
     /// Tribofilm of ball and disc, mean over the patch \[m\].
     pub mean_film: [f64; 2],
+    /// Worn depth of ball and disc, mean over the width of the track `|y| <= a`
+    /// ([`mean_on_track`](super::MixedLubricationSim::mean_on_track)) \[m\].
+    pub track_wear: [f64; 2],
+    /// Tribofilm of ball and disc, mean over the width of the track \[m\].
+    pub track_film: [f64; 2],
     /// Volume flattened away, both bodies \[m^3\].
     pub plastic_volume: f64,
     /// Largest flash temperature rise \[K\]; none where it is not modelled.
@@ -50,6 +60,16 @@ pub struct StepRecord {
     /// Friction coefficient, from boundary friction under the solid pressure and shear of the fluid; zero without
     /// sliding.
     pub friction_coefficient: f64,
+    /// Part of the friction coefficient that solid contact makes.
+    pub friction_boundary: f64,
+    /// Part of the friction coefficient that shear of the fluid makes.
+    pub friction_fluid: f64,
+    /// Normal load \[N\].
+    pub load: f64,
+    /// Speeds of the surfaces.
+    pub motion: Motion,
+    /// Bulk temperature \[K\].
+    pub bulk_temperature: f64,
     /// Smallest film over all nodes \[m\].
     pub minimum_gap: f64,
     /// What flows into the box and out of it; none without lubricant.
@@ -64,9 +84,11 @@ impl StepRecord {
     /// Names of the columns that [`StepRecord::write_csv`] writes, with units.
     pub const CSV_HEADER: &'static str = "step,time_s,time_step_s,rq_ball_m,rq_disc_m,rq_composite_m,h_avg_m,lambda,lambda_old,\
         contact_area_ratio,contact_load_ratio,max_pressure_pa,mean_pressure_pa,mean_wear_ball_m,mean_wear_disc_m,\
-        max_wear_ball_m,max_wear_disc_m,mean_film_ball_m,mean_film_disc_m,plastic_volume_m3,flash_rise_k,\
+        max_wear_ball_m,max_wear_disc_m,mean_film_ball_m,mean_film_disc_m,track_wear_ball_m,track_wear_disc_m,\
+        track_film_ball_m,track_film_disc_m,plastic_volume_m3,flash_rise_k,\
         friction_coefficient,minimum_gap_m,inflow_m3_s,outflow_m3_s,flow_imbalance,attempts,solver,status,mass_residual,load_residual,\
-        complementarity_residual,energy_error,convolutions,iterations,inner_iterations";
+        complementarity_residual,energy_error,convolutions,iterations,inner_iterations,friction_boundary,friction_fluid,load_n,\
+         entrainment_speed_m_s,slide_roll_ratio,bulk_temperature_k";
 
     /// Writes the record as one line of comma-separated values, every digit kept; a flash temperature that is not
     /// modelled is an empty cell, as are the flows of a dry contact and the energy error of others.
@@ -93,6 +115,10 @@ impl StepRecord {
             self.max_wear[1],
             self.mean_film[0],
             self.mean_film[1],
+            self.track_wear[0],
+            self.track_wear[1],
+            self.track_film[0],
+            self.track_film[1],
             self.plastic_volume,
         ];
         write!(out, "{}", self.step)?;
@@ -124,7 +150,13 @@ impl StepRecord {
             None => write!(out, ",")?,
         }
         let work = report.work;
-        writeln!(out, ",{},{},{}", work.convolutions, work.iterations, work.inner_iterations)
+        write!(out, ",{},{},{}", work.convolutions, work.iterations, work.inner_iterations)?;
+        let Motion { entrainment_speed, slide_roll_ratio } = self.motion;
+        let shares = [self.friction_boundary, self.friction_fluid];
+        for number in shares.into_iter().chain([self.load, entrainment_speed, slide_roll_ratio]) {
+            write!(out, ",{number:e}")?;
+        }
+        writeln!(out, ",{:e}", self.bulk_temperature)
     }
 
     /// The record that [`write_csv`](Self::write_csv) wrote as `line`, every bit of it, but for the name of a solver that is
@@ -150,7 +182,8 @@ impl StepRecord {
         let (lambda, lambda_old, area_ratio, load_ratio) = (number()?, number()?, number()?, number()?);
         let (max_pressure, mean_pressure) = (number()?, number()?);
         let (mean_wear, max_wear) = ([number()?, number()?], [number()?, number()?]);
-        let (mean_film, plastic_volume) = ([number()?, number()?], number()?);
+        let (mean_film, track_wear) = ([number()?, number()?], [number()?, number()?]);
+        let (track_film, plastic_volume) = ([number()?, number()?], number()?);
         let (column, cell) = next()?;
         let flash_rise = if cell.is_empty() { None } else { Some(parsed(column, cell)?) };
         let mut number = || next().and_then(|(column, cell)| parsed::<f64>(column, cell));
@@ -184,6 +217,10 @@ impl StepRecord {
         let convolutions = parsed(column, cell)?;
         let mut whole = || next().and_then(|(column, cell)| parsed::<u64>(column, cell));
         let work = Work { convolutions, iterations: whole()?, inner_iterations: whole()? };
+        let mut number = || next().and_then(|(column, cell)| parsed::<f64>(column, cell));
+        let (friction_boundary, friction_fluid, load) = (number()?, number()?, number()?);
+        let motion = Motion { entrainment_speed: number()?, slide_roll_ratio: number()? };
+        let bulk_temperature = number()?;
         if let Some(stray) = cells.next() {
             return Err(unreadable("history", stray));
         }
@@ -203,9 +240,16 @@ impl StepRecord {
             mean_wear,
             max_wear,
             mean_film,
+            track_wear,
+            track_film,
             plastic_volume,
             flash_rise,
             friction_coefficient,
+            friction_boundary,
+            friction_fluid,
+            load,
+            motion,
+            bulk_temperature,
             minimum_gap,
             flow,
             attempts,

@@ -11,11 +11,11 @@ use super::checkpoint::CheckpointError;
 use super::npz::write_npz;
 use super::observer::Observer;
 use super::record::StepRecord;
+use super::scene::BODIES;
 use super::simulation::MixedLubricationSim;
 use super::{SimError, whole_file};
 use crate::error::InputError;
 use crate::reynolds::ContactState;
-use crate::surface::RoughnessMotion;
 
 /// Writes a run into a folder, as an [`Observer`] or called by one.
 ///
@@ -26,6 +26,8 @@ use crate::surface::RoughnessMotion;
 /// | `history.csv` | a line per step ([`StepRecord::CSV_HEADER`]) |
 /// | `checkpoint` | the simulation after the last multiple of `every` steps and at the end |
 /// | `fields.npz` | heights, wear, plastic depth and tribofilm of both bodies, pressures and film; at the end |
+///
+/// Bodies of `fields.npz` are starts of other runs ([`BodyStart`](super::BodyStart)).
 ///
 /// A run that was killed, whenever that was, goes on from its checkpoint and leaves the same files as one that was not.
 ///
@@ -63,10 +65,8 @@ pub struct RunFolder {
 struct RunTable {
     /// Version of the crate.
     stribeck: &'static str,
-    motion: &'static str,
-    /// As text: integers of TOML are too short for it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    seed: Option<String>,
+    /// By what `Debug` prints of it.
+    motion: String,
     squeeze: bool,
 }
 
@@ -88,12 +88,8 @@ impl RunFolder {
                 _ => {}
             }
         }
-        let (motion, seed) = match sim.motion() {
-            RoughnessMotion::Fixed => ("fixed", None),
-            RoughnessMotion::RandomShift { seed } => ("random_shift", Some(seed.to_string())),
-            RoughnessMotion::Convected => ("convected", None),
-        };
-        let run = RunTable { stribeck: env!("CARGO_PKG_VERSION"), motion, seed, squeeze: sim.has_squeeze() };
+        let motion = format!("{:?}", sim.motion());
+        let run = RunTable { stribeck: env!("CARGO_PKG_VERSION"), motion, squeeze: sim.has_squeeze() };
         let run = toml::to_string(&run).map_err(|error| SimError::Scene { reason: error.to_string() })?;
         let header = format!("{}\n", StepRecord::CSV_HEADER);
         for (name, text) in
@@ -227,6 +223,8 @@ impl RunFolder {
                 ("film_m", &contact.film),
             ]);
         }
+        let states = film_states(sim);
+        fields.extend(states.iter().map(|(name, state)| (name.as_str(), state.as_slice())));
         let (file, grid) = (self.path.join("fields.npz"), sim.grid());
         write_npz(whole_file::draft(&file), grid.nx(), grid.ny(), &fields)?;
         whole_file::put_in_place(&file).map_err(|source| SimError::Io { path: file, source })
@@ -236,6 +234,19 @@ impl RunFolder {
     pub fn last_contact(&self) -> Option<&ContactState> {
         self.last_contact.as_ref()
     }
+}
+
+/// States of the tribofilms, where there is more to them than the thickness: a start of another run needs them.
+fn film_states(sim: &MixedLubricationSim) -> Vec<(String, Vec<f64>)> {
+    let mut fields = Vec::new();
+    for (name, body) in BODIES.into_iter().zip(sim.bodies()) {
+        let Some(film) = body.film.as_ref().filter(|film| film.n_states() > 1) else { continue };
+        for state in 0..film.n_states() {
+            let values = film.states().iter().skip(state).step_by(film.n_states());
+            fields.push((format!("{name}_tribofilm_state_{state}"), values.copied().collect()));
+        }
+    }
+    fields
 }
 
 impl Observer for RunFolder {

@@ -1,11 +1,11 @@
 //! From a scene to the pieces of a contact problem.
 
 use super::SimError;
-use super::hertz::{HertzContact, LINE_LENGTH};
+use super::friction::boundary_law;
+use super::hertz::HertzContact;
 use super::scene::{
     FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind, TribofilmSpec,
 };
-use crate::analytic::{FilmConditions, LineFilmConditions};
 use crate::error::{InputError, legible};
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, DowsonHigginson, Roelands, ViscosityLaw};
@@ -23,16 +23,23 @@ const LARGEST_CUTOFF: f64 = 1e-3;
 /// Checks every value of the scene but form, load, grid and roughness, used or not.
 pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     let speed = scene.motion.entrainment_speed;
-    if scene.is_lubricated() {
+    if scene.is_lubricated() && scene.schedule.entrainment_speed.is_none() {
         InputError::require_positive("motion.entrainment_speed", speed)?;
     }
     InputError::require_non_negative("motion.entrainment_speed", speed)?;
     let ratio = scene.motion.slide_roll_ratio;
     InputError::require(ratio.is_finite(), "motion.slide_roll_ratio", ratio, "finite")?;
     let friction = scene.friction;
-    InputError::require_non_negative("friction.boundary_coefficient", friction.boundary_coefficient)?;
+    boundary_law(&friction, None)?;
+    if let (Some(thickness), None) = (friction.covering_thickness, friction.film_coefficient) {
+        return Err(InputError::Conflict {
+            field: format!("friction.covering_thickness = {thickness:e}"),
+            reason: "friction.film_coefficient is missing".to_owned(),
+        });
+    }
     friction.rheology()?;
     friction.shear_thinning(scene.motion.sliding_speed())?;
+    scene.validate_materials()?;
     let thermal = scene.thermal;
     InputError::require_positive("thermal.bulk_temperature", thermal.bulk_temperature)?;
     InputError::require_positive("thermal.conductivity", thermal.conductivity)?;
@@ -49,16 +56,20 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     if let Some(spec) = scene.lubricant {
         roelands(&spec)?;
         DowsonHigginson::new(spec.density_a, spec.density_b)?;
+        if let Some(alpha) = spec.formula_alpha {
+            InputError::require_positive("lubricant.formula_alpha", alpha)?;
+        }
         if let Some(film) = spec.supplied_film {
             InputError::require_positive("lubricant.supplied_film", film)?;
             if scene.is_lubricated() {
-                scene.solver.cavitation.require_conserved("lubricant.supplied_film", film)?;
+                scene.cavitation().require_conserved("lubricant.supplied_film", film)?;
             }
         }
     }
     if let Some(spec) = scene.tribofilm {
         growth_law(&spec)?;
     }
+    scene.track.validate()?;
     if let Some(wear) = scene.wear {
         InputError::require_non_negative("wear.coefficient", wear.coefficient)?;
         InputError::require(
@@ -70,12 +81,6 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
         InputError::require_positive("wear.hardness", wear.hardness)?;
         if let Some(film) = wear.film_hardness {
             InputError::require_positive("wear.film_hardness", film)?;
-        }
-        for (field, share) in [
-            ("wear.duty_factor_ball", wear.duty_factor_ball),
-            ("wear.duty_factor_disc", wear.duty_factor_disc),
-        ] {
-            InputError::require((0.0..=1.0).contains(&share), field, share, "from 0 to 1")?;
         }
     }
     InputError::require_positive("solver.film_cutoff", scene.solver.film_cutoff)?;
@@ -303,54 +308,4 @@ pub(super) fn stopping_rule(scene: &Scene) -> Result<StoppingRule, InputError> {
         StoppingRule { tolerance: scene.solver.tolerance, max_iterations: scene.solver.max_iterations };
     rule.validate()?;
     Ok(rule)
-}
-
-/// What the film formulas make of a scene.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct FormulaFilm {
-    /// Moes parameters `(M, L)`.
-    pub(super) moes: (f64, f64),
-    /// Central film, Hamrock and Dowson of a point contact, Dowson and Toyoda of a line contact \[m\].
-    pub(super) central: f64,
-}
-
-/// The film formulas; none without a lubricant.
-pub(super) fn formula_film(
-    scene: &Scene,
-    hertz: &HertzContact,
-    viscosity: Option<&dyn ViscosityLaw>,
-) -> Result<Option<FormulaFilm>, InputError> {
-    let Some(law) = viscosity else { return Ok(None) };
-    let (entrainment_speed, equivalent_modulus) =
-        (scene.motion.entrainment_speed, scene.elastic.equivalent_modulus);
-    let (viscosity, pressure_viscosity) = (law.viscosity(0.0), law.log_slope(0.0));
-    let (radius, load) = (scene.form.radii().0, hertz.load);
-    Ok(Some(if scene.form.is_line() {
-        let line = LineFilmConditions {
-            entrainment_speed,
-            viscosity,
-            pressure_viscosity,
-            equivalent_modulus,
-            radius,
-            load: load / LINE_LENGTH,
-        };
-        FormulaFilm {
-            moes: (line.moes_load(), line.moes_lubricant()),
-            central: line.dowson_toyoda_central()?,
-        }
-    } else {
-        let point = FilmConditions {
-            entrainment_speed,
-            viscosity,
-            pressure_viscosity,
-            equivalent_modulus,
-            radius,
-            load,
-            ellipticity: hertz.a_y / hertz.a_x,
-        };
-        FormulaFilm {
-            moes: (point.moes_load(), point.moes_lubricant()),
-            central: point.hamrock_dowson_central()?,
-        }
-    }))
 }

@@ -5,28 +5,30 @@ use std::ops::ControlFlow;
 use super::SimError;
 use super::body::Body;
 use super::builder::SimBuilder;
-use super::contact::{ContactModel, contact_numbers, film_numbers};
+use super::contact::ContactModel;
+use super::exposure::{self, Ageing};
 use super::friction::FrictionFields;
+use super::heat::Heat;
 use super::hertz::HertzContact;
 use super::observer::Observer;
+use super::per_body::PerBody;
 use super::record::StepRecord;
 use super::scene::Scene;
+use super::solution::{contact_numbers, film_numbers};
 use super::squeeze_memory::SqueezeMemory;
 use super::step_control::StepControl;
+use super::timetable::{Conditions, Timetable};
 use super::yielding::Yielding;
-#[cfg(feature = "serde")]
-use crate::elastic::NEAR;
+use crate::boundary_friction::BoundaryFriction;
 use crate::error::InputError;
 use crate::grid::Grid;
-#[cfg(feature = "serde")]
-use crate::lubricant::Lubricant;
 use crate::metrics;
 use crate::plastic::PlasticityModel;
 use crate::report::{SolveReport, Status};
 use crate::reynolds::ContactState;
 use crate::rubbing::RubbingPoint;
 use crate::surface::{FourierShift, Offset, RoughnessMotion, add_blended, blend_shifted, copy_shifted};
-use crate::tribochem::{FilmGrowthLaw, FlashTemperature};
+use crate::tribochem::FilmGrowthLaw;
 use crate::wear::WearLaw;
 
 /// Positions of the roughness that a step tries before it gives up.
@@ -43,26 +45,16 @@ const MAX_CUTS: usize = 40;
 /// The laws of a run; absent ones cost nothing.
 #[derive(Debug)]
 pub(super) struct Laws {
-    pub(super) plasticity: Option<Box<dyn PlasticityModel>>,
+    pub(super) plasticity: Option<PerBody<dyn PlasticityModel>>,
     pub(super) growth: Option<Box<dyn FilmGrowthLaw>>,
-    pub(super) wear: Option<Box<dyn WearLaw>>,
-    /// Share of the time that ball and disc wear.
-    pub(super) duty: [f64; 2],
-}
-
-/// The heat pass.
-#[derive(Debug)]
-pub(super) struct Heat {
-    /// None where it is left out.
-    pub(super) flash: Option<FlashTemperature>,
-    /// Estimate of the largest rise \[K\].
-    pub(super) estimate: f64,
+    pub(super) wear: Option<PerBody<dyn WearLaw>>,
+    pub(super) friction: Box<dyn BoundaryFriction>,
 }
 
 /// How the contact moves on from step to step.
 #[derive(Debug)]
 pub(super) struct Travel {
-    pub(super) motion: RoughnessMotion,
+    pub(super) motion: Box<dyn RoughnessMotion>,
     /// Whether a contact feels the squeeze of the film before it.
     pub(super) squeeze: bool,
 }
@@ -81,10 +73,10 @@ pub enum RunEnd {
 
 /// A rough lubricated contact whose surfaces flatten, grow a tribofilm and wear as they rub.
 ///
-/// Each step solves the quasi-static contact of the surfaces as they stand, advances tribofilm and wear over the
-/// time step under its pressures, applies the plastic depth, and moves the roughness of both bodies to the
-/// next position. One solve stands for all passages within the step. Nothing irreversible happens unless the
-/// solve converged: where it did not, the step tries other positions of the roughness, and if all fail the step is
+/// Each step solves the quasi-static contact of the surfaces as they stand, advances tribofilm and wear under its pressures
+/// for the time that the step exposes the nodes to it ([`Exposure`](super::scene::Exposure)), applies the plastic depth, and
+/// moves the roughness of both bodies to the next position. One solve stands for all passages within the step. Nothing
+/// irreversible happens unless the solve converged: where it did not, the step tries other positions of the roughness, and if all fail the step is
 /// an error and the state is as before.
 ///
 /// ```
@@ -103,11 +95,12 @@ pub enum RunEnd {
 /// ```
 #[derive(Debug)]
 pub struct MixedLubricationSim {
-    scene: Scene,
+    pub(super) scene: Scene,
+    timetable: Timetable,
     pub(super) contact: ContactModel,
     pub(super) laws: Laws,
     heat: Heat,
-    travel: Travel,
+    pub(super) travel: Travel,
     between_nodes: FourierShift,
     pub(super) bodies: [Body; 2],
     pub(super) state: ContactState,
@@ -116,44 +109,24 @@ pub struct MixedLubricationSim {
     pub(super) step: u64,
     /// Positions of the roughness that were tried; with the seed the state of the random numbers.
     pub(super) draws: u64,
-    fields: Fields,
+    pub(super) fields: Fields,
     pub(super) backup: [Body; 2],
-}
-
-/// What tells one simulation from another: the scene and what was put in place of its parts, in words.
-#[cfg(feature = "serde")]
-#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-pub(super) struct Identity {
-    parts: Vec<(String, String)>,
-}
-
-#[cfg(feature = "serde")]
-impl Identity {
-    /// The first part in which both differ.
-    pub(super) fn difference<'a>(&'a self, other: &'a Self) -> Option<&'a str> {
-        let longer = if self.parts.len() >= other.parts.len() { self } else { other };
-        let shorter = if self.parts.len() >= other.parts.len() { other } else { self };
-        let differs = |(k, part): (usize, &'a (String, String))| {
-            (shorter.parts.get(k) != Some(part)).then_some(part.0.as_str())
-        };
-        longer.parts.iter().enumerate().find_map(differs)
-    }
 }
 
 /// Fields of the step in progress, all in the frame of the contact unless a name says otherwise.
 #[derive(Debug)]
-struct Fields {
-    gap: Vec<f64>,
+pub(super) struct Fields {
+    pub(super) gap: Vec<f64>,
     heights: Vec<f64>,
-    films: [Vec<f64>; 2],
+    pub(super) films: [Vec<f64>; 2],
     depths: [Vec<f64>; 2],
     on_body: Vec<f64>,
     heat: Vec<f64>,
     rise: Vec<f64>,
     /// Mass that the squeeze refers to.
     squeezed: Vec<f64>,
-    friction: FrictionFields,
-    yielding: Yielding,
+    pub(super) friction: FrictionFields,
+    pub(super) yielding: Yielding,
 }
 
 impl Fields {
@@ -182,7 +155,7 @@ impl MixedLubricationSim {
     }
 
     pub(super) fn assemble(
-        scene: Scene,
+        (scene, timetable): (Scene, Timetable),
         contact: ContactModel,
         bodies: [Body; 2],
         laws: Laws,
@@ -196,6 +169,7 @@ impl MixedLubricationSim {
             fields: Fields::new(&scene, grid.len())?,
             between_nodes: FourierShift::new(grid.nx()),
             scene,
+            timetable,
             contact,
             laws,
             heat,
@@ -209,37 +183,13 @@ impl MixedLubricationSim {
     }
 
     /// How the roughness moves from step to step.
-    pub fn motion(&self) -> RoughnessMotion {
-        self.travel.motion
+    pub fn motion(&self) -> &dyn RoughnessMotion {
+        self.travel.motion.as_ref()
     }
 
     /// Whether each contact feels the squeeze of the film before it.
     pub fn has_squeeze(&self) -> bool {
         self.travel.squeeze
-    }
-
-    /// The scene and the parts in its place by what `Debug` prints of them, which for laws are their constants.
-    #[cfg(feature = "serde")]
-    pub(super) fn identity(&self) -> Identity {
-        let (laws, lubricant) = (&self.laws, &self.contact.lubricant);
-        let parts = [
-            ("scene", format!("{:?}", self.scene)),
-            ("motion", format!("{:?}", self.travel.motion)),
-            ("squeeze", format!("{:?}", self.travel.squeeze)),
-            // First: the film of the law is in those of the scene that follow.
-            ("growth law", format!("{:?}", laws.growth)),
-            ("plasticity model", format!("{:?}", laws.plasticity)),
-            ("wear law", format!("{:?}", laws.wear)),
-            ("viscosity law", format!("{:?}", lubricant.as_ref().map(Lubricant::viscosity))),
-            ("density law", format!("{:?}", lubricant.as_ref().map(Lubricant::density))),
-            ("solver", self.contact.solver.name().to_owned()),
-            // By what it does: buffers may show in `Debug`.
-            (
-                "deformation model",
-                format!("{:?}", [0, 1, NEAR].map(|di| self.contact.deformation.influence(di, 0))),
-            ),
-        ];
-        Identity { parts: parts.into_iter().map(|(part, words)| (part.to_owned(), words)).collect() }
     }
 
     /// The grid of the contact and of both bodies' patches.
@@ -252,7 +202,12 @@ impl MixedLubricationSim {
         &self.scene
     }
 
-    /// Hertz contact of the smooth bodies.
+    /// What acts on the contact at the time that has passed.
+    pub fn conditions(&self) -> Conditions {
+        self.timetable.at(self.time)
+    }
+
+    /// Hertz contact of the smooth bodies under the load of the last step.
     pub fn hertz(&self) -> HertzContact {
         self.contact.hertz
     }
@@ -282,8 +237,10 @@ impl MixedLubricationSim {
         self.heat.flash.is_some()
     }
 
-    /// Largest flash temperature rise that the smooth contact would have \[K\], by which it is modelled or left out
-    /// unless the scene says which (see [`estimate_maximum_rise`](crate::tribochem::estimate_maximum_rise)).
+    /// Largest flash temperature rise that the smooth contact would have \[K\] under the conditions at any entry of the schedule,
+    /// by which it is modelled or left out unless the scene says which: by boundary friction under all of the load, or by shear of a fluid
+    /// film of the thickness that the formulas give, whichever is hotter (see
+    /// [`estimate_rise_under_flux`](crate::tribochem::estimate_rise_under_flux)).
     pub fn flash_estimate(&self) -> f64 {
         self.heat.estimate
     }
@@ -316,7 +273,8 @@ impl MixedLubricationSim {
         Ok(RunEnd::Finished)
     }
 
-    /// Steps until the time `end` \[s\], each as long as `control` allows; `observer` sees each and may stop the run.
+    /// Steps until the time `end` \[s\], each as long as `control` allows and none across an entry of a schedule;
+    /// `observer` sees each and may stop the run.
     ///
     /// # Errors
     /// See [`MixedLubricationSim::step_within`]; the steps before are committed.
@@ -330,8 +288,11 @@ impl MixedLubricationSim {
         control.validate()?;
         // What rounding leaves of the last step is none.
         while end - self.time > 1e-9 * control.longest {
-            let record =
-                self.step_within(&StepControl { longest: control.longest.min(end - self.time), ..*control })?;
+            let mut left = end - self.time;
+            if let Some(entry) = self.timetable.next_entry(self.time) {
+                left = left.min(entry - self.time);
+            }
+            let record = self.step_within(&StepControl { longest: control.longest.min(left), ..*control })?;
             if observer.after_step(self, &record) == ControlFlow::Break(()) {
                 return Ok(RunEnd::Stopped);
             }
@@ -339,7 +300,7 @@ impl MixedLubricationSim {
         Ok(RunEnd::Finished)
     }
 
-    /// Takes one step of `time_step` \[s\].
+    /// Takes one step of `time_step` \[s\] under the conditions that hold at its start.
     ///
     /// # Errors
     /// A time step that is negative or not finite; a contact that did not converge at any tried position of the
@@ -355,8 +316,12 @@ impl MixedLubricationSim {
     /// As of [`MixedLubricationSim::step`], and laws that change a node by more than the depth in any time.
     pub fn step_within(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         control.validate()?;
+        let conditions = self.conditions();
+        self.contact.put_under(&self.scene, &conditions)?;
+        self.heat.move_at(conditions.motion.surface_speeds(), &self.contact.grid)?;
         let (report, offsets, attempts) = self.solve_somewhere()?;
         let flash_rise = self.rub()?;
+        let rq = self.roughness()?;
         for (backup, body) in self.backup.iter_mut().zip(&self.bodies) {
             backup.clone_from(body);
         }
@@ -369,7 +334,7 @@ impl MixedLubricationSim {
         };
         self.time += time_step;
         self.squeeze_memory.keep(&self.state.mass, time_step);
-        let record = self.record(report, attempts, flash_rise)?;
+        let record = self.record(report, attempts, flash_rise, (conditions, rq))?;
         self.step += 1;
         Ok(record)
     }
@@ -405,23 +370,34 @@ impl MixedLubricationSim {
 
     /// Solves the contact at the next position of the roughness, or at further ones where that fails.
     fn solve_somewhere(&mut self) -> Result<(SolveReport, Offsets, u32), SimError> {
-        let random = matches!(self.travel.motion, RoughnessMotion::RandomShift { .. });
-        let tries = if random { MAX_ATTEMPTS } else { 1 };
-        let speeds = self.scene.motion.surface_speeds();
         let mut attempt = 1;
         loop {
-            let (draw, time, grid) = (self.draws, self.time, self.contact.grid);
-            let offsets = [0, 1].map(|body| self.travel.motion.offset(body, draw, time, speeds[body], &grid));
+            let offsets = self.offsets()?;
             self.draws += 1;
             let report = self.solve_at(offsets)?;
             match report.require_converged() {
                 Ok(report) => return Ok((report, offsets, attempt)),
-                Err(source) if attempt >= tries => {
+                // A motion that has no other position has no other contact.
+                Err(source) if attempt >= MAX_ATTEMPTS || self.offsets()? == offsets => {
                     return Err(SimError::NotConverged { step: self.step, attempts: attempt, source });
                 }
                 Err(_) => attempt += 1,
             }
         }
+    }
+
+    /// Where the roughness stands at the next solve, within the patch.
+    fn offsets(&self) -> Result<Offsets, InputError> {
+        let (motion, grid, speeds) =
+            (&self.travel.motion, self.contact.grid, self.timetable.mean_speeds(self.time));
+        let [ball, disc] = [0, 1].map(|body| motion.offset(body, self.draws, self.time, speeds[body], &grid));
+        ball.validate_as("motion: offset.fraction of the ball")?;
+        disc.validate_as("motion: offset.fraction of the disc")?;
+        Ok([ball, disc].map(|offset| Offset {
+            columns: offset.columns % grid.nx(),
+            rows: offset.rows % grid.ny(),
+            ..offset
+        }))
     }
 
     /// Surfaces, films and depths of both bodies as they lie at `offsets`.
@@ -445,7 +421,7 @@ impl MixedLubricationSim {
         Ok(())
     }
 
-    fn solve_at(&mut self, offsets: Offsets) -> Result<SolveReport, SimError> {
+    pub(super) fn solve_at(&mut self, offsets: Offsets) -> Result<SolveReport, SimError> {
         self.place(offsets)?;
         let Self { fields, contact, laws, state, travel, squeeze_memory, step, .. } = self;
         let squeeze =
@@ -458,16 +434,15 @@ impl MixedLubricationSim {
         let Some(model) = &laws.plasticity else {
             return contact.solve(&fields.gap, None, squeeze, state);
         };
-        fields.yielding.start(model.as_ref(), &fields.films, &fields.depths)?;
+        fields.yielding.start(model, &fields.films, &fields.depths)?;
         let mut report = contact.solve(&fields.gap, Some(&fields.yielding.limit), squeeze, state)?;
-        if !model.hardens() {
+        if !model.each().iter().any(|model| model.hardens()) {
             return Ok(report);
         }
         let compliance = PATCH_COMPLIANCE * contact.deformation.influence(0, 0);
         for _ in 0..MAX_HARDENING {
             let (films, depths) = (&fields.films, &fields.depths);
-            let distance =
-                fields.yielding.harden(model.as_ref(), films, depths, &state.plastic_depth, compliance);
+            let distance = fields.yielding.harden(model, films, depths, &state.plastic_depth, compliance);
             if report.status != Status::Converged || distance <= HARDENING_TOLERANCE {
                 return Ok(report);
             }
@@ -482,8 +457,8 @@ impl MixedLubricationSim {
     /// Shear, heat and temperature under the solved pressures; returns the largest flash rise \[K\], none where it is not
     /// modelled.
     fn rub(&mut self) -> Result<Option<f64>, SimError> {
-        let Self { fields, contact, state, heat, .. } = self;
-        fields.friction.update(contact, state)?;
+        let Self { fields, contact, laws, state, heat, .. } = self;
+        fields.friction.update(contact, state, laws.friction.as_ref(), Some(&fields.films))?;
         let Some(flash) = &mut heat.flash else { return Ok(None) };
         for (k, heat) in fields.heat.iter_mut().enumerate() {
             *heat = fields.friction.heat(k);
@@ -491,20 +466,39 @@ impl MixedLubricationSim {
         Ok(Some(flash.rise(&fields.heat, &mut fields.rise)?.maximum))
     }
 
+    /// What a step of a second does to ball and disc as they move under `conditions`.
+    fn ageing(&self, conditions: &Conditions) -> Result<[Ageing; 2], InputError> {
+        let (track, motion) = (&self.scene.track, self.travel.motion.as_ref());
+        let speeds = conditions.motion.surface_speeds();
+        exposure::ageing(track, motion, &self.contact.grid, &self.contact.hertz, speeds)
+    }
+
+    /// Adds the print of the contact to the plastic depth of the bodies.
+    fn flatten(&mut self, ageing: [Ageing; 2], time_step: f64, offsets: Offsets) -> Result<(), SimError> {
+        let Self { fields, bodies, contact, state, .. } = self;
+        let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
+        fields.yielding.share(&state.plastic_depth)?;
+        for (index, body) in bodies.iter_mut().enumerate() {
+            fields.on_body.fill(0.0);
+            add_blended(&fields.yielding.split[index], nx, ny, offsets[index], &mut fields.on_body)?;
+            let share = ageing[index].print(time_step);
+            fields.on_body.iter_mut().for_each(|depth| *depth *= share);
+            body.plastic.add(&fields.on_body)?;
+        }
+        Ok(())
+    }
+
     /// Applies wear, film growth and flattening to the bodies. The film grows half before and half after the wear, so
     /// that the wear coefficient is that of the middle of the step.
     fn commit(&mut self, time_step: f64, offsets: Offsets) -> Result<(), SimError> {
-        let Self { fields, bodies, contact, laws, state, scene, .. } = self;
-        let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
-        let (bulk, sliding) = (scene.thermal.bulk_temperature, scene.motion.sliding_speed());
-        if laws.plasticity.is_some() {
-            fields.yielding.share(&state.plastic_depth)?;
-            for (index, body) in bodies.iter_mut().enumerate() {
-                fields.on_body.fill(0.0);
-                add_blended(&fields.yielding.split[index], nx, ny, offsets[index], &mut fields.on_body)?;
-                body.plastic.add(&fields.on_body)?;
-            }
+        let conditions = self.conditions();
+        let ageing = self.ageing(&conditions)?;
+        if self.laws.plasticity.is_some() {
+            self.flatten(ageing, time_step, offsets)?;
         }
+        let Self { fields, bodies, contact, laws, state, .. } = self;
+        let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
+        let (bulk, sliding) = (conditions.bulk_temperature, conditions.motion.sliding_speed());
         let on_grid = |k: usize| RubbingPoint {
             pressure: state.pressure[k],
             solid_pressure: fields.friction.solid[k],
@@ -514,7 +508,8 @@ impl MixedLubricationSim {
             film_thickness: state.film[k],
             in_contact: state.in_contact[k],
         };
-        for ((body, offset), duty) in bodies.iter_mut().zip(offsets).zip(laws.duty) {
+        for (index, (body, offset)) in bodies.iter_mut().zip(offsets).enumerate() {
+            let exposed = ageing[index].rate * time_step;
             let point = |node: usize| {
                 // Where this node of the body stands in the frame of the contact: on a node, or short of it.
                 let (i, j) = ((node % nx + nx - offset.columns) % nx, (node / nx + ny - offset.rows) % ny);
@@ -525,35 +520,41 @@ impl MixedLubricationSim {
                 at.towards(&on_grid(j * nx + (i + nx - 1) % nx), offset.fraction)
             };
             if let (Some(law), Some(film)) = (&laws.growth, &mut body.film) {
-                film.advance(law.as_ref(), 0.5 * time_step, point)?;
+                film.advance(law.as_ref(), 0.5 * exposed, point)?;
             }
             if let Some(law) = &laws.wear {
                 let thickness = body.film.as_ref().map(|film| film.thickness());
-                body.wear.advance(law.as_ref(), duty * time_step, |node| {
+                body.wear.advance(law.each()[index], exposed, |node| {
                     (point(node), thickness.map_or(0.0, |thickness| thickness[node]))
                 })?;
             }
             if let (Some(law), Some(film)) = (&laws.growth, &mut body.film) {
-                film.advance(law.as_ref(), 0.5 * time_step, point)?;
+                film.advance(law.as_ref(), 0.5 * exposed, point)?;
             }
             body.rebuild()?;
         }
         Ok(())
     }
 
+    /// Root mean square roughness of both bodies on the track \[m\].
+    fn roughness(&self) -> Result<[f64; 2], InputError> {
+        let [ball, disc] = &self.bodies;
+        Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
+    }
+
+    /// The record of the step that was committed last, whose contact was solved under `conditions` on surfaces of roughness `rq`.
     fn record(
         &self,
         report: SolveReport,
         attempts: u32,
         flash_rise: Option<f64>,
+        (conditions, rq): (Conditions, [f64; 2]),
     ) -> Result<StepRecord, SimError> {
         let (state, grid) = (&self.state, self.contact.grid);
         let film = film_numbers(&self.contact, state)?;
-        let contact = contact_numbers(&self.contact, state, &self.fields.friction.solid, None)?;
-        let rq = [
-            metrics::height_statistics(&self.bodies[0].surface)?.sq,
-            metrics::height_statistics(&self.bodies[1].surface)?.sq,
-        ];
+        let limit = self.laws.plasticity.is_some().then_some(self.fields.yielding.limit.as_slice());
+        let contact = contact_numbers(&self.contact, state, &self.fields.friction.solid, limit)?;
+        let friction = self.fields.friction.shares(&self.contact)?;
         let composite_rq = metrics::composite_rq(rq[0], rq[1]);
         let over_rq = |film: f64| if composite_rq > 0.0 { film / composite_rq } else { 0.0 };
         let carrying = state.pressure.iter().filter(|p| **p > 0.0).count().max(1);
@@ -569,7 +570,7 @@ impl MixedLubricationSim {
             composite_rq,
             average_film: film.mean_central,
             lambda: over_rq(film.mean_central),
-            lambda_old: over_rq(self.contact.formula_film()),
+            lambda_old: over_rq(self.contact.stated_film),
             area_ratio: contact.area_ratio,
             load_ratio: contact.load_ratio,
             max_pressure: contact.max_pressure,
@@ -577,9 +578,19 @@ impl MixedLubricationSim {
             mean_wear: [mean(ball.wear_depth()), mean(disc.wear_depth())],
             max_wear: [largest(ball.wear_depth()), largest(disc.wear_depth())],
             mean_film: [mean(ball.film_thickness()), mean(disc.film_thickness())],
+            track_wear: [self.mean_on_track(ball.wear_depth())?, self.mean_on_track(disc.wear_depth())?],
+            track_film: [
+                self.mean_on_track(ball.film_thickness())?,
+                self.mean_on_track(disc.film_thickness())?,
+            ],
             plastic_volume: ball.volumes(area)?.plastic + disc.volumes(area)?.plastic,
             flash_rise,
-            friction_coefficient: self.fields.friction.coefficient(&self.contact)?,
+            friction_coefficient: friction.coefficient,
+            friction_boundary: friction.boundary,
+            friction_fluid: friction.fluid,
+            load: conditions.load,
+            motion: conditions.motion,
+            bulk_temperature: conditions.bulk_temperature,
             minimum_gap: film.minimum_gap,
             flow: self.contact.flow,
             attempts,

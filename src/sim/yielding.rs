@@ -1,5 +1,6 @@
 //! The pressure limit of a contact and the depth that yielding leaves on each body.
 
+use super::per_body::PerBody;
 use crate::error::InputError;
 use crate::plastic::{PlasticityModel, split_depth, split_depth_into};
 
@@ -22,16 +23,21 @@ impl Yielding {
     /// Limits of the bodies as they lie opposite each other with `films` and `depths` \[m\].
     pub(super) fn start(
         &mut self,
-        model: &dyn PlasticityModel,
+        models: &PerBody<dyn PlasticityModel>,
         films: &[Vec<f64>; 2],
         depths: &[Vec<f64>; 2],
     ) -> Result<(), InputError> {
-        for body in 0..2 {
+        for (body, model) in models.each().into_iter().enumerate() {
             let nodes = films[body].iter().zip(&depths[body]);
             for (limit, (film, depth)) in self.body_limits[body].iter_mut().zip(nodes) {
                 *limit = model.pressure_limit(*film, *depth);
             }
         }
+        let Some(model) = models.common() else {
+            let bodies = self.body_limits[0].iter().zip(&self.body_limits[1]);
+            self.limit.iter_mut().zip(bodies).for_each(|(limit, (ball, disc))| *limit = ball.min(*disc));
+            return Ok(());
+        };
         let ([first, second], [above, below]) = (films, depths);
         model.contact_limit_into([first, second], [above, below], &mut self.limit)
     }
@@ -41,18 +47,19 @@ impl Yielding {
     /// which the length of the move allows for.
     pub(super) fn harden(
         &mut self,
-        model: &dyn PlasticityModel,
+        models: &PerBody<dyn PlasticityModel>,
         films: &[Vec<f64>; 2],
         depths: &[Vec<f64>; 2],
         plastic: &[f64],
         compliance: f64,
     ) -> f64 {
         let mut largest = 0.0_f64;
+        let each = models.each();
         for (k, limit) in self.limit.iter_mut().enumerate() {
             let softer = self.body_limits[0][k].min(self.body_limits[1][k]);
             let split = split_depth(plastic[k], [self.body_limits[0][k], self.body_limits[1][k]]);
             let [first, second] =
-                [0, 1].map(|body| model.pressure_limit(films[body][k], depths[body][k] + split[body]));
+                [0, 1].map(|body| each[body].pressure_limit(films[body][k], depths[body][k] + split[body]));
             let distance = first.min(second) - *limit;
             largest = largest.max(distance.abs() / *limit);
             let slope =

@@ -9,7 +9,8 @@
 //! | [`Heights`] | a measured surface: removal of form, filters, filling of holes, transfer to a grid |
 //! | `read`, `read_bytes` (feature `formats`) | instrument files: x3p, sur, sdf, plu, al3d, npy, text |
 //! | `write_x3p`, `write_npy`, `write_text` (feature `formats`) | files that come back bit by bit |
-//! | [`RoughnessMotion`], [`FourierShift`] | shift of periodic roughness from step to step, by less than a cell too |
+//! | [`RoughnessMotion`] | where periodic roughness stands from step to step: [`AlongTrack`], [`RandomShift`], [`Carried`], [`AtRest`] |
+//! | [`FourierShift`] | shift by less than a cell |
 //!
 //! Heights are in metres and point out of the body: a positive height narrows the gap.
 
@@ -29,6 +30,7 @@ mod motion;
 mod patch;
 mod random;
 mod resample;
+mod roughness_motion;
 mod self_affine;
 mod subcell;
 mod texture;
@@ -40,8 +42,9 @@ pub use form::Form;
 pub use format::{read, read_bytes, write_npy, write_text, write_x3p};
 pub use generate::{Autocorrelation, RoughnessSpec, generate};
 pub use measured::Heights;
-pub use motion::{Offset, RoughnessMotion, add_blended, copy_shifted};
+pub use motion::{Offset, add_blended, copy_shifted};
 pub use random::{HeightDistribution, HeightScale, RandomShape, RandomSurface};
+pub use roughness_motion::{AlongTrack, AtRest, Carried, RandomShift, RoughnessMotion, Visits};
 pub use self_affine::{SelfAffine, Synthesis};
 pub use subcell::{FourierShift, blend_shifted};
 pub use texture::{DimpleLayout, GrooveDirection, Texture};

@@ -1,28 +1,6 @@
-//! Motion of periodic roughness between time steps.
-
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+//! Shifts of periodic fields by whole nodes.
 
 use crate::error::InputError;
-use crate::grid::Grid;
-
-/// Where the roughness of each body stands at each step.
-///
-/// A time step of a wear simulation spans many passages of the contact, so the two roughness patterns meet at
-/// another relative position each time. All patterns are periodic.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RoughnessMotion {
-    /// The patterns never move: the same peaks meet for ever.
-    Fixed,
-    /// At each step each body's pattern stands at a new random position, a whole number of nodes from its origin.
-    RandomShift {
-        /// Seed of the positions.
-        seed: u64,
-    },
-    /// Each pattern is carried along x by its body: after the time `t` it stands `V t` downstream, between nodes by
-    /// interpolation.
-    Convected,
-}
 
 /// Where a pattern stands: node `(i, j)` of the grid sees the body's own field at column `i + columns + fraction` and row
 /// `j + rows`, both periodic.
@@ -42,64 +20,13 @@ impl Offset {
     /// # Errors
     /// A fraction outside 0 to 1.
     pub fn validate(&self) -> Result<(), InputError> {
-        InputError::require(
-            (0.0..=1.0).contains(&self.fraction),
-            "offset.fraction",
-            self.fraction,
-            "from 0 to 1",
-        )
+        self.validate_as("offset.fraction")
     }
-}
 
-impl RoughnessMotion {
-    /// Where the pattern of `body` stands on `grid` at the `draw`-th solve and `time` \[s\], its surface moving at `speed`
-    /// \[m/s\] along x.
-    ///
-    /// A function of its arguments alone, so that a resumed run meets the positions of an uninterrupted one.
-    ///
-    /// ```
-    /// use stribeck::Grid;
-    /// use stribeck::surface::{Offset, RoughnessMotion};
-    /// let grid = Grid::centred(128, 128, 1e-6, 1e-6)?;
-    /// let motion = RoughnessMotion::RandomShift { seed: 3 };
-    /// let offset = motion.offset(0, 17, 0.0, 0.1, &grid);
-    /// assert_eq!(offset, motion.offset(0, 17, 5.0, 0.2, &grid));
-    /// assert!(offset.columns < 128 && offset.rows < 128);
-    /// assert_eq!(RoughnessMotion::Fixed.offset(0, 17, 1.0, 0.1, &grid), Offset::default());
-    /// // 0.25 cells downstream: the grid sees what was 0.25 cells upstream.
-    /// let carried = RoughnessMotion::Convected.offset(0, 0, 2.5e-6, 0.1, &grid);
-    /// assert_eq!(carried.columns, 127);
-    /// assert!((carried.fraction - 0.75).abs() < 1e-9);
-    /// # Ok::<(), stribeck::InputError>(())
-    /// ```
-    #[must_use]
-    pub fn offset(&self, body: usize, draw: u64, time: f64, speed: f64, grid: &Grid) -> Offset {
-        match *self {
-            Self::Fixed => Offset::default(),
-            Self::RandomShift { seed } => {
-                let mut bytes = [0; 32];
-                bytes[..8].copy_from_slice(&seed.to_le_bytes());
-                bytes[8..16].copy_from_slice(&(body as u64).to_le_bytes());
-                bytes[16..24].copy_from_slice(&draw.to_le_bytes());
-                bytes[24..].copy_from_slice(b"position");
-                let mut generator = ChaCha8Rng::from_seed(bytes);
-                let columns = below(generator.next_u64(), grid.nx());
-                Offset { columns, rows: below(generator.next_u64(), grid.ny()), fraction: 0.0 }
-            }
-            Self::Convected => {
-                let columns = (-speed * time / grid.dx()).rem_euclid(grid.nx() as f64);
-                // A distance that is not a number stays at the origin.
-                let whole = if columns.is_finite() { columns.floor() } else { 0.0 };
-                let fraction = if columns.is_finite() { columns - whole } else { 0.0 };
-                Offset { columns: whole as usize % grid.nx().max(1), rows: 0, fraction }
-            }
-        }
+    /// The same with the name of the field.
+    pub(crate) fn validate_as(&self, field: &str) -> Result<(), InputError> {
+        InputError::require((0.0..=1.0).contains(&self.fraction), field, self.fraction, "from 0 to 1")
     }
-}
-
-/// Maps 64 random bits onto `0..count`.
-fn below(bits: u64, count: usize) -> usize {
-    ((u128::from(bits) * count as u128) >> 64) as usize
 }
 
 /// Overwrites `out` with the periodic `field` as seen after a shift:

@@ -7,28 +7,34 @@
 //! |---|---|
 //! | [`film_growth_law`] | finite rates, bounds, frozen idle nodes, rate = derivative, any cut of the time step |
 //! | [`wear_law`] | finite, never negative, none without sliding or load, monotone in both |
+//! | [`boundary_friction`] | finite, never negative, by the arguments alone |
 //! | [`viscosity_law`] | finite, positive, monotone, slope = derivative, negative pressures |
 //! | [`density_law`] | 1 at ambient pressure, monotone, slope = derivative, negative pressures |
 //! | [`plasticity_model`] | positive limits that do not fall with depth, the pair's limit the smaller |
 //! | [`deformation_model`] | linear, symmetric, translation invariant, positive; errors of shape |
+//! | [`roughness_motion`] | fractions within a column, offsets by arguments alone, what stays stays |
 //! | [`contact_solver`] | a smooth contact solved: load, bounds, residuals, restart; bad input refused |
 //!
 //! For proptest there are strategies: [`scenes`], [`absurd_scenes`] and [`pressures`].
 
+mod boundary_friction;
 mod contact_solver;
 mod deformation;
 mod film_growth;
 mod fluid;
+mod motion;
 mod plasticity;
 mod strategies;
 mod wear;
 
 use std::fmt::Debug;
 
+pub use boundary_friction::boundary_friction;
 pub use contact_solver::contact_solver;
 pub use deformation::deformation_model;
 pub use film_growth::film_growth_law;
 pub use fluid::{density_law, viscosity_law};
+pub use motion::roughness_motion;
 pub use plasticity::plasticity_model;
 pub use strategies::{absurd_scenes, pressures, scenes};
 use thiserror::Error;

@@ -5,8 +5,9 @@ use proptest::prelude::*;
 use crate::grid::Grid;
 use crate::sim::Scene;
 use crate::sim::scene::{
-    Elastic, Flash, FrictionSpec, GridSpec, Load, LubricantSpec, Motion, PlasticSpec, RandomRoughness,
-    Roughness, RoughnessPair, SolverKind, SolverSpec, ThermalSpec, TribofilmSpec, WearSpec,
+    Elastic, Flash, FrictionSpec, GridSpec, Load, LubricantSpec, Material, Materials, Motion, PlasticSpec,
+    RandomRoughness, Roughness, RoughnessPair, Schedule, Schedules, SolverKind, SolverSpec, ThermalSpec,
+    TrackSpec, TribofilmSpec, WearSpec,
 };
 use crate::surface::Form;
 use crate::tribochem::Activation;
@@ -60,6 +61,7 @@ fn lubricants() -> impl Strategy<Value = Option<LubricantSpec>> {
             roelands_z,
             roelands_p0: 1.96e8,
             alpha: given.then_some(1.5e-8),
+            formula_alpha: None,
             density_a: 0.6e-9,
             density_b: 1.7e-9,
             supplied_film: None,
@@ -160,6 +162,8 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
         Scene {
             form,
             elastic: Elastic { equivalent_modulus },
+            materials: Materials::default(),
+            schedule: Schedules::default(),
             load,
             motion,
             lubricant,
@@ -169,6 +173,7 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
             friction,
             tribofilm,
             wear,
+            track: TrackSpec::default(),
             thermal,
             solver,
         }
@@ -200,7 +205,7 @@ pub fn pressures(grid: &Grid) -> impl Strategy<Value = Vec<f64>> + use<> {
 }
 
 /// Kinds of changes that [`distort`] knows.
-const CHANGES: usize = 40;
+const CHANGES: usize = 44;
 
 fn distort(scene: &mut Scene, change: usize, value: f64) {
     let small = |value: f64| value.abs().min(3.0) as usize;
@@ -285,9 +290,22 @@ fn distort(scene: &mut Scene, change: usize, value: f64) {
         35 => {
             scene.wear = Some(WearSpec { coefficient: value, film_coefficient: 0.0, ..WearSpec::default() });
         }
-        36 => scene.wear = Some(WearSpec { hardness: value, duty_factor_ball: value, ..WearSpec::default() }),
+        36 => {
+            scene.wear = Some(WearSpec { hardness: value, ..WearSpec::default() });
+            scene.track.radius_ball = Some(value);
+        }
         37 => scene.thermal = ThermalSpec { bulk_temperature: value, conductivity: value, ..scene.thermal },
-        38 => scene.solver = SolverSpec { tolerance: value, max_iterations: 0, ..scene.solver },
+        38 => (scene.materials.ball.modulus, scene.materials.ball.poisson_ratio) = (Some(value), Some(0.3)),
+        39 => {
+            scene.materials.disc =
+                Material { hardness: Some(value), diffusivity: Some(value), ..Material::default() }
+        }
+        40 => scene.schedule.load = Some(Schedule::ramps(&[(0.0, value), (value, 20.0)])),
+        41 => {
+            scene.schedule.entrainment_speed = Some(Schedule::steps(&[(-1.0, 0.1), (0.0, value)]));
+            scene.schedule.bulk_temperature = Some(Schedule::Constant { value });
+        }
+        42 => scene.solver = SolverSpec { tolerance: value, max_iterations: 0, ..scene.solver },
         _ => {
             scene.solver =
                 SolverSpec { film_cutoff: value, relaxation: value, stiffness: value, ..scene.solver };

@@ -88,7 +88,6 @@ impl Tribofilm {
     ///
     /// # Errors
     /// States that do not belong to `law` or give a thickness that is not finite.
-    #[cfg(feature = "serde")]
     pub(crate) fn from_states(
         law: &dyn FilmGrowthLaw,
         states: Vec<f64>,

@@ -177,8 +177,31 @@ pub fn estimate_maximum_rise(
 ) -> Result<f64, InputError> {
     InputError::require_non_negative("friction_coefficient", friction_coefficient)?;
     InputError::require_positive("hertz_pressure", hertz_pressure)?;
-    InputError::require_positive("radius", radius)?;
     let mean_flux = friction_coefficient * 2.0 / 3.0 * hertz_pressure * (speeds[0] - speeds[1]).abs();
+    estimate_rise_under_flux(bodies, speeds, mean_flux, radius)
+}
+
+/// [`estimate_maximum_rise`] \[K\] by the mean heat flux `mean_flux` \[W/m^2\] over the contact, whatever makes the heat:
+/// that of a fluid is its mean shear stress times the sliding speed.
+///
+/// # Errors
+/// A property or radius that is not finite and positive, a flux that is negative or not finite, a speed that is not finite.
+///
+/// ```
+/// use stribeck::tribochem::{ThermalBody, estimate_rise_under_flux};
+/// // 100 MPa of shear stress at 1 m/s of sliding.
+/// let rise = estimate_rise_under_flux([ThermalBody::STEEL; 2], [1.5, 0.5], 1e8, 100e-6)?;
+/// assert!(rise > 50.0 && rise < 100.0, "{rise}");
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+pub fn estimate_rise_under_flux(
+    bodies: [ThermalBody; 2],
+    speeds: [f64; 2],
+    mean_flux: f64,
+    radius: f64,
+) -> Result<f64, InputError> {
+    InputError::require_non_negative("mean_flux", mean_flux)?;
+    InputError::require_positive("radius", radius)?;
     let mut inverse = 0.0;
     for (body, speed) in bodies.iter().zip(speeds) {
         body.validate()?;

@@ -38,7 +38,7 @@ pub use barrier::ELECTRON_VOLT;
 pub use film::Tribofilm;
 #[cfg(feature = "fit")]
 pub use fit::{FitError, FittedConstant, GrowthFit, fit_growth_law};
-pub use flash_temperature::{FlashReport, FlashTemperature, estimate_maximum_rise};
+pub use flash_temperature::{FlashReport, FlashTemperature, estimate_maximum_rise, estimate_rise_under_flux};
 pub use ghanbarzadeh::Ghanbarzadeh;
 #[cfg(feature = "fit")]
 pub use growth_curve::GrowthCurve;

@@ -131,7 +131,7 @@ impl Run {
         }
         scene.motion.entrainment_speed = self.speed;
         scene.solver.film_cutoff = self.miniature.film_cutoff;
-        scene.solver.cavitation = self.cavitation.0;
+        scene.solver.cavitation = Some(self.cavitation.0);
         let (scheme, face_mobility) = self.law.choices();
         scene.solver.scheme = Some(scheme);
         scene.solver.face_mobility = Some(face_mobility);

@@ -84,7 +84,7 @@ pub(crate) fn solve(run: Run, start: Option<ContactState>) -> Result<(Row, Conta
         contact: ContactDefinition::Hard,
         scheme: scene.scheme(),
         face_mobility: scene.face_mobility(),
-        cavitation: scene.solver.cavitation,
+        cavitation: scene.cavitation(),
         supplied_film: None,
         shear_thinning: None,
         reference_half_widths: (hertz.a_x, hertz.a_y),

@@ -9,7 +9,7 @@ use super::ErrorEstimate;
 use crate::grid::Grid;
 use crate::metrics::{CENTRAL, is_central};
 use crate::report::Status;
-use crate::sim::contact::ContactSolution;
+use crate::sim::solution::ContactSolution;
 
 /// Of the load of the nodes that change sides, what the load ratio may still change by.
 const LOAD: f64 = 0.75;

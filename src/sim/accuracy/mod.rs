@@ -6,9 +6,9 @@ mod smooth;
 mod surfaces;
 
 use super::SimError;
-use super::contact::ContactSolution;
 use super::scene::{GridSpec, Scene};
 use super::setup;
+use super::solution::ContactSolution;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::Work;

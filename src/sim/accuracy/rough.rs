@@ -6,8 +6,9 @@ use super::{ErrorEstimate, Spent, change};
 use crate::error::InputError;
 use crate::report::Status;
 use crate::reynolds::{ContactDefinition, ContactState};
-use crate::sim::contact::{ContactSolution, solve_heights};
+use crate::sim::contact::solve_heights;
 use crate::sim::scene::{GridSpec, Roughness, Scene};
+use crate::sim::solution::ContactSolution;
 use crate::sim::{SimError, setup};
 
 /// Meshes of more nodes are not tried.

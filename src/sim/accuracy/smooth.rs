@@ -10,9 +10,11 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::Status;
 use crate::reynolds::ContactState;
-use crate::sim::contact::{ContactSolution, solve_on_grid};
+use crate::sim::contact::solve_on_grid;
+use crate::sim::formula::formula_film;
 use crate::sim::hertz::HertzContact;
 use crate::sim::scene::{GridSpec, Scene};
+use crate::sim::solution::ContactSolution;
 use crate::sim::{SimError, setup};
 
 /// Ratio of the cells of one mesh to those of the next finer one.
@@ -64,7 +66,8 @@ impl Plan {
     /// [`AIM`] of the accuracy.
     pub(super) fn of(scene: &Scene, hertz: &HertzContact, accuracy: f64) -> Result<Self, InputError> {
         let viscosity = setup::viscosity(scene)?;
-        let Some(formulas) = setup::formula_film(scene, hertz, viscosity.as_deref())? else {
+        let speed = scene.conditions(0.0)?.motion.entrainment_speed;
+        let Some(formulas) = formula_film(scene, hertz, speed, viscosity.as_deref(), None)? else {
             let (side, cell) = (1.5, 0.25 * accuracy.sqrt());
             return Ok(Self { inlet: side, outlet: side, side, cell, box_error: 0.0 });
         };

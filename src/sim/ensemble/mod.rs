@@ -24,7 +24,6 @@ use super::simulation::MixedLubricationSim;
 use crate::error::InputError;
 #[cfg(all(feature = "serde", feature = "npz"))]
 use crate::sim::RunFolder;
-use crate::surface::RoughnessMotion;
 
 #[cfg(feature = "mpi")]
 pub use over_ranks::run_over_ranks;
@@ -36,8 +35,6 @@ pub struct Member {
     pub name: String,
     /// The scene.
     pub scene: Scene,
-    /// How its roughness moves.
-    pub motion: RoughnessMotion,
     /// Number of steps.
     pub steps: u64,
     /// Length of a step \[s\].
@@ -46,7 +43,7 @@ pub struct Member {
 
 impl Member {
     fn builder(&self) -> SimBuilder {
-        MixedLubricationSim::builder(self.scene.clone()).motion(self.motion)
+        MixedLubricationSim::builder(self.scene.clone())
     }
 }
 
@@ -64,13 +61,11 @@ pub struct Outcome {
 /// ```
 /// use stribeck::sim::ensemble::{self, Member};
 /// use stribeck::sim::Scene;
-/// use stribeck::surface::RoughnessMotion;
 /// let members: Vec<Member> = [1.0e9, -1.0, 1.15e9]
 ///     .map(|pressure| {
 ///         let mut scene = Scene::azam_2019(32);
 ///         scene.load.hertz_pressure = Some(pressure);
-///         let motion = RoughnessMotion::RandomShift { seed: 7 };
-///         Member { name: format!("{pressure:e}"), scene, motion, steps: 1, time_step: 10.0 }
+///         Member { name: format!("{pressure:e}"), scene, steps: 1, time_step: 10.0 }
 ///     })
 ///     .into();
 /// let outcomes = ensemble::run(&members, 2);

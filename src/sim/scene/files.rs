@@ -33,7 +33,7 @@ impl Scene {
         toml::to_string(self).map_err(|e| SimError::Scene { reason: e.to_string() })
     }
 
-    /// Reads a scene file; paths of roughness files in it are taken relative to its folder.
+    /// Reads a scene file; paths of other files in it are taken relative to its folder.
     ///
     /// # Errors
     /// [`SimError::Io`] when the file cannot be read, [`SimError::Scene`] when it does not fit.
@@ -48,6 +48,7 @@ impl Scene {
                 file.path = folder.join(&file.path);
             }
         }
+        scene.schedule.locate_tables(folder);
         Ok(scene)
     }
 }

@@ -2,13 +2,20 @@
 
 #[cfg(feature = "serde")]
 mod files;
+mod materials;
 mod processes;
+mod schedule;
 #[cfg(feature = "serde")]
 mod tables;
+mod track;
 
 use std::path::PathBuf;
 
+pub(super) use materials::BODIES;
+pub use materials::{Material, Materials};
 pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec, WearSpec};
+pub use schedule::{Schedule, Schedules};
+pub use track::{Exposure, TrackMotion, TrackSpec};
 
 use crate::analytic::{HertzLine, HertzPoint};
 use crate::error::InputError;
@@ -28,7 +35,11 @@ pub struct Scene {
     #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::form"))]
     pub form: Form,
     /// Elastic constants.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Elastic::is_absent"))]
     pub elastic: Elastic,
+    /// Materials of the bodies, where they differ or their moduli are given one by one.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Materials::is_empty"))]
+    pub materials: Materials,
     /// Normal load.
     pub load: Load,
     /// Speeds; needed where there is a lubricant, sliding or a history.
@@ -55,9 +66,15 @@ pub struct Scene {
     /// Wear; absent: none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub wear: Option<WearSpec>,
+    /// Motion of the roughness and exposure of the track in a history.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub track: TrackSpec,
     /// Temperatures.
     #[cfg_attr(feature = "serde", serde(default))]
     pub thermal: ThermalSpec,
+    /// Conditions that change in time; a single contact is that of the start.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Schedules::is_empty"))]
+    pub schedule: Schedules,
     /// How the contact problem is solved.
     #[cfg_attr(feature = "serde", serde(default))]
     pub solver: SolverSpec,
@@ -67,8 +84,23 @@ pub struct Scene {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Elastic {
-    /// `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`.
+    /// `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`; infinite where the materials give the moduli
+    /// ([`Scene::equivalent_modulus`]).
     pub equivalent_modulus: f64,
+}
+
+impl Elastic {
+    #[cfg(feature = "serde")]
+    fn is_absent(&self) -> bool {
+        self.equivalent_modulus == f64::INFINITY
+    }
+}
+
+impl Default for Elastic {
+    /// The modulus is that of the materials.
+    fn default() -> Self {
+        Self { equivalent_modulus: f64::INFINITY }
+    }
 }
 
 /// Normal load, by exactly one of the two.
@@ -129,6 +161,10 @@ pub struct LubricantSpec {
     /// from `eta0`, `roelands_z` and `roelands_p0`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub alpha: Option<f64>,
+    /// Pressure-viscosity coefficient \[1/Pa\] of the film formulas alone, where the data sheet states another one than the slope
+    /// of the viscosity law; absent: that slope.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub formula_alpha: Option<f64>,
     /// Dowson-Higginson `a` \[1/Pa\].
     #[cfg_attr(feature = "serde", serde(default = "defaults::density_a"))]
     pub density_a: f64,
@@ -263,7 +299,7 @@ pub struct SolverSpec {
     /// Pressure flow through the faces; none for that of the contact definition, see [`Scene::face_mobility`].
     pub face_mobility: Option<FaceMobility>,
     /// What holds where the fluid cavitates.
-    pub cavitation: Cavitation,
+    pub cavitation: Option<Cavitation>,
     /// Film thickness at which solids touch \[m\].
     pub film_cutoff: f64,
     /// What solid contact is.
@@ -291,7 +327,7 @@ impl Default for SolverSpec {
             max_iterations: 20_000,
             scheme: None,
             face_mobility: None,
-            cavitation: Cavitation::default(),
+            cavitation: None,
             film_cutoff: 1e-9,
             contact: ContactDefinition::default(),
             estimate: false,
@@ -349,6 +385,7 @@ impl Scene {
         Self {
             form: Form::Sphere { radius: 9.525e-3 },
             elastic: Elastic { equivalent_modulus: 229.67e9 },
+            materials: Materials::default(),
             load: Load { hertz_pressure: Some(1.15e9), force: None },
             motion: Motion { entrainment_speed: 0.1, slide_roll_ratio: 0.05 },
             lubricant: Some(LubricantSpec {
@@ -356,6 +393,7 @@ impl Scene {
                 roelands_z: 0.68,
                 roelands_p0: 1.96e8,
                 alpha: None,
+                formula_alpha: Some(1.494e-8),
                 density_a: 0.6e-9,
                 density_b: 1.7e-9,
                 supplied_film: None,
@@ -366,7 +404,9 @@ impl Scene {
             friction: FrictionSpec::default(),
             tribofilm: None,
             wear: Some(WearSpec::default()),
+            track: TrackSpec::default(),
             thermal: ThermalSpec::default(),
+            schedule: Schedules::default(),
             solver: SolverSpec::default(),
         }
     }
@@ -400,11 +440,28 @@ impl Scene {
         }
     }
 
-    /// The Hertz contact of the smooth bodies.
+    /// The Hertz contact of the smooth bodies, at the start where the load is scheduled.
     ///
     /// # Errors
-    /// Form, modulus or load out of range, or both kinds of load, or none.
+    /// Form, modulus, load or schedule out of range, or both kinds of load, or none.
     pub fn hertz(&self) -> Result<HertzContact, InputError> {
+        match self.schedule.load {
+            None => self.constant_hertz(),
+            Some(_) => self.hertz_under(self.conditions(0.0)?.load),
+        }
+    }
+
+    /// The Hertz contact under the `load` \[N\] of a schedule.
+    pub(super) fn hertz_under(&self, load: f64) -> Result<HertzContact, InputError> {
+        self.hertz_by(Load { hertz_pressure: None, force: Some(load) })
+    }
+
+    /// The Hertz contact under the load of the scene, whatever the schedule.
+    pub(super) fn constant_hertz(&self) -> Result<HertzContact, InputError> {
+        self.hertz_by(self.load)
+    }
+
+    fn hertz_by(&self, load: Load) -> Result<HertzContact, InputError> {
         self.form.validate()?;
         let (radius_x, radius_y) = self.form.radii();
         let line = self.form.is_line();
@@ -412,9 +469,8 @@ impl Scene {
         let largest = HertzPoint::MAX_RADIUS_RATIO;
         let fits = line || (1.0 / largest..=largest).contains(&ratio);
         InputError::require(fits, "form.radius_x / form.radius_y", ratio, "between 1e-8 and 1e8")?;
-        let modulus = self.elastic.equivalent_modulus;
-        InputError::require_positive("elastic.equivalent_modulus", modulus)?;
-        let (field, value, contact) = match (self.load.hertz_pressure, self.load.force) {
+        let modulus = self.equivalent_modulus()?;
+        let (field, value, contact) = match (load.hertz_pressure, load.force) {
             (Some(pressure), None) => {
                 InputError::require_positive("load.hertz_pressure", pressure)?;
                 let contact = if line {
@@ -467,6 +523,15 @@ impl Scene {
         self.solver.scheme.unwrap_or(match self.solver.contact {
             ContactDefinition::Hard => Scheme::default(),
             ContactDefinition::Paper => Scheme::FirstOrder,
+        })
+    }
+
+    /// What holds where the fluid cavitates: the condition named in `solver`, else the default, Reynolds' condition in the paper's
+    /// contact as published.
+    pub fn cavitation(&self) -> Cavitation {
+        self.solver.cavitation.unwrap_or(match self.solver.contact {
+            ContactDefinition::Hard => Cavitation::default(),
+            ContactDefinition::Paper => Cavitation::Reynolds,
         })
     }
 

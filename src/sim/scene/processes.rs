@@ -27,8 +27,15 @@ pub struct PlasticSpec {
     serde(default, deny_unknown_fields)
 )]
 pub struct FrictionSpec {
-    /// Boundary friction coefficient of solid contact.
+    /// Boundary friction coefficient of solid contact, of bare surfaces where `film_coefficient` is given.
     pub boundary_coefficient: f64,
+    /// Boundary friction coefficient of surfaces that a tribofilm covers; absent: as that of bare ones. See
+    /// [`FilmFriction`](crate::FilmFriction).
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub film_coefficient: Option<f64>,
+    /// Tribofilm of both bodies together \[m\] from which on they count as covered; absent: `tribofilm.maximum_thickness`.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub covering_thickness: Option<f64>,
     /// Largest shear stress that the fluid carries \[Pa\].
     pub limiting_shear_stress: f64,
     /// Eyring stress of the fluid \[Pa\]; absent: Newtonian.
@@ -68,6 +75,8 @@ impl Default for FrictionSpec {
     fn default() -> Self {
         Self {
             boundary_coefficient: 0.115,
+            film_coefficient: None,
+            covering_thickness: None,
             limiting_shear_stress: 1e8,
             eyring_stress: None,
             eyring_in_reynolds: false,
@@ -127,10 +136,6 @@ pub struct WearSpec {
     pub film_hardness: Option<f64>,
     /// Whether only solid pressure wears, or all pressure.
     pub solid_pressure_only: bool,
-    /// Share of the time that a point of the ball's track wears.
-    pub duty_factor_ball: f64,
-    /// Share of the time that a point of the disc's track wears.
-    pub duty_factor_disc: f64,
 }
 
 impl Default for WearSpec {
@@ -142,8 +147,6 @@ impl Default for WearSpec {
             hardness: 6e9,
             film_hardness: None,
             solid_pressure_only: false,
-            duty_factor_ball: 1.0,
-            duty_factor_disc: 1.0,
         }
     }
 }

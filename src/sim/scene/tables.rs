@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 
-use super::{FileRoughness, GridSpec, RandomRoughness, Roughness};
+use super::{FileRoughness, GridSpec, RandomRoughness, Roughness, Schedule};
 use crate::surface::Form;
 
 #[derive(Deserialize)]
@@ -137,6 +137,62 @@ impl TryFrom<RoughnessTable> for Roughness {
             RoughnessKind::File => {
                 refuse_strays("file", &given, &["path", "rq"])?;
                 Self::File(FileRoughness { path: required("path", table.path)?, rq: table.rq })
+            }
+        })
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ScheduleTable {
+    kind: ScheduleKind,
+    value: Option<f64>,
+    times: Option<Vec<f64>>,
+    values: Option<Vec<f64>>,
+    path: Option<PathBuf>,
+}
+
+#[derive(Deserialize, Clone, Copy)]
+#[serde(rename_all = "snake_case")]
+enum ScheduleKind {
+    Constant,
+    Steps,
+    Ramps,
+    Table,
+}
+
+impl TryFrom<ScheduleTable> for Schedule {
+    type Error = String;
+
+    fn try_from(table: ScheduleTable) -> Result<Self, String> {
+        let given = [
+            ("value", table.value.is_some()),
+            ("times", table.times.is_some()),
+            ("values", table.values.is_some()),
+            ("path", table.path.is_some()),
+        ];
+        Ok(match table.kind {
+            ScheduleKind::Constant => {
+                refuse_strays("constant", &given, &["value"])?;
+                Self::Constant { value: required("value", table.value)? }
+            }
+            ScheduleKind::Steps => {
+                refuse_strays("steps", &given, &["times", "values"])?;
+                Self::Steps {
+                    times: required("times", table.times)?,
+                    values: required("values", table.values)?,
+                }
+            }
+            ScheduleKind::Ramps => {
+                refuse_strays("ramps", &given, &["times", "values"])?;
+                Self::Ramps {
+                    times: required("times", table.times)?,
+                    values: required("values", table.values)?,
+                }
+            }
+            ScheduleKind::Table => {
+                refuse_strays("table", &given, &["path"])?;
+                Self::Table { path: required("path", table.path)? }
             }
         })
     }

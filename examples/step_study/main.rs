@@ -1,0 +1,133 @@
+//! What a history of two hours ends with against the number of its steps, with places along the track and at random: the scene of
+//! `examples/scenes/dry_history.toml`. Writes a table and a figure into `target/step_study`.
+//!
+//! ```text
+//! cargo run --release --example step_study [-- SEEDS]     # 2 seeds of the places
+//! ```
+#![expect(clippy::print_stdout, reason = "a program that talks to its user")]
+
+#[path = "../chart/mod.rs"]
+mod chart;
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+use chart::{BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
+use plotters::style::RGBColor;
+use stribeck::metrics::height_statistics;
+use stribeck::sim::scene::{RoughnessPair, TrackMotion};
+use stribeck::sim::{MixedLubricationSim, Scene, SimError, StepRecord};
+
+/// Time of a history \[s\].
+const END: f64 = 7200.0;
+/// Numbers of steps.
+const STEPS: [u32; 5] = [72, 144, 288, 720, 2880];
+const HEADER: &str =
+    "scene,motion,seed,steps,rq_ball_m,rq_disc_m,track_wear_ball_m,track_wear_disc_m,plastic_volume_m3";
+
+/// Smooth or rough, with a film or without.
+#[derive(Clone, Copy)]
+struct Case {
+    name: &'static str,
+    label: &'static str,
+    /// What the panel shows, in the unit of the label.
+    value: fn(&StepRecord) -> f64,
+    rough: bool,
+    film: bool,
+}
+
+const CASES: [Case; 3] = [
+    Case { name: "smooth", label: "Rq smooth, nm", value: |r| 1e9 * r.rq[0], rough: false, film: false },
+    Case { name: "bare", label: "Rq rough, nm", value: |r| 1e9 * r.rq[0], rough: true, film: false },
+    Case {
+        name: "film",
+        label: "flattened, \u{b5}m\u{b3}",
+        value: |r| 1e18 * r.plastic_volume,
+        rough: true,
+        film: true,
+    },
+];
+
+/// The last record of a history.
+fn end(scene: &Scene, steps: u32) -> Result<Option<StepRecord>, SimError> {
+    let mut sim = MixedLubricationSim::builder(scene.clone()).build()?;
+    let mut last = None;
+    sim.run(
+        u64::from(steps),
+        END / f64::from(steps),
+        &mut |_: &MixedLubricationSim, record: &StepRecord| {
+            last = Some(*record);
+            ControlFlow::Continue(())
+        },
+    )?;
+    // The record has the roughness before the last step.
+    for (rq, body) in last.iter_mut().flat_map(|record| &mut record.rq).zip(sim.bodies()) {
+        *rq = height_statistics(&sim.track_roughness(body.surface())?)?.sq;
+    }
+    Ok(last)
+}
+
+/// The histories of `scene` in more and more steps: a line of the figure, a row of the table each.
+fn line(
+    case: &Case,
+    scene: &Scene,
+    (name, colour): (&str, RGBColor),
+    table: &mut String,
+) -> Result<Line, Box<dyn Error>> {
+    let mut points = Vec::new();
+    for steps in STEPS {
+        let Some(record) = end(scene, steps)? else { continue };
+        let (rq, wear) = (record.rq, record.track_wear);
+        let row = format!(
+            "{},{name},{},{steps},{:e},{:e},{:e},{:e},{:e}",
+            case.name, scene.track.seed, rq[0], rq[1], wear[0], wear[1], record.plastic_volume
+        );
+        println!("{row}");
+        writeln!(table, "{row}")?;
+        points.push((f64::from(steps).log10(), (case.value)(&record)));
+    }
+    Ok(Line { pen: Pen::strong(colour), points })
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let seeds = std::env::args().nth(1).map_or(Ok(2), |count| count.parse::<u64>())?.max(1);
+    let base = Scene::load(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes/dry_history.toml"))?;
+    let mut table = format!("{HEADER}\n");
+    let mut panels = Vec::new();
+    println!("{HEADER}");
+    for case in CASES {
+        let mut scene = base.clone();
+        if !case.rough {
+            scene.roughness = RoughnessPair::default();
+        }
+        scene.tribofilm = scene.tribofilm.filter(|_| case.film);
+        let mut lines = Vec::new();
+        for (motion, name, colour) in
+            [(TrackMotion::AlongTrack, "along_track", BLUE), (TrackMotion::Random, "random", VERMILION)]
+        {
+            for seed in 0..seeds {
+                (scene.track.motion, scene.track.seed) = (motion, seed);
+                lines.push(line(&case, &scene, (name, colour), &mut table)?);
+            }
+        }
+        panels.push(Panel { y_label: case.label, lines });
+    }
+    let figure = Figure {
+        title: "Two hours by the number of steps".to_owned(),
+        x_label: "steps",
+        x_scale: XScale::Decades,
+        legend: vec![
+            (Pen::strong(BLUE), "even places along the track".to_owned()),
+            (Pen::strong(VERMILION), "random places along and across".to_owned()),
+        ],
+        panels,
+    };
+    let folder = Path::new("target/step_study");
+    std::fs::create_dir_all(folder)?;
+    std::fs::write(folder.join("step_study.csv"), table)?;
+    figure.write(&folder.join("step_study.svg"))?;
+    println!("table and figure are in {}", folder.display());
+    Ok(())
+}

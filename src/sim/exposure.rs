@@ -1,0 +1,116 @@
+//! How long the nodes under the contact age in a step.
+//!
+//! A point of the track, which is `l` long, meets the contact once a round. In the middle, `y = 0`, it is in the contact of the
+//! half-width `a` for the share `2a/l` of the time, elsewhere for that of the chord. The patch of a body is a piece of the track,
+//! `L` long, whose places the contact meets equally often: in the simulation the middle is in the contact for the share `2a/L` of
+//! the steps, whatever `l` is. A node under the contact of a solve therefore ages for
+//!
+//! | exposure | body that moves along x | that stays |
+//! |---|---|---|
+//! | contact clock | `dt L/(2a)` | `dt` |
+//! | track | `dt L/l` | `dt` at rest, else `dt 2a/l` |
+//!
+//! so that the middle of the track ages by `dt` in a step on average (contact clock), or by `dt 2a/l` (track), in a box of any length.
+//! Roughness that is met at random in both directions has `L_x L_y/(pi a b)` in place of `L/(2a)`, with the area of the contact. A
+//! body at rest relative to the contact (at a slide-roll ratio of 2 or -2) has no track: what is in the contact stays there.
+//!
+//! Growth and wear of a step take this time. A print of the contact takes no time: a passage leaves one. Where a step is so
+//! short that less than one passage of a point falls to a solve at one of the places of the track, it leaves that share of its
+//! print; a body that stays, or whose passages the steps follow, takes the whole print each time.
+
+use super::hertz::HertzContact;
+use super::scene::{self, Scene, TrackSpec};
+use super::timetable::Timetable;
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::surface::{RoughnessMotion, Visits};
+use crate::wear::track_duty_factor;
+
+/// What a step of a second does to the nodes of one body that are under the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Ageing {
+    /// Time in the contact per second \[1\].
+    pub(super) rate: f64,
+    /// Passages that a solve stands for per second \[1/s\]; infinite where every solve leaves its whole print.
+    passages: f64,
+}
+
+impl Ageing {
+    /// Share of the print of a solve that a step of `time_step` \[s\] leaves.
+    pub(super) fn print(&self, time_step: f64) -> f64 {
+        (self.passages * time_step).min(1.0)
+    }
+}
+
+/// Checks the tracks of a scene under all conditions of its schedule.
+///
+/// # Errors
+/// A track that is shorter than the patch or than the contact under the largest load, one that is missing where the exposure
+/// needs it.
+pub(super) fn validate(scene: &Scene, timetable: &Timetable, grid: &Grid) -> Result<(), InputError> {
+    scene.track.validate()?;
+    let needed = scene.track.exposure == scene::Exposure::Track;
+    let [_, largest_load] = timetable.loads();
+    let lengths = [("patch", grid.size_x()), ("contact", 2.0 * scene.hertz_under(largest_load)?.a_x)];
+    let radii = [("ball", scene.track.radius_ball), ("disc", scene.track.radius_disc)];
+    for ((body, radius), moves) in radii.into_iter().zip(timetable.moving()) {
+        let field = format!("track.radius_{body}");
+        match radius {
+            Some(radius) => {
+                let track = track_length(radius);
+                if let Some((what, length)) = lengths.into_iter().find(|(_, length)| track < *length) {
+                    let reason = format!(
+                        "a track of {track:e} m is shorter than the {what}, which is {length:e} m long"
+                    );
+                    return Err(InputError::Conflict { field: format!("{field} = {radius:e}"), reason });
+                }
+            }
+            None if needed && moves => {
+                let reason = "is missing; track.exposure = \"track\" needs it".to_owned();
+                return Err(InputError::Conflict { field, reason });
+            }
+            None => {}
+        }
+    }
+    Ok(())
+}
+
+/// The ageing of ball and disc that move at `speeds` \[m/s\] as `motion` says.
+///
+/// # Errors
+/// A radius that is not finite and positive.
+pub(super) fn ageing(
+    track: &TrackSpec,
+    motion: &dyn RoughnessMotion,
+    grid: &Grid,
+    hertz: &HertzContact,
+    speeds: [f64; 2],
+) -> Result<[Ageing; 2], InputError> {
+    let of = |radius: Option<f64>, speed: f64| {
+        let visits = motion.visits(speed);
+        // How much rarer the contact is met than if it stayed.
+        let spread = match visits {
+            Visits::Stays => 1.0,
+            Visits::Patch if grid.ny() > 1 => {
+                grid.size_x() * grid.size_y() / (std::f64::consts::PI * hertz.a_x * hertz.a_y)
+            }
+            Visits::Passing | Visits::Track | Visits::Patch => grid.size_x() / (2.0 * hertz.a_x),
+        };
+        let share = match (track.exposure, radius) {
+            (scene::Exposure::Track, Some(radius)) if speed != 0.0 => track_duty_factor(hertz.a_x, radius)?,
+            _ => 1.0,
+        };
+        // A box within the contact cannot be met more often than always.
+        let rate = share * spread.max(1.0);
+        let passages = match visits {
+            Visits::Stays | Visits::Passing => f64::INFINITY,
+            Visits::Track | Visits::Patch => rate * speed.abs() / (2.0 * hertz.a_x),
+        };
+        Ok(Ageing { rate, passages })
+    };
+    Ok([of(track.radius_ball, speeds[0])?, of(track.radius_disc, speeds[1])?])
+}
+
+fn track_length(radius: f64) -> f64 {
+    2.0 * std::f64::consts::PI * radius
+}

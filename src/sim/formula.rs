@@ -1,0 +1,72 @@
+//! The film formulas on a scene.
+
+use super::hertz::{HertzContact, LINE_LENGTH};
+use super::scene::Scene;
+use super::timetable::Conditions;
+use crate::analytic::{FilmConditions, LineFilmConditions};
+use crate::error::InputError;
+use crate::lubricant::ViscosityLaw;
+
+/// What the film formulas make of a scene.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FormulaFilm {
+    /// Moes parameters `(M, L)`.
+    pub(super) moes: (f64, f64),
+    /// Central film, Hamrock and Dowson of a point contact, Dowson and Toyoda of a line contact \[m\].
+    pub(super) central: f64,
+}
+
+/// The film formulas at `entrainment_speed` \[m/s\], by the pressure-viscosity coefficient `alpha` \[1/Pa\] or the slope of the
+/// law; none without a lubricant.
+pub(super) fn formula_film(
+    scene: &Scene,
+    hertz: &HertzContact,
+    entrainment_speed: f64,
+    viscosity: Option<&dyn ViscosityLaw>,
+    alpha: Option<f64>,
+) -> Result<Option<FormulaFilm>, InputError> {
+    let Some(law) = viscosity else { return Ok(None) };
+    let equivalent_modulus = scene.equivalent_modulus()?;
+    let (viscosity, pressure_viscosity) = (law.viscosity(0.0), alpha.unwrap_or_else(|| law.log_slope(0.0)));
+    let (radius, load) = (scene.form.radii().0, hertz.load);
+    Ok(Some(if scene.form.is_line() {
+        let line = LineFilmConditions {
+            entrainment_speed,
+            viscosity,
+            pressure_viscosity,
+            equivalent_modulus,
+            radius,
+            load: load / LINE_LENGTH,
+        };
+        FormulaFilm {
+            moes: (line.moes_load(), line.moes_lubricant()),
+            central: line.dowson_toyoda_central()?,
+        }
+    } else {
+        let point = FilmConditions {
+            entrainment_speed,
+            viscosity,
+            pressure_viscosity,
+            equivalent_modulus,
+            radius,
+            load,
+            ellipticity: hertz.a_y / hertz.a_x,
+        };
+        FormulaFilm {
+            moes: (point.moes_load(), point.moes_lubricant()),
+            central: point.hamrock_dowson_central()?,
+        }
+    }))
+}
+
+/// Central film by formula, by the coefficient that is stated for it, else the slope of the law; zero without lubricant \[m\].
+pub(super) fn stated_film(
+    scene: &Scene,
+    hertz: &HertzContact,
+    conditions: &Conditions,
+    law: Option<&dyn ViscosityLaw>,
+) -> Result<f64, InputError> {
+    let alpha = scene.lubricant.and_then(|lubricant| lubricant.formula_alpha);
+    let film = formula_film(scene, hertz, conditions.motion.entrainment_speed, law, alpha)?;
+    Ok(film.map_or(0.0, |film| film.central))
+}

@@ -1,0 +1,88 @@
+//! The heat pass of a history: whether it is worth its time, and its plan for the speeds that hold.
+
+use super::contact::ContactModel;
+use super::formula::formula_film;
+use super::friction::mean_fluid_stress;
+use super::scene::{Flash, Scene};
+use super::simulation::Laws;
+use super::timetable::{Conditions, Timetable};
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::tribochem::{FlashTemperature, ThermalBody, estimate_rise_under_flux};
+
+/// Flash temperature rise below which the heat pass is left out unless asked for \[K\].
+const NEGLIGIBLE_RISE: f64 = 1.0;
+
+/// The heat pass.
+#[derive(Debug)]
+pub(super) struct Heat {
+    /// None where it is left out.
+    pub(super) flash: Option<FlashTemperature>,
+    /// Estimate of the largest rise under the conditions at the entries of the schedule \[K\].
+    pub(super) estimate: f64,
+    bodies: [ThermalBody; 2],
+    speeds: [f64; 2],
+}
+
+impl Heat {
+    /// The pass for the conditions at the start, left out where it is switched off or its estimate is negligible.
+    pub(super) fn new(
+        scene: &Scene,
+        contact: &ContactModel,
+        timetable: &Timetable,
+        laws: &Laws,
+    ) -> Result<Self, InputError> {
+        let bodies = scene.thermal_bodies();
+        let mut estimate = 0.0_f64;
+        for conditions in timetable.entries() {
+            estimate = estimate.max(estimated_rise(scene, contact, &conditions, laws)?);
+        }
+        let wanted = match scene.thermal.flash {
+            Flash::On => true,
+            Flash::Off => false,
+            Flash::Auto => estimate >= NEGLIGIBLE_RISE,
+        };
+        let speeds = timetable.at(0.0).motion.surface_speeds();
+        let flash = if wanted { Some(FlashTemperature::new(&contact.grid, bodies, speeds)?) } else { None };
+        Ok(Self { flash, estimate, bodies, speeds })
+    }
+
+    /// Plans anew where the surfaces move at other `speeds` \[m/s\] than before.
+    pub(super) fn move_at(&mut self, speeds: [f64; 2], grid: &Grid) -> Result<(), InputError> {
+        if let Some(flash) = &mut self.flash
+            && speeds.map(f64::to_bits) != self.speeds.map(f64::to_bits)
+        {
+            *flash = FlashTemperature::new(grid, self.bodies, speeds)?;
+            self.speeds = speeds;
+        }
+        Ok(())
+    }
+}
+
+/// Largest rise \[K\] of the smooth contact, all of its load on solids or all of it on a fluid film of the thickness that the
+/// formulas give, whichever is hotter.
+fn estimated_rise(
+    scene: &Scene,
+    contact: &ContactModel,
+    conditions: &Conditions,
+    laws: &Laws,
+) -> Result<f64, InputError> {
+    let hertz = contact.hertz_under(scene, conditions.load)?;
+    let (motion, mean) = (conditions.motion, 2.0 / 3.0 * hertz.p_max);
+    let (sliding, speeds) = (motion.sliding_speed(), motion.surface_speeds());
+    let full = laws.growth.as_ref().map_or(0.0, |law| law.maximum_thickness());
+    // Bare or covered.
+    let coefficient = [0.0, full].map(|film| laws.friction.coefficient(mean, sliding, [film; 2]));
+    let coefficient = coefficient[0].max(coefficient[1]);
+    InputError::require_non_negative("boundary friction of the law", coefficient)?;
+    let mut flux = coefficient * 2.0 / 3.0 * hertz.p_max * (speeds[0] - speeds[1]).abs();
+    if let Some(lubricant) = &contact.lubricant {
+        let law = Some(lubricant.viscosity());
+        let film = formula_film(scene, &hertz, motion.entrainment_speed, law, None)?;
+        let film = film.map_or(0.0, |film| film.central);
+        let rheology = scene.friction.rheology()?;
+        let stress = mean_fluid_stress(lubricant, &rheology, hertz.p_max, film, sliding);
+        flux = flux.max(stress * sliding);
+    }
+    estimate_rise_under_flux(scene.thermal_bodies(), speeds, flux, hertz.radius)
+}

@@ -1,0 +1,38 @@
+//! A law for each body, or one for both.
+
+use crate::error::InputError;
+
+/// The laws of ball and disc.
+#[derive(Debug)]
+pub(super) struct PerBody<T: ?Sized> {
+    ball: Box<T>,
+    /// None where it is that of the ball.
+    disc: Option<Box<T>>,
+}
+
+impl<T: ?Sized> PerBody<T> {
+    /// One law for both bodies.
+    pub(super) fn same(law: Box<T>) -> Self {
+        Self { ball: law, disc: None }
+    }
+
+    /// The laws that `make` makes of the `values` of ball and disc, one where these are equal.
+    pub(super) fn by(
+        values: [f64; 2],
+        make: impl Fn(f64) -> Result<Box<T>, InputError>,
+    ) -> Result<Self, InputError> {
+        let [ball, disc] = values;
+        let other = ball.to_bits() != disc.to_bits();
+        Ok(Self { ball: make(ball)?, disc: if other { Some(make(disc)?) } else { None } })
+    }
+
+    /// The law of both bodies; none where they differ.
+    pub(super) fn common(&self) -> Option<&T> {
+        self.disc.is_none().then_some(self.ball.as_ref())
+    }
+
+    /// Laws of ball and disc.
+    pub(super) fn each(&self) -> [&T; 2] {
+        [self.ball.as_ref(), self.disc.as_deref().unwrap_or(self.ball.as_ref())]
+    }
+}

@@ -1,0 +1,155 @@
+//! Materials of the two bodies.
+
+use super::Scene;
+use crate::error::InputError;
+use crate::tribochem::ThermalBody;
+
+/// Names of the bodies in scene files and errors.
+pub(in crate::sim) const BODIES: [&str; 2] = ["ball", "disc"];
+
+/// Materials of ball and disc.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
+pub struct Materials {
+    /// The ball, body 0.
+    pub ball: Material,
+    /// The disc, body 1.
+    pub disc: Material,
+}
+
+/// Properties of one body; what is absent is that of the pair.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
+pub struct Material {
+    /// Young's modulus \[Pa\]; in place of `elastic.equivalent_modulus`, of both bodies or none.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub modulus: Option<f64>,
+    /// Poisson's ratio; with `modulus`.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub poisson_ratio: Option<f64>,
+    /// Hardness \[Pa\], in place of `plastic.hardness` and `wear.hardness`.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub hardness: Option<f64>,
+    /// Thermal conductivity \[W/(m K)\], in place of `thermal.conductivity`.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub conductivity: Option<f64>,
+    /// Thermal diffusivity \[m^2/s\], in place of `thermal.diffusivity`.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub diffusivity: Option<f64>,
+}
+
+impl Materials {
+    /// Whether all properties are those of the pair.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// Ball and disc.
+    pub fn bodies(&self) -> [&Material; 2] {
+        [&self.ball, &self.disc]
+    }
+
+    /// `E'` \[Pa\] of the moduli, `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`; none where no modulus is given.
+    fn equivalent_modulus(&self) -> Result<Option<f64>, InputError> {
+        let given = |body: &&Material| body.modulus.is_some() || body.poisson_ratio.is_some();
+        if !self.bodies().iter().any(given) {
+            return Ok(None);
+        }
+        let mut compliance = 0.0;
+        for (name, body) in BODIES.into_iter().zip(self.bodies()) {
+            let required = |key: &str, value: Option<f64>| {
+                let field = format!("materials.{name}.{key}");
+                value.map(|value| (field.clone(), value)).ok_or_else(|| InputError::Conflict {
+                    field,
+                    reason: "is missing: elastic constants are given for both bodies or none".to_owned(),
+                })
+            };
+            let (field, modulus) = required("modulus", body.modulus)?;
+            InputError::require_positive(&field, modulus)?;
+            let (field, ratio) = required("poisson_ratio", body.poisson_ratio)?;
+            InputError::require((-1.0 < ratio) && (ratio <= 0.5), &field, ratio, "above -1 and at most 0.5")?;
+            compliance += (1.0 - ratio * ratio) / modulus;
+        }
+        let equivalent = 2.0 / compliance;
+        InputError::require_positive("equivalent modulus of the materials", equivalent)?;
+        Ok(Some(equivalent))
+    }
+}
+
+impl Scene {
+    /// `E'` \[Pa\] of the pair: that of the moduli of both materials where they are given, else `elastic.equivalent_modulus`.
+    ///
+    /// ```
+    /// use stribeck::sim::Scene;
+    /// use stribeck::sim::scene::{Elastic, Material};
+    /// let mut scene = Scene::azam_2019(32);
+    /// let steel = Material { modulus: Some(209e9), poisson_ratio: Some(0.3), ..Material::default() };
+    /// scene.elastic = Elastic::default();
+    /// (scene.materials.ball, scene.materials.disc) = (steel, steel);
+    /// assert!((scene.equivalent_modulus()? - 229.67e9).abs() < 1e7);
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A value out of range, a modulus or ratio that is missing, both ways at once with different results.
+    pub fn equivalent_modulus(&self) -> Result<f64, InputError> {
+        let (field, given) = ("elastic.equivalent_modulus", self.elastic.equivalent_modulus);
+        match self.materials.equivalent_modulus()? {
+            None if given == f64::INFINITY => Err(InputError::Conflict {
+                field: field.to_owned(),
+                reason: "is missing (or infinite), and so are the moduli of the materials".to_owned(),
+            }),
+            None => InputError::require_positive(field, given).map(|()| given),
+            Some(modulus) if given == f64::INFINITY => Ok(modulus),
+            Some(modulus) => Err(InputError::Conflict {
+                field: format!("{field} = {given:e}"),
+                reason: format!(
+                    "the moduli of the materials are given too, E' = {modulus:e} Pa; give one of both"
+                ),
+            }),
+        }
+    }
+
+    /// Hardness of ball and disc \[Pa\], `common` where a material has none of its own.
+    pub(in crate::sim) fn hardnesses(&self, common: f64) -> [f64; 2] {
+        self.materials.bodies().map(|body| body.hardness.unwrap_or(common))
+    }
+
+    /// Thermal properties of ball and disc.
+    pub(in crate::sim) fn thermal_bodies(&self) -> [ThermalBody; 2] {
+        self.materials.bodies().map(|body| ThermalBody {
+            conductivity: body.conductivity.unwrap_or(self.thermal.conductivity),
+            diffusivity: body.diffusivity.unwrap_or(self.thermal.diffusivity),
+        })
+    }
+
+    /// Checks the materials but for their moduli.
+    pub(in crate::sim) fn validate_materials(&self) -> Result<(), InputError> {
+        for (name, body) in BODIES.into_iter().zip(self.materials.bodies()) {
+            for (key, value) in [
+                ("hardness", body.hardness),
+                ("conductivity", body.conductivity),
+                ("diffusivity", body.diffusivity),
+            ] {
+                value.map_or(Ok(()), |value| {
+                    InputError::require_positive(&format!("materials.{name}.{key}"), value)
+                })?;
+            }
+            if let (Some(hardness), None, None) = (body.hardness, &self.plastic, &self.wear) {
+                return Err(InputError::Conflict {
+                    field: format!("materials.{name}.hardness = {hardness:e}"),
+                    reason: "nothing uses it: the scene has neither [plastic] nor [wear]".to_owned(),
+                });
+            }
+        }
+        Ok(())
+    }
+}

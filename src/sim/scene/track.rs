@@ -1,0 +1,81 @@
+//! How the bodies move past the contact, and how much of the time a point of them is in it.
+
+use crate::error::InputError;
+use crate::surface::{AlongTrack, AtRest, Carried, RandomShift, RoughnessMotion};
+
+/// Motion of the roughness and exposure of the track in a history.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
+#[non_exhaustive]
+pub struct TrackSpec {
+    /// How the roughness moves from solve to solve.
+    pub motion: TrackMotion,
+    /// Seed of the places that a random motion meets.
+    #[cfg_attr(feature = "serde", serde(with = "super::tables::seed"))]
+    pub seed: u64,
+    /// How long a point of the track is in the contact.
+    pub exposure: Exposure,
+    /// Radius of the track on the ball \[m\]; needed for [`Exposure::Track`] where the ball moves.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub radius_ball: Option<f64>,
+    /// Radius of the track on the disc \[m\]; needed for [`Exposure::Track`] where the disc moves.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub radius_disc: Option<f64>,
+}
+
+/// How the roughness moves from solve to solve; see [`RoughnessMotion`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum TrackMotion {
+    /// [`AtRest`].
+    AtRest,
+    /// [`Carried`].
+    Carried,
+    /// [`AlongTrack`].
+    #[default]
+    AlongTrack,
+    /// [`RandomShift`].
+    Random,
+}
+
+/// How long a point of the track is in the contact per second of the test.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum Exposure {
+    /// As if the middle of the track never left the contact: for constants that were fitted to the time of a test.
+    #[default]
+    ContactClock,
+    /// As long as the contact takes to pass, once a round: for constants that were measured on a point of the track.
+    Track,
+}
+
+impl TrackSpec {
+    /// The motion that the table names.
+    pub fn roughness_motion(&self) -> Box<dyn RoughnessMotion> {
+        match self.motion {
+            TrackMotion::AtRest => Box::new(AtRest),
+            TrackMotion::Carried => Box::new(Carried),
+            TrackMotion::AlongTrack => Box::new(AlongTrack { seed: self.seed }),
+            TrackMotion::Random => Box::new(RandomShift { seed: self.seed }),
+        }
+    }
+
+    /// Checks both radii, used or not.
+    ///
+    /// # Errors
+    /// A radius that is not finite and positive.
+    pub fn validate(&self) -> Result<(), InputError> {
+        for (field, radius) in
+            [("track.radius_ball", self.radius_ball), ("track.radius_disc", self.radius_disc)]
+        {
+            if let Some(radius) = radius {
+                InputError::require_positive(field, radius)?;
+            }
+        }
+        Ok(())
+    }
+}

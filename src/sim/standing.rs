@@ -1,0 +1,72 @@
+//! The contact of bodies as they stand, for curves of worn surfaces.
+
+use super::SimError;
+use super::setup;
+use super::simulation::MixedLubricationSim;
+use super::solution::{ContactSolution, Numbers, is_known};
+use super::timetable::Conditions;
+use crate::error::InputError;
+use crate::reynolds::ContactState;
+use crate::surface::Offset;
+
+impl MixedLubricationSim {
+    /// Solves the contact of the bodies as they stand under `conditions`, their roughness in its first position and at rest
+    /// against the contact: no squeeze. Nothing is committed and later steps are as without the call. Not converging is a status
+    /// of the report.
+    ///
+    /// # Errors
+    /// Conditions out of range, a load that the grid or the pressure limit cannot carry.
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(32)).build()?;
+    /// sim.step(60.0)?;
+    /// let mut fast = sim.conditions();
+    /// fast.motion.entrainment_speed = 1.0;
+    /// let [now, fast] = [sim.solve_under(&sim.conditions())?, sim.solve_under(&fast)?];
+    /// assert!(fast.contact.load_ratio < now.contact.load_ratio);
+    /// assert_eq!(sim.steps(), 1);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn solve_under(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
+        conditions.validate(self.scene.is_lubricated())?;
+        let hertz = self.contact.hertz_under(&self.scene, conditions.load)?;
+        setup::validate_box(&self.contact.grid, &hertz, self.scene.form.is_line())?;
+        let state = std::mem::replace(&mut self.state, ContactState::new(&self.contact.grid));
+        let squeeze = std::mem::take(&mut self.travel.squeeze);
+        let solved = self.solve_standing(conditions);
+        self.travel.squeeze = squeeze;
+        self.state = state;
+        self.contact.put_under(&self.scene, &self.conditions())?;
+        solved
+    }
+
+    fn solve_standing(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
+        self.contact.put_under(&self.scene, conditions)?;
+        let report = self.solve_at([Offset::default(); 2])?;
+        let Self { contact, fields, laws, state, .. } = self;
+        let known = is_known(state);
+        if known {
+            fields.friction.update(contact, state, laws.friction.as_ref(), Some(&fields.films))?;
+        }
+        let limit = laws.plasticity.is_some().then_some(fields.yielding.limit.as_slice());
+        let numbers = Numbers::of(contact, state, known.then_some(&fields.friction), limit)?;
+        let gap = fields.gap.clone();
+        let state = std::mem::replace(state, ContactState::new(&contact.grid));
+        Ok(contact.solution(report, state, gap, numbers))
+    }
+}
+
+impl Conditions {
+    fn validate(&self, lubricated: bool) -> Result<(), InputError> {
+        InputError::require_positive("conditions.load", self.load)?;
+        let (speed, ratio) = (self.motion.entrainment_speed, self.motion.slide_roll_ratio);
+        let field = "conditions.motion.entrainment_speed";
+        if lubricated {
+            InputError::require_positive(field, speed)?;
+        }
+        InputError::require_non_negative(field, speed)?;
+        InputError::require(ratio.is_finite(), "conditions.motion.slide_roll_ratio", ratio, "finite")?;
+        InputError::require_positive("conditions.bulk_temperature", self.bulk_temperature)
+    }
+}

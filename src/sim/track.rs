@@ -1,0 +1,82 @@
+//! What a history leaves on the track: means over its width, its profile, and the roughness on it.
+
+use super::body::Body;
+use super::simulation::MixedLubricationSim;
+use crate::error::InputError;
+
+impl MixedLubricationSim {
+    /// Mean of `field`, one value per node of a body's patch, over the width of the track, `|y| <= a` with the half-width `a` of
+    /// the Hertz contact across under the load of the last step; cells count by their share of it. The box does not change it.
+    ///
+    /// # Errors
+    /// A field of another length than the grid.
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let sim = MixedLubricationSim::builder(Scene::azam_2019(32)).build()?;
+    /// let grid = sim.grid();
+    /// let inside: Vec<f64> = grid.nodes().map(|(_, y)| if y.abs() < 1.2e-4 { 2.0 } else { 0.0 }).collect();
+    /// assert!((sim.mean_on_track(&vec![1.0; grid.len()])? - 1.0).abs() < 1e-12);
+    /// assert!(sim.mean_on_track(&inside)? > 1.5);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn mean_on_track(&self, field: &[f64]) -> Result<f64, InputError> {
+        let (grid, half_width) = (self.contact.grid, self.contact.hertz.a_y);
+        InputError::require_len("field", field, grid.len())?;
+        let (mut sum, mut width) = (0.0, 0.0);
+        for (j, row) in field.chunks_exact(grid.nx()).enumerate() {
+            let (low, high) = (grid.y(j) - 0.5 * grid.dy(), grid.y(j) + 0.5 * grid.dy());
+            let share = (high.min(half_width) - low.max(-half_width)).max(0.0);
+            sum += share * row.iter().sum::<f64>();
+            width += share * row.len() as f64;
+        }
+        Ok(if width > 0.0 { sum / width } else { 0.0 })
+    }
+
+    /// Worn depth of `body` across the track, one value per row of the grid: the mean along x \[m\].
+    pub fn worn_profile(&self, body: &Body) -> Vec<f64> {
+        let nx = self.contact.grid.nx();
+        body.wear_depth().chunks_exact(nx).map(|row| row.iter().sum::<f64>() / nx as f64).collect()
+    }
+
+    /// Roughness on the track \[m\]: of `heights`, one value per node of a body's patch, the rows within `|y| <= a`, each about its
+    /// mean along x. A groove is the same all along the track, so that its form goes with the means; roughness that is as long as
+    /// the patch goes too, of isotropic roughness of the correlation length `b` in a patch of the length `L` a share of the order
+    /// `b/L` of the square of Rq. Rows beside the track are none of its roughness: with them Rq would be that of the box.
+    ///
+    /// # Errors
+    /// A field of another length than the grid.
+    ///
+    /// ```
+    /// use stribeck::metrics::height_statistics;
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(32)).build()?;
+    /// let roughness = sim.track_roughness(sim.bodies()[1].surface())?;
+    /// let record = sim.step(10.0)?;
+    /// assert!((height_statistics(&roughness)?.sq / record.rq[1] - 1.0).abs() < 1e-9);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn track_roughness(&self, heights: &[f64]) -> Result<Vec<f64>, InputError> {
+        let rows = self.track_rows(heights)?.flat_map(|(row, mean)| row.iter().map(move |z| z - mean));
+        Ok(rows.collect())
+    }
+
+    /// Root mean square of [`track_roughness`](Self::track_roughness) \[m\].
+    pub(super) fn track_rq(&self, heights: &[f64]) -> Result<f64, InputError> {
+        let (mut square, mut count) = (0.0, 0);
+        for (row, mean) in self.track_rows(heights)? {
+            square += row.iter().map(|z| (z - mean).powi(2)).sum::<f64>();
+            count += row.len();
+        }
+        Ok(if count > 0 { (square / count as f64).sqrt() } else { 0.0 })
+    }
+
+    /// The rows of the track and their means.
+    fn track_rows<'a>(&self, field: &'a [f64]) -> Result<impl Iterator<Item = (&'a [f64], f64)>, InputError> {
+        let (grid, half_width) = (self.contact.grid, self.contact.hertz.a_y);
+        InputError::require_len("field", field, grid.len())?;
+        let rows = field.chunks_exact(grid.nx()).enumerate();
+        let within = rows.filter(move |(j, _)| grid.y(*j).abs() <= half_width);
+        Ok(within.map(|(_, row)| (row, row.iter().sum::<f64>() / row.len() as f64)))
+    }
+}

@@ -1,0 +1,196 @@
+//! Motion of periodic roughness between time steps.
+
+use std::fmt::Debug;
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+
+use super::motion::Offset;
+use crate::grid::Grid;
+
+/// Where the roughness of each body stands at each solve.
+///
+/// A step of a wear history spans many passages of the contact, so the two roughness patterns meet at another relative
+/// position each time. All patterns are periodic.
+///
+/// Contract: an offset depends on the arguments alone, so that a resumed run meets the positions of an uninterrupted one; its
+/// fraction is a number from 0 to 1; its columns and rows are whole numbers of any size (patterns are periodic); a body of which
+/// [`visits`](Self::visits) says that it stays keeps its offset, one that moves along its track keeps its row; `Debug` prints the
+/// constants. `testing::roughness_motion` checks it.
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::surface::{Offset, RoughnessMotion, Visits};
+///
+/// /// Steps by one column each time.
+/// #[derive(Debug)]
+/// struct Creep;
+/// impl RoughnessMotion for Creep {
+///     fn offset(&self, _body: usize, draw: u64, _time: f64, _speed: f64, grid: &Grid) -> Offset {
+///         Offset { columns: (draw % grid.nx() as u64) as usize, rows: 0, fraction: 0.0 }
+///     }
+///     fn visits(&self, _speed: f64) -> Visits {
+///         Visits::Track
+///     }
+/// }
+/// assert_eq!(Creep.offset(0, 70, 0.0, 0.1, &Grid::centred(64, 8, 1e-6, 1e-6)?).columns, 6);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+pub trait RoughnessMotion: Debug + Send + Sync {
+    /// Where the pattern of `body` (0 the ball, 1 the disc) stands on `grid` at the `draw`-th solve, counted from 0, and `time`
+    /// \[s\], its surface moving at `speed` \[m/s\] along x.
+    fn offset(&self, body: usize, draw: u64, time: f64, speed: f64, grid: &Grid) -> Offset;
+
+    /// Which places of its patch a body moving at `speed` \[m/s\] brings under the contact, each equally often.
+    fn visits(&self, speed: f64) -> Visits;
+}
+
+/// Which places of a body's patch come under the contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Visits {
+    /// The same ones all the time.
+    Stays,
+    /// All along x one after the other, as the body carries them past.
+    Passing,
+    /// All along x, in any order.
+    Track,
+    /// All along x and y.
+    Patch,
+}
+
+/// The patterns never move: the same peaks meet for ever.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct AtRest;
+
+impl RoughnessMotion for AtRest {
+    fn offset(&self, _body: usize, _draw: u64, _time: f64, _speed: f64, _grid: &Grid) -> Offset {
+        Offset::default()
+    }
+
+    fn visits(&self, _speed: f64) -> Visits {
+        Visits::Stays
+    }
+}
+
+/// Each pattern is carried along x by its body: after the time `t` it stands `V t` downstream, between nodes by
+/// interpolation.
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::surface::{Carried, RoughnessMotion};
+/// let grid = Grid::centred(128, 128, 1e-6, 1e-6)?;
+/// // 0.25 cells downstream: the grid sees what was 0.25 cells upstream.
+/// let carried = Carried.offset(0, 0, 2.5e-6, 0.1, &grid);
+/// assert_eq!(carried.columns, 127);
+/// assert!((carried.fraction - 0.75).abs() < 1e-9);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Carried;
+
+impl RoughnessMotion for Carried {
+    fn offset(&self, _body: usize, _draw: u64, time: f64, speed: f64, grid: &Grid) -> Offset {
+        let columns = (-speed * time / grid.dx()).rem_euclid(grid.nx() as f64);
+        // A distance that is not a number stays at the origin.
+        let whole = if columns.is_finite() { columns.floor() } else { 0.0 };
+        let fraction = if columns.is_finite() { columns - whole } else { 0.0 };
+        Offset { columns: whole as usize % grid.nx().max(1), rows: 0, fraction }
+    }
+
+    fn visits(&self, speed: f64) -> Visits {
+        if speed == 0.0 { Visits::Stays } else { Visits::Passing }
+    }
+}
+
+/// Each pattern stands at another place along the track at each solve, a whole number of nodes from its origin; across the track
+/// it never moves, so that a groove forms. A body at rest stays.
+///
+/// Places of ball and disc are an additive recurrence, `x_n = frac(s + n c)` of the patch, with `c` the first and second
+/// negative power of the real root of `g^3 = g + 1` and `s` from the seed: places of a body and of one body on the other are spread
+/// far more evenly than random ones, so that the mean over `n` solves converges nearly with `1/n`. The solve 0 has both patterns at
+/// their origins.
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::surface::{AlongTrack, Offset, RoughnessMotion};
+/// let grid = Grid::centred(128, 96, 1e-6, 1e-6)?;
+/// let motion = AlongTrack { seed: 3 };
+/// assert_eq!(motion.offset(1, 0, 0.0, 0.1, &grid), Offset::default());
+/// let columns: Vec<usize> = (1..129).map(|draw| motion.offset(1, draw, 0.0, 0.1, &grid).columns).collect();
+/// // An eighth of the patch gets an eighth of 128 places.
+/// let eighth = columns.iter().filter(|column| (32..48).contains(*column)).count();
+/// assert!((15..=17).contains(&eighth));
+/// assert_eq!(motion.offset(1, 9, 0.0, 0.0, &grid), Offset::default());
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct AlongTrack {
+    /// Seed of the places.
+    pub seed: u64,
+}
+
+/// `2^64/g` and `2^64/g^2` of the real root of `g^3 = g + 1`.
+const RECURRENCE: [u64; 2] = [0xc13f_a9a9_02a6_328f, 0x91e1_0da5_c79e_7b1c];
+
+impl RoughnessMotion for AlongTrack {
+    fn offset(&self, body: usize, draw: u64, _time: f64, speed: f64, grid: &Grid) -> Offset {
+        if draw == 0 || speed == 0.0 {
+            return Offset::default();
+        }
+        let start = generator(self.seed, body, 0, b"at track").next_u64();
+        let place = start.wrapping_add(RECURRENCE[body % 2].wrapping_mul(draw));
+        Offset { columns: below(place, grid.nx()), rows: 0, fraction: 0.0 }
+    }
+
+    fn visits(&self, speed: f64) -> Visits {
+        if speed == 0.0 { Visits::Stays } else { Visits::Track }
+    }
+}
+
+/// Each pattern stands at a new random place at each solve, a whole number of nodes from its origin along and across: no groove
+/// forms. The solve 0 has both patterns at their origins.
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::surface::{RandomShift, RoughnessMotion};
+/// let grid = Grid::centred(128, 128, 1e-6, 1e-6)?;
+/// let motion = RandomShift { seed: 3 };
+/// let offset = motion.offset(0, 17, 0.0, 0.1, &grid);
+/// assert_eq!(offset, motion.offset(0, 17, 5.0, 0.2, &grid));
+/// assert!(offset.columns < 128 && offset.rows < 128);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct RandomShift {
+    /// Seed of the places.
+    pub seed: u64,
+}
+
+impl RoughnessMotion for RandomShift {
+    fn offset(&self, body: usize, draw: u64, _time: f64, _speed: f64, grid: &Grid) -> Offset {
+        if draw == 0 {
+            return Offset::default();
+        }
+        let mut generator = generator(self.seed, body, draw, b"position");
+        let columns = below(generator.next_u64(), grid.nx());
+        Offset { columns, rows: below(generator.next_u64(), grid.ny()), fraction: 0.0 }
+    }
+
+    fn visits(&self, _speed: f64) -> Visits {
+        Visits::Patch
+    }
+}
+
+fn generator(seed: u64, body: usize, draw: u64, purpose: &[u8; 8]) -> ChaCha8Rng {
+    let mut bytes = [0; 32];
+    bytes[..8].copy_from_slice(&seed.to_le_bytes());
+    bytes[8..16].copy_from_slice(&(body as u64).to_le_bytes());
+    bytes[16..24].copy_from_slice(&draw.to_le_bytes());
+    bytes[24..].copy_from_slice(purpose);
+    ChaCha8Rng::from_seed(bytes)
+}
+
+/// Maps 64 random bits onto `0..count`.
+fn below(bits: u64, count: usize) -> usize {
+    ((u128::from(bits) * count as u128) >> 64) as usize
+}

@@ -1,0 +1,114 @@
+//! The example `history` from the outside: output, exit status, messages.
+#![expect(clippy::unwrap_used, reason = "tests")]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+
+use serde_json::Value;
+use stribeck::sim::scene::SolverKind;
+use stribeck::sim::{MixedLubricationSim, Scene};
+
+/// The example, brought up to date: `cargo test` builds it, `cargo test --test history_cli` does not.
+fn program() -> &'static Path {
+    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
+    PROGRAM.get_or_init(|| {
+        let test = std::env::current_exe().unwrap();
+        let folder = test.parent().and_then(Path::parent).unwrap();
+        let profile = match folder.file_name().and_then(|name| name.to_str()).unwrap() {
+            "debug" => "test",
+            other => other,
+        };
+        let built = Command::new(env!("CARGO"))
+            .args([
+                "build",
+                "--quiet",
+                "--offline",
+                "--profile",
+                profile,
+                "--example",
+                "history",
+                "--target-dir",
+            ])
+            .arg(folder.parent().unwrap())
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .unwrap();
+        assert!(built.status.success(), "{built:?}");
+        folder.join("examples").join(format!("history{}", std::env::consts::EXE_SUFFIX))
+    })
+}
+
+fn scene() -> Scene {
+    let mut scene = Scene::azam_2019(24).with_tribofilm();
+    scene.solver.kind = SolverKind::Dry;
+    scene
+}
+
+/// Runs the example on the scene.
+fn history(scene: &Scene, arguments: &[&str]) -> Output {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    std::fs::write(&path, scene.to_toml().unwrap()).unwrap();
+    Command::new(program()).arg(path).args(arguments).output().unwrap()
+}
+
+#[test]
+fn json_holds_the_means_of_the_last_tenth() {
+    let output = history(&scene(), &["--steps", "20", "--time-step", "30", "--json"]);
+    assert!(output.status.success(), "{output:?}");
+    let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let number =
+        |path: &str| json.pointer(path).and_then(Value::as_f64).unwrap_or_else(|| panic!("{path}: {json}"));
+    let mut sim = MixedLubricationSim::builder(scene()).build().unwrap();
+    let records: Vec<_> = (0..20).map(|_| sim.step(30.0).unwrap()).collect();
+    let mean =
+        |value: fn(&stribeck::sim::StepRecord) -> f64| 0.5 * (value(&records[18]) + value(&records[19]));
+    for (path, expected) in [
+        ("/contact/area_ratio", mean(|r| r.area_ratio)),
+        ("/contact/load_ratio", mean(|r| r.load_ratio)),
+        ("/film/mean_central", mean(|r| r.average_film)),
+        ("/friction/coefficient", mean(|r| r.friction_coefficient)),
+        ("/pressure/max", mean(|r| r.max_pressure)),
+        ("/wear/ball_in_contact", mean(|r| r.track_wear[0])),
+        ("/wear/disc_in_contact", mean(|r| r.track_wear[1])),
+        ("/tribofilm/ball_in_contact", mean(|r| r.track_film[0])),
+        ("/tribofilm/disc_in_contact", mean(|r| r.track_film[1])),
+        ("/roughness/ball_rq", mean(|r| r.rq[0])),
+    ] {
+        assert!((number(path) / expected - 1.0).abs() < 1e-9, "{path}: {} is not {expected}", number(path));
+    }
+    assert!(number("/averaged_steps") - 2.0 == 0.0 && number("/steps") - 20.0 == 0.0);
+    assert_eq!(json["wear"]["disc_profile"].as_array().map(Vec::len), Some(24));
+    let progress = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(progress.lines().count(), 10, "{progress}");
+    assert!(progress.ends_with("20 of 20 steps, 600.0 s of the test\n"), "{progress}");
+}
+
+#[test]
+fn bad_input_is_one_line_and_ends_with_1() {
+    let refused = |scene: &Scene, arguments: &[&str], words: &str| {
+        let output = history(scene, arguments);
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(1), 0), "{message}");
+        assert!(message.lines().count() == 1 && message.contains(words), "{message}");
+    };
+    refused(&scene(), &["--steps", "2"], "--time-step is missing");
+    refused(&scene(), &["--steps", "0", "--time-step", "1"], "--steps");
+    refused(&scene(), &["--steps", "2", "--time-step", "-1"], "--time-step = -1");
+    refused(&scene(), &["--steps", "2", "--time-step", "nan"], "--time-step = NaN");
+    let mut short = scene();
+    short.track.exposure = stribeck::sim::scene::Exposure::Track;
+    (short.track.radius_ball, short.track.radius_disc) = (Some(1e-6), Some(0.02));
+    refused(&short, &["--steps", "2", "--time-step", "1"], "track.radius_ball = 1e-6");
+}
+
+#[test]
+fn a_contact_that_is_not_solved_ends_with_2() {
+    let mut scene = scene();
+    scene.solver.max_iterations = 0;
+    scene.solver.tolerance = 1e-9;
+    let output = history(&scene, &["--steps", "2", "--time-step", "1", "--json"]);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(output.stdout.is_empty() && String::from_utf8(output.stderr).unwrap().starts_with("error: "));
+}
