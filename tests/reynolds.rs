@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::Status;
-use stribeck::reynolds::{ContactDefinition, FaceMobility, Scheme};
+use stribeck::reynolds::{Cavitation, ContactDefinition, FaceMobility, Scheme};
 use stribeck::sim::scene::{Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 
@@ -127,13 +127,15 @@ fn discretisations_agree_where_the_mesh_resolves_the_film() {
 }
 
 #[test]
-fn one_discretisation_suits_every_scene_but_the_published_one() {
+fn rough_smooth_and_published_scenes_have_their_discretisations() {
     let mut scene = Scene::azam_2019(64);
-    for wedge in [scene.clone(), smooth(64)] {
-        assert_eq!((wedge.scheme(), wedge.face_mobility()), (Scheme::Limited, FaceMobility::Wedge));
+    for (scene, mobility) in [(&scene, FaceMobility::Inlet), (&smooth(64), FaceMobility::Wedge)] {
+        assert_eq!((scene.scheme(), scene.face_mobility()), (Scheme::Limited, mobility));
+        assert_eq!(scene.cavitation(), Cavitation::MassConserving);
     }
     scene.solver.contact = ContactDefinition::Paper;
     assert_eq!((scene.scheme(), scene.face_mobility()), (Scheme::FirstOrder, FaceMobility::Arithmetic));
+    assert_eq!(scene.cavitation(), Cavitation::Reynolds);
     (scene.solver.scheme, scene.solver.face_mobility) =
         (Some(Scheme::SecondOrder), Some(FaceMobility::Wedge));
     assert_eq!((scene.scheme(), scene.face_mobility()), (Scheme::SecondOrder, FaceMobility::Wedge));

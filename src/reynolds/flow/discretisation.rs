@@ -339,7 +339,8 @@ impl Discretisation {
             return DensityRise::default();
         }
         let (own, up) = (&self.nodes[k], &self.nodes[k - 1]);
-        DensityRise::new((own.density, own.film), (up.density, up.film))
+        let up_film = if self.face_mobility == FaceMobility::Inlet { up.film } else { own.film };
+        DensityRise::new((own.density, own.film), (up.density, up_film))
     }
 
     /// The film of the face to the east of node `k`; that of the node itself of first order.

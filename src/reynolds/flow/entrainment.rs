@@ -9,10 +9,11 @@ pub enum Scheme {
     /// Second-order upwind: the flux through a face is extrapolated from the two nodes upstream of it. On films that fall
     /// steeply it may become negative.
     SecondOrder,
-    /// Limited second order: the density `rho_0 + (rho_0 - rho_-1)/2 min(1, h_0/h_-1)^2` extrapolated from the two nodes upstream
+    /// Limited second order: the density `rho_0 + (rho_0 - rho_-1)/2` extrapolated from the two nodes upstream
     /// times the film of the face, `h_f = h_0 + minmod(h_0 - h_-1, h_1 - h_0)/2`, with `h_-1`, `h_0` the films of the two nodes
     /// upstream and `h_1` that of the node downstream. `minmod` is the smaller of both, zero where their signs differ: no film of a
-    /// face is negative. Where films fall steeply, at the edge of a contact, density rises with them, but no further behind the edge.
+    /// face is negative. With `FaceMobility::Inlet` the extrapolation is taken times `min(1, h_0/h_-1)^2`: at the edge of a contact
+    /// density rises as the film falls, but no further behind the edge.
     #[default]
     Limited,
 }

@@ -13,7 +13,7 @@ use super::shear_thinning::ViscosityRatio;
 /// | `Inlet`, faces along the flow with `h_0 > h_1` | that of `Wedge` times `(1 + Y)/(1 + 2 h_0^2 I)` | `q` |
 /// | `Wedge` and `Inlet`, all other faces | `2 h_0^2 h_1^2 / (h_0 + h_1)` | `q` |
 ///
-/// On faces along the flow whose films fall and whose density rises, that of `Wedge` and `Inlet` is taken times
+/// On faces along the flow whose films fall and whose density rises, that of `Inlet` is taken times
 /// `1 + (rho_1/rho_0 - 1)(1 - h_1/h_0)`.
 ///
 /// The flow through the face is `A / (12 eta_0)` times the difference of the potentials over the distance. `h_0` is the film
@@ -82,7 +82,11 @@ impl FaceMobility {
                     by_face_film: fluidity * by_face,
                     by_inlet: fluidity * by_inlet,
                 };
-                if matches!(direction, Direction::Along(..)) { flow.densified(a, b) } else { flow }
+                if self == Self::Inlet && matches!(direction, Direction::Along(..)) {
+                    flow.densified(a, b)
+                } else {
+                    flow
+                }
             }
         }
     }

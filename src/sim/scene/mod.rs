@@ -535,11 +535,18 @@ impl Scene {
         })
     }
 
-    /// The pressure flow through faces: the one named in `solver`, else the default, arithmetic means in the paper's contact as
-    /// published.
+    /// Whether both bodies have no roughness.
+    fn is_smooth(&self) -> bool {
+        self.roughness.ball.is_smooth() && self.roughness.disc.is_smooth()
+    }
+
+    /// The pressure flow through faces: the one named in `solver`, else that which knows edges of contacts within a cell between rough
+    /// surfaces, that of a film which is linear between nodes between smooth ones, whose inlets are resolved, and arithmetic means in the
+    /// paper's contact as published.
     pub fn face_mobility(&self) -> FaceMobility {
         self.solver.face_mobility.unwrap_or(match self.solver.contact {
-            ContactDefinition::Hard => FaceMobility::default(),
+            ContactDefinition::Hard if self.is_smooth() => FaceMobility::Wedge,
+            ContactDefinition::Hard => FaceMobility::Inlet,
             ContactDefinition::Paper => FaceMobility::Arithmetic,
         })
     }
