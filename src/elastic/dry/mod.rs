@@ -60,7 +60,7 @@ pub struct DryOutcome {
     /// displacement.
     pub gap_error: f64,
     /// What the energy `1/2 p K p + gap p` lies above its minimum at most, over the elastic energy `1/2 p K p`: the duality gap
-    /// of Frank and Wolfe (1956, Nav. Res. Logist. Q. 3, 95-110), the sum of `p (v - w)` with `v = gap + K p` and `w` its
+    /// of Frank and Wolfe (1956, Naval Research Logistics Quarterly 3, 95-110), the sum of `p (v - w)` with `v = gap + K p` and `w` its
     /// minimum over the nodes below their limit, nodes at the limit with `v < w` left out. It holds whatever the solver did.
     pub energy_error: f64,
     /// Approach of the bodies \[m\].
