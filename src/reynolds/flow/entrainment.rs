@@ -92,7 +92,7 @@ mod tests {
             let exact = [found.by_density, -found.by_density, found.by_own_film, found.by_up_film];
             for (slot, exact) in exact.into_iter().enumerate() {
                 // Beside the kink at equal films.
-                if films[0] == films[1] && slot > 1 {
+                if (up - own).abs() < 1e-9 && slot > 1 {
                     continue;
                 }
                 let by = |step: f64| std::array::from_fn(|other| if other == slot { step } else { 0.0 });
