@@ -189,7 +189,7 @@ pub fn absurd_scenes() -> impl Strategy<Value = Scene> {
         for (change, value) in changes {
             distort(&mut scene, change, value);
         }
-        let smooth = scene.roughness.ball.is_smooth() && scene.roughness.disc.is_smooth();
+        let smooth = scene.is_smooth();
         if let (GridSpec::Accuracy { .. }, false) = (scene.grid, smooth) {
             // A rough contact would be refined for long.
             scene.grid = GridSpec::Accuracy { accuracy: 0.5 };

@@ -43,7 +43,7 @@ pub struct ErrorEstimate {
 /// # Errors
 /// A scene that does not fit, an accuracy out of range, surfaces that are not known on other meshes.
 pub(super) fn solve(scene: &Scene) -> Result<ContactSolution, SimError> {
-    let smooth = scene.roughness.ball.is_smooth() && scene.roughness.disc.is_smooth();
+    let smooth = scene.is_smooth();
     match (scene.grid, scene.solver.accuracy) {
         (GridSpec::Accuracy { .. }, Some(_)) => Err(SimError::Input(InputError::Conflict {
             field: "solver.accuracy".to_owned(),

@@ -536,7 +536,7 @@ impl Scene {
     }
 
     /// Whether both bodies have no roughness.
-    fn is_smooth(&self) -> bool {
+    pub(crate) fn is_smooth(&self) -> bool {
         self.roughness.ball.is_smooth() && self.roughness.disc.is_smooth()
     }
 
