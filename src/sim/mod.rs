@@ -40,6 +40,7 @@ mod timetable;
 mod track;
 #[cfg(feature = "vtk")]
 mod vtk;
+mod warnings;
 #[cfg(feature = "serde")]
 mod whole_file;
 mod yielding;
@@ -66,3 +67,4 @@ pub use step_control::StepControl;
 pub use timetable::Conditions;
 #[cfg(feature = "vtk")]
 pub use vtk::write_vtk;
+pub use warnings::Warning;
