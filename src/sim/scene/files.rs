@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use super::{Roughness, Scene};
+use super::{Roughness, Scene, missing};
 use crate::sim::SimError;
 
 /// Characters of a line that a syntax error quotes.
@@ -22,7 +22,14 @@ impl Scene {
             let shown: String = line.chars().filter(|c| !c.is_control()).take(LONGEST_QUOTE).collect();
             scene(format!("{} in `{shown}`", in_one_line(text, error)))
         })?;
-        Self::deserialize(tree).map_err(|error| scene(in_one_line(text, error)))
+        Self::deserialize(tree).map_err(|error| {
+            let message = in_one_line(text, error);
+            let absent = match text.parse() {
+                Ok(table) if message.contains("missing field") => missing::keys(&table),
+                _ => Vec::new(),
+            };
+            scene(if absent.len() > 1 { format!("missing keys: `{}`", absent.join("`, `")) } else { message })
+        })
     }
 
     /// The scene as TOML text.
@@ -53,6 +60,31 @@ impl Scene {
     }
 }
 
+/// What the parser calls things, and what a reader of scene files does.
+const WORDS: [(&str, &str); 9] = [
+    ("expected f64", "expected a number"),
+    ("expected usize", "expected a whole number from 0"),
+    ("expected u64", "expected a whole number from 0"),
+    ("expected a sequence", "expected a list"),
+    ("expected an array of length 2", "expected a list of two numbers"),
+    ("floating point", "number"),
+    ("invalid type: integer", "invalid type: whole number"),
+    ("invalid value: integer", "invalid value: whole number"),
+    ("unknown variant", "unknown value"),
+];
+
+/// The message without names of types of this crate.
+fn in_plain_words(message: &str) -> String {
+    let plain = WORDS.iter().fold(message.to_owned(), |text, (from, to)| text.replace(from, to));
+    match plain.split_once("expected struct ") {
+        None => plain,
+        Some((before, after)) => {
+            let rest = after.split_once(' ').map_or(String::new(), |(_, rest)| format!(" {rest}"));
+            format!("{before}expected a table{rest}")
+        }
+    }
+}
+
 /// The parser's message with line and key in one line.
 fn in_one_line(text: &str, mut error: toml::de::Error) -> String {
     let line = 1 + line_of(text, &error);
@@ -60,7 +92,7 @@ fn in_one_line(text: &str, mut error: toml::de::Error) -> String {
     error.set_input(None);
     let message = error.to_string();
     let words: Vec<&str> = message.split_whitespace().collect();
-    format!("line {line}: {}", words.join(" "))
+    format!("line {line}: {}", in_plain_words(&words.join(" ")))
 }
 
 /// The line of the error, from 0.

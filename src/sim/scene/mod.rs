@@ -3,6 +3,8 @@
 #[cfg(feature = "serde")]
 mod files;
 mod materials;
+#[cfg(feature = "serde")]
+mod missing;
 mod processes;
 mod schedule;
 #[cfg(feature = "serde")]
