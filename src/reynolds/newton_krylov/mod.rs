@@ -159,13 +159,12 @@ impl NewtonKrylov {
         Self { method, workspace: None }
     }
 
-    fn workspace(&mut self, problem: &LubricatedContact<'_>) -> Result<&mut Workspace, ReynoldsError> {
+    fn workspace(&mut self, problem: &LubricatedContact<'_>) -> &mut Workspace {
         let grid = problem.grid();
-        let fits = self.workspace.as_ref().is_some_and(|w| w.coupled.fluid.grid == grid);
-        if !fits {
-            let length = Unknowns::most(&grid);
-            let method = self.method;
-            self.workspace = Some(Box::new(Workspace {
+        let (method, length) = (self.method, Unknowns::most(&grid));
+        let kept = self.workspace.take().filter(|w| w.coupled.fluid.grid == grid);
+        let workspace = kept.unwrap_or_else(|| {
+            Box::new(Workspace {
                 method,
                 coupled: Coupled::new(grid),
                 unknowns: Unknowns::new(grid),
@@ -182,9 +181,9 @@ impl NewtonKrylov {
                 before: Snapshot::new(grid),
                 flow_film: vec![0.0; grid.len()],
                 foreseen: vec![0.0; grid.len()],
-            }));
-        }
-        self.workspace.as_deref_mut().ok_or(ReynoldsError::Memory { nodes: grid.len() })
+            })
+        });
+        self.workspace.insert(workspace)
     }
 }
 
@@ -205,7 +204,7 @@ impl ContactSolver for NewtonKrylov {
             let reason = "it needs fluid and solid pressure apart, which the paper's contact does not know";
             return Err(ReynoldsError::WrongSolver { solver: name, reason });
         }
-        let workspace = self.workspace(problem)?;
+        let workspace = self.workspace(problem);
         workspace.preconditioner.configure(problem)?;
         let mut work = Work::default();
         let (status, residuals) = workspace.run(problem, state, stop, &mut work)?;
