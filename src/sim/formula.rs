@@ -14,6 +14,8 @@ pub(super) struct FormulaFilm {
     pub(super) moes: (f64, f64),
     /// Central film, Hamrock and Dowson of a point contact, Dowson and Toyoda of a line contact \[m\].
     pub(super) central: f64,
+    /// Central film by the formulas of Moes for all regimes; none of an elliptic contact \[m\].
+    pub(super) all_regimes: Option<f64>,
 }
 
 /// The film formulas at `entrainment_speed` \[m/s\], by the pressure-viscosity coefficient `alpha` \[1/Pa\] or the slope of the
@@ -41,6 +43,7 @@ pub(super) fn formula_film(
         FormulaFilm {
             moes: (line.moes_load(), line.moes_lubricant()),
             central: line.dowson_toyoda_central()?,
+            all_regimes: Some(line.moes_central()?),
         }
     } else {
         let point = FilmConditions {
@@ -55,6 +58,7 @@ pub(super) fn formula_film(
         FormulaFilm {
             moes: (point.moes_load(), point.moes_lubricant()),
             central: point.hamrock_dowson_central()?,
+            all_regimes: point.moes_central().ok(),
         }
     }))
 }
