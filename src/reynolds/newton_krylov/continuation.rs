@@ -1,7 +1,7 @@
 //! Contacts that stall from every start: reached by following the fluid in time as it fills the dry contact.
 
 use super::Workspace;
-use super::attempt::{Attempt, BOLD, MAX_NEWTON_STEPS, QUICK, STEADY, THOROUGH};
+use super::settings::{Attempt, STEADY, THOROUGH};
 use crate::report::{Status, Work};
 use crate::reynolds::flow::Cavitation;
 use crate::reynolds::problem::{LubricatedContact, Squeeze};
@@ -15,17 +15,12 @@ const LATER: f64 = 10.0;
 /// Time steps after which the way has led nowhere.
 const MAX_TIME_STEPS: usize = 80;
 /// How each contact on the way is solved from the one before.
-const FOLLOWING: Attempt = Attempt {
-    trust: 0.03,
-    gentle: false,
-    first_contact_film: 1.0,
-    squeeze: STEADY,
-    caution: BOLD,
-    effort: THOROUGH,
-    most_steps: 15,
-};
+const FOLLOWING: Attempt =
+    Attempt { gentle: false, first_contact_film: 1.0, pseudo_transient: STEADY, most_steps: 15, ..THOROUGH };
 /// How the last one is.
-const ARRIVING: Attempt = Attempt { most_steps: MAX_NEWTON_STEPS, ..FOLLOWING };
+const ARRIVING: Attempt = Attempt { most_steps: THOROUGH.most_steps, ..FOLLOWING };
+/// Gap error of the dry contact that it starts from.
+const FULL_START: f64 = 0.03;
 /// Residual to which they are solved at first, and its reduction where the contact rests there and the steady one stalls from it.
 const ON_THE_WAY: (f64, f64) = (1e-3, 0.1);
 /// Growth of the time step after a solve of at most so many Newton steps.
@@ -73,7 +68,8 @@ impl Workspace {
         stop: &StoppingRule,
         work: &mut Work,
     ) -> Result<bool, ReynoldsError> {
-        match self.attempts(self.method.attempts, problem, state, stop, work)? {
+        let attempts = self.settings.attempts.clone();
+        match self.attempts(&attempts, problem, state, stop, work)? {
             Status::Converged => Ok(true),
             Status::MaxIterations => Ok(false),
             _ => {
@@ -91,7 +87,7 @@ impl Workspace {
         work: &mut Work,
     ) -> Result<(), ReynoldsError> {
         state.pressure.fill(0.0);
-        *work += self.start.run(problem, state, QUICK.start)?;
+        *work += self.start.run(problem, state, FULL_START)?;
         Ok(())
     }
 

@@ -1,6 +1,5 @@
 //! Semismooth Newton on the whole coupled problem, linear systems by preconditioned GMRES.
 
-mod attempt;
 mod coarse_films;
 mod contact_distance;
 mod continuation;
@@ -10,15 +9,16 @@ mod linearisation;
 mod local;
 mod preconditioner;
 mod progress;
+mod settings;
 mod unknowns;
 
-use attempt::{ATTEMPTS, STEADY, THOROUGH};
-pub(super) use attempt::{Attempt, BY_LINES};
-pub(super) use fluid_block::{FluidBlock, Method};
+pub(super) use fluid_block::FluidBlock;
 use linearisation::Linearisation;
 use local::{Forecast, Local, Material, Settling};
 use preconditioner::BlockPreconditioner;
 use progress::Progress;
+use settings::STEADY;
+pub use settings::{Attempt, NewtonSettings};
 use unknowns::{Response, Unknowns};
 
 use super::active_set::{Fluid, Kind, Solid};
@@ -28,38 +28,10 @@ use super::flow::Cavitation;
 use super::problem::LubricatedContact;
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
+use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::{Gmres, GridLu, PreconditionedOperator};
 use crate::report::{Residuals, SolveReport, Status, Work};
-
-/// Krylov steps within one Newton step.
-const MAX_KRYLOV_STEPS: usize = 100;
-/// Passes of a linear solve, and the least residual that one asks for which knows elastic responses from a sketch alone.
-const MAX_PASSES: u32 = 4;
-const LEAST_SKETCHED: f64 = 0.01;
-/// Of the tolerance: the residual of a linear solve that is good enough.
-const ENOUGH: f64 = 1.5;
-/// Largest pressure change of one step, in reference pressures.
-const MAX_PRESSURE_CHANGE: f64 = 1.0;
-/// Contact film of a Newton step over that of the step before, down to the one of the problem.
-const CONTACT_FILM_REDUCTION: f64 = 0.5;
-/// The residual below which the squeeze is reduced in proportion to that as well: near the solution a step in time holds back the
-/// approach, and the whole contact with it.
-const FREE_BELOW: f64 = 10.0;
-/// Growth of the residual after which a step is taken again at [`SHORTER`] length, and how often at most: anywhere, where an
-/// attempt is careful, and once it has been without a new best residual for [`PATIENCE`] steps.
-const JUMP: (f64, u32) = (4.0, 1);
-const CAREFUL_JUMP: (f64, u32) = (2.0, 3);
-const STRICT_JUMP: (f64, u32) = (1.0, 2);
-const SHORTER: f64 = 0.5;
-/// Steps without a new best residual after which the largest trust is halved, no step may let the residual grow any more, and
-/// linear systems are solved to the share [`TIGHTER`] of their tolerance, where that is coarser than in a thorough attempt: what
-/// they leave in a pocket of one node may be all that decides whether its fluid cavitates, and it then does in every other step.
-const PATIENCE: u32 = 5;
-const TIGHTER: f64 = 0.2;
-/// Bounds of the change of the trust from step to step, and its least value in reference pressures.
-const TRUST_CHANGE: (f64, f64) = (0.3, 2.0);
-const LEAST_TRUST: f64 = 0.001;
 
 /// Semismooth Newton solver with approach and load balance inside the system.
 ///
@@ -75,22 +47,14 @@ const LEAST_TRUST: f64 = 0.001;
 /// followed in time, from the dry contact full of fluid until it rests.
 #[derive(Debug)]
 pub struct NewtonKrylov {
-    method: Method,
+    fluid_block: fn(&Grid) -> Box<dyn FluidBlock>,
+    settings: NewtonSettings,
     workspace: Option<Box<Workspace>>,
 }
 
-/// Sparse LU, and Krylov's method to the tolerance of the attempt.
-const FACTORISED: Method = Method {
-    fluid_block: |grid| Box::new(GridLu::new(grid.nx(), grid.ny())),
-    directions: MAX_KRYLOV_STEPS,
-    passes: MAX_PASSES,
-    attempts: &ATTEMPTS,
-    follows_time: true,
-};
-
 #[derive(Debug)]
 struct Workspace {
-    method: Method,
+    settings: NewtonSettings,
     coupled: Coupled,
     unknowns: Unknowns,
     linearisation: Linearisation,
@@ -144,7 +108,7 @@ impl Snapshot {
 
 impl Default for NewtonKrylov {
     fn default() -> Self {
-        Self::by(FACTORISED)
+        Self::by(|grid| Box::new(GridLu::new(grid.nx(), grid.ny())), NewtonSettings::default())
     }
 }
 
@@ -154,23 +118,33 @@ impl NewtonKrylov {
         Self::default()
     }
 
-    /// A solver that goes about its equations by `method`.
-    pub(super) fn by(method: Method) -> Self {
-        Self { method, workspace: None }
+    /// A solver that goes by other numbers than the default ones.
+    ///
+    /// # Errors
+    ///
+    /// [`InputError`] naming the number that is out of its range.
+    pub fn with_settings(settings: NewtonSettings) -> Result<Self, InputError> {
+        settings.validate()?;
+        Ok(Self { settings, ..Self::default() })
+    }
+
+    /// A solver whose fluid equations are solved by `fluid_block`.
+    pub(super) fn by(fluid_block: fn(&Grid) -> Box<dyn FluidBlock>, settings: NewtonSettings) -> Self {
+        Self { fluid_block, settings, workspace: None }
     }
 
     fn workspace(&mut self, problem: &LubricatedContact<'_>) -> &mut Workspace {
         let grid = problem.grid();
-        let (method, length) = (self.method, Unknowns::most(&grid));
+        let length = Unknowns::most(&grid);
         let kept = self.workspace.take().filter(|w| w.coupled.fluid.grid == grid);
         let workspace = kept.unwrap_or_else(|| {
             Box::new(Workspace {
-                method,
+                settings: self.settings.clone(),
                 coupled: Coupled::new(grid),
                 unknowns: Unknowns::new(grid),
                 linearisation: Linearisation::new(grid),
-                preconditioner: BlockPreconditioner::new(grid, (method.fluid_block)(&grid)),
-                gmres: Gmres::new(length, method.directions),
+                preconditioner: BlockPreconditioner::new(grid, (self.fluid_block)(&grid)),
+                gmres: Gmres::new(length, self.settings.krylov_steps),
                 missing: vec![0.0; length],
                 step: vec![0.0; length],
                 correction: vec![0.0; length],
@@ -224,9 +198,10 @@ impl Workspace {
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
         self.progress = Progress::new();
-        let mut status = self.attempts(self.method.attempts, problem, state, stop, work)?;
+        let attempts = self.settings.attempts.clone();
+        let mut status = self.attempts(&attempts, problem, state, stop, work)?;
         let is_stuck = matches!(status, Status::Stalled | Status::Diverged);
-        let may_follow = self.method.follows_time && problem.lubricant.is_some();
+        let may_follow = self.settings.follows_time && problem.lubricant.is_some();
         if is_stuck && may_follow && problem.entrainment_speed > 0.0 {
             let (residuals, best) = (self.best_residuals, self.best.clone());
             if self.take_another_way(problem, state, stop, work)? {
@@ -301,17 +276,24 @@ impl Workspace {
             if attempt.gentle {
                 problem.film_cutoff = eased;
             }
-            *work += self.start.run(problem, state, attempt.effort.start)?;
+            *work += self.start.run(problem, state, attempt.start_tolerance)?;
             problem.film_cutoff = eased;
         }
         self.coupled.configure(problem);
-        let squeeze = if cold { attempt.squeeze } else { STEADY };
+        let pseudo_transient = if cold { attempt.pseudo_transient } else { STEADY };
         let condition = if cold { Cavitation::Reynolds } else { problem.cavitation };
-        self.newton(problem, state, stop, Attempt { squeeze, ..attempt }, (film_cutoff, condition), work)
+        self.newton(
+            problem,
+            state,
+            stop,
+            Attempt { pseudo_transient, ..attempt },
+            (film_cutoff, condition),
+            work,
+        )
     }
 
     /// Newton steps until `stop` or a stall, the cut-off of the problem falling to `film_cutoff`, cavitation by `condition` until the
-    /// residual is below [`FREE_BELOW`]: the gaps of the dry contact are empty, and fill layer by layer where mass is conserved. Keeps
+    /// residual is below [`NewtonSettings::near_below`]: the gaps of the dry contact are empty, and fill layer by layer where mass is conserved. Keeps
     /// the best state of all attempts.
     fn newton(
         &mut self,
@@ -327,9 +309,9 @@ impl Workspace {
         let left = stop.max_iterations.saturating_sub(work.iterations);
         let limit = left.min(attempt.most_steps);
         let mut largest_trust = attempt.trust * problem.reference_pressure;
-        let (mut squeeze, squeeze_reduction) = attempt.squeeze;
+        let (mut pseudo_transient, reduction) = attempt.pseudo_transient;
         let mut settling = Settling { trust: largest_trust, opens_together: attempt.gentle };
-        let mut krylov_tolerance = attempt.effort.krylov;
+        let mut krylov_tolerance = attempt.krylov_tolerance;
         let (mut lowest, mut fruitless, mut swings) = (f64::INFINITY, 0, false);
         let mut status = if limit == left { Status::MaxIterations } else { Status::Stalled };
         let mut residuals = self.coupled.residuals(problem, state);
@@ -339,7 +321,7 @@ impl Workspace {
                 break;
             }
             let eased = problem.film_cutoff > film_cutoff;
-            if !eased && condition != problem.cavitation && residuals.max() < FREE_BELOW {
+            if !eased && condition != problem.cavitation && residuals.max() < self.settings.near_below {
                 condition = problem.cavitation;
                 self.coupled.fluid.set_cavitation(condition);
                 self.coupled.refresh(problem, state);
@@ -368,22 +350,23 @@ impl Workspace {
             if iteration == limit {
                 break;
             }
-            if fruitless == PATIENCE {
+            if fruitless == self.settings.patience {
                 (largest_trust, fruitless, swings) = (0.5 * largest_trust, 0, true);
-                krylov_tolerance = krylov_tolerance.min((TIGHTER * krylov_tolerance).max(THOROUGH.krylov));
+                krylov_tolerance = krylov_tolerance
+                    .min((self.settings.tighter * krylov_tolerance).max(self.settings.periodic_tolerance));
                 settling.trust = settling.trust.min(largest_trust);
             }
             work.iterations += 1;
             if eased {
-                problem.film_cutoff = (CONTACT_FILM_REDUCTION * problem.film_cutoff).max(film_cutoff);
+                problem.film_cutoff = (self.settings.film_reduction * problem.film_cutoff).max(film_cutoff);
                 self.coupled.fluid.configure(problem);
                 self.coupled.fluid.set_cavitation(condition);
                 // The flow follows below.
                 self.coupled.apply_plastic_depth(problem, state);
             }
-            let free = if eased { 1.0 } else { (residuals.max() / FREE_BELOW).min(1.0) };
-            self.coupled.fluid.set_step_squeeze(free * squeeze);
-            squeeze *= squeeze_reduction;
+            let free = if eased { 1.0 } else { (residuals.max() / self.settings.near_below).min(1.0) };
+            self.coupled.fluid.set_step_squeeze(free * pseudo_transient);
+            pseudo_transient *= reduction;
             self.close_contact(problem, state);
             let Some(krylov_steps) = self.newton_step(problem, state, krylov_tolerance)? else {
                 status = Status::Diverged;
@@ -391,17 +374,17 @@ impl Workspace {
             };
             work.inner_iterations += krylov_steps;
             let jump = if swings {
-                STRICT_JUMP
-            } else if residuals.max() < attempt.caution.careful_below {
-                CAREFUL_JUMP
+                self.settings.growth[2]
+            } else if residuals.max() < attempt.careful_below {
+                self.settings.growth[1]
             } else {
-                JUMP
+                self.settings.growth[0]
             };
             residuals = self.advance_carefully(problem, state, settling, residuals.max(), jump)?;
-            let (shorter, longer) = TRUST_CHANGE;
-            let change = attempt.caution.unforeseen / self.unforeseen_share(state, problem.contact_film());
+            let (shorter, longer) = self.settings.trust_change;
+            let change = attempt.unforeseen / self.unforeseen_share(state, problem.contact_film());
             settling.trust = (settling.trust * change.clamp(shorter, longer))
-                .max(LEAST_TRUST * problem.reference_pressure)
+                .max(self.settings.least_trust * problem.reference_pressure)
                 .min(largest_trust);
         }
         Ok(status)
@@ -437,7 +420,7 @@ impl Workspace {
             if residuals.max() <= growth * before {
                 break;
             }
-            length *= SHORTER;
+            length *= self.settings.shorter;
             self.before.restore(&mut self.coupled, problem, state);
             self.close_contact(problem, state);
             self.advance(problem, state, Settling { trust: length * settling.trust, ..settling }, length)?;
@@ -457,7 +440,7 @@ impl Workspace {
         state: &ContactState,
         tolerance: f64,
     ) -> Result<Option<u64>, ReynoldsError> {
-        let passes = self.method.passes;
+        let passes = self.settings.passes;
         let Self { coupled, unknowns, linearisation, preconditioner, gmres, .. } = self;
         unknowns.sort(coupled, problem, state);
         if problem.lubricant.is_some() {
@@ -476,7 +459,7 @@ impl Workspace {
         let mut response = if coupled.fluid.grid.ny() > 1 { Response::Sketch } else { Response::Whole };
         let (mut left, mut steps) = (1.0, 0);
         for _ in 0..passes {
-            let least = if response == Response::Sketch { LEAST_SKETCHED } else { 0.0 };
+            let least = if response == Response::Sketch { self.settings.periodic_tolerance } else { 0.0 };
             let wanted = (tolerance / left).max(least);
             let mut system = System { unknowns, coupled, problem, linearisation, preconditioner, response };
             steps += gmres.solve(&mut system, missing, wanted, correction).steps;
@@ -486,7 +469,7 @@ impl Workspace {
             unknowns.missing(coupled, problem, linearisation, state, step, missing)?;
             let now = norm(missing) / whole;
             // No number where the equations lacked nothing.
-            if now.is_nan() || now <= ENOUGH * tolerance || response == Response::Whole {
+            if now.is_nan() || now <= self.settings.enough * tolerance || response == Response::Whole {
                 break;
             }
             if now > 0.5 * left {
@@ -508,7 +491,7 @@ impl Workspace {
         let Self { coupled, unknowns, .. } = self;
         let step = &self.step[..unknowns.len()];
         let largest = unknowns.largest_pressure(step);
-        let length = most * (MAX_PRESSURE_CHANGE * problem.reference_pressure / largest).min(1.0);
+        let length = most * (self.settings.largest_change * problem.reference_pressure / largest).min(1.0);
         let (contact_film, own_influence) = (problem.contact_film(), coupled.near.own);
         for k in 0..state.pressure.len() {
             let kind = coupled.kinds[k];
