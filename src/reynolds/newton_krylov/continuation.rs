@@ -2,7 +2,7 @@
 
 use super::Workspace;
 use super::settings::{Attempt, STEADY, THOROUGH};
-use crate::report::{Status, Work};
+use crate::report::Status;
 use crate::reynolds::flow::Cavitation;
 use crate::reynolds::problem::{LubricatedContact, Squeeze};
 use crate::reynolds::state::ContactState;
@@ -38,26 +38,25 @@ impl Workspace {
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
-        work: &mut Work,
     ) -> Result<bool, ReynoldsError> {
         if problem.cavitation == Cavitation::Reynolds {
-            self.start_full(problem, state, work)?;
-            return self.follow_time(problem, state, stop, work);
+            self.start_full(problem, state)?;
+            return self.follow_time(problem, state, stop);
         }
         problem.cavitation = Cavitation::Reynolds;
         state.pressure.fill(0.0);
-        let full = self.solve_full(problem, state, stop, work);
+        let full = self.solve_full(problem, state, stop);
         problem.cavitation = Cavitation::MassConserving;
         if full? {
             let start = state.clone();
-            if self.attempts(&[ARRIVING], problem, state, stop, work)? == Status::Converged {
+            if self.attempts(&[ARRIVING], problem, state, stop)? == Status::Converged {
                 return Ok(true);
             }
             state.clone_from(&start);
         } else {
-            self.start_full(problem, state, work)?;
+            self.start_full(problem, state)?;
         }
-        self.follow_time(problem, state, stop, work)
+        self.follow_time(problem, state, stop)
     }
 
     /// Solves a contact with Reynolds' condition, in time if need be.
@@ -66,15 +65,14 @@ impl Workspace {
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
-        work: &mut Work,
     ) -> Result<bool, ReynoldsError> {
         let attempts = self.settings.attempts.clone();
-        match self.attempts(&attempts, problem, state, stop, work)? {
+        match self.attempts(&attempts, problem, state, stop)? {
             Status::Converged => Ok(true),
             Status::MaxIterations => Ok(false),
             _ => {
-                self.start_full(problem, state, work)?;
-                self.follow_time(problem, state, stop, work)
+                self.start_full(problem, state)?;
+                self.follow_time(problem, state, stop)
             }
         }
     }
@@ -84,10 +82,9 @@ impl Workspace {
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
-        work: &mut Work,
     ) -> Result<(), ReynoldsError> {
         state.pressure.fill(0.0);
-        *work += self.start.run(problem, state, FULL_START)?;
+        self.work += self.start.run(problem, state, FULL_START)?;
         Ok(())
     }
 
@@ -101,13 +98,12 @@ impl Workspace {
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
-        work: &mut Work,
     ) -> Result<bool, ReynoldsError> {
         self.coupled.configure(problem);
         // All gaps are full.
         self.coupled.fluid.set_cavitation(Cavitation::Reynolds);
         self.coupled.evaluate(problem, state)?;
-        work.convolutions += self.coupled.convolutions;
+        self.work.convolutions += self.coupled.convolutions;
         let mut last = state.clone();
         let mut carried = state.mass.clone();
         let passing = problem.grid().dx() / problem.entrainment_speed;
@@ -116,7 +112,7 @@ impl Workspace {
         let mut rests = false;
         for _ in 0..MAX_TIME_STEPS {
             if rests || time_step > longest {
-                match self.attempts(&[ARRIVING], problem, state, stop, work)? {
+                match self.attempts(&[ARRIVING], problem, state, stop)? {
                     Status::Converged => return Ok(true),
                     Status::MaxIterations => return Ok(false),
                     _ if rests => {
@@ -126,13 +122,13 @@ impl Workspace {
                 }
                 state.clone_from(&last);
             }
-            let before = work.iterations;
+            let before = self.work.iterations;
             let squeeze = squeeze_since(&last.mass, time_step, problem.squeeze, &mut carried);
             let mut moment = problem.with_squeeze(squeeze);
-            match self.attempts(&[FOLLOWING], &mut moment, state, &on_the_way, work)? {
+            match self.attempts(&[FOLLOWING], &mut moment, state, &on_the_way)? {
                 Status::Converged => {
                     last.clone_from(state);
-                    let steps = work.iterations - before;
+                    let steps = self.work.iterations - before;
                     rests = steps == 0;
                     time_step *=
                         GROWTH.iter().find(|(most, _)| steps <= *most).map_or(1.0, |(_, growth)| *growth);

@@ -26,7 +26,7 @@ const RELAXATIONS: usize = 2;
 /// 2. finds the pressures under solids and under carried films from what these films have to be, by the inverse of
 ///    the elastic response, and the approach from the load;
 /// 3. combines two such relaxations so that the equations, the elastic response whole, lack the least;
-/// 4. lets every node settle by its own equations, which decides its side.
+/// 4. eliminates every node's own equations, which decides its side.
 ///
 /// Linearisation, sides and starts are those of [`NewtonKrylov`]; no matrix is factorised, and a Krylov space of two directions is all
 /// that a step builds up, at two to three times the steps. Starts are steps in time, of a few passages of a cell at first.
