@@ -80,6 +80,7 @@ fn document_lists_every_key() {
     let code = [
         include_str!("../src/sim/scene/mod.rs"),
         include_str!("../src/sim/scene/processes.rs"),
+        include_str!("../src/sim/scene/elastic.rs"),
         include_str!("../src/sim/scene/materials.rs"),
         include_str!("../src/sim/scene/schedule.rs"),
         include_str!("../src/surface/form.rs"),

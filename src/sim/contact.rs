@@ -8,7 +8,7 @@ use super::scene::{GridSpec, Motion, Scene};
 use super::solution::{ContactSolution, Numbers, is_known};
 use super::timetable::{Conditions, Timetable};
 use super::{SimError, setup};
-use crate::elastic::{DeformationModel, HalfSpace, LineHalfSpace};
+use crate::elastic::{DeformationModel, HalfSpace, LayeredHalfSpace, LineHalfSpace};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
@@ -302,10 +302,11 @@ fn checked_deformation(
 /// the box where that is longer.
 fn half_space(scene: &Scene, grid: Grid) -> Result<Box<dyn DeformationModel>, InputError> {
     let modulus = scene.equivalent_modulus()?;
-    Ok(if scene.form.is_line() {
-        let reference = scene.form.radii().0.max(grid.size_x());
-        Box::new(LineHalfSpace::new(grid, modulus, reference)?)
-    } else {
-        Box::new(HalfSpace::new(grid, modulus)?)
+    let reference = scene.form.radii().0.max(grid.size_x());
+    Ok(match (scene.layer()?, scene.form.is_line()) {
+        (None, false) => Box::new(HalfSpace::new(grid, modulus)?),
+        (None, true) => Box::new(LineHalfSpace::new(grid, modulus, reference)?),
+        (Some(layer), false) => Box::new(LayeredHalfSpace::new(grid, modulus, layer)?),
+        (Some(layer), true) => Box::new(LayeredHalfSpace::plane_strain(grid, modulus, layer, reference)?),
     })
 }

@@ -40,6 +40,7 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     friction.rheology()?;
     friction.shear_thinning(scene.motion.sliding_speed())?;
     scene.validate_materials()?;
+    scene.layer()?;
     let thermal = scene.thermal;
     InputError::require_positive("thermal.bulk_temperature", thermal.bulk_temperature)?;
     InputError::require_positive("thermal.conductivity", thermal.conductivity)?;

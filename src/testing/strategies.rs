@@ -161,7 +161,7 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
         };
         Scene {
             form,
-            elastic: Elastic { equivalent_modulus },
+            elastic: Elastic::new(equivalent_modulus),
             materials: Materials::default(),
             schedule: Schedules::default(),
             load,

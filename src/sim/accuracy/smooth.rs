@@ -85,6 +85,18 @@ impl Plan {
         })
     }
 
+    /// The same for a layer on the disc, with which the contact is as wide as that of its substrate, that of half-spaces of its own
+    /// material, or in between: the box of the wider one, the cells of the narrower one.
+    fn with_layer(self, scene: &Scene) -> Result<Self, InputError> {
+        let Some(layer) = scene.layer()? else { return Ok(self) };
+        let [own, substrate] = layer.compliances();
+        let compliance = 1.0 + (own - substrate) * 0.5 * scene.equivalent_modulus()?;
+        let width = if scene.form.is_line() { compliance.sqrt() } else { compliance.cbrt() };
+        let (wide, narrow) = (width.max(1.0), width.min(1.0));
+        let [inlet, outlet, side] = [self.inlet, self.outlet, self.side].map(|length| wide * length);
+        Ok(Self { inlet, outlet, side, cell: narrow * self.cell, ..self })
+    }
+
     /// The cells of the mesh `level` times coarser than the finest.
     fn cells(&self, hertz: &HertzContact, level: u32, is_line: bool) -> Result<GridSpec, InputError> {
         let count =
@@ -119,7 +131,7 @@ pub(super) fn solve(scene: &Scene, accuracy: f64) -> Result<ContactSolution, Sim
     setup::validate(scene)?;
     let hertz = scene.hertz()?;
     let mut scene = scene.clone();
-    let mut plan = Plan::of(&scene, &hertz, accuracy)?;
+    let mut plan = Plan::of(&scene, &hertz, accuracy)?.with_layer(&scene)?;
     let exponent = setup::viscosity(&scene)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.p_max);
     let growth = SPIKE_GROWTH * (exponent / SHARP).min(1.0).powi(2);
     let mut work = Spent::default();

@@ -1,5 +1,6 @@
 //! The physical description of a contact and its history: what a scene file holds.
 
+mod elastic;
 #[cfg(feature = "serde")]
 mod files;
 mod materials;
@@ -11,6 +12,7 @@ mod track;
 
 use std::path::PathBuf;
 
+pub use elastic::{Elastic, LayerSpec};
 pub(super) use materials::BODIES;
 pub use materials::{Material, Materials};
 pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec, WearSpec};
@@ -78,29 +80,6 @@ pub struct Scene {
     /// How the contact problem is solved.
     #[cfg_attr(feature = "serde", serde(default))]
     pub solver: SolverSpec,
-}
-
-/// Elastic constants of the pair.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct Elastic {
-    /// `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`; infinite where the materials give the moduli
-    /// ([`Scene::equivalent_modulus`]).
-    pub equivalent_modulus: f64,
-}
-
-impl Elastic {
-    #[cfg(feature = "serde")]
-    fn is_absent(&self) -> bool {
-        self.equivalent_modulus == f64::INFINITY
-    }
-}
-
-impl Default for Elastic {
-    /// The modulus is that of the materials.
-    fn default() -> Self {
-        Self { equivalent_modulus: f64::INFINITY }
-    }
 }
 
 /// Normal load, by exactly one of the two.
@@ -384,7 +363,7 @@ impl Scene {
             |rq, seed| Roughness::Gaussian(RandomRoughness { rq, length_x: 10e-6, length_y: 10e-6, seed });
         Self {
             form: Form::Sphere { radius: 9.525e-3 },
-            elastic: Elastic { equivalent_modulus: 229.67e9 },
+            elastic: Elastic::new(229.67e9),
             materials: Materials::default(),
             load: Load { hertz_pressure: Some(1.15e9), force: None },
             motion: Motion { entrainment_speed: 0.1, slide_roll_ratio: 0.05 },
