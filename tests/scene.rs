@@ -83,6 +83,7 @@ fn document_lists_every_key() {
         include_str!("../src/sim/scene/elastic.rs"),
         include_str!("../src/sim/scene/materials.rs"),
         include_str!("../src/sim/scene/schedule.rs"),
+        include_str!("../src/sim/scene/stress.rs"),
         include_str!("../src/surface/form.rs"),
     ]
     .concat();

@@ -5,7 +5,7 @@ use super::formula::{FormulaFilm, formula_film, stated_film};
 use super::friction::{FrictionFields, boundary_law};
 use super::hertz::HertzContact;
 use super::scene::{GridSpec, Motion, Scene};
-use super::solution::{ContactSolution, Numbers, is_known};
+use super::solution::{ContactSolution, Numbers, StressNumbers, is_known};
 use super::timetable::{Conditions, Timetable};
 use super::{SimError, setup};
 use crate::elastic::{DeformationModel, HalfSpace, LayeredHalfSpace, LineHalfSpace};
@@ -250,7 +250,8 @@ fn solve_model(
         friction.update(&model, &state, law.as_ref(), None)?;
     }
     let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
-    Ok(model.solution(report, state, gap, numbers))
+    let stress = if known { StressNumbers::of(scene, &model, &state, &friction)? } else { None };
+    Ok(ContactSolution { stress, ..model.solution(report, state, gap, numbers) })
 }
 
 /// Checks that grid and hardness do for the smallest and the largest load of the schedule.

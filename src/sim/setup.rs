@@ -41,6 +41,9 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     friction.shear_thinning(scene.motion.sliding_speed())?;
     scene.validate_materials()?;
     scene.layer()?;
+    if let Some(stress) = scene.stress {
+        stress.validate(scene)?;
+    }
     let thermal = scene.thermal;
     InputError::require_positive("thermal.bulk_temperature", thermal.bulk_temperature)?;
     InputError::require_positive("thermal.conductivity", thermal.conductivity)?;

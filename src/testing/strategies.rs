@@ -175,6 +175,7 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
             wear,
             track: TrackSpec::default(),
             thermal,
+            stress: None,
             solver,
         }
     })

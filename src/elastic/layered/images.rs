@@ -71,7 +71,8 @@ mod tests {
 
     #[test]
     fn images_have_the_transform_of_the_layer() {
-        for (bound, moduli) in [(5e-6, &[1e-4, 1e-2, 0.1, 0.5, 0.9, 2.0, 10.0, 100.0][..]), (3e-5, &[1e3])] {
+        for (bound, moduli) in [(5e-6, &[1e-4, 1e-2, 0.1, 0.5, 0.9, 2.0, 10.0, 100.0][..]), (3e-5, &[999.0])]
+        {
             for (&m, (v1, v2)) in moduli
                 .iter()
                 .flat_map(|m| [(0.3, 0.3), (0.5, 0.3), (0.2, 0.5), (0.0, 0.0)].map(|poisson| (m, poisson)))

@@ -6,6 +6,7 @@ mod files;
 mod materials;
 mod processes;
 mod schedule;
+mod stress;
 #[cfg(feature = "serde")]
 mod tables;
 mod track;
@@ -17,6 +18,7 @@ pub(super) use materials::BODIES;
 pub use materials::{Material, Materials};
 pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec, WearSpec};
 pub use schedule::{Schedule, Schedules};
+pub use stress::StressSpec;
 pub use track::{Exposure, TrackMotion, TrackSpec};
 
 use crate::analytic::{HertzLine, HertzPoint};
@@ -77,6 +79,9 @@ pub struct Scene {
     /// Conditions that change in time; a single contact is that of the start.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Schedules::is_empty"))]
     pub schedule: Schedules,
+    /// Stresses below the surface of a single contact; absent: none.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub stress: Option<StressSpec>,
     /// How the contact problem is solved.
     #[cfg_attr(feature = "serde", serde(default))]
     pub solver: SolverSpec,
@@ -386,6 +391,7 @@ impl Scene {
             track: TrackSpec::default(),
             thermal: ThermalSpec::default(),
             schedule: Schedules::default(),
+            stress: None,
             solver: SolverSpec::default(),
         }
     }
