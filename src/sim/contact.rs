@@ -39,6 +39,8 @@ pub(super) struct ContactModel {
     pub(super) motion: Motion,
     /// Load that was asked for; that of the Hertz contact is rounded \[N\].
     load: f64,
+    /// That of the lubricant \[K\].
+    bulk_temperature: f64,
     /// Film formulas of the smooth contact; none without lubricant.
     pub(super) formulas: Option<FormulaFilm>,
     /// Central film by formula, by the pressure-viscosity coefficient that is stated for it; zero without lubricant \[m\].
@@ -82,8 +84,15 @@ impl ContactModel {
                 reason: "a law is given, but the scene has no lubricant".to_owned(),
             }));
         }
-        let viscosity = overrides.viscosity.map_or_else(|| setup::viscosity(scene), |law| Ok(Some(law)))?;
-        let density = overrides.density.map_or_else(|| setup::density(scene), |law| Ok(Some(law)))?;
+        let temperature = conditions.bulk_temperature;
+        let viscosity = match overrides.viscosity {
+            None => setup::viscosity(scene, temperature)?,
+            Some(law) => Some(law.at_temperature(temperature).unwrap_or(law)),
+        };
+        let density = match overrides.density {
+            None => setup::density(scene, temperature)?,
+            Some(law) => Some(law.at_temperature(temperature).unwrap_or(law)),
+        };
         let lubricant = match (scene.is_lubricated(), viscosity, density) {
             (true, Some(viscosity), Some(density)) => Some(Lubricant::from_boxed(viscosity, density)),
             _ => None,
@@ -112,6 +121,7 @@ impl ContactModel {
             contact: scene.solver.contact,
             motion: conditions.motion,
             load: conditions.load,
+            bulk_temperature: conditions.bulk_temperature,
         })
     }
 
@@ -122,9 +132,14 @@ impl ContactModel {
 
     /// Takes over the load and the speeds of `conditions`.
     pub(super) fn put_under(&mut self, scene: &Scene, conditions: &Conditions) -> Result<(), InputError> {
+        let temperature = conditions.bulk_temperature;
+        let warmed = temperature.to_bits() != self.bulk_temperature.to_bits();
         let same = conditions.motion == self.motion && conditions.load.to_bits() == self.load.to_bits();
-        if same {
+        if same && !warmed {
             return Ok(());
+        }
+        if warmed {
+            self.lubricant = self.lubricant.take().map(|lubricant| lubricant.at_temperature(temperature));
         }
         let (hertz, motion) = (self.hertz_under(scene, conditions.load)?, conditions.motion);
         let law = self.lubricant.as_ref().map(Lubricant::viscosity);
@@ -132,7 +147,8 @@ impl ContactModel {
         let stated_film = stated_film(scene, &hertz, conditions, law)?;
         let shear_thinning = scene.friction.shear_thinning(motion.sliding_speed())?;
         (self.hertz, self.motion, self.formulas, self.stated_film) = (hertz, motion, formulas, stated_film);
-        (self.load, self.shear_thinning) = (conditions.load, shear_thinning);
+        (self.load, self.shear_thinning, self.bulk_temperature) =
+            (conditions.load, shear_thinning, temperature);
         Ok(())
     }
 

@@ -65,8 +65,9 @@ impl Plan {
     /// A box that makes the share [`BOX_SHARE`] of the error, and cells whose error of second order, `C h^2` of the film `h R/a^2`, is the share
     /// [`AIM`] of the accuracy.
     pub(super) fn of(scene: &Scene, hertz: &HertzContact, accuracy: f64) -> Result<Self, InputError> {
-        let viscosity = setup::viscosity(scene)?;
-        let speed = scene.conditions(0.0)?.motion.entrainment_speed;
+        let conditions = scene.conditions(0.0)?;
+        let viscosity = setup::viscosity(scene, conditions.bulk_temperature)?;
+        let speed = conditions.motion.entrainment_speed;
         let Some(formulas) = formula_film(scene, hertz, speed, viscosity.as_deref(), None)? else {
             let (side, cell) = (1.5, 0.25 * accuracy.sqrt());
             return Ok(Self { inlet: side, outlet: side, side, cell, box_error: 0.0 });
@@ -132,7 +133,8 @@ pub(super) fn solve(scene: &Scene, accuracy: f64) -> Result<ContactSolution, Sim
     let hertz = scene.hertz()?;
     let mut scene = scene.clone();
     let mut plan = Plan::of(&scene, &hertz, accuracy)?.with_layer(&scene)?;
-    let exponent = setup::viscosity(&scene)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.p_max);
+    let temperature = scene.conditions(0.0)?.bulk_temperature;
+    let exponent = setup::viscosity(&scene, temperature)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.p_max);
     let growth = SPIKE_GROWTH * (exponent / SHARP).min(1.0).powi(2);
     let mut work = Spent::default();
     let mut round = 0;

@@ -3,6 +3,7 @@
 mod elastic;
 #[cfg(feature = "serde")]
 mod files;
+mod lubricant;
 mod materials;
 mod processes;
 mod schedule;
@@ -14,6 +15,7 @@ mod track;
 use std::path::PathBuf;
 
 pub use elastic::{Elastic, LayerSpec};
+pub use lubricant::{LubricantSpec, ViscositySpec};
 pub(super) use materials::BODIES;
 pub use materials::{Material, Materials};
 pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec, WearSpec};
@@ -128,37 +130,6 @@ impl Motion {
         let half = 0.5 * self.slide_roll_ratio;
         [self.entrainment_speed * (1.0 + half), self.entrainment_speed * (1.0 - half)]
     }
-}
-
-/// Roelands viscosity and Dowson-Higginson density.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct LubricantSpec {
-    /// Viscosity at ambient pressure \[Pa s\].
-    pub eta0: f64,
-    /// Roelands index.
-    pub roelands_z: f64,
-    /// Roelands reference pressure \[Pa\].
-    #[cfg_attr(feature = "serde", serde(default = "defaults::roelands_p0"))]
-    pub roelands_p0: f64,
-    /// Pressure-viscosity coefficient \[1/Pa\]: the slope of the law is set to it where it is given, else it follows
-    /// from `eta0`, `roelands_z` and `roelands_p0`.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub alpha: Option<f64>,
-    /// Pressure-viscosity coefficient \[1/Pa\] of the film formulas alone, where the data sheet states another one than the slope
-    /// of the viscosity law; absent: that slope.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub formula_alpha: Option<f64>,
-    /// Dowson-Higginson `a` \[1/Pa\].
-    #[cfg_attr(feature = "serde", serde(default = "defaults::density_a"))]
-    pub density_a: f64,
-    /// Dowson-Higginson `b` \[1/Pa\].
-    #[cfg_attr(feature = "serde", serde(default = "defaults::density_b"))]
-    pub density_b: f64,
-    /// Film thickness that the inlet edge of the box is supplied with \[m\]; none for a flooded inlet. Needs cavitation that
-    /// conserves mass.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub supplied_film: Option<f64>,
 }
 
 /// The grid, or what is asked of it.
@@ -339,19 +310,6 @@ pub enum SolverKind {
     Dry,
 }
 
-#[cfg(feature = "serde")]
-mod defaults {
-    pub(super) fn roelands_p0() -> f64 {
-        1.96e8
-    }
-    pub(super) fn density_a() -> f64 {
-        0.6e-9
-    }
-    pub(super) fn density_b() -> f64 {
-        1.7e-9
-    }
-}
-
 impl Scene {
     /// The scene of Azam et al. (2019): steel ball on rough disc, base oil at 80 C, two hours of rubbing, without a
     /// tribofilm. Autocorrelation, its length and the seeds are choices the paper leaves open.
@@ -377,6 +335,9 @@ impl Scene {
                 roelands_z: 0.68,
                 roelands_p0: 1.96e8,
                 alpha: None,
+                temperature: None,
+                roelands_s0: None,
+                viscosity: None,
                 formula_alpha: Some(1.494e-8),
                 density_a: 0.6e-9,
                 density_b: 1.7e-9,
