@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use stribeck::analytic::{rectangle_potential, strip_potential};
 use stribeck::elastic::{DeformationModel, HalfSpace, Layer, LayeredHalfSpace, LineHalfSpace};
-use stribeck::sim::scene::{Elastic, GridSpec, LayerSpec, Load, Material, SolverKind};
+use stribeck::sim::scene::{Elastic, GridSpec, LayerSpec, Load, Material, NamedMaterial, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
 use stribeck::testing::deformation_model;
@@ -17,12 +17,11 @@ fn solve<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> [f64; N] {
         let pivot = (k..N).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs())).unwrap();
         a.swap(k, pivot);
         b.swap(k, pivot);
-        for i in k + 1..N {
-            let factor = a[i][k] / a[k][k];
-            for j in k..N {
-                a[i][j] -= factor * a[k][j];
-            }
-            b[i] -= factor * b[k];
+        let (top, below) = a.split_at_mut(k + 1);
+        for (i, row) in below.iter_mut().enumerate() {
+            let factor = row[k] / top[k][k];
+            row.iter_mut().zip(&top[k]).for_each(|(value, above)| *value -= factor * above);
+            b[k + 1 + i] -= factor * b[k];
         }
     }
     for k in (0..N).rev() {
@@ -322,6 +321,35 @@ fn solvers_agree_on_coated_bodies_in_oil() {
         let bare = solved(&scene).contact.max_pressure;
         assert_eq!(results[0].1 > bare, above, "{results:?} {bare}");
     }
+}
+
+/// Elasticity factors of pairs of materials in ISO 6336-2, `sqrt{1/(pi [(1 - v1^2)/E1 + (1 - v2^2)/E2])}` in MPa^(1/2); a named disc is the substrate of its
+/// layer.
+#[test]
+fn named_materials() {
+    let named = |material| Material { material: Some(material), ..Material::default() };
+    for (disc, factor) in [
+        (NamedMaterial::Steel, 189.8),
+        (NamedMaterial::CastSteel, 188.9),
+        (NamedMaterial::NodularCastIron, 181.4),
+        (NamedMaterial::GreyCastIron, 162.0),
+    ] {
+        let mut scene = lubricated([10e-6, 70e9, 0.3], 32);
+        (scene.materials.ball, scene.materials.disc) = (named(NamedMaterial::Steel), named(disc));
+        let found = (scene.equivalent_modulus().unwrap() / (2.0 * PI) / 1e6).sqrt();
+        assert!((found - factor).abs() < 0.05, "{disc:?}: {found}");
+        let substrate = scene.layer().unwrap().unwrap().compliances()[1];
+        assert!((substrate * disc.modulus() / 0.91 - 1.0).abs() < 1e-12);
+        scene.materials.disc.modulus = Some(100e9);
+        assert!((scene.layer().unwrap().unwrap().compliances()[1] * 100e9 / 0.91 - 1.0).abs() < 1e-12);
+    }
+    let text = lubricated([10e-6, 70e9, 0.3], 32).to_toml().unwrap();
+    let wrong = text.replacen("[materials.ball]", "[materials.ball]\nmaterial = \"cheese\"", 1);
+    let error = Scene::from_toml(&wrong).unwrap_err().to_string();
+    assert!(
+        ["cheese", "nodular_cast_iron", "materials.ball.material"].iter().all(|part| error.contains(part)),
+        "{error}"
+    );
 }
 
 /// A coated roller: the same limits, and a layer that the pressure feels.

@@ -104,9 +104,10 @@ impl Scene {
                 }
             }
         };
-        let modulus = substrate("substrate_modulus", spec.substrate_modulus, "modulus", disc.modulus)?;
+        let modulus =
+            substrate("substrate_modulus", spec.substrate_modulus, "modulus", disc.young_modulus())?;
         let poisson =
-            substrate("substrate_poisson", spec.substrate_poisson, "poisson_ratio", disc.poisson_ratio)?;
+            substrate("substrate_poisson", spec.substrate_poisson, "poisson_ratio", disc.poisson())?;
         Layer::new(spec.thickness, [spec.modulus, spec.poisson], [modulus, poisson]).map(Some)
     }
 }

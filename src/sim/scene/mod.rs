@@ -17,7 +17,7 @@ use std::path::PathBuf;
 pub use elastic::{Elastic, LayerSpec};
 pub use lubricant::{LubricantSpec, ViscositySpec};
 pub(super) use materials::BODIES;
-pub use materials::{Material, Materials};
+pub use materials::{Material, Materials, NamedMaterial};
 pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec, WearSpec};
 pub use schedule::{Schedule, Schedules};
 pub use stress::StressSpec;

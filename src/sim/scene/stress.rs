@@ -60,7 +60,7 @@ impl StressSpec {
         if scene.elastic.layer.is_some() {
             return conflict("the stresses are those of a half-space, but elastic.layer is given");
         }
-        match (self.poisson, scene.materials.disc.poisson_ratio) {
+        match (self.poisson, scene.materials.disc.poisson()) {
             (Some(_), Some(_)) => {
                 conflict("poisson and materials.disc.poisson_ratio are given; give one of both")
             }
@@ -69,7 +69,7 @@ impl StressSpec {
     }
 
     pub(in crate::sim) fn poisson(&self, scene: &Scene) -> f64 {
-        self.poisson.or(scene.materials.disc.poisson_ratio).unwrap_or(Self::STEEL)
+        self.poisson.or(scene.materials.disc.poisson()).unwrap_or(Self::STEEL)
     }
 
     /// The depths of a contact whose smaller half-width is `half_width` \[m\]: squares of an even spacing, closest at the surface.
