@@ -147,7 +147,7 @@ fn carreau_and_limits_by_pressure() {
     assert!((newtonian.shear_stress(10.0, 1e6) / 1e7 - 1.0).abs() < 1e-14);
     let limited = oil.with_limit_by_pressure(0.08).unwrap();
     assert!((limited.limit(1e9) / 8e7 - 1.0).abs() < 1e-14 && limited.limit(-1.0) == 0.0);
-    assert_eq!(oil.limit(1e9), f64::INFINITY);
+    assert!(oil.limit(1e9).is_infinite());
     assert!((limited.with_limit(5e7).unwrap().limit(1e9) / 5e7 - 1.0).abs() < 1e-14);
     for (error, part) in [
         (Rheology::carreau(0.0, 0.5).unwrap_err(), "friction.carreau_stress = 0"),
