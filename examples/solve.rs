@@ -196,7 +196,7 @@ fn summary(solution: &ContactSolution, seconds: f64) -> String {
     } = solution;
     let (residuals, work) = (report.residuals, report.work);
     let moes = moes.map_or_else(|| "dry".to_owned(), |(m, l)| format!("Moes M {m:.1}, L {l:.3}"));
-    [
+    let mut lines = vec![
         format!(
             "{} by {} in {seconds:.2} s on {} x {} nodes",
             report.status,
@@ -249,19 +249,6 @@ fn summary(solution: &ContactSolution, seconds: f64) -> String {
             },
         ),
         format!("approach   {:.3} nm", state.approach * 1e9),
-        stress.map_or_else(
-            || "stress     not asked for".to_owned(),
-            |stress| {
-                let (mises, shear) = (stress.largest.von_mises, stress.largest.orthogonal_shear);
-                format!(
-                    "stress     von Mises {:.4} GPa at {:.2} um, orthogonal shear {:.4} GPa at {:.2} um",
-                    mises.stress * 1e-9,
-                    mises.depth * 1e6,
-                    shear.stress * 1e-9,
-                    shear.depth * 1e6
-                )
-            },
-        ),
         error_estimate.map_or_else(
             || "errors     not estimated".to_owned(),
             |estimate| {
@@ -278,6 +265,16 @@ fn summary(solution: &ContactSolution, seconds: f64) -> String {
                 )
             },
         ),
-    ]
-    .join("\n")
+    ];
+    if let Some(stress) = stress {
+        let (mises, shear) = (stress.largest.von_mises, stress.largest.orthogonal_shear);
+        lines.push(format!(
+            "stress     von Mises {:.4} GPa at {:.2} um, orthogonal shear {:.4} GPa at {:.2} um",
+            mises.stress * 1e-9,
+            mises.depth * 1e6,
+            shear.stress * 1e-9,
+            shear.depth * 1e6
+        ));
+    }
+    lines.join("\n")
 }
