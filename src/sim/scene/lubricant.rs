@@ -11,10 +11,8 @@ use crate::lubricant::{DoolittleTaitConstants, ImprovedYasutomiConstants};
 )]
 pub struct LubricantSpec {
     /// Viscosity at ambient pressure \[Pa s\], at `temperature` or that of the contact; zero where `viscosity` gives the law.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
     pub eta0: f64,
     /// Roelands index; zero where `viscosity` gives the law.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
     pub roelands_z: f64,
     /// Roelands reference pressure \[Pa\].
     pub roelands_p0: f64,
@@ -60,11 +58,6 @@ pub enum ViscositySpec {
     ImprovedYasutomi(ImprovedYasutomiConstants),
 }
 
-#[cfg(feature = "serde")]
-fn is_zero(value: &f64) -> bool {
-    *value == 0.0
-}
-
 /// What a scene file holds.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
@@ -101,7 +94,8 @@ impl TryFrom<LubricantTable> for LubricantSpec {
             (None, None) => Err(format!("missing field `{key}`")),
         };
         if table.viscosity.is_some()
-            && let Some((key, _)) = of_roelands.iter().find(|(_, value)| value.is_some())
+            && let Some((key, _)) =
+                of_roelands.iter().find(|(_, value)| value.is_some_and(|value| value != 0.0))
         {
             return Err(format!(
                 "unknown field `{key}`, `viscosity` gives another law than that of Roelands"
