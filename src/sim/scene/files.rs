@@ -3,26 +3,30 @@
 use std::path::Path;
 
 use serde::Deserialize;
+use toml::de::DeTable;
 
-use super::{Roughness, Scene};
+use super::{Roughness, Scene, keys};
 use crate::sim::SimError;
 
 /// Characters of a line that a syntax error quotes.
 const LONGEST_QUOTE: usize = 80;
 
 impl Scene {
-    /// A scene from TOML text.
+    /// A scene from TOML text. A number of a key that has a dimension may be text with a [unit](crate::units): `"9.525 mm"`.
     ///
     /// # Errors
-    /// [`SimError::Scene`] naming the key and the line of what does not fit.
+    /// [`SimError::Scene`] naming the key and the line of what does not fit, [`SimError::Input`] naming a quantity that is none of
+    /// its key.
     pub fn from_toml(text: &str) -> Result<Self, SimError> {
         let scene = |reason| SimError::Scene { reason };
-        let tree = toml::Deserializer::parse(text).map_err(|error| {
+        let root = DeTable::parse(text).map_err(|error| {
             let line = text.lines().nth(line_of(text, &error)).unwrap_or_default().trim();
             let shown: String = line.chars().filter(|c| !c.is_control()).take(LONGEST_QUOTE).collect();
             scene(format!("{} in `{shown}`", in_one_line(text, error)))
         })?;
-        Self::deserialize(tree).map_err(|error| scene(in_one_line(text, error)))
+        let text = keys::in_si_units(text, root.get_ref())?;
+        let tree = toml::Deserializer::parse(&text).map_err(|error| scene(in_one_line(&text, error)))?;
+        Self::deserialize(tree).map_err(|error| scene(in_one_line(&text, error)))
     }
 
     /// The scene as TOML text.
@@ -60,7 +64,26 @@ fn in_one_line(text: &str, mut error: toml::de::Error) -> String {
     error.set_input(None);
     let message = error.to_string();
     let words: Vec<&str> = message.split_whitespace().collect();
-    format!("line {line}: {}", words.join(" "))
+    format!("line {line}: {}", without_jargon(&words.join(" ")))
+}
+
+/// Words for the names of types.
+fn without_jargon(message: &str) -> String {
+    const WORDS: [(&str, &str); 12] = [
+        ("expected f64", "expected a number"),
+        ("expected usize", "expected a whole number"),
+        ("expected u64", "expected a whole number"),
+        ("expected a boolean", "expected true or false"),
+        ("expected a sequence", "expected a list [...]"),
+        ("expected a string", "expected text"),
+        ("expected path string", "expected text"),
+        ("invalid type: string", "invalid type: text"),
+        ("invalid type: sequence", "invalid type: a list"),
+        ("invalid type: map", "invalid type: a table"),
+        ("invalid type: integer", "invalid type: the whole number"),
+        ("invalid type: floating point", "invalid type: the number"),
+    ];
+    WORDS.iter().fold(message.to_owned(), |message, (from, to)| message.replace(from, to))
 }
 
 /// The line of the error, from 0.

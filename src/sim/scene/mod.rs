@@ -2,6 +2,8 @@
 
 #[cfg(feature = "serde")]
 mod files;
+#[cfg(feature = "serde")]
+mod keys;
 mod materials;
 mod processes;
 mod schedule;
