@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Numbers are means over the last tenth of the steps. Ends with 0 when all steps were taken, 2 when a contact did not
-//! converge, 1 for bad input, with one line on standard error; progress goes there too.
+//! converge, 1 for bad input, with one line on standard error; warnings and progress go there too.
 
 use std::error::Error;
 use std::fs::File;
@@ -16,7 +16,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use stribeck::InputError;
-use stribeck::sim::{HistoryMeans, MixedLubricationSim, Scene, SimError, StepRecord};
+use stribeck::sim::{HistoryMeans, MixedLubricationSim, Scene, SimError, StepRecord, Warning};
 
 const USAGE: &str = "usage: history SCENE.toml --steps N --time-step S [--json] [--csv OUT.csv]";
 const NOT_CONVERGED: u8 = 2;
@@ -52,6 +52,8 @@ fn run() -> Result<(), Box<dyn Error>> {
     let start = Instant::now();
     let scene = Scene::load(&arguments.scene).map_err(|e| in_scene(&arguments.scene, &e))?;
     let mut sim = MixedLubricationSim::builder(scene).build().map_err(|e| in_scene(&arguments.scene, &e))?;
+    warn(sim.warnings());
+    let known = sim.warnings().len();
     let mut means = HistoryMeans::new(arguments.steps);
     let mut csv = arguments.csv.as_deref().map(csv_file).transpose()?;
     let mut failure = None;
@@ -65,6 +67,7 @@ fn run() -> Result<(), Box<dyn Error>> {
             }
             ControlFlow::Continue(())
         });
+    warn(&sim.warnings()[known..]);
     // The rows of a run that ends early are those of its steps.
     if let Some(mut csv) = csv {
         csv.flush()?;
@@ -78,6 +81,13 @@ fn run() -> Result<(), Box<dyn Error>> {
     let text = if arguments.json { numbers.to_string() } else { means.to_string() };
     writeln!(io::stdout(), "{text}")?;
     Ok(())
+}
+
+/// A line each on standard error.
+fn warn(warnings: &[Warning]) {
+    for warning in warnings {
+        let _ = writeln!(io::stderr(), "warning: {warning}");
+    }
 }
 
 fn parse_arguments() -> Result<Option<Arguments>, Box<dyn Error>> {

@@ -4,7 +4,8 @@
 //! cargo run --release --example solve -- SCENE.toml [--json] [--fields OUT.npz]
 //! ```
 //!
-//! Ends with 0 when the solve converged, 2 when it did not, 1 for bad input, with one line on standard error.
+//! Ends with 0 when the solve converged, 2 when it did not, 1 for bad input, with one line on standard error; warnings stand there too, a
+//! line each.
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -14,7 +15,7 @@ use std::time::Instant;
 
 use serde_json::Value;
 use stribeck::Status;
-use stribeck::sim::{ContactSolution, Scene, solve_contact, write_npz};
+use stribeck::sim::{ContactSolution, Scene, Warning, solve_contact, write_npz};
 
 const USAGE: &str = "usage: solve SCENE.toml [--json] [--fields OUT.npz]";
 const NOT_CONVERGED: u8 = 2;
@@ -46,7 +47,10 @@ fn run() -> Result<Option<Status>, Box<dyn Error>> {
     };
     let start = Instant::now();
     let scene = Scene::load(&arguments.scene).map_err(|e| in_scene(&arguments.scene, &e))?;
+    let known = scene.warnings();
+    warn(known.iter());
     let solution = solve_contact(&scene).map_err(|e| in_scene(&arguments.scene, &e))?;
+    warn(solution.warnings.iter().filter(|warning| !known.contains(warning)));
     let seconds = start.elapsed().as_secs_f64();
     if let Some(path) = &arguments.fields {
         write_fields(path, &solution)?;
@@ -55,6 +59,13 @@ fn run() -> Result<Option<Status>, Box<dyn Error>> {
         if arguments.json { to_json(&solution, seconds)?.to_string() } else { solution.to_string() };
     writeln!(io::stdout(), "{text}")?;
     Ok(Some(solution.report.status))
+}
+
+/// A line each on standard error; those of the scene come before the solve, which may take long.
+fn warn<'a>(warnings: impl Iterator<Item = &'a Warning>) {
+    for warning in warnings {
+        let _ = writeln!(io::stderr(), "warning: {warning}");
+    }
 }
 
 fn parse_arguments() -> Result<Option<Arguments>, Box<dyn Error>> {

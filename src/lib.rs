@@ -106,6 +106,7 @@ pub use error::InputError;
 pub use grid::Grid;
 pub use report::{NotConverged, Residuals, SolveReport, Status, Work};
 pub use rubbing::RubbingPoint;
+pub use sim::Warning;
 
 // The programs of the first pages are tested as those above are.
 #[cfg(doctest)]

@@ -5,10 +5,11 @@ use super::contact::{ContactModel, Overrides};
 use super::friction::boundary_law;
 use super::heat::Heat;
 use super::per_body::PerBody;
-use super::scene::{BODIES, PlasticSpec, Scene, WearSpec};
+use super::scene::{BODIES, PlasticSpec, Roughness, Scene, WearSpec};
 use super::simulation::{Laws, MixedLubricationSim, Travel};
 use super::start::BodyStart;
 use super::timetable::Timetable;
+use super::warnings::{self, Warning};
 use super::{SimError, exposure, setup};
 use crate::boundary_friction::BoundaryFriction;
 use crate::elastic::DeformationModel;
@@ -160,14 +161,44 @@ impl SimBuilder {
         self.scene.schedule.read_tables()?;
         let overrides = std::mem::take(&mut self.overrides);
         let contact = ContactModel::new(&self.scene, overrides)?;
+        let own_heights = [0, 1].map(|body| self.heights[body].is_some() || self.starts[body].is_some());
         let timetable = Timetable::new(&self.scene)?;
         exposure::validate(&self.scene, &timetable, &contact.grid)?;
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
+        let warnings = self.warnings(own_heights, &contact, &bodies);
         let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
         let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion());
         let travel = Travel { motion, squeeze: self.squeeze };
-        Ok(MixedLubricationSim::assemble((self.scene, timetable), contact, bodies, laws, heat, travel)?)
+        Ok(MixedLubricationSim::assemble(
+            (self.scene, timetable, warnings),
+            contact,
+            bodies,
+            laws,
+            heat,
+            travel,
+        )?)
+    }
+
+    /// Those of the scene but for roughness that `own_heights` replace, and those of heights that were given or read.
+    fn warnings(&self, own_heights: [bool; 2], contact: &ContactModel, bodies: &[Body; 2]) -> Vec<Warning> {
+        let mut scene = self.scene.clone();
+        let mut found = Vec::new();
+        let roughness = [&mut scene.roughness.ball, &mut scene.roughness.disc];
+        for (index, (roughness, own)) in roughness.into_iter().zip(own_heights).enumerate() {
+            if own || matches!(roughness, Roughness::File(_)) {
+                *roughness = Roughness::None;
+                found.extend(warnings::of_heights(
+                    index,
+                    bodies[index].initial(),
+                    &contact.grid,
+                    &contact.hertz,
+                ));
+            }
+        }
+        let mut warnings = scene.warnings();
+        warnings.extend(found);
+        warnings
     }
 
     fn laws(&mut self) -> Result<Laws, SimError> {

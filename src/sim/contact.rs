@@ -4,10 +4,10 @@ use super::accuracy;
 use super::formula::{FormulaFilm, formula_film, stated_film};
 use super::friction::{FrictionFields, boundary_law};
 use super::hertz::HertzContact;
-use super::scene::{GridSpec, Motion, Scene};
+use super::scene::{GridSpec, Motion, Roughness, Scene};
 use super::solution::{ContactSolution, Numbers, is_known};
 use super::timetable::{Conditions, Timetable};
-use super::{SimError, setup};
+use super::{SimError, setup, warnings};
 use crate::elastic::{DeformationModel, HalfSpace, LineHalfSpace};
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -197,10 +197,14 @@ impl ContactModel {
 /// ```
 pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {
     let asked = scene.solver.estimate || scene.solver.accuracy.is_some();
-    if asked || matches!(scene.grid, GridSpec::Accuracy { .. }) {
-        return accuracy::solve(scene);
-    }
-    solve_on_grid(scene, |grid| Ok(ContactState::new(grid)))
+    let mut solution = if asked || matches!(scene.grid, GridSpec::Accuracy { .. }) {
+        accuracy::solve(scene)?
+    } else {
+        solve_on_grid(scene, |grid| Ok(ContactState::new(grid)))?
+    };
+    let found = warnings::after_solve(scene, &solution);
+    solution.warnings.extend(found);
+    Ok(solution)
 }
 
 /// Solves the contact on the grid of the scene from the state that `start` makes.
@@ -230,6 +234,13 @@ fn solve_model(
     start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
 ) -> Result<ContactSolution, SimError> {
     let grid = model.grid;
+    let mut warnings = scene.warnings();
+    let bodies = [(&scene.roughness.ball, &ball), (&scene.roughness.disc, &disc)];
+    for (index, (roughness, heights)) in bodies.into_iter().enumerate() {
+        if matches!(roughness, Roughness::File(_)) {
+            warnings.extend(warnings::of_heights(index, heights, &grid, &model.hertz));
+        }
+    }
     let gap: Vec<f64> =
         model.form_gap.iter().zip(ball.iter().zip(&disc)).map(|(form, (b, d))| form - b - d).collect();
     let limit = match scene.plastic {
@@ -250,7 +261,7 @@ fn solve_model(
         friction.update(&model, &state, law.as_ref(), None)?;
     }
     let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
-    Ok(model.solution(report, state, gap, numbers))
+    Ok(ContactSolution { warnings, ..model.solution(report, state, gap, numbers) })
 }
 
 /// Checks that grid and hardness do for the smallest and the largest load of the schedule.

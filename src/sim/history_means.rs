@@ -115,7 +115,7 @@ mod named {
     use serde::Serialize;
 
     use super::HistoryMeans;
-    use crate::sim::MixedLubricationSim;
+    use crate::sim::{MixedLubricationSim, Warning};
     use crate::sim::scene::BODIES;
 
     /// What a history ends with, ready to be written: the means and the worn profiles of `sim`, all in SI units.
@@ -126,6 +126,7 @@ mod named {
         averaged_steps: u64,
         moved_steps: u64,
         motion: String,
+        warnings: Vec<Warning>,
         version: &'static str,
         #[serde(flatten)]
         tables: BTreeMap<&'static str, BTreeMap<String, Entry>>,
@@ -155,6 +156,7 @@ mod named {
                 averaged_steps: self.count,
                 moved_steps: self.moved,
                 motion: format!("{:?}", sim.motion()),
+                warnings: sim.warnings().to_vec(),
                 version: env!("CARGO_PKG_VERSION"),
                 tables,
             }

@@ -42,6 +42,7 @@ mod timetable;
 mod track;
 #[cfg(feature = "vtk")]
 mod vtk;
+mod warnings;
 #[cfg(feature = "serde")]
 mod whole_file;
 mod yielding;
@@ -53,6 +54,7 @@ pub use builder::SimBuilder;
 pub use checkpoint::CheckpointError;
 pub use contact::solve_contact;
 pub use error::SimError;
+pub use formula::FormulaFilm;
 pub use hertz::HertzContact;
 pub use history_means::HistoryMeans;
 #[cfg(feature = "serde")]
@@ -71,3 +73,4 @@ pub use step_control::StepControl;
 pub use timetable::Conditions;
 #[cfg(feature = "vtk")]
 pub use vtk::write_vtk;
+pub use warnings::Warning;

@@ -4,6 +4,7 @@ use super::accuracy::ErrorEstimate;
 use super::contact::ContactModel;
 use super::friction::{FrictionFields, FrictionShares};
 use super::hertz::HertzContact;
+use super::warnings::Warning;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::metrics;
@@ -47,6 +48,9 @@ pub struct ContactSolution {
     pub friction_boundary: f64,
     /// Part of the friction coefficient that shear of the fluid makes.
     pub friction_fluid: f64,
+    /// What is unlikely to be meant or to hold: that of [`Scene::warnings`](super::Scene::warnings), of surfaces from files, and of the
+    /// solution.
+    pub warnings: Vec<Warning>,
     /// Coefficient of friction of solid contact; zero without sliding.
     pub(super) boundary_friction: f64,
     /// Shear stress of the fluid \[Pa\].
@@ -173,6 +177,7 @@ impl ContactModel {
             state,
             gap,
             error_estimate: None,
+            warnings: Vec::new(),
         }
     }
 }

@@ -89,10 +89,11 @@ mod named {
     use serde::{Serialize, Serializer};
 
     use super::ContactSolution;
+    use crate::sim::Warning;
     use crate::reynolds::{Cavitation, ContactDefinition, FaceMobility, Scheme};
 
     #[derive(Serialize)]
-    struct Numbers {
+    struct Numbers<'a> {
         status: String,
         solver: &'static str,
         scheme: Option<Scheme>,
@@ -112,6 +113,7 @@ mod named {
         approach: f64,
         error_estimate: Option<Errors>,
         grid: Cells,
+        warnings: &'a [Warning],
         version: &'static str,
     }
 
@@ -210,7 +212,7 @@ mod named {
     }
 
     impl ContactSolution {
-        fn numbers(&self) -> Numbers {
+        fn numbers(&self) -> Numbers<'_> {
             let (report, contact) = (&self.report, &self.contact);
             let (residuals, work) = (report.residuals, report.work);
             Numbers {
@@ -254,6 +256,7 @@ mod named {
                     dx: self.grid.dx(),
                     dy: self.grid.dy(),
                 },
+                warnings: &self.warnings,
                 version: env!("CARGO_PKG_VERSION"),
             }
         }
