@@ -55,19 +55,18 @@ pub(crate) fn write(
     let files = ["svg", "png"].map(|kind| folder.join(format!("{name}.{kind}")));
     let [svg, png] = &files;
     let named = |file: &Path, error: Box<dyn Error>| format!("{}: {error}", file.display());
-    let canvas = SVGBackend::new(svg, picture.size()).into_drawing_area();
-    whole(picture, &canvas).map_err(|error| named(svg, error))?;
-    let canvas = BitMapBackend::new(png, picture.size()).into_drawing_area();
-    whole(picture, &canvas).map_err(|error| named(png, error))?;
+    whole(picture, SVGBackend::new(svg, picture.size())).map_err(|error| named(svg, error))?;
+    whole(picture, BitMapBackend::new(png, picture.size())).map_err(|error| named(png, error))?;
     Ok(files)
 }
 
-fn whole<B: DrawingBackend>(picture: &impl Picture, canvas: &DrawingArea<B, Shift>) -> Drawn
+fn whole<B: DrawingBackend>(picture: &impl Picture, backend: B) -> Drawn
 where
     B::ErrorType: 'static,
 {
+    let canvas = backend.into_drawing_area();
     canvas.fill(&WHITE)?;
-    picture.draw(canvas)?;
+    picture.draw(&canvas)?;
     canvas.present()?;
     Ok(())
 }
