@@ -55,8 +55,7 @@ fn run() -> Result<Option<Status>, Box<dyn Error>> {
     if let Some(path) = &arguments.fields {
         write_fields(path, &solution)?;
     }
-    let text =
-        if arguments.json { to_json(&solution, seconds)?.to_string() } else { solution.to_string() };
+    let text = if arguments.json { to_json(&solution, seconds)?.to_string() } else { solution.to_string() };
     writeln!(io::stdout(), "{text}")?;
     Ok(Some(solution.report.status))
 }

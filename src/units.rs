@@ -88,12 +88,8 @@ const SPEED: Units = &[
     (&["um/s"], Ten(-6)),
     (&["km/h"], Times(1.0 / 3.6)),
 ];
-const VISCOSITY: Units = &[
-    (&["Pa s", "Pas"], Ten(0)),
-    (&["mPa s", "mPas"], Ten(-3)),
-    (&["cP", "cp"], Ten(-3)),
-    (&["P"], Ten(-1)),
-];
+const VISCOSITY: Units =
+    &[(&["Pa s", "Pas"], Ten(0)), (&["mPa s", "mPas"], Ten(-3)), (&["cP", "cp"], Ten(-3)), (&["P"], Ten(-1))];
 const TIME: Units = &[
     (&["s"], Ten(0)),
     (&["ms"], Ten(-3)),
@@ -160,7 +156,8 @@ impl Dimension {
     /// # Errors
     /// Text that is no number and unit, a unit of something else, no unit.
     pub fn parse(self, field: &str, text: &str) -> Result<f64, InputError> {
-        let refused = |reason: String| InputError::Conflict { field: format!("{field} = \"{text}\""), reason };
+        let refused =
+            |reason: String| InputError::Conflict { field: format!("{field} = \"{text}\""), reason };
         let Some((number, unit)) = split(text) else {
             return Err(refused(format!("is no number with a unit of {}: {}", self.name(), self.offer())));
         };
@@ -177,7 +174,9 @@ impl Dimension {
             Times(factor) => number.parse().ok().map(|number: f64| number * factor),
             Plus(zero) => number.parse().ok().map(|number: f64| number + zero),
         };
-        value.filter(|value| value.is_finite()).ok_or_else(|| refused("is beyond the range of numbers".into()))
+        value
+            .filter(|value| value.is_finite())
+            .ok_or_else(|| refused("is beyond the range of numbers".into()))
     }
 
     fn offer(self) -> String {

@@ -62,8 +62,19 @@ fn quantities_are_those_in_si_units_to_the_last_bit() {
 #[test]
 fn every_unit_that_is_offered_is_taken() {
     let dimensions = [
-        Length, Pressure, InversePressure, PressurePerLength, Force, ForcePerLength, Speed, Viscosity, Time, Rate,
-        Temperature, Conductivity, Diffusivity,
+        Length,
+        Pressure,
+        InversePressure,
+        PressurePerLength,
+        Force,
+        ForcePerLength,
+        Speed,
+        Viscosity,
+        Time,
+        Rate,
+        Temperature,
+        Conductivity,
+        Diffusivity,
     ];
     for dimension in dimensions {
         let offered: Vec<&str> = dimension.unit_names().collect();

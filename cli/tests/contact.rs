@@ -27,7 +27,14 @@ fn solve_has_the_numbers_of_the_library_and_draws_them() {
     let pictures = folder.path().join("pictures");
     let fields = folder.path().join("fields.npz");
     let output = stribeck(&[
-        "solve", text(&scene), "--json", "--plot", "--out", text(&pictures), "--fields", text(&fields),
+        "solve",
+        text(&scene),
+        "--json",
+        "--plot",
+        "--out",
+        text(&pictures),
+        "--fields",
+        text(&fields),
     ]);
     assert!(output.status.success(), "{output:?}");
     let mut numbers = json_of(&output);
@@ -35,7 +42,11 @@ fn solve_has_the_numbers_of_the_library_and_draws_them() {
     numbers.as_object_mut().unwrap().remove("seconds");
     let solution = solve_contact(&Scene::load(&scene).unwrap()).unwrap();
     assert_eq!(numbers, serde_json::to_value(&solution).unwrap());
-    assert_pictures(&pictures, "rough_maps", &["film (nm)", "pressure (GPa)", "theta", "x (µm)", "converged"]);
+    assert_pictures(
+        &pictures,
+        "rough_maps",
+        &["film (nm)", "pressure (GPa)", "theta", "x (µm)", "converged"],
+    );
     assert_pictures(&pictures, "rough_profile", &["pressure (GPa)", "film (nm)", "fluid", "x (µm)"]);
     assert!(std::fs::read(&fields).unwrap().starts_with(b"PK"));
     let report = String::from_utf8(stribeck(&["solve", text(&scene)]).stdout).unwrap();
@@ -62,7 +73,8 @@ fn bad_input_ends_with_2() {
         assert_refused(&[command, text(&scene)], &["rough.toml: ", "= -1"]);
     }
     let scene = rough(folder.path(), &[]);
-    for arguments in [vec!["--nonsense"], vec![], vec!["solve"], vec!["curve", text(&scene), "--points", "1"]] {
+    for arguments in [vec!["--nonsense"], vec![], vec!["solve"], vec!["curve", text(&scene), "--points", "1"]]
+    {
         let output = stribeck(&arguments);
         assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{output:?}");
     }
@@ -114,7 +126,8 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
     let rough = ["--cells", "32"].as_slice();
-    let smooth = ["--roughness", "0", "--radius", "12.7 mm", "--load", "30", "--speed", "200 mm/s"].as_slice();
+    let smooth =
+        ["--roughness", "0", "--radius", "12.7 mm", "--load", "30", "--speed", "200 mm/s"].as_slice();
     for options in [rough, smooth] {
         let output = stribeck(&[&["init", text(&path)], options].concat());
         assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
@@ -143,7 +156,17 @@ fn the_curve_is_that_of_its_speeds() {
     let folder = tempfile::tempdir().unwrap();
     let path = rough(folder.path(), &[]);
     let output = stribeck(&[
-        "curve", text(&path), "--from", "20 mm/s", "--to", "2", "--points", "3", "--json", "--plot", "--out",
+        "curve",
+        text(&path),
+        "--from",
+        "20 mm/s",
+        "--to",
+        "2",
+        "--points",
+        "3",
+        "--json",
+        "--plot",
+        "--out",
         text(folder.path()),
     ]);
     assert!(output.status.success(), "{output:?}");

@@ -56,7 +56,11 @@ fn a_run_has_the_numbers_of_the_library_also_where_it_was_resumed() {
     }
     let rows = std::fs::read_to_string(out.join("history.csv")).unwrap();
     assert_eq!(rows, std::fs::read_to_string(&csv).unwrap());
-    assert_pictures(&out, "rubbing_history", &["time (s)", "friction", "worn (nm)", "tribofilm (nm)", "disc"]);
+    assert_pictures(
+        &out,
+        "rubbing_history",
+        &["time (s)", "friction", "worn (nm)", "tribofilm (nm)", "disc"],
+    );
     assert_pictures(&out, "rubbing_maps", &["pressure (GPa)", "tribofilm on the disc (nm)", "360 s"]);
 }
 

@@ -115,8 +115,8 @@ mod named {
     use serde::Serialize;
 
     use super::HistoryMeans;
-    use crate::sim::{MixedLubricationSim, Warning};
     use crate::sim::scene::BODIES;
+    use crate::sim::{MixedLubricationSim, Warning};
 
     /// What a history ends with, ready to be written: the means and the worn profiles of `sim`, all in SI units.
     #[derive(Debug, Clone, Serialize)]

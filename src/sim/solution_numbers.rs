@@ -89,8 +89,8 @@ mod named {
     use serde::{Serialize, Serializer};
 
     use super::ContactSolution;
-    use crate::sim::Warning;
     use crate::reynolds::{Cavitation, ContactDefinition, FaceMobility, Scheme};
+    use crate::sim::Warning;
 
     #[derive(Serialize)]
     struct Numbers<'a> {

@@ -50,11 +50,14 @@ struct Expected {
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let scene = output::load(&options.scene)?;
-    let expected =
-        Expected::of(&scene).map_err(|error| output::in_scene(&options.scene, error.as_ref()))?;
+    let expected = Expected::of(&scene).map_err(|error| output::in_scene(&options.scene, error.as_ref()))?;
     let numbers = expected.to_json()?;
     output::warn(expected.sim.warnings());
-    if options.json { output::print(&numbers)? } else { output::print(&expected.to_text())? }
+    if options.json {
+        output::print(&numbers)?
+    } else {
+        output::print(&expected.to_text())?
+    }
     Ok(Outcome::Converged)
 }
 
@@ -196,7 +199,9 @@ impl Expected {
                 format!("lambda {lambda:.3}: {regime}")
             }
         };
-        format!("film             {film:.2} nm in the middle by formula (Moes M {m:.1}, L {l:.3}); {rq}; {regime}\n")
+        format!(
+            "film             {film:.2} nm in the middle by formula (Moes M {m:.1}, L {l:.3}); {rq}; {regime}\n"
+        )
     }
 }
 
@@ -235,7 +240,11 @@ fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part>, InputErr
         parts.push(if scene.friction.eyring_stress.is_some() {
             part("shear thinning", true, "friction.eyring_stress is given")
         } else {
-            part("shear thinning", false, "without friction.eyring_stress the oil is Newtonian up to its largest stress")
+            part(
+                "shear thinning",
+                false,
+                "without friction.eyring_stress the oil is Newtonian up to its largest stress",
+            )
         });
     }
     for (what, key, roughness) in [
@@ -259,8 +268,13 @@ fn why_rough(key: &str, roughness: &Roughness) -> String {
 }
 
 fn sliding(scene: &Scene) -> Result<Part, InputError> {
-    let modelled = scene.conditions(0.0)?.motion.sliding_speed() > 0.0 || scene.schedule.slide_roll_ratio.is_some();
-    let why = if modelled { "the surfaces slide" } else { "without sliding there is neither friction nor its heat" };
+    let modelled =
+        scene.conditions(0.0)?.motion.sliding_speed() > 0.0 || scene.schedule.slide_roll_ratio.is_some();
+    let why = if modelled {
+        "the surfaces slide"
+    } else {
+        "without sliding there is neither friction nor its heat"
+    };
     Ok(Part { what: "friction", modelled, why: why.to_owned() })
 }
 
@@ -292,7 +306,8 @@ fn changes(scene: &Scene, sim: &MixedLubricationSim) -> Vec<Part> {
         Part {
             what: "time on track",
             modelled: exposed,
-            why: if exposed { "track.exposure is track" } else { "track.exposure is contact_clock" }.to_owned(),
+            why: if exposed { "track.exposure is track" } else { "track.exposure is contact_clock" }
+                .to_owned(),
         },
     ]
 }

@@ -166,7 +166,8 @@ fn table(points: &[Point]) -> String {
 
 /// The curve in SI units.
 fn csv(points: &[Point]) -> Result<String, std::fmt::Error> {
-    let mut text = "entrainment_speed_m_per_s,friction_coefficient,load_ratio,mean_film_m,lambda\n".to_owned();
+    let mut text =
+        "entrainment_speed_m_per_s,friction_coefficient,load_ratio,mean_film_m,lambda\n".to_owned();
     for point in converged(points) {
         let solution = &point.solution;
         let lambda = point.lambda.map_or_else(String::new, |lambda| format!("{lambda:e}"));

@@ -115,8 +115,8 @@ fn answers(options: &Options) -> Result<Answers, Box<dyn Error>> {
         &options.roughness,
         &options.length,
     ];
-    let none = given.into_iter().all(Option::is_none)
-        && (options.slide_roll_ratio, options.cells) == (None, None);
+    let none =
+        given.into_iter().all(Option::is_none) && (options.slide_roll_ratio, options.cells) == (None, None);
     let ask = none && io::stdin().is_terminal();
     let quantity = |question: &str, key: &str, option: &Option<String>, default: &str, dimension| {
         let text = match option {
@@ -167,7 +167,7 @@ fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>>
     let half_side = rounded(BOX * half_width);
     let smooth = answers.roughness.value == 0.0;
     let cells = options.cells.unwrap_or(if smooth { 128 } else { 64 });
-    let mut text = format!("{bodies}\n{}", grid(half_side, cells));
+    let mut text = format!("{bodies}{}", grid(half_side, cells));
     if !smooth {
         text += &roughness(options, answers, 2.0 * half_side / f64::from(cells))?;
     }
@@ -212,7 +212,10 @@ fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
         "[lubricant] # leave the table out for a dry contact\n\
          eta0 = {} # viscosity at ambient pressure and the temperature of the contact\n\
          alpha = {} # pressure-viscosity coefficient\n\
-         roelands_z = 0.68 # how the viscosity bends at high pressure; 0.6 to 0.7 for mineral oils",
+         roelands_z = 0.68 # how the viscosity bends at high pressure; 0.6 to 0.7 for mineral oils\n\n\
+         [friction]\n\
+         boundary_coefficient = 0.115 # where solids touch\n\
+         eyring_stress = \"5 MPa\" # shear stress from which on the oil thins; leave the line out for a Newtonian oil",
         entry(&answers.eta0),
         entry(&answers.alpha)
     )?;
@@ -223,7 +226,7 @@ fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
 fn grid(half_side: f64, cells: u32) -> String {
     let edge = format!("{} um", plain(half_side * 1e6));
     format!(
-        "[grid] # cells that fill a box around the contact, {BOX} Hertz half-widths to each side\n\
+        "\n[grid] # cells that fill a box around the contact, {BOX} Hertz half-widths or a little more to each side\n\
          nx = {cells}\nny = {cells}\nx = [\"-{edge}\", \"{edge}\"]\ny = [\"-{edge}\", \"{edge}\"]\n"
     )
 }
@@ -242,7 +245,7 @@ fn roughness(options: &Options, answers: &Answers, cell: f64) -> Result<String, 
                 )
                 .into());
             }
-            format!("{:e} m", length)
+            format!("{length:e} m")
         }
     };
     let rq = answers.roughness.text.trim();

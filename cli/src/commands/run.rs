@@ -9,9 +9,7 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use stribeck::reynolds::ContactState;
-use stribeck::sim::{
-    HistoryMeans, MixedLubricationSim, Observer, RunFolder, Schedule, SimError, StepRecord,
-};
+use stribeck::sim::{HistoryMeans, MixedLubricationSim, Observer, RunFolder, Schedule, SimError, StepRecord};
 use stribeck::units::Dimension;
 
 use super::contact_pictures::{Seen, maps};
@@ -122,8 +120,12 @@ fn plan(options: &Options, sim: &MixedLubricationSim) -> Result<(u64, f64), Stri
 /// The last time that a schedule of the scene names \[s\].
 fn last_entry(sim: &MixedLubricationSim) -> Option<f64> {
     let schedules = &sim.scene().schedule;
-    let given =
-        [&schedules.load, &schedules.entrainment_speed, &schedules.slide_roll_ratio, &schedules.bulk_temperature];
+    let given = [
+        &schedules.load,
+        &schedules.entrainment_speed,
+        &schedules.slide_roll_ratio,
+        &schedules.bulk_temperature,
+    ];
     let last = given.into_iter().flatten().filter_map(|schedule| match schedule {
         Schedule::Steps { times, .. } | Schedule::Ramps { times, .. } => times.last().copied(),
         // Tables were read when the simulation was built.
@@ -160,7 +162,11 @@ impl Log {
     }
 
     /// Ends all files, also those of a run that failed; the files that were written.
-    fn finish(&mut self, options: &Options, sim: &MixedLubricationSim) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    fn finish(
+        &mut self,
+        options: &Options,
+        sim: &MixedLubricationSim,
+    ) -> Result<Vec<PathBuf>, Box<dyn Error>> {
         self.bar.finish_and_clear();
         let mut files = Vec::new();
         if let Some(folder) = self.folder.take() {
@@ -238,7 +244,8 @@ fn history(name: &str, records: &[StepRecord]) -> Chart {
         panel("load on solids", vec![line("", BLUE, |r| r.load_ratio)]),
         panel("film / Rq", vec![line("", BLUE, |r| r.lambda)]),
     ];
-    let grows = |value: fn(&StepRecord) -> [f64; 2]| records.iter().any(|r| value(r).iter().any(|v| *v > 0.0));
+    let grows =
+        |value: fn(&StepRecord) -> [f64; 2]| records.iter().any(|r| value(r).iter().any(|v| *v > 0.0));
     if grows(|r| r.track_wear) {
         let lines = vec![
             line("ball", VERMILION, |r| 1e9 * r.track_wear[0]),

@@ -7,16 +7,17 @@ use stribeck::Grid;
 
 use super::{Drawn, Picture, TEXT_SIZE, TITLE_SIZE, colour, text, tick};
 
-/// Width of a field, of the axis on its left and of the bar with its numbers on its right, in pixels.
+/// Width of a field, of the axis and the margin on its left and of the bar with its numbers on its right, in pixels.
 const FIELD: u32 = 330;
-const LEFT: u32 = 66;
+const LEFT: u32 = 70;
+const MARGIN: u32 = 8;
 const BAR: i32 = 112;
 /// Of these the bar itself.
 const BAR_LEFT: u32 = 10;
 const BAR_NUMBERS: u32 = 76;
 const HEAD: i32 = 40;
 const TOP: u32 = 34;
-const BOTTOM: u32 = 56;
+const BOTTOM: u32 = 46;
 /// Shades of a map: neighbours of one shade are one rectangle, which keeps files small.
 const SHADES: f64 = 48.0;
 /// Most cells along a side of a map; of more every second, third, ... is shown.
@@ -50,7 +51,7 @@ impl Maps<'_> {
     }
 
     fn width(&self) -> i32 {
-        (LEFT + FIELD) as i32 + BAR
+        (MARGIN + LEFT + FIELD) as i32 + BAR
     }
 }
 
@@ -90,11 +91,12 @@ impl Maps<'_> {
         let x = edges(grid.x(0), grid.size_x(), grid.dx());
         let y = edges(grid.y(0), grid.size_y(), grid.dy());
         let (x_number, y_number) = (tick(&x), tick(&y));
-        let middle = (LEFT + FIELD / 2) as i32;
+        let middle = (MARGIN + LEFT + FIELD / 2) as i32;
         let title = text(TEXT_SIZE + 1).pos(Pos::new(HPos::Center, VPos::Center));
         area.draw(&Text::new(map.title.as_str(), (middle, TOP as i32 / 2), title))?;
         let mut chart = ChartBuilder::on(area)
             .margin_top(TOP)
+            .margin_left(MARGIN)
             .x_label_area_size(BOTTOM)
             .y_label_area_size(LEFT)
             .build_cartesian_2d(x, y)?;

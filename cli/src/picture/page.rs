@@ -67,7 +67,11 @@ impl Picture for Page<'_> {
     }
 }
 
-fn draw_heights<B: DrawingBackend>(area: &DrawingArea<B, Shift>, surface: &Heights, numbers: &Numbers) -> Drawn
+fn draw_heights<B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    surface: &Heights,
+    numbers: &Numbers,
+) -> Drawn
 where
     B::ErrorType: 'static,
 {
@@ -170,7 +174,11 @@ where
     Ok(())
 }
 
-fn draw_spectra<B: DrawingBackend>(area: &DrawingArea<B, Shift>, surface: &Heights, numbers: &Numbers) -> Drawn
+fn draw_spectra<B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    surface: &Heights,
+    numbers: &Numbers,
+) -> Drawn
 where
     B::ErrorType: 'static,
 {
@@ -242,7 +250,11 @@ fn positive_points(spectrum: &Spectrum, density: impl Fn(f64, f64) -> f64) -> Ve
     points.map(|(&q, &c)| (q, density(q, c))).filter(|&(_, c)| c > 0.0).collect()
 }
 
-fn draw_bearing<B: DrawingBackend>(area: &DrawingArea<B, Shift>, surface: &Heights, numbers: &Numbers) -> Drawn
+fn draw_bearing<B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    surface: &Heights,
+    numbers: &Numbers,
+) -> Drawn
 where
     B::ErrorType: 'static,
 {
