@@ -5,6 +5,8 @@ mod files;
 #[cfg(feature = "serde")]
 mod keys;
 mod materials;
+#[cfg(feature = "serde")]
+mod missing;
 mod processes;
 mod schedule;
 #[cfg(feature = "serde")]
