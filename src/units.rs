@@ -159,7 +159,11 @@ impl Dimension {
         let refused =
             |reason: String| InputError::Conflict { field: format!("{field} = \"{text}\""), reason };
         let Some((number, unit)) = split(text) else {
-            return Err(refused(format!("is no number with a unit of {}: {}", self.name(), self.offer())));
+            return Err(refused(format!(
+                "must be a number, alone or with a unit of {}: {}",
+                self.name(),
+                self.offer()
+            )));
         };
         if unit.is_empty() {
             return Err(refused(format!("the unit is missing: {}", self.offer())));

@@ -7,30 +7,30 @@ use std::process::{Command, Output};
 use serde_json::Value;
 
 /// Runs `stribeck` with these arguments.
-pub fn stribeck<S: AsRef<std::ffi::OsStr>>(arguments: &[S]) -> Output {
+pub(crate) fn stribeck<S: AsRef<std::ffi::OsStr>>(arguments: &[S]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_stribeck")).args(arguments).output().unwrap()
 }
 
 /// A file of the repository.
-pub fn repository(path: &str) -> PathBuf {
+pub(crate) fn repository(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
 }
 
-pub fn text(path: &Path) -> &str {
+pub(crate) fn text(path: &Path) -> &str {
     path.to_str().unwrap()
 }
 
-pub fn json_of(output: &Output) -> Value {
+pub(crate) fn json_of(output: &Output) -> Value {
     let text = String::from_utf8(output.stdout.clone()).unwrap();
     serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error}: {text}, {output:?}"))
 }
 
-pub fn error_of(output: &Output) -> String {
+pub(crate) fn error_of(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }
 
 /// Ended with 2, nothing on standard output, one line on standard error with these words.
-pub fn assert_refused<S: AsRef<std::ffi::OsStr>>(arguments: &[S], words: &[&str]) {
+pub(crate) fn assert_refused<S: AsRef<std::ffi::OsStr>>(arguments: &[S], words: &[&str]) {
     let output = stribeck(arguments);
     let message = error_of(&output);
     assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{message}");
@@ -41,7 +41,7 @@ pub fn assert_refused<S: AsRef<std::ffi::OsStr>>(arguments: &[S], words: &[&str]
 }
 
 /// `name.svg` in `folder` is a drawing with these words, `name.png` a picture with the colours of one.
-pub fn assert_pictures(folder: &Path, name: &str, words: &[&str]) {
+pub(crate) fn assert_pictures(folder: &Path, name: &str, words: &[&str]) {
     let svg = std::fs::read_to_string(folder.join(format!("{name}.svg"))).unwrap();
     let drawing = roxmltree::Document::parse(&svg).unwrap();
     let drawn: Vec<&str> = drawing.descendants().filter_map(|node| node.text()).map(str::trim).collect();
