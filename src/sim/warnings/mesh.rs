@@ -5,7 +5,7 @@ use crate::boundary::Boundary;
 use crate::grid::Grid;
 use crate::metrics::{Axis, profile_spectrum};
 use crate::sim::hertz::HertzContact;
-use crate::sim::scene::{BODIES, GridSpec, Roughness, Scene};
+use crate::sim::scene::{BODIES, GridSpec, RandomRoughness, Roughness, Scene};
 use crate::sim::timetable::Timetable;
 
 /// Least distance of an edge from the point of first touch, in Hertz half-widths.
@@ -55,43 +55,53 @@ fn edges(grid: &Grid, hertz: &HertzContact, is_line: bool) -> Vec<Warning> {
 /// Cells too wide for random surfaces, whose waves the scene tells.
 pub(super) fn known_waves(scene: &Scene) -> Vec<Warning> {
     let Ok(grid) = scene.grid() else { return Vec::new() };
-    let mut list = Vec::new();
-    for (name, roughness) in BODIES.into_iter().zip([&scene.roughness.ball, &scene.roughness.disc]) {
-        let field = format!("roughness.{name}");
-        match roughness {
-            Roughness::Gaussian(random) if !roughness.is_smooth() => {
-                let along_x = ("nx", grid.dx(), grid.size_x(), random.length_x);
-                let along_y = ("ny", grid.dy(), grid.size_y(), random.length_y);
-                let axes = [along_x, along_y].into_iter().take(if grid.ny() == 1 { 1 } else { 2 });
-                list.extend(axes.filter_map(|axis| few_cells(&field, axis)));
-            }
-            Roughness::Exponential(_) if !roughness.is_smooth() => list.push(Warning::new(
-                "grid.nx",
-                grid.nx() as f64,
-                format!(
-                    "{field} has waves down to any length, more than the cells hold: peak pressures and contact area \
-                     depend on the cells"
-                ),
-                "a Gaussian autocorrelation has shortest waves".to_owned(),
-            )),
-            _ => {}
-        }
-    }
+    let bodies = || BODIES.into_iter().zip([&scene.roughness.ball, &scene.roughness.disc]);
+    let shortest = |length: fn(&RandomRoughness) -> f64| {
+        let lengths = bodies().filter_map(|(name, roughness)| match roughness {
+            Roughness::Gaussian(random) if !roughness.is_smooth() => Some((name, length(random))),
+            _ => None,
+        });
+        lengths.min_by(|a, b| a.1.total_cmp(&b.1))
+    };
+    let along_x = shortest(|random| random.length_x);
+    let along_y = shortest(|random| random.length_y).filter(|_| grid.ny() > 1);
+    let mut list: Vec<Warning> = [
+        few_cells("grid.nx", (grid.nx(), grid.dx()), along_x),
+        few_cells("grid.ny", (grid.ny(), grid.dy()), along_y),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    let endless = bodies()
+        .find(|(_, roughness)| matches!(roughness, Roughness::Exponential(_)) && !roughness.is_smooth());
+    list.extend(endless.map(|(name, _)| {
+        Warning::new(
+            "grid.nx",
+            grid.nx() as f64,
+            format!(
+                "roughness.{name} has waves down to any length, more than the cells hold: peak pressures and contact area \
+                 depend on the cells"
+            ),
+            "a Gaussian autocorrelation has shortest waves".to_owned(),
+        )
+    }));
     list
 }
 
-fn few_cells(field: &str, (count, cell, size, length): (&str, f64, f64, f64)) -> Option<Warning> {
-    let cells = size / cell;
+/// Fewer than three cells in the shortest waves, of one body and their length.
+fn few_cells(field: &str, (count, cell): (usize, f64), waves: Option<(&str, f64)>) -> Option<Warning> {
+    let (body, length) = waves?;
     (cell > length / CELLS_IN_WAVE * (1.0 + 1e-9)).then(|| {
+        let least = (CELLS_IN_WAVE * cell * count as f64 / length * (1.0 - 1e-9)).ceil();
         Warning::new(
-            format!("grid.{count}"),
-            cells,
+            field,
+            count as f64,
             format!(
-                "cells of {} m are wider than a third of the shortest waves of {field}, {} m",
+                "cells of {} m are wider than a third of the shortest waves of roughness.{body}, {} m",
                 short(cell),
                 short(length)
             ),
-            format!("at least {} cells", (CELLS_IN_WAVE * size / length).ceil()),
+            format!("at least {least} cells"),
         )
     })
 }
