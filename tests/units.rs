@@ -160,11 +160,11 @@ fn schedules_and_line_loads_have_units_too() {
 #[test]
 fn every_documented_key_with_a_unit_takes_one() {
     let document = include_str!("../docs/scene.md");
-    let (document, _) = document.split_once("\n### `[solver]`").unwrap();
+    let (document, _) = document.split_once("\n## The example `solve`").unwrap();
     let mut section = String::new();
     let mut keys = 0;
     for line in document.lines() {
-        if let Some(heading) = line.strip_prefix("### `[") {
+        if let Some(heading) = line.trim_start_matches('#').strip_prefix(" `[") {
             section = heading.split(']').next().unwrap().to_owned();
         }
         let cells: Vec<&str> = line.split('|').map(str::trim).collect();

@@ -125,7 +125,7 @@ impl Chart {
         if panel.lines.iter().any(|line| !line.name.is_empty()) {
             chart
                 .configure_series_labels()
-                .position(SeriesLabelPosition::UpperRight)
+                .position(SeriesLabelPosition::UpperLeft)
                 .background_style(WHITE.mix(0.8))
                 .label_font(text(TEXT_SIZE))
                 .draw()?;

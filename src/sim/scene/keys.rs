@@ -18,6 +18,9 @@ const KEYS: &[(&str, Dimension)] = &[
     ("form.radius_x", Length),
     ("form.radius_y", Length),
     ("elastic.equivalent_modulus", Pressure),
+    ("elastic.layer.thickness", Length),
+    ("elastic.layer.modulus", Pressure),
+    ("elastic.layer.substrate_modulus", Pressure),
     ("materials.*.modulus", Pressure),
     ("materials.*.hardness", Pressure),
     ("materials.*.conductivity", Conductivity),
@@ -63,6 +66,8 @@ const KEYS: &[(&str, Dimension)] = &[
     ("schedule.bulk_temperature.value", Temperature),
     ("schedule.bulk_temperature.values", Temperature),
     ("schedule.bulk_temperature.times", Time),
+    ("stress.deepest", Length),
+    ("stress.yield_strength", Pressure),
     ("solver.film_cutoff", Length),
 ];
 
