@@ -144,6 +144,12 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
         assert_refused(&["init", text(&path)], &["scene.toml", "--force"]);
         std::fs::remove_file(&path).unwrap();
     }
+    // A thick film needs a longer inlet, on cells of the same size.
+    let output = stribeck(&["init", text(&path), "--eta0", "50 mPa s", "--speed", "2 m/s", "--load", "5 N"]);
+    assert!(output.status.success(), "{output:?}");
+    let grid = Scene::load(&path).unwrap().grid().unwrap();
+    assert!(grid.nx() > grid.ny() && (grid.dx() / grid.dy() - 1.0).abs() < 1e-3, "{grid:?}");
+    std::fs::remove_file(&path).unwrap();
     let length = ["init", text(&path), "--length", "1 um", "--force"];
     assert_refused(&length, &["--length = 1 um", "--cells"]);
     let unit = ["init", text(&path), "--load", "5 kg"];

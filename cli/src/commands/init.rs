@@ -14,6 +14,8 @@ use crate::output::{self, Outcome};
 
 /// Half a side of the box in Hertz half-widths.
 const BOX: f64 = 1.7;
+/// Longest inlet in half-widths: longer ones take more cells than a first scene should.
+const LONGEST_INLET: f64 = 6.0;
 /// Cells in the length of the roughness: where it is not given, and at least.
 const CELLS_IN_LENGTH: f64 = 4.0;
 const FEWEST_IN_LENGTH: f64 = 3.0;
@@ -163,15 +165,28 @@ fn answer(question: &str, default: &str) -> io::Result<String> {
 /// The text of the scene file.
 fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>> {
     let bodies = bodies(answers)?;
-    let half_width = Scene::from_toml(&format!("{bodies}{}", grid(1.0, 16)))?.hertz()?.a_x;
+    let trial = Scene::from_toml(&format!("{bodies}{}", grid([1.0; 2], [16; 2])))?;
+    let half_width = trial.hertz()?.a_x;
     let half_side = rounded(BOX * half_width);
     let smooth = answers.roughness.value == 0.0;
     let cells = options.cells.unwrap_or(if smooth { 128 } else { 64 });
-    let mut text = format!("{bodies}{}", grid(half_side, cells));
+    let cell = 2.0 * half_side / f64::from(cells);
+    let inlet = half_width * flooded_inlet(&trial, half_width)?;
+    let more = ((inlet - half_side) / cell).ceil().max(0.0);
+    let mut text =
+        format!("{bodies}{}", grid([half_side + more * cell, half_side], [cells + more as u32, cells]));
     if !smooth {
-        text += &roughness(options, answers, 2.0 * half_side / f64::from(cells))?;
+        text += &roughness(options, answers, cell)?;
     }
     Ok(text)
+}
+
+/// Distance of the inlet edge from the middle, in half-widths, from which on the oil floods the contact, as far as the box reaches:
+/// `1 + 3.06 ((R/a)^2 H)^0.58` with the film `H` by formula over the radius (Hamrock and Dowson 1977, starvation).
+fn flooded_inlet(scene: &Scene, half_width: f64) -> Result<f64, InputError> {
+    let (radius, _) = scene.form.radii();
+    let film = scene.formula_film()?.map_or(0.0, |formula| formula.central);
+    Ok((1.0 + 3.06 * (radius * film / (half_width * half_width)).powf(0.58)).clamp(BOX, LONGEST_INLET))
 }
 
 /// All of the scene that does not depend on the size of the contact.
@@ -222,12 +237,12 @@ fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
     Ok(text)
 }
 
-/// A square box of `cells` along each side, from `-half_side` \[m\] on.
-fn grid(half_side: f64, cells: u32) -> String {
-    let edge = format!("{} um", plain(half_side * 1e6));
+/// A box of so many cells along x and y that ends `inlet` before the middle and `half_side` on the other sides \[m\].
+fn grid([inlet, half_side]: [f64; 2], [nx, ny]: [u32; 2]) -> String {
+    let [inlet, edge] = [inlet, half_side].map(|length| format!("{} um", plain(length * 1e6)));
     format!(
-        "\n[grid] # cells that fill a box around the contact, {BOX} Hertz half-widths or a little more to each side\n\
-         nx = {cells}\nny = {cells}\nx = [\"-{edge}\", \"{edge}\"]\ny = [\"-{edge}\", \"{edge}\"]\n"
+        "\n[grid] # cells that fill a box around the contact: {BOX} Hertz half-widths or a little more to each side, further at the\n\
+         nx = {nx} # inlet where a thick film needs it\nny = {ny}\nx = [\"-{inlet}\", \"{edge}\"]\ny = [\"-{edge}\", \"{edge}\"]\n"
     )
 }
 

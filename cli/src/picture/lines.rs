@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use plotters::coord::Shift;
+use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -14,6 +15,10 @@ const HEAD: i32 = 40;
 const PANEL: i32 = 190;
 const FOOT: i32 = 56;
 const LEFT: u32 = 84;
+/// Points of a line of fewer are dots too.
+const FEW: usize = 40;
+
+type Axes<'a, B> = ChartContext<'a, B, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
 /// A line through points.
 pub(crate) struct Line {
@@ -96,7 +101,7 @@ impl Chart {
             .margin_bottom(4)
             .x_label_area_size(if lowest { FOOT } else { 24 })
             .y_label_area_size(LEFT)
-            .build_cartesian_2d(x, y.clone())?;
+            .build_cartesian_2d(x, y)?;
         chart
             .configure_mesh()
             .x_desc(if lowest { self.x_label } else { "" })
@@ -110,27 +115,7 @@ impl Chart {
             .light_line_style(TRANSPARENT)
             .bold_line_style(BLACK.mix(0.12))
             .draw()?;
-        for line in &panel.lines {
-            let style = ShapeStyle::from(line.colour).stroke_width(2);
-            let points = line.points.iter().map(|&(x, v)| (x, v.clamp(y.start, y.end)));
-            let drawn = chart.draw_series(LineSeries::new(points, style))?;
-            if !line.name.is_empty() {
-                drawn.label(line.name).legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
-            }
-            if line.points.len() < 40 {
-                let dots = line.points.iter().filter(|(_, v)| (y.start..=y.end).contains(v));
-                chart.draw_series(dots.map(|&point| Circle::new(point, 3, line.colour.filled())))?;
-            }
-        }
-        if panel.lines.iter().any(|line| !line.name.is_empty()) {
-            chart
-                .configure_series_labels()
-                .position(SeriesLabelPosition::UpperLeft)
-                .background_style(WHITE.mix(0.8))
-                .label_font(text(TEXT_SIZE))
-                .draw()?;
-        }
-        Ok(())
+        panel.draw_lines(&mut chart)
     }
 
     fn x_range(&self) -> Range<f64> {
@@ -141,6 +126,35 @@ impl Chart {
 }
 
 impl Panel {
+    fn draw_lines<B: DrawingBackend>(&self, chart: &mut Axes<'_, B>) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        let y = chart.y_range();
+        for line in &self.lines {
+            let style = ShapeStyle::from(line.colour).stroke_width(2);
+            let known: Vec<(f64, f64)> = line.points.iter().copied().filter(|(_, v)| v.is_finite()).collect();
+            let points = known.iter().map(|&(x, v)| (x, v.clamp(y.start, y.end)));
+            let drawn = chart.draw_series(LineSeries::new(points, style))?;
+            if !line.name.is_empty() {
+                drawn.label(line.name).legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
+            }
+            if known.len() < FEW {
+                let dots = known.iter().filter(|(_, v)| y.contains(v));
+                chart.draw_series(dots.map(|&point| Circle::new(point, 3, line.colour.filled())))?;
+            }
+        }
+        if self.lines.iter().any(|line| !line.name.is_empty()) {
+            chart
+                .configure_series_labels()
+                .position(SeriesLabelPosition::UpperLeft)
+                .background_style(WHITE.mix(0.8))
+                .label_font(text(TEXT_SIZE))
+                .draw()?;
+        }
+        Ok(())
+    }
+
     /// From zero, or from the lowest value where it is negative, to a little above the highest.
     fn y_range(&self) -> Range<f64> {
         let values = self.lines.iter().flat_map(|line| &line.points).map(|point| point.1);
