@@ -126,7 +126,7 @@ impl Chart {
 }
 
 impl Panel {
-    fn draw_lines<B: DrawingBackend>(&self, chart: &mut Axes<'_, B>) -> Drawn
+    fn draw_lines<'a, B: DrawingBackend + 'a>(&self, chart: &mut Axes<'a, B>) -> Drawn
     where
         B::ErrorType: 'static,
     {
