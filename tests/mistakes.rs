@@ -211,7 +211,7 @@ fn files_of_heights_that_do_not_fit_are_named() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
     let write = |name: &str, nx: usize, heights: &[f64]| {
-        write_npy(path(name), nx, heights.len() / nx, heights).unwrap()
+        write_npy(path(name), nx, heights.len() / nx, heights).unwrap();
     };
     write("good.npy", 24, &waves(8.0));
     assert_eq!(with_disc(&path("good.npy")), "");

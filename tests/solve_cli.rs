@@ -1,6 +1,8 @@
 //! The example `solve` from the outside: output, exit status, messages, fields.
 #![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
 
+mod common;
+
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -11,34 +13,9 @@ use stribeck::surface::write_npy;
 
 const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
 
-/// The example, brought up to date: `cargo test` builds it, `cargo test --test solve_cli` does not.
 fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
-    PROGRAM.get_or_init(|| {
-        let test = std::env::current_exe().unwrap();
-        let folder = test.parent().and_then(Path::parent).unwrap();
-        let profile = match folder.file_name().and_then(|name| name.to_str()).unwrap() {
-            "debug" => "test",
-            other => other,
-        };
-        let built = Command::new(env!("CARGO"))
-            .args([
-                "build",
-                "--quiet",
-                "--offline",
-                "--profile",
-                profile,
-                "--example",
-                "solve",
-                "--target-dir",
-            ])
-            .arg(folder.parent().unwrap())
-            .current_dir(env!("CARGO_MANIFEST_DIR"))
-            .output()
-            .unwrap();
-        assert!(built.status.success(), "{built:?}");
-        folder.join("examples").join(format!("solve{}", std::env::consts::EXE_SUFFIX))
-    })
+    PROGRAM.get_or_init(|| common::example("solve"))
 }
 
 fn solve(arguments: &[&str]) -> Output {

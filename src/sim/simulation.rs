@@ -112,6 +112,8 @@ pub struct MixedLubricationSim {
     pub(super) draws: u64,
     pub(super) fields: Fields,
     pub(super) backup: [Body; 2],
+    /// The contact before the step in progress.
+    before: ContactState,
     warnings: Vec<Warning>,
 }
 
@@ -181,6 +183,7 @@ impl MixedLubricationSim {
             time: 0.0,
             step: 0,
             draws: 0,
+            before: ContactState::new(&grid),
             warnings,
         })
     }
@@ -313,7 +316,8 @@ impl MixedLubricationSim {
     ///
     /// # Errors
     /// A time step that is negative or not finite; a contact that did not converge at any tried position of the
-    /// roughness; a law that returned a value that is not finite. Bodies and time are then as before.
+    /// roughness; a law that returned a value that is not finite. Everything is then as before, so that another step of this
+    /// length fails again.
     pub fn step(&mut self, time_step: f64) -> Result<StepRecord, SimError> {
         self.step_within(&StepControl::fixed(time_step))
     }
@@ -325,25 +329,33 @@ impl MixedLubricationSim {
     /// As of [`MixedLubricationSim::step`], and laws that change a node by more than the depth in any time.
     pub fn step_within(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         control.validate()?;
+        let (draws, circumstances) = (self.draws, self.contact.circumstances());
+        self.before.clone_from(&self.state);
+        for (backup, body) in self.backup.iter_mut().zip(&self.bodies) {
+            backup.clone_from(body);
+        }
+        let outcome = self.take_step(control);
+        if outcome.is_err() {
+            self.draws = draws;
+            self.contact.return_to(circumstances);
+            std::mem::swap(&mut self.state, &mut self.before);
+            std::mem::swap(&mut self.bodies, &mut self.backup);
+        }
+        outcome
+    }
+
+    /// The same; an error leaves contact and bodies as they were when it came.
+    fn take_step(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         let conditions = self.conditions();
         self.contact.put_under(&self.scene, &conditions)?;
         self.heat.move_at(conditions.motion.surface_speeds(), &self.contact.grid)?;
         let (report, offsets, attempts) = self.solve_somewhere()?;
         let flash_rise = self.rub()?;
         let rq = self.roughness()?;
-        for (backup, body) in self.backup.iter_mut().zip(&self.bodies) {
-            backup.clone_from(body);
-        }
-        let time_step = match self.commit_within(control, offsets) {
-            Ok(time_step) => time_step,
-            Err(error) => {
-                std::mem::swap(&mut self.bodies, &mut self.backup);
-                return Err(error);
-            }
-        };
-        self.time += time_step;
+        let time_step = self.commit_within(control, offsets)?;
+        let record = self.record((report, attempts), flash_rise, (conditions, rq), time_step)?;
+        self.time = record.time;
         self.squeeze_memory.keep(&self.state.mass, time_step);
-        let record = self.record(report, attempts, flash_rise, (conditions, rq))?;
         if self.step == 0 && record.composite_rq == 0.0 {
             self.warnings.extend(warnings::excess_pressure(record.max_pressure, self.contact.hertz.p_max));
         }
@@ -554,13 +566,13 @@ impl MixedLubricationSim {
         Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
     }
 
-    /// The record of the step that was committed last, whose contact was solved under `conditions` on surfaces of roughness `rq`.
+    /// The record of the step of length `time_step` that the bodies have just taken, whose contact was solved under `conditions` on surfaces of roughness `rq`.
     fn record(
         &self,
-        report: SolveReport,
-        attempts: u32,
+        (report, attempts): (SolveReport, u32),
         flash_rise: Option<f64>,
         (conditions, rq): (Conditions, [f64; 2]),
+        time_step: f64,
     ) -> Result<StepRecord, SimError> {
         let (state, grid) = (&self.state, self.contact.grid);
         let film = film_numbers(&self.contact, state)?;
@@ -576,8 +588,8 @@ impl MixedLubricationSim {
         let area = grid.cell_area();
         Ok(StepRecord {
             step: self.step,
-            time: self.time,
-            time_step: self.squeeze_memory.last_step(),
+            time: self.time + time_step,
+            time_step,
             rq,
             composite_rq,
             average_film: film.mean_central,
