@@ -566,7 +566,8 @@ impl MixedLubricationSim {
         Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
     }
 
-    /// The record of the step of length `time_step` that the bodies have just taken, whose contact was solved under `conditions` on surfaces of roughness `rq`.
+    /// The record of the step of length `time_step` that the bodies have just taken, whose contact was solved under `conditions` on
+    /// surfaces of roughness `rq`.
     fn record(
         &self,
         (report, attempts): (SolveReport, u32),
