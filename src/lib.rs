@@ -96,6 +96,7 @@ pub mod surface;
 #[cfg(feature = "testing")]
 pub mod testing;
 pub mod tribochem;
+pub mod units;
 pub mod wear;
 
 // What every room speaks of.

@@ -17,6 +17,7 @@ mod formula;
 mod friction;
 mod heat;
 mod hertz;
+mod history_means;
 #[cfg(feature = "serde")]
 mod identity;
 #[cfg(feature = "npz")]
@@ -30,6 +31,7 @@ pub mod scene;
 mod setup;
 mod simulation;
 mod solution;
+mod solution_numbers;
 mod squeeze_memory;
 mod standing;
 mod start;
@@ -52,7 +54,11 @@ pub use builder::SimBuilder;
 pub use checkpoint::CheckpointError;
 pub use contact::solve_contact;
 pub use error::SimError;
+pub use formula::FormulaFilm;
 pub use hertz::HertzContact;
+pub use history_means::HistoryMeans;
+#[cfg(feature = "serde")]
+pub use history_means::HistoryNumbers;
 #[cfg(feature = "npz")]
 pub use npz::write_npz;
 pub use observer::Observer;

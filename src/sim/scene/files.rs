@@ -3,27 +3,31 @@
 use std::path::Path;
 
 use serde::Deserialize;
+use toml::de::DeTable;
 
-use super::{Roughness, Scene, missing};
+use super::{Roughness, Scene, keys, missing};
 use crate::sim::SimError;
 
 /// Characters of a line that a syntax error quotes.
 const LONGEST_QUOTE: usize = 80;
 
 impl Scene {
-    /// A scene from TOML text.
+    /// A scene from TOML text. A number of a key that has a dimension may be text with a [unit](crate::units): `"9.525 mm"`.
     ///
     /// # Errors
-    /// [`SimError::Scene`] naming the key and the line of what does not fit.
+    /// [`SimError::Scene`] naming the key and the line of what does not fit, [`SimError::Input`] naming a quantity that is none of
+    /// its key.
     pub fn from_toml(text: &str) -> Result<Self, SimError> {
         let scene = |reason| SimError::Scene { reason };
-        let tree = toml::Deserializer::parse(text).map_err(|error| {
+        let root = DeTable::parse(text).map_err(|error| {
             let line = text.lines().nth(line_of(text, &error)).unwrap_or_default().trim();
             let shown: String = line.chars().filter(|c| !c.is_control()).take(LONGEST_QUOTE).collect();
             scene(format!("{} in `{shown}`", in_one_line(text, error)))
         })?;
+        let text = keys::in_si_units(text, root.get_ref())?;
+        let tree = toml::Deserializer::parse(&text).map_err(|error| scene(in_one_line(&text, error)))?;
         Self::deserialize(tree).map_err(|error| {
-            let message = in_one_line(text, error);
+            let message = in_one_line(&text, error);
             let absent = match text.parse() {
                 Ok(table) if message.contains("missing field") => missing::keys(&table),
                 _ => Vec::new(),
@@ -61,11 +65,18 @@ impl Scene {
 }
 
 /// What the parser calls things, and what a reader of scene files does.
-const WORDS: [(&str, &str); 9] = [
+const WORDS: [(&str, &str); 16] = [
     ("expected f64", "expected a number"),
     ("expected usize", "expected a whole number from 0"),
     ("expected u64", "expected a whole number from 0"),
+    ("expected a boolean", "expected true or false"),
     ("expected a sequence", "expected a list"),
+    ("expected path string", "expected text"),
+    ("wanted string or table", "expected text"),
+    ("invalid type: sequence", "invalid type: list"),
+    ("invalid type: boolean", "invalid type:"),
+    ("invalid type: string", "invalid type: text"),
+    ("invalid type: map", "invalid type: table"),
     ("expected an array of length 2", "expected a list of two numbers"),
     ("floating point", "number"),
     ("invalid type: integer", "invalid type: whole number"),

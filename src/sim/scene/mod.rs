@@ -3,6 +3,8 @@
 mod elastic;
 #[cfg(feature = "serde")]
 mod files;
+#[cfg(feature = "serde")]
+mod keys;
 mod lubricant;
 mod materials;
 #[cfg(feature = "serde")]
