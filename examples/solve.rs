@@ -15,6 +15,7 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 use stribeck::Status;
+use stribeck::elastic::Extreme;
 use stribeck::sim::{ContactSolution, Scene, Warning, solve_contact, write_npz};
 
 const USAGE: &str = "usage: solve SCENE.toml [--json] [--fields OUT.npz]";
@@ -118,6 +119,7 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
         cavitation,
         flow,
         error_estimate,
+        stress,
         state,
         ..
     } = solution;
@@ -175,6 +177,12 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
             "imbalance": flow.imbalance,
         })),
         "approach": state.approach,
+        "stress": stress.map(|stress| json!({
+            "von_mises": extreme(&stress.largest.von_mises),
+            "orthogonal_shear": extreme(&stress.largest.orthogonal_shear),
+            "yield_ratio": stress.yield_ratio,
+            "shakedown_ratio": stress.shakedown_ratio,
+        })),
         "error_estimate": error_estimate.map(|estimate| json!({
             "central_film": estimate.central_film,
             "minimum_film": estimate.minimum_film,
@@ -190,12 +198,17 @@ fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
     })
 }
 
+fn extreme(largest: &Extreme) -> Value {
+    json!({ "stress": largest.stress, "depth": largest.depth, "x": largest.place.0, "y": largest.place.1 })
+}
+
 fn summary(solution: &ContactSolution, seconds: f64) -> String {
-    let ContactSolution { report, grid, hertz, moes, film, contact, flow, error_estimate, state, .. } =
-        solution;
+    let ContactSolution {
+        report, grid, hertz, moes, film, contact, flow, error_estimate, stress, state, ..
+    } = solution;
     let (residuals, work) = (report.residuals, report.work);
     let moes = moes.map_or_else(|| "dry".to_owned(), |(m, l)| format!("Moes M {m:.1}, L {l:.3}"));
-    [
+    let mut lines = vec![
         format!(
             "{} by {} in {seconds:.2} s on {} x {} nodes",
             report.status,
@@ -264,6 +277,16 @@ fn summary(solution: &ContactSolution, seconds: f64) -> String {
                 )
             },
         ),
-    ]
-    .join("\n")
+    ];
+    if let Some(stress) = stress {
+        let (mises, shear) = (stress.largest.von_mises, stress.largest.orthogonal_shear);
+        lines.push(format!(
+            "stress     von Mises {:.4} GPa at {:.2} um, orthogonal shear {:.4} GPa at {:.2} um",
+            mises.stress * 1e-9,
+            mises.depth * 1e6,
+            shear.stress * 1e-9,
+            shear.depth * 1e6
+        ));
+    }
+    lines.join("\n")
 }

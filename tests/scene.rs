@@ -80,8 +80,13 @@ fn document_lists_every_key() {
     let code = [
         include_str!("../src/sim/scene/mod.rs"),
         include_str!("../src/sim/scene/processes.rs"),
+        include_str!("../src/sim/scene/elastic.rs"),
+        include_str!("../src/sim/scene/lubricant.rs"),
+        include_str!("../src/lubricant/doolittle_tait.rs"),
+        include_str!("../src/lubricant/improved_yasutomi.rs"),
         include_str!("../src/sim/scene/materials.rs"),
         include_str!("../src/sim/scene/schedule.rs"),
+        include_str!("../src/sim/scene/stress.rs"),
         include_str!("../src/surface/form.rs"),
     ]
     .concat();

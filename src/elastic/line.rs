@@ -44,14 +44,8 @@ impl LineHalfSpace {
     /// More than one row; a modulus that is not finite and positive; a reference below the length of the row, with which
     /// distant nodes would attract each other.
     pub fn new(grid: Grid, equivalent_modulus: f64, reference: f64) -> Result<Self, InputError> {
-        InputError::require(grid.ny() == 1, "grid.ny", grid.ny() as f64, "1 for a line contact")?;
+        require_row(&grid, reference)?;
         InputError::require_positive("elastic.equivalent_modulus", equivalent_modulus)?;
-        InputError::require(
-            reference.is_finite() && reference >= grid.size_x(),
-            "reference",
-            reference,
-            "finite and not below the length of the row",
-        )?;
         let coefficient = |offset: usize| {
             let x = grid.dx() * offset as f64;
             strip_displacement(x, 0.5 * grid.dx(), reference, 1.0, equivalent_modulus)
@@ -59,6 +53,17 @@ impl LineHalfSpace {
         let kernel = |di: isize, _| coefficient(di.unsigned_abs());
         Ok(Self { near: std::array::from_fn(coefficient), response: ElasticResponse::new(grid, kernel) })
     }
+}
+
+/// Checks that `grid` has one row, and that the distance `reference` \[m\] from which displacements count is beyond it.
+pub(super) fn require_row(grid: &Grid, reference: f64) -> Result<(), InputError> {
+    InputError::require(grid.ny() == 1, "grid.ny", grid.ny() as f64, "1 for a line contact")?;
+    InputError::require(
+        reference.is_finite() && reference >= grid.size_x(),
+        "reference",
+        reference,
+        "finite and not below the length of the row",
+    )
 }
 
 impl DeformationModel for LineHalfSpace {

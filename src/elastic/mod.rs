@@ -2,20 +2,26 @@
 //!
 //! [`DeformationModel`] is what solvers need of a body: the displacement field of a pressure field and the first
 //! influence coefficients. [`HalfSpace`] is the default (Boussinesq half-space, Love's influence coefficients,
-//! DC-FFT convolution), [`LineHalfSpace`] its plane-strain counterpart for line contacts; [`direct_displacement`] is the slow direct sum that it is checked against.
+//! DC-FFT convolution), [`LineHalfSpace`] its plane-strain counterpart for line contacts, [`LayeredHalfSpace`] either of them with a bonded
+//! [`Layer`]; [`direct_displacement`] is the slow direct sum that it is checked against. [`subsurface_stress`] and [`stress_extremes`] are the stresses below
+//! the surface.
 
 mod direct;
 mod dry;
 mod half_space;
+mod layered;
 mod line;
 mod response;
+mod subsurface;
 
 use std::fmt::Debug;
 
 pub use direct::direct_displacement;
 pub use dry::{DryOutcome, DryProblem, DrySolver};
 pub use half_space::HalfSpace;
+pub use layered::{Layer, LayeredHalfSpace};
 pub use line::LineHalfSpace;
+pub use subsurface::{Extreme, StressExtremes, StressField, stress_extremes, subsurface_stress};
 
 use crate::error::InputError;
 use crate::grid::Grid;

@@ -1,22 +1,28 @@
-//! Lubricant laws: viscosity and density as functions of pressure.
+//! Lubricant laws: viscosity and density as functions of pressure, of some of temperature too.
 //!
 //! [`Rheology`] is the shear stress that friction and heat are made of. [`ViscosityLaw`] and [`DensityLaw`] are open sets: implement one for an own fluid and hand it to
 //! [`Lubricant::new`], which tabulates both: solvers read the table, without a virtual call per node.
 
 mod barus;
 mod density;
+mod doolittle_tait;
+mod improved_yasutomi;
 mod rheology;
 mod roelands;
 mod table;
+mod thermal_roelands;
 
 use std::fmt::Debug;
 
 pub use barus::Barus;
 pub use density::{DowsonHigginson, Incompressible};
+pub use doolittle_tait::{DoolittleTait, DoolittleTaitConstants};
+pub use improved_yasutomi::{ImprovedYasutomi, ImprovedYasutomiConstants};
 pub use rheology::Rheology;
 pub use roelands::Roelands;
 pub use table::FluidPoint;
 use table::FluidTable;
+pub use thermal_roelands::ThermalRoelands;
 
 /// Viscosity as a function of pressure at the temperature of the contact.
 ///
@@ -32,6 +38,11 @@ pub trait ViscosityLaw: Debug + Send + Sync {
         let low = (pressure - step).max(0.0);
         let high = pressure.max(0.0) + step;
         (self.viscosity(high) / self.viscosity(low)).ln() / (high - low)
+    }
+
+    /// The law at `temperature` \[K\], above zero; none (the default) for a law that does not know temperature.
+    fn at_temperature(&self, _temperature: f64) -> Option<Box<dyn ViscosityLaw>> {
+        None
     }
 
     /// Fills `viscosity` \[Pa s\] from `pressure` \[Pa\]; slices of one length.
@@ -52,6 +63,11 @@ pub trait DensityLaw: Debug + Send + Sync {
 
     /// Slope of the ratio \[1/Pa\] at `pressure` \[Pa\].
     fn slope(&self, pressure: f64) -> f64;
+
+    /// The law at `temperature` \[K\], above zero; none (the default) for a law that does not know temperature.
+    fn at_temperature(&self, _temperature: f64) -> Option<Box<dyn DensityLaw>> {
+        None
+    }
 }
 
 /// The two laws that describe a lubricant in the Reynolds equation.
@@ -72,6 +88,19 @@ impl Lubricant {
     pub fn from_boxed(viscosity: Box<dyn ViscosityLaw>, density: Box<dyn DensityLaw>) -> Self {
         let table = FluidTable::new(&*viscosity, &*density);
         Self { viscosity, density, table }
+    }
+
+    /// The lubricant at `temperature` \[K\]; laws that do not know temperature stay as they are.
+    #[must_use]
+    pub fn at_temperature(mut self, temperature: f64) -> Self {
+        match (self.viscosity.at_temperature(temperature), self.density.at_temperature(temperature)) {
+            (None, None) => self,
+            (viscosity, density) => {
+                self.viscosity = viscosity.unwrap_or(self.viscosity);
+                self.density = density.unwrap_or(self.density);
+                Self::from_boxed(self.viscosity, self.density)
+            }
+        }
     }
 
     /// The viscosity law.

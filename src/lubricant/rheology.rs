@@ -2,13 +2,14 @@
 
 use crate::error::InputError;
 
-/// Newtonian, `tau = eta g`, or of Eyring, `tau = tau_E asinh(eta g / tau_E)`, and in both cases at most a limiting
-/// stress. `g` is the shear rate \[1/s\].
+/// Newtonian, `tau = eta g`, of Eyring, `tau = tau_E asinh(eta g / tau_E)`, or of Carreau, `tau = eta g [1 + (eta g/G)^2]^((n - 1)/2)`,
+/// and in all cases at most a limiting stress, a constant one or a share of the pressure. `g` is the shear rate \[1/s\].
 ///
 /// Mineral oils have Eyring stresses of some 5 to 10 MPa and limiting stresses of 5 to 10 % of the pressure. Isothermal.
 /// Here it decides friction and heat; of the flow by pressure see [`ShearThinning`](crate::reynolds::ShearThinning).
 ///
-/// Source: Eyring (1936), Journal of Chemical Physics 4, 283-291.
+/// Sources: Eyring (1936), Journal of Chemical Physics 4, 283-291; Carreau (1972), Transactions of the Society of Rheology 16, 99-127, whose time is
+/// `eta/G` here.
 ///
 /// ```
 /// use stribeck::lubricant::Rheology;
@@ -22,14 +23,23 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rheology {
-    eyring_stress: f64,
+    thinning: Thinning,
     limit: f64,
+    /// The largest stress over the pressure.
+    share: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Thinning {
+    None,
+    Eyring { stress: f64 },
+    Carreau { stress: f64, exponent: f64 },
 }
 
 impl Rheology {
     /// Stress in proportion to the shear rate, without limit.
     pub fn newtonian() -> Self {
-        Self { eyring_stress: f64::INFINITY, limit: f64::INFINITY }
+        Self::thinned(Thinning::None)
     }
 
     /// Shear thinning with the Eyring stress `stress` \[Pa\], without limit.
@@ -38,7 +48,39 @@ impl Rheology {
     /// A stress that is not finite and positive.
     pub fn eyring(stress: f64) -> Result<Self, InputError> {
         InputError::require_positive("friction.eyring_stress", stress)?;
-        Ok(Self { eyring_stress: stress, limit: f64::INFINITY })
+        Ok(Self::thinned(Thinning::Eyring { stress }))
+    }
+
+    /// Shear thinning of Carreau with the stress `stress` \[Pa\] where it sets in and the exponent `n`, without limit.
+    ///
+    /// ```
+    /// use stribeck::lubricant::Rheology;
+    /// let oil = Rheology::carreau(5e6, 0.4)?;
+    /// assert!((oil.shear_stress(1e-3, 1e6) - 1e3).abs() < 1e-3); // thin oil: Newtonian
+    /// assert!((oil.shear_stress(1e5, 1e6) / (5e6 * 2e4_f64.powf(0.4)) - 1.0).abs() < 1e-6); // far beyond: a power of the rate
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A stress that is not finite and positive, an exponent not above zero or above one.
+    pub fn carreau(stress: f64, exponent: f64) -> Result<Self, InputError> {
+        InputError::require_positive("friction.carreau_stress", stress)?;
+        let inside = 0.0 < exponent && exponent <= 1.0;
+        InputError::require(inside, "friction.carreau_exponent", exponent, "above 0 and at most 1")?;
+        Ok(Self::thinned(Thinning::Carreau { stress, exponent }))
+    }
+
+    fn thinned(thinning: Thinning) -> Self {
+        Self { thinning, limit: f64::INFINITY, share: f64::INFINITY }
+    }
+
+    /// The same fluid with a largest shear stress of `share` times the pressure.
+    ///
+    /// # Errors
+    /// A share that is not finite and positive.
+    pub fn with_limit_by_pressure(self, share: f64) -> Result<Self, InputError> {
+        InputError::require_positive("friction.limiting_stress_coefficient", share)?;
+        Ok(Self { share, ..self })
     }
 
     /// The same fluid with a largest shear stress `limit` \[Pa\].
@@ -50,13 +92,22 @@ impl Rheology {
         Ok(Self { limit, ..self })
     }
 
-    /// Shear stress \[Pa\] of a fluid of `viscosity` \[Pa s\] at `shear_rate` \[1/s\], both not negative.
+    /// Largest shear stress \[Pa\] under `pressure` \[Pa\].
+    pub fn limit(&self, pressure: f64) -> f64 {
+        if self.share.is_finite() { self.limit.min(self.share * pressure.max(0.0)) } else { self.limit }
+    }
+
+    /// Shear stress \[Pa\] of a fluid of `viscosity` \[Pa s\] at `shear_rate` \[1/s\], both not negative, whatever its pressure: see
+    /// [`Rheology::limit`].
     pub fn shear_stress(&self, viscosity: f64, shear_rate: f64) -> f64 {
         let newtonian = viscosity * shear_rate;
-        let stress = if self.eyring_stress.is_finite() {
-            self.eyring_stress * (newtonian / self.eyring_stress).asinh()
-        } else {
-            newtonian
+        let stress = match self.thinning {
+            Thinning::None => newtonian,
+            Thinning::Eyring { stress } => stress * (newtonian / stress).asinh(),
+            Thinning::Carreau { stress, exponent } => {
+                let ratio = newtonian / stress;
+                newtonian * (0.5 * (exponent - 1.0) * (ratio * ratio).ln_1p()).exp()
+            }
         };
         stress.min(self.limit)
     }

@@ -65,6 +65,12 @@ impl Roelands {
         }
         Ok(Self { eta0, exponent: alpha * p0 / z, z, p0 })
     }
+
+    /// The law `eta_0 exp{E [f (1 + p/p_0)^z - 1]}`, of which this one is that of `f = 1`.
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        let eta0 = self.eta0 * (self.exponent * (factor - 1.0)).min(Self::MAX_EXPONENT).exp();
+        Self { eta0, exponent: self.exponent * factor, ..self.clone() }
+    }
 }
 
 impl ViscosityLaw for Roelands {

@@ -66,7 +66,7 @@ impl Coupled {
         self.recall_limited(problem, state);
         self.evaluate(problem, state)?;
         self.classify(problem, state);
-        self.settle(problem, state);
+        self.update(problem, state);
         Ok(())
     }
 
@@ -96,12 +96,12 @@ impl Coupled {
         for (h, gap) in self.elastic_film.iter_mut().zip(problem.gap) {
             *h += gap - state.approach;
         }
-        self.settle(problem, state);
+        self.update(problem, state);
         Ok(())
     }
 
     /// Plastic depths, fluid quantities and balances that follow from the node kinds; no convolution.
-    pub(super) fn settle(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
+    pub(super) fn update(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         self.apply_plastic_depth(problem, state);
         self.refresh(problem, state);
     }

@@ -103,7 +103,7 @@ pub(super) fn hertzian_on(grid: &Grid, problem: &LubricatedContact<'_>, pressure
 }
 
 /// Dry contact by active-set conjugate gradients; a lubricant in the problem is an error, and so is a contact that
-/// reaches the edge of the box: the bodies would touch beyond it, and what they carry there is missing.
+/// reaches the edge of the box: the bodies would touch beyond it, and what they carry there is residual.
 #[derive(Debug, Default)]
 pub struct Dry {
     edge_contact: bool,

@@ -5,10 +5,10 @@ use super::formula::{FormulaFilm, formula_film, stated_film};
 use super::friction::{FrictionFields, boundary_law};
 use super::hertz::HertzContact;
 use super::scene::{GridSpec, Motion, Roughness, Scene};
-use super::solution::{ContactSolution, Numbers, is_known};
+use super::solution::{ContactSolution, Numbers, StressNumbers, is_known};
 use super::timetable::{Conditions, Timetable};
 use super::{SimError, setup, warnings};
-use crate::elastic::{DeformationModel, HalfSpace, LineHalfSpace};
+use crate::elastic::{DeformationModel, HalfSpace, LayeredHalfSpace, LineHalfSpace};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
@@ -39,6 +39,8 @@ pub(super) struct ContactModel {
     pub(super) motion: Motion,
     /// Load that was asked for; that of the Hertz contact is rounded \[N\].
     load: f64,
+    /// That of the lubricant \[K\].
+    bulk_temperature: f64,
     /// Film formulas of the smooth contact; none without lubricant.
     pub(super) formulas: Option<FormulaFilm>,
     /// Central film by formula, by the pressure-viscosity coefficient that is stated for it; zero without lubricant \[m\].
@@ -94,8 +96,15 @@ impl ContactModel {
                 reason: "a law is given, but the scene has no lubricant".to_owned(),
             }));
         }
-        let viscosity = overrides.viscosity.map_or_else(|| setup::viscosity(scene), |law| Ok(Some(law)))?;
-        let density = overrides.density.map_or_else(|| setup::density(scene), |law| Ok(Some(law)))?;
+        let temperature = conditions.bulk_temperature;
+        let viscosity = match overrides.viscosity {
+            None => setup::viscosity(scene, temperature)?,
+            Some(law) => Some(law.at_temperature(temperature).unwrap_or(law)),
+        };
+        let density = match overrides.density {
+            None => setup::density(scene, temperature)?,
+            Some(law) => Some(law.at_temperature(temperature).unwrap_or(law)),
+        };
         let lubricant = match (scene.is_lubricated(), viscosity, density) {
             (true, Some(viscosity), Some(density)) => Some(Lubricant::from_boxed(viscosity, density)),
             _ => None,
@@ -124,6 +133,7 @@ impl ContactModel {
             contact: scene.solver.contact,
             motion: conditions.motion,
             load: conditions.load,
+            bulk_temperature: conditions.bulk_temperature,
         })
     }
 
@@ -134,9 +144,14 @@ impl ContactModel {
 
     /// Takes over the load and the speeds of `conditions`.
     pub(super) fn put_under(&mut self, scene: &Scene, conditions: &Conditions) -> Result<(), InputError> {
+        let temperature = conditions.bulk_temperature;
+        let warmed = temperature.to_bits() != self.bulk_temperature.to_bits();
         let same = conditions.motion == self.motion && conditions.load.to_bits() == self.load.to_bits();
-        if same {
+        if same && !warmed {
             return Ok(());
+        }
+        if warmed {
+            self.lubricant = self.lubricant.take().map(|lubricant| lubricant.at_temperature(temperature));
         }
         let (hertz, motion) = (self.hertz_under(scene, conditions.load)?, conditions.motion);
         let law = self.lubricant.as_ref().map(Lubricant::viscosity);
@@ -144,7 +159,8 @@ impl ContactModel {
         let stated_film = stated_film(scene, &hertz, conditions, law)?;
         let shear_thinning = scene.friction.shear_thinning(motion.sliding_speed())?;
         (self.hertz, self.motion, self.formulas, self.stated_film) = (hertz, motion, formulas, stated_film);
-        (self.load, self.shear_thinning) = (conditions.load, shear_thinning);
+        (self.load, self.shear_thinning, self.bulk_temperature) =
+            (conditions.load, shear_thinning, temperature);
         Ok(())
     }
 
@@ -297,7 +313,8 @@ fn solve_model(
         friction.update(&model, &state, law.as_ref(), None)?;
     }
     let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
-    Ok(ContactSolution { warnings, ..model.solution(report, state, gap, numbers) })
+    let stress = if known { StressNumbers::of(scene, &model, &state, &friction)? } else { None };
+    Ok(ContactSolution { warnings, stress, ..model.solution(report, state, gap, numbers) })
 }
 
 /// Checks that grid and hardness do for the smallest and the largest load of the schedule.
@@ -349,10 +366,11 @@ fn checked_deformation(
 /// the box where that is longer.
 fn half_space(scene: &Scene, grid: Grid) -> Result<Box<dyn DeformationModel>, InputError> {
     let modulus = scene.equivalent_modulus()?;
-    Ok(if scene.form.is_line() {
-        let reference = scene.form.radii().0.max(grid.size_x());
-        Box::new(LineHalfSpace::new(grid, modulus, reference)?)
-    } else {
-        Box::new(HalfSpace::new(grid, modulus)?)
+    let reference = scene.form.radii().0.max(grid.size_x());
+    Ok(match (scene.layer()?, scene.form.is_line()) {
+        (None, false) => Box::new(HalfSpace::new(grid, modulus)?),
+        (None, true) => Box::new(LineHalfSpace::new(grid, modulus, reference)?),
+        (Some(layer), false) => Box::new(LayeredHalfSpace::new(grid, modulus, layer)?),
+        (Some(layer), true) => Box::new(LayeredHalfSpace::plane_strain(grid, modulus, layer, reference)?),
     })
 }

@@ -87,6 +87,9 @@ impl FrictionFields {
                 lubricant.viscosity().fill(&state.fluid_pressure, &mut self.viscosity);
                 let (viscosity, film) = (&self.viscosity, &state.film);
                 metrics::viscous_shear_into(viscosity, film, self.sliding, &self.rheology, &mut self.shear)?;
+                for (shear, pressure) in self.shear.iter_mut().zip(&state.fluid_pressure) {
+                    *shear = shear.min(self.rheology.limit(*pressure));
+                }
             }
         }
         Ok(())
@@ -144,7 +147,8 @@ pub(super) fn mean_fluid_stress(
     // Rings of one area.
     let stress = |ring: u32| {
         let pressure = p_max * ((f64::from(ring) + 0.5) / f64::from(MEAN_POINTS)).sqrt();
-        rheology.shear_stress(lubricant.viscosity().viscosity(pressure), sliding / film)
+        let stress = rheology.shear_stress(lubricant.viscosity().viscosity(pressure), sliding / film);
+        stress.min(rheology.limit(pressure))
     };
     (0..MEAN_POINTS).map(stress).sum::<f64>() / f64::from(MEAN_POINTS)
 }

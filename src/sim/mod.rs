@@ -61,7 +61,7 @@ pub use record::StepRecord;
 pub use run_folder::RunFolder;
 pub use scene::{Scene, Schedule};
 pub use simulation::{MixedLubricationSim, RunEnd};
-pub use solution::{ContactNumbers, ContactSolution, FilmNumbers};
+pub use solution::{ContactNumbers, ContactSolution, FilmNumbers, StressNumbers};
 pub use start::BodyStart;
 pub use step_control::StepControl;
 pub use timetable::Conditions;

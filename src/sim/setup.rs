@@ -4,11 +4,13 @@ use super::SimError;
 use super::friction::boundary_law;
 use super::hertz::HertzContact;
 use super::scene::{
-    FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind, TribofilmSpec,
+    FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind, TribofilmSpec, ViscositySpec,
 };
 use crate::error::{InputError, legible};
 use crate::grid::Grid;
-use crate::lubricant::{DensityLaw, DowsonHigginson, Roelands, ViscosityLaw};
+use crate::lubricant::{
+    DensityLaw, DoolittleTait, DowsonHigginson, ImprovedYasutomi, Roelands, ThermalRoelands, ViscosityLaw,
+};
 use crate::metrics::{average_central_film, height_statistics};
 use crate::reynolds::{Auto, ContactSolver, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule};
 use crate::surface::{Autocorrelation, RoughnessSpec, generate};
@@ -40,6 +42,10 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     friction.rheology()?;
     friction.shear_thinning(scene.motion.sliding_speed())?;
     scene.validate_materials()?;
+    scene.layer()?;
+    if let Some(stress) = scene.stress {
+        stress.validate(scene)?;
+    }
     let thermal = scene.thermal;
     InputError::require_positive("thermal.bulk_temperature", thermal.bulk_temperature)?;
     InputError::require_positive("thermal.conductivity", thermal.conductivity)?;
@@ -54,7 +60,7 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
         }
     }
     if let Some(spec) = scene.lubricant {
-        roelands(&spec)?;
+        viscosity_law(&spec, thermal.bulk_temperature)?;
         DowsonHigginson::new(spec.density_a, spec.density_b)?;
         if let Some(alpha) = spec.formula_alpha {
             InputError::require_positive("lubricant.formula_alpha", alpha)?;
@@ -270,10 +276,38 @@ pub(super) fn growth_law(spec: &TribofilmSpec) -> Result<Ghanbarzadeh, InputErro
     Ok(law.with_activation(spec.activation))
 }
 
-/// The viscosity law of the scene.
-pub(super) fn viscosity(scene: &Scene) -> Result<Option<Box<dyn ViscosityLaw>>, InputError> {
+/// The viscosity law of the scene at `temperature` \[K\].
+pub(super) fn viscosity(
+    scene: &Scene,
+    temperature: f64,
+) -> Result<Option<Box<dyn ViscosityLaw>>, InputError> {
     let Some(spec) = scene.lubricant.filter(|_| scene.is_lubricated()) else { return Ok(None) };
-    Ok(Some(Box::new(roelands(&spec)?)))
+    let law = viscosity_law(&spec, temperature)?;
+    Ok(Some(law.at_temperature(temperature).unwrap_or(law)))
+}
+
+/// Checked whether the scene uses it or not.
+fn viscosity_law(spec: &LubricantSpec, temperature: f64) -> Result<Box<dyn ViscosityLaw>, InputError> {
+    Ok(match spec.viscosity {
+        Some(ViscositySpec::DoolittleTait(constants)) => Box::new(DoolittleTait::new(constants)?),
+        Some(ViscositySpec::ImprovedYasutomi(constants)) => {
+            Box::new(ImprovedYasutomi::new(constants, temperature)?)
+        }
+        None => match (spec.temperature, spec.roelands_s0) {
+            (None, None) => Box::new(roelands(spec)?),
+            (Some(reference), Some(slope)) => {
+                Box::new(ThermalRoelands::new(roelands(spec)?, reference, slope)?)
+            }
+            (given, _) => {
+                let missing = if given.is_none() { "temperature" } else { "roelands_s0" };
+                return Err(InputError::Conflict {
+                    field: format!("lubricant.{missing}"),
+                    reason: "is missing: temperature and roelands_s0 are given together or not at all"
+                        .to_owned(),
+                });
+            }
+        },
+    })
 }
 
 fn roelands(spec: &LubricantSpec) -> Result<Roelands, InputError> {
@@ -283,10 +317,14 @@ fn roelands(spec: &LubricantSpec) -> Result<Roelands, InputError> {
     }
 }
 
-/// The density law of the scene.
-pub(super) fn density(scene: &Scene) -> Result<Option<Box<dyn DensityLaw>>, InputError> {
+/// The density law of the scene at `temperature` \[K\].
+pub(super) fn density(scene: &Scene, temperature: f64) -> Result<Option<Box<dyn DensityLaw>>, InputError> {
     let Some(spec) = scene.lubricant.filter(|_| scene.is_lubricated()) else { return Ok(None) };
-    Ok(Some(Box::new(DowsonHigginson::new(spec.density_a, spec.density_b)?)))
+    let law: Box<dyn DensityLaw> = match spec.viscosity {
+        Some(ViscositySpec::DoolittleTait(constants)) => Box::new(DoolittleTait::new(constants)?),
+        _ => Box::new(DowsonHigginson::new(spec.density_a, spec.density_b)?),
+    };
+    Ok(Some(law.at_temperature(temperature).unwrap_or(law)))
 }
 
 /// The solver of the scene.

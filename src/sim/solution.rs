@@ -4,7 +4,9 @@ use super::accuracy::ErrorEstimate;
 use super::contact::ContactModel;
 use super::friction::{FrictionFields, FrictionShares};
 use super::hertz::HertzContact;
+use super::scene::Scene;
 use super::warnings::Warning;
+use crate::elastic::{StressExtremes, stress_extremes};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::metrics;
@@ -37,6 +39,8 @@ pub struct ContactSolution {
     /// Estimated errors where the scene asks for an accuracy or for an estimate; none also where the coarser meshes were
     /// not solved.
     pub error_estimate: Option<ErrorEstimate>,
+    /// Stresses below the surface of the disc; none where the scene does not ask for them.
+    pub stress: Option<StressNumbers>,
     /// Film numbers.
     pub film: FilmNumbers,
     /// Contact numbers.
@@ -112,6 +116,44 @@ impl ContactNumbers {
     };
 }
 
+/// Stresses below the surface of the disc, under pressure and friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct StressNumbers {
+    /// Largest stress of von Mises and largest orthogonal shear stress.
+    pub largest: StressExtremes,
+    /// Largest stress of von Mises over the yield strength; none without one.
+    pub yield_ratio: Option<f64>,
+    /// Largest orthogonal shear stress over the yield stress in shear, `yield strength / sqrt 3`: the load is below the elastic shakedown
+    /// limit of free rolling where it is below one (see [`StressExtremes::orthogonal_shear`]); none without a strength.
+    pub shakedown_ratio: Option<f64>,
+}
+
+impl StressNumbers {
+    /// Those of `state`, if `scene` asks for them. The disc is dragged along the motion of the ball against it.
+    pub(super) fn of(
+        scene: &Scene,
+        model: &ContactModel,
+        state: &ContactState,
+        friction: &FrictionFields,
+    ) -> Result<Option<Self>, InputError> {
+        let Some(spec) = scene.stress else { return Ok(None) };
+        let sliding = model.motion.sliding_speed() > 0.0;
+        let direction = model.motion.slide_roll_ratio.signum();
+        let traction: Option<Vec<f64>> =
+            sliding.then(|| (0..state.pressure.len()).map(|k| direction * friction.stress(k)).collect());
+        let depths = spec.depths(model.hertz.a_x.min(model.hertz.a_y));
+        let poisson = spec.poisson(scene);
+        let largest = stress_extremes(&model.grid, poisson, &depths, &state.pressure, traction.as_deref())?;
+        let over = |stress: f64, share: f64| spec.yield_strength.map(|strength| stress / (share * strength));
+        Ok(Some(Self {
+            largest,
+            yield_ratio: over(largest.von_mises.stress, 1.0),
+            shakedown_ratio: over(largest.orthogonal_shear.stress, 1.0 / 3.0_f64.sqrt()),
+        }))
+    }
+}
+
 /// Whether a state is a state: one of a solve that diverged may be none.
 pub(super) fn is_known(state: &ContactState) -> bool {
     state.pressure.iter().chain(&state.film).all(|value| value.is_finite())
@@ -178,6 +220,7 @@ impl ContactModel {
             gap,
             error_estimate: None,
             warnings: Vec::new(),
+            stress: None,
         }
     }
 }

@@ -61,6 +61,9 @@ fn lubricants() -> impl Strategy<Value = Option<LubricantSpec>> {
             roelands_z,
             roelands_p0: 1.96e8,
             alpha: given.then_some(1.5e-8),
+            temperature: None,
+            roelands_s0: None,
+            viscosity: None,
             formula_alpha: None,
             density_a: 0.6e-9,
             density_b: 1.7e-9,
@@ -161,7 +164,7 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
         };
         Scene {
             form,
-            elastic: Elastic { equivalent_modulus },
+            elastic: Elastic::new(equivalent_modulus),
             materials: Materials::default(),
             schedule: Schedules::default(),
             load,
@@ -175,6 +178,7 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
             wear,
             track: TrackSpec::default(),
             thermal,
+            stress: None,
             solver,
         }
     })

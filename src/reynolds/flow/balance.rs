@@ -20,9 +20,9 @@ pub struct FlowBalance {
 impl FlowBalance {
     /// From flows and growth of the mass in the gaps.
     pub(in crate::reynolds) fn new(inflow: f64, outflow: f64, stored: f64) -> Self {
-        let missing = (outflow - inflow + stored).abs();
+        let residual = (outflow - inflow + stored).abs();
         let scale = if inflow > 0.0 { inflow } else { outflow };
-        Self { inflow, outflow, imbalance: if missing == 0.0 { 0.0 } else { missing / scale } }
+        Self { inflow, outflow, imbalance: if residual == 0.0 { 0.0 } else { residual / scale } }
     }
 }
 

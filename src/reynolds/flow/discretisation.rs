@@ -70,7 +70,7 @@ pub(in crate::reynolds) struct Discretisation {
     wedge: f64,
     squeeze: f64,
     /// Squeeze against the masses at which a linear step begins: in the derivatives alone, as it vanishes there.
-    step_squeeze: f64,
+    pseudo_transient: f64,
     /// `1 / (12 eta_0)`.
     fluidity: f64,
     /// `U / dx` \[1/s\].
@@ -122,7 +122,7 @@ impl Discretisation {
             face_y: 0.0,
             wedge: 0.0,
             squeeze: 0.0,
-            step_squeeze: 0.0,
+            pseudo_transient: 0.0,
             fluidity: 0.0,
             rate: 1.0,
             nodes: vec![NodeFlow::default(); grid.len()],
@@ -159,7 +159,7 @@ impl Discretisation {
         self.face_y = if self.grid.ny() == 1 { 0.0 } else { dx / (speed * dy * dy) };
         self.wedge = problem.entrainment_speed / speed;
         self.squeeze = grid_speed / speed;
-        self.step_squeeze = 0.0;
+        self.pseudo_transient = 0.0;
         let ambient = problem.lubricant.map(|l| l.viscosity().viscosity(0.0));
         self.fluidity = ambient.map_or(0.0, |eta| 1.0 / (12.0 * eta));
         let thinning = |(law, eta): (ShearThinning, f64)| law.length(eta);
@@ -300,7 +300,7 @@ impl Discretisation {
         if whole > 0.0 && content < 1.0 {
             self.content[k] = content.max(0.0);
             self.carried[k] *= self.content[k];
-            self.passed[k] = full / (whole + self.step_squeeze * self.masses[k]);
+            self.passed[k] = full / (whole + self.pseudo_transient * self.masses[k]);
         }
     }
 
@@ -441,8 +441,8 @@ impl Discretisation {
     }
 
     /// Makes the next linear steps, until [`Self::configure`], steps in time of `1 / share` passages of a cell.
-    pub(in crate::reynolds) fn set_step_squeeze(&mut self, share: f64) {
-        self.step_squeeze = share * self.wedge;
+    pub(in crate::reynolds) fn set_pseudo_transient(&mut self, share: f64) {
+        self.pseudo_transient = share * self.wedge;
     }
 
     /// Physical imbalance per `F`: `U / dx` \[1/s\].
@@ -562,7 +562,7 @@ impl Discretisation {
 
     /// How strongly `F_k` depends on the own mass: entrainment and squeezes together.
     pub(in crate::reynolds) fn own_mass(&self, k: usize) -> f64 {
-        self.upwind(k)[0] + self.squeeze + self.step_squeeze
+        self.upwind(k)[0] + self.squeeze + self.pseudo_transient
     }
 
     /// The neighbours of a node.
@@ -718,7 +718,7 @@ impl Discretisation {
 
     /// Coefficients of the masses of a node and of the one upstream in its balance, without what faces carry beyond them.
     pub(in crate::reynolds) fn mass_coefficients(&self) -> [f64; 2] {
-        [self.wedge + self.squeeze + self.step_squeeze, -self.wedge]
+        [self.wedge + self.squeeze + self.pseudo_transient, -self.wedge]
     }
 
     /// Those with which a matrix of five points stands in for the balances.
@@ -727,7 +727,7 @@ impl Discretisation {
             Scheme::FirstOrder | Scheme::Limited => self.wedge,
             Scheme::SecondOrder => SECOND_ORDER_WEIGHT * self.wedge,
         };
-        [wedge + self.squeeze + self.step_squeeze, -wedge]
+        [wedge + self.squeeze + self.pseudo_transient, -wedge]
     }
 
     /// Coefficients `(below, diagonal, above)` of an implicit step along x at node `k` with mobilities frozen,

@@ -83,23 +83,23 @@ fn on_grid<'a>(
     let status = loop {
         balance.update(&unknowns);
         let through = balance.linearise(&mut outflow, &mut stencil);
-        let missing = outflow.iter().map(|f| f.abs()).sum::<f64>();
-        if missing < best.0 {
-            best.0 = missing;
+        let residual = outflow.iter().map(|f| f.abs()).sum::<f64>();
+        if residual < best.0 {
+            best.0 = residual;
             best.1.copy_from_slice(&unknowns);
         }
         let bound = through.rounding.max(tolerance * through.inflow);
-        if missing <= bound && through.imbalance() <= tolerance {
+        if residual <= bound && through.imbalance() <= tolerance {
             break Status::Converged;
         }
         if steps == MAX_STEPS {
             break Status::MaxIterations;
         }
-        let solved = missing.is_finite().then(|| linear.solve(&stencil, &outflow, &mut change));
+        let solved = residual.is_finite().then(|| linear.solve(&stencil, &outflow, &mut change));
         let Some(count) = solved.flatten() else { break Status::Diverged };
         // Steps that go to and fro between two sets of cavitated cells are shortened.
-        share = if missing < last { 1.0_f64.min(2.0 * share) } else { SHORTEST.max(0.5 * share) };
-        last = missing;
+        share = if residual < last { 1.0_f64.min(2.0 * share) } else { SHORTEST.max(0.5 * share) };
+        last = residual;
         for (k, (s, change)) in unknowns.iter_mut().zip(&change).enumerate() {
             *s = balance.moved(k, *s, share * change);
         }
@@ -119,8 +119,8 @@ fn on_grid<'a>(
         balance.update(&unknowns);
     }
     let through = balance.linearise(&mut outflow, &mut stencil);
-    let missing = outflow.iter().map(|f| f.abs()).sum::<f64>();
-    let residual = if missing > 0.0 { missing / through.inflow } else { 0.0 };
+    let residual = outflow.iter().map(|f| f.abs()).sum::<f64>();
+    let residual = if residual > 0.0 { residual / through.inflow } else { 0.0 };
     let coarse_steps = start.map_or(0, |start| start.steps);
     Solved { balance, unknowns, status, residual, through, steps, substitutions, coarse_steps }
 }

@@ -108,7 +108,7 @@ impl Level {
         self.fluid.balance(k, self.previous.as_deref())
     }
 
-    /// What is missing of the source in cells that hold fluid under pressure, zero elsewhere; as evaluated.
+    /// What is residual of the source in cells that hold fluid under pressure, zero elsewhere; as evaluated.
     pub(super) fn find_residual(&mut self) {
         for k in interior(&self.grid) {
             self.residual[k] = if self.pressure[k] > 0.0 { self.source[k] - self.balance(k) } else { 0.0 };

@@ -227,9 +227,9 @@ impl LineRelaxation {
                 let wet = |i: usize| i == 0 || i == nx - 1 || p[j * nx + i] > 0.0;
                 let (west, east) =
                     if wet(i - 1) && wet(i + 1) { (faces.west, faces.east) } else { (0.0, 0.0) };
-                let missing = level.drive[k] - faces.outflow(p, k, nx);
+                let residual = level.drive[k] - faces.outflow(p, k, nx);
                 let pivot = 1.0 / (faces.sum() - west * last_above);
-                last_change = (missing + west * last_change) * pivot;
+                last_change = (residual + west * last_change) * pivot;
                 last_above = east * pivot;
             }
             (change[i], above[i]) = (last_change, last_above);

@@ -1,8 +1,8 @@
 //! Contacts that stall from every start: reached by following the fluid in time as it fills the dry contact.
 
 use super::Workspace;
-use super::attempt::{Attempt, BOLD, MAX_NEWTON_STEPS, QUICK, STEADY, THOROUGH};
-use crate::report::{Status, Work};
+use super::settings::{Attempt, STEADY, THOROUGH};
+use crate::report::Status;
 use crate::reynolds::flow::Cavitation;
 use crate::reynolds::problem::{LubricatedContact, Squeeze};
 use crate::reynolds::state::ContactState;
@@ -15,17 +15,12 @@ const LATER: f64 = 10.0;
 /// Time steps after which the way has led nowhere.
 const MAX_TIME_STEPS: usize = 80;
 /// How each contact on the way is solved from the one before.
-const FOLLOWING: Attempt = Attempt {
-    trust: 0.03,
-    gentle: false,
-    first_contact_film: 1.0,
-    squeeze: STEADY,
-    caution: BOLD,
-    effort: THOROUGH,
-    most_steps: 15,
-};
+const FOLLOWING: Attempt =
+    Attempt { gentle: false, first_contact_film: 1.0, pseudo_transient: STEADY, most_steps: 15, ..THOROUGH };
 /// How the last one is.
-const ARRIVING: Attempt = Attempt { most_steps: MAX_NEWTON_STEPS, ..FOLLOWING };
+const ARRIVING: Attempt = Attempt { most_steps: THOROUGH.most_steps, ..FOLLOWING };
+/// Gap error of the dry contact that it starts from.
+const FULL_START: f64 = 0.03;
 /// Residual to which they are solved at first, and its reduction where the contact rests there and the steady one stalls from it.
 const ON_THE_WAY: (f64, f64) = (1e-3, 0.1);
 /// Growth of the time step after a solve of at most so many Newton steps.
@@ -43,26 +38,25 @@ impl Workspace {
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
-        work: &mut Work,
     ) -> Result<bool, ReynoldsError> {
         if problem.cavitation == Cavitation::Reynolds {
-            self.start_full(problem, state, work)?;
-            return self.follow_time(problem, state, stop, work);
+            self.start_full(problem, state)?;
+            return self.follow_time(problem, state, stop);
         }
         problem.cavitation = Cavitation::Reynolds;
         state.pressure.fill(0.0);
-        let full = self.solve_full(problem, state, stop, work);
+        let full = self.solve_full(problem, state, stop);
         problem.cavitation = Cavitation::MassConserving;
         if full? {
             let start = state.clone();
-            if self.attempts(&[ARRIVING], problem, state, stop, work)? == Status::Converged {
+            if self.attempts(&[ARRIVING], problem, state, stop)? == Status::Converged {
                 return Ok(true);
             }
             state.clone_from(&start);
         } else {
-            self.start_full(problem, state, work)?;
+            self.start_full(problem, state)?;
         }
-        self.follow_time(problem, state, stop, work)
+        self.follow_time(problem, state, stop)
     }
 
     /// Solves a contact with Reynolds' condition, in time if need be.
@@ -71,14 +65,14 @@ impl Workspace {
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
-        work: &mut Work,
     ) -> Result<bool, ReynoldsError> {
-        match self.attempts(self.method.attempts, problem, state, stop, work)? {
+        let attempts = self.settings.attempts.clone();
+        match self.attempts(&attempts, problem, state, stop)? {
             Status::Converged => Ok(true),
             Status::MaxIterations => Ok(false),
             _ => {
-                self.start_full(problem, state, work)?;
-                self.follow_time(problem, state, stop, work)
+                self.start_full(problem, state)?;
+                self.follow_time(problem, state, stop)
             }
         }
     }
@@ -88,10 +82,9 @@ impl Workspace {
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
-        work: &mut Work,
     ) -> Result<(), ReynoldsError> {
         state.pressure.fill(0.0);
-        *work += self.start.run(problem, state, QUICK.start)?;
+        self.work += self.start.run(problem, state, FULL_START)?;
         Ok(())
     }
 
@@ -105,13 +98,12 @@ impl Workspace {
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
-        work: &mut Work,
     ) -> Result<bool, ReynoldsError> {
         self.coupled.configure(problem);
         // All gaps are full.
         self.coupled.fluid.set_cavitation(Cavitation::Reynolds);
         self.coupled.evaluate(problem, state)?;
-        work.convolutions += self.coupled.convolutions;
+        self.work.convolutions += self.coupled.convolutions;
         let mut last = state.clone();
         let mut carried = state.mass.clone();
         let passing = problem.grid().dx() / problem.entrainment_speed;
@@ -120,7 +112,7 @@ impl Workspace {
         let mut rests = false;
         for _ in 0..MAX_TIME_STEPS {
             if rests || time_step > longest {
-                match self.attempts(&[ARRIVING], problem, state, stop, work)? {
+                match self.attempts(&[ARRIVING], problem, state, stop)? {
                     Status::Converged => return Ok(true),
                     Status::MaxIterations => return Ok(false),
                     _ if rests => {
@@ -130,13 +122,13 @@ impl Workspace {
                 }
                 state.clone_from(&last);
             }
-            let before = work.iterations;
+            let before = self.work.iterations;
             let squeeze = squeeze_since(&last.mass, time_step, problem.squeeze, &mut carried);
             let mut moment = problem.with_squeeze(squeeze);
-            match self.attempts(&[FOLLOWING], &mut moment, state, &on_the_way, work)? {
+            match self.attempts(&[FOLLOWING], &mut moment, state, &on_the_way)? {
                 Status::Converged => {
                     last.clone_from(state);
-                    let steps = work.iterations - before;
+                    let steps = self.work.iterations - before;
                     rests = steps == 0;
                     time_step *=
                         GROWTH.iter().find(|(most, _)| steps <= *most).map_or(1.0, |(_, growth)| *growth);

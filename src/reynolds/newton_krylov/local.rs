@@ -41,12 +41,12 @@ pub(super) struct Material {
     pub(super) limit: f64,
     /// Film per own pressure \[m/Pa\].
     pub(super) own_influence: f64,
-    pub(super) settling: Settling,
+    pub(super) elimination: Elimination,
 }
 
-/// How nodes settle in a step.
+/// Bounds of the nonlinear elimination of the nodes in a step.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Settling {
+pub(super) struct Elimination {
     /// How far the pressure may leave the forecast \[Pa\].
     pub(super) trust: f64,
     /// Whether nodes whose film is carried to them open together, a streak at a time: each keeps the pressure foreseen, and
@@ -56,7 +56,7 @@ pub(super) struct Settling {
 
 impl Material {
     /// The state without fluid pressure, the fluid side being given: open, or contact below or at the limit.
-    pub(super) fn settle_dry(&self, fluid: Fluid, pressure: f64, elastic_film: f64) -> NodeState {
+    pub(super) fn eliminate_dry(&self, fluid: Fluid, pressure: f64, elastic_film: f64) -> NodeState {
         let touch = pressure + (self.contact_film - elastic_film) / self.own_influence;
         let (solid, pressure) = if touch <= 0.0 {
             (Solid::Open, 0.0)
@@ -113,11 +113,11 @@ impl<'a> Local<'a> {
     /// Along one coordinate `v` all states of a node line up: cavitated (`v <= 0`), contact with fluid pressure `v`,
     /// open with pressure `v` once that exceeds the pressure `touch` at which the film is the contact film, and fluid at
     /// the limit with plastic depth `(v - limit)` times the self-influence. The share grows along it.
-    pub(super) fn settle(&self, material: Material, forecast: Forecast) -> NodeState {
-        let Material { contact_film, limit, own_influence, settling } = material;
+    pub(super) fn eliminate(&self, material: Material, forecast: Forecast) -> NodeState {
+        let Material { contact_film, limit, own_influence, elimination } = material;
         let touch = forecast.pressure + (contact_film - forecast.elastic_film) / own_influence;
         let opening = touch.min(limit);
-        if settling.opens_together && self.is_carried_open(material, forecast, opening) {
+        if elimination.opens_together && self.is_carried_open(material, forecast, opening) {
             let (pressure, kind) = (forecast.pressure, Kind { fluid: Fluid::Active, solid: Solid::Open });
             return NodeState { kind, pressure, fluid_pressure: pressure, depth: 0.0 };
         }
@@ -130,9 +130,9 @@ impl<'a> Local<'a> {
         };
         let v = root(value, forecast.pressure);
         // Pressures move films far away: a node may not leave the forecast, which knows of all, by much.
-        let mut v = v.min(forecast.pressure.max(0.0) + forecast.depth / own_influence + settling.trust);
+        let mut v = v.min(forecast.pressure.max(0.0) + forecast.depth / own_influence + elimination.trust);
         if v > opening {
-            v = v.max(forecast.pressure.min(limit) - settling.trust).max(opening);
+            v = v.max(forecast.pressure.min(limit) - elimination.trust).max(opening);
         }
         let fluid = if v <= 0.0 { Fluid::Cavitated } else { Fluid::Active };
         if v > limit {
@@ -212,7 +212,7 @@ mod tests {
         contact_film: 1e-9,
         limit: 2e9,
         own_influence: 2e-17,
-        settling: Settling { trust: 1e8, opens_together: true },
+        elimination: Elimination { trust: 1e8, opens_together: true },
     };
 
     #[test]
@@ -223,7 +223,7 @@ mod tests {
             (1e-9 + 2e-17 * 6e8, Solid::Open, 0.0),
             (1e-9 - 2e-17 * 2e9, Solid::Yielded, 2e9),
         ] {
-            let node = MATERIAL.settle_dry(Fluid::Cavitated, 5e8, film);
+            let node = MATERIAL.eliminate_dry(Fluid::Cavitated, 5e8, film);
             assert_eq!((node.kind.solid, node.pressure), (side, pressure));
             assert!(node.fluid_pressure.abs() < f64::MIN_POSITIVE);
         }

@@ -3,8 +3,8 @@
 
 use super::contact_distance::ContactDistance;
 use super::fluid_block::FluidBlock;
-use super::given_films::GivenFilms;
 use super::linearisation::Linearisation;
+use super::prescribed_displacements::PrescribedDisplacements;
 use super::unknowns::Unknowns;
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -51,7 +51,7 @@ pub(super) struct BlockPreconditioner {
     /// Whether solids touch anywhere, which screens the pressures of the fluid.
     screened: bool,
     contact_distance: ContactDistance,
-    given: GivenFilms,
+    given: PrescribedDisplacements,
     /// `M^-1` times the column of the approach.
     border: Vec<f32>,
     /// Load that this vector carries.
@@ -73,7 +73,7 @@ impl BlockPreconditioner {
             fluid: vec![0.0; n],
             screened: false,
             contact_distance: ContactDistance::new(grid, WIDEST),
-            given: GivenFilms::new(grid),
+            given: PrescribedDisplacements::new(grid),
             border: vec![0.0; most],
             border_load: 1.0,
             column: vec![0.0; most],
@@ -220,7 +220,7 @@ impl BlockPreconditioner {
             self.fluid_block.solve(&self.stencil, &mut self.fluid);
         }
         let gaps = &r[balanced.len()..];
-        let GivenFilms { films, pressures, .. } = &mut self.given;
+        let PrescribedDisplacements { films, pressures, .. } = &mut self.given;
         films.fill(0.0);
         pressures.fill(0.0);
         for (&k, r) in contact.iter().zip(gaps) {

@@ -27,7 +27,7 @@ pub(super) enum Response {
     /// To single precision.
     Whole,
     /// To some per cent at large distances, at a quarter of the cost.
-    Sketch,
+    Periodic,
 }
 
 /// Which nodes have which unknowns, and the changes of all nodes under a vector of them.
@@ -165,7 +165,7 @@ impl Unknowns {
 
     /// What the equations lack at `state` under the prescribed changes and those of the vector `x`, which all nodes then have;
     /// one convolution, none where nothing changes.
-    pub(super) fn missing(
+    pub(super) fn residual(
         &mut self,
         coupled: &mut Coupled,
         problem: &mut LubricatedContact<'_>,
@@ -217,7 +217,7 @@ impl Unknowns {
                 problem.deformation.displacement_estimate(&self.pressure, &mut self.elastic)?;
                 coupled.convolutions += 1.0;
             }
-            Response::Sketch => {
+            Response::Periodic => {
                 problem.deformation.displacement_sketch(&self.pressure, &mut self.elastic)?;
                 coupled.convolutions += UNPADDED;
             }
@@ -330,7 +330,7 @@ impl Unknowns {
         f64::from(x[self.len() - 1]) * self.film_unit
     }
 
-    /// Changes of node `k` at the last [`Unknowns::missing`].
+    /// Changes of node `k` at the last [`Unknowns::residual`].
     pub(super) fn node(&self, k: usize) -> NodeChange {
         NodeChange {
             pressure: self.pressure[k],

@@ -6,7 +6,7 @@ mod sweeps;
 use lines::{LineRelaxation, passes};
 use sweeps::{Damping, Sweeps};
 
-use super::newton_krylov::{BY_LINES, Method, NewtonKrylov};
+use super::newton_krylov::{NewtonKrylov, NewtonSettings};
 use super::problem::LubricatedContact;
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
@@ -15,15 +15,6 @@ use crate::report::{SolveReport, Work};
 
 /// Relaxations that a step combines: with one alone, 20 of 29 scenes of the stability map converge in place of 24.
 const RELAXATIONS: usize = 2;
-
-/// Line relaxation.
-const RELAXED: Method = Method {
-    fluid_block: |grid| Box::new(LineRelaxation::new(grid)),
-    directions: RELAXATIONS,
-    passes: 1,
-    attempts: &BY_LINES,
-    follows_time: false,
-};
 
 /// Line relaxation along x of the semi-system: one matrix that holds pressure flow and entrainment, the latter by the elastic
 /// response of the films, so that its diagonal keeps its weight however thin the film (Ai 1993 and Hu and Zhu 2000 in spirit).
@@ -35,7 +26,7 @@ const RELAXED: Method = Method {
 /// 2. finds the pressures under solids and under carried films from what these films have to be, by the inverse of
 ///    the elastic response, and the approach from the load;
 /// 3. combines two such relaxations so that the equations, the elastic response whole, lack the least;
-/// 4. lets every node settle by its own equations, which decides its side.
+/// 4. eliminates every node's own equations, which decides its side.
 ///
 /// Linearisation, sides and starts are those of [`NewtonKrylov`]; no matrix is factorised, and a Krylov space of two directions is all
 /// that a step builds up, at two to three times the steps. Starts are steps in time, of a few passages of a cell at first.
@@ -83,7 +74,9 @@ impl SemiSystem {
     }
 
     fn with(damping: Damping) -> Self {
-        Self { damping, relaxed: NewtonKrylov::by(RELAXED), sweeps: None }
+        let settings = NewtonSettings::by_lines(RELAXATIONS);
+        let relaxed = NewtonKrylov::by(|grid| Box::new(LineRelaxation::new(grid)), settings);
+        Self { damping, relaxed, sweeps: None }
     }
 }
 

@@ -235,18 +235,18 @@ impl Sweeps {
         }
     }
 
-    /// Moves the bodies together where load is missing. In equilibrium a relative load error `e` needs a change of
+    /// Moves the bodies together where load is residual. In equilibrium a relative load error `e` needs a change of
     /// approach of about `e` times the mean elastic displacement; sweeps follow slowly, so a small share is taken.
     fn balance_load(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let carried = state.pressure.iter().sum::<f64>() * self.coupled.fluid.grid.cell_area();
-        let missing = (problem.load - carried) / problem.load;
+        let residual = (problem.load - carried) / problem.load;
         let (mut sum, mut weight) = (0.0, 0.0);
         for (k, p) in state.pressure.iter().enumerate() {
             sum += p * (self.coupled.elastic_film[k] - problem.gap[k] + state.approach);
             weight += p;
         }
         if weight > 0.0 {
-            state.approach += LOAD_GAIN * missing.clamp(-0.1, 0.1) * sum / weight;
+            state.approach += LOAD_GAIN * residual.clamp(-0.1, 0.1) * sum / weight;
         }
     }
 }

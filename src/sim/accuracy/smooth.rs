@@ -65,8 +65,9 @@ impl Plan {
     /// A box that makes the share [`BOX_SHARE`] of the error, and cells whose error of second order, `C h^2` of the film `h R/a^2`, is the share
     /// [`AIM`] of the accuracy.
     pub(super) fn of(scene: &Scene, hertz: &HertzContact, accuracy: f64) -> Result<Self, InputError> {
-        let viscosity = setup::viscosity(scene)?;
-        let speed = scene.conditions(0.0)?.motion.entrainment_speed;
+        let conditions = scene.conditions(0.0)?;
+        let viscosity = setup::viscosity(scene, conditions.bulk_temperature)?;
+        let speed = conditions.motion.entrainment_speed;
         let Some(formulas) = formula_film(scene, hertz, speed, viscosity.as_deref(), None)? else {
             let (side, cell) = (1.5, 0.25 * accuracy.sqrt());
             return Ok(Self { inlet: side, outlet: side, side, cell, box_error: 0.0 });
@@ -83,6 +84,18 @@ impl Plan {
             cell: (AIM * accuracy * film / constant).sqrt().min(0.1),
             box_error: flooded * inlet.powf(BOX_BY_INLET),
         })
+    }
+
+    /// The same for a layer on the disc, with which the contact is as wide as that of its substrate, that of half-spaces of its own
+    /// material, or in between: the box of the wider one, the cells of the narrower one.
+    fn with_layer(self, scene: &Scene) -> Result<Self, InputError> {
+        let Some(layer) = scene.layer()? else { return Ok(self) };
+        let [own, substrate] = layer.compliances();
+        let compliance = 1.0 + (own - substrate) * 0.5 * scene.equivalent_modulus()?;
+        let width = if scene.form.is_line() { compliance.sqrt() } else { compliance.cbrt() };
+        let (wide, narrow) = (width.max(1.0), width.min(1.0));
+        let [inlet, outlet, side] = [self.inlet, self.outlet, self.side].map(|length| wide * length);
+        Ok(Self { inlet, outlet, side, cell: narrow * self.cell, ..self })
     }
 
     /// The cells of the mesh `level` times coarser than the finest.
@@ -119,8 +132,9 @@ pub(super) fn solve(scene: &Scene, accuracy: f64) -> Result<ContactSolution, Sim
     setup::validate(scene)?;
     let hertz = scene.hertz()?;
     let mut scene = scene.clone();
-    let mut plan = Plan::of(&scene, &hertz, accuracy)?;
-    let exponent = setup::viscosity(&scene)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.p_max);
+    let mut plan = Plan::of(&scene, &hertz, accuracy)?.with_layer(&scene)?;
+    let temperature = scene.conditions(0.0)?.bulk_temperature;
+    let exponent = setup::viscosity(&scene, temperature)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.p_max);
     let growth = SPIKE_GROWTH * (exponent / SHARP).min(1.0).powi(2);
     let mut work = Spent::default();
     let mut round = 0;

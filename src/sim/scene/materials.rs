@@ -29,6 +29,9 @@ pub struct Materials {
     serde(default, deny_unknown_fields)
 )]
 pub struct Material {
+    /// A material by name, which gives modulus and Poisson's ratio where they are absent.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub material: Option<NamedMaterial>,
     /// Young's modulus \[Pa\]; in place of `elastic.equivalent_modulus`, of both bodies or none.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub modulus: Option<f64>,
@@ -46,6 +49,52 @@ pub struct Material {
     pub diffusivity: Option<f64>,
 }
 
+/// Materials with known elastic constants.
+///
+/// Source: ISO 6336-2, Calculation of load capacity of spur and helical gears, elasticity factors of pairs of materials.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
+pub enum NamedMaterial {
+    /// Steel: 206 GPa.
+    Steel,
+    /// Cast steel: 202 GPa.
+    CastSteel,
+    /// Nodular cast iron: 173 GPa.
+    NodularCastIron,
+    /// Grey cast iron: 118 GPa, the lower end of its range.
+    GreyCastIron,
+}
+
+impl NamedMaterial {
+    /// Young's modulus \[Pa\].
+    pub fn modulus(self) -> f64 {
+        match self {
+            Self::Steel => 206e9,
+            Self::CastSteel => 202e9,
+            Self::NodularCastIron => 173e9,
+            Self::GreyCastIron => 118e9,
+        }
+    }
+
+    /// Poisson's ratio, 0.3 of all.
+    pub fn poisson_ratio(self) -> f64 {
+        0.3
+    }
+}
+
+impl Material {
+    /// Young's modulus \[Pa\]: its own, else that of the named material.
+    pub fn young_modulus(&self) -> Option<f64> {
+        self.modulus.or(self.material.map(NamedMaterial::modulus))
+    }
+
+    /// Poisson's ratio: its own, else that of the named material.
+    pub fn poisson(&self) -> Option<f64> {
+        self.poisson_ratio.or(self.material.map(NamedMaterial::poisson_ratio))
+    }
+}
+
 impl Materials {
     /// Whether all properties are those of the pair.
     pub fn is_empty(&self) -> bool {
@@ -59,7 +108,7 @@ impl Materials {
 
     /// `E'` \[Pa\] of the moduli, `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`; none where no modulus is given.
     fn equivalent_modulus(&self) -> Result<Option<f64>, InputError> {
-        let given = |body: &&Material| body.modulus.is_some() || body.poisson_ratio.is_some();
+        let given = |body: &&Material| body.young_modulus().is_some() || body.poisson().is_some();
         if !self.bodies().iter().any(given) {
             return Ok(None);
         }
@@ -72,9 +121,9 @@ impl Materials {
                     reason: "is missing: elastic constants are given for both bodies or none".to_owned(),
                 })
             };
-            let (field, modulus) = required("modulus", body.modulus)?;
+            let (field, modulus) = required("modulus", body.young_modulus())?;
             InputError::require_positive(&field, modulus)?;
-            let (field, ratio) = required("poisson_ratio", body.poisson_ratio)?;
+            let (field, ratio) = required("poisson_ratio", body.poisson())?;
             InputError::require((-1.0 < ratio) && (ratio <= 0.5), &field, ratio, "above -1 and at most 0.5")?;
             compliance += (1.0 - ratio * ratio) / modulus;
         }

@@ -1,22 +1,28 @@
 //! The physical description of a contact and its history: what a scene file holds.
 
+mod elastic;
 #[cfg(feature = "serde")]
 mod files;
+mod lubricant;
 mod materials;
 #[cfg(feature = "serde")]
 mod missing;
 mod processes;
 mod schedule;
+mod stress;
 #[cfg(feature = "serde")]
 mod tables;
 mod track;
 
 use std::path::PathBuf;
 
+pub use elastic::{Elastic, LayerSpec};
+pub use lubricant::{LubricantSpec, ViscositySpec};
 pub(super) use materials::BODIES;
-pub use materials::{Material, Materials};
+pub use materials::{Material, Materials, NamedMaterial};
 pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec, WearSpec};
 pub use schedule::{Schedule, Schedules};
+pub use stress::StressSpec;
 pub use track::{Exposure, TrackMotion, TrackSpec};
 
 use crate::analytic::{HertzLine, HertzPoint};
@@ -77,32 +83,12 @@ pub struct Scene {
     /// Conditions that change in time; a single contact is that of the start.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Schedules::is_empty"))]
     pub schedule: Schedules,
+    /// Stresses below the surface of a single contact; absent: none.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub stress: Option<StressSpec>,
     /// How the contact problem is solved.
     #[cfg_attr(feature = "serde", serde(default))]
     pub solver: SolverSpec,
-}
-
-/// Elastic constants of the pair.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct Elastic {
-    /// `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`; infinite where the materials give the moduli
-    /// ([`Scene::equivalent_modulus`]).
-    pub equivalent_modulus: f64,
-}
-
-impl Elastic {
-    #[cfg(feature = "serde")]
-    fn is_absent(&self) -> bool {
-        self.equivalent_modulus == f64::INFINITY
-    }
-}
-
-impl Default for Elastic {
-    /// The modulus is that of the materials.
-    fn default() -> Self {
-        Self { equivalent_modulus: f64::INFINITY }
-    }
 }
 
 /// Normal load, by exactly one of the two.
@@ -146,37 +132,6 @@ impl Motion {
         let half = 0.5 * self.slide_roll_ratio;
         [self.entrainment_speed * (1.0 + half), self.entrainment_speed * (1.0 - half)]
     }
-}
-
-/// Roelands viscosity and Dowson-Higginson density.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct LubricantSpec {
-    /// Viscosity at ambient pressure \[Pa s\].
-    pub eta0: f64,
-    /// Roelands index.
-    pub roelands_z: f64,
-    /// Roelands reference pressure \[Pa\].
-    #[cfg_attr(feature = "serde", serde(default = "defaults::roelands_p0"))]
-    pub roelands_p0: f64,
-    /// Pressure-viscosity coefficient \[1/Pa\]: the slope of the law is set to it where it is given, else it follows
-    /// from `eta0`, `roelands_z` and `roelands_p0`.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub alpha: Option<f64>,
-    /// Pressure-viscosity coefficient \[1/Pa\] of the film formulas alone, where the data sheet states another one than the slope
-    /// of the viscosity law; absent: that slope.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub formula_alpha: Option<f64>,
-    /// Dowson-Higginson `a` \[1/Pa\].
-    #[cfg_attr(feature = "serde", serde(default = "defaults::density_a"))]
-    pub density_a: f64,
-    /// Dowson-Higginson `b` \[1/Pa\].
-    #[cfg_attr(feature = "serde", serde(default = "defaults::density_b"))]
-    pub density_b: f64,
-    /// Film thickness that the inlet edge of the box is supplied with \[m\]; none for a flooded inlet. Needs cavitation that
-    /// conserves mass.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub supplied_film: Option<f64>,
 }
 
 /// The grid, or what is asked of it.
@@ -357,19 +312,6 @@ pub enum SolverKind {
     Dry,
 }
 
-#[cfg(feature = "serde")]
-mod defaults {
-    pub(super) fn roelands_p0() -> f64 {
-        1.96e8
-    }
-    pub(super) fn density_a() -> f64 {
-        0.6e-9
-    }
-    pub(super) fn density_b() -> f64 {
-        1.7e-9
-    }
-}
-
 impl Scene {
     /// The scene of Azam et al. (2019): steel ball on rough disc, base oil at 80 C, two hours of rubbing, without a
     /// tribofilm. Autocorrelation, its length and the seeds are choices the paper leaves open.
@@ -386,7 +328,7 @@ impl Scene {
             |rq, seed| Roughness::Gaussian(RandomRoughness { rq, length_x: 10e-6, length_y: 10e-6, seed });
         Self {
             form: Form::Sphere { radius: 9.525e-3 },
-            elastic: Elastic { equivalent_modulus: 229.67e9 },
+            elastic: Elastic::new(229.67e9),
             materials: Materials::default(),
             load: Load { hertz_pressure: Some(1.15e9), force: None },
             motion: Motion { entrainment_speed: 0.1, slide_roll_ratio: 0.05 },
@@ -395,6 +337,9 @@ impl Scene {
                 roelands_z: 0.68,
                 roelands_p0: 1.96e8,
                 alpha: None,
+                temperature: None,
+                roelands_s0: None,
+                viscosity: None,
                 formula_alpha: Some(1.494e-8),
                 density_a: 0.6e-9,
                 density_b: 1.7e-9,
@@ -409,6 +354,7 @@ impl Scene {
             track: TrackSpec::default(),
             thermal: ThermalSpec::default(),
             schedule: Schedules::default(),
+            stress: None,
             solver: SolverSpec::default(),
         }
     }

@@ -41,6 +41,15 @@ pub struct FrictionSpec {
     /// Eyring stress of the fluid \[Pa\]; absent: Newtonian.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub eyring_stress: Option<f64>,
+    /// Stress \[Pa\] where Carreau's shear thinning sets in; with `carreau_exponent`, in place of `eyring_stress`.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub carreau_stress: Option<f64>,
+    /// Exponent of Carreau's shear thinning.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub carreau_exponent: Option<f64>,
+    /// Largest shear stress that the fluid carries over its pressure, in place of `limiting_shear_stress`.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub limiting_stress_coefficient: Option<f64>,
     /// Whether the flow by pressure has the viscosity under that stress too, or is Newtonian.
     pub eyring_in_reynolds: bool,
 }
@@ -49,10 +58,26 @@ impl FrictionSpec {
     /// Shear stress law of the fluid.
     ///
     /// # Errors
-    /// A stress that is not finite and positive.
+    /// A stress, exponent or coefficient out of range, one of Carreau's two constants alone, or with that of Eyring.
     pub fn rheology(&self) -> Result<Rheology, InputError> {
-        let fluid = self.eyring_stress.map_or_else(|| Ok(Rheology::newtonian()), Rheology::eyring)?;
-        fluid.with_limit(self.limiting_shear_stress)
+        InputError::require_positive("friction.limiting_shear_stress", self.limiting_shear_stress)?;
+        let conflict = |field: &str, reason: &str| {
+            Err(InputError::Conflict { field: format!("friction.{field}"), reason: reason.to_owned() })
+        };
+        let fluid = match (self.eyring_stress, self.carreau_stress, self.carreau_exponent) {
+            (None, None, None) => Rheology::newtonian(),
+            (Some(stress), None, None) => Rheology::eyring(stress)?,
+            (None, Some(stress), Some(exponent)) => Rheology::carreau(stress, exponent)?,
+            (_, None, Some(_)) => return conflict("carreau_stress", "is missing, carreau_exponent is given"),
+            (_, Some(_), None) => return conflict("carreau_exponent", "is missing, carreau_stress is given"),
+            (Some(_), Some(_), Some(_)) => {
+                return conflict("carreau_stress", "friction.eyring_stress is given too; give one of both");
+            }
+        };
+        match self.limiting_stress_coefficient {
+            None => fluid.with_limit(self.limiting_shear_stress),
+            Some(share) => fluid.with_limit_by_pressure(share),
+        }
     }
 
     /// Shear thinning of the flow by pressure at `sliding_speed` \[m/s\]; none where it is not asked for.
@@ -79,6 +104,9 @@ impl Default for FrictionSpec {
             covering_thickness: None,
             limiting_shear_stress: 1e8,
             eyring_stress: None,
+            carreau_stress: None,
+            carreau_exponent: None,
+            limiting_stress_coefficient: None,
             eyring_in_reynolds: false,
         }
     }

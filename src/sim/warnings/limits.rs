@@ -48,8 +48,9 @@ fn slope(scene: &Scene, hertz: &HertzContact) -> Option<Warning> {
 
 /// The film formula where its fit does not reach.
 fn film_formula(scene: &Scene) -> Result<Option<Warning>, InputError> {
-    let (hertz, law) = (scene.hertz()?, setup::viscosity(scene)?);
-    let speed = scene.conditions(0.0)?.motion.entrainment_speed;
+    let conditions = scene.conditions(0.0)?;
+    let (hertz, law) = (scene.hertz()?, setup::viscosity(scene, conditions.bulk_temperature)?);
+    let speed = conditions.motion.entrainment_speed;
     let Some(formulas) = formula_film(scene, &hertz, speed, law.as_deref(), None)? else { return Ok(None) };
     let ellipticity = hertz.a_y / hertz.a_x;
     let [narrowest, widest] = ELLIPTICITIES;

@@ -20,7 +20,7 @@ const FOUND: f64 = 0.6;
 /// With `w^2` the share of the pressure of a node that its film decides, `w y` is that share, and the equations are
 /// `w K w y = w` times the film: as symmetric as `K`, and whole nodes have the weight one.
 #[derive(Debug)]
-pub(super) struct GivenFilms {
+pub(super) struct PrescribedDisplacements {
     nodes: Vec<u32>,
     /// Square root of the share of a node's pressure that its film decides.
     weights: Vec<f64>,
@@ -33,7 +33,7 @@ pub(super) struct GivenFilms {
     scratch: Vec<f64>,
 }
 
-impl GivenFilms {
+impl PrescribedDisplacements {
     pub(super) fn new(grid: Grid) -> Self {
         let n = grid.len();
         Self {

@@ -1,0 +1,94 @@
+//! What is switched off, halved or doubled.
+
+use stribeck::reynolds::NewtonSettings;
+
+/// A change of the settings with its name.
+pub(crate) struct Change {
+    pub(crate) name: &'static str,
+    pub(crate) apply: fn(&mut NewtonSettings),
+}
+
+const fn change(name: &'static str, apply: fn(&mut NewtonSettings)) -> Change {
+    Change { name, apply }
+}
+
+pub(crate) const CHANGES: &[Change] = &[
+    change("no attempt but the first", |s| s.attempts.truncate(1)),
+    change("without attempt 2", |s| {
+        s.attempts.remove(1);
+    }),
+    change("without attempt 3", |s| {
+        s.attempts.remove(2);
+    }),
+    change("without attempt 4", |s| {
+        s.attempts.remove(3);
+    }),
+    change("without attempt 5", |s| {
+        s.attempts.remove(4);
+    }),
+    change("no way in time", |s| s.follows_time = false),
+    change("krylov_steps x 0.5", |s| s.krylov_steps /= 2),
+    change("krylov_steps x 2", |s| s.krylov_steps *= 2),
+    change("passes: 1", |s| s.passes = 1),
+    change("passes: 2", |s| s.passes = 2),
+    change("periodic_tolerance x 0.1", |s| s.periodic_tolerance *= 0.1),
+    change("periodic_tolerance x 10", |s| s.periodic_tolerance *= 10.0),
+    change("enough: 1", |s| s.enough = 1.0),
+    change("enough x 2", |s| s.enough *= 2.0),
+    change("largest_change off", |s| s.largest_change = 1e9),
+    change("largest_change x 0.5", |s| s.largest_change *= 0.5),
+    change("film_reduction: 0.25", |s| s.film_reduction = 0.25),
+    change("film_reduction: 0.7", |s| s.film_reduction = 0.7),
+    change("first_contact_film: 1 (no film homotopy)", |s| {
+        s.attempts.iter_mut().for_each(|attempt| attempt.first_contact_film = 1.0);
+    }),
+    change("first_contact_film x 2", |s| {
+        s.attempts.iter_mut().for_each(|attempt| attempt.first_contact_film *= 2.0);
+    }),
+    change("near_below x 0.1", |s| s.near_below *= 0.1),
+    change("near_below x 10", |s| s.near_below *= 10.0),
+    change("growth[0] off", |s| s.growth[0] = (1e9, 0)),
+    change("growth[1] off", |s| s.growth[1] = s.growth[0]),
+    change("growth[2] off", |s| s.growth[2] = s.growth[0]),
+    change("growth all off", |s| s.growth = [(1e9, 0); 3]),
+    change("growth all as the first", |s| s.growth = [s.growth[0]; 3]),
+    change("growth all as the second", |s| s.growth = [s.growth[1]; 3]),
+    change("shorter: 0.25", |s| s.shorter = 0.25),
+    change("patience x 2", |s| s.patience *= 2),
+    change("patience off", |s| s.patience = u32::MAX),
+    change("tighter off", |s| s.tighter = 1.0),
+    change("trust_change off", |s| s.trust_change = (1.0 - 1e-12, 1.0)),
+    change("trust_change wide", |s| s.trust_change = (0.1, 10.0)),
+    change("least_trust x 0.1", |s| s.least_trust *= 0.1),
+    change("least_trust x 10", |s| s.least_trust *= 10.0),
+    change("trust x 0.5", |s| s.attempts.iter_mut().for_each(|attempt| attempt.trust *= 0.5)),
+    change("trust x 3", |s| s.attempts.iter_mut().for_each(|attempt| attempt.trust *= 3.0)),
+    change("gentle off", |s| s.attempts.iter_mut().for_each(|attempt| attempt.gentle = false)),
+    change("pseudo_transient off", |s| {
+        s.attempts.iter_mut().for_each(|attempt| attempt.pseudo_transient = (0.0, 0.0));
+    }),
+    change("pseudo_transient x 2", |s| {
+        s.attempts.iter_mut().for_each(|attempt| attempt.pseudo_transient.0 *= 2.0);
+    }),
+    change("unforeseen x 0.5", |s| s.attempts.iter_mut().for_each(|attempt| attempt.unforeseen *= 0.5)),
+    change("unforeseen off", |s| s.attempts.iter_mut().for_each(|attempt| attempt.unforeseen = 1e9)),
+    change("careful_below off", |s| s.attempts.iter_mut().for_each(|attempt| attempt.careful_below = 0.0)),
+    change("careful_below everywhere", |s| {
+        s.attempts.iter_mut().for_each(|attempt| attempt.careful_below = 1e9)
+    }),
+    change("start_tolerance: 0.1", |s| {
+        s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance = 0.1)
+    }),
+    change("start_tolerance: 0.003", |s| {
+        s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance = 0.003)
+    }),
+    change("krylov_tolerance: 0.03", |s| {
+        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.03)
+    }),
+    change("krylov_tolerance: 0.01", |s| {
+        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.01)
+    }),
+    change("krylov_tolerance: 0.3", |s| {
+        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.3)
+    }),
+];

@@ -1,0 +1,97 @@
+//! The largest stresses over depth.
+
+use super::{StressField, subsurface_stress};
+use crate::error::InputError;
+use crate::grid::Grid;
+
+/// A largest stress and where it is.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub struct Extreme {
+    /// The stress \[Pa\], between depths at the peak of a parabola.
+    pub stress: f64,
+    /// Its depth \[m\].
+    pub depth: f64,
+    /// The node above it \[m\].
+    pub place: (f64, f64),
+}
+
+/// The largest stresses below a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct StressExtremes {
+    /// Largest stress of von Mises.
+    pub von_mises: Extreme,
+    /// Largest magnitude of the orthogonal shear stress `xz`, whose range a point meets when it is rolled over: the measure of rolling
+    /// fatigue of Lundberg and Palmgren (1947), Acta Polytechnica, Mechanical Engineering Series 1, no. 3. Residual stresses of a rolled
+    /// surface cannot carry it, so that the elastic shakedown limit of free rolling is reached where it is the yield stress in
+    /// shear (Johnson 1985, Contact Mechanics, section 9.2; exact in plane strain).
+    pub orthogonal_shear: Extreme,
+}
+
+/// The largest stresses under the nodes of `grid` at `depths` \[m\], which increase, of a half-space of Poisson's ratio `poisson` under `pressure` and
+/// `traction` \[Pa\], see [`subsurface_stress`].
+///
+/// # Errors
+/// No depths or depths that do not increase, and what [`subsurface_stress`] refuses.
+///
+/// ```
+/// use stribeck::elastic::stress_extremes;
+/// use stribeck::Grid;
+/// let grid = Grid::centred(65, 65, 1.0 / 30.0, 1.0 / 30.0)?;
+/// let pressure: Vec<f64> = grid.nodes().map(|(x, y)| 1e9 * (1.0 - x * x - y * y).max(0.0).sqrt()).collect();
+/// let depths: Vec<f64> = (0..12).map(|k| 0.08 * f64::from(k)).collect();
+/// let largest = stress_extremes(&grid, 0.3, &depths, &pressure, None)?;
+/// assert!((largest.von_mises.depth - 0.48).abs() < 0.01);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+pub fn stress_extremes(
+    grid: &Grid,
+    poisson: f64,
+    depths: &[f64],
+    pressure: &[f64],
+    traction: Option<&[f64]>,
+) -> Result<StressExtremes, InputError> {
+    if depths.is_empty() || depths.windows(2).any(|pair| pair[0] >= pair[1]) {
+        let reason = "there must be one at least, and they must increase".to_owned();
+        return Err(InputError::Conflict { field: "depths".to_owned(), reason });
+    }
+    let (mut mises, mut shear) = (Vec::new(), Vec::new());
+    for &depth in depths {
+        let field = subsurface_stress(grid, poisson, depth, pressure, traction)?;
+        mises.push(largest(field.von_mises()));
+        shear.push(largest(orthogonal(&field)));
+    }
+    Ok(StressExtremes { von_mises: over(grid, depths, &mises), orthogonal_shear: over(grid, depths, &shear) })
+}
+
+fn orthogonal(field: &StressField) -> impl Iterator<Item = f64> + '_ {
+    field.xz.iter().map(|stress| stress.abs())
+}
+
+/// Node and value of the largest.
+fn largest(values: impl Iterator<Item = f64>) -> (usize, f64) {
+    values.enumerate().fold((0, 0.0), |best, (k, value)| if value > best.1 { (k, value) } else { best })
+}
+
+/// The largest of the values at each depth, at the peak of the parabola through it and its neighbours.
+fn over(grid: &Grid, depths: &[f64], values: &[(usize, f64)]) -> Extreme {
+    let (k, (node, stress)) = values
+        .iter()
+        .enumerate()
+        .fold((0, (0, 0.0)), |best, (k, value)| if value.1 > best.1.1 { (k, *value) } else { best });
+    let place = (grid.x(node % grid.nx()), grid.y(node / grid.nx()));
+    let mut extreme = Extreme { stress, depth: depths[k], place };
+    if (1..depths.len() - 1).contains(&k) {
+        let (before, after) = (depths[k] - depths[k - 1], depths[k + 1] - depths[k]);
+        let slopes = [(stress - values[k - 1].1) / before, (values[k + 1].1 - stress) / after];
+        // Twice the second coefficient; not positive at a largest value.
+        let curvature = 2.0 * (slopes[1] - slopes[0]) / (before + after);
+        if curvature < 0.0 {
+            let slope = (slopes[0] * after + slopes[1] * before) / (before + after);
+            extreme.depth -= slope / curvature;
+            extreme.stress -= 0.5 * slope * slope / curvature;
+        }
+    }
+    extreme
+}

@@ -1,0 +1,79 @@
+//! The law of Roelands with temperature.
+
+use std::fmt;
+
+use super::{Roelands, ViscosityLaw};
+use crate::error::InputError;
+
+/// Temperature that Roelands' temperatures count from \[K\].
+const ORIGIN: f64 = 138.0;
+
+/// `eta = eta_0 exp{(ln eta_0 + 9.67) [(1 + p/p_0)^z [(T - 138)/(T_0 - 138)]^(-S_0) - 1]}` with `eta_0` in Pa s at the temperature `T_0`
+/// in K.
+///
+/// At each temperature this is [`Roelands`] with another `eta_0`; at `T_0` it is the one that is given. The temperature coefficient
+/// `-d ln(eta)/dT` at `T_0` is `S_0 (ln eta_0 + 9.67)/(T_0 - 138)`; mineral oils have `S_0` of 1.0 to 1.5. Temperatures below 139 K count as
+/// 139 K.
+///
+/// Source: Roelands, C.J.A. (1966), Correlational aspects of the viscosity-temperature-pressure relationship of lubricating oils, thesis,
+/// Delft; in this form Houpert, L. (1985), Journal of Tribology 107, 241-247.
+///
+/// ```
+/// use stribeck::lubricant::{Roelands, ThermalRoelands, ViscosityLaw};
+/// let oil = ThermalRoelands::new(Roelands::new(0.04, 0.68, 1.96e8)?, 313.15, 1.1)?;
+/// assert!((oil.viscosity(5e8) / Roelands::new(0.04, 0.68, 1.96e8)?.viscosity(5e8) - 1.0).abs() < 1e-14);
+/// assert!(oil.at_temperature(353.15).unwrap().viscosity(0.0) < 0.011);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Clone, PartialEq)]
+pub struct ThermalRoelands {
+    reference: Roelands,
+    temperature: f64,
+    slope: f64,
+    /// That of the temperature that holds.
+    current: Roelands,
+}
+
+// What holds in the end of a schedule is no part of what the oil is.
+impl fmt::Debug for ThermalRoelands {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("ThermalRoelands")
+            .field("reference", &self.reference)
+            .field("temperature", &self.temperature)
+            .field("slope", &self.slope)
+            .finish_non_exhaustive()
+    }
+}
+
+impl ThermalRoelands {
+    /// The law that is `reference` at `temperature` \[K\], with the index `S_0`.
+    ///
+    /// # Errors
+    /// A temperature that is not finite and above 139 K, an index that is not finite or below zero.
+    pub fn new(reference: Roelands, temperature: f64, slope: f64) -> Result<Self, InputError> {
+        InputError::require(
+            temperature.is_finite() && temperature > ORIGIN + 1.0,
+            "lubricant.temperature",
+            temperature,
+            "finite and above 139 K",
+        )?;
+        InputError::require_non_negative("lubricant.roelands_s0", slope)?;
+        Ok(Self { current: reference.clone(), reference, temperature, slope })
+    }
+}
+
+impl ViscosityLaw for ThermalRoelands {
+    fn viscosity(&self, pressure: f64) -> f64 {
+        self.current.viscosity(pressure)
+    }
+
+    fn log_slope(&self, pressure: f64) -> f64 {
+        self.current.log_slope(pressure)
+    }
+
+    fn at_temperature(&self, temperature: f64) -> Option<Box<dyn ViscosityLaw>> {
+        let ratio = (temperature - ORIGIN).max(1.0) / (self.temperature - ORIGIN);
+        let current = self.reference.scaled(ratio.powf(-self.slope));
+        Some(Box::new(Self { current, ..self.clone() }))
+    }
+}

@@ -1,0 +1,108 @@
+//! What a solve tries, one attempt after the other.
+
+use super::Workspace;
+use super::homotopy::Homotopy;
+use super::progress::Progress;
+use super::settings::{Attempt, STEADY};
+use crate::report::{Residuals, Status, Work};
+use crate::reynolds::flow::Cavitation;
+use crate::reynolds::problem::LubricatedContact;
+use crate::reynolds::state::ContactState;
+use crate::reynolds::{ReynoldsError, StoppingRule};
+
+impl Workspace {
+    /// Solves from the state as it is if it carries pressure; else, and again where that stalls, from the dry contact; at last by
+    /// another way. Leaves the best state.
+    pub(super) fn run(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<(Status, Residuals), ReynoldsError> {
+        (self.progress, self.work) = (Progress::new(), Work::default());
+        let attempts = self.settings.attempts.clone();
+        let mut status = self.attempts(&attempts, problem, state, stop)?;
+        let is_stuck = matches!(status, Status::Stalled | Status::Diverged);
+        let may_follow = self.settings.follows_time && problem.lubricant.is_some();
+        if is_stuck && may_follow && problem.entrainment_speed > 0.0 {
+            let (residuals, best) = (self.best_residuals, self.best.clone());
+            if self.take_another_way(problem, state, stop)? {
+                status = Status::Converged;
+            } else {
+                (self.best_residuals, self.best) = (residuals, best);
+                self.coupled.configure(problem);
+            }
+        }
+        if status != Status::Converged && self.best_residuals.mass == f64::INFINITY {
+            // No step with the cut-off and the condition of the problem was taken.
+            self.coupled.configure(problem);
+            self.coupled.begin(problem, state)?;
+            self.work.convolutions += self.coupled.convolutions;
+            self.best_residuals = self.coupled.residuals(problem, state);
+            self.best.keep(&self.coupled, state);
+        }
+        self.coupled.fluid.set_cavitation(problem.cavitation);
+        if status != Status::Converged && self.best_residuals.is_finite() {
+            if status == Status::Diverged {
+                // The last attempt did; an earlier one has left a state.
+                status = Status::Stalled;
+            }
+            self.best.restore(&mut self.coupled, problem, state);
+        }
+        if status == Status::MaxIterations && self.progress.has_ended() {
+            status = Status::Stalled;
+        }
+        Ok((status, self.best_residuals))
+    }
+
+    /// One attempt after the other until one does not stall, the first from the state as it is if it carries pressure, all others
+    /// from the dry contact. Keeps the best state of all.
+    pub(super) fn attempts(
+        &mut self,
+        attempts: &[Attempt],
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<Status, ReynoldsError> {
+        self.best_residuals = Residuals { mass: f64::INFINITY, ..Residuals::default() };
+        let mut status = Status::Stalled;
+        for (index, attempt) in attempts.iter().enumerate() {
+            if matches!(status, Status::Converged | Status::MaxIterations) {
+                break;
+            }
+            let cold = index > 0 || state.pressure.iter().all(|&p| p <= 0.0);
+            let film_cutoff = problem.film_cutoff;
+            let ended = self.attempt(*attempt, cold, problem, state, stop);
+            problem.film_cutoff = film_cutoff;
+            status = ended?;
+            self.work.convolutions += self.coupled.convolutions;
+        }
+        Ok(status)
+    }
+
+    /// One attempt, from the dry contact by film homotopy if it is `cold`. Leaves another cut-off in the problem.
+    fn attempt(
+        &mut self,
+        attempt: Attempt,
+        cold: bool,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<Status, ReynoldsError> {
+        let film_cutoff = problem.film_cutoff;
+        if cold {
+            state.pressure.fill(0.0);
+            let first = attempt.first_contact_film * film_cutoff;
+            if attempt.gentle {
+                problem.film_cutoff = first;
+            }
+            self.work += self.start.run(problem, state, attempt.start_tolerance)?;
+            problem.film_cutoff = first;
+        }
+        self.coupled.configure(problem);
+        let pseudo_transient = if cold { attempt.pseudo_transient } else { STEADY };
+        let condition = if cold { Cavitation::Reynolds } else { problem.cavitation };
+        let homotopy = Homotopy { film_cutoff, condition };
+        self.newton(problem, state, stop, Attempt { pseudo_transient, ..attempt }, homotopy)
+    }
+}

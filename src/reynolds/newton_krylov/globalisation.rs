@@ -1,0 +1,91 @@
+//! How far a Newton step may go, by what the steps before it have made of the residual.
+
+use super::local::Elimination;
+use super::settings::{Attempt, NewtonSettings};
+
+/// Trust, pseudo-transient term and linear tolerance of the next step.
+#[derive(Debug)]
+pub(super) struct Globalisation {
+    attempt: Attempt,
+    /// Pressure that trusts count in \[Pa\].
+    reference_pressure: f64,
+    largest_trust: f64,
+    pub(super) elimination: Elimination,
+    pub(super) krylov_tolerance: f64,
+    pseudo_transient: f64,
+    lowest: f64,
+    fruitless: u32,
+    /// Whether steps have once been fruitless for [`NewtonSettings::patience`] of them.
+    swings: bool,
+}
+
+impl Globalisation {
+    pub(super) fn new(attempt: Attempt, reference_pressure: f64) -> Self {
+        let largest_trust = attempt.trust * reference_pressure;
+        Self {
+            attempt,
+            reference_pressure,
+            largest_trust,
+            elimination: Elimination { trust: largest_trust, opens_together: attempt.gentle },
+            krylov_tolerance: attempt.krylov_tolerance,
+            pseudo_transient: attempt.pseudo_transient.0,
+            lowest: f64::INFINITY,
+            fruitless: 0,
+            swings: false,
+        }
+    }
+
+    /// Takes the residual of the equations of the problem.
+    pub(super) fn watch(&mut self, residual: f64) {
+        if residual < self.lowest {
+            (self.lowest, self.fruitless) = (residual, 0);
+        } else {
+            self.fruitless += 1;
+        }
+    }
+
+    /// Tightens all bounds where steps have been fruitless for long.
+    pub(super) fn tighten(&mut self, settings: &NewtonSettings) {
+        if self.fruitless != settings.patience {
+            return;
+        }
+        (self.largest_trust, self.fruitless, self.swings) = (0.5 * self.largest_trust, 0, true);
+        let tighter = (settings.tighter * self.krylov_tolerance).max(settings.periodic_tolerance);
+        self.krylov_tolerance = self.krylov_tolerance.min(tighter);
+        self.elimination.trust = self.elimination.trust.min(self.largest_trust);
+    }
+
+    /// The pseudo-transient term of a step, full on the way of the `homotopy`.
+    pub(super) fn next_pseudo_transient(
+        &mut self,
+        residual: f64,
+        homotopy: bool,
+        settings: &NewtonSettings,
+    ) -> f64 {
+        let share = if homotopy { 1.0 } else { (residual / settings.near_below).min(1.0) };
+        let term = share * self.pseudo_transient;
+        self.pseudo_transient *= self.attempt.pseudo_transient.1;
+        term
+    }
+
+    /// Growth of the `residual` above which a step is taken again, and how often.
+    pub(super) fn growth(&self, residual: f64, settings: &NewtonSettings) -> (f64, u32) {
+        let [anywhere, careful, swinging] = settings.growth;
+        if self.swings {
+            swinging
+        } else if residual < self.attempt.careful_below {
+            careful
+        } else {
+            anywhere
+        }
+    }
+
+    /// Adapts the trust to the share of the films that a step did not foresee.
+    pub(super) fn adapt(&mut self, unforeseen: f64, settings: &NewtonSettings) {
+        let (shorter, longer) = settings.trust_change;
+        let change = self.attempt.unforeseen / unforeseen;
+        self.elimination.trust = (self.elimination.trust * change.clamp(shorter, longer))
+            .max(settings.least_trust * self.reference_pressure)
+            .min(self.largest_trust);
+    }
+}

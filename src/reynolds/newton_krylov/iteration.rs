@@ -1,0 +1,98 @@
+//! Newton steps, one after the other.
+
+use super::Workspace;
+use super::globalisation::Globalisation;
+use super::homotopy::Homotopy;
+use super::settings::Attempt;
+use crate::report::Status;
+use crate::reynolds::problem::LubricatedContact;
+use crate::reynolds::state::ContactState;
+use crate::reynolds::{ReynoldsError, StoppingRule};
+
+impl Workspace {
+    /// Newton steps until `stop` or a stall, along the `homotopy`. Keeps the best state of all attempts.
+    pub(super) fn newton(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+        attempt: Attempt,
+        mut homotopy: Homotopy,
+    ) -> Result<Status, ReynoldsError> {
+        self.coupled.fluid.set_cavitation(homotopy.condition);
+        self.coupled.begin(problem, state)?;
+        let left = stop.max_iterations.saturating_sub(self.work.iterations);
+        let limit = left.min(attempt.most_steps);
+        let mut globalisation = Globalisation::new(attempt, problem.reference_pressure);
+        self.residuals = self.coupled.residuals(problem, state);
+        for iteration in 0..=limit {
+            if !self.residuals.is_finite() {
+                return Ok(Status::Diverged);
+            }
+            if homotopy.arrives(problem, self.residuals.max(), &self.settings) {
+                self.coupled.fluid.set_cavitation(homotopy.condition);
+                self.coupled.refresh(problem, state);
+                self.residuals = self.coupled.residuals(problem, state);
+            }
+            // Residuals of other equations than those of the problem tell nothing of its solution.
+            if !homotopy.is_on(problem) {
+                globalisation.watch(self.residuals.max());
+                if let Some(status) = self.judge(state, stop) {
+                    return Ok(status);
+                }
+            }
+            if iteration == limit {
+                break;
+            }
+            globalisation.tighten(&self.settings);
+            if !self.step(problem, state, &mut globalisation, homotopy)? {
+                return Ok(Status::Diverged);
+            }
+        }
+        Ok(if limit == left { Status::MaxIterations } else { Status::Stalled })
+    }
+
+    /// Keeps the state if it is the best so far; the status with which the solve ends here, if it does.
+    fn judge(&mut self, state: &ContactState, stop: &StoppingRule) -> Option<Status> {
+        if self.residuals.max() < self.best_residuals.max() {
+            self.best_residuals = self.residuals;
+            self.best.keep(&self.coupled, state);
+        }
+        if self.residuals.max() <= stop.tolerance {
+            return Some(Status::Converged);
+        }
+        // Ends all attempts, as the limit of iterations does.
+        let ends = self.progress.ends(self.residuals.max(), &self.work, self.coupled.convolutions);
+        ends.then_some(Status::MaxIterations)
+    }
+
+    /// One Newton step; false where its equations have no solution.
+    fn step(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        globalisation: &mut Globalisation,
+        homotopy: Homotopy,
+    ) -> Result<bool, ReynoldsError> {
+        self.work.iterations += 1;
+        let (before, is_on) = (self.residuals.max(), homotopy.is_on(problem));
+        if is_on {
+            homotopy.go_on(problem, &self.settings);
+            self.coupled.fluid.configure(problem);
+            self.coupled.fluid.set_cavitation(homotopy.condition);
+            // The flow follows below.
+            self.coupled.apply_plastic_depth(problem, state);
+        }
+        let pseudo_transient = globalisation.next_pseudo_transient(before, is_on, &self.settings);
+        self.coupled.fluid.set_pseudo_transient(pseudo_transient);
+        self.close_contact(problem, state);
+        let Some(krylov_steps) = self.linear_step(problem, state, globalisation.krylov_tolerance)? else {
+            return Ok(false);
+        };
+        self.work.inner_iterations += krylov_steps;
+        let growth = globalisation.growth(before, &self.settings);
+        self.residuals = self.advance_carefully(problem, state, globalisation.elimination, before, growth)?;
+        globalisation.adapt(self.unforeseen_share(state, problem.contact_film()), &self.settings);
+        Ok(true)
+    }
+}

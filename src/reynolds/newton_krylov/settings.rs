@@ -1,0 +1,262 @@
+//! The numbers of Newton's method on the coupled problem.
+//!
+//! What each is worth is measured by `cargo run --release --example ablation`.
+
+use crate::error::InputError;
+
+/// How [`NewtonKrylov`](super::NewtonKrylov) goes about a contact.
+///
+/// The defaults are those that every solve of the crate uses. `cargo run --release --example ablation` switches each off or doubles it in
+/// turn and says what that costs.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct NewtonSettings {
+    /// Tried one after the other while a solve stalls or diverges, each but the first from the dry contact; at least one.
+    pub attempts: Vec<Attempt>,
+    /// Whether a lubricated contact at speed that stalls in all attempts is followed in time from the dry one.
+    pub follows_time: bool,
+    /// Krylov steps within one pass of a linear solve; at least 1.
+    pub krylov_steps: usize,
+    /// Passes of a linear solve; at least 1. Each but those that know the elastic response as a whole takes its periodic approximation,
+    /// a quarter of the cost.
+    pub passes: u32,
+    /// The least residual that is asked of a pass which knows the periodic approximation alone; between 0 and 1.
+    pub periodic_tolerance: f64,
+    /// Of the tolerance of a linear solve: the residual that is good enough; at least 1.
+    pub enough: f64,
+    /// Largest pressure change of one step, in reference pressures; above 0.
+    pub largest_change: f64,
+    /// Contact film of a Newton step over that of the step before, down to the one of the problem (film homotopy); between 0 and 1.
+    pub film_reduction: f64,
+    /// The residual below which the pseudo-transient term falls in proportion to it, and cavitation is that of the problem; above 0. Near
+    /// the solution a step in time holds back the approach, and the whole contact with it.
+    pub near_below: f64,
+    /// Growth of the residual above which a step is taken again at [`shorter`](Self::shorter) length, and how often at most: anywhere,
+    /// below [`Attempt::careful_below`], and after [`patience`](Self::patience) steps without a new best residual.
+    pub growth: [(f64, u32); 3],
+    /// Length of a step that is taken again over the one before; between 0 and 1.
+    pub shorter: f64,
+    /// Steps without a new best residual after which the largest trust is halved, the third bound of [`growth`](Self::growth) holds, and
+    /// linear systems are solved to the share [`tighter`](Self::tighter) of their tolerance, down to
+    /// [`periodic_tolerance`](Self::periodic_tolerance); at least 1. What linear systems leave in a
+    /// pocket of one node may be all that decides whether its fluid cavitates, and it then does in every other step.
+    pub patience: u32,
+    /// Above 0, at most 1.
+    pub tighter: f64,
+    /// Bounds of the change of the trust from step to step: below 1, above 1.
+    pub trust_change: (f64, f64),
+    /// Least trust in reference pressures; above 0.
+    pub least_trust: f64,
+}
+
+/// One attempt of a solve by [`NewtonKrylov`](super::NewtonKrylov).
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Attempt {
+    /// How far the elimination of a node's own equations may take its pressure from where the linear step puts it, in reference
+    /// pressures; above 0.
+    pub trust: f64,
+    /// Whether large moves are left to the linear steps, which know of all nodes: the start then parts the bodies by the first contact
+    /// film, which is the work of the first step otherwise, and nodes to which fluid is carried open together.
+    pub gentle: bool,
+    /// Contact film of the first step over that of the problem; at least 1. Solids that part early let the fluid find its way.
+    pub first_contact_film: f64,
+    /// Pseudo-transient term of the first step over the entrainment, and its reduction from one step to the next; at least 0, between 0
+    /// and 1. Steps from the dry contact are steps in time of as many passages of a cell as the first goes into one, at first: a
+    /// pocket fills no faster than the fluid gets there.
+    pub pseudo_transient: (f64, f64),
+    /// Share of the films by which all nodes together may change them as they leave what the linear step foresees; above 0. Above it
+    /// the trust of the next step is smaller.
+    pub unforeseen: f64,
+    /// The residual below which no step may make it grow by more than the second bound of [`NewtonSettings::growth`]; at least 0.
+    pub careful_below: f64,
+    /// Gap error of the dry start; above 0.
+    pub start_tolerance: f64,
+    /// Reduction of the linear residual, rows scaled to pressures, in each Newton step; between 0 and 1.
+    pub krylov_tolerance: f64,
+    /// Newton steps after which the attempt has stalled; at least 1.
+    pub most_steps: u64,
+}
+
+/// No pseudo-transient term.
+pub(super) const STEADY: (f64, f64) = (0.0, 0.0);
+
+/// The cheapest that solves most scenes.
+const FIRST: Attempt = Attempt {
+    trust: 0.03,
+    gentle: true,
+    first_contact_film: 30.0,
+    pseudo_transient: (0.3, 0.85),
+    unforeseen: 0.3,
+    careful_below: 30.0,
+    start_tolerance: 0.03,
+    krylov_tolerance: 0.1,
+    most_steps: 60,
+};
+
+/// Bold and thorough: errors left at single nodes are as large as the contact film, and starts close to it matter.
+pub(super) const THOROUGH: Attempt = Attempt {
+    trust: 0.03,
+    gentle: true,
+    first_contact_film: 10.0,
+    pseudo_transient: (0.03, 0.8),
+    unforeseen: 0.5,
+    careful_below: 0.0,
+    start_tolerance: 1e-7,
+    krylov_tolerance: 0.01,
+    most_steps: 60,
+};
+
+impl Default for NewtonSettings {
+    fn default() -> Self {
+        let attempts = vec![
+            FIRST,
+            THOROUGH,
+            Attempt { pseudo_transient: (3.0, 0.94), most_steps: 160, ..FIRST },
+            Attempt { gentle: false, first_contact_film: 30.0, pseudo_transient: STEADY, ..THOROUGH },
+            Attempt {
+                trust: 0.01,
+                gentle: false,
+                first_contact_film: 100.0,
+                pseudo_transient: STEADY,
+                krylov_tolerance: 0.001,
+                ..THOROUGH
+            },
+        ];
+        Self {
+            attempts,
+            follows_time: true,
+            krylov_steps: 100,
+            passes: 4,
+            periodic_tolerance: 0.01,
+            enough: 1.5,
+            largest_change: 1.0,
+            film_reduction: 0.5,
+            near_below: 10.0,
+            growth: [(4.0, 1), (2.0, 3), (1.0, 2)],
+            shorter: 0.5,
+            patience: 5,
+            tighter: 0.2,
+            trust_change: (0.3, 2.0),
+            least_trust: 0.001,
+        }
+    }
+}
+
+impl NewtonSettings {
+    /// Those of steps whose fluid equations are relaxed by lines: mostly they take 20 to 60, some that creep up to 180.
+    pub(in crate::reynolds) fn by_lines(relaxations: usize) -> Self {
+        Self {
+            attempts: vec![Attempt { most_steps: 200, ..FIRST }],
+            follows_time: false,
+            krylov_steps: relaxations,
+            passes: 1,
+            ..Self::default()
+        }
+    }
+
+    /// Checks every number against its range.
+    ///
+    /// # Errors
+    ///
+    /// [`InputError`] that names the field, as `newton.patience` or `newton.attempts[1].trust`.
+    pub fn validate(&self) -> Result<(), InputError> {
+        let count = |field: &str, count: f64| {
+            InputError::require(count >= 1.0, &format!("newton.{field}"), count, "at least 1")
+        };
+        count("attempts", self.attempts.len() as f64)?;
+        count("krylov_steps", self.krylov_steps as f64)?;
+        count("passes", f64::from(self.passes))?;
+        count("patience", f64::from(self.patience))?;
+        let share = |field: &str, share: f64| require_share(&format!("newton.{field}"), share);
+        share("periodic_tolerance", self.periodic_tolerance)?;
+        share("film_reduction", self.film_reduction)?;
+        share("shorter", self.shorter)?;
+        share("trust_change[0]", self.trust_change.0)?;
+        InputError::require(
+            self.tighter > 0.0 && self.tighter <= 1.0,
+            "newton.tighter",
+            self.tighter,
+            "above 0 and at most 1",
+        )?;
+        let at_least_one = |field: &str, value: f64| {
+            let holds = value.is_finite() && value >= 1.0;
+            InputError::require(holds, &format!("newton.{field}"), value, "finite and at least 1")
+        };
+        at_least_one("enough", self.enough)?;
+        at_least_one("trust_change[1]", self.trust_change.1)?;
+        for (index, (growth, _)) in self.growth.iter().enumerate() {
+            at_least_one(&format!("growth[{index}]"), *growth)?;
+        }
+        InputError::require_positive("newton.largest_change", self.largest_change)?;
+        InputError::require_positive("newton.near_below", self.near_below)?;
+        InputError::require_positive("newton.least_trust", self.least_trust)?;
+        self.attempts
+            .iter()
+            .enumerate()
+            .try_for_each(|(index, attempt)| attempt.validate(&format!("newton.attempts[{index}]")))
+    }
+}
+
+impl Attempt {
+    fn validate(&self, at: &str) -> Result<(), InputError> {
+        InputError::require_positive(&format!("{at}.trust"), self.trust)?;
+        InputError::require(
+            self.first_contact_film.is_finite() && self.first_contact_film >= 1.0,
+            &format!("{at}.first_contact_film"),
+            self.first_contact_film,
+            "finite and at least 1",
+        )?;
+        let (first, reduction) = self.pseudo_transient;
+        InputError::require_non_negative(&format!("{at}.pseudo_transient[0]"), first)?;
+        InputError::require(
+            (0.0..1.0).contains(&reduction),
+            &format!("{at}.pseudo_transient[1]"),
+            reduction,
+            "at least 0 and below 1",
+        )?;
+        InputError::require_positive(&format!("{at}.unforeseen"), self.unforeseen)?;
+        InputError::require_non_negative(&format!("{at}.careful_below"), self.careful_below)?;
+        InputError::require_positive(&format!("{at}.start_tolerance"), self.start_tolerance)?;
+        require_share(&format!("{at}.krylov_tolerance"), self.krylov_tolerance)?;
+        InputError::require(
+            self.most_steps >= 1,
+            &format!("{at}.most_steps"),
+            self.most_steps as f64,
+            "at least 1",
+        )
+    }
+}
+
+fn require_share(field: &str, share: f64) -> Result<(), InputError> {
+    InputError::require(share > 0.0 && share < 1.0, field, share, "above 0 and below 1")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_out_of_range_are_named() {
+        assert_eq!(NewtonSettings::default().validate(), Ok(()));
+        let field = |change: fn(&mut NewtonSettings)| {
+            let mut settings = NewtonSettings::default();
+            change(&mut settings);
+            match settings.validate() {
+                Err(InputError::Value { field, .. }) => field,
+                other => format!("{other:?}"),
+            }
+        };
+        assert_eq!(field(|s| s.attempts.clear()), "newton.attempts");
+        assert_eq!(field(|s| s.patience = 0), "newton.patience");
+        assert_eq!(field(|s| s.shorter = f64::NAN), "newton.shorter");
+        assert_eq!(field(|s| s.growth[2].0 = 0.5), "newton.growth[2]");
+        assert_eq!(field(|s| s.near_below = -1.0), "newton.near_below");
+        assert_eq!(field(|s| s.attempts[1].trust = 0.0), "newton.attempts[1].trust");
+        assert_eq!(field(|s| s.attempts[4].krylov_tolerance = 1.0), "newton.attempts[4].krylov_tolerance");
+        assert_eq!(
+            field(|s| s.attempts[0].pseudo_transient.1 = 1.0),
+            "newton.attempts[0].pseudo_transient[1]"
+        );
+    }
+}

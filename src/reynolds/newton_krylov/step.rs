@@ -1,0 +1,199 @@
+//! One Newton step: the linear equations, and what the nodes make of their solution.
+
+use super::Workspace;
+use super::linearisation::Linearisation;
+use super::local::{Elimination, Forecast, Local, Material};
+use super::preconditioner::BlockPreconditioner;
+use super::unknowns::{Response, Unknowns};
+use crate::numerics::PreconditionedOperator;
+use crate::report::Residuals;
+use crate::reynolds::ReynoldsError;
+use crate::reynolds::active_set::{Fluid, Solid};
+use crate::reynolds::coupled::{Coupled, limit_of};
+use crate::reynolds::problem::LubricatedContact;
+use crate::reynolds::state::ContactState;
+
+impl Workspace {
+    /// Has the fluid flow through the contact film wherever nodes are to touch, which is the film that they have at a solution.
+    ///
+    /// What the last step did not foresee takes them some nanometres off it. The gap rows mend that; but mobilities go with the
+    /// cube of the film, and flows through those films would drain the pockets whose rims they are.
+    pub(super) fn close_contact(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
+        let Some(lubricant) = problem.lubricant else { return };
+        let contact_film = problem.contact_film();
+        for ((flow_film, film), kind) in self.flow_film.iter_mut().zip(&state.film).zip(&self.coupled.kinds) {
+            *flow_film = if kind.solid == Solid::Contact { contact_film } else { *film };
+        }
+        self.coupled.flow(problem, lubricant, &state.fluid_pressure, &self.flow_film);
+    }
+
+    /// Takes the step, or a shorter one if the residual `before` jumps under it; returns the residuals that it leaves.
+    pub(super) fn advance_carefully(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        elimination: Elimination,
+        before: f64,
+        (growth, most_times): (f64, u32),
+    ) -> Result<Residuals, ReynoldsError> {
+        self.before.keep(&self.coupled, state);
+        let mut length = 1.0;
+        self.advance(problem, state, elimination, length)?;
+        let mut residuals = self.coupled.residuals(problem, state);
+        for _ in 0..most_times {
+            if residuals.max() <= growth * before {
+                break;
+            }
+            length *= self.settings.shorter;
+            self.before.restore(&mut self.coupled, problem, state);
+            self.close_contact(problem, state);
+            self.advance(
+                problem,
+                state,
+                Elimination { trust: length * elimination.trust, ..elimination },
+                length,
+            )?;
+            residuals = self.coupled.residuals(problem, state);
+        }
+        Ok(residuals)
+    }
+
+    /// Solves the linearised equations into `self.step`, their residual to `tolerance` of itself; returns the Krylov steps, or
+    /// none where the fluid equations of this state have no finite factors.
+    ///
+    /// Krylov's method knows the periodic approximation of the elastic response; what residual that leaves, the whole response tells, and
+    /// where that is too much another pass takes it.
+    pub(super) fn linear_step(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &ContactState,
+        tolerance: f64,
+    ) -> Result<Option<u64>, ReynoldsError> {
+        let passes = self.settings.passes;
+        let Self { coupled, unknowns, linearisation, preconditioner, gmres, .. } = self;
+        unknowns.sort(coupled, problem, state);
+        if problem.lubricant.is_some() {
+            linearisation.update(&coupled.fluid, coupled.near.own);
+        }
+        if !preconditioner.prepare(coupled, linearisation, unknowns, problem) {
+            return Ok(None);
+        }
+        preconditioner.border(unknowns, coupled, linearisation, problem)?;
+        let n = unknowns.len();
+        let (residual, step) = (&mut self.residual[..n], &mut self.step[..n]);
+        let correction = &mut self.correction[..n];
+        step.fill(0.0);
+        unknowns.residual(coupled, problem, linearisation, state, step, residual)?;
+        let whole = norm(residual);
+        let mut response = if coupled.fluid.grid.ny() > 1 { Response::Periodic } else { Response::Whole };
+        let (mut left, mut steps) = (1.0, 0);
+        for _ in 0..passes {
+            let least = if response == Response::Periodic { self.settings.periodic_tolerance } else { 0.0 };
+            let wanted = (tolerance / left).max(least);
+            let mut system = System { unknowns, coupled, problem, linearisation, preconditioner, response };
+            steps += gmres.solve(&mut system, residual, wanted, correction).steps;
+            for (step, correction) in step.iter_mut().zip(&*correction) {
+                *step += correction;
+            }
+            unknowns.residual(coupled, problem, linearisation, state, step, residual)?;
+            let now = norm(residual) / whole;
+            // No number where the equations lacked nothing.
+            if now.is_nan() || now <= self.settings.enough * tolerance || response == Response::Whole {
+                break;
+            }
+            if now > 0.5 * left {
+                response = Response::Whole;
+            }
+            left = now;
+        }
+        Ok(Some(steps))
+    }
+
+    /// Takes at most the share `most` of the step; every node's own equations are then eliminated.
+    fn advance(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        elimination: Elimination,
+        most: f64,
+    ) -> Result<(), ReynoldsError> {
+        let Self { coupled, unknowns, .. } = self;
+        let step = &self.step[..unknowns.len()];
+        let largest = unknowns.largest_pressure(step);
+        let length = most * (self.settings.largest_change * problem.reference_pressure / largest).min(1.0);
+        let (contact_film, own_influence) = (problem.contact_film(), coupled.near.own);
+        for k in 0..state.pressure.len() {
+            let kind = coupled.kinds[k];
+            let change = unknowns.node(k);
+            let material = Material { contact_film, limit: limit_of(problem, k), own_influence, elimination };
+            let pressure = state.pressure[k] + length * change.pressure;
+            let elastic_film = coupled.elastic_film[k] + length * change.elastic_film;
+            let depth = match kind.fluid {
+                Fluid::AtLimit => {
+                    (state.plastic_depth[k] + length * (change.film - change.elastic_film)).max(0.0)
+                }
+                _ => 0.0,
+            };
+            let node = match problem.lubricant {
+                Some(lubricant) if kind.fluid != Fluid::Boundary => {
+                    let local = Local::new(&coupled.fluid, lubricant, k);
+                    let (share, by_pressure, by_film) = local.present_share(self.flow_film[k]);
+                    let imbalance =
+                        if kind.has_balance() { 0.0 } else { coupled.balance[k] + length * change.balance };
+                    let own_change = by_pressure * change.fluid_pressure + by_film * change.film;
+                    let share = share + length * own_change - imbalance;
+                    local.eliminate(material, Forecast { pressure, elastic_film, depth, share })
+                }
+                _ => material.eliminate_dry(kind.fluid, pressure, elastic_film),
+            };
+            self.foreseen[k] = elastic_film;
+            coupled.kinds[k] = node.kind;
+            state.pressure[k] = node.pressure;
+            state.fluid_pressure[k] = node.fluid_pressure;
+            state.plastic_depth[k] = node.depth;
+        }
+        state.approach += length * unknowns.approach(step);
+        coupled.evaluate(problem, state)?;
+        Ok(())
+    }
+
+    /// Pressure-weighted root mean square of what the last step did not foresee of the films without plastic depth, over the
+    /// films or the contact film.
+    pub(super) fn unforeseen_share(&self, state: &ContactState, contact_film: f64) -> f64 {
+        let (mut sum, mut weight) = (0.0, 0.0);
+        let films = self.coupled.elastic_film.iter().zip(&self.foreseen).zip(&state.film);
+        for (((elastic, foreseen), film), p) in films.zip(&state.pressure) {
+            sum += p * ((elastic - foreseen) / film.max(contact_film)).powi(2);
+            weight += p;
+        }
+        (sum / weight).sqrt()
+    }
+}
+
+fn norm(x: &[f32]) -> f64 {
+    x.iter().map(|x| f64::from(*x).powi(2)).sum::<f64>().sqrt()
+}
+
+/// The linearised equations as GMRES sees them.
+struct System<'a, 'b> {
+    unknowns: &'a mut Unknowns,
+    coupled: &'a mut Coupled,
+    problem: &'a mut LubricatedContact<'b>,
+    linearisation: &'a mut Linearisation,
+    preconditioner: &'a mut BlockPreconditioner,
+    response: Response,
+}
+
+impl PreconditionedOperator for System<'_, '_> {
+    fn apply(&mut self, x: &[f32], out: &mut [f32]) {
+        // Shapes were checked when the solve began: the product cannot fail.
+        let Self { unknowns, coupled, problem, linearisation, .. } = self;
+        let result = unknowns.product(coupled, problem, linearisation, x, self.response, out);
+        debug_assert!(result.is_ok(), "shapes are checked by the solve");
+    }
+
+    fn precondition(&mut self, r: &[f32], out: &mut [f32]) {
+        let result = self.preconditioner.apply(self.unknowns, self.coupled, self.problem, r, out);
+        debug_assert!(result.is_ok(), "shapes are checked by the solve");
+    }
+}

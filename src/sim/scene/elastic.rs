@@ -1,0 +1,113 @@
+//! Elastic constants of the pair and of a layer on the disc.
+
+use super::Scene;
+use crate::elastic::Layer;
+use crate::error::InputError;
+
+/// Elastic constants of the pair.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "ElasticTable"))]
+#[non_exhaustive]
+pub struct Elastic {
+    /// `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`, without the layer; infinite where the materials give the moduli
+    /// ([`Scene::equivalent_modulus`]).
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_infinite"))]
+    pub equivalent_modulus: f64,
+    /// A layer on the disc; none for a half-space.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub layer: Option<LayerSpec>,
+}
+
+/// A layer that is bonded to the disc, the substrate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct LayerSpec {
+    /// Thickness \[m\].
+    pub thickness: f64,
+    /// Young's modulus \[Pa\].
+    pub modulus: f64,
+    /// Poisson's ratio.
+    pub poisson: f64,
+    /// Young's modulus of the substrate \[Pa\]; none for that of `materials.disc`.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub substrate_modulus: Option<f64>,
+    /// Poisson's ratio of the substrate; none for that of `materials.disc`.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub substrate_poisson: Option<f64>,
+}
+
+/// What a scene file holds.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ElasticTable {
+    equivalent_modulus: Option<f64>,
+    layer: Option<LayerSpec>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<ElasticTable> for Elastic {
+    type Error = &'static str;
+
+    fn try_from(table: ElasticTable) -> Result<Self, Self::Error> {
+        match table {
+            ElasticTable { equivalent_modulus: None, layer: None } => {
+                Err("missing field `equivalent_modulus`")
+            }
+            ElasticTable { equivalent_modulus, layer } => {
+                Ok(Self { equivalent_modulus: equivalent_modulus.unwrap_or(f64::INFINITY), layer })
+            }
+        }
+    }
+}
+
+#[cfg(feature = "serde")]
+fn is_infinite(modulus: &f64) -> bool {
+    *modulus == f64::INFINITY
+}
+
+impl Elastic {
+    /// Half-spaces of the equivalent modulus `E'` \[Pa\].
+    pub fn new(equivalent_modulus: f64) -> Self {
+        Self { equivalent_modulus, layer: None }
+    }
+
+    #[cfg(feature = "serde")]
+    pub(super) fn is_absent(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+impl Default for Elastic {
+    /// Half-spaces, the modulus that of the materials.
+    fn default() -> Self {
+        Self::new(f64::INFINITY)
+    }
+}
+
+impl Scene {
+    /// The layer on the disc, if there is one.
+    ///
+    /// # Errors
+    /// A value out of range, constants of the substrate that are missing or given twice.
+    pub fn layer(&self) -> Result<Option<Layer>, InputError> {
+        let Some(spec) = self.elastic.layer else { return Ok(None) };
+        let disc = &self.materials.disc;
+        let substrate = |key: &str, own: Option<f64>, disc_key: &str, disc: Option<f64>| {
+            let conflict =
+                |reason: String| Err(InputError::Conflict { field: format!("elastic.layer.{key}"), reason });
+            match (own, disc) {
+                (Some(value), None) | (None, Some(value)) => Ok(value),
+                (None, None) => conflict(format!("is missing, and so is materials.disc.{disc_key}")),
+                (Some(_), Some(value)) => {
+                    conflict(format!("materials.disc.{disc_key} = {value:e} is given too; give one of both"))
+                }
+            }
+        };
+        let modulus =
+            substrate("substrate_modulus", spec.substrate_modulus, "modulus", disc.young_modulus())?;
+        let poisson =
+            substrate("substrate_poisson", spec.substrate_poisson, "poisson_ratio", disc.poisson())?;
+        Layer::new(spec.thickness, [spec.modulus, spec.poisson], [modulus, poisson]).map(Some)
+    }
+}

@@ -1,0 +1,118 @@
+//! The lubricant: viscosity, density and supply.
+
+use crate::lubricant::{DoolittleTaitConstants, ImprovedYasutomiConstants};
+
+/// Viscosity, of Roelands unless `viscosity` names another law, and Dowson-Higginson density.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "LubricantTable")
+)]
+pub struct LubricantSpec {
+    /// Viscosity at ambient pressure \[Pa s\], at `temperature` or that of the contact; zero where `viscosity` gives the law.
+    pub eta0: f64,
+    /// Roelands index; zero where `viscosity` gives the law.
+    pub roelands_z: f64,
+    /// Roelands reference pressure \[Pa\].
+    pub roelands_p0: f64,
+    /// Pressure-viscosity coefficient \[1/Pa\]: the slope of the law is set to it where it is given, else it follows
+    /// from `eta0`, `roelands_z` and `roelands_p0`.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub alpha: Option<f64>,
+    /// Temperature at which `eta0` and `alpha` hold \[K\]; with `roelands_s0` the viscosity follows the bulk temperature.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub temperature: Option<f64>,
+    /// Index of temperature in the law of Roelands, see [`ThermalRoelands`](crate::lubricant::ThermalRoelands).
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub roelands_s0: Option<f64>,
+    /// Another law of viscosity, in place of that of Roelands.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub viscosity: Option<ViscositySpec>,
+    /// Pressure-viscosity coefficient \[1/Pa\] of the film formulas alone, where the data sheet states another one than the slope
+    /// of the viscosity law; absent: that slope.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub formula_alpha: Option<f64>,
+    /// Dowson-Higginson `a` \[1/Pa\].
+    pub density_a: f64,
+    /// Dowson-Higginson `b` \[1/Pa\].
+    pub density_b: f64,
+    /// Film thickness that the inlet edge of the box is supplied with \[m\]; none for a flooded inlet. Needs cavitation that
+    /// conserves mass.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub supplied_film: Option<f64>,
+}
+
+/// A law of viscosity by pressure and temperature, at the bulk temperature.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "law", rename_all = "snake_case")
+)]
+#[non_exhaustive]
+pub enum ViscositySpec {
+    /// Free volume, with the density of Tait in place of that of Dowson and Higginson: [`DoolittleTait`](crate::lubricant::DoolittleTait).
+    DoolittleTait(DoolittleTaitConstants),
+    /// By the distance to the glass transition: [`ImprovedYasutomi`](crate::lubricant::ImprovedYasutomi).
+    ImprovedYasutomi(ImprovedYasutomiConstants),
+}
+
+/// What a scene file holds.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LubricantTable {
+    eta0: Option<f64>,
+    roelands_z: Option<f64>,
+    roelands_p0: Option<f64>,
+    alpha: Option<f64>,
+    temperature: Option<f64>,
+    roelands_s0: Option<f64>,
+    viscosity: Option<ViscositySpec>,
+    formula_alpha: Option<f64>,
+    density_a: Option<f64>,
+    density_b: Option<f64>,
+    supplied_film: Option<f64>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<LubricantTable> for LubricantSpec {
+    type Error = String;
+
+    fn try_from(table: LubricantTable) -> Result<Self, String> {
+        let of_roelands = [
+            ("eta0", table.eta0),
+            ("roelands_z", table.roelands_z),
+            ("alpha", table.alpha),
+            ("temperature", table.temperature),
+            ("roelands_s0", table.roelands_s0),
+        ];
+        let needed = |key: &str, value: Option<f64>| match (value, table.viscosity) {
+            (Some(value), _) => Ok(value),
+            (None, Some(_)) => Ok(0.0),
+            (None, None) => Err(format!("missing field `{key}`")),
+        };
+        if table.viscosity.is_some()
+            && let Some((key, _)) =
+                of_roelands.iter().find(|(_, value)| value.is_some_and(|value| value != 0.0))
+        {
+            return Err(format!(
+                "unknown field `{key}`, `viscosity` gives another law than that of Roelands"
+            ));
+        }
+        Ok(Self {
+            eta0: needed("eta0", table.eta0)?,
+            roelands_z: needed("roelands_z", table.roelands_z)?,
+            roelands_p0: table.roelands_p0.unwrap_or(1.96e8),
+            alpha: table.alpha,
+            temperature: table.temperature,
+            roelands_s0: table.roelands_s0,
+            viscosity: table.viscosity,
+            formula_alpha: table.formula_alpha,
+            density_a: table.density_a.unwrap_or(0.6e-9),
+            density_b: table.density_b.unwrap_or(1.7e-9),
+            supplied_film: table.supplied_film,
+        })
+    }
+}

@@ -1,0 +1,80 @@
+//! What is asked of the stresses below the surface.
+
+use super::Scene;
+use crate::error::InputError;
+
+/// Stresses below the surface of the disc, in single contacts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
+#[non_exhaustive]
+pub struct StressSpec {
+    /// Depths at which stresses are computed, the first one the surface.
+    pub depths: usize,
+    /// The deepest of them \[m\]; none for 1.5 of the smaller Hertz half-width.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub deepest: Option<f64>,
+    /// Poisson's ratio of the disc; none for that of `materials.disc`, or 0.3.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub poisson: Option<f64>,
+    /// Tensile yield strength of the disc \[Pa\], which the stresses are put in relation to.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub yield_strength: Option<f64>,
+}
+
+impl Default for StressSpec {
+    fn default() -> Self {
+        Self { depths: 24, deepest: None, poisson: None, yield_strength: None }
+    }
+}
+
+impl StressSpec {
+    /// Poisson's ratio of steel, for a disc that has none.
+    const STEEL: f64 = 0.3;
+
+    /// Checks the values; those of `scene` that contradict them.
+    pub(in crate::sim) fn validate(&self, scene: &Scene) -> Result<(), InputError> {
+        let depths = self.depths as f64;
+        InputError::require(
+            (3..=1000).contains(&self.depths),
+            "stress.depths",
+            depths,
+            "between 3 and 1000",
+        )?;
+        if let Some(deepest) = self.deepest {
+            InputError::require_positive("stress.deepest", deepest)?;
+        }
+        if let Some(poisson) = self.poisson {
+            let inside = -1.0 < poisson && poisson <= 0.5;
+            InputError::require(inside, "stress.poisson", poisson, "above -1 and at most 0.5")?;
+        }
+        if let Some(strength) = self.yield_strength {
+            InputError::require_positive("stress.yield_strength", strength)?;
+        }
+        let conflict = |reason: &str| {
+            Err(InputError::Conflict { field: "stress".to_owned(), reason: reason.to_owned() })
+        };
+        if scene.elastic.layer.is_some() {
+            return conflict("the stresses are those of a half-space, but elastic.layer is given");
+        }
+        match (self.poisson, scene.materials.disc.poisson()) {
+            (Some(_), Some(_)) => {
+                conflict("poisson and materials.disc.poisson_ratio are given; give one of both")
+            }
+            _ => Ok(()),
+        }
+    }
+
+    pub(in crate::sim) fn poisson(&self, scene: &Scene) -> f64 {
+        self.poisson.or(scene.materials.disc.poisson()).unwrap_or(Self::STEEL)
+    }
+
+    /// The depths of a contact whose smaller half-width is `half_width` \[m\]: squares of an even spacing, closest at the surface.
+    pub(in crate::sim) fn depths(&self, half_width: f64) -> Vec<f64> {
+        let deepest = self.deepest.unwrap_or(1.5 * half_width);
+        (0..self.depths).map(|k| deepest * (k as f64 / (self.depths - 1) as f64).powi(2)).collect()
+    }
+}
