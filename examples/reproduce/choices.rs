@@ -157,7 +157,7 @@ fn set_length(scene: &mut Scene, length: f64) {
 
 /// What stays as it is, and why it is not among the flips.
 pub(crate) const NOT_FLIPPED: &str = "\
-Not flipped: the paper's contact definition (neither sweeps nor Newton's method solve this scene with it: `docs/stability.md`; [what is the paper's in it](methods.md#the-papers-contact)); the
+Not flipped: the paper's contact definition (neither sweeps nor Newton's method solve this scene with it: `docs/stability.md`; [what is the paper's in it](paper_contact.md)); the
 reading of 1.15 GPa as the mean (182 N, beyond the machine); film on one body alone and average instead of
 smaller hardness (the simulation has neither); removal of film outside contact; squeeze (a history of two hours would take
 some 10^8 steps of the time that the surfaces need for a cell); cavitation with mass conservation (these histories have Reynolds' condition).

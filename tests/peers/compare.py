@@ -5,7 +5,7 @@
 
 Makes one virtual environment per package (they do not agree on a version of NumPy), installs it from the Python package
 index, says what does not install, and prints a Markdown table. slippy needs Python below 3.11. `--write` puts the table
-into docs/performance.md, between the two marks of the section "Beside other codes". Needs nothing but the standard
+into docs/peers.md, between the two marks. Needs nothing but the standard
 library itself.
 """
 
@@ -218,7 +218,7 @@ def main():
     text = f"Versions: {versions}.\nMachine: {machine()}.\n\n{table(codes)}\n"
     print(text)
     if arguments.write:
-        document = ROOT / "docs" / "performance.md"
+        document = ROOT / "docs" / "peers.md"
         before, _, rest = document.read_text().partition(MARKS[0])
         _, _, after = rest.partition(MARKS[1])
         document.write_text(f"{before}{MARKS[0]}\n{text}{MARKS[1]}{after}")
