@@ -1,9 +1,11 @@
-//! The pages of the book: all are in the summary, and what they and the README link to is there.
+//! The pages of the book: all are in the summary and short, what they and the README link to is there, and numbers have names.
 
 #![expect(clippy::unwrap_used, reason = "a test stops at what it did not expect")]
 
 use std::fs;
 use std::path::{Path, PathBuf};
+
+use stribeck::sim::StepRecord;
 
 /// Targets of the links and pictures of a page.
 fn targets(text: &str) -> impl Iterator<Item = &str> {
@@ -61,4 +63,23 @@ fn the_summary_names_every_page() {
             "{name} is not in the summary"
         );
     }
+}
+
+#[test]
+fn pages_are_short() {
+    for page in pages() {
+        let lines = fs::read_to_string(&page).unwrap().lines().count();
+        let most = if page.ends_with("README.md") { 99 } else { 180 };
+        assert!(lines <= most, "{}: {lines} lines", page.display());
+    }
+}
+
+#[test]
+fn every_column_of_a_history_is_documented() {
+    let document = include_str!("../docs/output.md");
+    let missing: Vec<&str> = StepRecord::CSV_HEADER
+        .split(',')
+        .filter(|column| !document.contains(&format!("`{column}`")))
+        .collect();
+    assert!(missing.is_empty(), "not in docs/output.md: {missing:?}");
 }

@@ -8,12 +8,25 @@ use stribeck::sim::scene::{FileRoughness, GridSpec, Roughness, SolverKind, Tribo
 use stribeck::sim::{Scene, SimError, solve_contact, write_npz};
 use stribeck::surface::{Form, write_npy};
 
-const DOCUMENT: &str = include_str!("../docs/scene.md");
+/// What a scene file is, and the tables in the order of the pages.
+const FIRST_PAGE: &str = include_str!("../docs/scene.md");
+const TABLES: [&str; 4] = [
+    include_str!("../docs/scene_contact.md"),
+    include_str!("../docs/scene_bodies.md"),
+    include_str!("../docs/scene_fluid.md"),
+    include_str!("../docs/scene_history.md"),
+];
 
-/// The first TOML block of the document.
-fn documented() -> &'static str {
-    let (_, rest) = DOCUMENT.split_once("```toml\n").unwrap();
+/// The first TOML block of `text`.
+fn first_block(text: &str) -> &str {
+    let (_, rest) = text.split_once("```toml\n").unwrap();
     rest.split_once("```").unwrap().0
+}
+
+/// The complete scene of the document.
+fn documented() -> &'static str {
+    let [.., history] = TABLES;
+    first_block(history.split_once("## A complete scene").unwrap().1)
 }
 
 /// A dry scene on a small grid, with one line per key and `extra` at the end.
@@ -42,6 +55,15 @@ fn assert_names(text: &str, parts: &[&str]) {
 fn documented_scene_is_the_reference_scene() {
     let expected = Scene::azam_2019(128).with_tribofilm();
     assert_eq!(Scene::from_toml(documented()).unwrap(), expected);
+}
+
+/// Its peak is Hertz' on 16 cells in the Hertz radius.
+#[test]
+fn smallest_documented_scene_is_solved() {
+    let scene = Scene::from_toml(first_block(FIRST_PAGE)).unwrap();
+    let solution = solve_contact(&scene).unwrap();
+    solution.report.require_converged().unwrap();
+    assert!((solution.contact.max_pressure / 1e9 - 1.0).abs() < 1e-2, "{:?}", solution.contact);
 }
 
 #[test]
@@ -100,6 +122,7 @@ fn document_lists_every_key() {
         .filter(|name| name.chars().all(|c| c.is_ascii_lowercase() || c == '_' || c.is_ascii_digit()))
         .collect();
     assert!(fields.len() > 40, "{fields:?}");
+    let document = TABLES.concat();
     let missing: Vec<_> = fields
         .iter()
         .filter(|name| {
@@ -110,10 +133,10 @@ fn document_lists_every_key() {
                 format!(".{name}]"),
                 format!(".{name}`"),
             ];
-            !forms.iter().any(|form| DOCUMENT.contains(form.as_str()))
+            !forms.iter().any(|form| document.contains(form.as_str()))
         })
         .collect();
-    assert!(missing.is_empty(), "not in docs/scene.md: {missing:?}");
+    assert!(missing.is_empty(), "not in docs/scene_*.md: {missing:?}");
 }
 
 #[test]

@@ -99,7 +99,7 @@ fn json_fields_are_documented() {
     let (_folder, path) = scene(&dry(16));
     let mut found = Vec::new();
     collect(&json_of(&solve(&[path.to_str().unwrap(), "--json"])), "", &mut found);
-    let document = include_str!("../docs/scene.md");
+    let document = include_str!("../docs/output.md");
     let (_, table) = document.split_once("| field | meaning | unit |").unwrap();
     let first_cells =
         table.lines().skip(2).take_while(|line| line.starts_with('|')).map(|l| l.split('|').nth(1).unwrap());
@@ -245,7 +245,7 @@ fn estimates_are_printed_and_written() {
     let estimates = json["error_estimate"].as_object().unwrap();
     assert_eq!(estimates.len(), 7);
     for (key, value) in estimates {
-        let documented = include_str!("../docs/scene.md").contains(&format!("`error_estimate.{key}`"));
+        let documented = include_str!("../docs/output.md").contains(&format!("`error_estimate.{key}`"));
         assert!(documented && value.as_f64().unwrap() >= 0.0, "{key}: {value}");
     }
     for key in ["mean_film", "friction_coefficient", "load_ratio", "area_ratio"] {

@@ -159,8 +159,15 @@ fn schedules_and_line_loads_have_units_too() {
 /// Every key of the documentation that has a unit is known to have one.
 #[test]
 fn every_documented_key_with_a_unit_takes_one() {
-    let document = include_str!("../docs/scene.md");
-    let (document, _) = document.split_once("\n## The example `solve`").unwrap();
+    // Differences of temperature and what is per kelvin.
+    const NUMBERS: [&str; 5] = ["epsilon", "beta", "expansion", "a1", "c2"];
+    let document = [
+        include_str!("../docs/scene_contact.md"),
+        include_str!("../docs/scene_bodies.md"),
+        include_str!("../docs/scene_fluid.md"),
+        include_str!("../docs/scene_history.md"),
+    ]
+    .concat();
     let mut section = String::new();
     let mut keys = 0;
     for line in document.lines() {
@@ -174,6 +181,9 @@ fn every_documented_key_with_a_unit_takes_one() {
             continue;
         }
         for name in names.split(", ").map(|name| name.trim_matches('`')) {
+            if section == "lubricant.viscosity" && NUMBERS.contains(&name) {
+                continue;
+            }
             let key = match name.starts_with("schedule.") {
                 true => format!("{name}.value"),
                 false if name.contains('.') => name.to_owned(),

@@ -98,7 +98,7 @@ impl ContactSolution {
 
 #[cfg(feature = "serde")]
 mod named {
-    //! Names of the numbers, all in SI units; `docs/scene.md` says what they are.
+    //! Names of the numbers, all in SI units; `docs/output.md` says what they are.
 
     use serde::{Serialize, Serializer};
 
@@ -244,7 +244,7 @@ mod named {
     }
 
     impl Serialize for ContactSolution {
-        /// The numbers of the solution in SI units under their names in `docs/scene.md`, without the fields.
+        /// The numbers of the solution in SI units under their names in `docs/output.md`, without the fields.
         fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
             self.numbers().serialize(serializer)
         }

@@ -14,7 +14,7 @@ use crate::output::{self, Outcome};
 /// Box and cells on which a scene is looked at that picks its own.
 const OWN_BOX: f64 = 2.0;
 const OWN_CELLS: usize = 64;
-/// Memory of a node \[kB\], as `docs/scene.md` has it.
+/// Memory of a node \[kB\], as `docs/scene_contact.md` has it.
 const LUBRICATED_MEMORY: f64 = 2.0;
 const DRY_MEMORY: f64 = 0.4;
 

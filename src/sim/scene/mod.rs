@@ -37,7 +37,7 @@ use crate::surface::Form;
 /// Everything that defines a contact. All SI; every table that is absent is physics that is not modelled.
 ///
 /// With the feature `serde` a scene is read from and written to TOML; unknown keys are errors that name the key.
-/// The keys are the field names; `docs/scene.md` lists them with units and defaults.
+/// The keys are the field names; the pages `docs/scene*.md` list them with units and defaults.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Scene {
