@@ -1,21 +1,24 @@
 //! Putting a simulation together: the scene's own laws, or the user's in their place.
 
 use super::body::Body;
-use super::contact::{ContactModel, Overrides};
+use super::contact::{ContactModel, Overrides, needs_meshes, solve_bodies};
 use super::friction::boundary_law;
 use super::heat::Heat;
+use super::interrupt::Interrupt;
 use super::per_body::PerBody;
 use super::scene::{BODIES, PlasticSpec, Scene, WearSpec};
 use super::simulation::{Laws, MixedLubricationSim, Travel};
+use super::solution::ContactSolution;
 use super::start::BodyStart;
 use super::timetable::Timetable;
-use super::{SimError, exposure, setup};
+use super::{SimError, accuracy, exposure, setup};
 use crate::boundary_friction::BoundaryFriction;
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
+use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, ViscosityLaw};
 use crate::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
-use crate::reynolds::ContactSolver;
+use crate::reynolds::{ContactSolver, ContactState};
 use crate::surface::RoughnessMotion;
 use crate::tribochem::FilmGrowthLaw;
 use crate::wear::{Archard, WearLaw, WearPressure};
@@ -24,7 +27,7 @@ use crate::wear::{Archard, WearLaw, WearPressure};
 #[derive(Debug)]
 pub struct SimBuilder {
     scene: Scene,
-    overrides: Overrides,
+    pub(super) overrides: Overrides,
     plasticity: Option<Box<dyn PlasticityModel>>,
     growth: Option<Box<dyn FilmGrowthLaw>>,
     wear: Option<Box<dyn WearLaw>>,
@@ -33,6 +36,7 @@ pub struct SimBuilder {
     squeeze: bool,
     heights: [Option<Vec<f64>>; 2],
     starts: [Option<BodyStart>; 2],
+    contact_start: Option<ContactState>,
 }
 
 impl SimBuilder {
@@ -48,6 +52,7 @@ impl SimBuilder {
             squeeze: false,
             heights: [None, None],
             starts: [None, None],
+            contact_start: None,
         }
     }
 
@@ -150,6 +155,110 @@ impl SimBuilder {
     pub fn disc_heights(mut self, heights: Vec<f64>) -> Self {
         self.heights[1] = Some(heights);
         self
+    }
+
+    /// Ends a solve early: `asked` is called once an iteration, on the thread that solves, and where it returns true the solve is
+    /// an error ([`SimError::Interrupted`]) and a simulation is as before the step.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use std::sync::atomic::{AtomicBool, Ordering};
+    /// use stribeck::sim::{MixedLubricationSim, Scene, SimError};
+    /// let stop = Arc::new(AtomicBool::new(true));
+    /// let seen = Arc::clone(&stop);
+    /// let builder = MixedLubricationSim::builder(Scene::azam_2019(32));
+    /// let mut sim = builder.interrupt(move || seen.load(Ordering::Relaxed)).build()?;
+    /// assert!(matches!(sim.step(60.0), Err(SimError::Interrupted)));
+    /// stop.store(false, Ordering::Relaxed);
+    /// assert_eq!(sim.step(60.0)?.step, 0);
+    /// # Ok::<(), SimError>(())
+    /// ```
+    #[must_use]
+    pub fn interrupt(mut self, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
+        self.overrides.interrupt = Some(Interrupt::new(asked));
+        self
+    }
+
+    /// Starts [`solve`](Self::solve) from the pressures of an earlier solution on the same grid. The first step of a history starts
+    /// from the bodies alone.
+    #[must_use]
+    pub fn contact_start(mut self, state: ContactState) -> Self {
+        self.contact_start = Some(state);
+        self
+    }
+
+    /// Solves the single contact of the bodies as they stand, in the first position of their roughness and at the conditions of the
+    /// start, as [`solve_contact`](super::solve_contact) does, with the laws, heights and starts that were given here. What changes bodies is not asked, a
+    /// hardness that grows with the plastic depth of this contact is not followed.
+    ///
+    /// # Errors
+    /// A scene, heights or starts that do not fit; a load that the pressure limit cannot carry; own parts beside an accuracy or an
+    /// estimate of errors, which need other meshes. Not converging is a status of the report.
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
+    /// let scene = Scene::azam_2019(32);
+    /// let first = solve_contact(&scene)?;
+    /// // The same surfaces from memory, and a start that is the solution.
+    /// let heights = |k: usize| MixedLubricationSim::builder(scene.clone()).build().map(|sim| sim.bodies()[k].surface().to_vec());
+    /// let builder = MixedLubricationSim::builder(scene.clone()).ball_heights(heights(0)?).disc_heights(heights(1)?);
+    /// let again = builder.contact_start(first.state.clone()).solve()?;
+    /// assert!((again.film.central / first.film.central - 1.0).abs() < 1e-3);
+    /// assert!(again.report.work.iterations < first.report.work.iterations);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn solve(mut self) -> Result<ContactSolution, SimError> {
+        if needs_meshes(&self.scene) {
+            if let Some(part) = self.own_part() {
+                return Err(SimError::Input(InputError::Conflict {
+                    field: part.to_owned(),
+                    reason: "it is known on one grid, an accuracy or an estimate of errors needs several".to_owned(),
+                }));
+            }
+            return accuracy::solve(&self.scene, self.overrides.interrupt.as_ref());
+        }
+        let start = self.contact_start.take();
+        self.solve_from(|grid| Ok(start.unwrap_or_else(|| ContactState::new(grid))))
+    }
+
+    /// The same on the grid of the scene alone, from what `start` makes.
+    pub(super) fn solve_from(
+        mut self,
+        start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
+    ) -> Result<ContactSolution, SimError> {
+        self.scene.schedule.read_tables()?;
+        let overrides = std::mem::take(&mut self.overrides);
+        let contact = ContactModel::new(&self.scene, overrides)?;
+        if let (Some(plastic), None) = (self.scene.plastic, &self.plasticity) {
+            let [ball, disc] = self.scene.hardnesses(plastic.hardness);
+            setup::validate_hardness(ball.min(disc), &contact.grid, &contact.hertz)?;
+        }
+        let laws = self.laws()?;
+        let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
+        let state = start(&contact.grid)?;
+        solve_bodies(&self.scene, contact, &bodies, &laws, state)
+    }
+
+    /// The first part that was put in place of one of the scene.
+    fn own_part(&self) -> Option<&'static str> {
+        let [ball, disc] = &self.heights;
+        let [ball_start, disc_start] = &self.starts;
+        let own = &self.overrides;
+        [
+            ("ball heights", ball.is_some()),
+            ("disc heights", disc.is_some()),
+            ("ball start", ball_start.is_some()),
+            ("disc start", disc_start.is_some()),
+            ("contact start", self.contact_start.is_some()),
+            ("deformation", own.deformation.is_some()),
+            ("viscosity", own.viscosity.is_some()),
+            ("density", own.density.is_some()),
+            ("solver", own.solver.is_some()),
+            ("plasticity model", self.plasticity.is_some()),
+            ("boundary friction", self.friction.is_some()),
+        ]
+        .into_iter()
+        .find_map(|(part, given)| given.then_some(part))
     }
 
     /// Checks the scene and makes the simulation; what is not modelled is decided here once.

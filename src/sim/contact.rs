@@ -1,12 +1,20 @@
 //! One quasi-static contact: the pieces that stay fixed while surfaces change, and its solution in numbers.
 
-use super::accuracy;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::body::Body;
+use super::builder::SimBuilder;
 use super::formula::{FormulaFilm, formula_film, stated_film};
-use super::friction::{FrictionFields, boundary_law};
+use super::friction::FrictionFields;
 use super::hertz::HertzContact;
+use super::interrupt::{Interrupt, Interruptible};
 use super::scene::{GridSpec, Motion, Scene};
+use super::simulation::Laws;
 use super::solution::{ContactSolution, Numbers, is_known};
 use super::timetable::{Conditions, Timetable};
+use super::track::track_rq;
+use super::yielding::Yielding;
 use super::{SimError, setup};
 use crate::elastic::{DeformationModel, HalfSpace, LineHalfSpace};
 use crate::error::InputError;
@@ -47,6 +55,8 @@ pub(super) struct ContactModel {
     evaluation: Option<Evaluation>,
     /// That of the last one.
     pub(super) flow: Option<FlowBalance>,
+    /// Set by an interrupt that ended the last solve; none where nothing interrupts.
+    heeded: Option<Arc<AtomicBool>>,
 }
 
 /// What a user puts in place of the scene's own parts.
@@ -56,6 +66,7 @@ pub(super) struct Overrides {
     pub(super) viscosity: Option<Box<dyn ViscosityLaw>>,
     pub(super) density: Option<Box<dyn DensityLaw>>,
     pub(super) solver: Option<Box<dyn ContactSolver>>,
+    pub(super) interrupt: Option<Interrupt>,
 }
 
 impl ContactModel {
@@ -74,6 +85,13 @@ impl ContactModel {
         let mut form_gap = vec![0.0; grid.len()];
         scene.form.gap_into(&grid, &mut form_gap)?;
         let deformation = checked_deformation(scene, grid, overrides.deformation)?;
+        let (deformation, heeded) = match overrides.interrupt {
+            None => (deformation, None),
+            Some(interrupt) => {
+                let (model, heeded) = Interruptible::new(deformation, interrupt);
+                (Box::new(model) as Box<dyn DeformationModel>, Some(heeded))
+            }
+        };
         let missing =
             [("viscosity", overrides.viscosity.is_some()), ("density", overrides.density.is_some())];
         if let (None, Some((law, _))) = (&scene.lubricant, missing.iter().find(|(_, given)| *given)) {
@@ -112,6 +130,7 @@ impl ContactModel {
             contact: scene.solver.contact,
             motion: conditions.motion,
             load: conditions.load,
+            heeded,
         })
     }
 
@@ -169,7 +188,14 @@ impl ContactModel {
             reference_pressure: self.hertz.p_max,
             reference_film,
         };
-        let report = self.solver.solve(&mut problem, state, &self.rule)?;
+        if let Some(heeded) = &self.heeded {
+            heeded.store(false, Ordering::Relaxed);
+        }
+        let solved = self.solver.solve(&mut problem, state, &self.rule);
+        if self.heeded.as_ref().is_some_and(|heeded| heeded.load(Ordering::Relaxed)) {
+            return Err(SimError::Interrupted);
+        }
+        let report = solved?;
         self.flow = match &mut self.evaluation {
             Some(evaluation) => evaluation.flow_balance(&problem, state)?,
             None => None,
@@ -196,61 +222,68 @@ impl ContactModel {
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {
+    SimBuilder::new(scene.clone()).solve()
+}
+
+/// Whether the single contact of `scene` is solved on several meshes.
+pub(super) fn needs_meshes(scene: &Scene) -> bool {
     let asked = scene.solver.estimate || scene.solver.accuracy.is_some();
-    if asked || matches!(scene.grid, GridSpec::Accuracy { .. }) {
-        return accuracy::solve(scene);
-    }
-    solve_on_grid(scene, |grid| Ok(ContactState::new(grid)))
+    asked || matches!(scene.grid, GridSpec::Accuracy { .. })
 }
 
 /// Solves the contact on the grid of the scene from the state that `start` makes.
 pub(super) fn solve_on_grid(
     scene: &Scene,
+    interrupt: Option<&Interrupt>,
     start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
 ) -> Result<ContactSolution, SimError> {
-    let model = ContactModel::new(scene, Overrides::default())?;
-    let ball = setup::heights(&scene.roughness.ball, &model.grid, "ball")?;
-    let disc = setup::heights(&scene.roughness.disc, &model.grid, "disc")?;
-    solve_model(scene, model, [ball, disc], start)
+    let mut builder = SimBuilder::new(scene.clone());
+    builder.overrides.interrupt = interrupt.cloned();
+    builder.solve_from(start)
 }
 
 /// The same with the heights of ball and disc on this grid given \[m\].
 pub(super) fn solve_heights(
     scene: &Scene,
-    heights: [Vec<f64>; 2],
-    start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
+    interrupt: Option<&Interrupt>,
+    [ball, disc]: [Vec<f64>; 2],
 ) -> Result<ContactSolution, SimError> {
-    solve_model(scene, ContactModel::new(scene, Overrides::default())?, heights, start)
+    let mut builder = SimBuilder::new(scene.clone()).ball_heights(ball).disc_heights(disc);
+    builder.overrides.interrupt = interrupt.cloned();
+    builder.solve_from(|grid| Ok(ContactState::new(grid)))
 }
 
-fn solve_model(
+/// Solves the contact of `bodies` as they stand from `state`.
+pub(super) fn solve_bodies(
     scene: &Scene,
     mut model: ContactModel,
-    [ball, disc]: [Vec<f64>; 2],
-    start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
+    bodies: &[Body; 2],
+    laws: &Laws,
+    mut state: ContactState,
 ) -> Result<ContactSolution, SimError> {
     let grid = model.grid;
-    let gap: Vec<f64> =
-        model.form_gap.iter().zip(ball.iter().zip(&disc)).map(|(form, (b, d))| form - b - d).collect();
-    let limit = match scene.plastic {
+    let [ball, disc] = bodies;
+    let heights = ball.surface().iter().zip(disc.surface());
+    let gap: Vec<f64> = model.form_gap.iter().zip(heights).map(|(form, (b, d))| form - b - d).collect();
+    let films = [ball, disc].map(|body| body.film_thickness().to_vec());
+    let limit = match &laws.plasticity {
         None => None,
-        Some(plastic) => {
-            let [ball, disc] = scene.hardnesses(plastic.hardness);
-            let softer = ball.min(disc);
-            setup::validate_hardness(softer, &grid, &model.hertz)?;
-            Some(vec![softer; grid.len()])
+        Some(plasticity) => {
+            let depths = [ball, disc].map(|body| body.plastic_depth().to_vec());
+            let mut yielding = Yielding::new(grid.len());
+            yielding.start(plasticity, &films, &depths)?;
+            Some(yielding.limit)
         }
     };
-    let mut state = start(&grid)?;
     let report = model.solve(&gap, limit.as_deref(), None, &mut state)?;
-    let law = boundary_law(&scene.friction, None)?;
     let mut friction = FrictionFields::new(scene, grid.len())?;
     let known = is_known(&state);
     if known {
-        friction.update(&model, &state, law.as_ref(), None)?;
+        friction.update(&model, &state, laws.friction.as_ref(), &films)?;
     }
     let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
-    Ok(model.solution(report, state, gap, numbers))
+    let rq = [ball, disc].map(|body| track_rq(&grid, model.hertz.a_y, body.surface()));
+    Ok(model.solution((report, state), gap, numbers, rq))
 }
 
 /// Checks that grid and hardness do for the smallest and the largest load of the schedule.

@@ -19,6 +19,7 @@ mod heat;
 mod hertz;
 #[cfg(feature = "serde")]
 mod identity;
+mod interrupt;
 #[cfg(feature = "npz")]
 mod npz;
 mod observer;

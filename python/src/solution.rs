@@ -1,0 +1,198 @@
+//! Single contacts.
+
+use numpy::PyReadonlyArray2;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use stribeck::reynolds::ContactState;
+use stribeck::sim::{ContactSolution, MixedLubricationSim, SimBuilder};
+
+use crate::convert::{field, named, on_grid};
+use crate::error::value;
+use crate::interrupt::on_signal;
+use crate::laws::Laws;
+use crate::record::{hertz_dict, residual_dict, work_dict};
+use crate::scene::{Scene, grid_dict};
+use crate::start::BodyStart;
+
+/// A law in Python: what tells it from others, and its function.
+pub(crate) type PyLaw = (String, Py<PyAny>);
+/// The same with the largest thickness of its film \[m\].
+pub(crate) type PyGrowth = (String, Py<PyAny>, f64);
+type Array<'py> = PyReadonlyArray2<'py, f64>;
+
+/// What may stand in place of the parts of a scene.
+#[derive(FromPyObject)]
+pub(crate) struct Parts<'py> {
+    #[pyo3(item)]
+    ball_heights: Option<Array<'py>>,
+    #[pyo3(item)]
+    disc_heights: Option<Array<'py>>,
+    #[pyo3(item)]
+    ball_start: Option<Py<BodyStart>>,
+    #[pyo3(item)]
+    disc_start: Option<Py<BodyStart>>,
+    #[pyo3(item)]
+    growth: Option<PyGrowth>,
+    #[pyo3(item)]
+    wear: Option<PyLaw>,
+    #[pyo3(item)]
+    friction: Option<PyLaw>,
+}
+
+impl Parts<'_> {
+    /// A builder with these parts, and the laws' exceptions.
+    pub(crate) fn builder(self, py: Python<'_>, scene: &Scene) -> PyResult<(SimBuilder, crate::laws::Failure)> {
+        let mut builder = MixedLubricationSim::builder(scene.0.clone());
+        let own_law = self.growth.is_some() || self.wear.is_some() || self.friction.is_some();
+        let needs_grid = own_law || self.ball_heights.is_some() || self.disc_heights.is_some();
+        let failure = if needs_grid {
+            let grid = value(py, scene.0.grid())?;
+            if let Some(heights) = &self.ball_heights {
+                builder = builder.ball_heights(on_grid(py, "ball heights", heights, &grid)?.to_vec());
+            }
+            if let Some(heights) = &self.disc_heights {
+                builder = builder.disc_heights(on_grid(py, "disc heights", heights, &grid)?.to_vec());
+            }
+            let laws = Laws::new(grid, self.growth, self.wear, self.friction);
+            if let Some(law) = laws.growth {
+                builder = builder.growth_law(law);
+            }
+            if let Some(law) = laws.wear {
+                builder = builder.wear_law(law);
+            }
+            if let Some(law) = laws.friction {
+                builder = builder.boundary_friction(law);
+            }
+            laws.failure
+        } else {
+            crate::laws::Failure::default()
+        };
+        if let Some(start) = self.ball_start {
+            builder = builder.ball_start(start.get().0.clone());
+        }
+        if let Some(start) = self.disc_start {
+            builder = builder.disc_start(start.get().0.clone());
+        }
+        Ok((builder.interrupt(on_signal(failure.clone())), failure))
+    }
+}
+
+/// Solves the single contact of `scene`; returns numbers and fields.
+#[pyfunction]
+#[pyo3(signature = (scene, parts, start=None))]
+pub(crate) fn solve<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    parts: Parts<'py>,
+    start: Option<[Array<'py>; 2]>,
+) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
+    let (mut builder, failure) = parts.builder(py, scene)?;
+    if let Some([pressure, fluid_pressure]) = start {
+        let grid = value(py, scene.0.grid())?;
+        let mut state = ContactState::new(&grid);
+        state.pressure = on_grid(py, "start pressure", &pressure, &grid)?.to_vec();
+        state.fluid_pressure = on_grid(py, "start fluid_pressure", &fluid_pressure, &grid)?.to_vec();
+        builder = builder.contact_start(state);
+    }
+    let solved = py.detach(|| builder.solve());
+    if let Some(error) = failure.take() {
+        return Err(error);
+    }
+    parts_of(py, &value(py, solved)?)
+}
+
+/// Numbers and fields of a solution.
+pub(crate) fn parts_of<'py>(
+    py: Python<'py>,
+    solution: &ContactSolution,
+) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
+    let fields = PyDict::new(py);
+    for (name, values) in solution.fields() {
+        fields.set_item(name, field(py, &solution.grid, values)?)?;
+    }
+    fields.set_item("in_contact", field(py, &solution.grid, &solution.state.in_contact)?)?;
+    Ok((numbers(py, solution)?, fields))
+}
+
+/// The numbers under the names of the JSON of the example `solve`.
+fn numbers<'py>(py: Python<'py>, solution: &ContactSolution) -> PyResult<Bound<'py, PyDict>> {
+    let ContactSolution { report, film, contact, discretisation, .. } = solution;
+    let moes = match solution.moes {
+        Some((m, l)) => Some(named!(py, { "m": m, "l": l })),
+        None => None,
+    };
+    let flow = match solution.flow {
+        Some(flow) => Some(named!(py, {
+            "inflow": flow.inflow,
+            "outflow": flow.outflow,
+            "imbalance": flow.imbalance,
+        })),
+        None => None,
+    };
+    let words = |text: String| text;
+    Ok(named!(py, {
+        "status": report.status.to_string(),
+        "solver": report.solver,
+        "scheme": discretisation.map(|(scheme, ..)| words(snake(&scheme))),
+        "face_mobility": discretisation.map(|(_, face_mobility, _)| words(snake(&face_mobility))),
+        "cavitation": solution.cavitation.map(|cavitation| words(snake(&cavitation))),
+        "contact_definition": discretisation.map(|(.., contact)| words(snake(&contact))),
+        "residual": residual_dict(py, report)?,
+        "energy_error": report.energy_error,
+        "work": work_dict(py, report)?,
+        "hertz": hertz_dict(py, &solution.hertz)?,
+        "moes": moes,
+        "film": named!(py, {
+            "central": film.central,
+            "minimum": film.minimum,
+            "mean_central": film.mean_central,
+            "minimum_gap": film.minimum_gap,
+            "lambda": solution.lambda,
+        }),
+        "pressure": named!(py, { "max": contact.max_pressure, "central": contact.central_pressure }),
+        "contact": named!(py, {
+            "area_ratio": contact.area_ratio,
+            "load_ratio": contact.load_ratio,
+            "area": contact.area,
+            "corrected_area_ratio": contact.corrected_area_ratio,
+            "corrected_area": contact.corrected_area,
+            "plastic_area": contact.plastic_area,
+            "film_cutoff": contact.film_cutoff,
+        }),
+        "friction": named!(py, {
+            "coefficient": solution.friction_coefficient,
+            "boundary": solution.friction_boundary,
+            "fluid": solution.friction_fluid,
+        }),
+        "roughness": named!(py, { "composite_rq": solution.composite_rq }),
+        "flow": flow,
+        "approach": solution.state.approach,
+        "error_estimate": estimate(py, solution)?,
+        "grid": grid_dict(py, &solution.grid)?,
+        "warnings": warnings(solution),
+        "version": env!("CARGO_PKG_VERSION"),
+    }))
+}
+
+/// The one place where warnings of a solution come from.
+fn warnings(_solution: &ContactSolution) -> Vec<String> {
+    Vec::new()
+}
+
+fn estimate<'py>(py: Python<'py>, solution: &ContactSolution) -> PyResult<Option<Bound<'py, PyDict>>> {
+    let Some(estimate) = solution.error_estimate else { return Ok(None) };
+    Ok(Some(named!(py, {
+        "central_film": estimate.central_film,
+        "minimum_film": estimate.minimum_film,
+        "max_pressure": estimate.max_pressure,
+        "mean_film": estimate.mean_film,
+        "load_ratio": estimate.load_ratio,
+        "area_ratio": estimate.area_ratio,
+        "friction_coefficient": estimate.friction_coefficient,
+    })))
+}
+
+/// The name of a choice as scene files write it.
+fn snake(choice: &impl serde::Serialize) -> String {
+    toml::Value::try_from(choice).ok().and_then(|value| value.as_str().map(str::to_owned)).unwrap_or_default()
+}
