@@ -131,8 +131,14 @@ fn line_films<'py>(
     load: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
     let [viscosity, pressure_viscosity] = oil;
-    let films =
-        LineFilmConditions { entrainment_speed: speed, viscosity, pressure_viscosity, equivalent_modulus, radius, load };
+    let films = LineFilmConditions {
+        entrainment_speed: speed,
+        viscosity,
+        pressure_viscosity,
+        equivalent_modulus,
+        radius,
+        load,
+    };
     value(py, films.validate())?;
     Ok(named!(py, {
         "dowson_toyoda_central": value(py, films.dowson_toyoda_central())?,

@@ -7,7 +7,7 @@ use pyo3::types::{PyBool, PyDict, PyList, PyString};
 use stribeck::Grid;
 use toml::{Table, Value};
 
-use crate::error::{raise, value};
+use crate::error::raise;
 
 /// A field as an array of shape `(ny, nx)`.
 pub(crate) fn field<'py, T: numpy::Element + Copy>(
@@ -46,17 +46,15 @@ pub(crate) fn contiguous<'a, T: numpy::Element>(
     })
 }
 
-/// A grid of `nx` x `ny` cells that fill the box between the edges `x` and `y` \[m\].
-pub(crate) fn grid(py: Python<'_>, shape: (usize, usize), x: [f64; 2], y: [f64; 2]) -> PyResult<Grid> {
-    value(py, Grid::from_edges(shape.1, shape.0, x, y))
-}
-
 /// A dictionary of strings, numbers, truth values, lists and dictionaries as a table; keys whose value is None are left out.
 pub(crate) fn table(dict: &Bound<'_, PyDict>, inside: &str) -> PyResult<Table> {
     let mut table = Table::new();
     for (key, entry) in dict {
         let key: String = key.extract().map_err(|_| {
-            PyTypeError::new_err(format!("a key of {} is no string", if inside.is_empty() { "the scene" } else { inside }))
+            PyTypeError::new_err(format!(
+                "a key of {} is no string",
+                if inside.is_empty() { "the scene" } else { inside }
+            ))
         })?;
         let path = if inside.is_empty() { key.clone() } else { format!("{inside}.{key}") };
         if !entry.is_none() {

@@ -2,8 +2,8 @@
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stribeck::sim::{CheckpointError, SimError};
 use stribeck::reynolds::ReynoldsError;
+use stribeck::sim::{CheckpointError, SimError};
 use stribeck::surface::SurfaceError;
 use stribeck::{InputError, NotConverged};
 
@@ -81,7 +81,8 @@ impl ForPython for SurfaceError {
 }
 
 fn io(py: Python<'_>, path: &str, message: &str, source: &std::io::Error) -> PyErr {
-    let error = raise(py, "FileError", message, Some("path"), path.into_pyobject(py).ok().map(Bound::into_any));
+    let error =
+        raise(py, "FileError", message, Some("path"), path.into_pyobject(py).ok().map(Bound::into_any));
     if let Some(number) = source.raw_os_error() {
         let _ = error.value(py).setattr("errno", number);
     }
@@ -149,10 +150,20 @@ impl ForPython for SimError {
     }
 }
 
-/// The error of a scene that does not fit: the key is what the parser names last between back ticks.
+/// The error of a scene that does not fit: the parser names the table or the key last, after `in`, and a key that is missing or stray
+/// first.
 fn scene(py: Python<'_>, reason: &str) -> PyErr {
-    let quoted: Vec<&str> = reason.split('`').skip(1).step_by(2).collect();
-    raise(py, "SceneError", reason, quoted.last().copied(), None)
+    let quoted = |words: &str| words.split('`').nth(1).map(str::to_owned);
+    let place = reason.rsplit_once(" in `").and_then(|(_, end)| end.strip_suffix('`'));
+    let key = ["unknown field ", "missing field "]
+        .iter()
+        .find_map(|words| reason.split_once(words))
+        .and_then(|(_, rest)| quoted(&format!(" {rest}")));
+    let field = match (place, key) {
+        (Some(table), Some(key)) => Some(format!("{table}.{key}")),
+        (place, key) => key.or(place.map(str::to_owned)),
+    };
+    raise(py, "SceneError", reason, field.as_deref(), None)
 }
 
 /// The value, or the error as an exception.

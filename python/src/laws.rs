@@ -50,12 +50,7 @@ impl fmt::Debug for Function {
 
 impl Function {
     /// Calls with the arguments that `arguments` makes and writes what is returned into `out`; NaN where that fails, with the exception kept.
-    fn fill<'py>(
-        &self,
-        py: Python<'py>,
-        arguments: Vec<Bound<'py, PyAny>>,
-        out: &mut [f64],
-    ) {
+    fn fill<'py>(&self, py: Python<'py>, arguments: Vec<Bound<'py, PyAny>>, out: &mut [f64]) {
         if let Err(error) = self.try_fill(py, arguments, out) {
             self.failure.keep(error);
         }
@@ -76,9 +71,14 @@ impl Function {
         let array = numpy.call_method1("asarray", (&returned, "float64"));
         let array = array.map_err(|_| {
             let kind = returned.get_type().to_string();
-            self.refused(py, &format!("returned a value of the type {kind}, expected numbers"), returned.clone())
+            self.refused(
+                py,
+                &format!("returned a value of the type {kind}, expected numbers"),
+                returned.clone(),
+            )
         })?;
-        let expected = if out.len() == self.grid.len() { vec![self.grid.ny(), self.grid.nx()] } else { vec![out.len()] };
+        let expected =
+            if out.len() == self.grid.len() { vec![self.grid.ny(), self.grid.nx()] } else { vec![out.len()] };
         let array = array.cast_into::<PyArrayDyn<f64>>()?;
         if array.ndim() > 0 && array.shape() != expected {
             let shape = array.getattr("shape")?;
@@ -255,7 +255,8 @@ impl Laws {
         friction: Option<(String, Py<PyAny>)>,
     ) -> Self {
         let failure = Failure::default();
-        let function = |name, (identity, call)| Function { name, identity, call, grid, failure: failure.clone() };
+        let function =
+            |name, (identity, call)| Function { name, identity, call, grid, failure: failure.clone() };
         Self {
             growth: growth.map(|(identity, call, maximum_thickness)| Growth {
                 function: function("growth law", (identity, call)),

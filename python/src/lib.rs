@@ -19,6 +19,7 @@ use pyo3::prelude::*;
 #[pymodule]
 fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add_class::<scene::Cells>()?;
     module.add_class::<scene::Scene>()?;
     module.add_class::<simulation::Simulation>()?;
     module.add_class::<start::BodyStart>()?;

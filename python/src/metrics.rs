@@ -44,7 +44,12 @@ fn height_statistics<'py>(py: Python<'py>, heights: Array<'py>) -> PyResult<Boun
 }
 
 #[pyfunction]
-fn bearing<'py>(py: Python<'py>, heights: Array<'py>, peaks: f64, valleys: f64) -> PyResult<Bound<'py, PyDict>> {
+fn bearing<'py>(
+    py: Python<'py>,
+    heights: Array<'py>,
+    peaks: f64,
+    valleys: f64,
+) -> PyResult<Bound<'py, PyDict>> {
     let curve = value(py, BearingCurve::new(contiguous(py, "heights", &heights)?))?;
     let (core, volumes) = (curve.core(), value(py, curve.volumes(peaks, valleys))?);
     Ok(named!(py, {
@@ -61,7 +66,12 @@ fn bearing<'py>(py: Python<'py>, heights: Array<'py>, peaks: f64, valleys: f64) 
 }
 
 #[pyfunction]
-fn hybrid_parameters<'py>(py: Python<'py>, heights: Array<'py>, dx: f64, dy: f64) -> PyResult<Bound<'py, PyDict>> {
+fn hybrid_parameters<'py>(
+    py: Python<'py>,
+    heights: Array<'py>,
+    dx: f64,
+    dy: f64,
+) -> PyResult<Bound<'py, PyDict>> {
     let grid = grid_of(py, heights.shape(), dx, dy)?;
     let numbers = value(py, metrics::hybrid_parameters(&grid, contiguous(py, "heights", &heights)?, None))?;
     Ok(named!(py, { "sdq": numbers.sdq, "sdr": numbers.sdr }))

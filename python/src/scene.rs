@@ -10,6 +10,23 @@ use crate::convert::{dict, named, table};
 use crate::error::{raise, value};
 use crate::record::hertz_dict;
 
+/// The cells of a contact.
+#[pyclass(frozen, module = "stribeck._stribeck")]
+pub(crate) struct Cells(pub(crate) stribeck::Grid);
+
+#[pymethods]
+impl Cells {
+    /// `shape` is `(ny, nx)`, `x` and `y` are the outer edges \[m\].
+    #[new]
+    fn new(py: Python<'_>, shape: (usize, usize), x: [f64; 2], y: [f64; 2]) -> PyResult<Self> {
+        value(py, stribeck::Grid::from_edges(shape.1, shape.0, x, y)).map(Self)
+    }
+
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        grid_dict(py, &self.0)
+    }
+}
+
 #[pyclass(frozen, module = "stribeck._stribeck")]
 pub(crate) struct Scene(pub(crate) sim::Scene);
 
@@ -55,8 +72,13 @@ impl Scene {
         hertz_dict(py, &value(py, self.0.hertz())?)
     }
 
-    fn grid<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        grid_dict(py, &value(py, self.0.grid())?)
+    fn grid(&self, py: Python<'_>) -> PyResult<Cells> {
+        value(py, self.0.grid()).map(Cells)
+    }
+
+    /// The one place where warnings of a scene come from.
+    fn warnings(&self) -> Vec<String> {
+        Vec::new()
     }
 
     fn conditions<'py>(&self, py: Python<'py>, time: f64) -> PyResult<Bound<'py, PyDict>> {
@@ -68,10 +90,7 @@ impl Scene {
     }
 }
 
-pub(crate) fn conditions_dict<'py>(
-    py: Python<'py>,
-    now: &sim::Conditions,
-) -> PyResult<Bound<'py, PyDict>> {
+pub(crate) fn conditions_dict<'py>(py: Python<'py>, now: &sim::Conditions) -> PyResult<Bound<'py, PyDict>> {
     Ok(named!(py, {
         "load": now.load,
         "entrainment_speed": now.motion.entrainment_speed,

@@ -7,20 +7,26 @@ use std::sync::{Mutex, TryLockError};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stribeck::sim::{MixedLubricationSim, SimError, StepControl, StepRecord};
+use stribeck::sim::{CheckpointError, MixedLubricationSim, SimError, StepControl, StepRecord};
 
 use crate::convert::{field, named, on_grid};
 use crate::error::{ForPython, raise, value};
 use crate::laws::Failure;
 use crate::record::record_dict;
-use crate::scene::{Scene, conditions_dict, grid_dict};
+use crate::scene::{Cells, Scene, conditions_dict};
 use crate::solution::{Parts, parts_of};
 use crate::start::BodyStart;
 
 #[pyclass(frozen, module = "stribeck._stribeck")]
 pub(crate) struct Simulation {
-    sim: Mutex<MixedLubricationSim>,
+    run: Mutex<Run>,
     failure: Failure,
+}
+
+struct Run {
+    sim: MixedLubricationSim,
+    /// Those of all steps since the start or the last checkpoint: a signal may come before Python sees one.
+    records: Vec<StepRecord>,
 }
 
 type Arrays<'py> = Bound<'py, PyDict>;
@@ -30,11 +36,11 @@ impl Simulation {
     fn act<T: Send, E: ForPython + Send>(
         &self,
         py: Python<'_>,
-        act: impl FnOnce(&mut MixedLubricationSim) -> Result<T, E> + Send,
+        act: impl FnOnce(&mut Run) -> Result<T, E> + Send,
     ) -> PyResult<T> {
         drop(self.failure.take());
-        let acted = py.detach(|| match self.sim.try_lock() {
-            Ok(mut sim) => Some(act(&mut sim)),
+        let acted = py.detach(|| match self.run.try_lock() {
+            Ok(mut run) => Some(act(&mut run)),
             Err(TryLockError::Poisoned(poisoned)) => Some(act(&mut poisoned.into_inner())),
             Err(TryLockError::WouldBlock) => None,
         });
@@ -49,9 +55,9 @@ impl Simulation {
 
     /// What `look` reads.
     fn look<T>(&self, py: Python<'_>, look: impl FnOnce(&MixedLubricationSim) -> PyResult<T>) -> PyResult<T> {
-        match self.sim.try_lock() {
-            Ok(sim) => look(&sim),
-            Err(TryLockError::Poisoned(poisoned)) => look(&poisoned.into_inner()),
+        match self.run.try_lock() {
+            Ok(run) => look(&run.sim),
+            Err(TryLockError::Poisoned(poisoned)) => look(&poisoned.into_inner().sim),
             Err(TryLockError::WouldBlock) => Err(Self::busy(py)),
         }
     }
@@ -74,12 +80,17 @@ impl Simulation {
         if let Some(error) = failure.take() {
             return Err(error);
         }
-        Ok(Self { sim: Mutex::new(value(py, built)?), failure })
+        let run = Run { sim: value(py, built)?, records: Vec::new() };
+        Ok(Self { run: Mutex::new(run), failure })
     }
 
     fn step<'py>(&self, py: Python<'py>, time_step: f64, depth: f64) -> PyResult<Bound<'py, PyDict>> {
         let control = StepControl { longest: time_step, depth };
-        let record = self.act(py, |sim| sim.step_within(&control))?;
+        let record = self.act(py, |run| {
+            let record = run.sim.step_within(&control)?;
+            run.records.push(record);
+            Ok::<_, SimError>(record)
+        })?;
         record_dict(py, &record)
     }
 
@@ -92,37 +103,61 @@ impl Simulation {
         depth: f64,
     ) -> PyResult<Option<Bound<'py, PyDict>>> {
         let control = StepControl { longest: time_step, depth };
-        let record = self.act(py, |sim| {
+        let record = self.act(py, |run| {
             let mut first = None;
-            sim.run_until(end, &control, &mut |_: &MixedLubricationSim, record: &StepRecord| {
+            run.sim.run_until(end, &control, &mut |_: &MixedLubricationSim, record: &StepRecord| {
                 first = Some(*record);
                 ControlFlow::Break(())
             })?;
+            run.records.extend(first);
             Ok::<_, SimError>(first)
         })?;
         record.map(|record| record_dict(py, &record)).transpose()
     }
 
+    /// The records from the `first` on.
+    fn records<'py>(&self, py: Python<'py>, first: usize) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let run = match self.run.try_lock() {
+            Ok(run) => run,
+            Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
+            Err(TryLockError::WouldBlock) => return Err(Self::busy(py)),
+        };
+        run.records.iter().skip(first).map(|record| record_dict(py, record)).collect()
+    }
+
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        self.act(py, |sim| sim.save(path))
+        self.act(py, |run| run.sim.save(path))
     }
 
     fn restore(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        self.act(py, |sim| sim.restore(path))
+        self.act(py, |run| {
+            run.sim.restore(path)?;
+            run.records.clear();
+            Ok::<_, CheckpointError>(())
+        })
     }
 
     fn restore_under_other_conditions(&self, py: Python<'_>, path: PathBuf) -> PyResult<Vec<String>> {
-        self.act(py, |sim| sim.restore_under_other_conditions(path))
+        self.act(py, |run| {
+            let differences = run.sim.restore_under_other_conditions(path)?;
+            run.records.clear();
+            Ok::<_, CheckpointError>(differences)
+        })
     }
 
     /// Takes over everything that later steps of `other` depend on.
     fn copy_from(&self, py: Python<'_>, other: &Self) -> PyResult<()> {
-        let kept = other.act(py, |sim| sim.checkpoint())?;
-        self.act(py, |sim| sim.restore_checkpoint(&kept))
+        let (kept, records) =
+            other.act(py, |run| Ok::<_, CheckpointError>((run.sim.checkpoint()?, run.records.clone())))?;
+        self.act(py, |run| {
+            run.sim.restore_checkpoint(&kept)?;
+            run.records = records;
+            Ok::<_, CheckpointError>(())
+        })
     }
 
     fn checkpoint<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, pyo3::types::PyBytes>> {
-        let kept = self.act(py, |sim| sim.checkpoint())?;
+        let kept = self.act(py, |run| run.sim.checkpoint())?;
         Ok(pyo3::types::PyBytes::new(py, &kept))
     }
 
@@ -136,14 +171,14 @@ impl Simulation {
         slide_roll_ratio: Option<f64>,
         bulk_temperature: Option<f64>,
     ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
-        let solution = self.act(py, |sim| {
-            let mut conditions = sim.conditions();
+        let solution = self.act(py, |run| {
+            let mut conditions = run.sim.conditions();
             conditions.load = load.unwrap_or(conditions.load);
             let motion = &mut conditions.motion;
             motion.entrainment_speed = entrainment_speed.unwrap_or(motion.entrainment_speed);
             motion.slide_roll_ratio = slide_roll_ratio.unwrap_or(motion.slide_roll_ratio);
             conditions.bulk_temperature = bulk_temperature.unwrap_or(conditions.bulk_temperature);
-            sim.solve_under(&conditions)
+            run.sim.solve_under(&conditions)
         })?;
         parts_of(py, &solution)
     }
@@ -158,10 +193,13 @@ impl Simulation {
         self.look(py, |sim| Ok(sim.steps()))
     }
 
+    fn grid(&self, py: Python<'_>) -> PyResult<Cells> {
+        self.look(py, |sim| Ok(Cells(sim.grid())))
+    }
+
     fn about<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.look(py, |sim| {
             Ok(named!(py, {
-                "grid": grid_dict(py, &sim.grid())?,
                 "conditions": conditions_dict(py, &sim.conditions())?,
                 "motion": format!("{:?}", sim.motion()),
                 "flash_estimate": sim.flash_estimate(),

@@ -41,7 +41,11 @@ pub(crate) struct Parts<'py> {
 
 impl Parts<'_> {
     /// A builder with these parts, and the laws' exceptions.
-    pub(crate) fn builder(self, py: Python<'_>, scene: &Scene) -> PyResult<(SimBuilder, crate::laws::Failure)> {
+    pub(crate) fn builder(
+        self,
+        py: Python<'_>,
+        scene: &Scene,
+    ) -> PyResult<(SimBuilder, crate::laws::Failure)> {
         let mut builder = MixedLubricationSim::builder(scene.0.clone());
         let own_law = self.growth.is_some() || self.wear.is_some() || self.friction.is_some();
         let needs_grid = own_law || self.ball_heights.is_some() || self.disc_heights.is_some();
@@ -77,6 +81,44 @@ impl Parts<'_> {
     }
 }
 
+/// The fields and the approach of an earlier solution.
+#[derive(FromPyObject)]
+pub(crate) struct Start<'py> {
+    #[pyo3(item)]
+    pressure: Array<'py>,
+    #[pyo3(item)]
+    fluid_pressure: Array<'py>,
+    #[pyo3(item)]
+    film: Array<'py>,
+    #[pyo3(item)]
+    theta: Array<'py>,
+    #[pyo3(item)]
+    plastic_depth: Array<'py>,
+    #[pyo3(item)]
+    in_contact: PyReadonlyArray2<'py, bool>,
+    #[pyo3(item)]
+    approach: f64,
+}
+
+impl Start<'_> {
+    /// The state; its mass belongs to a squeeze, which a single contact has not.
+    fn state(&self, py: Python<'_>, scene: &Scene) -> PyResult<ContactState> {
+        let grid = value(py, scene.0.grid())?;
+        let part =
+            |name: &str, array| -> PyResult<Vec<f64>> { Ok(on_grid(py, name, array, &grid)?.to_vec()) };
+        Ok(ContactState {
+            pressure: part("start pressure", &self.pressure)?,
+            fluid_pressure: part("start fluid_pressure", &self.fluid_pressure)?,
+            film: part("start film", &self.film)?,
+            content: part("start theta", &self.theta)?,
+            plastic_depth: part("start plastic_depth", &self.plastic_depth)?,
+            in_contact: on_grid(py, "start in_contact", &self.in_contact, &grid)?.to_vec(),
+            approach: self.approach,
+            ..ContactState::new(&grid)
+        })
+    }
+}
+
 /// Solves the single contact of `scene`; returns numbers and fields.
 #[pyfunction]
 #[pyo3(signature = (scene, parts, start=None))]
@@ -84,15 +126,11 @@ pub(crate) fn solve<'py>(
     py: Python<'py>,
     scene: &Scene,
     parts: Parts<'py>,
-    start: Option<[Array<'py>; 2]>,
+    start: Option<Start<'py>>,
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
     let (mut builder, failure) = parts.builder(py, scene)?;
-    if let Some([pressure, fluid_pressure]) = start {
-        let grid = value(py, scene.0.grid())?;
-        let mut state = ContactState::new(&grid);
-        state.pressure = on_grid(py, "start pressure", &pressure, &grid)?.to_vec();
-        state.fluid_pressure = on_grid(py, "start fluid_pressure", &fluid_pressure, &grid)?.to_vec();
-        builder = builder.contact_start(state);
+    if let Some(start) = start {
+        builder = builder.contact_start(start.state(py, scene)?);
     }
     let solved = py.detach(|| builder.solve());
     if let Some(error) = failure.take() {

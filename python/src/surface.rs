@@ -6,20 +6,18 @@ use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::surface::{
-    self, Autocorrelation, DimpleLayout, GrooveDirection, HeightDistribution, HeightScale, Heights, RandomShape,
-    RandomSurface, SelfAffine, SurfaceError, Synthesis, Texture,
+    self, Autocorrelation, DimpleLayout, GrooveDirection, HeightDistribution, HeightScale, Heights,
+    RandomShape, RandomSurface, SelfAffine, SurfaceError, Synthesis, Texture,
 };
 use stribeck::{Boundary, Grid};
 
-use crate::convert::{contiguous, field, grid};
+use crate::convert::{contiguous, field};
 use crate::error::{raise, value};
+use crate::scene::Cells;
 
 /// A measured surface; every method gives a new one.
 #[pyclass(frozen, module = "stribeck._stribeck")]
 pub(crate) struct Surface(Heights);
-
-/// Counts and edges of a box.
-type Box2 = ((usize, usize), [f64; 2], [f64; 2]);
 
 pub(crate) fn boundary(py: Python<'_>, name: &str) -> PyResult<Boundary> {
     match name {
@@ -84,7 +82,12 @@ impl Surface {
             "x3p" => value(py, surface::write_x3p(path, surface)),
             "npy" => value(py, surface::write_npy(path, surface.nx(), surface.ny(), surface.heights())),
             "txt" | "csv" => value(py, surface::write_text(path, surface)),
-            _ => Err(unknown(py, "path", &path.display().to_string(), "a name that ends in .x3p, .npy or .txt")),
+            _ => Err(unknown(
+                py,
+                "path",
+                &path.display().to_string(),
+                "a name that ends in .x3p, .npy or .txt",
+            )),
         }
     }
 
@@ -176,13 +179,13 @@ impl Surface {
         Self(self.0.rotated_90())
     }
 
-    fn fit_to_grid<'py>(&self, py: Python<'py>, on: Box2) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let grid = grid(py, on.0, on.1, on.2)?;
+    fn fit_to_grid<'py>(&self, py: Python<'py>, on: &Cells) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let grid = on.0;
         field(py, &grid, &value(py, py.detach(|| self.0.fit_to_grid(&grid)))?)
     }
 
-    fn resample<'py>(&self, py: Python<'py>, on: Box2) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let grid = grid(py, on.0, on.1, on.2)?;
+    fn resample<'py>(&self, py: Python<'py>, on: &Cells) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let grid = on.0;
         field(py, &grid, &value(py, py.detach(|| self.0.resample(&grid)))?)
     }
 }
@@ -198,18 +201,23 @@ fn number(options: &Bound<'_, PyDict>, key: &str) -> PyResult<Option<f64>> {
 #[pyfunction]
 pub(crate) fn generate<'py>(
     py: Python<'py>,
-    on: Box2,
+    on: &Cells,
     kind: &str,
     rq: f64,
     seed: u64,
     options: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let grid = grid(py, on.0, on.1, on.2)?;
+    let grid = on.0;
     let needed = |key: &str| -> PyResult<f64> {
-        number(options, key)?.ok_or_else(|| raise(py, "InputError", &format!("{key} is missing"), Some(key), None))
+        number(options, key)?
+            .ok_or_else(|| raise(py, "InputError", &format!("{key} is missing"), Some(key), None))
     };
     let correlated = |autocorrelation| -> PyResult<RandomShape> {
-        Ok(RandomShape::Correlated { autocorrelation, length_x: needed("length_x")?, length_y: needed("length_y")? })
+        Ok(RandomShape::Correlated {
+            autocorrelation,
+            length_x: needed("length_x")?,
+            length_y: needed("length_y")?,
+        })
     };
     let shape = match kind {
         "gaussian" => correlated(Autocorrelation::Gaussian)?,
@@ -241,7 +249,7 @@ pub(crate) fn generate<'py>(
 #[pyo3(signature = (on, kind, size, depth, pitch, layout, seed=0))]
 pub(crate) fn texture<'py>(
     py: Python<'py>,
-    on: Box2,
+    on: &Cells,
     kind: &str,
     size: f64,
     depth: f64,
@@ -249,14 +257,20 @@ pub(crate) fn texture<'py>(
     layout: &str,
     seed: u64,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let grid = grid(py, on.0, on.1, on.2)?;
+    let grid = on.0;
     let texture = match (kind, layout) {
-        ("dimples", "square") => Texture::Dimples { radius: size, depth, pitch, layout: DimpleLayout::Square },
+        ("dimples", "square") => {
+            Texture::Dimples { radius: size, depth, pitch, layout: DimpleLayout::Square }
+        }
         ("dimples", "random") => {
             Texture::Dimples { radius: size, depth, pitch, layout: DimpleLayout::Random { seed } }
         }
-        ("grooves", "x") => Texture::Grooves { width: size, depth, pitch, direction: GrooveDirection::AlongX },
-        ("grooves", "y") => Texture::Grooves { width: size, depth, pitch, direction: GrooveDirection::AlongY },
+        ("grooves", "x") => {
+            Texture::Grooves { width: size, depth, pitch, direction: GrooveDirection::AlongX }
+        }
+        ("grooves", "y") => {
+            Texture::Grooves { width: size, depth, pitch, direction: GrooveDirection::AlongY }
+        }
         ("grooves", "crossed") => {
             Texture::Grooves { width: size, depth, pitch, direction: GrooveDirection::Crossed }
         }

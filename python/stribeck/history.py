@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from ._numbers import Numbers, table
 from ._stribeck import BodyStart as _BodyStart, Simulation as _Simulation
-from .scene import Grid, Scene, as_scene
+from .scene import Grid, Scene, _SceneGrid, as_scene
 from .solution import Heights, Solution, parts, with_solver
 
 __all__ = ["Body", "BodyStart", "History", "Record", "Simulation"]
@@ -136,8 +136,6 @@ class Simulation:
         self._laws = {"growth": growth, "wear": wear, "friction": friction}
         self._squeeze = squeeze
         self._raw = _Simulation(self._scene._raw, parts(heights, bodies, growth, wear, friction), squeeze)
-        #: The records of all steps that this object has taken.
-        self.history = History()
 
     @property
     def scene(self) -> Scene:
@@ -155,9 +153,14 @@ class Simulation:
         return self._raw.steps
 
     @property
+    def history(self) -> History:
+        """The records of all steps since the start, or since the checkpoint that was restored."""
+        return History([Record(numbers) for numbers in self._raw.records(0)])
+
+    @property
     def grid(self) -> Grid:
         """The cells of the contact and of both bodies."""
-        return Grid(self._raw.about()["grid"])
+        return _SceneGrid(self._raw.grid())
 
     @property
     def conditions(self) -> Numbers:
@@ -192,9 +195,7 @@ class Simulation:
 
     def step(self, time_step: float, *, depth: float = math.inf) -> Record:
         """Takes one step of ``time_step`` [s], shorter where a node would wear or grow by more than ``depth`` [m]."""
-        record = Record(self._raw.step(time_step, depth))
-        self.history.append(record)
-        return record
+        return Record(self._raw.step(time_step, depth))
 
     def run(
         self,
@@ -222,9 +223,7 @@ class Simulation:
         """Steps until the time ``end`` [s], none longer than ``time_step`` or across an entry of the scene's schedule."""
         history = History()
         while (numbers := self._raw.step_towards(end, time_step, depth)) is not None:
-            record = Record(numbers)
-            self.history.append(record)
-            if self._seen(history, record, callback):
+            if self._seen(history, Record(numbers), callback):
                 break
         return history
 
@@ -259,21 +258,17 @@ class Simulation:
     def restore(self, path: str | os.PathLike[str]) -> None:
         """Takes over a checkpoint. Raises :class:`~stribeck.CheckpointError` where it is damaged or of another simulation."""
         self._raw.restore(os.fspath(path))
-        self.history = History()
 
     def restore_under_other_conditions(self, path: str | os.PathLike[str]) -> list[str]:
         """Takes over a checkpoint of a scene whose load, speeds, oil, friction, temperatures, schedule or solver differ, and returns what
         does."""
-        differences = self._raw.restore_under_other_conditions(os.fspath(path))
-        self.history = History()
-        return differences
+        return self._raw.restore_under_other_conditions(os.fspath(path))
 
     def fork(self) -> Simulation:
         """A simulation of its own that stands where this one does."""
         initial = [body["initial"] for body in self._raw.bodies()]
         fork = Simulation(self._scene, heights=(initial[0], initial[1]), squeeze=self._squeeze, **self._laws)
         fork._raw.copy_from(self._raw)
-        fork.history = History(list(self.history))
         return fork
 
     def __copy__(self) -> Simulation:

@@ -10,7 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ._numbers import Numbers
-from ._stribeck import Scene as _Scene
+from ._stribeck import Cells, Scene as _Scene
+from .errors import SceneError
 
 __all__ = ["Grid", "Scene"]
 
@@ -20,6 +21,11 @@ class Grid(Numbers):
     ``(ny, nx)``; x is along the flow."""
 
     __slots__ = ()
+
+    @classmethod
+    def box(cls, nx: int, ny: int, x: tuple[float, float], y: tuple[float, float]) -> Grid:
+        """``nx`` x ``ny`` cells that fill the box between the edges ``x`` and ``y`` [m]."""
+        return cls(Cells((ny, nx), list(x), list(y)).to_dict())
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -37,8 +43,25 @@ class Grid(Numbers):
         return self["y"][0] + self["dy"] * (np.arange(self["ny"]) + 0.5)
 
     @property
-    def _box(self) -> Any:
-        return self.shape, list(self["x"]), list(self["y"])
+    def _cells(self) -> Cells:
+        return Cells(self.shape, list(self["x"]), list(self["y"]))
+
+
+class _SceneGrid(Grid):
+    """The cells of a scene to the last bit: its edges come back rounded."""
+
+    __slots__ = ("_exact",)
+
+    def __init__(self, exact: Cells) -> None:
+        super().__init__(exact.to_dict())
+        object.__setattr__(self, "_exact", exact)
+
+    @property
+    def _cells(self) -> Cells:
+        return self._exact
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Grid, (self.to_dict(),)
 
 
 class Scene:
@@ -61,12 +84,12 @@ class Scene:
         **tables: Mapping[str, Any] | None,
     ) -> None:
         if source is None:
-            self._raw = _Scene.from_dict(dict(tables))
+            self._raw = _of_tables(tables)
             return
         if isinstance(source, Scene):
             self._raw = source._raw
         elif isinstance(source, Mapping):
-            self._raw = _Scene.from_dict(_plain(source))
+            self._raw = _of_tables(source)
         elif isinstance(source, str) and ("\n" in source or "=" in source):
             self._raw = _Scene.from_toml(source)
         else:
@@ -104,7 +127,7 @@ class Scene:
     @property
     def grid(self) -> Grid:
         """The cells of the contact."""
-        return Grid(self._raw.grid())
+        return _SceneGrid(self._raw.grid())
 
     def hertz(self) -> Numbers:
         """The smooth dry contact: ``radius``, ``half_width_x``, ``half_width_y`` [m], ``pressure`` [Pa], ``force`` [N]."""
@@ -113,6 +136,11 @@ class Scene:
     def conditions(self, time: float = 0.0) -> Numbers:
         """``load`` [N], ``entrainment_speed`` [m/s], ``slide_roll_ratio`` and ``bulk_temperature`` [K] at ``time`` [s]."""
         return Numbers(self._raw.conditions(time))
+
+    @property
+    def warnings(self) -> list[str]:
+        """What is implausible in the scene, in words."""
+        return self._raw.warnings()
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scene) and self._raw == other._raw
@@ -132,6 +160,24 @@ class Scene:
 def as_scene(source: Scene | Mapping[str, Any] | str | os.PathLike[str]) -> Scene:
     """The scene itself, or one of what :class:`Scene` takes."""
     return source if isinstance(source, Scene) else Scene(source)
+
+
+def _of_tables(tables: Mapping[str, Any]) -> _Scene:
+    plain = _plain(tables)
+    try:
+        return _Scene.from_dict(plain)
+    except SceneError as error:
+        if error.value is None and error.field is not None:
+            error.value = _at(plain, error.field)
+        raise
+
+
+def _at(tables: Any, path: str) -> Any:
+    for key in path.split("."):
+        if not isinstance(tables, dict):
+            return None
+        tables = tables.get(key)
+    return tables
 
 
 def _plain(tables: Mapping[str, Any]) -> dict[str, Any]:

@@ -103,7 +103,7 @@ def solve(
     raw = with_solver(as_scene(scene), solver)._raw
     first = None
     if start is not None:
-        first = [start.fields["pressure"], start.fields["fluid_pressure"]]
+        first = {**start.fields, "approach": start["approach"]}
     numbers, fields = _solve(raw, parts(heights, bodies, None, None, friction), first)
     numbers["seconds"] = perf_counter() - began
     return Solution(numbers, fields)

@@ -121,11 +121,11 @@ class Surface:
 
     def fit_to_grid(self, grid: Grid) -> Field:
         """Levelled, filled, mirrored until it covers ``grid``, and resampled: heights [m] of the shape ``(ny, nx)``."""
-        return self._raw.fit_to_grid(grid._box)
+        return self._raw.fit_to_grid(grid._cells)
 
     def resample(self, grid: Grid) -> Field:
         """Resampled to ``grid``, which it must cover: heights [m] of the shape ``(ny, nx)``."""
-        return self._raw.resample(grid._box)
+        return self._raw.resample(grid._cells)
 
     def write(self, path: str | os.PathLike[str]) -> None:
         """Writes the surface; the format is that of the name: ``.x3p``, ``.npy`` or ``.txt``."""
@@ -165,15 +165,15 @@ def generate(
     for name in options:
         if name not in known:
             raise InputError(f"{name}: no option of a random surface, which are {', '.join(sorted(known))}", field=name)
-    return _generate(grid._box, kind, rq, seed, options)
+    return _generate(grid._cells, kind, rq, seed, options)
 
 
 def dimples(grid: Grid, *, radius: float, depth: float, pitch: float, seed: int | None = None) -> Field:
     """Round dimples [m]: on a square lattice, or with a ``seed`` at random within its squares."""
     layout = "square" if seed is None else "random"
-    return _texture(grid._box, "dimples", radius, depth, pitch, layout, seed or 0)
+    return _texture(grid._cells, "dimples", radius, depth, pitch, layout, seed or 0)
 
 
 def grooves(grid: Grid, *, width: float, depth: float, pitch: float, direction: Literal["x", "y", "crossed"] = "y") -> Field:
     """Straight grooves [m] along x, along y or both."""
-    return _texture(grid._box, "grooves", width, depth, pitch, direction)
+    return _texture(grid._cells, "grooves", width, depth, pitch, direction)

@@ -212,7 +212,8 @@ impl SimBuilder {
             if let Some(part) = self.own_part() {
                 return Err(SimError::Input(InputError::Conflict {
                     field: part.to_owned(),
-                    reason: "it is known on one grid, an accuracy or an estimate of errors needs several".to_owned(),
+                    reason: "it is known on one grid, an accuracy or an estimate of errors needs several"
+                        .to_owned(),
                 }));
             }
             return accuracy::solve(&self.scene, self.overrides.interrupt.as_ref());

@@ -58,9 +58,7 @@ pub(super) fn solve(scene: &Scene, interrupt: Option<&Interrupt>) -> Result<Cont
                 rough::on_own_grid(scene, accuracy, interrupt)
             }
         }
-        (_, Some(accuracy)) => {
-            rough::refined(scene.clone(), accuracy, "solver.accuracy", interrupt)
-        },
+        (_, Some(accuracy)) => rough::refined(scene.clone(), accuracy, "solver.accuracy", interrupt),
         (_, None) => rough::on_given_grid(scene, interrupt),
     }
 }
