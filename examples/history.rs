@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Numbers are means over the last tenth of the steps. Ends with 0 when all steps were taken, 2 when a contact did not
-//! converge, 1 for bad input, with one line on standard error; progress goes there too.
+//! converge, 1 for bad input, with one line on standard error; warnings and progress go there too.
 
 use std::error::Error;
 use std::fs::File;
@@ -15,9 +15,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
-use serde_json::{Value, json};
 use stribeck::InputError;
-use stribeck::sim::{MixedLubricationSim, Scene, SimError, StepRecord};
+use stribeck::sim::{HistoryMeans, MixedLubricationSim, Scene, SimError, StepRecord, Warning};
 
 const USAGE: &str = "usage: history SCENE.toml --steps N --time-step S [--json] [--csv OUT.csv]";
 const NOT_CONVERGED: u8 = 2;
@@ -53,19 +52,22 @@ fn run() -> Result<(), Box<dyn Error>> {
     let start = Instant::now();
     let scene = Scene::load(&arguments.scene).map_err(|e| in_scene(&arguments.scene, &e))?;
     let mut sim = MixedLubricationSim::builder(scene).build().map_err(|e| in_scene(&arguments.scene, &e))?;
-    let mut means = Means::default();
+    warn(sim.warnings());
+    let known = sim.warnings().len();
+    let mut means = HistoryMeans::new(arguments.steps);
     let mut csv = arguments.csv.as_deref().map(csv_file).transpose()?;
     let mut failure = None;
     let outcome =
         sim.run(arguments.steps, arguments.time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
             progress(record, arguments.steps);
-            means.see(record, arguments.steps);
+            means.see(record);
             if let Err(error) = write_row(csv.as_mut(), record) {
                 failure = Some(error);
                 return ControlFlow::Break(());
             }
             ControlFlow::Continue(())
         });
+    warn(&sim.warnings()[known..]);
     // The rows of a run that ends early are those of its steps.
     if let Some(mut csv) = csv {
         csv.flush()?;
@@ -74,10 +76,18 @@ fn run() -> Result<(), Box<dyn Error>> {
     if let Some(error) = failure {
         return Err(error);
     }
-    let numbers = means.to_json(&sim, start.elapsed().as_secs_f64());
-    let text = if arguments.json { numbers.to_string() } else { means.summary() };
+    let mut numbers = serde_json::to_value(means.numbers(&sim))?;
+    numbers["seconds"] = start.elapsed().as_secs_f64().into();
+    let text = if arguments.json { numbers.to_string() } else { means.to_string() };
     writeln!(io::stdout(), "{text}")?;
     Ok(())
+}
+
+/// A line each on standard error.
+fn warn(warnings: &[Warning]) {
+    for warning in warnings {
+        let _ = writeln!(io::stderr(), "warning: {warning}");
+    }
 }
 
 fn parse_arguments() -> Result<Option<Arguments>, Box<dyn Error>> {
@@ -129,101 +139,5 @@ fn progress(record: &StepRecord, steps: u64) {
     let done = record.step + 1;
     if done.is_multiple_of(steps.div_ceil(10)) || done == steps {
         let _ = writeln!(io::stderr(), "{done} of {steps} steps, {:.1} s of the test", record.time);
-    }
-}
-
-/// Names of the numbers, table and key, in the order of [`numbers`].
-const NAMES: [(&str, &str); 18] = [
-    ("contact", "area_ratio"),
-    ("contact", "load_ratio"),
-    ("film", "mean_central"),
-    ("film", "minimum_gap"),
-    ("film", "lambda"),
-    ("film", "lambda_old"),
-    ("pressure", "max"),
-    ("friction", "coefficient"),
-    ("roughness", "ball_rq"),
-    ("roughness", "disc_rq"),
-    ("roughness", "composite_rq"),
-    ("wear", "ball_in_contact"),
-    ("wear", "disc_in_contact"),
-    ("wear", "ball_mean"),
-    ("wear", "disc_mean"),
-    ("tribofilm", "ball_in_contact"),
-    ("tribofilm", "disc_in_contact"),
-    ("plastic", "volume"),
-];
-
-fn numbers(record: &StepRecord) -> [f64; NAMES.len()] {
-    [
-        record.area_ratio,
-        record.load_ratio,
-        record.average_film,
-        record.minimum_gap,
-        record.lambda,
-        record.lambda_old,
-        record.max_pressure,
-        record.friction_coefficient,
-        record.rq[0],
-        record.rq[1],
-        record.composite_rq,
-        record.track_wear[0],
-        record.track_wear[1],
-        record.mean_wear[0],
-        record.mean_wear[1],
-        record.track_film[0],
-        record.track_film[1],
-        record.plastic_volume,
-    ]
-}
-
-/// Sums over the last tenth of a run.
-#[derive(Default)]
-struct Means {
-    sums: [f64; NAMES.len()],
-    count: u64,
-    moved: u64,
-}
-
-impl Means {
-    fn see(&mut self, record: &StepRecord, steps: u64) {
-        self.moved += u64::from(record.attempts > 1);
-        if record.step + steps.div_ceil(10) >= steps {
-            for (sum, number) in self.sums.iter_mut().zip(numbers(record)) {
-                *sum += number;
-            }
-            self.count += 1;
-        }
-    }
-
-    fn of_names(&self) -> impl Iterator<Item = (&'static str, &'static str, f64)> {
-        let count = self.count.max(1) as f64;
-        NAMES.into_iter().zip(self.sums).map(move |((table, key), sum)| (table, key, sum / count))
-    }
-
-    fn summary(&self) -> String {
-        let lines =
-            self.of_names().map(|(table, key, mean)| format!("{:<28} {mean:.6e}", format!("{table}.{key}")));
-        lines.collect::<Vec<_>>().join("\n")
-    }
-
-    /// Everything in SI units; a number that is not finite becomes null.
-    fn to_json(&self, sim: &MixedLubricationSim, seconds: f64) -> Value {
-        let mut out = json!({
-            "steps": sim.steps(),
-            "time": sim.time(),
-            "averaged_steps": self.count,
-            "moved_steps": self.moved,
-            "motion": format!("{:?}", sim.motion()),
-            "seconds": seconds,
-            "version": env!("CARGO_PKG_VERSION"),
-        });
-        for (table, key, mean) in self.of_names() {
-            out[table][key] = json!(mean);
-        }
-        let [ball, disc] = sim.bodies();
-        out["wear"]["ball_profile"] = json!(sim.worn_profile(ball));
-        out["wear"]["disc_profile"] = json!(sim.worn_profile(disc));
-        out
     }
 }

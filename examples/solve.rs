@@ -4,7 +4,8 @@
 //! cargo run --release --example solve -- SCENE.toml [--json] [--fields OUT.npz]
 //! ```
 //!
-//! Ends with 0 when the solve converged, 2 when it did not, 1 for bad input, with one line on standard error.
+//! Ends with 0 when the solve converged, 2 when it did not, 1 for bad input, with one line on standard error; warnings stand there too, a
+//! line each.
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -12,9 +13,9 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
-use serde_json::{Value, json};
+use serde_json::Value;
 use stribeck::Status;
-use stribeck::sim::{ContactSolution, Scene, solve_contact, write_npz};
+use stribeck::sim::{ContactSolution, Scene, Warning, solve_contact, write_npz};
 
 const USAGE: &str = "usage: solve SCENE.toml [--json] [--fields OUT.npz]";
 const NOT_CONVERGED: u8 = 2;
@@ -46,15 +47,24 @@ fn run() -> Result<Option<Status>, Box<dyn Error>> {
     };
     let start = Instant::now();
     let scene = Scene::load(&arguments.scene).map_err(|e| in_scene(&arguments.scene, &e))?;
+    let known = scene.warnings();
+    warn(known.iter());
     let solution = solve_contact(&scene).map_err(|e| in_scene(&arguments.scene, &e))?;
+    warn(solution.warnings.iter().filter(|warning| !known.contains(warning)));
     let seconds = start.elapsed().as_secs_f64();
     if let Some(path) = &arguments.fields {
         write_fields(path, &solution)?;
     }
-    let text =
-        if arguments.json { to_json(&solution, seconds).to_string() } else { summary(&solution, seconds) };
+    let text = if arguments.json { to_json(&solution, seconds)?.to_string() } else { solution.to_string() };
     writeln!(io::stdout(), "{text}")?;
     Ok(Some(solution.report.status))
+}
+
+/// A line each on standard error; those of the scene come before the solve, which may take long.
+fn warn<'a>(warnings: impl Iterator<Item = &'a Warning>) {
+    for warning in warnings {
+        let _ = writeln!(io::stderr(), "warning: {warning}");
+    }
 }
 
 fn parse_arguments() -> Result<Option<Arguments>, Box<dyn Error>> {
@@ -95,163 +105,8 @@ fn write_fields(path: &Path, solution: &ContactSolution) -> Result<(), Box<dyn E
 }
 
 /// Everything in SI units; a number that is not finite becomes null.
-fn to_json(solution: &ContactSolution, seconds: f64) -> Value {
-    let ContactSolution {
-        report,
-        grid,
-        hertz,
-        moes,
-        film,
-        contact,
-        discretisation,
-        cavitation,
-        flow,
-        error_estimate,
-        state,
-        ..
-    } = solution;
-    json!({
-        "status": report.status.to_string(),
-        "solver": report.solver,
-        "scheme": discretisation.map(|(scheme, ..)| scheme),
-        "face_mobility": discretisation.map(|(_, face_mobility, _)| face_mobility),
-        "cavitation": cavitation,
-        "contact_definition": discretisation.map(|(.., contact)| contact),
-        "residual": {
-            "mass": report.residuals.mass,
-            "load": report.residuals.load,
-            "complementarity": report.residuals.complementarity,
-        },
-        "energy_error": report.energy_error,
-        "work": {
-            "convolutions": report.work.convolutions,
-            "iterations": report.work.iterations,
-            "inner_iterations": report.work.inner_iterations,
-        },
-        "seconds": seconds,
-        "hertz": {
-            "radius": hertz.radius,
-            "half_width_x": hertz.a_x,
-            "half_width_y": hertz.a_y,
-            "pressure": hertz.p_max,
-            "force": hertz.load,
-        },
-        "moes": moes.map(|(m, l)| json!({ "m": m, "l": l })),
-        "film": {
-            "central": film.central,
-            "minimum": film.minimum,
-            "mean_central": film.mean_central,
-            "minimum_gap": film.minimum_gap,
-        },
-        "pressure": { "max": contact.max_pressure, "central": contact.central_pressure },
-        "contact": {
-            "area_ratio": contact.area_ratio,
-            "load_ratio": contact.load_ratio,
-            "area": contact.area,
-            "corrected_area_ratio": contact.corrected_area_ratio,
-            "corrected_area": contact.corrected_area,
-            "plastic_area": contact.plastic_area,
-            "film_cutoff": contact.film_cutoff,
-        },
-        "friction": {
-            "coefficient": solution.friction_coefficient,
-            "boundary": solution.friction_boundary,
-            "fluid": solution.friction_fluid,
-        },
-        "flow": flow.map(|flow| json!({
-            "inflow": flow.inflow,
-            "outflow": flow.outflow,
-            "imbalance": flow.imbalance,
-        })),
-        "approach": state.approach,
-        "error_estimate": error_estimate.map(|estimate| json!({
-            "central_film": estimate.central_film,
-            "minimum_film": estimate.minimum_film,
-            "max_pressure": estimate.max_pressure,
-            "mean_film": estimate.mean_film,
-            "load_ratio": estimate.load_ratio,
-            "area_ratio": estimate.area_ratio,
-            "friction_coefficient": estimate.friction_coefficient,
-        })),
-        "grid": { "nx": grid.nx(), "ny": grid.ny(), "dx": grid.dx(), "dy": grid.dy() },
-        "version": env!("CARGO_PKG_VERSION"),
-    })
-}
-
-fn summary(solution: &ContactSolution, seconds: f64) -> String {
-    let ContactSolution { report, grid, hertz, moes, film, contact, flow, error_estimate, state, .. } =
-        solution;
-    let (residuals, work) = (report.residuals, report.work);
-    let moes = moes.map_or_else(|| "dry".to_owned(), |(m, l)| format!("Moes M {m:.1}, L {l:.3}"));
-    [
-        format!(
-            "{} by {} in {seconds:.2} s on {} x {} nodes",
-            report.status,
-            report.solver,
-            grid.nx(),
-            grid.ny()
-        ),
-        format!(
-            "residuals  mass {:.1e}, load {:.1e}, complementarity {:.1e}",
-            residuals.mass, residuals.load, residuals.complementarity
-        ),
-        format!(
-            "work       {} iterations, {} inner, {:.0} convolutions",
-            work.iterations, work.inner_iterations, work.convolutions
-        ),
-        format!(
-            "Hertz      {:.4} GPa, {:.4} N, {:.2} x {:.2} um; {moes}",
-            hertz.p_max * 1e-9,
-            hertz.load,
-            hertz.a_x * 1e6,
-            hertz.a_y * 1e6
-        ),
-        format!(
-            "film       central {:.3} nm, minimum {:.3} nm, mean {:.3} nm",
-            film.central * 1e9,
-            film.minimum * 1e9,
-            film.mean_central * 1e9
-        ),
-        format!(
-            "pressure   maximum {:.4} GPa, central {:.4} GPa",
-            contact.max_pressure * 1e-9,
-            contact.central_pressure * 1e-9
-        ),
-        format!(
-            "contact    below {:.2} nm: {:.2} % of the Hertz area, {:.2} % of the load, {:.1} um^2 plastic",
-            contact.film_cutoff * 1e9,
-            contact.area_ratio * 100.0,
-            contact.load_ratio * 100.0,
-            contact.plastic_area * 1e12
-        ),
-        format!("friction   {:.4}", solution.friction_coefficient),
-        flow.map_or_else(
-            || "flow       none: dry".to_owned(),
-            |flow| {
-                let unit = if grid.ny() == 1 { "m^2/s" } else { "m^3/s" };
-                format!(
-                    "flow       in {:.4e}, out {:.4e} {unit}, imbalance {:.1e}",
-                    flow.inflow, flow.outflow, flow.imbalance
-                )
-            },
-        ),
-        format!("approach   {:.3} nm", state.approach * 1e9),
-        error_estimate.map_or_else(
-            || "errors     not estimated".to_owned(),
-            |estimate| {
-                format!(
-                    "errors     central film {:.2} %, minimum film {:.2} %, maximum pressure {:.2} %, mean film {:.2} %, friction {:.2} %, \
-                     load ratio {:.4}, area ratio {:.4}",
-                    estimate.central_film * 100.0,
-                    estimate.minimum_film * 100.0,
-                    estimate.max_pressure * 100.0,
-                    estimate.mean_film * 100.0,
-                    estimate.friction_coefficient * 100.0,
-                    estimate.load_ratio,
-                    estimate.area_ratio
-                )
-            },
-        ),
-    ]
-    .join("\n")
+fn to_json(solution: &ContactSolution, seconds: f64) -> Result<Value, Box<dyn Error>> {
+    let mut numbers = serde_json::to_value(solution)?;
+    numbers["seconds"] = seconds.into();
+    Ok(numbers)
 }

@@ -96,6 +96,7 @@ pub mod surface;
 #[cfg(feature = "testing")]
 pub mod testing;
 pub mod tribochem;
+pub mod units;
 pub mod wear;
 
 // What every room speaks of.
@@ -105,6 +106,7 @@ pub use error::InputError;
 pub use grid::Grid;
 pub use report::{NotConverged, Residuals, SolveReport, Status, Work};
 pub use rubbing::RubbingPoint;
+pub use sim::Warning;
 
 // The programs of the first pages are tested as those above are.
 #[cfg(doctest)]

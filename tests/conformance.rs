@@ -1,6 +1,6 @@
 //! Every law, model and solver of the crate keeps the contract of its trait, and the checks find those who do not.
 
-use stribeck::elastic::HalfSpace;
+use stribeck::elastic::{DeformationModel, HalfSpace};
 use stribeck::lubricant::{Barus, DensityLaw, DowsonHigginson, Incompressible, Roelands, ViscosityLaw};
 use stribeck::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
 use stribeck::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem};
@@ -14,7 +14,7 @@ use stribeck::tribochem::{
     ThermalArrhenius,
 };
 use stribeck::wear::{Archard, FrictionalEnergy, WearLaw, WearPressure};
-use stribeck::{BoundaryFriction, ConstantFriction, FilmFriction, Grid, RubbingPoint};
+use stribeck::{BoundaryFriction, ConstantFriction, FilmFriction, Grid, InputError, RubbingPoint};
 
 #[test]
 fn growth_laws() {
@@ -133,6 +133,40 @@ fn deformation_models() {
     for (nx, ny) in [(8, 8), (7, 13), (16, 9)] {
         let grid = Grid::centred(nx, ny, 1e-6, 1.5e-6).unwrap();
         deformation_model(&mut HalfSpace::new(grid, 230e9).unwrap()).unwrap();
+    }
+}
+
+/// Springs side by side: a node gives way under its own pressure alone.
+#[derive(Debug)]
+struct Winkler {
+    grid: Grid,
+    compliance: f64,
+}
+
+impl DeformationModel for Winkler {
+    fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        InputError::require_len("pressure", pressure, self.grid.len())?;
+        InputError::require_len("out", out, self.grid.len())?;
+        out.iter_mut().zip(pressure).for_each(|(u, p)| *u = self.compliance * p);
+        Ok(())
+    }
+
+    fn influence(&self, di: usize, dj: usize) -> f64 {
+        if (di, dj) == (0, 0) { self.compliance } else { 0.0 }
+    }
+}
+
+#[test]
+fn displacement_need_not_reach_everywhere() {
+    let grid = Grid::centred(8, 7, 1e-6, 1e-6).unwrap();
+    deformation_model(&mut Winkler { grid, compliance: 1e-16 }).unwrap();
+    for compliance in [0.0, -1e-16] {
+        let broken = deformation_model(&mut Winkler { grid, compliance }).unwrap_err().to_string();
+        assert!(broken.contains("displacement is positive"), "{broken}");
     }
 }
 

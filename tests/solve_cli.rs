@@ -164,7 +164,8 @@ fn limit_of_iterations_is_status_two() {
     let (_folder, path) = scene(&format!("{text}\n[solver]\nmax_iterations = 1\n"));
     let output = solve(&[path.to_str().unwrap(), "--json"]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(output.stderr.is_empty());
+    let message = String::from_utf8(output.stderr.clone()).unwrap();
+    assert!(message.lines().all(|line| line.starts_with("warning: grid.n")), "{message}");
     assert_eq!(json_of(&output)["status"], "max_iterations");
 }
 
@@ -239,6 +240,21 @@ fn heights_from_a_file_move_the_gap_of_their_own_node() {
     // The smooth gap is the same at the mirrored node.
     assert!((node(10, 2) - node(5, 2) - 50e-9).abs() < 1e-15);
     assert!((node(10, 9) - node(5, 9)).abs() < 1e-15);
+}
+
+#[test]
+fn warnings_are_on_the_terminal_and_in_the_json() {
+    let (_folder, path) = scene(&dry(16).replace("radius = 9.525e-3", "radius = 9.525"));
+    let output = solve(&[path.to_str().unwrap(), "--json"]);
+    let message = String::from_utf8(output.stderr.clone()).unwrap();
+    let first = "warning: form.radius = 9.525: 9.525 m is implausible, above 1 m; did you mean 9.525 mm = 0.009525 m?";
+    assert_eq!(message.lines().next(), Some(first));
+    let json = json_of(&output);
+    let warnings = json["warnings"].as_array().unwrap();
+    assert_eq!(warnings.len(), message.lines().filter(|line| line.starts_with("warning: ")).count());
+    assert_eq!(warnings[0]["field"], "form.radius");
+    assert_eq!(number(&warnings[0], "/value"), 9.525);
+    assert!(warnings[0]["message"].is_string() && warnings[0]["remedy"].is_string());
 }
 
 #[test]

@@ -5,7 +5,7 @@ use pyo3::types::PyDict;
 use stribeck::InputError;
 use stribeck::analytic::{self, FilmConditions, HertzLine, HertzPoint, LineFilmConditions, Westergaard};
 
-use crate::convert::named;
+use crate::convert::dictionary;
 use crate::error::{ForPython, value};
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -58,7 +58,7 @@ fn hertz_point<'py>(
         |load| HertzPoint::from_load(radius_x, radius_y, equivalent_modulus, load),
         |pressure| HertzPoint::from_max_pressure(radius_x, radius_y, equivalent_modulus, pressure),
     )?;
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "half_width_x": contact.a_x,
         "half_width_y": contact.a_y,
         "pressure": contact.p_max,
@@ -85,7 +85,7 @@ fn hertz_line<'py>(
         |load| HertzLine::from_load(radius, equivalent_modulus, load),
         |pressure| HertzLine::from_max_pressure(radius, equivalent_modulus, pressure),
     )?;
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "half_width": contact.half_width,
         "pressure": contact.p_max,
         "force": contact.load,
@@ -113,11 +113,11 @@ fn point_films<'py>(
         ellipticity,
     };
     value(py, films.validate())?;
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "hamrock_dowson_central": value(py, films.hamrock_dowson_central())?,
         "hamrock_dowson_minimum": value(py, films.hamrock_dowson_minimum())?,
         "moes_central": films.moes_central().ok(),
-        "moes": named!(py, { "m": films.moes_load(), "l": films.moes_lubricant() }),
+        "moes": dictionary!(py, { "m": films.moes_load(), "l": films.moes_lubricant() }),
     }))
 }
 
@@ -140,11 +140,11 @@ fn line_films<'py>(
         load,
     };
     value(py, films.validate())?;
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "dowson_toyoda_central": value(py, films.dowson_toyoda_central())?,
         "dowson_minimum": value(py, films.dowson_minimum())?,
         "moes_central": films.moes_central().ok(),
-        "moes": named!(py, { "m": films.moes_load(), "l": films.moes_lubricant() }),
+        "moes": dictionary!(py, { "m": films.moes_load(), "l": films.moes_lubricant() }),
     }))
 }
 
@@ -157,7 +157,7 @@ fn westergaard<'py>(
     mean_pressure: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
     let wave = Westergaard { amplitude, wavelength, equivalent_modulus };
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "full_contact_pressure": value(py, wave.full_contact_pressure())?,
         "contact_half_width": value(py, wave.contact_half_width(mean_pressure))?,
     }))

@@ -1,9 +1,10 @@
 //! Numbers, dictionaries and arrays between both languages.
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyList, PyString};
+use serde::Serialize;
 use stribeck::Grid;
 use toml::{Table, Value};
 
@@ -127,12 +128,48 @@ fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
     })
 }
 
+/// What serde makes of `numbers` as a dictionary.
+pub(crate) fn named<'py>(py: Python<'py>, numbers: &impl Serialize) -> PyResult<Bound<'py, PyDict>> {
+    let tree = serde_json::to_value(numbers).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    Ok(json(py, &tree)?.cast_into::<PyDict>()?)
+}
+
+/// What serde makes of `items` as a list.
+pub(crate) fn list<'py>(py: Python<'py>, items: &impl Serialize) -> PyResult<Bound<'py, PyAny>> {
+    json(py, &serde_json::to_value(items).map_err(|error| PyValueError::new_err(error.to_string()))?)
+}
+
+fn json<'py>(py: Python<'py>, tree: &serde_json::Value) -> PyResult<Bound<'py, PyAny>> {
+    use serde_json::Value;
+    Ok(match tree {
+        Value::Null => py.None().into_bound(py),
+        Value::Bool(truth) => PyBool::new(py, *truth).to_owned().into_any(),
+        Value::Number(number) => match (number.as_u64(), number.as_f64()) {
+            (Some(whole), _) => whole.into_pyobject(py)?.into_any(),
+            (None, Some(number)) => number.into_pyobject(py)?.into_any(),
+            (None, None) => py.None().into_bound(py),
+        },
+        Value::String(text) => text.into_pyobject(py)?.into_any(),
+        Value::Array(items) => {
+            let items: PyResult<Vec<_>> = items.iter().map(|item| json(py, item)).collect();
+            PyList::new(py, items?)?.into_any()
+        }
+        Value::Object(parts) => {
+            let dict = PyDict::new(py);
+            for (key, part) in parts {
+                dict.set_item(key, json(py, part)?)?;
+            }
+            dict.into_any()
+        }
+    })
+}
+
 /// A dictionary of the named values.
-macro_rules! named {
+macro_rules! dictionary {
     ($py:expr, { $($key:literal : $value:expr),* $(,)? }) => {{
         let dict = pyo3::types::PyDict::new($py);
         $(dict.set_item($key, $value)?;)*
         dict
     }};
 }
-pub(crate) use named;
+pub(crate) use dictionary;

@@ -10,7 +10,7 @@ use stribeck::tribochem::{FilmGrowthLaw, integrate_rates};
 use stribeck::wear::WearLaw;
 use stribeck::{BoundaryFriction, Grid, RubbingPoint};
 
-use crate::convert::{field, named};
+use crate::convert::{dictionary, field};
 use crate::error::raise;
 
 /// The first exception that a law or a signal has raised.
@@ -128,7 +128,7 @@ impl Function {
         } else {
             numpy::PyArray1::from_slice(py, &in_contact).into_any()
         };
-        let parts: Bound<'py, PyDict> = named!(py, {
+        let parts: Bound<'py, PyDict> = dictionary!(py, {
             "pressure": part(|at| at.pressure)?,
             "solid_pressure": part(|at| at.solid_pressure)?,
             "shear_stress": part(|at| at.shear_stress)?,

@@ -6,7 +6,7 @@ use pyo3::types::PyDict;
 use stribeck::Grid;
 use stribeck::metrics::{self, AreaCorrelation, BearingCurve};
 
-use crate::convert::{contiguous, named, on_grid};
+use crate::convert::{contiguous, dictionary, on_grid};
 use crate::error::value;
 use crate::surface::boundary;
 
@@ -31,7 +31,7 @@ fn grid_of(py: Python<'_>, shape: &[usize], dx: f64, dy: f64) -> PyResult<Grid> 
 #[pyfunction]
 fn height_statistics<'py>(py: Python<'py>, heights: Array<'py>) -> PyResult<Bound<'py, PyDict>> {
     let numbers = value(py, metrics::height_statistics(contiguous(py, "heights", &heights)?))?;
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "mean": numbers.mean,
         "sa": numbers.sa,
         "sq": numbers.sq,
@@ -52,7 +52,7 @@ fn bearing<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let curve = value(py, BearingCurve::new(contiguous(py, "heights", &heights)?))?;
     let (core, volumes) = (curve.core(), value(py, curve.volumes(peaks, valleys))?);
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "sk": core.sk,
         "spk": core.spk,
         "svk": core.svk,
@@ -74,7 +74,7 @@ fn hybrid_parameters<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let grid = grid_of(py, heights.shape(), dx, dy)?;
     let numbers = value(py, metrics::hybrid_parameters(&grid, contiguous(py, "heights", &heights)?, None))?;
-    Ok(named!(py, { "sdq": numbers.sdq, "sdr": numbers.sdr }))
+    Ok(dictionary!(py, { "sdq": numbers.sdq, "sdr": numbers.sdr }))
 }
 
 #[pyfunction]
@@ -91,7 +91,7 @@ fn spatial_parameters<'py>(
     let heights = contiguous(py, "heights", &heights)?;
     let correlation = value(py, py.detach(|| AreaCorrelation::new(&grid, heights, None, boundary)))?;
     let numbers = value(py, correlation.spatial(threshold))?;
-    Ok(named!(py, { "sal": numbers.sal, "str": numbers.str }))
+    Ok(dictionary!(py, { "sal": numbers.sal, "str": numbers.str }))
 }
 
 #[pyfunction]
@@ -123,7 +123,7 @@ fn contact_statistics<'py>(
     let solid = on_grid(py, "solid_pressure", &solid_pressure, &grid)?;
     let [a_x, a_y] = half_widths;
     let numbers = value(py, metrics::contact_statistics(&grid, touching, solid, load, a_x, a_y))?;
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "area": numbers.area,
         "area_ratio": numbers.area_ratio,
         "corrected_area": numbers.corrected_area,
@@ -142,7 +142,7 @@ fn contact_patches<'py>(
     let grid = grid_of(py, in_contact.shape(), cell[0], cell[1])?;
     let touching = contiguous(py, "in_contact", &in_contact)?;
     let patches = value(py, metrics::contact_patches(&grid, touching, boundary(py, boundary_name)?))?;
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "areas": PyArray1::from_vec(py, patches.areas),
         "perimeter": patches.perimeter,
         "corrected_area": patches.corrected_area,

@@ -5,10 +5,10 @@ use pyo3::types::PyDict;
 use stribeck::SolveReport;
 use stribeck::sim::{HertzContact, StepRecord};
 
-use crate::convert::named;
+use crate::convert::dictionary;
 
 pub(crate) fn residual_dict<'py>(py: Python<'py>, report: &SolveReport) -> PyResult<Bound<'py, PyDict>> {
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "mass": report.residuals.mass,
         "load": report.residuals.load,
         "complementarity": report.residuals.complementarity,
@@ -16,7 +16,7 @@ pub(crate) fn residual_dict<'py>(py: Python<'py>, report: &SolveReport) -> PyRes
 }
 
 pub(crate) fn work_dict<'py>(py: Python<'py>, report: &SolveReport) -> PyResult<Bound<'py, PyDict>> {
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "convolutions": report.work.convolutions,
         "iterations": report.work.iterations,
         "inner_iterations": report.work.inner_iterations,
@@ -24,7 +24,7 @@ pub(crate) fn work_dict<'py>(py: Python<'py>, report: &SolveReport) -> PyResult<
 }
 
 pub(crate) fn report_dict<'py>(py: Python<'py>, report: &SolveReport) -> PyResult<Bound<'py, PyDict>> {
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "status": report.status.to_string(),
         "solver": report.solver,
         "residual": residual_dict(py, report)?,
@@ -34,7 +34,7 @@ pub(crate) fn report_dict<'py>(py: Python<'py>, report: &SolveReport) -> PyResul
 }
 
 pub(crate) fn hertz_dict<'py>(py: Python<'py>, hertz: &HertzContact) -> PyResult<Bound<'py, PyDict>> {
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "radius": hertz.radius,
         "half_width_x": hertz.a_x,
         "half_width_y": hertz.a_y,
@@ -46,7 +46,7 @@ pub(crate) fn hertz_dict<'py>(py: Python<'py>, hertz: &HertzContact) -> PyResult
 /// One row of a history: names of [`StepRecord`], those of pairs with `_ball` and `_disc`.
 pub(crate) fn record_dict<'py>(py: Python<'py>, record: &StepRecord) -> PyResult<Bound<'py, PyDict>> {
     let report = &record.report;
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "step": record.step,
         "time": record.time,
         "time_step": record.time_step,

@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::sim;
 
-use crate::convert::{dict, named, table};
+use crate::convert::{dict, dictionary, list, table};
 use crate::error::{raise, value};
 use crate::record::hertz_dict;
 
@@ -76,9 +76,8 @@ impl Scene {
         value(py, self.0.grid()).map(Cells)
     }
 
-    /// The one place where warnings of a scene come from.
-    fn warnings(&self) -> Vec<String> {
-        Vec::new()
+    fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        list(py, &self.0.warnings())
     }
 
     fn conditions<'py>(&self, py: Python<'py>, time: f64) -> PyResult<Bound<'py, PyDict>> {
@@ -91,7 +90,7 @@ impl Scene {
 }
 
 pub(crate) fn conditions_dict<'py>(py: Python<'py>, now: &sim::Conditions) -> PyResult<Bound<'py, PyDict>> {
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "load": now.load,
         "entrainment_speed": now.motion.entrainment_speed,
         "slide_roll_ratio": now.motion.slide_roll_ratio,
@@ -102,7 +101,7 @@ pub(crate) fn conditions_dict<'py>(py: Python<'py>, now: &sim::Conditions) -> Py
 /// Counts, cell sizes and edges of a grid.
 pub(crate) fn grid_dict<'py>(py: Python<'py>, grid: &stribeck::Grid) -> PyResult<Bound<'py, PyDict>> {
     let edges = |first: f64, cell: f64, size: f64| (first - 0.5 * cell, first - 0.5 * cell + size);
-    Ok(named!(py, {
+    Ok(dictionary!(py, {
         "nx": grid.nx(),
         "ny": grid.ny(),
         "dx": grid.dx(),

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::sim::{CheckpointError, MixedLubricationSim, SimError, StepControl, StepRecord};
 
-use crate::convert::{field, named, on_grid};
+use crate::convert::{dictionary, field, list, on_grid};
 use crate::error::{ForPython, raise, value};
 use crate::laws::Failure;
 use crate::record::record_dict;
@@ -197,9 +197,13 @@ impl Simulation {
         self.look(py, |sim| Ok(Cells(sim.grid())))
     }
 
+    fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.look(py, |sim| list(py, &sim.warnings()))
+    }
+
     fn about<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.look(py, |sim| {
-            Ok(named!(py, {
+            Ok(dictionary!(py, {
                 "conditions": conditions_dict(py, &sim.conditions())?,
                 "motion": format!("{:?}", sim.motion()),
                 "flash_estimate": sim.flash_estimate(),
@@ -217,7 +221,7 @@ impl Simulation {
             sim.bodies()
                 .iter()
                 .map(|body| {
-                    Ok(named!(py, {
+                    Ok(dictionary!(py, {
                         "initial": array(body.initial())?,
                         "surface": array(body.surface())?,
                         "wear": array(body.wear_depth())?,
@@ -234,7 +238,7 @@ impl Simulation {
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Arrays<'py>> {
         self.look(py, |sim| {
             let (grid, state) = (sim.grid(), sim.state());
-            Ok(named!(py, {
+            Ok(dictionary!(py, {
                 "pressure": field(py, &grid, &state.pressure)?,
                 "fluid_pressure": field(py, &grid, &state.fluid_pressure)?,
                 "film": field(py, &grid, &state.film)?,

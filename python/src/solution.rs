@@ -10,7 +10,6 @@ use crate::convert::{field, named, on_grid};
 use crate::error::value;
 use crate::interrupt::on_signal;
 use crate::laws::Laws;
-use crate::record::{hertz_dict, residual_dict, work_dict};
 use crate::scene::{Scene, grid_dict};
 use crate::start::BodyStart;
 
@@ -152,85 +151,9 @@ pub(crate) fn parts_of<'py>(
     Ok((numbers(py, solution)?, fields))
 }
 
-/// The numbers under the names of the JSON of the example `solve`.
+/// The numbers under the names of the command's JSON, with the edges of the grid; what is not finite is None.
 fn numbers<'py>(py: Python<'py>, solution: &ContactSolution) -> PyResult<Bound<'py, PyDict>> {
-    let ContactSolution { report, film, contact, discretisation, .. } = solution;
-    let moes = match solution.moes {
-        Some((m, l)) => Some(named!(py, { "m": m, "l": l })),
-        None => None,
-    };
-    let flow = match solution.flow {
-        Some(flow) => Some(named!(py, {
-            "inflow": flow.inflow,
-            "outflow": flow.outflow,
-            "imbalance": flow.imbalance,
-        })),
-        None => None,
-    };
-    let words = |text: String| text;
-    Ok(named!(py, {
-        "status": report.status.to_string(),
-        "solver": report.solver,
-        "scheme": discretisation.map(|(scheme, ..)| words(snake(&scheme))),
-        "face_mobility": discretisation.map(|(_, face_mobility, _)| words(snake(&face_mobility))),
-        "cavitation": solution.cavitation.map(|cavitation| words(snake(&cavitation))),
-        "contact_definition": discretisation.map(|(.., contact)| words(snake(&contact))),
-        "residual": residual_dict(py, report)?,
-        "energy_error": report.energy_error,
-        "work": work_dict(py, report)?,
-        "hertz": hertz_dict(py, &solution.hertz)?,
-        "moes": moes,
-        "film": named!(py, {
-            "central": film.central,
-            "minimum": film.minimum,
-            "mean_central": film.mean_central,
-            "minimum_gap": film.minimum_gap,
-            "lambda": solution.lambda,
-        }),
-        "pressure": named!(py, { "max": contact.max_pressure, "central": contact.central_pressure }),
-        "contact": named!(py, {
-            "area_ratio": contact.area_ratio,
-            "load_ratio": contact.load_ratio,
-            "area": contact.area,
-            "corrected_area_ratio": contact.corrected_area_ratio,
-            "corrected_area": contact.corrected_area,
-            "plastic_area": contact.plastic_area,
-            "film_cutoff": contact.film_cutoff,
-        }),
-        "friction": named!(py, {
-            "coefficient": solution.friction_coefficient,
-            "boundary": solution.friction_boundary,
-            "fluid": solution.friction_fluid,
-        }),
-        "roughness": named!(py, { "composite_rq": solution.composite_rq }),
-        "flow": flow,
-        "approach": solution.state.approach,
-        "error_estimate": estimate(py, solution)?,
-        "grid": grid_dict(py, &solution.grid)?,
-        "warnings": warnings(solution),
-        "version": env!("CARGO_PKG_VERSION"),
-    }))
-}
-
-/// The one place where warnings of a solution come from.
-fn warnings(_solution: &ContactSolution) -> Vec<String> {
-    Vec::new()
-}
-
-fn estimate<'py>(py: Python<'py>, solution: &ContactSolution) -> PyResult<Option<Bound<'py, PyDict>>> {
-    let Some(estimate) = solution.error_estimate else { return Ok(None) };
-    Ok(Some(named!(py, {
-        "central_film": estimate.central_film,
-        "minimum_film": estimate.minimum_film,
-        "max_pressure": estimate.max_pressure,
-        "mean_film": estimate.mean_film,
-        "load_ratio": estimate.load_ratio,
-        "area_ratio": estimate.area_ratio,
-        "friction_coefficient": estimate.friction_coefficient,
-    })))
-}
-
-/// The name of a choice as scene files write it.
-fn snake(choice: &impl serde::Serialize) -> String {
-    toml::Value::try_from(choice).ok().and_then(|value| value.as_str().map(str::to_owned)).unwrap_or_default()
+    let numbers = named(py, solution)?;
+    numbers.set_item("grid", grid_dict(py, &solution.grid)?)?;
+    Ok(numbers)
 }

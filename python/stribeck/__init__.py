@@ -23,6 +23,7 @@ from .errors import (
     ShapeError,
     SolverError,
     StribeckError,
+    StribeckWarning,
     SurfaceError,
 )
 from .history import Body, BodyStart, History, Record, Simulation
@@ -50,6 +51,7 @@ __all__ = [
     "Solution",
     "SolverError",
     "StribeckError",
+    "StribeckWarning",
     "SurfaceError",
     "__version__",
     "analytic",

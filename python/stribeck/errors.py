@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 __all__ = [
@@ -16,6 +17,7 @@ __all__ = [
     "ShapeError",
     "SolverError",
     "StribeckError",
+    "StribeckWarning",
     "SurfaceError",
 ]
 
@@ -74,5 +76,28 @@ class BusyError(StribeckError, RuntimeError):
     """A simulation that is asked while it takes a step."""
 
 
+class StribeckWarning(UserWarning):
+    """Something that is allowed but unlikely to be meant or to hold: ``field`` is the key of the scene or the number of the solution,
+    ``value`` its value in SI units, ``message`` what is wrong and ``remedy`` what would mend it."""
+
+    def __init__(self, field: str, value: float, message: str, remedy: str) -> None:
+        super().__init__(f"{field} = {value:.7g}: {message}; {remedy}")
+        self.field, self.value, self.message, self.remedy = field, value, message, remedy
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.field, self.value, self.message, self.remedy)
+
+
 class InterruptedSolve(StribeckError):
     """A solve that was ended from outside without an exception."""
+
+
+def found(items: list[dict[str, Any]]) -> list[StribeckWarning]:
+    """Warnings of the compiled module as such."""
+    return [StribeckWarning(**item) for item in items]
+
+
+def say(items: list[StribeckWarning], depth: int) -> None:
+    """Says each warning through the ``warnings`` of Python, as of the caller ``depth`` calls up."""
+    for item in items:
+        warnings.warn(item, stacklevel=depth + 1)

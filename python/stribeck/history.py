@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from ._numbers import Numbers, table
 from ._stribeck import BodyStart as _BodyStart, Simulation as _Simulation
+from .errors import StribeckWarning, found, say
 from .scene import Grid, Scene, _SceneGrid, as_scene
 from .solution import Heights, Solution, parts, with_solver
 
@@ -131,11 +132,14 @@ class Simulation:
         friction: Any = None,
         solver: str | None = None,
         squeeze: bool = False,
+        _aloud: bool = True,
     ) -> None:
         self._scene = with_solver(as_scene(scene), solver)
         self._laws = {"growth": growth, "wear": wear, "friction": friction}
         self._squeeze = squeeze
         self._raw = _Simulation(self._scene._raw, parts(heights, bodies, growth, wear, friction), squeeze)
+        if _aloud:
+            say(self.warnings, 2)
 
     @property
     def scene(self) -> Scene:
@@ -151,6 +155,11 @@ class Simulation:
     def steps(self) -> int:
         """Steps that were taken, those before a checkpoint included."""
         return self._raw.steps
+
+    @property
+    def warnings(self) -> list[StribeckWarning]:
+        """What is unlikely to be meant or to hold, of the scene, its surfaces and, after the first step, its contact."""
+        return found(self._raw.warnings())
 
     @property
     def history(self) -> History:
@@ -267,7 +276,7 @@ class Simulation:
     def fork(self) -> Simulation:
         """A simulation of its own that stands where this one does."""
         initial = [body["initial"] for body in self._raw.bodies()]
-        fork = Simulation(self._scene, heights=(initial[0], initial[1]), squeeze=self._squeeze, **self._laws)
+        fork = Simulation(self._scene, heights=(initial[0], initial[1]), squeeze=self._squeeze, _aloud=False, **self._laws)
         fork._raw.copy_from(self._raw)
         return fork
 

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from ._numbers import Numbers
 from ._stribeck import Cells, Scene as _Scene
-from .errors import SceneError
+from .errors import SceneError, StribeckWarning, found
 
 __all__ = ["Grid", "Scene"]
 
@@ -138,9 +138,9 @@ class Scene:
         return Numbers(self._raw.conditions(time))
 
     @property
-    def warnings(self) -> list[str]:
-        """What is implausible in the scene, in words."""
-        return self._raw.warnings()
+    def warnings(self) -> list[StribeckWarning]:
+        """What is unlikely to be meant or to hold, as far as it is known without solving."""
+        return found(self._raw.warnings())
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scene) and self._raw == other._raw

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from ._numbers import Numbers
 from ._stribeck import BodyStart, solve as _solve
-from .errors import InputError, NotConvergedError
+from .errors import InputError, NotConvergedError, StribeckWarning, found, say
 from .laws import FrictionLaw, growth_triple, pair
 from .scene import Grid, Scene, as_scene
 
@@ -47,6 +47,11 @@ class Solution(Numbers):
     def grid(self) -> Grid:
         """The cells of the fields."""
         return Grid(self["grid"].to_dict())
+
+    @property
+    def warnings(self) -> list[StribeckWarning]:
+        """What is unlikely to be meant or to hold, of the scene, its surfaces and the solution."""
+        return found(self["warnings"])
 
     @property
     def report(self) -> Report:
@@ -94,7 +99,8 @@ def solve(
     ``heights`` [m], positive out of the body, shape ``(ny, nx)`` of the scene's grid: an array for the disc, a pair for ball and disc, or a
     dictionary with the keys ``ball`` and ``disc``. ``bodies`` are ball and disc of an earlier run. ``friction`` is a law of solid contact
     (:mod:`stribeck.laws`), ``solver`` the name of a solver in place of that of the scene, ``start`` a solution on the same grid whose pressures
-    are a first guess. Other threads run meanwhile; Ctrl-C ends the solve.
+    are a first guess. Other threads run meanwhile; Ctrl-C ends the solve. What is unlikely to be meant is said as a
+    :class:`~stribeck.StribeckWarning` and stands in ``warnings`` of the solution.
 
     Not converging is a status, see :meth:`Solution.require_converged`. Raises :class:`~stribeck.InputError` with ``field`` and ``value``
     for what cannot be solved.
@@ -106,7 +112,9 @@ def solve(
         first = {**start.fields, "approach": start["approach"]}
     numbers, fields = _solve(raw, parts(heights, bodies, None, None, friction), first)
     numbers["seconds"] = perf_counter() - began
-    return Solution(numbers, fields)
+    solution = Solution(numbers, fields)
+    say(solution.warnings, 2)
+    return solution
 
 
 def with_solver(scene: Scene, solver: str | None) -> Scene:

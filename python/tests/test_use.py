@@ -33,7 +33,6 @@ def test_scenes_come_from_anything_that_says_them(tmp_path: Path) -> None:
     assert box.nodes_x[0] == pytest.approx(-2e-4 + 0.5 * box.dx)
     seed = {"kind": "gaussian", "rq": 1e-8, "length_x": 1e-5, "length_y": 1e-5, "seed": 2**64 - 1}
     assert stribeck.Scene(scene.replace(roughness={"ball": seed}).to_dict()).to_toml().count(str(2**64 - 1)) == 1
-    assert scene.warnings == []
 
 
 def test_numbers_are_attributes_items_and_pictures(rough: stribeck.Scene) -> None:
@@ -42,7 +41,6 @@ def test_numbers_are_attributes_items_and_pictures(rough: stribeck.Scene) -> Non
     assert solution.film.central == solution["film"]["central"] == solution.to_dict()["film"]["central"] > 0
     assert solution.film.lambda_ == solution.film["lambda"] == solution.film.mean_central / solution.roughness.composite_rq
     assert solution.friction.coefficient == pytest.approx(solution.friction.boundary + solution.friction.fluid)
-    assert solution.warnings == []
     assert solution.report.residual.mass < 1e-6
     assert "film.central" in repr(solution) and "<table>" in solution._repr_html_()
     with pytest.raises(AttributeError, match="centrall.*central"):
@@ -166,6 +164,24 @@ def test_the_account_of_the_bodies(rough: stribeck.Scene) -> None:
     assert simulation.mean_on_track(np.full((32, 32), 3.0)) == pytest.approx(3.0)
     second = stribeck.Simulation(rough.replace(tribofilm={}, motion={"entrainment_speed": 0.2}), bodies=simulation.starts())
     np.testing.assert_array_equal(second.bodies[1].surface, simulation.bodies[1].surface)
+
+
+def test_units_and_warnings() -> None:
+    scene = stribeck.Scene.azam_2019(128)
+    assert scene.warnings == [] and stribeck.solve(scene.replace(lubricant=None)).to_dict()["warnings"] == []
+    spoken = scene.replace(form={"kind": "sphere", "radius": "9.525 mm"}, lubricant={"eta0": "4 mPa s"})
+    assert spoken == scene
+    odd = scene.replace(lubricant=None, form={"kind": "sphere", "radius": 9.525}, load={"hertz_pressure": 1e8}, roughness=None,
+                        grid={"nx": 16, "ny": 16, "x": [-0.02, 0.02], "y": [-0.02, 0.02]}, wear=None, tribofilm=None)
+    assert odd.warnings[0].field == "form.radius" and odd.warnings[0].value == 9.525
+    with pytest.warns(stribeck.StribeckWarning, match="form.radius = 9.525"):
+        solution = stribeck.solve(odd)
+    assert "form.radius" in [warning.field for warning in solution.warnings]
+    with pytest.warns(stribeck.StribeckWarning, match="form.radius"):
+        simulation = stribeck.Simulation(odd.replace(motion={"entrainment_speed": 0.1, "slide_roll_ratio": 0.5}))
+    assert simulation.warnings[0].remedy
+    again = pickle.loads(pickle.dumps(solution.warnings[0]))
+    assert (again.field, again.value, str(again)) == ("form.radius", 9.525, str(solution.warnings[0]))
 
 
 def test_threads_solve_side_by_side(rough: stribeck.Scene) -> None:

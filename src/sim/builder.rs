@@ -6,11 +6,12 @@ use super::friction::boundary_law;
 use super::heat::Heat;
 use super::interrupt::Interrupt;
 use super::per_body::PerBody;
-use super::scene::{BODIES, PlasticSpec, Scene, WearSpec};
+use super::scene::{BODIES, PlasticSpec, Roughness, Scene, WearSpec};
 use super::simulation::{Laws, MixedLubricationSim, Travel};
 use super::solution::ContactSolution;
 use super::start::BodyStart;
 use super::timetable::Timetable;
+use super::warnings::{self, Warning};
 use super::{SimError, accuracy, exposure, setup};
 use crate::boundary_friction::BoundaryFriction;
 use crate::elastic::DeformationModel;
@@ -208,7 +209,8 @@ impl SimBuilder {
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
     pub fn solve(mut self) -> Result<ContactSolution, SimError> {
-        if needs_meshes(&self.scene) {
+        let scene = self.scene.clone();
+        let mut solution = if needs_meshes(&scene) {
             if let Some(part) = self.own_part() {
                 return Err(SimError::Input(InputError::Conflict {
                     field: part.to_owned(),
@@ -216,15 +218,21 @@ impl SimBuilder {
                         .to_owned(),
                 }));
             }
-            return accuracy::solve(&self.scene, self.overrides.interrupt.as_ref());
-        }
-        let start = self.contact_start.take();
-        self.solve_from(|grid| Ok(start.unwrap_or_else(|| ContactState::new(grid))))
+            accuracy::solve(&scene, self.overrides.interrupt.as_ref())?
+        } else {
+            let start = self.contact_start.take();
+            let own_heights = self.own_heights();
+            self.solve_from(own_heights, |grid| Ok(start.unwrap_or_else(|| ContactState::new(grid))))?
+        };
+        let found = warnings::after_solve(&scene, &solution);
+        solution.warnings.extend(found);
+        Ok(solution)
     }
 
-    /// The same on the grid of the scene alone, from what `start` makes.
+    /// The same on the grid of the scene alone, from what `start` makes; `own_heights` are in place of those of the scene.
     pub(super) fn solve_from(
         mut self,
+        own_heights: [bool; 2],
         start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
     ) -> Result<ContactSolution, SimError> {
         self.scene.schedule.read_tables()?;
@@ -236,8 +244,15 @@ impl SimBuilder {
         }
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
+        let warnings = self.warnings(own_heights, &contact, &bodies);
         let state = start(&contact.grid)?;
-        solve_bodies(&self.scene, contact, &bodies, &laws, state)
+        let solution = solve_bodies(&self.scene, contact, &bodies, &laws, state)?;
+        Ok(ContactSolution { warnings, ..solution })
+    }
+
+    /// Whether ball and disc have heights in place of those of the scene.
+    fn own_heights(&self) -> [bool; 2] {
+        [0, 1].map(|body| self.heights[body].is_some() || self.starts[body].is_some())
     }
 
     /// The first part that was put in place of one of the scene.
@@ -270,14 +285,44 @@ impl SimBuilder {
         self.scene.schedule.read_tables()?;
         let overrides = std::mem::take(&mut self.overrides);
         let contact = ContactModel::new(&self.scene, overrides)?;
+        let own_heights = self.own_heights();
         let timetable = Timetable::new(&self.scene)?;
         exposure::validate(&self.scene, &timetable, &contact.grid)?;
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
+        let warnings = self.warnings(own_heights, &contact, &bodies);
         let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
         let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion());
         let travel = Travel { motion, squeeze: self.squeeze };
-        Ok(MixedLubricationSim::assemble((self.scene, timetable), contact, bodies, laws, heat, travel)?)
+        Ok(MixedLubricationSim::assemble(
+            (self.scene, timetable, warnings),
+            contact,
+            bodies,
+            laws,
+            heat,
+            travel,
+        )?)
+    }
+
+    /// Those of the scene but for roughness that `own_heights` replace, and those of heights that were given or read.
+    fn warnings(&self, own_heights: [bool; 2], contact: &ContactModel, bodies: &[Body; 2]) -> Vec<Warning> {
+        let mut scene = self.scene.clone();
+        let mut found = Vec::new();
+        let roughness = [&mut scene.roughness.ball, &mut scene.roughness.disc];
+        for (index, (roughness, own)) in roughness.into_iter().zip(own_heights).enumerate() {
+            if own || matches!(roughness, Roughness::File(_)) {
+                *roughness = Roughness::None;
+                found.extend(warnings::of_heights(
+                    index,
+                    bodies[index].initial(),
+                    &contact.grid,
+                    &contact.hertz,
+                ));
+            }
+        }
+        let mut warnings = scene.warnings();
+        warnings.extend(found);
+        warnings
     }
 
     fn laws(&mut self) -> Result<Laws, SimError> {

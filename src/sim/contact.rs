@@ -239,7 +239,7 @@ pub(super) fn solve_on_grid(
 ) -> Result<ContactSolution, SimError> {
     let mut builder = SimBuilder::new(scene.clone());
     builder.overrides.interrupt = interrupt.cloned();
-    builder.solve_from(start)
+    builder.solve_from([false; 2], start)
 }
 
 /// The same with the heights of ball and disc on this grid given \[m\].
@@ -250,7 +250,8 @@ pub(super) fn solve_heights(
 ) -> Result<ContactSolution, SimError> {
     let mut builder = SimBuilder::new(scene.clone()).ball_heights(ball).disc_heights(disc);
     builder.overrides.interrupt = interrupt.cloned();
-    builder.solve_from(|grid| Ok(ContactState::new(grid)))
+    // They are those of the scene on another mesh.
+    builder.solve_from([false; 2], |grid| Ok(ContactState::new(grid)))
 }
 
 /// Solves the contact of `bodies` as they stand from `state`.

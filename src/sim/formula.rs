@@ -2,18 +2,38 @@
 
 use super::hertz::{HertzContact, LINE_LENGTH};
 use super::scene::Scene;
+use super::setup;
 use super::timetable::Conditions;
 use crate::analytic::{FilmConditions, LineFilmConditions};
 use crate::error::InputError;
 use crate::lubricant::ViscosityLaw;
 
 /// What the film formulas make of a scene.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct FormulaFilm {
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct FormulaFilm {
     /// Moes parameters `(M, L)`.
-    pub(super) moes: (f64, f64),
+    pub moes: (f64, f64),
     /// Central film, Hamrock and Dowson of a point contact, Dowson and Toyoda of a line contact \[m\].
-    pub(super) central: f64,
+    pub central: f64,
+}
+
+impl Scene {
+    /// What the film formulas make of the smooth, flooded contact at the start, with the slope of the viscosity law; none for a dry contact.
+    ///
+    /// ```
+    /// let film = stribeck::sim::Scene::azam_2019(64).formula_film()?.expect("it has an oil");
+    /// assert!((7e-9..10e-9).contains(&film.central));
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A form, modulus, load, speed, oil or schedule out of range.
+    pub fn formula_film(&self) -> Result<Option<FormulaFilm>, InputError> {
+        let (hertz, law) = (self.hertz()?, setup::viscosity(self)?);
+        let speed = self.conditions(0.0)?.motion.entrainment_speed;
+        formula_film(self, &hertz, speed, law.as_deref(), None)
+    }
 }
 
 /// The film formulas at `entrainment_speed` \[m/s\], by the pressure-viscosity coefficient `alpha` \[1/Pa\] or the slope of the

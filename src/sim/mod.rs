@@ -17,6 +17,7 @@ mod formula;
 mod friction;
 mod heat;
 mod hertz;
+mod history_means;
 #[cfg(feature = "serde")]
 mod identity;
 mod interrupt;
@@ -31,6 +32,7 @@ pub mod scene;
 mod setup;
 mod simulation;
 mod solution;
+mod solution_numbers;
 mod squeeze_memory;
 mod standing;
 mod start;
@@ -41,6 +43,7 @@ mod timetable;
 mod track;
 #[cfg(feature = "vtk")]
 mod vtk;
+mod warnings;
 #[cfg(feature = "serde")]
 mod whole_file;
 mod yielding;
@@ -52,7 +55,11 @@ pub use builder::SimBuilder;
 pub use checkpoint::CheckpointError;
 pub use contact::solve_contact;
 pub use error::SimError;
+pub use formula::FormulaFilm;
 pub use hertz::HertzContact;
+pub use history_means::HistoryMeans;
+#[cfg(feature = "serde")]
+pub use history_means::HistoryNumbers;
 #[cfg(feature = "npz")]
 pub use npz::write_npz;
 pub use observer::Observer;
@@ -67,3 +74,4 @@ pub use step_control::StepControl;
 pub use timetable::Conditions;
 #[cfg(feature = "vtk")]
 pub use vtk::write_vtk;
+pub use warnings::Warning;

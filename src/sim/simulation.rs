@@ -18,6 +18,7 @@ use super::solution::{contact_numbers, film_numbers};
 use super::squeeze_memory::SqueezeMemory;
 use super::step_control::StepControl;
 use super::timetable::{Conditions, Timetable};
+use super::warnings::{self, Warning};
 use super::yielding::Yielding;
 use crate::boundary_friction::BoundaryFriction;
 use crate::error::InputError;
@@ -113,6 +114,7 @@ pub struct MixedLubricationSim {
     pub(super) backup: [Body; 2],
     /// The contact before the step in progress.
     last_state: ContactState,
+    warnings: Vec<Warning>,
 }
 
 /// Fields of the step in progress, all in the frame of the contact unless a name says otherwise.
@@ -162,7 +164,7 @@ impl MixedLubricationSim {
     }
 
     pub(super) fn assemble(
-        (scene, timetable): (Scene, Timetable),
+        (scene, timetable, warnings): (Scene, Timetable, Vec<Warning>),
         contact: ContactModel,
         bodies: [Body; 2],
         laws: Laws,
@@ -187,6 +189,7 @@ impl MixedLubricationSim {
             time: 0.0,
             step: 0,
             draws: 0,
+            warnings,
         })
     }
 
@@ -238,6 +241,12 @@ impl MixedLubricationSim {
     /// Pressures and film of the last solve, in the frame of the contact.
     pub fn state(&self) -> &ContactState {
         &self.state
+    }
+
+    /// What is unlikely to be meant or to hold: that of [`Scene::warnings`], of heights that were read or given, and after the first
+    /// step of its contact. The list is that of the whole run, no step repeats it.
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
     }
 
     /// Whether the flash temperature is modelled.
@@ -356,6 +365,9 @@ impl MixedLubricationSim {
         self.time += time_step;
         self.squeeze_memory.keep(&self.state.mass, time_step);
         let record = self.record(report, attempts, flash_rise, (conditions, rq))?;
+        if self.step == 0 && record.composite_rq == 0.0 {
+            self.warnings.extend(warnings::excess_pressure(record.max_pressure, self.contact.hertz.p_max));
+        }
         self.step += 1;
         Ok(record)
     }

@@ -4,6 +4,7 @@ use super::accuracy::ErrorEstimate;
 use super::contact::ContactModel;
 use super::friction::{FrictionFields, FrictionShares};
 use super::hertz::HertzContact;
+use super::warnings::Warning;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::metrics;
@@ -51,6 +52,9 @@ pub struct ContactSolution {
     pub composite_rq: f64,
     /// `film.mean_central / composite_rq`; none between smooth surfaces and where the film is not known.
     pub lambda: Option<f64>,
+    /// What is unlikely to be meant or to hold: that of [`Scene::warnings`](super::Scene::warnings), of surfaces from files, and of the
+    /// solution.
+    pub warnings: Vec<Warning>,
     /// Coefficient of friction of solid contact; zero without sliding.
     pub(super) boundary_friction: f64,
     /// Shear stress of the fluid \[Pa\].
@@ -197,6 +201,7 @@ impl ContactModel {
             state,
             gap,
             error_estimate: None,
+            warnings: Vec::new(),
         }
     }
 }

@@ -3,7 +3,7 @@
     python3 tests/peers/compare_surfaces.py FILE [--write]
 
 Makes a virtual environment in target/peers/surfaces, installs SurfaceTopography and surfalize from the Python package index,
-lets them and the example surface_report read FILE, and prints a table; --write puts it into docs/surfaces.md. Nothing is
+lets them and the command stribeck surface read FILE, and prints a table; --write puts it into docs/surfaces.md. Nothing is
 levelled or filtered first.
 """
 
@@ -76,9 +76,8 @@ def main():
     arguments = parser.parse_args()
     file, folder = arguments.file.resolve(), arguments.folder.resolve()
     folder.parent.mkdir(parents=True, exist_ok=True)
-    report = ["cargo", "run", "--quiet", "--release", "--example", "surface_report", "--"]
-    page = folder.parent / "page.svg"
-    ours = json.loads(run([*report, file, "--json", "--out", page]))
+    report = ["cargo", "run", "--quiet", "--release", "-p", "stribeck-cli", "--", "surface"]
+    ours = json.loads(run([*report, file, "--json"]))
     peers = json.loads(run([environment(folder), HERE / "peer_surfaces.py", file]))
     names = list(PACKAGES)
     head = ["parameter", "stribeck", *(title for name in names for title in (name, "difference"))]

@@ -3,26 +3,37 @@
 use std::path::Path;
 
 use serde::Deserialize;
+use toml::de::DeTable;
 
-use super::{Roughness, Scene};
+use super::{Roughness, Scene, keys, missing};
 use crate::sim::SimError;
 
 /// Characters of a line that a syntax error quotes.
 const LONGEST_QUOTE: usize = 80;
 
 impl Scene {
-    /// A scene from TOML text.
+    /// A scene from TOML text. A number of a key that has a dimension may be text with a [unit](crate::units): `"9.525 mm"`.
     ///
     /// # Errors
-    /// [`SimError::Scene`] naming the key and the line of what does not fit.
+    /// [`SimError::Scene`] naming the key and the line of what does not fit, [`SimError::Input`] naming a quantity that is none of
+    /// its key.
     pub fn from_toml(text: &str) -> Result<Self, SimError> {
         let scene = |reason| SimError::Scene { reason };
-        let tree = toml::Deserializer::parse(text).map_err(|error| {
+        let root = DeTable::parse(text).map_err(|error| {
             let line = text.lines().nth(line_of(text, &error)).unwrap_or_default().trim();
             let shown: String = line.chars().filter(|c| !c.is_control()).take(LONGEST_QUOTE).collect();
             scene(format!("{} in `{shown}`", in_one_line(text, error)))
         })?;
-        Self::deserialize(tree).map_err(|error| scene(in_one_line(text, error)))
+        let text = keys::in_si_units(text, root.get_ref())?;
+        let tree = toml::Deserializer::parse(&text).map_err(|error| scene(in_one_line(&text, error)))?;
+        Self::deserialize(tree).map_err(|error| {
+            let message = in_one_line(&text, error);
+            let absent = match text.parse() {
+                Ok(table) if message.contains("missing field") => missing::keys(&table),
+                _ => Vec::new(),
+            };
+            scene(if absent.len() > 1 { format!("missing keys: `{}`", absent.join("`, `")) } else { message })
+        })
     }
 
     /// The scene as TOML text.
@@ -53,6 +64,37 @@ impl Scene {
     }
 }
 
+/// What the parser calls things, and what a reader of scene files does.
+const WORDS: [(&str, &str); 15] = [
+    ("expected f64", "expected a number"),
+    ("expected usize", "expected a whole number from 0"),
+    ("expected u64", "expected a whole number from 0"),
+    ("expected a boolean", "expected true or false"),
+    ("expected a sequence", "expected a list"),
+    ("expected path string", "expected text"),
+    ("invalid type: sequence", "invalid type: list"),
+    ("invalid type: boolean", "invalid type:"),
+    ("invalid type: string", "invalid type: text"),
+    ("invalid type: map", "invalid type: table"),
+    ("expected an array of length 2", "expected a list of two numbers"),
+    ("floating point", "number"),
+    ("invalid type: integer", "invalid type: whole number"),
+    ("invalid value: integer", "invalid value: whole number"),
+    ("unknown variant", "unknown value"),
+];
+
+/// The message without names of types of this crate.
+fn in_plain_words(message: &str) -> String {
+    let plain = WORDS.iter().fold(message.to_owned(), |text, (from, to)| text.replace(from, to));
+    match plain.split_once("expected struct ") {
+        None => plain,
+        Some((before, after)) => {
+            let rest = after.split_once(' ').map_or(String::new(), |(_, rest)| format!(" {rest}"));
+            format!("{before}expected a table{rest}")
+        }
+    }
+}
+
 /// The parser's message with line and key in one line.
 fn in_one_line(text: &str, mut error: toml::de::Error) -> String {
     let line = 1 + line_of(text, &error);
@@ -60,7 +102,7 @@ fn in_one_line(text: &str, mut error: toml::de::Error) -> String {
     error.set_input(None);
     let message = error.to_string();
     let words: Vec<&str> = message.split_whitespace().collect();
-    format!("line {line}: {}", words.join(" "))
+    format!("line {line}: {}", in_plain_words(&words.join(" ")))
 }
 
 /// The line of the error, from 0.

@@ -2,7 +2,11 @@
 
 #[cfg(feature = "serde")]
 mod files;
+#[cfg(feature = "serde")]
+mod keys;
 mod materials;
+#[cfg(feature = "serde")]
+mod missing;
 mod processes;
 mod schedule;
 #[cfg(feature = "serde")]

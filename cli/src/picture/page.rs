@@ -1,22 +1,19 @@
 //! One page: height map, spectra, autocorrelation and bearing curve.
 
-use std::error::Error;
 use std::ops::Range;
-use std::path::Path;
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 use stribeck::metrics::{Axis, Spectrum, height_histogram, profile_spectrum, radial_spectrum};
 use stribeck::surface::Heights;
 use stribeck::{Boundary, Grid};
 
-use crate::numbers::{Numbers, defined_heights};
-
-type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+use super::{BLUE, Drawn, GREEN, Picture, TEXT_SIZE, TITLE_SIZE, VERMILION, colour, extremes, text};
+use crate::surface_numbers::{Numbers, defined_heights};
 
 const SIZE: (u32, u32) = (1100, 900);
-const TITLE_FONT: u32 = 22;
-const FONT: u32 = 15;
+const HEAD: i32 = 40;
 /// Most squares along a side of a map.
 const SQUARES: usize = 100;
 /// Size of a square over their distance: without overlap, viewers show seams.
@@ -27,13 +24,6 @@ const CLASSES: usize = 60;
 /// Share of the highest and of the lowest points that have no colour of their own.
 const OUTLIERS: f64 = 0.005;
 const CUBIC_NANOMETRES: f64 = 1e27;
-/// Blue, vermilion and green of the palette of Okabe and Ito.
-const BLUE: RGBColor = RGBColor(0, 114, 178);
-const VERMILION: RGBColor = RGBColor(213, 94, 0);
-const GREEN: RGBColor = RGBColor(0, 158, 115);
-/// Dark violet to yellow over blue and green, even in lightness.
-const SCALE: [[f64; 3]; 5] =
-    [[68.0, 1.0, 84.0], [59.0, 82.0, 139.0], [33.0, 145.0, 140.0], [94.0, 201.0, 98.0], [253.0, 231.0, 37.0]];
 
 /// A field of `nx` by `ny` squares over a box.
 struct Map<'a> {
@@ -49,34 +39,49 @@ struct Map<'a> {
     defined: Option<&'a [bool]>,
 }
 
-/// Writes the page.
-pub(crate) fn draw(
-    path: &Path,
-    title: &str,
-    surface: &Heights,
-    numbers: &Numbers,
-) -> Result<(), Box<dyn Error>> {
-    let root = SVGBackend::new(path, SIZE).into_drawing_area();
-    root.fill(&WHITE)?;
-    let root = root.titled(title, ("sans-serif", TITLE_FONT))?;
-    let areas = root.split_evenly((2, 2));
-    let [map, spectrum, correlation, bearing] = areas.as_slice() else { return Ok(()) };
-    draw_heights(map, surface, numbers)?;
-    draw_spectra(spectrum, surface, numbers)?;
-    draw_correlation(correlation, numbers)?;
-    draw_bearing(bearing, surface, numbers)?;
-    root.present()?;
-    Ok(())
+/// The page of a surface.
+pub(crate) struct Page<'a> {
+    pub(crate) title: String,
+    pub(crate) surface: &'a Heights,
+    pub(crate) numbers: &'a Numbers,
 }
 
-fn draw_heights(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Result<(), Box<dyn Error>> {
+impl Picture for Page<'_> {
+    fn size(&self) -> (u32, u32) {
+        SIZE
+    }
+
+    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        let (head, body) = canvas.split_vertically(HEAD);
+        let title = text(TITLE_SIZE).pos(Pos::new(HPos::Center, VPos::Center));
+        head.draw(&Text::new(self.title.as_str(), (SIZE.0 as i32 / 2, HEAD / 2), title))?;
+        let areas = body.split_evenly((2, 2));
+        let [map, spectrum, correlation, bearing] = areas.as_slice() else { return Ok(()) };
+        draw_heights(map, self.surface, self.numbers)?;
+        draw_spectra(spectrum, self.surface, self.numbers)?;
+        draw_correlation(correlation, self.numbers)?;
+        draw_bearing(bearing, self.surface, self.numbers)
+    }
+}
+
+fn draw_heights<B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    surface: &Heights,
+    numbers: &Numbers,
+) -> Drawn
+where
+    B::ErrorType: 'static,
+{
     let (nx, ny) = (surface.nx(), surface.ny());
     let (width, height, x_label, y_label) = match &numbers.grid {
-        Some(grid) => (grid.size_x() * 1e6, grid.size_y() * 1e6, "x (um)", "y (um)"),
+        Some(grid) => (grid.size_x() * 1e6, grid.size_y() * 1e6, "x (µm)", "y (µm)"),
         None => (nx as f64, ny as f64, "x (points)", "y (points)"),
     };
     let heights = defined_heights(surface);
-    let (low, high) = range(&heights);
+    let (low, high) = extremes(heights.iter().copied());
     let middle = 0.5 * (low + high);
     // a spike must not take all colours
     let mean = high - numbers.curve.height_at(0.0);
@@ -86,7 +91,7 @@ fn draw_heights(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
         area,
         &Map {
             title: format!(
-                "Height, {:.4} to {:.4} um (colours {:.4} to {:.4} um)",
+                "Height, {:.4} to {:.4} µm (colours {:.4} to {:.4} µm)",
                 low * 1e6,
                 high * 1e6,
                 colours.0 * 1e6,
@@ -105,7 +110,10 @@ fn draw_heights(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
     )
 }
 
-fn draw_correlation(area: &Canvas<'_>, numbers: &Numbers) -> Result<(), Box<dyn Error>> {
+fn draw_correlation<B: DrawingBackend>(area: &DrawingArea<B, Shift>, numbers: &Numbers) -> Drawn
+where
+    B::ErrorType: 'static,
+{
     let (Some(correlation), Some(grid)) = (&numbers.correlation, &numbers.grid) else {
         return note(area, "no autocorrelation: flat, or without spacing");
     };
@@ -115,8 +123,8 @@ fn draw_correlation(area: &Canvas<'_>, numbers: &Numbers) -> Result<(), Box<dyn 
         area,
         &Map {
             title: "Autocorrelation, -1 to 1".to_owned(),
-            x_label: "lag along x (um)",
-            y_label: "lag along y (um)",
+            x_label: "lag along x (µm)",
+            y_label: "lag along y (µm)",
             x: -x..x,
             y: -y..y,
             nx: 2 * rx + 1,
@@ -129,9 +137,12 @@ fn draw_correlation(area: &Canvas<'_>, numbers: &Numbers) -> Result<(), Box<dyn 
 }
 
 /// Squares are single points of the field, so that nothing is averaged away.
-fn draw_map(area: &Canvas<'_>, map: &Map<'_>, (low, high): (f64, f64)) -> Result<(), Box<dyn Error>> {
+fn draw_map<B: DrawingBackend>(area: &DrawingArea<B, Shift>, map: &Map<'_>, (low, high): (f64, f64)) -> Drawn
+where
+    B::ErrorType: 'static,
+{
     let mut chart = ChartBuilder::on(area)
-        .caption(&map.title, ("sans-serif", FONT + 2))
+        .caption(&map.title, text(TEXT_SIZE + 1))
         .margin(10)
         .x_label_area_size(38)
         .y_label_area_size(58)
@@ -141,7 +152,7 @@ fn draw_map(area: &Canvas<'_>, map: &Map<'_>, (low, high): (f64, f64)) -> Result
         .disable_mesh()
         .x_desc(map.x_label)
         .y_desc(map.y_label)
-        .label_style(("sans-serif", FONT))
+        .label_style(text(TEXT_SIZE))
         .draw()?;
     let (columns, rows) = (map.nx.min(SQUARES), map.ny.min(SQUARES));
     let edge = |range: &Range<f64>, k: f64, n: usize| {
@@ -163,15 +174,14 @@ fn draw_map(area: &Canvas<'_>, map: &Map<'_>, (low, high): (f64, f64)) -> Result
     Ok(())
 }
 
-fn colour(share: f64) -> RGBColor {
-    let position = if share.is_finite() { share.clamp(0.0, 1.0) * (SCALE.len() - 1) as f64 } else { 0.0 };
-    let low = (position as usize).min(SCALE.len() - 2);
-    let part = position - low as f64;
-    let channel = |k: usize| ((1.0 - part) * SCALE[low][k] + part * SCALE[low + 1][k]) as u8;
-    RGBColor(channel(0), channel(1), channel(2))
-}
-
-fn draw_spectra(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Result<(), Box<dyn Error>> {
+fn draw_spectra<B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    surface: &Heights,
+    numbers: &Numbers,
+) -> Drawn
+where
+    B::ErrorType: 'static,
+{
     let Some(grid) = &numbers.grid else { return note(area, "no spectrum: without spacing") };
     let Some((along_x, along_y, radial)) = spectra(surface, grid) else {
         return note(area, "no spectrum: too few points");
@@ -184,13 +194,13 @@ fn draw_spectra(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
         ("q/pi times radial mean", GREEN, radial),
     ];
     let all = || lines.iter().flat_map(|(_, _, points)| points);
-    let (q_low, q_high) = range(&all().map(|point| point.0).collect::<Vec<_>>());
-    let (c_low, c_high) = range(&all().map(|point| point.1).collect::<Vec<_>>());
+    let (q_low, q_high) = extremes(all().map(|point| point.0));
+    let (c_low, c_high) = extremes(all().map(|point| point.1));
     if !(q_low < q_high && c_low < c_high) {
         return note(area, "no spectrum: flat");
     }
     let mut chart = ChartBuilder::on(area)
-        .caption("Spectral density, Hann window", ("sans-serif", FONT + 2))
+        .caption("Spectral density, Hann window", text(TEXT_SIZE + 1))
         .margin(10)
         .x_label_area_size(38)
         .y_label_area_size(70)
@@ -206,7 +216,7 @@ fn draw_spectra(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
         .x_label_formatter(&power)
         .y_label_formatter(&power)
         .light_line_style(WHITE)
-        .label_style(("sans-serif", FONT))
+        .label_style(text(TEXT_SIZE))
         .draw()?;
     for (name, pen, points) in lines {
         chart
@@ -218,7 +228,7 @@ fn draw_spectra(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
         .configure_series_labels()
         .position(SeriesLabelPosition::UpperRight)
         .background_style(WHITE)
-        .label_font(("sans-serif", FONT))
+        .label_font(text(TEXT_SIZE))
         .draw()?;
     Ok(())
 }
@@ -240,14 +250,21 @@ fn positive_points(spectrum: &Spectrum, density: impl Fn(f64, f64) -> f64) -> Ve
     points.map(|(&q, &c)| (q, density(q, c))).filter(|&(_, c)| c > 0.0).collect()
 }
 
-fn draw_bearing(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Result<(), Box<dyn Error>> {
+fn draw_bearing<B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    surface: &Heights,
+    numbers: &Numbers,
+) -> Drawn
+where
+    B::ErrorType: 'static,
+{
     let curve = &numbers.curve;
     let (top, bottom) = (curve.height_at(0.0) * 1e6, curve.height_at(1.0) * 1e6);
     let Ok(histogram) = height_histogram(&defined_heights(surface), CLASSES) else {
         return note(area, "no bearing curve: flat");
     };
     let mut chart = ChartBuilder::on(area)
-        .caption("Bearing curve and height distribution", ("sans-serif", FONT + 2))
+        .caption("Bearing curve and height distribution", text(TEXT_SIZE + 1))
         .margin(10)
         .x_label_area_size(38)
         .y_label_area_size(70)
@@ -256,9 +273,9 @@ fn draw_bearing(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
         .configure_mesh()
         .y_label_formatter(&|height| format!("{}", (height * 1e6).round() / 1e6 + 0.0))
         .x_desc("material ratio")
-        .y_desc("height about the mean (um)")
+        .y_desc("height about the mean (µm)")
         .light_line_style(WHITE)
-        .label_style(("sans-serif", FONT))
+        .label_style(text(TEXT_SIZE))
         .draw()?;
     let densest = histogram.density.iter().copied().fold(0.0, f64::max);
     let step = (top - bottom) / CLASSES as f64;
@@ -275,11 +292,10 @@ fn draw_bearing(area: &Canvas<'_>, surface: &Heights, numbers: &Numbers) -> Resu
     Ok(())
 }
 
-fn note(area: &Canvas<'_>, text: &str) -> Result<(), Box<dyn Error>> {
-    area.draw(&Text::new(text.to_owned(), (60, 60), ("sans-serif", FONT)))?;
+fn note<B: DrawingBackend>(area: &DrawingArea<B, Shift>, words: &str) -> Drawn
+where
+    B::ErrorType: 'static,
+{
+    area.draw(&Text::new(words.to_owned(), (60, 60), text(TEXT_SIZE)))?;
     Ok(())
-}
-
-fn range(values: &[f64]) -> (f64, f64) {
-    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)))
 }

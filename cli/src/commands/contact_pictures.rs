@@ -1,0 +1,107 @@
+//! Maps and profile of a solved contact.
+
+use stribeck::Grid;
+use stribeck::reynolds::ContactState;
+use stribeck::sim::HertzContact;
+
+use crate::picture::{BLUE, Chart, GREEN, Line, Map, Maps, Panel, VERMILION, XScale, extremes};
+
+/// A contact as it is drawn.
+pub(crate) struct Seen<'a> {
+    pub(crate) title: String,
+    pub(crate) grid: Grid,
+    pub(crate) hertz: HertzContact,
+    pub(crate) state: &'a ContactState,
+    pub(crate) lubricated: bool,
+    /// Of the disc \[m\], where there is one.
+    pub(crate) tribofilm: Option<&'a [f64]>,
+}
+
+/// Film, pressure, content of the gap and tribofilm from above.
+pub(crate) fn maps<'a>(seen: &Seen<'a>) -> Maps<'a> {
+    let state = seen.state;
+    let map = |title: &str, values: &'a [f64], factor, highest: f64, outline| Map {
+        title: title.to_owned(),
+        values,
+        factor,
+        range: (0.0, if highest > 0.0 { highest } else { 1.0 }),
+        outline,
+    };
+    let film_name = if seen.lubricated { "film (nm)" } else { "gap (nm)" };
+    let largest_pressure = extremes(state.pressure.iter().copied()).1;
+    let mut maps = vec![
+        map(film_name, &state.film, 1e9, round_up(1e9 * thick_film(seen)), true),
+        map("pressure (GPa)", &state.pressure, 1e-9, round_up(1e-9 * largest_pressure), true),
+    ];
+    if seen.lubricated {
+        maps.push(map("content of the gap, theta", &state.content, 1.0, 1.0, true));
+    }
+    if let Some(film) = seen.tribofilm {
+        let thickest = extremes(film.iter().copied()).1;
+        // The patch of the disc, wherever that stands in the contact.
+        maps.push(map("tribofilm on the disc (nm)", film, 1e9, round_up(1e9 * thickest), false));
+    }
+    let half_widths = (seen.hertz.a_x, seen.hertz.a_y);
+    Maps { title: seen.title.clone(), grid: seen.grid, half_widths, maps }
+}
+
+/// Film and pressures along the entrainment, in the row next to the centre.
+pub(crate) fn profile(seen: &Seen<'_>) -> Chart {
+    let (grid, state) = (&seen.grid, seen.state);
+    let row = (0..grid.ny()).min_by(|a, b| grid.y(*a).abs().total_cmp(&grid.y(*b).abs())).unwrap_or(0);
+    let nodes = row * grid.nx()..(row + 1) * grid.nx();
+    let line = |name, colour, values: &[f64], factor: f64| Line {
+        name,
+        colour,
+        points: nodes
+            .clone()
+            .zip(0..)
+            .filter_map(|(node, i)| values.get(node).map(|value| (1e6 * grid.x(i), factor * value)))
+            .collect(),
+    };
+    let mut pressures = vec![line("all", VERMILION, &state.pressure, 1e-9)];
+    if seen.lubricated {
+        pressures.push(line("fluid", BLUE, &state.fluid_pressure, 1e-9));
+    }
+    let film_name = if seen.lubricated { "film (nm)" } else { "gap (nm)" };
+    let mut panels = vec![
+        Panel { y_label: "pressure (GPa)".to_owned(), lines: pressures, highest: None },
+        Panel {
+            y_label: film_name.to_owned(),
+            lines: vec![line("", BLUE, &state.film, 1e9)],
+            highest: Some(2e9 * thick_film(seen)),
+        },
+    ];
+    if seen.lubricated {
+        panels.push(Panel {
+            y_label: "theta".to_owned(),
+            lines: vec![line("", GREEN, &state.content, 1.0)],
+            highest: None,
+        });
+    }
+    let title = format!("{}: profile at y = {:.1} µm", seen.title, 1e6 * grid.y(row));
+    Chart { title, x_label: "x (µm)", x_scale: XScale::Linear, panels }
+}
+
+/// A film \[m\] that few nodes of the Hertz contact exceed: what lies outside of it is thicker by far.
+fn thick_film(seen: &Seen<'_>) -> f64 {
+    let inside = |(x, y): (f64, f64)| {
+        let across = if seen.grid.ny() > 1 { y / seen.hertz.a_y } else { 0.0 };
+        (x / seen.hertz.a_x).hypot(across) <= 1.0
+    };
+    let nodes = seen.grid.nodes().zip(&seen.state.film);
+    let mut films: Vec<f64> = nodes.filter(|(at, h)| inside(*at) && h.is_finite()).map(|(_, h)| *h).collect();
+    films.sort_unstable_by(f64::total_cmp);
+    // Nineteen of twenty nodes.
+    films.get(films.len() * 19 / 20).map_or(0.0, |film| 1.2 * film)
+}
+
+/// The next of 1, 1.5, 2, 3, 5, 7, 10 times a power of ten from `value` on.
+fn round_up(value: f64) -> f64 {
+    if !(value > 0.0 && value.is_finite()) {
+        return 1.0;
+    }
+    let decade = 10_f64.powf(value.log10().floor());
+    let steps = [1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0];
+    steps.into_iter().map(|step| step * decade).find(|step| *step >= value).unwrap_or(value)
+}

@@ -1,0 +1,224 @@
+//! `stribeck curve`: friction over speed, from boundary lubrication to full film.
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::{Value, json};
+use stribeck::metrics::height_statistics;
+use stribeck::sim::scene::Scene;
+use stribeck::sim::{ContactSolution, solve_contact};
+use stribeck::units::Dimension;
+use stribeck::{InputError, Status};
+
+use crate::output::{self, Outcome, Output};
+use crate::picture::{self, BLUE, Chart, Line, Panel, XScale};
+
+/// Range of speeds around that of the scene, and how many in it.
+const RANGE: f64 = 100.0;
+const POINTS: u32 = 13;
+
+/// The oil, the surfaces, the load and the ratio of sliding are those of the scene. The table of the curve is written as
+/// SCENE_curve.csv.
+#[derive(clap::Args)]
+pub(crate) struct Options {
+    /// Scene file
+    scene: PathBuf,
+    /// Lowest entrainment speed, "0.001" or "1 mm/s" [default: a hundredth of that of the scene]
+    #[arg(long, value_parser = |text: &str| output::positive(Dimension::Speed, "--from", text))]
+    from: Option<f64>,
+    /// Highest entrainment speed [default: a hundred times that of the scene]
+    #[arg(long, value_parser = |text: &str| output::positive(Dimension::Speed, "--to", text))]
+    to: Option<f64>,
+    /// Number of speeds, evenly spread over their logarithms
+    #[arg(long, default_value_t = POINTS, value_parser = clap::value_parser!(u32).range(2..=1000))]
+    points: u32,
+    #[command(flatten)]
+    output: Output,
+}
+
+/// A solved speed.
+struct Point {
+    speed: f64,
+    /// Film over composite roughness; none between smooth surfaces.
+    lambda: Option<f64>,
+    solution: ContactSolution,
+}
+
+pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
+    let start = Instant::now();
+    let scene = output::load(&options.scene)?;
+    let speeds = speeds(options, &scene)?;
+    if scene.motion.slide_roll_ratio == 0.0 {
+        output::complain("warning", "motion.slide_roll_ratio = 0: without sliding there is no friction");
+    }
+    output::warn(&scene.warnings());
+    let points = solve(options, &scene, &speeds)?;
+    let name = format!("{}_curve", output::stem(&options.scene));
+    let out = &options.output.out;
+    std::fs::create_dir_all(out).map_err(|error| format!("{}: {error}", out.display()))?;
+    let mut files = vec![out.join(format!("{name}.csv"))];
+    for file in &files {
+        std::fs::write(file, csv(&points)?).map_err(|error| format!("{}: {error}", file.display()))?;
+    }
+    if options.output.plot {
+        files.extend(picture::write(&chart(options, &points), out, &name)?);
+    }
+    if options.output.json {
+        output::print(&to_json(&points, start.elapsed().as_secs_f64())?)?;
+    } else {
+        output::print(&table(&points).trim_end())?;
+    }
+    output::report_files(&files, options.output.json)?;
+    let all = points.iter().all(|point| point.solution.report.status == Status::Converged);
+    Ok(if all { Outcome::Converged } else { Outcome::NotConverged })
+}
+
+fn speeds(options: &Options, scene: &Scene) -> Result<Vec<f64>, Box<dyn Error>> {
+    if !scene.is_lubricated() {
+        return Err(output::in_scene(
+            &options.scene,
+            &InputError::Conflict {
+                field: "lubricant".to_owned(),
+                reason: "a Stribeck curve needs an oil, this contact is dry".to_owned(),
+            },
+        )
+        .into());
+    }
+    let own = scene.conditions(0.0).map_err(|error| output::in_scene(&options.scene, &error))?;
+    let own = own.motion.entrainment_speed;
+    if options.from.is_none() || options.to.is_none() {
+        InputError::require_positive("motion.entrainment_speed", own)
+            .map_err(|error| output::in_scene(&options.scene, &error))?;
+    }
+    let (from, to) = (options.from.unwrap_or(own / RANGE), options.to.unwrap_or(own * RANGE));
+    if to <= from {
+        return Err(format!("--to = {to} m/s must be above --from = {from} m/s").into());
+    }
+    let last = f64::from(options.points - 1);
+    Ok((0..options.points).map(|k| from * (to / from).powf(f64::from(k) / last)).collect())
+}
+
+fn solve(options: &Options, scene: &Scene, speeds: &[f64]) -> Result<Vec<Point>, Box<dyn Error>> {
+    let bar = ProgressBar::new(speeds.len() as u64);
+    bar.set_style(ProgressStyle::with_template("{wide_bar} {pos} of {len} speeds, {eta} left")?);
+    bar.tick();
+    let mut points = Vec::with_capacity(speeds.len());
+    // The scene's own warnings were printed; those of a speed and its solution follow, each once.
+    let mut said: Vec<String> = scene.warnings().into_iter().map(|warning| warning.field).collect();
+    for &speed in speeds {
+        let mut scene = scene.clone();
+        scene.motion.entrainment_speed = speed;
+        scene.schedule.entrainment_speed = None;
+        let solution = solve_contact(&scene).map_err(|error| output::in_scene(&options.scene, &error))?;
+        let rq = roughness(&scene, &solution)?;
+        let lambda = (rq > 0.0).then_some(solution.film.mean_central / rq);
+        for warning in &solution.warnings {
+            if !said.contains(&warning.field) {
+                output::complain("warning", &format!("at {speed:.4e} m/s: {warning}"));
+                said.push(warning.field.clone());
+            }
+        }
+        let status = solution.report.status;
+        if status != Status::Converged {
+            output::complain("warning", &format!("{speed:.4e} m/s is left out of the curve: {status}"));
+        }
+        points.push(Point { speed, lambda, solution });
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    Ok(points)
+}
+
+/// Composite roughness of the two bodies on the grid that was solved \[m\].
+fn roughness(scene: &Scene, solution: &ContactSolution) -> Result<f64, InputError> {
+    let mut heights = vec![0.0; solution.grid.len()];
+    scene.form.gap_into(&solution.grid, &mut heights)?;
+    heights.iter_mut().zip(&solution.gap).for_each(|(height, gap)| *height -= gap);
+    let smooth = heights.iter().all(|height| height.abs() < 1e-15);
+    if smooth { Ok(0.0) } else { height_statistics(&heights).map(|statistics| statistics.sq) }
+}
+
+fn converged(points: &[Point]) -> impl Iterator<Item = &Point> {
+    points.iter().filter(|point| point.solution.report.status == Status::Converged)
+}
+
+fn table(points: &[Point]) -> String {
+    let mut text = format!(
+        "{:>11} {:>9} {:>14} {:>9} {:>9}\n",
+        "speed, m/s", "friction", "load on solids", "film, nm", "film / Rq"
+    );
+    for point in converged(points) {
+        let solution = &point.solution;
+        let lambda = point.lambda.map_or_else(|| "-".to_owned(), |lambda| format!("{lambda:.3}"));
+        text += &format!(
+            "{:11.4e} {:9.4} {:14.4} {:9.2} {lambda:>9}\n",
+            point.speed,
+            solution.friction_coefficient,
+            solution.contact.load_ratio,
+            1e9 * solution.film.mean_central
+        );
+    }
+    text
+}
+
+/// The curve in SI units.
+fn csv(points: &[Point]) -> Result<String, std::fmt::Error> {
+    let mut text =
+        "entrainment_speed_m_per_s,friction_coefficient,load_ratio,mean_film_m,lambda\n".to_owned();
+    for point in converged(points) {
+        let solution = &point.solution;
+        let lambda = point.lambda.map_or_else(String::new, |lambda| format!("{lambda:e}"));
+        writeln!(
+            text,
+            "{:e},{:e},{:e},{:e},{lambda}",
+            point.speed,
+            solution.friction_coefficient,
+            solution.contact.load_ratio,
+            solution.film.mean_central
+        )?;
+    }
+    Ok(text)
+}
+
+/// Each point under the names of `solve`, with its speed.
+fn to_json(points: &[Point], seconds: f64) -> Result<Value, serde_json::Error> {
+    let mut list = Vec::with_capacity(points.len());
+    for point in points {
+        let mut numbers = serde_json::to_value(&point.solution)?;
+        numbers["entrainment_speed"] = point.speed.into();
+        numbers["film"]["lambda"] = point.lambda.into();
+        list.push(numbers);
+    }
+    Ok(json!({ "points": list, "seconds": seconds, "version": env!("CARGO_PKG_VERSION") }))
+}
+
+fn chart(options: &Options, points: &[Point]) -> Chart {
+    let panel = |y_label: &str, value: fn(&Point) -> Option<f64>| Panel {
+        y_label: y_label.to_owned(),
+        lines: vec![Line {
+            name: "",
+            colour: BLUE,
+            points: converged(points)
+                .filter_map(|point| value(point).map(|value| (point.speed.log10(), value)))
+                .collect(),
+        }],
+        highest: None,
+    };
+    let mut panels = vec![
+        panel("friction", |point| Some(point.solution.friction_coefficient)),
+        panel("load on solids", |point| Some(point.solution.contact.load_ratio)),
+        panel("film (nm)", |point| Some(1e9 * point.solution.film.mean_central)),
+    ];
+    if points.iter().any(|point| point.lambda.is_some()) {
+        panels.push(panel("film / Rq", |point| point.lambda));
+    }
+    Chart {
+        title: format!("Stribeck curve of {}", output::stem(&options.scene)),
+        x_label: "entrainment speed (m/s)",
+        x_scale: XScale::Decades,
+        panels,
+    }
+}

@@ -1,0 +1,291 @@
+//! `stribeck init`: a scene file from options, or from the answers to a few questions.
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::{self, BufRead, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+use stribeck::InputError;
+use stribeck::sim::{MixedLubricationSim, Scene};
+use stribeck::units::Dimension;
+
+use crate::output::{self, Outcome};
+
+/// Half a side of the box in Hertz half-widths.
+const BOX: f64 = 1.7;
+/// Longest inlet in half-widths: longer ones take more cells than a first scene should.
+const LONGEST_INLET: f64 = 6.0;
+/// Cells in the length of the roughness: where it is not given, and at least.
+const CELLS_IN_LENGTH: f64 = 4.0;
+const FEWEST_IN_LENGTH: f64 = 3.0;
+/// Young's modulus \[Pa\] and Poisson's ratio of steel.
+const STEEL: (f64, f64) = (210e9, 0.3);
+/// Pressure that steel carries before it yields for good \[Pa\].
+const HARDNESS: &str = "6 GPa";
+
+/// A steel ball on a steel disc in oil. Numbers are in SI units or have a unit: "9.525 mm". Without options and on a terminal each
+/// is asked for.
+#[derive(clap::Args)]
+pub(crate) struct Options {
+    /// File to write
+    #[arg(default_value = "scene.toml")]
+    file: PathBuf,
+    /// Radius of the ball [default: 9.525 mm]
+    #[arg(long, value_name = "LENGTH")]
+    radius: Option<String>,
+    /// Load [default: 20 N]
+    #[arg(long, value_name = "FORCE")]
+    load: Option<String>,
+    /// Viscosity of the oil at ambient pressure and the temperature of the contact [default: 10 mPa s]
+    #[arg(long, value_name = "VISCOSITY")]
+    eta0: Option<String>,
+    /// Pressure-viscosity coefficient of the oil [default: 18 1/GPa]
+    #[arg(long, value_name = "ONE OVER PRESSURE")]
+    alpha: Option<String>,
+    /// Mean speed of the two surfaces [default: 0.5 m/s]
+    #[arg(long, value_name = "SPEED")]
+    speed: Option<String>,
+    /// Sliding speed over mean speed [default: 0.1]
+    #[arg(long, allow_hyphen_values = true)]
+    slide_roll_ratio: Option<f64>,
+    /// Root mean square height of the disc, 0 for a smooth one [default: 50 nm]
+    #[arg(long, value_name = "LENGTH")]
+    roughness: Option<String>,
+    /// Length over which the heights forget each other [default: four cells]
+    #[arg(long, value_name = "LENGTH")]
+    length: Option<String>,
+    /// Cells along each side of the box [default: 64, smooth 128]
+    #[arg(long, value_parser = clap::value_parser!(u32).range(16..=2048))]
+    cells: Option<u32>,
+    /// Write over a file that is there
+    #[arg(long)]
+    force: bool,
+    /// Print the scene as one JSON object in SI units on standard output too
+    #[arg(long)]
+    json: bool,
+}
+
+/// A quantity as it was written, and in SI units.
+struct Quantity {
+    text: String,
+    value: f64,
+}
+
+/// What a scene is made of.
+struct Answers {
+    radius: Quantity,
+    load: Quantity,
+    eta0: Quantity,
+    alpha: Quantity,
+    speed: Quantity,
+    slide_roll_ratio: f64,
+    roughness: Quantity,
+}
+
+pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
+    let answers = answers(options)?;
+    let text = scene(options, &answers)?;
+    // What is written here must be read there.
+    let written = Scene::from_toml(&text)?;
+    let sim = MixedLubricationSim::builder(written).build()?;
+    write(&options.file, &text, options.force)?;
+    output::warn(sim.warnings());
+    if options.json {
+        output::print(&serde_json::to_value(sim.scene())?)?;
+    }
+    output::report_files(std::slice::from_ref(&options.file), options.json)?;
+    Ok(Outcome::Converged)
+}
+
+fn write(file: &Path, text: &str, force: bool) -> Result<(), String> {
+    let opened = if force { File::create(file) } else { File::create_new(file) };
+    let written = opened.and_then(|mut file| file.write_all(text.as_bytes()));
+    written.map_err(|error| {
+        let hint = if error.kind() == io::ErrorKind::AlreadyExists { "; --force writes over it" } else { "" };
+        format!("{}: {error}{hint}", file.display())
+    })
+}
+
+fn answers(options: &Options) -> Result<Answers, Box<dyn Error>> {
+    let given = [
+        &options.radius,
+        &options.load,
+        &options.eta0,
+        &options.alpha,
+        &options.speed,
+        &options.roughness,
+        &options.length,
+    ];
+    let none =
+        given.into_iter().all(Option::is_none) && (options.slide_roll_ratio, options.cells) == (None, None);
+    let ask = none && io::stdin().is_terminal();
+    let quantity = |question: &str, key: &str, option: &Option<String>, default: &str, dimension| {
+        let text = match option {
+            Some(text) => text.clone(),
+            None if ask => answer(question, default)?,
+            None => default.to_owned(),
+        };
+        let value = if key == "--roughness" {
+            let value = output::quantity(dimension, key, &text)?;
+            InputError::require_non_negative(key, value).map(|()| value)?
+        } else {
+            output::positive(dimension, key, &text)?
+        };
+        Ok::<_, Box<dyn Error>>(Quantity { text, value })
+    };
+    let o = options;
+    let radius = quantity("Radius of the ball", "--radius", &o.radius, "9.525 mm", Dimension::Length)?;
+    let load = quantity("Load", "--load", &o.load, "20 N", Dimension::Force)?;
+    let eta0 = quantity("Viscosity of the oil", "--eta0", &o.eta0, "10 mPa s", Dimension::Viscosity)?;
+    let alpha = "Pressure-viscosity coefficient of the oil";
+    let alpha = quantity(alpha, "--alpha", &o.alpha, "18 1/GPa", Dimension::InversePressure)?;
+    let speed = quantity("Mean speed of the surfaces", "--speed", &o.speed, "0.5 m/s", Dimension::Speed)?;
+    let slide_roll_ratio = match o.slide_roll_ratio {
+        Some(ratio) => ratio,
+        None if ask => answer("Sliding speed over mean speed", "0.1")?
+            .parse()
+            .map_err(|_| "--slide-roll-ratio must be a number without a unit")?,
+        None => 0.1,
+    };
+    let rq = "Root mean square height of the disc (0 for a smooth one)";
+    let roughness = quantity(rq, "--roughness", &o.roughness, "50 nm", Dimension::Length)?;
+    Ok(Answers { radius, load, eta0, alpha, speed, slide_roll_ratio, roughness })
+}
+
+/// The answer to a question on the terminal; an empty one is the default.
+fn answer(question: &str, default: &str) -> io::Result<String> {
+    write!(io::stderr(), "{question} [{default}]: ")?;
+    let mut line = String::new();
+    io::stdin().lock().read_line(&mut line)?;
+    let answer = line.trim();
+    Ok(if answer.is_empty() { default } else { answer }.to_owned())
+}
+
+/// The text of the scene file.
+fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>> {
+    let bodies = bodies(answers)?;
+    let trial = Scene::from_toml(&format!("{bodies}{}", grid([1.0; 2], [16; 2])))?;
+    let half_width = trial.hertz()?.a_x;
+    let half_side = rounded(BOX * half_width);
+    let smooth = answers.roughness.value == 0.0;
+    let cells = options.cells.unwrap_or(if smooth { 128 } else { 64 });
+    let cell = 2.0 * half_side / f64::from(cells);
+    let inlet = half_width * flooded_inlet(&trial, half_width)?;
+    let more = ((inlet - half_side) / cell).ceil().max(0.0);
+    let mut text =
+        format!("{bodies}{}", grid([half_side + more * cell, half_side], [cells + more as u32, cells]));
+    if !smooth {
+        text += &roughness(options, answers, cell)?;
+    }
+    Ok(text)
+}
+
+/// Distance of the inlet edge from the middle, in half-widths, from which on the oil floods the contact, as far as the box reaches:
+/// `1 + 3.06 ((R/a)^2 H)^0.58` with the film `H` by formula over the radius (Hamrock and Dowson 1977, starvation).
+fn flooded_inlet(scene: &Scene, half_width: f64) -> Result<f64, InputError> {
+    let (radius, _) = scene.form.radii();
+    let film = scene.formula_film()?.map_or(0.0, |formula| formula.central);
+    Ok((1.0 + 3.06 * (radius * film / (half_width * half_width)).powf(0.58)).clamp(BOX, LONGEST_INLET))
+}
+
+/// All of the scene that does not depend on the size of the contact.
+fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
+    let entry = |quantity: &Quantity| {
+        if quantity.text.trim().parse::<f64>().is_ok() {
+            format!("{:?}", quantity.value)
+        } else {
+            format!("{:?}", quantity.text.trim())
+        }
+    };
+    let (modulus, ratio) = STEEL;
+    writeln!(
+        text,
+        "# A steel ball on a steel disc in oil. Numbers are in SI units or have a unit. `stribeck check` says what to expect of the\n\
+         # contact, `stribeck solve` solves it, `stribeck curve` varies the speed. Every key: docs/scene.md.\n\n\
+         [form]\nkind = \"sphere\"\nradius = {}\n",
+        entry(&answers.radius)
+    )?;
+    for body in ["ball", "disc"] {
+        writeln!(
+            text,
+            "[materials.{body}] # steel\nmodulus = \"{} GPa\" # Young's modulus\npoisson_ratio = {ratio}\n",
+            modulus * 1e-9
+        )?;
+    }
+    writeln!(text, "[load]\nforce = {} # or hertz_pressure = \"1 GPa\"\n", entry(&answers.load))?;
+    writeln!(
+        text,
+        "[motion]\nentrainment_speed = {} # mean of the two surface speeds; the oil flows along +x\n\
+         slide_roll_ratio = {:?} # sliding speed over that; positive: the ball is faster\n",
+        entry(&answers.speed),
+        answers.slide_roll_ratio
+    )?;
+    writeln!(
+        text,
+        "[lubricant] # leave the table out for a dry contact\n\
+         eta0 = {} # viscosity at ambient pressure and the temperature of the contact\n\
+         alpha = {} # pressure-viscosity coefficient\n\
+         roelands_z = 0.68 # how the viscosity bends at high pressure; 0.6 to 0.7 for mineral oils\n\n\
+         [friction]\n\
+         boundary_coefficient = 0.115 # where solids touch\n\
+         eyring_stress = \"5 MPa\" # shear stress from which on the oil thins; leave the line out for a Newtonian oil",
+        entry(&answers.eta0),
+        entry(&answers.alpha)
+    )?;
+    Ok(text)
+}
+
+/// A box of so many cells along x and y that ends `inlet` before the middle and `half_side` on the other sides \[m\].
+fn grid([inlet, half_side]: [f64; 2], [nx, ny]: [u32; 2]) -> String {
+    let [inlet, edge] = [inlet, half_side].map(|length| format!("{} um", plain(length * 1e6)));
+    format!(
+        "\n[grid] # cells that fill a box around the contact: {BOX} Hertz half-widths or a little more to each side, further at the\n\
+         nx = {nx} # inlet where a thick film needs it\nny = {ny}\nx = [\"-{inlet}\", \"{edge}\"]\ny = [\"-{edge}\", \"{edge}\"]\n"
+    )
+}
+
+/// The tables of a rough disc on cells of the width `cell` \[m\].
+fn roughness(options: &Options, answers: &Answers, cell: f64) -> Result<String, Box<dyn Error>> {
+    let length = match &options.length {
+        None => format!("{} um", plain(rounded(CELLS_IN_LENGTH * cell) * 1e6)),
+        Some(text) => {
+            let length = output::positive(Dimension::Length, "--length", text)?;
+            if length < FEWEST_IN_LENGTH * cell {
+                return Err(format!(
+                    "--length = {text} is less than {FEWEST_IN_LENGTH} cells of {} um; --cells {} would do",
+                    plain(cell * 1e6),
+                    (f64::from(options.cells.unwrap_or(64)) * FEWEST_IN_LENGTH * cell / length).ceil()
+                )
+                .into());
+            }
+            format!("{length:e} m")
+        }
+    };
+    let rq = answers.roughness.text.trim();
+    let rq = if rq.parse::<f64>().is_ok() { rq.to_owned() } else { format!("{rq:?}") };
+    Ok(format!(
+        "\n[roughness.disc] # the ball is smooth\n\
+         kind = \"gaussian\" # random; a measured surface is kind = \"file\", path = \"FILE\"\n\
+         rq = {rq} # root mean square height\n\
+         length_x = \"{length}\" # where the autocorrelation has fallen to 10 %: three cells or more\n\
+         length_y = \"{length}\"\n\
+         seed = 1 # another number is another surface of the same kind\n\n\
+         [plastic] # leave the table out for an elastic contact\n\
+         hardness = \"{HARDNESS}\" # no cell carries more\n\n\
+         [solver]\n\
+         tolerance = 1e-5 # bound for each residual\n"
+    ))
+}
+
+/// The next larger number of two digits.
+fn rounded(length: f64) -> f64 {
+    let step = 10_f64.powf(length.log10().floor() - 1.0);
+    (length / step).ceil() * step
+}
+
+/// The number without the noise of its last digits.
+fn plain(number: f64) -> String {
+    format!("{}", format!("{number:.6e}").parse().unwrap_or(number))
+}

@@ -1,0 +1,9 @@
+//! The subcommands, one a file.
+
+pub(crate) mod check;
+mod contact_pictures;
+pub(crate) mod curve;
+pub(crate) mod init;
+pub(crate) mod run;
+pub(crate) mod solve;
+pub(crate) mod surface;

@@ -1,0 +1,264 @@
+//! `stribeck run`: the history of a contact.
+
+use std::error::Error;
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use stribeck::reynolds::ContactState;
+use stribeck::sim::{HistoryMeans, MixedLubricationSim, Observer, RunFolder, Schedule, SimError, StepRecord};
+use stribeck::units::Dimension;
+
+use super::contact_pictures::{Seen, maps};
+use crate::output::{self, Outcome};
+use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, VERMILION, XScale};
+
+/// Steps of a history whose time alone is known.
+const STEPS: u64 = 100;
+
+/// Numbers are means over the last tenth of the steps.
+#[derive(clap::Args)]
+pub(crate) struct Options {
+    /// Scene file
+    scene: PathBuf,
+    /// Number of steps [default: what the time needs, or 100]
+    #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
+    steps: Option<u64>,
+    /// Length of a step, "10" or "10 s" [default: an equal share of the time]
+    #[arg(long, value_parser = |text: &str| output::positive(Dimension::Time, "--time-step", text))]
+    time_step: Option<f64>,
+    /// Time of the history, "7200" or "2 h" [default: the last entry of the schedules]
+    #[arg(long, value_parser = |text: &str| output::positive(Dimension::Time, "--duration", text))]
+    duration: Option<f64>,
+    /// Folder of the run: scene, history, checkpoint, fields and pictures
+    #[arg(long, value_name = "FOLDER")]
+    out: Option<PathBuf>,
+    /// Go on from the checkpoint in the folder of the run
+    #[arg(long, requires = "out")]
+    resume: bool,
+    /// Steps between checkpoints [default: a twentieth of the steps]
+    #[arg(long, requires = "out", value_parser = clap::value_parser!(u64).range(1..))]
+    checkpoint_every: Option<u64>,
+    /// Write a row for each step as comma-separated values
+    #[arg(long, value_name = "OUT.csv", conflicts_with = "resume")]
+    csv: Option<PathBuf>,
+    /// Print one JSON object in SI units on standard output
+    #[arg(long)]
+    json: bool,
+    /// Write pictures of the history and of the last contact as SVG and PNG
+    #[arg(long)]
+    plot: bool,
+}
+
+/// What is kept of a history while it runs.
+struct Log {
+    bar: ProgressBar,
+    steps: u64,
+    means: HistoryMeans,
+    folder: Option<RunFolder>,
+    csv: Option<BufWriter<File>>,
+    failure: Option<io::Error>,
+    /// For the pictures.
+    records: Vec<StepRecord>,
+    last: Option<ContactState>,
+    plot: bool,
+}
+
+pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
+    let start = Instant::now();
+    let scene = output::load(&options.scene)?;
+    let built = MixedLubricationSim::builder(scene).build();
+    let mut sim = built.map_err(|error| output::in_scene(&options.scene, &error))?;
+    output::warn(sim.warnings());
+    let known = sim.warnings().len();
+    let (steps, time_step) = plan(options, &sim)?;
+    let mut log = Log::new(options, &mut sim, steps)?;
+    let outcome = sim.run(steps.saturating_sub(sim.steps()), time_step, &mut log);
+    let files = log.finish(options, &sim)?;
+    output::warn(sim.warnings().iter().skip(known));
+    let status = match outcome {
+        Ok(_) => Outcome::Converged,
+        Err(error @ SimError::NotConverged { .. }) => {
+            output::complain("error", &error.to_string());
+            Outcome::NotConverged
+        }
+        Err(error) => return Err(error.into()),
+    };
+    if status == Outcome::Converged {
+        let mut numbers = serde_json::to_value(log.means.numbers(&sim))?;
+        numbers["seconds"] = start.elapsed().as_secs_f64().into();
+        if options.json { output::print(&numbers)? } else { output::print(&log.means)? }
+    }
+    output::report_files(&files, options.json)?;
+    Ok(status)
+}
+
+/// Number and length of the steps.
+fn plan(options: &Options, sim: &MixedLubricationSim) -> Result<(u64, f64), String> {
+    let time = options.duration.or_else(|| last_entry(sim));
+    match (options.steps, options.time_step, time) {
+        (Some(_), Some(_), _) if options.duration.is_some() => {
+            Err("--duration, --steps and --time-step say it twice; give two of them".to_owned())
+        }
+        (Some(steps), Some(time_step), _) => Ok((steps, time_step)),
+        (Some(steps), None, Some(time)) => Ok((steps, time / steps as f64)),
+        (None, Some(time_step), Some(time)) => {
+            // What rounding leaves of the last step is none.
+            Ok(((time / time_step - 1e-9).ceil().max(1.0) as u64, time_step))
+        }
+        (None, None, Some(time)) => Ok((STEPS, time / STEPS as f64)),
+        (.., None) => {
+            Err("how long? No schedule of the scene ends; give --steps and --time-step, or --duration"
+                .to_owned())
+        }
+    }
+}
+
+/// The last time that a schedule of the scene names \[s\].
+fn last_entry(sim: &MixedLubricationSim) -> Option<f64> {
+    let schedules = &sim.scene().schedule;
+    let given = [
+        &schedules.load,
+        &schedules.entrainment_speed,
+        &schedules.slide_roll_ratio,
+        &schedules.bulk_temperature,
+    ];
+    let last = given.into_iter().flatten().filter_map(|schedule| match schedule {
+        Schedule::Steps { times, .. } | Schedule::Ramps { times, .. } => times.last().copied(),
+        // Tables were read when the simulation was built.
+        Schedule::Constant { .. } | Schedule::Table { .. } => None,
+    });
+    last.max_by(f64::total_cmp).filter(|time| *time > 0.0)
+}
+
+impl Log {
+    fn new(options: &Options, sim: &mut MixedLubricationSim, steps: u64) -> Result<Self, Box<dyn Error>> {
+        let every = options.checkpoint_every.unwrap_or_else(|| steps.div_ceil(20));
+        let (folder, records) = match &options.out {
+            Some(path) if options.resume => {
+                RunFolder::resume(path, sim, every).map(|(folder, records)| (Some(folder), records))?
+            }
+            Some(path) => (Some(RunFolder::create(path, sim, every)?), Vec::new()),
+            None => (None, Vec::new()),
+        };
+        let mut means = HistoryMeans::new(steps);
+        records.iter().for_each(|record| means.see(record));
+        let csv = options.csv.as_ref().map(|path| -> Result<_, Box<dyn Error>> {
+            let file = File::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
+            let mut csv = BufWriter::new(file);
+            writeln!(csv, "{}", StepRecord::CSV_HEADER)?;
+            Ok(csv)
+        });
+        let last = folder.as_ref().and_then(|folder| folder.last_contact().cloned());
+        let style = "{wide_bar} {pos} of {len} steps, {eta} left{msg}";
+        let bar = ProgressBar::new(steps).with_style(ProgressStyle::with_template(style)?);
+        bar.set_position(sim.steps());
+        bar.reset_eta();
+        let csv = csv.transpose()?;
+        Ok(Self { bar, steps, means, folder, csv, failure: None, records, last, plot: options.plot })
+    }
+
+    /// Ends all files, also those of a run that failed; the files that were written.
+    fn finish(
+        &mut self,
+        options: &Options,
+        sim: &MixedLubricationSim,
+    ) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+        self.bar.finish_and_clear();
+        let mut files = Vec::new();
+        if let Some(folder) = self.folder.take() {
+            folder.finish(sim)?;
+            files.extend(options.out.clone());
+        }
+        if let Some(failure) = self.failure.take() {
+            return Err(failure.into());
+        }
+        if let Some(csv) = &mut self.csv {
+            csv.flush()?;
+            files.extend(options.csv.clone());
+        }
+        if self.plot && !self.records.is_empty() {
+            files.extend(self.pictures(options, sim)?);
+        }
+        Ok(files)
+    }
+
+    fn pictures(&self, options: &Options, sim: &MixedLubricationSim) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+        let (name, here) = (output::stem(&options.scene), PathBuf::from("."));
+        let out = options.out.as_ref().unwrap_or(&here);
+        let chart = history(&name, &self.records);
+        let mut files = picture::write(&chart, out, &format!("{name}_history"))?.to_vec();
+        if let Some(state) = self.last.as_ref().filter(|_| sim.grid().ny() > 1) {
+            let film = sim.scene().tribofilm.map(|_| sim.bodies()[1].film_thickness());
+            let time = self.records.last().map_or(0.0, |record| record.time);
+            let seen = Seen {
+                title: format!("{name} after {time:.0} s"),
+                grid: sim.grid(),
+                hertz: sim.hertz(),
+                state,
+                lubricated: sim.scene().is_lubricated(),
+                tribofilm: film,
+            };
+            files.extend(picture::write(&maps(&seen), out, &format!("{name}_maps"))?);
+        }
+        Ok(files)
+    }
+}
+
+impl Observer for Log {
+    fn after_step(&mut self, sim: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()> {
+        let done = record.step + 1;
+        self.bar.set_message(format!(", friction {:.4}", record.friction_coefficient));
+        self.bar.set_position(done);
+        // Without a terminal a line after each tenth of the steps.
+        if self.bar.is_hidden() && (done.is_multiple_of(self.steps.div_ceil(10)) || done == self.steps) {
+            let line = format!("{done} of {} steps, {:.1} s of the test", self.steps, record.time);
+            let _ = writeln!(io::stderr(), "{line}");
+        }
+        self.means.see(record);
+        if self.plot {
+            self.records.push(*record);
+            self.last.get_or_insert_with(|| sim.state().clone()).clone_from(sim.state());
+        }
+        if let Some(Err(error)) = self.csv.as_mut().map(|csv| record.write_csv(csv)) {
+            self.failure = Some(error);
+            return ControlFlow::Break(());
+        }
+        self.folder.as_mut().map_or(ControlFlow::Continue(()), |folder| folder.after_step(sim, record))
+    }
+}
+
+/// Friction, share of the load on solids, film over roughness, wear and tribofilm over time.
+fn history(name: &str, records: &[StepRecord]) -> Chart {
+    let line = |name, colour, value: fn(&StepRecord) -> f64| Line {
+        name,
+        colour,
+        points: records.iter().map(|record| (record.time, value(record))).collect(),
+    };
+    let panel = |y_label: &str, lines| Panel { y_label: y_label.to_owned(), lines, highest: None };
+    let mut panels = vec![
+        panel("friction", vec![line("", BLUE, |r| r.friction_coefficient)]),
+        panel("load on solids", vec![line("", BLUE, |r| r.load_ratio)]),
+        panel("film / Rq", vec![line("", BLUE, |r| r.lambda)]),
+    ];
+    let grows =
+        |value: fn(&StepRecord) -> [f64; 2]| records.iter().any(|r| value(r).iter().any(|v| *v > 0.0));
+    if grows(|r| r.track_wear) {
+        let lines = vec![
+            line("ball", VERMILION, |r| 1e9 * r.track_wear[0]),
+            line("disc", GREEN, |r| 1e9 * r.track_wear[1]),
+        ];
+        panels.push(panel("worn (nm)", lines));
+    }
+    if grows(|r| r.track_film) {
+        let lines = vec![
+            line("ball", VERMILION, |r| 1e9 * r.track_film[0]),
+            line("disc", GREEN, |r| 1e9 * r.track_film[1]),
+        ];
+        panels.push(panel("tribofilm (nm)", lines));
+    }
+    Chart { title: format!("{name}: history"), x_label: "time (s)", x_scale: XScale::Linear, panels }
+}

@@ -1,0 +1,60 @@
+//! The command `stribeck`: rough lubricated contacts from scene files (`docs/scene.md`), with reports, JSON and pictures.
+//!
+//! Ends with 0 when the contact converged, 1 when it did not, 2 when the input was refused, with one line on standard error.
+#![forbid(unsafe_code)]
+
+mod commands;
+mod output;
+mod picture;
+mod surface_numbers;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::commands::{check, curve, init, run, solve, surface};
+use crate::output::Outcome;
+
+/// Rough lubricated contacts that change as they rub.
+///
+/// A scene file describes a contact in TOML; `stribeck init` writes one. Exit status: 0 converged, 1 not converged, 2 refused.
+#[derive(Parser)]
+#[command(version, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Solve one contact
+    Solve(solve::Options),
+    /// Run the history of a contact: friction, film, wear and tribofilm through time
+    Run(run::Options),
+    /// Compute a Stribeck curve: friction, load on solids and film over a range of speeds
+    Curve(curve::Options),
+    /// Report the parameters of a measured surface (ISO 25178-2)
+    Surface(surface::Options),
+    /// Say what a scene models and what to expect of it, without solving
+    Check(check::Options),
+    /// Write a scene file from options, or from the answers to a few questions
+    Init(init::Options),
+}
+
+fn main() -> ExitCode {
+    let outcome = match Cli::parse().command {
+        Command::Solve(options) => solve::run(&options),
+        Command::Run(options) => run::run(&options),
+        Command::Curve(options) => curve::run(&options),
+        Command::Surface(options) => surface::run(&options),
+        Command::Check(options) => check::run(&options),
+        Command::Init(options) => init::run(&options),
+    };
+    match outcome {
+        Ok(outcome) => outcome.into(),
+        Err(error) => {
+            output::complain("error", &error.to_string());
+            Outcome::Refused.into()
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! What all subcommands share: where words and files go, how a scene is read, how the program ends.
+
+use std::error::Error;
+use std::fmt::Display;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use stribeck::sim::{Scene, Warning};
+use stribeck::units::Dimension;
+use stribeck::{InputError, Status};
+
+/// How a subcommand ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    Converged,
+    NotConverged,
+    Refused,
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        Self::from(match outcome {
+            Outcome::Converged => 0,
+            Outcome::NotConverged => 1,
+            Outcome::Refused => 2,
+        })
+    }
+}
+
+impl From<Status> for Outcome {
+    fn from(status: Status) -> Self {
+        if status == Status::Converged { Self::Converged } else { Self::NotConverged }
+    }
+}
+
+/// Where JSON, pictures and other files go.
+#[derive(clap::Args)]
+pub(crate) struct Output {
+    /// Print one JSON object in SI units on standard output
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Write pictures as SVG and PNG
+    #[arg(long)]
+    pub(crate) plot: bool,
+    /// Folder for files that are written
+    #[arg(long, value_name = "FOLDER", default_value = ".")]
+    pub(crate) out: PathBuf,
+}
+
+/// Writes `text` and the end of a line to standard output.
+pub(crate) fn print(text: &dyn Display) -> io::Result<()> {
+    writeln!(io::stdout(), "{text}")
+}
+
+/// One line on standard error.
+pub(crate) fn complain(kind: &str, text: &str) {
+    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    // Nobody is left to be told when standard error is closed.
+    let _ = writeln!(io::stderr(), "{kind}: {line}");
+}
+
+/// Prints warnings on standard error, one line each.
+pub(crate) fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
+    for warning in warnings {
+        complain("warning", &warning.to_string());
+    }
+}
+
+/// Says which files were written; with `json` standard output is not for that.
+pub(crate) fn report_files(files: &[PathBuf], json: bool) -> io::Result<()> {
+    for file in files {
+        let line = format!("written    {}", file.display());
+        if json { writeln!(io::stderr(), "{line}")? } else { print(&line)? }
+    }
+    Ok(())
+}
+
+/// The scene in the file at `path`.
+pub(crate) fn load(path: &Path) -> Result<Scene, String> {
+    Scene::load(path).map_err(|error| in_scene(path, &error))
+}
+
+/// The error with the scene file in front, unless it already names it.
+pub(crate) fn in_scene(path: &Path, error: &dyn Error) -> String {
+    let (name, text) = (path.display().to_string(), error.to_string());
+    if text.starts_with(&name) { text } else { format!("{name}: {text}") }
+}
+
+/// Name of `file` without folder and ending, for the files that come of it.
+pub(crate) fn stem(file: &Path) -> String {
+    file.file_stem().map_or_else(|| "stribeck".to_owned(), |name| name.to_string_lossy().into_owned())
+}
+
+/// A number in SI units, or one with a unit.
+pub(crate) fn quantity(dimension: Dimension, field: &str, text: &str) -> Result<f64, InputError> {
+    text.trim().parse().or_else(|_| dimension.parse(field, text))
+}
+
+/// The value of an option that must be positive.
+pub(crate) fn positive(dimension: Dimension, field: &str, text: &str) -> Result<f64, InputError> {
+    let value = quantity(dimension, field, text)?;
+    InputError::require_positive(field, value).map(|()| value)
+}

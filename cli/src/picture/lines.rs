@@ -1,0 +1,166 @@
+//! Line charts: panels one below the other with a common x axis.
+
+use std::ops::Range;
+
+use plotters::coord::Shift;
+use plotters::coord::types::RangedCoordf64;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::{Drawn, Picture, TEXT_SIZE, TITLE_SIZE, extremes, text, tick};
+
+const WIDTH: u32 = 900;
+const HEAD: i32 = 40;
+/// Heights of a panel, of the numbers and of the name below the last one.
+const PANEL: i32 = 190;
+const FOOT: i32 = 56;
+const LEFT: u32 = 84;
+/// Points of a line of fewer are dots too.
+const FEW: usize = 40;
+
+type Axes<'a, B> = ChartContext<'a, B, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+
+/// A line through points.
+pub(crate) struct Line {
+    /// In the legend; empty for none.
+    pub(crate) name: &'static str,
+    pub(crate) colour: RGBColor,
+    pub(crate) points: Vec<(f64, f64)>,
+}
+
+/// A pair of axes and what is drawn in it.
+pub(crate) struct Panel {
+    pub(crate) y_label: String,
+    pub(crate) lines: Vec<Line>,
+    /// Values above are cut off; none for all.
+    pub(crate) highest: Option<f64>,
+}
+
+/// What the numbers of an x axis are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum XScale {
+    /// The values.
+    Linear,
+    /// Logarithms to base 10, labelled with the values.
+    Decades,
+}
+
+/// A line chart.
+pub(crate) struct Chart {
+    pub(crate) title: String,
+    pub(crate) x_label: &'static str,
+    pub(crate) x_scale: XScale,
+    pub(crate) panels: Vec<Panel>,
+}
+
+impl Picture for Chart {
+    fn size(&self) -> (u32, u32) {
+        (WIDTH, (HEAD + PANEL * self.panels.len() as i32 + FOOT) as u32)
+    }
+
+    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        let (head, body) = canvas.split_vertically(HEAD);
+        let title = text(TITLE_SIZE).pos(Pos::new(HPos::Center, VPos::Center));
+        head.draw(&Text::new(self.title.as_str(), (WIDTH as i32 / 2, HEAD / 2), title))?;
+        let x = self.x_range();
+        let ends: Vec<i32> = (1..self.panels.len() as i32).map(|k| k * PANEL).collect();
+        let areas = body.split_by_breakpoints([] as [i32; 0], ends);
+        for (k, (area, panel)) in areas.iter().zip(&self.panels).enumerate() {
+            self.draw_panel(area, panel, x.clone(), k + 1 == self.panels.len())?;
+        }
+        Ok(())
+    }
+}
+
+impl Chart {
+    /// The lowest panel names the x axis of all.
+    fn draw_panel<B: DrawingBackend>(
+        &self,
+        area: &DrawingArea<B, Shift>,
+        panel: &Panel,
+        x: Range<f64>,
+        lowest: bool,
+    ) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        let y = panel.y_range();
+        let (plain, y_number) = (tick(&x), tick(&y));
+        let x_number = |v: &f64| match self.x_scale {
+            XScale::Linear => plain(v),
+            XScale::Decades if (v - v.round()).abs() < 1e-9 => format!("{}", 10_f64.powi(v.round() as i32)),
+            XScale::Decades => String::new(),
+        };
+        let mut chart = ChartBuilder::on(area)
+            .margin_left(8)
+            .margin_right(24)
+            .margin_top(8)
+            .margin_bottom(4)
+            .x_label_area_size(if lowest { FOOT } else { 24 })
+            .y_label_area_size(LEFT)
+            .build_cartesian_2d(x, y)?;
+        chart
+            .configure_mesh()
+            .x_desc(if lowest { self.x_label } else { "" })
+            .y_desc(panel.y_label.as_str())
+            .axis_desc_style(text(TEXT_SIZE + 1))
+            .label_style(text(TEXT_SIZE))
+            .x_labels(9)
+            .y_labels(5)
+            .x_label_formatter(&x_number)
+            .y_label_formatter(&|v| y_number(v))
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(BLACK.mix(0.12))
+            .draw()?;
+        panel.draw_lines(&mut chart)
+    }
+
+    fn x_range(&self) -> Range<f64> {
+        let lines = self.panels.iter().flat_map(|panel| &panel.lines);
+        let (low, high) = extremes(lines.flat_map(|line| &line.points).map(|point| point.0));
+        if high > low { low..high } else { low - 0.5..low + 0.5 }
+    }
+}
+
+impl Panel {
+    fn draw_lines<B: DrawingBackend>(&self, chart: &mut Axes<'_, B>) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        let y = chart.y_range();
+        for line in &self.lines {
+            let style = ShapeStyle::from(line.colour).stroke_width(2);
+            let known: Vec<(f64, f64)> = line.points.iter().copied().filter(|(_, v)| v.is_finite()).collect();
+            let points = known.iter().map(|&(x, v)| (x, v.clamp(y.start, y.end)));
+            let drawn = chart.draw_series(LineSeries::new(points, style))?;
+            if !line.name.is_empty() {
+                drawn.label(line.name).legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
+            }
+            if known.len() < FEW {
+                let dots = known.iter().filter(|(_, v)| y.contains(v));
+                chart.draw_series(dots.map(|&point| Circle::new(point, 3, line.colour.filled())))?;
+            }
+        }
+        if self.lines.iter().any(|line| !line.name.is_empty()) {
+            chart
+                .configure_series_labels()
+                .position(SeriesLabelPosition::UpperLeft)
+                .background_style(WHITE.mix(0.8))
+                .label_font(text(TEXT_SIZE))
+                .draw()?;
+        }
+        Ok(())
+    }
+
+    /// From zero, or from the lowest value where it is negative, to a little above the highest.
+    fn y_range(&self) -> Range<f64> {
+        let values = self.lines.iter().flat_map(|line| &line.points).map(|point| point.1);
+        let (low, high) = extremes(values);
+        let (low, high) = (low.min(0.0), self.highest.map_or(high, |highest| high.min(highest)).max(0.0));
+        let margin = if high > low { 0.06 * (high - low) } else { 1.0 };
+        if low < 0.0 { low - margin..high + margin } else { 0.0..high + margin }
+    }
+}

@@ -1,0 +1,101 @@
+//! Pictures: each drawn twice, as SVG and as PNG. Letters come from a font in the program.
+
+mod lines;
+mod maps;
+mod page;
+
+use std::error::Error;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::Once;
+
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use plotters::style::{FontStyle, register_font};
+
+pub(crate) use lines::{Chart, Line, Panel, XScale};
+pub(crate) use maps::{Map, Maps};
+pub(crate) use page::Page;
+
+/// Blue, vermilion and green of the palette of Okabe and Ito: told apart by all kinds of colour vision.
+pub(crate) const BLUE: RGBColor = RGBColor(0, 114, 178);
+pub(crate) const VERMILION: RGBColor = RGBColor(213, 94, 0);
+pub(crate) const GREEN: RGBColor = RGBColor(0, 158, 115);
+/// Dark violet to yellow over blue and green, even in lightness.
+const SCALE: [[f64; 3]; 5] =
+    [[68.0, 1.0, 84.0], [59.0, 82.0, 139.0], [33.0, 145.0, 140.0], [94.0, 201.0, 98.0], [253.0, 231.0, 37.0]];
+
+const FONT: &[u8] = include_bytes!("../../font/DejaVuSans-subset.ttf");
+const TITLE_SIZE: u32 = 19;
+const TEXT_SIZE: u32 = 15;
+
+type Drawn = Result<(), Box<dyn Error>>;
+
+/// Something that can be drawn on any canvas.
+pub(crate) trait Picture {
+    /// Width and height in pixels.
+    fn size(&self) -> (u32, u32);
+
+    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
+    where
+        B::ErrorType: 'static;
+}
+
+/// Writes `picture` into `folder` as `name.svg` and `name.png`.
+pub(crate) fn write(
+    picture: &impl Picture,
+    folder: &Path,
+    name: &str,
+) -> Result<[PathBuf; 2], Box<dyn Error>> {
+    static FONT_IS_KNOWN: Once = Once::new();
+    let mut fonts = Ok(());
+    FONT_IS_KNOWN.call_once(|| fonts = register_font("sans-serif", FontStyle::Normal, FONT));
+    fonts.map_err(|_| "the font in the program is damaged")?;
+    std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let files = ["svg", "png"].map(|kind| folder.join(format!("{name}.{kind}")));
+    let [svg, png] = &files;
+    let named = |file: &Path, error: Box<dyn Error>| format!("{}: {error}", file.display());
+    whole(picture, SVGBackend::new(svg, picture.size())).map_err(|error| named(svg, error))?;
+    whole(picture, BitMapBackend::new(png, picture.size())).map_err(|error| named(png, error))?;
+    Ok(files)
+}
+
+fn whole<B: DrawingBackend>(picture: &impl Picture, backend: B) -> Drawn
+where
+    B::ErrorType: 'static,
+{
+    let canvas = backend.into_drawing_area();
+    canvas.fill(&WHITE)?;
+    picture.draw(&canvas)?;
+    canvas.present()?;
+    Ok(())
+}
+
+/// The colour of a share of the scale, 0 to 1.
+fn colour(share: f64) -> RGBColor {
+    let position = if share.is_finite() { share.clamp(0.0, 1.0) * (SCALE.len() - 1) as f64 } else { 0.0 };
+    let low = (position as usize).min(SCALE.len() - 2);
+    let part = position - low as f64;
+    let channel = |k: usize| ((1.0 - part) * SCALE[low][k] + part * SCALE[low + 1][k]).round() as u8;
+    RGBColor(channel(0), channel(1), channel(2))
+}
+
+fn text(size: u32) -> TextStyle<'static> {
+    ("sans-serif", size).into_font().color(&BLACK)
+}
+
+/// Smallest and largest finite value; zeros without any.
+pub(crate) fn extremes(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    let finite = values.into_iter().filter(|value| value.is_finite());
+    finite
+        .fold(None, |found, v| found.map_or(Some((v, v)), |(l, h): (f64, f64)| Some((l.min(v), h.max(v)))))
+        .unwrap_or((0.0, 0.0))
+}
+
+/// Digits of tick labels that tell them apart over `range`.
+fn tick(range: &Range<f64>) -> impl Fn(&f64) -> String + use<> {
+    let (width, largest) = (range.end - range.start, range.start.abs().max(range.end.abs()));
+    let decimals = (1.0 - width.log10()).ceil().clamp(0.0, 9.0) as usize;
+    let powers = largest >= 1e6 || width < 1e-4;
+    move |value| if powers { format!("{value:.1e}") } else { format!("{value:.decimals$}") }
+}

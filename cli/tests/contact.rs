@@ -1,0 +1,196 @@
+//! `stribeck solve`, `check`, `init` and `curve` from the outside.
+#![expect(clippy::unwrap_used, reason = "tests")]
+
+mod common;
+
+use std::path::{Path, PathBuf};
+
+use common::{assert_pictures, assert_refused, error_of, json_of, repository, stribeck, text};
+use stribeck::sim::{Scene, solve_contact};
+
+/// The rough scene of the repository on 32 x 32 cells, with roughness that they hold; `more` replaces text in it.
+fn rough(folder: &Path, more: &[(&str, &str)]) -> PathBuf {
+    let mut scene = std::fs::read_to_string(repository("examples/scenes/rough.toml")).unwrap();
+    for (from, to) in [("= 128", "= 32"), ("= 10e-6", "= 50e-6")].iter().chain(more) {
+        assert!(scene.contains(from), "{from}");
+        scene = scene.replace(from, to);
+    }
+    let path = folder.join("rough.toml");
+    std::fs::write(&path, scene).unwrap();
+    path
+}
+
+#[test]
+fn solve_has_the_numbers_of_the_library_and_draws_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = rough(folder.path(), &[]);
+    let pictures = folder.path().join("pictures");
+    let fields = folder.path().join("fields.npz");
+    let output = stribeck(&[
+        "solve",
+        text(&scene),
+        "--json",
+        "--plot",
+        "--out",
+        text(&pictures),
+        "--fields",
+        text(&fields),
+    ]);
+    assert!(output.status.success(), "{output:?}");
+    let mut numbers = json_of(&output);
+    assert!(numbers["seconds"].as_f64().unwrap() > 0.0);
+    numbers.as_object_mut().unwrap().remove("seconds");
+    let solution = solve_contact(&Scene::load(&scene).unwrap()).unwrap();
+    assert_eq!(numbers, serde_json::to_value(&solution).unwrap());
+    assert_pictures(
+        &pictures,
+        "rough_maps",
+        &["film (nm)", "pressure (GPa)", "theta", "x (µm)", "converged"],
+    );
+    assert_pictures(&pictures, "rough_profile", &["pressure (GPa)", "film (nm)", "fluid", "x (µm)"]);
+    assert!(std::fs::read(&fields).unwrap().starts_with(b"PK"));
+    let report = String::from_utf8(stribeck(&["solve", text(&scene)]).stdout).unwrap();
+    assert!(report.starts_with("converged by") && report.contains("\nfriction "), "{report}");
+}
+
+#[test]
+fn not_converging_ends_with_1() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = rough(folder.path(), &[("max_iterations = 20_000", "max_iterations = 1")]);
+    let output = stribeck(&["solve", text(&scene), "--json"]);
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    assert_eq!(json_of(&output)["status"], "max_iterations");
+}
+
+#[test]
+fn bad_input_ends_with_2() {
+    assert_refused(&["solve", "no_such_scene.toml"], &["no_such_scene.toml"]);
+    let folder = tempfile::tempdir().unwrap();
+    for command in ["solve", "check", "run", "curve"] {
+        let scene = rough(folder.path(), &[("radius = 9.525e-3", "radius = \"9.5 kg\"")]);
+        assert_refused(&[command, text(&scene)], &["rough.toml: form.radius = \"9.5 kg\"", "mm"]);
+        let scene = rough(folder.path(), &[("eta0 = 0.004", "eta0 = -1.0")]);
+        assert_refused(&[command, text(&scene)], &["rough.toml: ", "= -1"]);
+    }
+    let scene = rough(folder.path(), &[]);
+    for arguments in [vec!["--nonsense"], vec![], vec!["solve"], vec!["curve", text(&scene), "--points", "1"]]
+    {
+        let output = stribeck(&arguments);
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{output:?}");
+    }
+    let file = folder.path().join("a_file");
+    std::fs::write(&file, "").unwrap();
+    assert_refused(&["solve", text(&scene), "--plot", "--out", text(&file)], &["a_file"]);
+    assert_refused(&["curve", text(&scene), "--from", "1 m/s", "--to", "1 mm/s"], &["--to = 0.001"]);
+    let dry = rough(folder.path(), &[("kind = \"auto\"", "kind = \"dry\"")]);
+    assert_refused(&["curve", text(&dry)], &["lubricant: a Stribeck curve needs an oil"]);
+}
+
+#[test]
+fn check_tells_what_to_expect() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = rough(folder.path(), &[("length_y = 50e-6", "length_y = 20e-6")]);
+    let output = stribeck(&["check", text(&path), "--json"]);
+    assert!(output.status.success(), "{output:?}");
+    let numbers = json_of(&output);
+    let scene = Scene::load(&path).unwrap();
+    let (hertz, film) = (scene.hertz().unwrap(), scene.formula_film().unwrap().unwrap());
+    assert_eq!(numbers["hertz"]["half_width_x"], hertz.a_x);
+    assert_eq!(numbers["moes"]["m"], film.moes.0);
+    assert_eq!(numbers["film"]["formula_central"], film.central);
+    let rq = numbers["roughness"]["composite_rq"].as_f64().unwrap();
+    assert!((rq / 20e-9_f64.hypot(130e-9) - 1.0).abs() < 1e-9, "{rq}");
+    assert_eq!(numbers["film"]["formula_lambda"], film.central / rq);
+    assert_eq!(numbers["grid"]["cells_in_half_width"], hertz.a_x / scene.grid().unwrap().dx());
+    assert_eq!(numbers["warnings"], serde_json::to_value(scene.warnings()).unwrap());
+    let warnings = error_of(&output);
+    assert!(!scene.warnings().is_empty());
+    assert_eq!(warnings.lines().filter(|line| line.starts_with("warning: ")).count(), scene.warnings().len());
+    let modelled = |what: &str| {
+        let parts = numbers["modelled"].as_array().unwrap();
+        parts.iter().find(|part| part["what"] == what).unwrap()["modelled"].as_bool().unwrap()
+    };
+    assert!(modelled("oil") && modelled("plastic limit") && modelled("rough disc"));
+    assert!(!modelled("wear") && !modelled("tribofilm") && !modelled("starved inlet"));
+    let report = String::from_utf8(stribeck(&["check", text(&path)]).stdout).unwrap();
+    for words in ["Hertz", "by formula", "lambda", "32 x 32 cells", "there is no [wear]"] {
+        assert!(report.contains(words), "no {words} in {report}");
+    }
+    // A scene that picks its mesh, of a line contact.
+    let line = stribeck(&["check", text(&repository("examples/scenes/line.toml")), "--json"]);
+    assert!(line.status.success() && json_of(&line)["grid"].is_null(), "{line:?}");
+}
+
+#[test]
+fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    let rough = ["--cells", "32"].as_slice();
+    let smooth =
+        ["--roughness", "0", "--radius", "12.7 mm", "--load", "30", "--speed", "200 mm/s"].as_slice();
+    for options in [rough, smooth] {
+        let output = stribeck(&[&["init", text(&path)], options].concat());
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+        let written = std::fs::read_to_string(&path).unwrap();
+        assert!(written.contains("entrainment_speed = \"") && written.matches("# ").count() > 8, "{written}");
+        let output = stribeck(&["check", text(&path)]);
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+        let output = stribeck(&["solve", text(&path), "--json"]);
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+        let numbers = json_of(&output);
+        assert_eq!(numbers["status"], "converged");
+        assert_eq!(numbers["warnings"].as_array().unwrap().len(), 0);
+        // It is written over on request alone.
+        assert_refused(&["init", text(&path)], &["scene.toml", "--force"]);
+        std::fs::remove_file(&path).unwrap();
+    }
+    // A thick film needs a longer inlet, on cells of the same size.
+    let output = stribeck(&["init", text(&path), "--eta0", "50 mPa s", "--speed", "2 m/s", "--load", "5 N"]);
+    assert!(output.status.success(), "{output:?}");
+    let grid = Scene::load(&path).unwrap().grid().unwrap();
+    assert!(grid.nx() > grid.ny() && (grid.dx() / grid.dy() - 1.0).abs() < 1e-3, "{grid:?}");
+    std::fs::remove_file(&path).unwrap();
+    let length = ["init", text(&path), "--length", "1 um", "--force"];
+    assert_refused(&length, &["--length = 1 um", "--cells"]);
+    let unit = ["init", text(&path), "--load", "5 kg"];
+    assert_refused(&unit, &["--load = \"5 kg\"", "N"]);
+    assert!(!path.exists());
+}
+
+#[test]
+fn the_curve_is_that_of_its_speeds() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = rough(folder.path(), &[]);
+    let output = stribeck(&[
+        "curve",
+        text(&path),
+        "--from",
+        "20 mm/s",
+        "--to",
+        "2",
+        "--points",
+        "3",
+        "--json",
+        "--plot",
+        "--out",
+        text(folder.path()),
+    ]);
+    assert!(output.status.success(), "{output:?}");
+    let curve = json_of(&output);
+    let points = curve["points"].as_array().unwrap();
+    assert_eq!(points.len(), 3);
+    let mut scene = Scene::load(&path).unwrap();
+    scene.motion.entrainment_speed = points[1]["entrainment_speed"].as_f64().unwrap();
+    assert!((scene.motion.entrainment_speed / 0.2 - 1.0).abs() < 1e-12);
+    let solution = solve_contact(&scene).unwrap();
+    assert_eq!(points[1]["friction"]["coefficient"], solution.friction_coefficient);
+    assert_eq!(points[1]["contact"]["load_ratio"], solution.contact.load_ratio);
+    let lambda = solution.film.mean_central / 20e-9_f64.hypot(130e-9);
+    // Ball and disc are drawn apart, and by chance heights of one follow those of the other a little.
+    assert!((points[1]["film"]["lambda"].as_f64().unwrap() / lambda - 1.0).abs() < 0.1);
+    let table = std::fs::read_to_string(folder.path().join("rough_curve.csv")).unwrap();
+    let row: Vec<&str> = table.lines().nth(2).unwrap().split(',').collect();
+    assert_eq!(row[1].parse::<f64>().unwrap(), solution.friction_coefficient);
+    assert_eq!(table.lines().count(), 4);
+    assert_pictures(folder.path(), "rough_curve", &["Stribeck curve", "entrainment speed (m/s)", "friction"]);
+}

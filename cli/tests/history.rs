@@ -1,0 +1,109 @@
+//! `stribeck run` from the outside.
+#![expect(clippy::unwrap_used, reason = "tests")]
+
+mod common;
+
+use std::path::{Path, PathBuf};
+
+use common::{assert_pictures, assert_refused, error_of, json_of, stribeck, text};
+use serde_json::Value;
+use stribeck::sim::scene::{Roughness, SolverKind};
+use stribeck::sim::{HistoryMeans, MixedLubricationSim, Scene, Schedule};
+
+fn scene() -> Scene {
+    let mut scene = Scene::azam_2019(24).with_tribofilm();
+    scene.solver.kind = SolverKind::Dry;
+    // Waves that these cells hold: without a warning the messages are errors alone.
+    for roughness in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
+        if let Roughness::Gaussian(random) = roughness {
+            (random.length_x, random.length_y) = (70e-6, 70e-6);
+        }
+    }
+    scene
+}
+
+fn written(scene: &Scene, folder: &Path) -> PathBuf {
+    let path = folder.join("rubbing.toml");
+    std::fs::write(&path, scene.to_toml().unwrap()).unwrap();
+    path
+}
+
+/// Without the time that it took.
+fn numbers(output: &std::process::Output) -> Value {
+    assert!(output.status.success(), "{output:?}");
+    let mut numbers = json_of(output);
+    numbers.as_object_mut().unwrap().remove("seconds").unwrap();
+    numbers
+}
+
+#[test]
+fn a_run_has_the_numbers_of_the_library_also_where_it_was_resumed() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = written(&scene(), folder.path());
+    let out = folder.path().join("run");
+    let steps = |n: &str, more: &[&str]| {
+        let arguments = ["run", text(&path), "--steps", n, "--time-step", "0.5 min", "--json"];
+        stribeck(&[arguments.as_slice(), more].concat())
+    };
+    let csv = folder.path().join("rows.csv");
+    let whole = numbers(&steps("12", &["--csv", text(&csv)]));
+    let mut sim = MixedLubricationSim::builder(scene()).build().unwrap();
+    let mut means = HistoryMeans::new(12);
+    (0..12).for_each(|_| means.see(&sim.step(30.0).unwrap()));
+    assert_eq!(whole, serde_json::to_value(means.numbers(&sim)).unwrap());
+    assert_eq!(std::fs::read_to_string(&csv).unwrap().lines().count(), 13);
+
+    numbers(&steps("5", &["--out", text(&out)]));
+    let resumed = steps("12", &["--out", text(&out), "--resume", "--plot"]);
+    assert_eq!(numbers(&resumed), whole);
+    assert!(error_of(&resumed).contains("12 of 12 steps, 360.0 s of the test"), "{resumed:?}");
+    for file in ["scene.toml", "history.csv", "checkpoint", "fields.npz"] {
+        assert!(out.join(file).exists(), "{file}");
+    }
+    let rows = std::fs::read_to_string(out.join("history.csv")).unwrap();
+    assert_eq!(rows, std::fs::read_to_string(&csv).unwrap());
+    assert_pictures(
+        &out,
+        "rubbing_history",
+        &["time (s)", "friction", "worn (nm)", "tribofilm (nm)", "disc"],
+    );
+    assert_pictures(&out, "rubbing_maps", &["pressure (GPa)", "tribofilm on the disc (nm)", "360 s"]);
+}
+
+#[test]
+fn the_schedule_says_how_long() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut scene = scene();
+    scene.schedule.load = Some(Schedule::ramps(&[(0.0, 30.0), (60.0, 50.0)]));
+    let path = written(&scene, folder.path());
+    let run = |more: &[&str]| numbers(&stribeck(&[&["run", text(&path), "--json"], more].concat()));
+    let ten = run(&["--steps", "10"]);
+    assert_eq!((&ten["steps"], &ten["time"]), (&10.into(), &60.0.into()));
+    let four = run(&["--time-step", "15 s"]);
+    assert_eq!((&four["steps"], &four["time"]), (&4.into(), &60.0.into()));
+    let two = run(&["--duration", "1 min", "--time-step", "30"]);
+    assert_eq!((&two["steps"], &two["time"]), (&2.into(), &60.0.into()));
+}
+
+#[test]
+fn bad_input_ends_with_2_and_an_unsolved_contact_with_1() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = written(&scene(), folder.path());
+    assert_refused(&["run", text(&path)], &["--duration"]);
+    assert_refused(&["run", text(&path), "--steps", "2"], &["--time-step"]);
+    let thrice = ["run", text(&path), "--steps", "2", "--time-step", "1", "--duration", "2"];
+    assert_refused(&thrice, &["twice"]);
+    for wrong in ["0", "-1", "nan", "5 m"] {
+        let option = format!("--time-step={wrong}");
+        let output = stribeck(&["run", text(&path), "--steps", "2", &option]);
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{output:?}");
+        assert!(error_of(&output).contains("--time-step"), "{output:?}");
+    }
+    let mut hopeless = scene();
+    hopeless.solver.max_iterations = 0;
+    hopeless.solver.tolerance = 1e-9;
+    let path = written(&hopeless, folder.path());
+    let output = stribeck(&["run", text(&path), "--steps", "2", "--time-step", "1", "--json"]);
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(1), 0), "{output:?}");
+    assert!(error_of(&output).contains("error: the contact of step 0 was not solved"), "{output:?}");
+}

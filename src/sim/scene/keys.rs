@@ -1,0 +1,140 @@
+//! Units in scene files: which key holds what, and text with a unit in place of the number.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use toml::de::{DeTable, DeValue};
+
+use crate::error::InputError;
+use crate::units::Dimension;
+use Dimension::{
+    Conductivity, Diffusivity, Force, ForcePerLength, InversePressure, Length, Pressure, PressurePerLength,
+    Rate, Speed, Temperature, Time, Viscosity,
+};
+
+/// Every key that has a dimension; `*` stands for the name of a body. Loads are per length in a line contact.
+const KEYS: &[(&str, Dimension)] = &[
+    ("form.radius", Length),
+    ("form.radius_x", Length),
+    ("form.radius_y", Length),
+    ("elastic.equivalent_modulus", Pressure),
+    ("elastic.layer.thickness", Length),
+    ("elastic.layer.modulus", Pressure),
+    ("elastic.layer.substrate_modulus", Pressure),
+    ("materials.*.modulus", Pressure),
+    ("materials.*.hardness", Pressure),
+    ("materials.*.conductivity", Conductivity),
+    ("materials.*.diffusivity", Diffusivity),
+    ("load.hertz_pressure", Pressure),
+    ("load.force", Force),
+    ("motion.entrainment_speed", Speed),
+    ("lubricant.eta0", Viscosity),
+    ("lubricant.roelands_p0", Pressure),
+    ("lubricant.alpha", InversePressure),
+    ("lubricant.formula_alpha", InversePressure),
+    ("lubricant.density_a", InversePressure),
+    ("lubricant.density_b", InversePressure),
+    ("lubricant.supplied_film", Length),
+    ("grid.x", Length),
+    ("grid.y", Length),
+    ("roughness.*.rq", Length),
+    ("roughness.*.length_x", Length),
+    ("roughness.*.length_y", Length),
+    ("plastic.hardness", Pressure),
+    ("plastic.film_hardness", Pressure),
+    ("plastic.hardening_modulus", PressurePerLength),
+    ("friction.covering_thickness", Length),
+    ("friction.limiting_shear_stress", Pressure),
+    ("friction.eyring_stress", Pressure),
+    ("tribofilm.maximum_thickness", Length),
+    ("tribofilm.removal_limit", Length),
+    ("tribofilm.removal_rate", Rate),
+    ("wear.hardness", Pressure),
+    ("wear.film_hardness", Pressure),
+    ("track.radius_ball", Length),
+    ("track.radius_disc", Length),
+    ("thermal.bulk_temperature", Temperature),
+    ("thermal.conductivity", Conductivity),
+    ("thermal.diffusivity", Diffusivity),
+    ("schedule.load.value", Force),
+    ("schedule.load.values", Force),
+    ("schedule.load.times", Time),
+    ("schedule.entrainment_speed.value", Speed),
+    ("schedule.entrainment_speed.values", Speed),
+    ("schedule.entrainment_speed.times", Time),
+    ("schedule.slide_roll_ratio.times", Time),
+    ("schedule.bulk_temperature.value", Temperature),
+    ("schedule.bulk_temperature.values", Temperature),
+    ("schedule.bulk_temperature.times", Time),
+    ("stress.deepest", Length),
+    ("stress.yield_strength", Pressure),
+    ("solver.film_cutoff", Length),
+];
+
+/// What the key at `path` of a scene file holds; none where it has no dimension or there is no such key.
+fn dimension(path: &str, line: bool) -> Option<Dimension> {
+    let matches = |pattern: &str| {
+        let (mut names, mut parts) = (path.split('.'), pattern.split('.'));
+        let fit = parts.by_ref().all(|part| names.next().is_some_and(|name| part == "*" || part == name));
+        fit && names.next().is_none()
+    };
+    let found = KEYS.iter().find(|(pattern, _)| matches(pattern)).map(|(_, dimension)| *dimension)?;
+    Some(if line && found == Force { ForcePerLength } else { found })
+}
+
+/// The scene `text`, whose tables are `root`, with numbers in SI units in place of text with a unit. Lines stay lines.
+///
+/// # Errors
+/// Text that is no quantity of its key, which the error names.
+pub(super) fn in_si_units<'a>(text: &'a str, root: &DeTable<'_>) -> Result<Cow<'a, str>, InputError> {
+    let form = root.get("form").and_then(|form| form.get_ref().as_table());
+    let kind = form.and_then(|form| form.get("kind")).and_then(|kind| kind.get_ref().as_str());
+    let mut places = Vec::new();
+    collect(root, "", kind == Some("cylinder"), &mut places)?;
+    if places.is_empty() {
+        return Ok(Cow::Borrowed(text));
+    }
+    places.sort_by_key(|(span, _)| span.start);
+    let (mut out, mut copied) = (String::with_capacity(text.len()), 0);
+    for (span, value) in places {
+        out.push_str(text.get(copied..span.start).unwrap_or_default());
+        out.push_str(&format!("{value:e}"));
+        // A value over several lines leaves their ends behind: errors count them.
+        let lines = text.get(span.clone()).unwrap_or_default().matches('\n').count();
+        out.extend(std::iter::repeat_n('\n', lines));
+        copied = span.end;
+    }
+    out.push_str(text.get(copied..).unwrap_or_default());
+    Ok(Cow::Owned(out))
+}
+
+/// Places of quantities in `table`, whose path is `path`, and their values.
+fn collect(
+    table: &DeTable<'_>,
+    path: &str,
+    line: bool,
+    places: &mut Vec<(Range<usize>, f64)>,
+) -> Result<(), InputError> {
+    for (key, value) in table {
+        let path = format!("{path}{}{}", if path.is_empty() { "" } else { "." }, key.get_ref());
+        match value.get_ref() {
+            DeValue::Table(inner) => collect(inner, &path, line, places)?,
+            DeValue::String(quantity) => {
+                if let Some(dimension) = dimension(&path, line) {
+                    places.push((value.span(), dimension.parse(&path, quantity)?));
+                }
+            }
+            DeValue::Array(values) => {
+                let Some(dimension) = dimension(&path, line) else { continue };
+                for (index, value) in values.iter().enumerate() {
+                    if let DeValue::String(quantity) = value.get_ref() {
+                        let field = format!("{path}[{index}]");
+                        places.push((value.span(), dimension.parse(&field, quantity)?));
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}

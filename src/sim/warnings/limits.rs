@@ -1,0 +1,94 @@
+//! Models beyond what they hold for.
+
+use super::{Warning, short};
+use crate::analytic::{FilmConditions, LineFilmConditions};
+use crate::error::InputError;
+use crate::sim::hertz::{HertzContact, LINE_LENGTH};
+use crate::sim::scene::Scene;
+use crate::sim::setup;
+use crate::sim::timetable::Timetable;
+
+/// Largest half-width of a contact over the radius: bodies are parabolas and half-spaces.
+const LARGEST_SLOPE: f64 = 0.1;
+/// Ellipticities that the formula of Hamrock and Dowson was fitted to.
+const ELLIPTICITIES: [f64; 2] = [1.0, 8.0];
+/// Ratio of two film formulas, one for hard contacts and one for all regimes, from which on the former does not hold.
+const APART: f64 = 1.5;
+
+/// Warnings about half-space, parabolas and film formula.
+pub(super) fn of_models(scene: &Scene) -> Vec<Warning> {
+    let Ok(timetable) = Timetable::new(scene) else { return Vec::new() };
+    let [_, largest] = timetable.loads();
+    let heaviest = if scene.schedule.load.is_some() { scene.hertz_under(largest) } else { scene.hertz() };
+    let Ok(hertz) = heaviest else { return Vec::new() };
+    slope(scene, &hertz).into_iter().chain(film_formula(scene).ok().flatten()).collect()
+}
+
+/// The contact that is as wide as the bodies are curved.
+fn slope(scene: &Scene, hertz: &HertzContact) -> Option<Warning> {
+    let (radius_x, radius_y) = scene.form.radii();
+    let ratio = (hertz.a_x / radius_x).max(hertz.a_y / radius_y);
+    (ratio > LARGEST_SLOPE).then(|| {
+        let (field, value) = match scene.load.hertz_pressure {
+            Some(pressure) if scene.schedule.load.is_none() => ("load.hertz_pressure", pressure),
+            _ => ("load.force", hertz.load),
+        };
+        Warning::new(
+            field,
+            value,
+            format!(
+                "the contact has a half-width of {} of the radius: elastic half-spaces and parabolas hold up to \
+                 {LARGEST_SLOPE}",
+                short(ratio)
+            ),
+            "lower the load or check radius and modulus".to_owned(),
+        )
+    })
+}
+
+/// The film formula where its fit does not reach.
+fn film_formula(scene: &Scene) -> Result<Option<Warning>, InputError> {
+    let Some(law) = setup::viscosity(scene)? else { return Ok(None) };
+    let (hertz, speed) = (scene.hertz()?, scene.conditions(0.0)?.motion.entrainment_speed);
+    let (viscosity, pressure_viscosity) = (law.viscosity(0.0), law.log_slope(0.0));
+    let (radius, equivalent_modulus) = (scene.form.radii().0, scene.equivalent_modulus()?);
+    let ellipticity = hertz.a_y / hertz.a_x;
+    let (film, other) = if scene.form.is_line() {
+        let load = hertz.load / LINE_LENGTH;
+        let line = LineFilmConditions {
+            entrainment_speed: speed,
+            viscosity,
+            pressure_viscosity,
+            equivalent_modulus,
+            radius,
+            load,
+        };
+        (line.dowson_toyoda_central()?, line.moes_central()?)
+    } else {
+        let point = FilmConditions {
+            entrainment_speed: speed,
+            viscosity,
+            pressure_viscosity,
+            equivalent_modulus,
+            radius,
+            load: hertz.load,
+            ellipticity,
+        };
+        let film = point.hamrock_dowson_central()?;
+        let circular = (ellipticity - 1.0).abs() < 1e-9;
+        (film, if circular { point.moes_central()? } else { film })
+    };
+    let [narrowest, widest] = ELLIPTICITIES;
+    let message = if !scene.form.is_line() && !(narrowest - 1e-9..=widest).contains(&ellipticity) {
+        format!("the ellipticity of {} is outside the range of the formula, 1 to 8", short(ellipticity))
+    } else if !(1.0 / APART..=APART).contains(&(film / other)) {
+        format!(
+            "the formula is for hard contacts of oils that thicken under pressure; the one for all regimes gives {} m",
+            short(other)
+        )
+    } else {
+        return Ok(None);
+    };
+    let remedy = "take the film of the solve, not that of the formula".to_owned();
+    Ok(Some(Warning::new("central film by formula", film, message, remedy)))
+}

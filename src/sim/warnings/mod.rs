@@ -1,0 +1,79 @@
+//! What is unlikely to be meant, or to hold, in a scene and its solution: said, never silent, never fatal. One function a check.
+
+mod limits;
+mod mesh;
+mod plausible;
+mod solved;
+
+use std::fmt;
+
+pub(super) use solved::{after_solve, excess_pressure};
+
+use super::hertz::HertzContact;
+use super::scene::{BODIES, Scene};
+use crate::error::legible;
+use crate::grid::Grid;
+
+/// Something in a scene, or in its solution, that is allowed but unlikely to be meant or to hold.
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// let mut scene = Scene::azam_2019(256);
+/// assert!(scene.warnings().is_empty());
+/// scene.lubricant.as_mut().unwrap().alpha = Some(15.0);
+/// let warnings = scene.warnings();
+/// assert_eq!(warnings[0].field, "lubricant.alpha");
+/// assert!(warnings[0].to_string().contains("did you mean 15 1/GPa = 1.5e-8 1/Pa?"));
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct Warning {
+    /// The key of the scene, or the number of the solution, that it is about.
+    pub field: String,
+    /// Its value, in SI units.
+    pub value: f64,
+    /// What is wrong with it.
+    pub message: String,
+    /// What would mend it.
+    pub remedy: String,
+}
+
+impl Warning {
+    pub(super) fn new(field: impl Into<String>, value: f64, message: String, remedy: String) -> Self {
+        Self { field: field.into(), value, message, remedy }
+    }
+}
+
+impl fmt::Display for Warning {
+    /// One line: `field = value: message; remedy`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}: {}; {}", self.field, short(self.value), self.message, self.remedy)
+    }
+}
+
+impl Scene {
+    /// What is unlikely to be meant or to hold in this scene, as far as it is known without solving: values of another unit,
+    /// a box or cells that do not hold the contact, models beyond their limits. What is an error is none of the warnings; roughness from
+    /// files is looked at when it is read. `docs/errors.md` lists the checks.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let mut list = plausible::values(self);
+        list.extend(limits::of_models(self));
+        list.extend(mesh::boxes(self));
+        list.extend(mesh::known_waves(self));
+        list
+    }
+}
+
+/// Those of `heights` \[m\] that a file or a caller has given for the `body`.
+pub(super) fn of_heights(body: usize, heights: &[f64], grid: &Grid, hertz: &HertzContact) -> Vec<Warning> {
+    let field = format!("roughness.{}", BODIES[body]);
+    let mut list = plausible::height(&field, heights, hertz.a_x.min(hertz.a_y));
+    list.extend(mesh::measured_waves(&field, heights, grid));
+    list
+}
+
+/// The number with at most seven digits.
+fn short(value: f64) -> String {
+    legible(format!("{value:.6e}").parse().unwrap_or(value))
+}

@@ -1,0 +1,234 @@
+//! Values that are rather those of another unit.
+
+use super::{Warning, short};
+use crate::metrics::height_statistics;
+use crate::sim::scene::{BODIES, LubricantSpec, Roughness, Scene, Schedule};
+
+/// A unit with others that people write in its place: name, factor and offset to the SI one.
+struct Unit {
+    name: &'static str,
+    others: &'static [(&'static str, f64, f64)],
+}
+
+const PASCAL: Unit = Unit { name: "Pa", others: &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)] };
+const PER_PASCAL: Unit = Unit { name: "1/Pa", others: &[("1/GPa", 1e-9, 0.0), ("1/MPa", 1e-6, 0.0)] };
+const METRE: Unit = Unit { name: "m", others: &[("nm", 1e-9, 0.0), ("um", 1e-6, 0.0), ("mm", 1e-3, 0.0)] };
+const METRE_PER_SECOND: Unit = Unit { name: "m/s", others: &[("mm/s", 1e-3, 0.0)] };
+const PASCAL_SECOND: Unit = Unit { name: "Pa s", others: &[("mPa s", 1e-3, 0.0)] };
+const KELVIN: Unit = Unit { name: "K", others: &[("degC", 1.0, 273.15)] };
+const NEWTON: Unit = Unit { name: "N", others: &[("mN", 1e-3, 0.0), ("uN", 1e-6, 0.0)] };
+const DIFFUSIVITY: Unit = Unit { name: "m^2/s", others: &[("mm^2/s", 1e-6, 0.0)] };
+const CONDUCTIVITY: Unit = Unit { name: "W/(m K)", others: &[] };
+const PURE: Unit = Unit { name: "", others: &[("%", 0.01, 0.0)] };
+
+/// What a quantity may plausibly be, and what it is like as a rule.
+struct Plausible {
+    low: f64,
+    high: f64,
+    usual: f64,
+    unit: &'static Unit,
+}
+
+const fn plausible(low: f64, high: f64, usual: f64, unit: &'static Unit) -> Plausible {
+    Plausible { low, high, usual, unit }
+}
+
+const RADIUS: Plausible = plausible(1e-8, 1.0, 1e-2, &METRE);
+/// Crowned rollers are nearly straight along their axis.
+const LONGER_RADIUS: Plausible = plausible(1e-8, 100.0, 1e-2, &METRE);
+const MODULUS: Plausible = plausible(1e6, 3e12, 2e11, &PASCAL);
+const HERTZ_PRESSURE: Plausible = plausible(1e3, 3e10, 1e9, &PASCAL);
+const FORCE: Plausible = plausible(1e-9, 1e7, 50.0, &NEWTON);
+const SPEED: Plausible = plausible(1e-9, 200.0, 0.3, &METRE_PER_SECOND);
+/// Beyond 2 the surfaces move against each other.
+const SLIDE_ROLL_RATIO: Plausible = plausible(0.0, 2.0, 0.1, &PURE);
+/// Thicker than the heaviest gear oils at 40 degC.
+const VISCOSITY: Plausible = plausible(1e-5, 2.0, 0.01, &PASCAL_SECOND);
+const PRESSURE_VISCOSITY: Plausible = plausible(1e-10, 1e-7, 2e-8, &PER_PASCAL);
+const ROELANDS_PRESSURE: Plausible = plausible(1e7, 2e9, 2e8, &PASCAL);
+const ROELANDS_INDEX: Plausible = plausible(0.05, 2.0, 0.6, &PURE);
+const COMPRESSIBILITY: Plausible = plausible(0.0, 1e-8, 1e-9, &PER_PASCAL);
+const FILM: Plausible = plausible(1e-10, 1e-4, 1e-7, &METRE);
+const HARDNESS: Plausible = plausible(1e6, 1.5e11, 6e9, &PASCAL);
+const FRICTION: Plausible = plausible(0.0, 2.0, 0.1, &PURE);
+const STRESS: Plausible = plausible(1e4, 1e10, 5e7, &PASCAL);
+const TRIBOFILM: Plausible = plausible(1e-10, 1e-5, 1e-7, &METRE);
+const WEAR: Plausible = plausible(0.0, 1.0, 1e-6, &PURE);
+const TEMPERATURE: Plausible = plausible(200.0, 1500.0, 350.0, &KELVIN);
+const HEAT_CONDUCTIVITY: Plausible = plausible(0.01, 3000.0, 46.0, &CONDUCTIVITY);
+const HEAT_DIFFUSIVITY: Plausible = plausible(1e-8, 3e-3, 1e-5, &DIFFUSIVITY);
+const TRACK_RADIUS: Plausible = plausible(1e-6, 10.0, 2e-2, &METRE);
+/// Solids touch at the size of molecules.
+const CONTACT_FILM: Plausible = plausible(1e-11, 1e-7, 1e-9, &METRE);
+const TOLERANCE: Plausible = plausible(0.0, 1e-2, 1e-6, &PURE);
+/// Largest Rq over the half-width of the contact.
+const LARGEST_RQ: f64 = 0.1;
+
+impl Plausible {
+    /// The warning about `value`, unless it is plausible; zero and what is no number are for the errors.
+    fn check(&self, field: &str, value: f64) -> Option<Warning> {
+        let size = value.abs();
+        if !value.is_finite() || size == 0.0 || (self.low..=self.high).contains(&size) {
+            return None;
+        }
+        let unit = self.unit.name;
+        let [low, high] = [self.low, self.high].map(short);
+        let (side, bound) = if size > self.high { ("above", high) } else { ("below", low) };
+        let meant = self.unit.others.iter().map(|(name, factor, offset)| (name, value * factor + offset));
+        let distance = |si: f64| (si.abs() / self.usual).ln().abs();
+        let best = meant
+            .filter(|(_, si)| (self.low..=self.high).contains(&si.abs()))
+            .min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)));
+        let remedy = match best {
+            Some((name, si)) => {
+                format!("did you mean {} {name} = {} {unit}?", short(value), short(si)).replace(" ?", "?")
+            }
+            None if unit.is_empty() => format!("{} is usual", short(self.usual)),
+            None => format!("it is taken in {unit}, of which {} is usual", short(self.usual)),
+        };
+        let message = format!("{} {unit} is implausible, {side} {bound} {unit}", short(value));
+        Some(Warning::new(
+            field,
+            value,
+            message.replace("  ", " ").replace(" ,", ",").trim_end().to_owned(),
+            remedy,
+        ))
+    }
+}
+
+/// Key, value where there is one, and what it may be.
+type Entry = (String, Option<f64>, Plausible);
+
+/// Values of the scene that are implausible.
+pub(super) fn values(scene: &Scene) -> Vec<Warning> {
+    let mut entries = bodies(scene);
+    entries.extend(conditions(scene));
+    entries.extend(scene.lubricant.iter().flat_map(oil));
+    entries.extend(roughness(scene));
+    entries.extend(processes(scene));
+    entries.extend(heat_and_solver(scene));
+    let given = entries.into_iter().filter_map(|(field, value, range)| Some((field, value?, range)));
+    given.filter_map(|(field, value, range)| range.check(&field, value)).collect()
+}
+
+/// The warning about `heights` \[m\] that are too high for a contact of `half_width` \[m\].
+pub(super) fn height(field: &str, heights: &[f64], half_width: f64) -> Vec<Warning> {
+    let rq = height_statistics(heights).map_or(0.0, |statistics| statistics.sq);
+    largest_rq(half_width).check(&format!("{field} Rq"), rq).into_iter().collect()
+}
+
+fn largest_rq(half_width: f64) -> Plausible {
+    plausible(0.0, LARGEST_RQ * half_width, 1e-7, &METRE)
+}
+
+fn entry(field: &str, value: impl Into<Option<f64>>, range: Plausible) -> Entry {
+    (field.to_owned(), value.into(), range)
+}
+
+fn bodies(scene: &Scene) -> Vec<Entry> {
+    use crate::surface::Form;
+    let mut list = match scene.form {
+        Form::Sphere { radius } | Form::Cylinder { radius } => vec![entry("form.radius", radius, RADIUS)],
+        Form::Ellipsoid { radius_x, radius_y } => {
+            let longer = if radius_x > radius_y { [LONGER_RADIUS, RADIUS] } else { [RADIUS, LONGER_RADIUS] };
+            let [along_x, along_y] = longer;
+            vec![entry("form.radius_x", radius_x, along_x), entry("form.radius_y", radius_y, along_y)]
+        }
+    };
+    list.push(entry("elastic.equivalent_modulus", scene.elastic.equivalent_modulus, MODULUS));
+    for (name, body) in BODIES.into_iter().zip(scene.materials.bodies()) {
+        let key = |key: &str| format!("materials.{name}.{key}");
+        list.push((key("modulus"), body.modulus, MODULUS));
+        list.push((key("hardness"), body.hardness, HARDNESS));
+        list.push((key("conductivity"), body.conductivity, HEAT_CONDUCTIVITY));
+        list.push((key("diffusivity"), body.diffusivity, HEAT_DIFFUSIVITY));
+    }
+    list
+}
+
+/// Load, speeds and temperature, the smallest and the largest of a schedule.
+fn conditions(scene: &Scene) -> Vec<Entry> {
+    let (schedule, motion) = (&scene.schedule, scene.motion);
+    let mut list = vec![
+        entry("load.hertz_pressure", scene.load.hertz_pressure, HERTZ_PRESSURE),
+        entry("load.force", scene.load.force, FORCE),
+        entry("motion.entrainment_speed", motion.entrainment_speed, SPEED),
+        entry("motion.slide_roll_ratio", motion.slide_roll_ratio, SLIDE_ROLL_RATIO),
+        entry("thermal.bulk_temperature", scene.thermal.bulk_temperature, TEMPERATURE),
+    ];
+    for (key, schedule, range) in [
+        ("load", &schedule.load, FORCE),
+        ("entrainment_speed", &schedule.entrainment_speed, SPEED),
+        ("slide_roll_ratio", &schedule.slide_roll_ratio, SLIDE_ROLL_RATIO),
+        ("bulk_temperature", &schedule.bulk_temperature, TEMPERATURE),
+    ] {
+        let values: &[f64] = match schedule {
+            Some(Schedule::Constant { value }) => std::slice::from_ref(value),
+            Some(Schedule::Steps { values, .. } | Schedule::Ramps { values, .. }) => values,
+            Some(Schedule::Table { .. }) | None => &[],
+        };
+        let beyond = values.iter().copied().find(|value| range.check("", *value).is_some());
+        list.push((format!("schedule.{key}"), beyond, range));
+    }
+    list
+}
+
+fn oil(oil: &LubricantSpec) -> Vec<Entry> {
+    vec![
+        entry("lubricant.eta0", oil.eta0, VISCOSITY),
+        entry("lubricant.roelands_z", oil.roelands_z, ROELANDS_INDEX),
+        entry("lubricant.roelands_p0", oil.roelands_p0, ROELANDS_PRESSURE),
+        entry("lubricant.alpha", oil.alpha, PRESSURE_VISCOSITY),
+        entry("lubricant.formula_alpha", oil.formula_alpha, PRESSURE_VISCOSITY),
+        entry("lubricant.density_a", oil.density_a, COMPRESSIBILITY),
+        entry("lubricant.density_b", oil.density_b, COMPRESSIBILITY),
+        entry("lubricant.supplied_film", oil.supplied_film, FILM),
+    ]
+}
+
+fn roughness(scene: &Scene) -> Vec<Entry> {
+    let half_width = scene.hertz().map_or(f64::INFINITY, |hertz| hertz.a_x.min(hertz.a_y));
+    let rq = |roughness: &Roughness| match roughness {
+        Roughness::None => None,
+        Roughness::Gaussian(random) | Roughness::Exponential(random) => Some(random.rq),
+        Roughness::File(file) => file.rq,
+    };
+    let bodies = BODIES.into_iter().zip([&scene.roughness.ball, &scene.roughness.disc]);
+    bodies.map(|(name, body)| (format!("roughness.{name}.rq"), rq(body), largest_rq(half_width))).collect()
+}
+
+fn processes(scene: &Scene) -> Vec<Entry> {
+    let friction = scene.friction;
+    let mut list = vec![
+        entry("friction.boundary_coefficient", friction.boundary_coefficient, FRICTION),
+        entry("friction.film_coefficient", friction.film_coefficient, FRICTION),
+        entry("friction.covering_thickness", friction.covering_thickness, TRIBOFILM),
+        entry("friction.limiting_shear_stress", friction.limiting_shear_stress, STRESS),
+        entry("friction.eyring_stress", friction.eyring_stress, STRESS),
+    ];
+    if let Some(plastic) = scene.plastic {
+        list.push(entry("plastic.hardness", plastic.hardness, HARDNESS));
+        list.push(entry("plastic.film_hardness", plastic.film_hardness, HARDNESS));
+    }
+    if let Some(film) = scene.tribofilm {
+        list.push(entry("tribofilm.maximum_thickness", film.maximum_thickness, TRIBOFILM));
+        list.push(entry("tribofilm.removal_limit", film.removal_limit, TRIBOFILM));
+    }
+    if let Some(wear) = scene.wear {
+        list.push(entry("wear.coefficient", wear.coefficient, WEAR));
+        list.push(entry("wear.hardness", wear.hardness, HARDNESS));
+        list.push(entry("wear.film_hardness", wear.film_hardness, HARDNESS));
+    }
+    list
+}
+
+fn heat_and_solver(scene: &Scene) -> Vec<Entry> {
+    vec![
+        entry("thermal.conductivity", scene.thermal.conductivity, HEAT_CONDUCTIVITY),
+        entry("thermal.diffusivity", scene.thermal.diffusivity, HEAT_DIFFUSIVITY),
+        entry("track.radius_ball", scene.track.radius_ball, TRACK_RADIUS),
+        entry("track.radius_disc", scene.track.radius_disc, TRACK_RADIUS),
+        entry("solver.film_cutoff", scene.solver.film_cutoff, CONTACT_FILM),
+        entry("solver.tolerance", scene.solver.tolerance, TOLERANCE),
+    ]
+}

@@ -1,0 +1,76 @@
+//! What only a solution tells.
+
+use super::{Warning, short};
+use crate::sim::accuracy::ErrorEstimate;
+use crate::sim::scene::{GridSpec, Scene};
+use crate::sim::solution::ContactSolution;
+
+/// Largest pressure of a smooth contact over that of Hertz.
+const LARGEST_PRESSURE: f64 = 2.0;
+/// Largest estimate of an error that goes without a warning.
+const LARGEST_ERROR: f64 = 0.1;
+
+/// Warnings about the finished `solution` of `scene`.
+pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
+    let smooth = scene.is_smooth();
+    let pressure =
+        smooth.then(|| excess_pressure(solution.contact.max_pressure, solution.hertz.p_max)).flatten();
+    pressure.into_iter().chain(mesh_errors(scene, solution)).collect()
+}
+
+/// The largest pressure \[Pa\] of a smooth contact that is far above the one of Hertz.
+pub(in crate::sim) fn excess_pressure(largest: f64, hertz: f64) -> Option<Warning> {
+    (largest > LARGEST_PRESSURE * hertz).then(|| {
+        Warning::new(
+            "pressure.max",
+            largest,
+            format!(
+                "between smooth bodies it is {} times the Hertz pressure of {} Pa",
+                short(largest / hertz),
+                short(hertz)
+            ),
+            "check that the box holds the contact and the cells its film".to_owned(),
+        )
+    })
+}
+
+/// Errors that were estimated large, or that are unknown although they are asked for.
+fn mesh_errors(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
+    let wanted = match scene.grid {
+        GridSpec::Accuracy { accuracy } => Some(("grid.accuracy", accuracy)),
+        _ => scene.solver.accuracy.map(|accuracy| ("solver.accuracy", accuracy)),
+    };
+    let Some(estimate) = solution.error_estimate else {
+        let asked = wanted.or(scene.solver.estimate.then_some(("solver.estimate", 1.0)));
+        let unknown = asked.map(|(field, value)| {
+            let message = "no error could be estimated: a coarser mesh was not solved".to_owned();
+            Warning::new(field, value, message, "more cells".to_owned())
+        });
+        return unknown.into_iter().collect();
+    };
+    large_errors(&estimate).into_iter().collect()
+}
+
+fn large_errors(estimate: &ErrorEstimate) -> Option<Warning> {
+    let errors = [
+        ("central_film", estimate.central_film),
+        ("minimum_film", estimate.minimum_film),
+        ("max_pressure", estimate.max_pressure),
+        ("mean_film", estimate.mean_film),
+        ("load_ratio", estimate.load_ratio),
+        ("area_ratio", estimate.area_ratio),
+        ("friction_coefficient", estimate.friction_coefficient),
+    ];
+    // What is no number is no small error.
+    let large = errors.into_iter().filter(|(_, error)| !(*error <= LARGEST_ERROR));
+    let large: Vec<(&str, f64)> = large.collect();
+    let (worst, error) = large.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let names: Vec<String> =
+        large.iter().map(|(name, error)| format!("{name} {}", short((1e3 * error).round() / 1e3))).collect();
+    Some(Warning::new(
+        format!("error_estimate.{worst}"),
+        error,
+        format!("errors of the mesh above {LARGEST_ERROR}: {}", names.join(", ")),
+        "more cells, or solver.accuracy, which refines them".to_owned(),
+    ))
+}

@@ -1,0 +1,290 @@
+//! Mistakes that people make with scenes and calls: each ends with an error or a warning that names what is wrong. None panics, hangs or
+//! converges in silence.
+#![expect(clippy::unwrap_used, reason = "tests")]
+
+use std::path::Path;
+
+use stribeck::sim::scene::{FileRoughness, GridSpec, Roughness};
+use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
+use stribeck::surface::write_npy;
+
+/// A scene without mistakes: rough, in oil, of a few cells.
+const GOOD: &str = r#"
+[form]
+kind = "sphere"
+radius = 9.525e-3
+[elastic]
+equivalent_modulus = 229.67e9
+[load]
+hertz_pressure = 1.15e9
+[motion]
+entrainment_speed = 0.1
+slide_roll_ratio = 0.05
+[lubricant]
+eta0 = 0.004
+roelands_z = 0.68
+[grid]
+nx = 24
+ny = 24
+x = [-0.25e-3, 0.25e-3]
+y = [-0.25e-3, 0.25e-3]
+[roughness.disc]
+kind = "gaussian"
+rq = 130e-9
+length_x = 64e-6
+length_y = 64e-6
+[plastic]
+hardness = 6e9
+[friction]
+boundary_coefficient = 0.1
+[thermal]
+bulk_temperature = 353.15
+[solver]
+max_iterations = 40
+film_cutoff = 1e-9
+"#;
+
+/// What a mistake ends with: all warnings, and the error or the end of the solve.
+fn end_of(text: &str) -> String {
+    let scene = match Scene::from_toml(text) {
+        Ok(scene) => scene,
+        Err(error) => return error.to_string(),
+    };
+    let mut lines: Vec<String> = Vec::new();
+    match solve_contact(&scene) {
+        Ok(solution) => lines.extend(solution.warnings.iter().map(ToString::to_string)),
+        Err(error) => {
+            lines.extend(scene.warnings().iter().map(ToString::to_string));
+            lines.push(error.to_string());
+        }
+    }
+    lines.join("\n")
+}
+
+/// Whether one line of `end` has all `parts`, and none has a word that only programmers know.
+fn is_named(end: &str, parts: &[&str]) -> bool {
+    let jargon = ["f64", "usize", "struct ", "variant", "Some(", "None"];
+    let named = end.lines().any(|line| parts.iter().all(|part| line.contains(part)));
+    named && !jargon.iter().any(|word| end.contains(word))
+}
+
+fn assert_named(name: &str, end: &str, parts: &[&str]) {
+    assert!(is_named(end, parts), "{name}: {parts:?} is not in a line of\n{end}");
+}
+
+#[test]
+fn the_scene_without_mistakes_has_no_warning() {
+    assert_eq!(end_of(GOOD), "");
+}
+
+/// A line of the scene, what a mistake makes of it, and what must be said.
+const MISTAKES: [(&str, &str, &[&str]); 41] = [
+    // Units.
+    ("radius = 9.525e-3", "radius = 9.525", &["form.radius = 9.525", "did you mean 9.525 mm = 0.009525 m?"]),
+    ("= 229.67e9", "= 229.67", &["elastic.equivalent_modulus = 229.67", "did you mean 229.67 GPa"]),
+    ("= 229.67e9", "= 229670", &["elastic.equivalent_modulus = 229670", "did you mean 229670 MPa"]),
+    (
+        "hertz_pressure = 1.15e9",
+        "hertz_pressure = 1.15",
+        &["load.hertz_pressure = 1.15", "1.15 GPa = 1150000000 Pa"],
+    ),
+    ("hertz_pressure = 1.15e9", "force = 1e6", &["load.force = 1000000", "half-width", "radius"]),
+    (
+        "entrainment_speed = 0.1",
+        "entrainment_speed = 500",
+        &["motion.entrainment_speed = 500", "mm/s = 0.5 m/s"],
+    ),
+    ("slide_roll_ratio = 0.05", "slide_roll_ratio = 5", &["motion.slide_roll_ratio = 5", "5 % = 0.05"]),
+    ("eta0 = 0.004", "eta0 = 4.0", &["lubricant.eta0 = 4", "4 mPa s = 0.004 Pa s"]),
+    (
+        "roelands_z = 0.68",
+        "roelands_z = 0.68\nalpha = 15.0",
+        &["lubricant.alpha = 15", "15 1/GPa = 1.5e-8 1/Pa"],
+    ),
+    ("roelands_z = 0.68", "roelands_z = 0.68\nalpha = 0.015", &["lubricant.alpha = 0.015", "0.015 1/MPa"]),
+    (
+        "roelands_z = 0.68",
+        "roelands_z = 0.68\nroelands_p0 = 196.0",
+        &["lubricant.roelands_p0 = 196", "196 MPa"],
+    ),
+    ("roelands_z = 0.68", "roelands_z = 0.68\ndensity_a = 0.6", &["lubricant.density_a = 0.6", "0.6 1/GPa"]),
+    ("rq = 130e-9", "rq = 130.0", &["roughness.disc.rq = 130", "130 nm = 1.3e-7 m"]),
+    ("rq = 130e-9", "rq = 0.13", &["roughness.disc.rq = 0.13", "0.13 um = 1.3e-7 m"]),
+    ("length_x = 64e-6", "length_x = 64", &["roughness.disc.length_x = 64", "at most"]),
+    ("hardness = 6e9", "hardness = 6", &["plastic.hardness = 6", "6 GPa"]),
+    ("= 353.15", "= 80", &["thermal.bulk_temperature = 80", "80 degC = 353.15 K"]),
+    ("film_cutoff = 1e-9", "film_cutoff = 1", &["solver.film_cutoff = 1", "1 nm = 1e-9 m"]),
+    ("coefficient = 0.1", "coefficient = 10", &["friction.boundary_coefficient = 10", "10 % = 0.1"]),
+    // Boxes and cells.
+    ("x = [-0.25e-3, 0.25e-3]", "x = [-0.1e-3, 0.25e-3]", &["grid.x = -0.0001", "1.5 Hertz half-widths"]),
+    ("x = [-0.25e-3, 0.25e-3]", "x = [-0.25, 0.25]", &["grid", "no node", "Hertz half-widths"]),
+    ("x = [-0.25e-3, 0.25e-3]", "x = [0.25e-3, -0.25e-3]", &["grid.x", "-0.00025"]),
+    ("x = [-0.25e-3, 0.25e-3]", "x = [0.1e-3, 0.6e-3]", &["grid.x", "the bodies touch at 0"]),
+    ("x = [-0.25e-3, 0.25e-3]", "x = [-0.25e-3, 0.0, 0.25e-3]", &["grid.x", "3", "two"]),
+    ("length_x = 64e-6", "length_x = 10e-6", &["grid.nx = 24", "a third", "at least 150 cells"]),
+    ("kind = \"gaussian\"", "kind = \"exponential\"", &["grid.nx = 24", "roughness.disc", "any length"]),
+    ("nx = 24", "nx = 0", &["grid.nx = 0"]),
+    ("nx = 24", "nx = 4000000000", &["grid.nx * grid.ny"]),
+    // Types and names.
+    ("radius = 9.525e-3", "radius = \"big\"", &["form.radius", "\"big\"", "a number"]),
+    ("nx = 24", "nx = 16.5", &["grid.nx", "16.5", "a whole number"]),
+    ("nx = 24", "nx = -16", &["grid.nx", "-16", "a whole number"]),
+    (
+        "[form]\nkind = \"sphere\"\nradius = 9.525e-3\n[elastic]\nequivalent_modulus = 229.67e9",
+        "elastic = 229.67e9\n[form]\nkind = \"sphere\"\nradius = 9.525e-3",
+        &["elastic", "a table"],
+    ),
+    ("kind = \"sphere\"", "kind = \"bal\"", &["form.kind", "bal", "sphere"]),
+    ("radius = 9.525e-3", "raduis = 9.525e-3", &["raduis", "form"]),
+    ("[lubricant]", "[lubrication]", &["lubrication", "lubricant"]),
+    // Values.
+    ("radius = 9.525e-3", "radius = -9.525e-3", &["form.radius = -0.009525"]),
+    ("hertz_pressure = 1.15e9", "hertz_pressure = nan", &["load.hertz_pressure = NaN"]),
+    ("hertz_pressure = 1.15e9", "hertz_pressure = 1e9\nforce = 50.0", &["load", "not both", "50"]),
+    ("entrainment_speed = 0.1", "entrainment_speed = 0.0", &["motion.entrainment_speed = 0"]),
+    ("eta0 = 0.004", "eta0 = 1e-6", &["lubricant.eta0", "1e-6"]),
+    ("[solver]", "[solver]\ntolerance = 0.5", &["solver.tolerance = 0.5"]),
+];
+
+#[test]
+fn mistakes_in_scene_files_are_named() {
+    let mut failures = Vec::new();
+    for (from, to, parts) in MISTAKES {
+        let text = GOOD.replacen(from, to, 1);
+        assert_ne!(text, GOOD, "{from}");
+        let end = end_of(&text);
+        if !is_named(&end, parts) {
+            failures.push(format!("{to}: {parts:?} is not in a line of\n{end}"));
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn all_missing_keys_are_named_at_once() {
+    let keys = ["radius = 9.525e-3", "eta0 = 0.004", "ny = 24", "rq = 130e-9", "hardness = 6e9"];
+    let text = keys.iter().fold(GOOD.to_owned(), |text, key| text.replacen(key, "", 1));
+    let parts =
+        ["`form.radius`", "`lubricant.eta0`", "`grid.ny`", "`roughness.disc.rq`", "`plastic.hardness`"];
+    assert_named("five keys", &end_of(&text), &parts);
+    assert_named("an empty file", &end_of(""), &["missing", "`form`", "`load`", "`grid`"]);
+    let cylinder = "[form]\nkind = \"cylinder\"\n[load]\nforce = 1e5\n[grid]\nnx = 100\n";
+    let end = end_of(cylinder);
+    assert_named("a cylinder", &end, &["`form.radius`", "`grid.x`"]);
+    assert!(!end.contains("grid.y") && !end.contains("grid.ny"), "{end}");
+}
+
+#[test]
+fn files_that_are_no_scenes_are_refused() {
+    assert_named("another format", &end_of("form:\n  radius: 3\n"), &["line 1", "form:"]);
+    assert_named("bytes", &end_of("\u{1}\u{2}PK\u{3}"), &["line 1"]);
+    let deep = format!("{GOOD}\nx = {}", "[".repeat(100_000));
+    assert_named("nested without end", &end_of(&deep), &["line "]);
+    let huge = format!("{GOOD}\n[form.x]\n{}", "y = 1\n".repeat(200_000));
+    assert_named("huge", &end_of(&huge), &["line "]);
+    let folder = tempfile::tempdir().unwrap();
+    let error = Scene::load(folder.path()).unwrap_err().to_string();
+    assert!(error.contains(folder.path().to_str().unwrap()), "{error}");
+    let error = Scene::load(folder.path().join("none.toml")).unwrap_err().to_string();
+    assert!(error.contains("none.toml"), "{error}");
+}
+
+/// The scene with a disc from `file`, solved.
+fn with_disc(file: &Path) -> String {
+    let mut scene = Scene::from_toml(GOOD).unwrap();
+    scene.lubricant = None;
+    scene.roughness.disc = Roughness::File(FileRoughness { path: file.to_owned(), rq: None });
+    match solve_contact(&scene) {
+        Ok(solution) => solution.warnings.iter().map(|warning| format!("{warning}\n")).collect(),
+        Err(error) => error.to_string(),
+    }
+}
+
+/// Heights of 100 nm with waves of `cells` cells.
+fn waves(cells: f64) -> Vec<f64> {
+    let height = |k: usize| 1e-7 * (std::f64::consts::TAU * (k % 24) as f64 / cells).sin();
+    (0..24 * 24).map(height).collect()
+}
+
+#[test]
+fn files_of_heights_that_do_not_fit_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let write = |name: &str, nx: usize, heights: &[f64]| {
+        write_npy(path(name), nx, heights.len() / nx, heights).unwrap()
+    };
+    write("good.npy", 24, &waves(8.0));
+    assert_eq!(with_disc(&path("good.npy")), "");
+    assert_named("no file", &with_disc(&path("none.npy")), &["roughness.disc.path", "none.npy"]);
+    std::fs::write(path("empty.npy"), b"").unwrap();
+    assert_named("empty", &with_disc(&path("empty.npy")), &["roughness.disc.path", "empty.npy"]);
+    let header = "{'descr': '<f8', 'fortran_order': False, 'shape': (1000000000, 1000000000), }\n";
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    bytes.extend(u16::try_from(header.len()).unwrap().to_le_bytes());
+    bytes.extend(header.as_bytes());
+    std::fs::write(path("huge.npy"), bytes).unwrap();
+    assert_named("says it is huge", &with_disc(&path("huge.npy")), &["roughness.disc.path", "huge.npy"]);
+    write("shape.npy", 12, &waves(8.0));
+    assert_named("shape", &with_disc(&path("shape.npy")), &["roughness.disc.path", "12 x 48", "24 x 24"]);
+    let mut holes = waves(8.0);
+    holes[7] = f64::NAN;
+    write("nan.npy", 24, &holes);
+    assert_named("NaN", &with_disc(&path("nan.npy")), &["roughness.disc", "nan.npy"]);
+    let nanometres: Vec<f64> = waves(8.0).iter().map(|height| height * 1e9).collect();
+    write("unit.npy", 24, &nanometres);
+    assert_named("nanometres", &with_disc(&path("unit.npy")), &["roughness.disc Rq", "nm"]);
+    write("fine.npy", 24, &waves(2.4));
+    assert_named(
+        "short waves",
+        &with_disc(&path("fine.npy")),
+        &["grid.nx = 24", "roughness.disc", "three cells"],
+    );
+}
+
+#[test]
+fn mistakes_in_calls_are_named() {
+    let dry = || {
+        let mut scene = Scene::from_toml(GOOD).unwrap();
+        scene.lubricant = None;
+        scene
+    };
+    let built = |heights: Vec<f64>| match MixedLubricationSim::builder(dry()).disc_heights(heights).build() {
+        Ok(sim) => sim.warnings().iter().map(|warning| format!("{warning}\n")).collect(),
+        Err(error) => error.to_string(),
+    };
+    assert_eq!(built(waves(8.0)), "");
+    assert_named("none", &built(Vec::new()), &["disc heights", "0 values", "576"]);
+    assert_named("too few", &built(vec![0.0; 7]), &["disc heights", "7 values", "576"]);
+    assert_named("NaN", &built(vec![f64::NAN; 576]), &["disc heights[0] = NaN"]);
+    assert_named("in um", &built(waves(8.0).iter().map(|z| z * 1e6).collect()), &["roughness.disc Rq", "um"]);
+    assert_named("short waves", &built(waves(2.4)), &["grid.nx = 24", "three cells"]);
+
+    let mut sim = MixedLubricationSim::builder(dry()).build().unwrap();
+    for time_step in [-1.0, f64::NAN, f64::INFINITY] {
+        let error = sim.step(time_step).unwrap_err().to_string();
+        assert!(error.contains("step") && error.contains(&time_step.to_string()), "{error}");
+    }
+    assert_eq!((sim.steps(), sim.time().to_bits()), (0, 0));
+    let mut row = dry();
+    row.grid = GridSpec::Row { nx: 24, x: [-0.25e-3, 0.25e-3] };
+    let error = solve_contact(&row).unwrap_err().to_string();
+    assert!(error.contains("grid") && error.contains("ny and y are missing"), "{error}");
+}
+
+/// A run has its warnings once, and those of its first contact beside them.
+#[test]
+fn a_run_has_each_warning_once() {
+    let mut scene = Scene::from_toml(GOOD).unwrap();
+    scene.lubricant = None;
+    scene.roughness = Default::default();
+    scene.grid = GridSpec::Cells { nx: 24, ny: 24, x: [-0.06e-3, 0.06e-3], y: [-0.06e-3, 0.06e-3] };
+    scene.plastic = None;
+    scene.lubricant = None;
+    scene.solver.edge_contact = true;
+    let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
+    assert!(sim.warnings().is_empty(), "{:?}", sim.warnings());
+    sim.step(1.0).unwrap();
+    sim.step(1.0).unwrap();
+    let fields: Vec<&str> = sim.warnings().iter().map(|warning| warning.field.as_str()).collect();
+    assert_eq!(fields, ["pressure.max"]);
+}
