@@ -53,6 +53,7 @@ fn input(py: Python<'_>, kind: &str, error: &InputError) -> PyErr {
         // Some fields bring their value along: `load.force = 5`.
         InputError::Conflict { field, .. } => match field.split_once(" = ") {
             Some((field, value)) => {
+                let value = value.trim_matches('"');
                 let number = value.parse().ok().and_then(number);
                 let text = || value.into_pyobject(py).ok().map(Bound::into_any);
                 raise(py, kind, &message, Some(field), number.or_else(text))
@@ -155,7 +156,7 @@ impl ForPython for SimError {
 fn scene(py: Python<'_>, reason: &str) -> PyErr {
     let quoted = |words: &str| words.split('`').nth(1).map(str::to_owned);
     let place = reason.rsplit_once(" in `").and_then(|(_, end)| end.strip_suffix('`'));
-    let key = ["unknown field ", "missing field "]
+    let key = ["unknown field ", "missing field ", "missing key ", "missing keys: "]
         .iter()
         .find_map(|words| reason.split_once(words))
         .and_then(|(_, rest)| quoted(&format!(" {rest}")));

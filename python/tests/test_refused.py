@@ -29,15 +29,16 @@ def refused(kind: type[stribeck.StribeckError], call, field: str | None) -> stri
     [
         ({"load": {"force": -3}}, stribeck.InputError, "load.force", -3.0),
         ({"load": {"force": float("nan")}}, stribeck.InputError, "load.force", None),
-        ({"motion": {"entrainment_speed": "fast"}}, stribeck.SceneError, "motion.entrainment_speed", "fast"),
+        ({"motion": {"entrainment_speed": "fast"}}, stribeck.InputError, "motion.entrainment_speed", "fast"),
         ({"motion": {"entrainment_sped": 0.1}}, stribeck.SceneError, "motion.entrainment_sped", 0.1),
-        ({"grid": {"nx": 16}}, stribeck.SceneError, "grid.x", None),
+        ({"grid": {"nx": 16}}, stribeck.SceneError, "grid.ny", None),
         ({"frm": {}}, stribeck.SceneError, "frm", {}),
         ({"form": {"kind": "cube"}}, stribeck.SceneError, "form.kind", "cube"),
         ({"wear": {"coefficient": -1e-8}}, stribeck.InputError, "wear.coefficient", -1e-8),
         ({"lubricant": {"eta0": object()}}, stribeck.SceneError, "lubricant.eta0", None),
         ({"solver": {"kind": "oracle"}}, stribeck.SceneError, "solver.kind", "oracle"),
         ({"lubricant": {"eta0": 0.0}}, stribeck.InputError, None, 0.0),
+        ({"form": {"kind": "sphere", "radius": "9.5 furlongs"}}, stribeck.InputError, "form.radius", "9.5 furlongs"),
     ],
 )
 def test_scenes_name_field_and_value(rough: stribeck.Scene, changes: dict, kind: type, field: str | None, value) -> None:
