@@ -50,13 +50,16 @@ fn heights_in_memory_are_as_good_as_the_scene_that_makes_them() {
     let named = solve_contact(&scene).unwrap();
     let mut bare = scene;
     bare.roughness = RoughnessPair::default();
-    // Between smooth surfaces flow through faces is another: the scene says that these are not.
-    bare.solver.face_mobility = named.discretisation.map(|(_, mobility, _)| mobility);
     let given =
         MixedLubricationSim::builder(bare.clone()).ball_heights(ball).disc_heights(disc).solve().unwrap();
     assert_eq!(named.state, given.state);
     assert_eq!(named.friction_coefficient, given.friction_coefficient);
-    assert_eq!(solve_contact(&bare).unwrap().lambda, None, "smooth surfaces have no ratio");
+    assert_eq!(given.discretisation, named.discretisation, "rough surfaces, wherever they come from");
+    let smooth = solve_contact(&bare).unwrap();
+    assert_eq!(smooth.lambda, None, "smooth surfaces have no ratio");
+    let flat = MixedLubricationSim::builder(bare).disc_heights(vec![0.0; 32 * 32]).solve().unwrap();
+    assert_eq!(flat.discretisation, smooth.discretisation);
+    assert_eq!(flat.state, smooth.state);
 }
 
 #[test]

@@ -69,8 +69,7 @@ def test_heights_in_memory(rough: stribeck.Scene) -> None:
     simulation = stribeck.Simulation(rough)
     ball, disc = (body.initial for body in simulation.bodies)
     named = stribeck.solve(rough)
-    mobility = {"face_mobility": named.face_mobility}
-    bare = rough.replace(roughness=None, solver=mobility)
+    bare = rough.replace(roughness=None)
     for heights in [(ball, disc), {"ball": ball, "disc": disc}, (ball.astype(np.float64, order="F"), disc.tolist())]:
         given = stribeck.solve(bare, heights=heights)
         assert given.film == named.film and given.friction == named.friction

@@ -19,7 +19,7 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, ViscosityLaw};
 use crate::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
-use crate::reynolds::{ContactSolver, ContactState};
+use crate::reynolds::{ContactSolver, ContactState, FaceMobility};
 use crate::surface::RoughnessMotion;
 use crate::tribochem::FilmGrowthLaw;
 use crate::wear::{Archard, WearLaw, WearPressure};
@@ -144,14 +144,16 @@ impl SimBuilder {
         self
     }
 
-    /// Replaces the heights of the ball, one value per node of the grid, positive out of the body \[m\].
+    /// Replaces the heights of the ball, one value per node of the grid, positive out of the body \[m\]. Flow through faces is by
+    /// default that between rough surfaces unless all of them are equal.
     #[must_use]
     pub fn ball_heights(mut self, heights: Vec<f64>) -> Self {
         self.heights[0] = Some(heights);
         self
     }
 
-    /// Replaces the heights of the disc, one value per node of the grid, positive out of the body \[m\].
+    /// Replaces the heights of the disc, one value per node of the grid, positive out of the body \[m\]; see
+    /// [`ball_heights`](Self::ball_heights).
     #[must_use]
     pub fn disc_heights(mut self, heights: Vec<f64>) -> Self {
         self.heights[1] = Some(heights);
@@ -237,7 +239,7 @@ impl SimBuilder {
     ) -> Result<ContactSolution, SimError> {
         self.scene.schedule.read_tables()?;
         let overrides = std::mem::take(&mut self.overrides);
-        let contact = ContactModel::new(&self.scene, overrides)?;
+        let mut contact = ContactModel::new(&self.scene, overrides)?;
         if let (Some(plastic), None) = (self.scene.plastic, &self.plasticity) {
             let [ball, disc] = self.scene.hardnesses(plastic.hardness);
             setup::validate_hardness(ball.min(disc), &contact.grid, &contact.hertz)?;
@@ -245,9 +247,21 @@ impl SimBuilder {
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
         let warnings = self.warnings(own_heights, &contact, &bodies);
+        contact.face_mobility = self.face_mobility(own_heights, &bodies);
         let state = start(&contact.grid)?;
         let solution = solve_bodies(&self.scene, contact, &bodies, &laws, state)?;
         Ok(ContactSolution { warnings, ..solution })
+    }
+
+    /// The pressure flow through faces, by default that between rough surfaces where heights in place of those of the scene are.
+    fn face_mobility(&self, own_heights: [bool; 2], bodies: &[Body; 2]) -> FaceMobility {
+        let roughness = [&self.scene.roughness.ball, &self.scene.roughness.disc];
+        let smooth = (0..2).all(|index| {
+            let surface = bodies[index].surface();
+            let is_flat = || surface.iter().all(|z| z.to_bits() == surface[0].to_bits());
+            if own_heights[index] { is_flat() } else { roughness[index].is_smooth() }
+        });
+        self.scene.face_mobility_between(smooth)
     }
 
     /// Whether ball and disc have heights in place of those of the scene.
@@ -284,13 +298,14 @@ impl SimBuilder {
     pub fn build(mut self) -> Result<MixedLubricationSim, SimError> {
         self.scene.schedule.read_tables()?;
         let overrides = std::mem::take(&mut self.overrides);
-        let contact = ContactModel::new(&self.scene, overrides)?;
+        let mut contact = ContactModel::new(&self.scene, overrides)?;
         let own_heights = self.own_heights();
         let timetable = Timetable::new(&self.scene)?;
         exposure::validate(&self.scene, &timetable, &contact.grid)?;
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
         let warnings = self.warnings(own_heights, &contact, &bodies);
+        contact.face_mobility = self.face_mobility(own_heights, &bodies);
         let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
         let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion());
         let travel = Travel { motion, squeeze: self.squeeze };
