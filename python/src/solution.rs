@@ -1,5 +1,7 @@
 //! Single contacts.
 
+use std::time::Instant;
+
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -131,11 +133,15 @@ pub(crate) fn solve<'py>(
     if let Some(start) = start {
         builder = builder.contact_start(start.state(py, scene)?);
     }
+    let began = Instant::now();
     let solved = py.detach(|| builder.solve());
+    let seconds = began.elapsed().as_secs_f64();
     if let Some(error) = failure.take() {
         return Err(error);
     }
-    parts_of(py, &value(py, solved)?)
+    let (numbers, fields) = parts_of(py, &value(py, solved)?)?;
+    numbers.set_item("seconds", seconds)?;
+    Ok((numbers, fields))
 }
 
 /// Numbers and fields of a solution.

@@ -14,7 +14,7 @@ from ._numbers import Numbers, table
 from ._stribeck import BodyStart as _BodyStart, Simulation as _Simulation
 from .errors import StribeckWarning, found, say
 from .scene import Grid, Scene, _SceneGrid, as_scene
-from .solution import Heights, Solution, parts, with_solver
+from .solution import Heights, Solution, _array, _optional, parts, with_solver
 
 __all__ = ["Body", "BodyStart", "History", "Record", "Simulation"]
 
@@ -105,11 +105,13 @@ def BodyStart(  # noqa: N802
 ) -> _BodyStart:
     """A body with a past on the grid of ``scene``: heights of the new body, worn and plastic depth and tribofilm, each of the shape
     ``(ny, nx)`` [m]."""
-    from .solution import _array
-
-    named = {"heights": heights, "wear": wear, "plastic_depth": plastic_depth, "tribofilm": tribofilm}
-    arrays = {name: _array(name, values) for name, values in named.items()}
-    return _BodyStart(scene._raw, **arrays)
+    return _BodyStart(
+        scene._raw,
+        _array("heights", heights),
+        _optional("wear", wear),
+        _optional("plastic_depth", plastic_depth),
+        _optional("tribofilm", tribofilm),
+    )
 
 
 class Simulation:
@@ -179,12 +181,12 @@ class Simulation:
     @property
     def motion(self) -> str:
         """How the roughness moves from step to step, in words."""
-        return self._raw.about()["motion"]
+        return str(self._raw.about()["motion"])
 
     @property
     def ledger_residual(self) -> float:
         """Largest difference between a surface and ``initial - wear - plastic_depth + tribofilm`` [m]."""
-        return self._raw.about()["ledger_residual"]
+        return float(self._raw.about()["ledger_residual"])
 
     @property
     def bodies(self) -> tuple[Body, Body]:

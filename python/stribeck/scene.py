@@ -35,12 +35,12 @@ class Grid(Numbers):
     @property
     def nodes_x(self) -> npt.NDArray[np.float64]:
         """Positions of the columns, shape ``(nx,)`` [m]."""
-        return self["x"][0] + self["dx"] * (np.arange(self["nx"]) + 0.5)
+        return np.asarray(self["x"][0] + self["dx"] * (np.arange(self["nx"]) + 0.5))
 
     @property
     def nodes_y(self) -> npt.NDArray[np.float64]:
         """Positions of the rows, shape ``(ny,)`` [m]."""
-        return self["y"][0] + self["dy"] * (np.arange(self["ny"]) + 0.5)
+        return np.asarray(self["y"][0] + self["dy"] * (np.arange(self["ny"]) + 0.5))
 
     @property
     def _cells(self) -> Cells:
@@ -51,6 +51,8 @@ class _SceneGrid(Grid):
     """The cells of a scene to the last bit: its edges come back rounded."""
 
     __slots__ = ("_exact",)
+
+    _exact: Cells
 
     def __init__(self, exact: Cells) -> None:
         super().__init__(exact.to_dict())
@@ -111,8 +113,8 @@ class Scene:
     def replace(self, **tables: Mapping[str, Any] | None) -> Scene:
         """The same scene with other values: ``scene.replace(motion={"entrainment_speed": 0.2}, wear=None)``.
 
-        Keys within a table are replaced one by one, and left out where the value is None. A table with a ``kind``, and ``load``, are
-        replaced as a whole.
+        Keys within a table are replaced one by one, and left out where the value is None. A table with a ``kind``, ``load`` and ``grid``
+        are replaced as a whole.
         """
         return type(self)(_merged(self.to_dict(), tables, ()))
 
@@ -188,9 +190,10 @@ def _merged(base: dict[str, Any], changes: Mapping[str, Any], path: tuple[str, .
     merged = dict(base)
     for key, new in changes.items():
         old = merged.get(key)
-        whole = not isinstance(new, Mapping) or not isinstance(old, dict) or "kind" in new
-        if whole or (not path and key in ("load", "grid")):
-            merged[key] = _plain(new) if isinstance(new, Mapping) else new
+        if not isinstance(new, Mapping):
+            merged[key] = new
+        elif not isinstance(old, dict) or "kind" in new or (not path and key in ("load", "grid")):
+            merged[key] = _plain(new)
         else:
             merged[key] = _merged(old, new, (*path, key))
     return merged

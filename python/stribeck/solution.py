@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -79,7 +78,8 @@ class Solution(Numbers):
 
     def save_fields(self, path: str | os.PathLike[str]) -> None:
         """Writes the fields as a NumPy archive."""
-        np.savez_compressed(path, **self.fields)
+        arrays: dict[str, Any] = self.fields
+        np.savez_compressed(path, **arrays)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.to_dict(), self.fields)
@@ -105,13 +105,11 @@ def solve(
     Not converging is a status, see :meth:`Solution.require_converged`. Raises :class:`~stribeck.InputError` with ``field`` and ``value``
     for what cannot be solved.
     """
-    began = perf_counter()
     raw = with_solver(as_scene(scene), solver)._raw
     first = None
     if start is not None:
         first = {**start.fields, "approach": start["approach"]}
     numbers, fields = _solve(raw, parts(heights, bodies, None, None, friction), first)
-    numbers["seconds"] = perf_counter() - began
     solution = Solution(numbers, fields)
     say(solution.warnings, 2)
     return solution
@@ -133,8 +131,8 @@ def parts(
     ball, disc = _both(heights)
     ball_start, disc_start = bodies if bodies is not None else (None, None)
     return {
-        "ball_heights": _array("ball heights", ball),
-        "disc_heights": _array("disc heights", disc),
+        "ball_heights": _optional("ball heights", ball),
+        "disc_heights": _optional("disc heights", disc),
         "ball_start": ball_start,
         "disc_start": disc_start,
         "growth": growth_triple(growth),
@@ -158,9 +156,11 @@ def _both(heights: Heights) -> tuple[Any, Any]:
     return None, heights
 
 
-def _array(name: str, values: Any) -> npt.NDArray[np.float64] | None:
-    if values is None:
-        return None
+def _optional(name: str, values: Any) -> npt.NDArray[np.float64] | None:
+    return None if values is None else _array(name, values)
+
+
+def _array(name: str, values: Any) -> npt.NDArray[np.float64]:
     try:
         array = np.ascontiguousarray(values, dtype=np.float64)
     except (TypeError, ValueError) as error:
