@@ -136,7 +136,7 @@ fn files_say_it_in_place_of_a_grid() {
         ("accuracy = 0.01\nnx = 64", "`nx`"),
         ("accuracy = \"fine\"", "accuracy"),
         ("nx = 64\nx = [-1e-3, 1e-3]\nny = 64", "`y`"),
-        ("", "`nx`"),
+        ("", "`grid.nx`"),
     ] {
         let message = Scene::from_toml(&text(grid)).unwrap_err().to_string();
         assert!(message.contains(part) && message.contains("grid"), "{message}");

@@ -1,6 +1,8 @@
 //! The example `history` from the outside: output, exit status, messages.
 #![expect(clippy::unwrap_used, reason = "tests")]
 
+mod common;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
@@ -9,34 +11,9 @@ use serde_json::Value;
 use stribeck::sim::scene::SolverKind;
 use stribeck::sim::{MixedLubricationSim, Scene};
 
-/// The example, brought up to date: `cargo test` builds it, `cargo test --test history_cli` does not.
 fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
-    PROGRAM.get_or_init(|| {
-        let test = std::env::current_exe().unwrap();
-        let folder = test.parent().and_then(Path::parent).unwrap();
-        let profile = match folder.file_name().and_then(|name| name.to_str()).unwrap() {
-            "debug" => "test",
-            other => other,
-        };
-        let built = Command::new(env!("CARGO"))
-            .args([
-                "build",
-                "--quiet",
-                "--offline",
-                "--profile",
-                profile,
-                "--example",
-                "history",
-                "--target-dir",
-            ])
-            .arg(folder.parent().unwrap())
-            .current_dir(env!("CARGO_MANIFEST_DIR"))
-            .output()
-            .unwrap();
-        assert!(built.status.success(), "{built:?}");
-        folder.join("examples").join(format!("history{}", std::env::consts::EXE_SUFFIX))
-    })
+    PROGRAM.get_or_init(|| common::example("history"))
 }
 
 fn scene() -> Scene {

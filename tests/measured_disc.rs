@@ -1,32 +1,12 @@
 //! The example that reads surface files, from the outside: `mtm_zddp --surface`.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
+mod common;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use std::sync::Mutex;
 
-/// One build at a time.
-static BUILDING: Mutex<()> = Mutex::new(());
-
-/// An example, brought up to date: `cargo test` builds it, `cargo test --test measured_disc` does not.
-fn example(name: &str) -> PathBuf {
-    let lock = BUILDING.lock();
-    let test = std::env::current_exe().unwrap();
-    let folder = test.parent().and_then(Path::parent).unwrap();
-    let profile = match folder.file_name().and_then(|name| name.to_str()).unwrap() {
-        "debug" => "test",
-        other => other,
-    };
-    let built = Command::new(env!("CARGO"))
-        .args(["build", "--quiet", "--offline", "--profile", profile, "--example", name, "--target-dir"])
-        .arg(folder.parent().unwrap())
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .output()
-        .unwrap();
-    assert!(built.status.success(), "{built:?}");
-    drop(lock);
-    folder.join("examples").join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
-}
+use common::example;
 
 fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/surfaces").join(name)

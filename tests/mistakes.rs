@@ -211,7 +211,7 @@ fn files_of_heights_that_do_not_fit_are_named() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
     let write = |name: &str, nx: usize, heights: &[f64]| {
-        write_npy(path(name), nx, heights.len() / nx, heights).unwrap()
+        write_npy(path(name), nx, heights.len() / nx, heights).unwrap();
     };
     write("good.npy", 24, &waves(8.0));
     assert_eq!(with_disc(&path("good.npy")), "");
@@ -269,6 +269,28 @@ fn mistakes_in_calls_are_named() {
     row.grid = GridSpec::Row { nx: 24, x: [-0.25e-3, 0.25e-3] };
     let error = solve_contact(&row).unwrap_err().to_string();
     assert!(error.contains("grid") && error.contains("ny and y are missing"), "{error}");
+}
+
+/// An ellipse that the film formula does not know, and an estimate of the mesh error above 10 %.
+#[test]
+fn numbers_that_do_not_hold_are_named() {
+    let ellipse = GOOD.replacen(
+        "kind = \"sphere\"\nradius = 9.525e-3",
+        "kind = \"ellipsoid\"\nradius_x = 12e-3\nradius_y = 8e-3",
+        1,
+    );
+    let warnings = Scene::from_toml(&ellipse).unwrap().warnings();
+    let named = |field: &str| warnings.iter().filter(|warning| warning.field == field).count();
+    assert_eq!(named("central film by formula"), 1, "{warnings:?}");
+    assert!(warnings.iter().any(|warning| warning.message.contains("ellipticity")), "{warnings:?}");
+
+    let coarse = GOOD.replacen("max_iterations = 40", "estimate = true", 1);
+    let solution = solve_contact(&Scene::from_toml(&coarse).unwrap()).unwrap();
+    let estimate = solution.error_estimate.unwrap();
+    assert!(estimate.minimum_film.max(estimate.mean_film).max(estimate.central_film) > 0.1, "{estimate:?}");
+    let mesh = |field: &str| field.starts_with("error_estimate.");
+    let large: Vec<_> = solution.warnings.iter().filter(|warning| mesh(&warning.field)).collect();
+    assert!(large.len() == 1 && large[0].value > 0.1, "{:?}", solution.warnings);
 }
 
 /// A run has its warnings once, and those of its first contact beside them.

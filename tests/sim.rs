@@ -10,11 +10,14 @@ use std::ops::ControlFlow;
 
 use stribeck::elastic::{DeformationModel, HalfSpace};
 use stribeck::lubricant::{Barus, Incompressible};
+use stribeck::reynolds::{
+    ContactSolver, ContactState, LubricatedContact, NewtonKrylov, ReynoldsError, StoppingRule,
+};
 use stribeck::sim::scene::{Flash, SolverKind};
-use stribeck::sim::{MixedLubricationSim, RunEnd, Scene, SimBuilder, SimError, StepRecord};
+use stribeck::sim::{MixedLubricationSim, RunEnd, Scene, Schedule, SimBuilder, SimError, StepRecord};
 use stribeck::surface::AlongTrack;
 use stribeck::wear::{Archard, WearLaw};
-use stribeck::{Grid, InputError, RubbingPoint};
+use stribeck::{Grid, InputError, RubbingPoint, SolveReport, Status};
 
 fn scene() -> Scene {
     let mut scene = Scene::azam_2019(48).with_tribofilm();
@@ -120,6 +123,67 @@ fn a_broken_law_is_an_error_and_changes_nothing() {
     for (body, old) in sim.bodies().iter().zip(&before) {
         assert_eq!(body.surface(), old.surface());
         assert_eq!(body.film_thickness(), old.film_thickness());
+    }
+}
+
+/// Wear that ends where it is hot.
+#[derive(Debug)]
+struct Melting;
+
+impl WearLaw for Melting {
+    fn depth_rate(&self, at: &RubbingPoint, _film_thickness: f64) -> f64 {
+        if at.temperature > 380.0 { f64::NAN } else { 1e-13 }
+    }
+}
+
+/// Gives up above 50 N.
+#[derive(Debug)]
+struct Stubborn(NewtonKrylov);
+
+impl ContactSolver for Stubborn {
+    fn name(&self) -> &'static str {
+        "stubborn"
+    }
+
+    fn solve(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<SolveReport, ReynoldsError> {
+        let report = self.0.solve(problem, state, stop)?;
+        let status = if problem.load > 50.0 { Status::Stalled } else { report.status };
+        Ok(SolveReport { status, ..report })
+    }
+}
+
+/// Everything that a checkpoint holds, positions drawn and masses squeezed included, and the conditions of the contact: a step that fails
+/// after its solve leaves them, and so does one whose contact is not solved.
+#[test]
+fn a_failed_step_leaves_everything_as_it_was() {
+    let mut hot = scene();
+    hot.schedule.load = Some(Schedule::steps(&[(0.0, 40.0), (2.0, 54.0)]));
+    hot.schedule.bulk_temperature = Some(Schedule::steps(&[(0.0, 353.15), (2.0, 400.0)]));
+    let melting = MixedLubricationSim::builder(hot).wear_law(Melting).with_squeeze().build();
+    let mut loaded = scene();
+    loaded.schedule.load = Some(Schedule::steps(&[(0.0, 40.0), (2.0, 54.0)]));
+    let stubborn = Stubborn(NewtonKrylov::new());
+    let unsolved = MixedLubricationSim::builder(loaded).solver(stubborn).with_squeeze().build();
+    let folder = tempfile::tempdir().unwrap();
+    for (name, sim) in [("melting", melting), ("unsolved", unsolved)] {
+        let mut sim = sim.unwrap();
+        sim.step(1.0).unwrap();
+        sim.step(1.0).unwrap();
+        let all = |sim: &MixedLubricationSim| {
+            let path = folder.path().join(name);
+            sim.save(&path).unwrap();
+            (std::fs::read(&path).unwrap(), sim.hertz(), sim.state().film.clone())
+        };
+        let before = all(&sim);
+        let error = sim.step(1.0).unwrap_err().to_string();
+        let after = all(&sim);
+        assert!(before.0 == after.0 && before.1 == after.1 && before.2 == after.2, "{name}: {error}");
+        assert_eq!(sim.step(1.0).unwrap_err().to_string(), error);
     }
 }
 

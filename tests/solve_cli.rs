@@ -1,6 +1,8 @@
 //! The example `solve` from the outside: output, exit status, messages, fields.
 #![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
 
+mod common;
+
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -11,34 +13,9 @@ use stribeck::surface::write_npy;
 
 const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
 
-/// The example, brought up to date: `cargo test` builds it, `cargo test --test solve_cli` does not.
 fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
-    PROGRAM.get_or_init(|| {
-        let test = std::env::current_exe().unwrap();
-        let folder = test.parent().and_then(Path::parent).unwrap();
-        let profile = match folder.file_name().and_then(|name| name.to_str()).unwrap() {
-            "debug" => "test",
-            other => other,
-        };
-        let built = Command::new(env!("CARGO"))
-            .args([
-                "build",
-                "--quiet",
-                "--offline",
-                "--profile",
-                profile,
-                "--example",
-                "solve",
-                "--target-dir",
-            ])
-            .arg(folder.parent().unwrap())
-            .current_dir(env!("CARGO_MANIFEST_DIR"))
-            .output()
-            .unwrap();
-        assert!(built.status.success(), "{built:?}");
-        folder.join("examples").join(format!("solve{}", std::env::consts::EXE_SUFFIX))
-    })
+    PROGRAM.get_or_init(|| common::example("solve"))
 }
 
 fn solve(arguments: &[&str]) -> Output {
@@ -244,7 +221,8 @@ fn heights_from_a_file_move_the_gap_of_their_own_node() {
 
 #[test]
 fn warnings_are_on_the_terminal_and_in_the_json() {
-    let (_folder, path) = scene(&dry(16).replace("radius = 9.525e-3", "radius = 9.525"));
+    let text = dry(16).replace("radius = 9.525e-3", "radius = 9.525");
+    let (_folder, path) = scene(&format!("{text}edge_contact = true\n"));
     let output = solve(&[path.to_str().unwrap(), "--json"]);
     let message = String::from_utf8(output.stderr.clone()).unwrap();
     let first = "warning: form.radius = 9.525: 9.525 m is implausible, above 1 m; did you mean 9.525 mm = 0.009525 m?";
@@ -252,7 +230,8 @@ fn warnings_are_on_the_terminal_and_in_the_json() {
     let json = json_of(&output);
     let warnings = json["warnings"].as_array().unwrap();
     assert_eq!(warnings.len(), message.lines().filter(|line| line.starts_with("warning: ")).count());
-    assert_eq!(warnings[0]["field"], "form.radius");
+    let fields: Vec<&Value> = warnings.iter().map(|warning| &warning["field"]).collect();
+    assert_eq!(fields, ["form.radius", "pressure.max"]);
     assert_eq!(number(&warnings[0], "/value"), 9.525);
     assert!(warnings[0]["message"].is_string() && warnings[0]["remedy"].is_string());
 }

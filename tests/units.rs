@@ -1,5 +1,5 @@
 //! Quantities with units, alone and in scene files.
-#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
+#![expect(clippy::float_cmp, reason = "tests")]
 
 use stribeck::InputError;
 use stribeck::sim::{Scene, SimError};

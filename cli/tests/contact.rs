@@ -1,5 +1,5 @@
 //! `stribeck solve`, `check`, `init` and `curve` from the outside.
-#![expect(clippy::unwrap_used, reason = "tests")]
+#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
 
 mod common;
 

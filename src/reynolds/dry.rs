@@ -153,13 +153,9 @@ impl ContactSolver for Dry {
                 reason: "the problem has a lubricant",
             });
         }
-        let fits = self.workspace.as_ref().is_some_and(|w| w.1.fluid.grid == grid);
-        if !fits {
-            self.workspace = Some(Box::new((DryStart::new(grid), Coupled::new(grid))));
-        }
-        let Some((start, coupled)) = self.workspace.as_deref_mut() else {
-            return Err(ReynoldsError::Memory { nodes: grid.len() });
-        };
+        let kept = self.workspace.take().filter(|w| w.1.fluid.grid == grid);
+        let workspace = kept.unwrap_or_else(|| Box::new((DryStart::new(grid), Coupled::new(grid))));
+        let (start, coupled) = &mut **self.workspace.insert(workspace);
         // The report averages gap errors over the reference ellipse, the solver over the real contact, which may be
         // larger.
         let (half_x, half_y) = problem.reference_half_widths;

@@ -59,6 +59,18 @@ pub(super) struct ContactModel {
     heeded: Option<Arc<AtomicBool>>,
 }
 
+/// What changes of a contact model from step to step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Circumstances {
+    hertz: HertzContact,
+    motion: Motion,
+    formulas: Option<FormulaFilm>,
+    stated_film: f64,
+    load: f64,
+    shear_thinning: Option<ShearThinning>,
+    flow: Option<FlowBalance>,
+}
+
 /// What a user puts in place of the scene's own parts.
 #[derive(Debug, Default)]
 pub(super) struct Overrides {
@@ -153,6 +165,30 @@ impl ContactModel {
         (self.hertz, self.motion, self.formulas, self.stated_film) = (hertz, motion, formulas, stated_film);
         (self.load, self.shear_thinning) = (conditions.load, shear_thinning);
         Ok(())
+    }
+
+    /// What [`ContactModel::put_under`] and [`ContactModel::solve`] change.
+    pub(super) fn circumstances(&self) -> Circumstances {
+        Circumstances {
+            hertz: self.hertz,
+            motion: self.motion,
+            formulas: self.formulas,
+            stated_film: self.stated_film,
+            load: self.load,
+            shear_thinning: self.shear_thinning,
+            flow: self.flow,
+        }
+    }
+
+    /// Puts back what a step that failed has changed.
+    pub(super) fn return_to(&mut self, before: Circumstances) {
+        self.hertz = before.hertz;
+        self.motion = before.motion;
+        self.formulas = before.formulas;
+        self.stated_film = before.stated_film;
+        self.load = before.load;
+        self.shear_thinning = before.shear_thinning;
+        self.flow = before.flow;
     }
 
     /// Central film of the smooth contact by formula; zero without lubricant \[m\].

@@ -16,6 +16,8 @@ pub struct FormulaFilm {
     pub moes: (f64, f64),
     /// Central film, Hamrock and Dowson of a point contact, Dowson and Toyoda of a line contact \[m\].
     pub central: f64,
+    /// Central film by the formulas of Moes for all regimes; none of an elliptic contact \[m\].
+    pub all_regimes: Option<f64>,
 }
 
 impl Scene {
@@ -61,6 +63,7 @@ pub(super) fn formula_film(
         FormulaFilm {
             moes: (line.moes_load(), line.moes_lubricant()),
             central: line.dowson_toyoda_central()?,
+            all_regimes: Some(line.moes_central()?),
         }
     } else {
         let point = FilmConditions {
@@ -75,6 +78,7 @@ pub(super) fn formula_film(
         FormulaFilm {
             moes: (point.moes_load(), point.moes_lubricant()),
             central: point.hamrock_dowson_central()?,
+            all_regimes: point.moes_central().ok(),
         }
     }))
 }

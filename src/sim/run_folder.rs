@@ -52,11 +52,9 @@ pub struct RunFolder {
     path: PathBuf,
     history: BufWriter<File>,
     every: u64,
-    /// The contact of the last committed step: a solve that fails leaves a half-way state in the simulation.
+    /// The contact of the last committed step.
     last_contact: Option<ContactState>,
     saved_steps: Option<u64>,
-    /// Positions of the roughness that were drawn until the last committed step.
-    draws: u64,
     failure: Option<SimError>,
 }
 
@@ -102,15 +100,7 @@ impl RunFolder {
         let mut history = Self::open_history(&path)?;
         let end = history.get_mut().seek(SeekFrom::End(0));
         end.map_err(|source| SimError::Io { path: path.join("history.csv"), source })?;
-        Ok(Self {
-            path,
-            history,
-            every,
-            last_contact: None,
-            saved_steps: None,
-            draws: sim.draws,
-            failure: None,
-        })
+        Ok(Self { path, history, every, last_contact: None, saved_steps: None, failure: None })
     }
 
     /// Goes on with the run in the folder: `sim`, built as for its start, is brought to the checkpoint and the history is
@@ -141,8 +131,7 @@ impl RunFolder {
         history.get_mut().set_len(length).map_err(io)?;
         history.get_mut().seek(SeekFrom::End(0)).map_err(io)?;
         let (last_contact, saved_steps) = (Some(sim.state().clone()), Some(sim.steps()));
-        let draws = sim.draws;
-        Ok((Self { path, history, every, last_contact, saved_steps, draws, failure: None }, records))
+        Ok((Self { path, history, every, last_contact, saved_steps, failure: None }, records))
     }
 
     fn open_history(path: &Path) -> Result<BufWriter<File>, SimError> {
@@ -177,7 +166,6 @@ impl RunFolder {
         let written = record.write_csv(&mut self.history).and_then(|()| self.history.flush());
         written.map_err(|source| SimError::Io { path: file, source })?;
         self.last_contact.get_or_insert_with(|| sim.state().clone()).clone_from(sim.state());
-        self.draws = sim.draws;
         if self.every > 0 && sim.steps().is_multiple_of(self.every) { self.save(sim) } else { Ok(()) }
     }
 
@@ -190,7 +178,7 @@ impl RunFolder {
         Ok(())
     }
 
-    /// Writes the last checkpoint, unless the last step failed, and the fields.
+    /// Writes the last checkpoint and the fields.
     ///
     /// # Errors
     /// The error that stopped the run if a step could not be written; a file that cannot be written.
@@ -198,9 +186,7 @@ impl RunFolder {
         if let Some(failure) = self.failure.take() {
             return Err(failure);
         }
-        // A step that failed has drawn further positions: from a checkpoint of it a resumed run would try others.
-        let failed = sim.draws != self.draws;
-        if self.saved_steps != Some(sim.steps()) && !failed {
+        if self.saved_steps != Some(sim.steps()) {
             self.save(sim)?;
         }
         let [ball, disc] = sim.bodies();

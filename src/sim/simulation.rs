@@ -113,7 +113,7 @@ pub struct MixedLubricationSim {
     pub(super) fields: Fields,
     pub(super) backup: [Body; 2],
     /// The contact before the step in progress.
-    last_state: ContactState,
+    before: ContactState,
     warnings: Vec<Warning>,
 }
 
@@ -174,7 +174,6 @@ impl MixedLubricationSim {
         let grid = contact.grid;
         Ok(Self {
             state: ContactState::new(&grid),
-            last_state: ContactState::new(&grid),
             squeeze_memory: SqueezeMemory::new(grid.len()),
             fields: Fields::new(&scene, grid.len())?,
             between_nodes: FourierShift::new(grid.nx()),
@@ -189,6 +188,7 @@ impl MixedLubricationSim {
             time: 0.0,
             step: 0,
             draws: 0,
+            before: ContactState::new(&grid),
             warnings,
         })
     }
@@ -321,8 +321,8 @@ impl MixedLubricationSim {
     ///
     /// # Errors
     /// A time step that is negative or not finite; a contact that did not converge at any tried position of the
-    /// roughness; a law that returned a value that is not finite; an [interrupt](SimBuilder::interrupt). Bodies and time are then as
-    /// before, and unless the contact did not converge everything else is too.
+    /// roughness; a law that returned a value that is not finite; an [interrupt](SimBuilder::interrupt). Everything is then as
+    /// before, so that another step of this length fails again.
     pub fn step(&mut self, time_step: f64) -> Result<StepRecord, SimError> {
         self.step_within(&StepControl::fixed(time_step))
     }
@@ -334,37 +334,33 @@ impl MixedLubricationSim {
     /// As of [`MixedLubricationSim::step`], and laws that change a node by more than the depth in any time.
     pub fn step_within(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         control.validate()?;
-        let draws = self.draws;
-        self.last_state.clone_from(&self.state);
-        let outcome = self.try_step(control);
-        // Where no position was solved, a second call tries others.
-        if outcome.as_ref().is_err_and(|error| !matches!(error, SimError::NotConverged { .. })) {
-            std::mem::swap(&mut self.state, &mut self.last_state);
+        let (draws, circumstances) = (self.draws, self.contact.circumstances());
+        self.before.clone_from(&self.state);
+        for (backup, body) in self.backup.iter_mut().zip(&self.bodies) {
+            backup.clone_from(body);
+        }
+        let outcome = self.take_step(control);
+        if outcome.is_err() {
             self.draws = draws;
+            self.contact.return_to(circumstances);
+            std::mem::swap(&mut self.state, &mut self.before);
+            std::mem::swap(&mut self.bodies, &mut self.backup);
         }
         outcome
     }
 
-    fn try_step(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
+    /// The same; an error leaves contact and bodies as they were when it came.
+    fn take_step(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         let conditions = self.conditions();
         self.contact.put_under(&self.scene, &conditions)?;
         self.heat.move_at(conditions.motion.surface_speeds(), &self.contact.grid)?;
         let (report, offsets, attempts) = self.solve_somewhere()?;
         let flash_rise = self.rub()?;
         let rq = self.roughness()?;
-        for (backup, body) in self.backup.iter_mut().zip(&self.bodies) {
-            backup.clone_from(body);
-        }
-        let time_step = match self.commit_within(control, offsets) {
-            Ok(time_step) => time_step,
-            Err(error) => {
-                std::mem::swap(&mut self.bodies, &mut self.backup);
-                return Err(error);
-            }
-        };
-        self.time += time_step;
+        let time_step = self.commit_within(control, offsets)?;
+        let record = self.record((report, attempts), flash_rise, (conditions, rq), time_step)?;
+        self.time = record.time;
         self.squeeze_memory.keep(&self.state.mass, time_step);
-        let record = self.record(report, attempts, flash_rise, (conditions, rq))?;
         if self.step == 0 && record.composite_rq == 0.0 {
             self.warnings.extend(warnings::excess_pressure(record.max_pressure, self.contact.hertz.p_max));
         }
@@ -576,13 +572,14 @@ impl MixedLubricationSim {
         Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
     }
 
-    /// The record of the step that was committed last, whose contact was solved under `conditions` on surfaces of roughness `rq`.
+    /// The record of the step of length `time_step` that the bodies have just taken, whose contact was solved under `conditions` on
+    /// surfaces of roughness `rq`.
     fn record(
         &self,
-        report: SolveReport,
-        attempts: u32,
+        (report, attempts): (SolveReport, u32),
         flash_rise: Option<f64>,
         (conditions, rq): (Conditions, [f64; 2]),
+        time_step: f64,
     ) -> Result<StepRecord, SimError> {
         let (state, grid) = (&self.state, self.contact.grid);
         let film = film_numbers(&self.contact, state)?;
@@ -598,8 +595,8 @@ impl MixedLubricationSim {
         let area = grid.cell_area();
         Ok(StepRecord {
             step: self.step,
-            time: self.time,
-            time_step: self.squeeze_memory.last_step(),
+            time: self.time + time_step,
+            time_step,
             rq,
             composite_rq,
             average_film: film.mean_central,

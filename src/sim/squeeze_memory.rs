@@ -31,11 +31,6 @@ impl SqueezeMemory {
         self.steps.iter().try_for_each(|step| InputError::require_non_negative("last step", *step))
     }
 
-    /// Length of the last step \[s\].
-    pub(super) fn last_step(&self) -> f64 {
-        self.steps[0]
-    }
-
     /// Takes over the mass of a contact that lasted `time_step`.
     pub(super) fn keep(&mut self, mass: &[f64], time_step: f64) {
         self.masses.swap(0, 1);

@@ -54,9 +54,9 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let numbers = expected.to_json()?;
     output::warn(expected.sim.warnings());
     if options.json {
-        output::print(&numbers)?
+        output::print(&numbers)?;
     } else {
-        output::print(&expected.to_text())?
+        output::print(&expected.to_text())?;
     }
     Ok(Outcome::Converged)
 }

@@ -126,7 +126,7 @@ impl Chart {
 }
 
 impl Panel {
-    fn draw_lines<B: DrawingBackend>(&self, chart: &mut Axes<'_, B>) -> Drawn
+    fn draw_lines<'a, B: DrawingBackend + 'a>(&self, chart: &mut Axes<'a, B>) -> Drawn
     where
         B::ErrorType: 'static,
     {
@@ -134,10 +134,18 @@ impl Panel {
         for line in &self.lines {
             let style = ShapeStyle::from(line.colour).stroke_width(2);
             let known: Vec<(f64, f64)> = line.points.iter().copied().filter(|(_, v)| v.is_finite()).collect();
-            let points = known.iter().map(|&(x, v)| (x, v.clamp(y.start, y.end)));
-            let drawn = chart.draw_series(LineSeries::new(points, style))?;
-            if !line.name.is_empty() {
-                drawn.label(line.name).legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
+            let mut is_named = line.name.is_empty();
+            // What is cut off leaves a gap.
+            for run in known.chunk_by(|a, b| y.contains(&a.1) == y.contains(&b.1)) {
+                if run.iter().any(|point| !y.contains(&point.1)) {
+                    continue;
+                }
+                let drawn = chart.draw_series(LineSeries::new(run.iter().copied(), style))?;
+                if !is_named {
+                    let key = move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style);
+                    drawn.label(line.name).legend(key);
+                    is_named = true;
+                }
             }
             if known.len() < FEW {
                 let dots = known.iter().filter(|(_, v)| y.contains(v));

@@ -102,19 +102,22 @@ impl Multigrid {
         problem: &LubricatedContact<'_>,
         grid: Grid,
     ) -> Result<&mut Workspace, ReynoldsError> {
-        let fits = self.workspace.as_ref().is_some_and(|w| w.hierarchy.fits(&*problem.deformation));
-        if !fits {
-            let Some(hierarchy) = Hierarchy::new(&*problem.deformation) else {
-                return Err(self.wrong("the deformation model lives on one grid alone"));
-            };
-            self.workspace = Some(Box::new(Workspace {
-                hierarchy,
-                acceleration: Acceleration::new(grid.len()),
-                coupled: Coupled::new(grid),
-                best: ContactState::new(&grid),
-            }));
-        }
-        self.workspace.as_deref_mut().ok_or(ReynoldsError::Memory { nodes: grid.len() })
+        let kept = self.workspace.take().filter(|w| w.hierarchy.fits(&*problem.deformation));
+        let workspace = match kept {
+            Some(workspace) => workspace,
+            None => {
+                let Some(hierarchy) = Hierarchy::new(&*problem.deformation) else {
+                    return Err(self.wrong("the deformation model lives on one grid alone"));
+                };
+                Box::new(Workspace {
+                    hierarchy,
+                    acceleration: Acceleration::new(grid.len()),
+                    coupled: Coupled::new(grid),
+                    best: ContactState::new(&grid),
+                })
+            }
+        };
+        Ok(self.workspace.insert(workspace))
     }
 }
 

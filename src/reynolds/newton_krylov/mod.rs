@@ -9,6 +9,7 @@ mod given_films;
 mod linearisation;
 mod local;
 mod preconditioner;
+mod progress;
 mod unknowns;
 
 use attempt::{ATTEMPTS, STEADY, THOROUGH};
@@ -17,6 +18,7 @@ pub(super) use fluid_block::{FluidBlock, Method};
 use linearisation::Linearisation;
 use local::{Forecast, Local, Material, Settling};
 use preconditioner::BlockPreconditioner;
+use progress::Progress;
 use unknowns::{Response, Unknowns};
 
 use super::active_set::{Fluid, Kind, Solid};
@@ -100,6 +102,7 @@ struct Workspace {
     start: DryStart,
     best: Snapshot,
     best_residuals: Residuals,
+    progress: Progress,
     before: Snapshot,
     /// Films through which the fluid flows in a step (see [`Workspace::close_contact`]).
     flow_film: Vec<f64>,
@@ -156,13 +159,12 @@ impl NewtonKrylov {
         Self { method, workspace: None }
     }
 
-    fn workspace(&mut self, problem: &LubricatedContact<'_>) -> Result<&mut Workspace, ReynoldsError> {
+    fn workspace(&mut self, problem: &LubricatedContact<'_>) -> &mut Workspace {
         let grid = problem.grid();
-        let fits = self.workspace.as_ref().is_some_and(|w| w.coupled.fluid.grid == grid);
-        if !fits {
-            let length = Unknowns::most(&grid);
-            let method = self.method;
-            self.workspace = Some(Box::new(Workspace {
+        let (method, length) = (self.method, Unknowns::most(&grid));
+        let kept = self.workspace.take().filter(|w| w.coupled.fluid.grid == grid);
+        let workspace = kept.unwrap_or_else(|| {
+            Box::new(Workspace {
                 method,
                 coupled: Coupled::new(grid),
                 unknowns: Unknowns::new(grid),
@@ -175,12 +177,13 @@ impl NewtonKrylov {
                 start: DryStart::new(grid),
                 best: Snapshot::new(grid),
                 best_residuals: Residuals::default(),
+                progress: Progress::new(),
                 before: Snapshot::new(grid),
                 flow_film: vec![0.0; grid.len()],
                 foreseen: vec![0.0; grid.len()],
-            }));
-        }
-        self.workspace.as_deref_mut().ok_or(ReynoldsError::Memory { nodes: grid.len() })
+            })
+        });
+        self.workspace.insert(workspace)
     }
 }
 
@@ -201,7 +204,7 @@ impl ContactSolver for NewtonKrylov {
             let reason = "it needs fluid and solid pressure apart, which the paper's contact does not know";
             return Err(ReynoldsError::WrongSolver { solver: name, reason });
         }
-        let workspace = self.workspace(problem)?;
+        let workspace = self.workspace(problem);
         workspace.preconditioner.configure(problem)?;
         let mut work = Work::default();
         let (status, residuals) = workspace.run(problem, state, stop, &mut work)?;
@@ -220,6 +223,7 @@ impl Workspace {
         stop: &StoppingRule,
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
+        self.progress = Progress::new();
         let mut status = self.attempts(self.method.attempts, problem, state, stop, work)?;
         let is_stuck = matches!(status, Status::Stalled | Status::Diverged);
         let may_follow = self.method.follows_time && problem.lubricant.is_some();
@@ -247,6 +251,9 @@ impl Workspace {
                 status = Status::Stalled;
             }
             self.best.restore(&mut self.coupled, problem, state);
+        }
+        if status == Status::MaxIterations && self.progress.has_ended() {
+            status = Status::Stalled;
         }
         Ok((status, self.best_residuals))
     }
@@ -352,6 +359,10 @@ impl Workspace {
                 }
                 if residuals.max() <= stop.tolerance {
                     return Ok(Status::Converged);
+                }
+                if self.progress.ends(residuals.max(), work, self.coupled.convolutions) {
+                    // Ends all attempts, as the limit of iterations does.
+                    return Ok(Status::MaxIterations);
                 }
             }
             if iteration == limit {

@@ -111,14 +111,9 @@ impl ContactSolver for SemiSystem {
             let work = Work { inner_iterations, ..report.work };
             return Ok(SolveReport { solver, work, ..report });
         }
-        let fits = self.sweeps.as_ref().is_some_and(|sweeps| sweeps.coupled.fluid.grid == grid);
-        if !fits {
-            self.sweeps = Some(Box::new(Sweeps::new(grid)));
-        }
+        let kept = self.sweeps.take().filter(|sweeps| sweeps.coupled.fluid.grid == grid);
+        let sweeps = self.sweeps.insert(kept.unwrap_or_else(|| Box::new(Sweeps::new(grid))));
         let damping = self.damping;
-        let Some(sweeps) = self.sweeps.as_deref_mut() else {
-            return Err(ReynoldsError::Memory { nodes: grid.len() });
-        };
         let mut work = Work::default();
         let (status, residuals) = sweeps.solve(problem, state, stop, damping, &mut work)?;
         Ok(SolveReport { solver, status, residuals, energy_error: None, work })

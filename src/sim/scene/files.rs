@@ -65,13 +65,14 @@ impl Scene {
 }
 
 /// What the parser calls things, and what a reader of scene files does.
-const WORDS: [(&str, &str); 15] = [
+const WORDS: [(&str, &str); 16] = [
     ("expected f64", "expected a number"),
     ("expected usize", "expected a whole number from 0"),
     ("expected u64", "expected a whole number from 0"),
     ("expected a boolean", "expected true or false"),
     ("expected a sequence", "expected a list"),
     ("expected path string", "expected text"),
+    ("wanted string or table", "expected text"),
     ("invalid type: sequence", "invalid type: list"),
     ("invalid type: boolean", "invalid type:"),
     ("invalid type: string", "invalid type: text"),

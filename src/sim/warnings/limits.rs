@@ -1,9 +1,9 @@
 //! Models beyond what they hold for.
 
 use super::{Warning, short};
-use crate::analytic::{FilmConditions, LineFilmConditions};
 use crate::error::InputError;
-use crate::sim::hertz::{HertzContact, LINE_LENGTH};
+use crate::sim::formula::formula_film;
+use crate::sim::hertz::HertzContact;
 use crate::sim::scene::Scene;
 use crate::sim::setup;
 use crate::sim::timetable::Timetable;
@@ -48,47 +48,21 @@ fn slope(scene: &Scene, hertz: &HertzContact) -> Option<Warning> {
 
 /// The film formula where its fit does not reach.
 fn film_formula(scene: &Scene) -> Result<Option<Warning>, InputError> {
-    let Some(law) = setup::viscosity(scene)? else { return Ok(None) };
-    let (hertz, speed) = (scene.hertz()?, scene.conditions(0.0)?.motion.entrainment_speed);
-    let (viscosity, pressure_viscosity) = (law.viscosity(0.0), law.log_slope(0.0));
-    let (radius, equivalent_modulus) = (scene.form.radii().0, scene.equivalent_modulus()?);
+    let (hertz, law) = (scene.hertz()?, setup::viscosity(scene)?);
+    let speed = scene.conditions(0.0)?.motion.entrainment_speed;
+    let Some(formulas) = formula_film(scene, &hertz, speed, law.as_deref(), None)? else { return Ok(None) };
     let ellipticity = hertz.a_y / hertz.a_x;
-    let (film, other) = if scene.form.is_line() {
-        let load = hertz.load / LINE_LENGTH;
-        let line = LineFilmConditions {
-            entrainment_speed: speed,
-            viscosity,
-            pressure_viscosity,
-            equivalent_modulus,
-            radius,
-            load,
-        };
-        (line.dowson_toyoda_central()?, line.moes_central()?)
-    } else {
-        let point = FilmConditions {
-            entrainment_speed: speed,
-            viscosity,
-            pressure_viscosity,
-            equivalent_modulus,
-            radius,
-            load: hertz.load,
-            ellipticity,
-        };
-        let film = point.hamrock_dowson_central()?;
-        let circular = (ellipticity - 1.0).abs() < 1e-9;
-        (film, if circular { point.moes_central()? } else { film })
-    };
     let [narrowest, widest] = ELLIPTICITIES;
     let message = if !scene.form.is_line() && !(narrowest - 1e-9..=widest).contains(&ellipticity) {
         format!("the ellipticity of {} is outside the range of the formula, 1 to 8", short(ellipticity))
-    } else if !(1.0 / APART..=APART).contains(&(film / other)) {
+    } else {
+        let apart = |other: &f64| !(1.0 / APART..=APART).contains(&(formulas.central / other));
+        let Some(other) = formulas.all_regimes.filter(apart) else { return Ok(None) };
         format!(
             "the formula is for hard contacts of oils that thicken under pressure; the one for all regimes gives {} m",
             short(other)
         )
-    } else {
-        return Ok(None);
     };
     let remedy = "take the film of the solve, not that of the formula".to_owned();
-    Ok(Some(Warning::new("central film by formula", film, message, remedy)))
+    Ok(Some(Warning::new("central film by formula", formulas.central, message, remedy)))
 }

@@ -63,7 +63,7 @@ fn large_errors(estimate: &ErrorEstimate) -> Option<Warning> {
         ("friction_coefficient", estimate.friction_coefficient),
     ];
     // What is no number is no small error.
-    let large = errors.into_iter().filter(|(_, error)| !(*error <= LARGEST_ERROR));
+    let large = errors.into_iter().filter(|(_, error)| error.is_nan() || *error > LARGEST_ERROR);
     let large: Vec<(&str, f64)> = large.collect();
     let (worst, error) = large.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let names: Vec<String> =
