@@ -97,12 +97,11 @@ fn point_films<'py>(
     py: Python<'py>,
     speed: f64,
     oil: [f64; 2],
-    equivalent_modulus: f64,
-    radius: f64,
+    solid: [f64; 2],
     load: f64,
     ellipticity: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let [viscosity, pressure_viscosity] = oil;
+    let ([viscosity, pressure_viscosity], [equivalent_modulus, radius]) = (oil, solid);
     let films = FilmConditions {
         entrainment_speed: speed,
         viscosity,
@@ -126,11 +125,10 @@ fn line_films<'py>(
     py: Python<'py>,
     speed: f64,
     oil: [f64; 2],
-    equivalent_modulus: f64,
-    radius: f64,
+    solid: [f64; 2],
     load: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let [viscosity, pressure_viscosity] = oil;
+    let ([viscosity, pressure_viscosity], [equivalent_modulus, radius]) = (oil, solid);
     let films = LineFilmConditions {
         entrainment_speed: speed,
         viscosity,

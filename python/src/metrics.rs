@@ -101,12 +101,12 @@ fn radial_spectrum<'py>(
     dx: f64,
     dy: f64,
     boundary_name: &str,
-) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
+) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
     let grid = grid_of(py, heights.shape(), dx, dy)?;
     let boundary = boundary(py, boundary_name)?;
     let heights = contiguous(py, "heights", &heights)?;
     let spectrum = value(py, py.detach(|| metrics::radial_spectrum(&grid, heights, boundary)))?;
-    Ok((PyArray1::from_vec(py, spectrum.wavenumber), PyArray1::from_vec(py, spectrum.density)))
+    Ok([spectrum.wavenumber, spectrum.density].map(|values| PyArray1::from_vec(py, values)))
 }
 
 #[pyfunction]

@@ -244,20 +244,17 @@ pub(crate) fn generate<'py>(
     field(py, &grid, &value(py, py.detach(|| surface.generate(&grid)))?)
 }
 
-/// Dimples or grooves on a grid.
+/// Dimples or grooves on a grid, by their radius or width, depth and pitch \[m\].
 #[pyfunction]
-#[pyo3(signature = (on, kind, size, depth, pitch, layout, seed=0))]
 pub(crate) fn texture<'py>(
     py: Python<'py>,
     on: &Cells,
     kind: &str,
-    size: f64,
-    depth: f64,
-    pitch: f64,
+    sizes: [f64; 3],
     layout: &str,
     seed: u64,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let grid = on.0;
+    let (grid, [size, depth, pitch]) = (on.0, sizes);
     let texture = match (kind, layout) {
         ("dimples", "square") => {
             Texture::Dimples { radius: size, depth, pitch, layout: DimpleLayout::Square }

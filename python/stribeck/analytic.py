@@ -47,7 +47,7 @@ def point_films(
     """Film formulas of a point contact: ``hamrock_dowson_central``, ``hamrock_dowson_minimum``, ``moes_central`` [m] and ``moes.m``, ``moes.l``.
     Speed in m/s, viscosity in Pa s, pressure-viscosity coefficient in 1/Pa, radius in m, load in N."""
     oil = [viscosity, pressure_viscosity]
-    return Numbers(_stribeck.point_films(entrainment_speed, oil, equivalent_modulus, radius, load, ellipticity))
+    return Numbers(_stribeck.point_films(entrainment_speed, oil, [equivalent_modulus, radius], load, ellipticity))
 
 
 def line_films(
@@ -61,7 +61,7 @@ def line_films(
 ) -> Numbers:
     """Film formulas of a line contact: ``dowson_toyoda_central``, ``dowson_minimum``, ``moes_central`` [m] and ``moes.m``, ``moes.l``. Load in N/m."""
     oil = [viscosity, pressure_viscosity]
-    return Numbers(_stribeck.line_films(entrainment_speed, oil, equivalent_modulus, radius, load))
+    return Numbers(_stribeck.line_films(entrainment_speed, oil, [equivalent_modulus, radius], load))
 
 
 def westergaard(*, amplitude: float, wavelength: float, equivalent_modulus: float, mean_pressure: float) -> Numbers:

@@ -56,7 +56,8 @@ def radial_spectrum(
     heights: npt.ArrayLike, dx: float, dy: float | None = None, *, boundary: Boundary = "periodic"
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
     """Wavenumbers and the radially averaged power spectral density at them, two arrays of one length."""
-    return _stribeck.radial_spectrum(_heights(heights), dx, dx if dy is None else dy, boundary)
+    wavenumber, density = _stribeck.radial_spectrum(_heights(heights), dx, dx if dy is None else dy, boundary)
+    return wavenumber, density
 
 
 def contact_statistics(

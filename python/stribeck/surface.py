@@ -171,9 +171,9 @@ def generate(
 def dimples(grid: Grid, *, radius: float, depth: float, pitch: float, seed: int | None = None) -> Field:
     """Round dimples [m]: on a square lattice, or with a ``seed`` at random within its squares."""
     layout = "square" if seed is None else "random"
-    return _texture(grid._cells, "dimples", radius, depth, pitch, layout, seed or 0)
+    return _texture(grid._cells, "dimples", [radius, depth, pitch], layout, seed or 0)
 
 
 def grooves(grid: Grid, *, width: float, depth: float, pitch: float, direction: Literal["x", "y", "crossed"] = "y") -> Field:
     """Straight grooves [m] along x, along y or both."""
-    return _texture(grid._cells, "grooves", width, depth, pitch, direction)
+    return _texture(grid._cells, "grooves", [width, depth, pitch], direction, 0)
