@@ -121,7 +121,7 @@ def fails(at, film):
         (lambda at, film: "a lot", "expected numbers"),
         (lambda at, film: None, "finite|expected numbers"),
         (lambda at: 0.0, "raised TypeError"),
-        (lambda at, film: at.presure, "raised AttributeError"),
+        (lambda at, film: at.weight, "raised AttributeError"),
     ],
 )
 @pytest.mark.parametrize("role", ["wear", "growth", "friction"])

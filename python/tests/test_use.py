@@ -55,8 +55,7 @@ def test_numbers_are_attributes_items_and_pictures(rough: stribeck.Scene) -> Non
 def test_fields_are_maps_that_belong_to_python(rough: stribeck.Scene, tmp_path: Path) -> None:
     solution = stribeck.solve(rough.replace(grid={"nx": 32, "ny": 40, "x": [-2.5e-4, 2.5e-4], "y": [-2.5e-4, 2.5e-4]}))
     for name, field in solution.fields.items():
-        assert field.shape == (40, 32) and field.flags.owndata or field.base is not None, name
-        assert field.flags.writeable
+        assert field.shape == (40, 32) and field.flags.c_contiguous, name
     load = solution.fields["pressure"].sum() * solution.grid.dx * solution.grid.dy
     assert load == pytest.approx(solution.hertz.force, rel=1e-5)
     assert solution.fields["in_contact"].dtype == bool
@@ -159,6 +158,10 @@ def test_the_account_of_the_bodies(rough: stribeck.Scene) -> None:
     for body in simulation.bodies:
         account = body.initial - body.wear - body.plastic_depth + body.tribofilm
         np.testing.assert_allclose(body.surface, account, atol=1e-20)
+    assert simulation.bodies[1].wear.max() > 0 and simulation.fields["pressure"].max() > 1e9
+    # Arrays are copies: what is written to them stays in Python.
+    simulation.bodies[1].wear[:] = 0.0
+    simulation.fields["pressure"][:] = 0.0
     assert simulation.bodies[1].wear.max() > 0 and simulation.fields["pressure"].max() > 1e9
     assert simulation.mean_on_track(np.full((32, 32), 3.0)) == pytest.approx(3.0)
     second = stribeck.Simulation(rough.replace(tribofilm={}, motion={"entrainment_speed": 0.2}), bodies=simulation.starts())
