@@ -1,22 +1,20 @@
 //! Putting a simulation together: the scene's own laws, or the user's in their place.
 
 use super::body::Body;
-use super::contact::{ContactModel, Overrides, needs_meshes, solve_bodies};
+use super::contact::{ContactModel, Overrides};
 use super::friction::boundary_law;
 use super::heat::Heat;
 use super::interrupt::Interrupt;
 use super::per_body::PerBody;
 use super::scene::{BODIES, PlasticSpec, Roughness, Scene, WearSpec};
 use super::simulation::{Laws, MixedLubricationSim, Travel};
-use super::solution::ContactSolution;
 use super::start::BodyStart;
 use super::timetable::Timetable;
 use super::warnings::{self, Warning};
-use super::{SimError, accuracy, exposure, setup};
+use super::{SimError, exposure, setup};
 use crate::boundary_friction::BoundaryFriction;
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
-use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, ViscosityLaw};
 use crate::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
 use crate::reynolds::{ContactSolver, ContactState, FaceMobility};
@@ -27,17 +25,17 @@ use crate::wear::{Archard, WearLaw, WearPressure};
 /// Builder of a [`MixedLubricationSim`].
 #[derive(Debug)]
 pub struct SimBuilder {
-    scene: Scene,
+    pub(super) scene: Scene,
     pub(super) overrides: Overrides,
-    plasticity: Option<Box<dyn PlasticityModel>>,
+    pub(super) plasticity: Option<Box<dyn PlasticityModel>>,
     growth: Option<Box<dyn FilmGrowthLaw>>,
     wear: Option<Box<dyn WearLaw>>,
-    friction: Option<Box<dyn BoundaryFriction>>,
+    pub(super) friction: Option<Box<dyn BoundaryFriction>>,
     motion: Option<Box<dyn RoughnessMotion>>,
     squeeze: bool,
-    heights: [Option<Vec<f64>>; 2],
-    starts: [Option<BodyStart>; 2],
-    contact_start: Option<ContactState>,
+    pub(super) heights: [Option<Vec<f64>>; 2],
+    pub(super) starts: [Option<BodyStart>; 2],
+    pub(super) contact_start: Option<ContactState>,
 }
 
 impl SimBuilder {
@@ -190,71 +188,8 @@ impl SimBuilder {
         self
     }
 
-    /// Solves the single contact of the bodies as they stand, in the first position of their roughness and at the conditions of the
-    /// start, as [`solve_contact`](super::solve_contact) does, with the laws, heights and starts that were given here. What changes bodies is not asked, a
-    /// hardness that grows with the plastic depth of this contact is not followed.
-    ///
-    /// # Errors
-    /// A scene, heights or starts that do not fit; a load that the pressure limit cannot carry; own parts beside an accuracy or an
-    /// estimate of errors, which need other meshes. Not converging is a status of the report.
-    ///
-    /// ```
-    /// use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
-    /// let scene = Scene::azam_2019(32);
-    /// let first = solve_contact(&scene)?;
-    /// // The same surfaces from memory, and a start that is the solution.
-    /// let heights = |k: usize| MixedLubricationSim::builder(scene.clone()).build().map(|sim| sim.bodies()[k].surface().to_vec());
-    /// let builder = MixedLubricationSim::builder(scene.clone()).ball_heights(heights(0)?).disc_heights(heights(1)?);
-    /// let again = builder.contact_start(first.state.clone()).solve()?;
-    /// assert!((again.film.central / first.film.central - 1.0).abs() < 1e-3);
-    /// assert!(again.report.work.iterations < first.report.work.iterations);
-    /// # Ok::<(), stribeck::sim::SimError>(())
-    /// ```
-    pub fn solve(mut self) -> Result<ContactSolution, SimError> {
-        let scene = self.scene.clone();
-        let mut solution = if needs_meshes(&scene) {
-            if let Some(part) = self.own_part() {
-                return Err(SimError::Input(InputError::Conflict {
-                    field: part.to_owned(),
-                    reason: "it is known on one grid, an accuracy or an estimate of errors needs several"
-                        .to_owned(),
-                }));
-            }
-            accuracy::solve(&scene, self.overrides.interrupt.as_ref())?
-        } else {
-            let start = self.contact_start.take();
-            let own_heights = self.own_heights();
-            self.solve_from(own_heights, |grid| Ok(start.unwrap_or_else(|| ContactState::new(grid))))?
-        };
-        let found = warnings::after_solve(&scene, &solution);
-        solution.warnings.extend(found);
-        Ok(solution)
-    }
-
-    /// The same on the grid of the scene alone, from what `start` makes; `own_heights` are in place of those of the scene.
-    pub(super) fn solve_from(
-        mut self,
-        own_heights: [bool; 2],
-        start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
-    ) -> Result<ContactSolution, SimError> {
-        self.scene.schedule.read_tables()?;
-        let overrides = std::mem::take(&mut self.overrides);
-        let mut contact = ContactModel::new(&self.scene, overrides)?;
-        if let (Some(plastic), None) = (self.scene.plastic, &self.plasticity) {
-            let [ball, disc] = self.scene.hardnesses(plastic.hardness);
-            setup::validate_hardness(ball.min(disc), &contact.grid, &contact.hertz)?;
-        }
-        let laws = self.laws()?;
-        let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
-        let warnings = self.warnings(own_heights, &contact, &bodies);
-        contact.face_mobility = self.face_mobility(own_heights, &bodies);
-        let state = start(&contact.grid)?;
-        let solution = solve_bodies(&self.scene, contact, &bodies, &laws, state)?;
-        Ok(ContactSolution { warnings, ..solution })
-    }
-
     /// The pressure flow through faces, by default that between rough surfaces where heights in place of those of the scene are.
-    fn face_mobility(&self, own_heights: [bool; 2], bodies: &[Body; 2]) -> FaceMobility {
+    pub(super) fn face_mobility(&self, own_heights: [bool; 2], bodies: &[Body; 2]) -> FaceMobility {
         let roughness = [&self.scene.roughness.ball, &self.scene.roughness.disc];
         let smooth = (0..2).all(|index| {
             let surface = bodies[index].surface();
@@ -265,30 +200,8 @@ impl SimBuilder {
     }
 
     /// Whether ball and disc have heights in place of those of the scene.
-    fn own_heights(&self) -> [bool; 2] {
+    pub(super) fn own_heights(&self) -> [bool; 2] {
         [0, 1].map(|body| self.heights[body].is_some() || self.starts[body].is_some())
-    }
-
-    /// The first part that was put in place of one of the scene.
-    fn own_part(&self) -> Option<&'static str> {
-        let [ball, disc] = &self.heights;
-        let [ball_start, disc_start] = &self.starts;
-        let own = &self.overrides;
-        [
-            ("ball heights", ball.is_some()),
-            ("disc heights", disc.is_some()),
-            ("ball start", ball_start.is_some()),
-            ("disc start", disc_start.is_some()),
-            ("contact start", self.contact_start.is_some()),
-            ("deformation", own.deformation.is_some()),
-            ("viscosity", own.viscosity.is_some()),
-            ("density", own.density.is_some()),
-            ("solver", own.solver.is_some()),
-            ("plasticity model", self.plasticity.is_some()),
-            ("boundary friction", self.friction.is_some()),
-        ]
-        .into_iter()
-        .find_map(|(part, given)| given.then_some(part))
     }
 
     /// Checks the scene and makes the simulation; what is not modelled is decided here once.
@@ -320,7 +233,12 @@ impl SimBuilder {
     }
 
     /// Those of the scene but for roughness that `own_heights` replace, and those of heights that were given or read.
-    fn warnings(&self, own_heights: [bool; 2], contact: &ContactModel, bodies: &[Body; 2]) -> Vec<Warning> {
+    pub(super) fn warnings(
+        &self,
+        own_heights: [bool; 2],
+        contact: &ContactModel,
+        bodies: &[Body; 2],
+    ) -> Vec<Warning> {
         let mut scene = self.scene.clone();
         let mut found = Vec::new();
         let roughness = [&mut scene.roughness.ball, &mut scene.roughness.disc];
@@ -340,7 +258,7 @@ impl SimBuilder {
         warnings
     }
 
-    fn laws(&mut self) -> Result<Laws, SimError> {
+    pub(super) fn laws(&mut self) -> Result<Laws, SimError> {
         let scene = &self.scene;
         let growth: Option<Box<dyn FilmGrowthLaw>> = match (self.growth.take(), scene.tribofilm) {
             (Some(law), _) => Some(law),
@@ -369,7 +287,12 @@ impl SimBuilder {
         Ok(Laws { plasticity, growth, wear, friction })
     }
 
-    fn body(&mut self, index: usize, contact: &ContactModel, laws: &Laws) -> Result<Body, SimError> {
+    pub(super) fn body(
+        &mut self,
+        index: usize,
+        contact: &ContactModel,
+        laws: &Laws,
+    ) -> Result<Body, SimError> {
         let name = BODIES[index];
         let (heights, start) = (self.heights[index].take(), self.starts[index].take());
         if let Some(start) = start {

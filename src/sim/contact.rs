@@ -3,18 +3,13 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::body::Body;
 use super::builder::SimBuilder;
 use super::formula::{FormulaFilm, formula_film, stated_film};
-use super::friction::FrictionFields;
 use super::hertz::HertzContact;
 use super::interrupt::{Interrupt, Interruptible};
-use super::scene::{GridSpec, Motion, Scene};
-use super::simulation::Laws;
-use super::solution::{ContactSolution, Numbers, is_known};
+use super::scene::{Motion, Scene};
+use super::solution::ContactSolution;
 use super::timetable::{Conditions, Timetable};
-use super::track::track_rq;
-use super::yielding::Yielding;
 use super::{SimError, setup};
 use crate::elastic::{DeformationModel, HalfSpace, LineHalfSpace};
 use crate::error::InputError;
@@ -259,68 +254,6 @@ impl ContactModel {
 /// ```
 pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {
     SimBuilder::new(scene.clone()).solve()
-}
-
-/// Whether the single contact of `scene` is solved on several meshes.
-pub(super) fn needs_meshes(scene: &Scene) -> bool {
-    let asked = scene.solver.estimate || scene.solver.accuracy.is_some();
-    asked || matches!(scene.grid, GridSpec::Accuracy { .. })
-}
-
-/// Solves the contact on the grid of the scene from the state that `start` makes.
-pub(super) fn solve_on_grid(
-    scene: &Scene,
-    interrupt: Option<&Interrupt>,
-    start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
-) -> Result<ContactSolution, SimError> {
-    let mut builder = SimBuilder::new(scene.clone());
-    builder.overrides.interrupt = interrupt.cloned();
-    builder.solve_from([false; 2], start)
-}
-
-/// The same with the heights of ball and disc on this grid given \[m\].
-pub(super) fn solve_heights(
-    scene: &Scene,
-    interrupt: Option<&Interrupt>,
-    [ball, disc]: [Vec<f64>; 2],
-) -> Result<ContactSolution, SimError> {
-    let mut builder = SimBuilder::new(scene.clone()).ball_heights(ball).disc_heights(disc);
-    builder.overrides.interrupt = interrupt.cloned();
-    // They are those of the scene on another mesh.
-    builder.solve_from([false; 2], |grid| Ok(ContactState::new(grid)))
-}
-
-/// Solves the contact of `bodies` as they stand from `state`.
-pub(super) fn solve_bodies(
-    scene: &Scene,
-    mut model: ContactModel,
-    bodies: &[Body; 2],
-    laws: &Laws,
-    mut state: ContactState,
-) -> Result<ContactSolution, SimError> {
-    let grid = model.grid;
-    let [ball, disc] = bodies;
-    let heights = ball.surface().iter().zip(disc.surface());
-    let gap: Vec<f64> = model.form_gap.iter().zip(heights).map(|(form, (b, d))| form - b - d).collect();
-    let films = [ball, disc].map(|body| body.film_thickness().to_vec());
-    let limit = match &laws.plasticity {
-        None => None,
-        Some(plasticity) => {
-            let depths = [ball, disc].map(|body| body.plastic_depth().to_vec());
-            let mut yielding = Yielding::new(grid.len());
-            yielding.start(plasticity, &films, &depths)?;
-            Some(yielding.limit)
-        }
-    };
-    let report = model.solve(&gap, limit.as_deref(), None, &mut state)?;
-    let mut friction = FrictionFields::new(scene, grid.len())?;
-    let known = is_known(&state);
-    if known {
-        friction.update(&model, &state, laws.friction.as_ref(), &films)?;
-    }
-    let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
-    let rq = [ball, disc].map(|body| track_rq(&grid, model.hertz.a_y, body.surface()));
-    Ok(model.solution((report, state), gap, numbers, rq))
 }
 
 /// Checks that grid and hardness do for the smallest and the largest load of the schedule.

@@ -31,6 +31,7 @@ mod run_folder;
 pub mod scene;
 mod setup;
 mod simulation;
+mod single;
 mod solution;
 mod solution_numbers;
 mod squeeze_memory;

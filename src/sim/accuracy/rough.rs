@@ -6,9 +6,9 @@ use super::{ErrorEstimate, Spent, change};
 use crate::error::InputError;
 use crate::report::Status;
 use crate::reynolds::ContactDefinition;
-use crate::sim::contact::solve_heights;
 use crate::sim::interrupt::Interrupt;
 use crate::sim::scene::{GridSpec, Roughness, Scene};
+use crate::sim::single::solve_heights;
 use crate::sim::solution::ContactSolution;
 use crate::sim::{SimError, setup};
 

@@ -10,11 +10,11 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::Status;
 use crate::reynolds::ContactState;
-use crate::sim::contact::solve_on_grid;
 use crate::sim::formula::formula_film;
 use crate::sim::hertz::HertzContact;
 use crate::sim::interrupt::Interrupt;
 use crate::sim::scene::{GridSpec, Scene};
+use crate::sim::single::solve_on_grid;
 use crate::sim::solution::ContactSolution;
 use crate::sim::{SimError, setup};
 
