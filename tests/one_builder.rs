@@ -202,7 +202,7 @@ fn points() -> Vec<RubbingPoint> {
         temperature: 300.0 + f64::from(k),
         sliding_speed: 0.1,
         film_thickness: 1e-9,
-        in_contact: k % 3 != 0,
+        in_contact: !k.is_multiple_of(3),
     };
     (0..60).map(point).collect()
 }
