@@ -26,6 +26,23 @@ pub trait BoundaryFriction: Debug + Send + Sync {
     /// Shear stress over `solid_pressure` \[Pa\] where the bodies slide past each other at `sliding_speed` \[m/s\] and carry
     /// `tribofilm` \[m\], that of the ball first.
     fn coefficient(&self, solid_pressure: f64, sliding_speed: f64, tribofilm: [f64; 2]) -> f64;
+
+    /// Overwrites `coefficients` with those of all nodes, under `solid_pressure` \[Pa\] and the tribofilms of ball and disc \[m\], slices
+    /// of one length. By default node by node with [`coefficient`](Self::coefficient), to which it must come.
+    fn coefficients(
+        &self,
+        solid_pressure: &[f64],
+        sliding_speed: f64,
+        tribofilm: [&[f64]; 2],
+        coefficients: &mut [f64],
+    ) {
+        let films = tribofilm[0].iter().zip(tribofilm[1]);
+        for (coefficient, (solid, (ball, disc))) in
+            coefficients.iter_mut().zip(solid_pressure.iter().zip(films))
+        {
+            *coefficient = self.coefficient(*solid, sliding_speed, [*ball, *disc]);
+        }
+    }
 }
 
 /// One coefficient everywhere.

@@ -16,7 +16,7 @@ pub struct Body {
     pub(super) wear: WearDepth,
     pub(super) plastic: PlasticDepth,
     pub(super) film: Option<Tribofilm>,
-    no_film: Vec<f64>,
+    pub(super) no_film: Vec<f64>,
     pub(super) surface: Vec<f64>,
 }
 

@@ -4,6 +4,7 @@ use super::body::Body;
 use super::contact::{ContactModel, Overrides};
 use super::friction::boundary_law;
 use super::heat::Heat;
+use super::interrupt::Interrupt;
 use super::per_body::PerBody;
 use super::scene::{BODIES, PlasticSpec, Roughness, Scene, WearSpec};
 use super::simulation::{Laws, MixedLubricationSim, Travel};
@@ -16,7 +17,7 @@ use crate::elastic::DeformationModel;
 use crate::error::InputError;
 use crate::lubricant::{DensityLaw, ViscosityLaw};
 use crate::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
-use crate::reynolds::ContactSolver;
+use crate::reynolds::{ContactSolver, ContactState, FaceMobility};
 use crate::surface::RoughnessMotion;
 use crate::tribochem::FilmGrowthLaw;
 use crate::wear::{Archard, WearLaw, WearPressure};
@@ -24,16 +25,17 @@ use crate::wear::{Archard, WearLaw, WearPressure};
 /// Builder of a [`MixedLubricationSim`].
 #[derive(Debug)]
 pub struct SimBuilder {
-    scene: Scene,
-    overrides: Overrides,
-    plasticity: Option<Box<dyn PlasticityModel>>,
+    pub(super) scene: Scene,
+    pub(super) overrides: Overrides,
+    pub(super) plasticity: Option<Box<dyn PlasticityModel>>,
     growth: Option<Box<dyn FilmGrowthLaw>>,
     wear: Option<Box<dyn WearLaw>>,
-    friction: Option<Box<dyn BoundaryFriction>>,
+    pub(super) friction: Option<Box<dyn BoundaryFriction>>,
     motion: Option<Box<dyn RoughnessMotion>>,
     squeeze: bool,
-    heights: [Option<Vec<f64>>; 2],
-    starts: [Option<BodyStart>; 2],
+    pub(super) heights: [Option<Vec<f64>>; 2],
+    pub(super) starts: [Option<BodyStart>; 2],
+    pub(super) contact_start: Option<ContactState>,
 }
 
 impl SimBuilder {
@@ -49,6 +51,7 @@ impl SimBuilder {
             squeeze: false,
             heights: [None, None],
             starts: [None, None],
+            contact_start: None,
         }
     }
 
@@ -139,18 +142,66 @@ impl SimBuilder {
         self
     }
 
-    /// Replaces the heights of the ball, one value per node of the grid, positive out of the body \[m\].
+    /// Replaces the heights of the ball, one value per node of the grid, positive out of the body \[m\]. Flow through faces is by
+    /// default that between rough surfaces unless all of them are equal.
     #[must_use]
     pub fn ball_heights(mut self, heights: Vec<f64>) -> Self {
         self.heights[0] = Some(heights);
         self
     }
 
-    /// Replaces the heights of the disc, one value per node of the grid, positive out of the body \[m\].
+    /// Replaces the heights of the disc, one value per node of the grid, positive out of the body \[m\]; see
+    /// [`ball_heights`](Self::ball_heights).
     #[must_use]
     pub fn disc_heights(mut self, heights: Vec<f64>) -> Self {
         self.heights[1] = Some(heights);
         self
+    }
+
+    /// Ends a solve early: `asked` is called once an iteration, on the thread that solves, and where it returns true the solve is
+    /// an error ([`SimError::Interrupted`]) and a simulation is as before the step.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use std::sync::atomic::{AtomicBool, Ordering};
+    /// use stribeck::sim::{MixedLubricationSim, Scene, SimError};
+    /// let stop = Arc::new(AtomicBool::new(true));
+    /// let seen = Arc::clone(&stop);
+    /// let builder = MixedLubricationSim::builder(Scene::azam_2019(32));
+    /// let mut sim = builder.interrupt(move || seen.load(Ordering::Relaxed)).build()?;
+    /// assert!(matches!(sim.step(60.0), Err(SimError::Interrupted)));
+    /// stop.store(false, Ordering::Relaxed);
+    /// assert_eq!(sim.step(60.0)?.step, 0);
+    /// # Ok::<(), SimError>(())
+    /// ```
+    #[must_use]
+    pub fn interrupt(mut self, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
+        self.overrides.interrupt = Some(Interrupt::new(asked));
+        self
+    }
+
+    /// Starts [`solve`](Self::solve) from the pressures of an earlier solution on the same grid. The first step of a history starts
+    /// from the bodies alone.
+    #[must_use]
+    pub fn contact_start(mut self, state: ContactState) -> Self {
+        self.contact_start = Some(state);
+        self
+    }
+
+    /// The pressure flow through faces, by default that between rough surfaces where heights in place of those of the scene are.
+    pub(super) fn face_mobility(&self, own_heights: [bool; 2], bodies: &[Body; 2]) -> FaceMobility {
+        let roughness = [&self.scene.roughness.ball, &self.scene.roughness.disc];
+        let smooth = (0..2).all(|index| {
+            let surface = bodies[index].surface();
+            let is_flat = || surface.iter().all(|z| z.to_bits() == surface[0].to_bits());
+            if own_heights[index] { is_flat() } else { roughness[index].is_smooth() }
+        });
+        self.scene.face_mobility_between(smooth)
+    }
+
+    /// Whether ball and disc have heights in place of those of the scene.
+    pub(super) fn own_heights(&self) -> [bool; 2] {
+        [0, 1].map(|body| self.heights[body].is_some() || self.starts[body].is_some())
     }
 
     /// Checks the scene and makes the simulation; what is not modelled is decided here once.
@@ -160,13 +211,14 @@ impl SimBuilder {
     pub fn build(mut self) -> Result<MixedLubricationSim, SimError> {
         self.scene.schedule.read_tables()?;
         let overrides = std::mem::take(&mut self.overrides);
-        let contact = ContactModel::new(&self.scene, overrides)?;
-        let own_heights = [0, 1].map(|body| self.heights[body].is_some() || self.starts[body].is_some());
+        let mut contact = ContactModel::new(&self.scene, overrides)?;
+        let own_heights = self.own_heights();
         let timetable = Timetable::new(&self.scene)?;
         exposure::validate(&self.scene, &timetable, &contact.grid)?;
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
         let warnings = self.warnings(own_heights, &contact, &bodies);
+        contact.face_mobility = self.face_mobility(own_heights, &bodies);
         let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
         let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion());
         let travel = Travel { motion, squeeze: self.squeeze };
@@ -181,7 +233,12 @@ impl SimBuilder {
     }
 
     /// Those of the scene but for roughness that `own_heights` replace, and those of heights that were given or read.
-    fn warnings(&self, own_heights: [bool; 2], contact: &ContactModel, bodies: &[Body; 2]) -> Vec<Warning> {
+    pub(super) fn warnings(
+        &self,
+        own_heights: [bool; 2],
+        contact: &ContactModel,
+        bodies: &[Body; 2],
+    ) -> Vec<Warning> {
         let mut scene = self.scene.clone();
         let mut found = Vec::new();
         let roughness = [&mut scene.roughness.ball, &mut scene.roughness.disc];
@@ -201,7 +258,7 @@ impl SimBuilder {
         warnings
     }
 
-    fn laws(&mut self) -> Result<Laws, SimError> {
+    pub(super) fn laws(&mut self) -> Result<Laws, SimError> {
         let scene = &self.scene;
         let growth: Option<Box<dyn FilmGrowthLaw>> = match (self.growth.take(), scene.tribofilm) {
             (Some(law), _) => Some(law),
@@ -230,7 +287,12 @@ impl SimBuilder {
         Ok(Laws { plasticity, growth, wear, friction })
     }
 
-    fn body(&mut self, index: usize, contact: &ContactModel, laws: &Laws) -> Result<Body, SimError> {
+    pub(super) fn body(
+        &mut self,
+        index: usize,
+        contact: &ContactModel,
+        laws: &Laws,
+    ) -> Result<Body, SimError> {
         let name = BODIES[index];
         let (heights, start) = (self.heights[index].take(), self.starts[index].take());
         if let Some(start) = start {

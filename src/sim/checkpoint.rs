@@ -25,6 +25,8 @@ use crate::reynolds::ContactState;
 use crate::tribochem::{FilmGrowthLaw, Tribofilm};
 use crate::wear::WearDepth;
 
+/// What errors call a checkpoint that is no file.
+const IN_MEMORY: &str = "checkpoint in memory";
 const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
 /// Format that this version writes and reads.
 const FORMAT: u32 = 4;
@@ -176,6 +178,26 @@ impl MixedLubricationSim {
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), CheckpointError> {
         let path = path.as_ref();
         let io = |source| CheckpointError::Io { path: path.to_owned(), source };
+        let bytes = self.checkpoint().map_err(|error| io(std::io::Error::other(error)))?;
+        whole_file::replace(path, &bytes).map_err(io)
+    }
+
+    /// The content of the file that [`save`](Self::save) writes, for copies in memory.
+    ///
+    /// # Errors
+    /// [`CheckpointError::Damaged`] where it cannot be put into bytes.
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let build = || MixedLubricationSim::builder(Scene::azam_2019(32)).build();
+    /// let mut sim = build()?;
+    /// sim.step(10.0)?;
+    /// let mut fork = build()?;
+    /// fork.restore_checkpoint(&sim.checkpoint()?)?;
+    /// assert_eq!(fork.step(10.0)?, sim.step(10.0)?);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn checkpoint(&self) -> Result<Vec<u8>, CheckpointError> {
         let [ball, disc] = self.bodies();
         let content = Content {
             identity: self.identity(),
@@ -186,14 +208,25 @@ impl MixedLubricationSim {
             step: self.step,
             draws: self.draws,
         };
-        let content = postcard::to_stdvec(&content).map_err(|error| io(std::io::Error::other(error)))?;
+        let content = postcard::to_stdvec(&content).map_err(|error| CheckpointError::Damaged {
+            path: PathBuf::from(IN_MEMORY),
+            reason: error.to_string(),
+        })?;
         let mut bytes = Vec::with_capacity(HEADER + content.len());
         bytes.extend_from_slice(MAGIC);
         bytes.extend_from_slice(&FORMAT.to_le_bytes());
         bytes.extend_from_slice(&(content.len() as u64).to_le_bytes());
         bytes.extend_from_slice(&crc32fast::hash(&content).to_le_bytes());
         bytes.extend_from_slice(&content);
-        whole_file::replace(path, &bytes).map_err(io)
+        Ok(bytes)
+    }
+
+    /// Takes over what [`checkpoint`](Self::checkpoint) gave.
+    ///
+    /// # Errors
+    /// As of [`restore`](Self::restore).
+    pub fn restore_checkpoint(&mut self, bytes: &[u8]) -> Result<(), CheckpointError> {
+        self.take_over(Path::new(IN_MEMORY), bytes, &[]).map(|_| ())
     }
 
     /// Takes over what [`save`](Self::save) wrote. The simulation must be built from the same scene, laws, motion and
@@ -202,7 +235,8 @@ impl MixedLubricationSim {
     /// # Errors
     /// A file that cannot be read, is no checkpoint, is damaged, has a newer format or belongs to another simulation.
     pub fn restore(&mut self, path: impl AsRef<Path>) -> Result<(), CheckpointError> {
-        self.take_over(path.as_ref(), &[]).map(|_| ())
+        let path = path.as_ref();
+        self.take_over(path, &read(path)?, &[]).map(|_| ())
     }
 
     /// Goes on from what [`save`](Self::save) wrote under other conditions: load, speeds, lubricant, friction, temperatures,
@@ -232,14 +266,18 @@ impl MixedLubricationSim {
         &mut self,
         path: impl AsRef<Path>,
     ) -> Result<Vec<String>, CheckpointError> {
-        self.take_over(path.as_ref(), &CONDITIONS)
+        let path = path.as_ref();
+        self.take_over(path, &read(path)?, &CONDITIONS)
     }
 
-    /// Takes over the file at `path`, which may differ in the parts `allowed`; returns those in which it does.
-    fn take_over(&mut self, path: &Path, allowed: &[&str]) -> Result<Vec<String>, CheckpointError> {
-        let bytes =
-            std::fs::read(path).map_err(|source| CheckpointError::Io { path: path.to_owned(), source })?;
-        let content = checked_content(path, &bytes)?;
+    /// Takes over the `bytes` of the file at `path`, which may differ in the parts `allowed`; returns those in which it does.
+    fn take_over(
+        &mut self,
+        path: &Path,
+        bytes: &[u8],
+        allowed: &[&str],
+    ) -> Result<Vec<String>, CheckpointError> {
+        let content = checked_content(path, bytes)?;
         let damaged = |reason: String| CheckpointError::Damaged { path: path.to_owned(), reason };
         let content: Content<'_> =
             postcard::from_bytes(content).map_err(|error| damaged(error.to_string()))?;
@@ -276,6 +314,10 @@ impl MixedLubricationSim {
         (self.time, self.step, self.draws) = (time, step, draws);
         Ok(differences)
     }
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, CheckpointError> {
+    std::fs::read(path).map_err(|source| CheckpointError::Io { path: path.to_owned(), source })
 }
 
 fn same_bits(a: &[f64], b: &[f64]) -> bool {

@@ -1,13 +1,16 @@
 //! One quasi-static contact: the pieces that stay fixed while surfaces change, and its solution in numbers.
 
-use super::accuracy;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::builder::SimBuilder;
 use super::formula::{FormulaFilm, formula_film, stated_film};
-use super::friction::{FrictionFields, boundary_law};
 use super::hertz::HertzContact;
-use super::scene::{GridSpec, Motion, Roughness, Scene};
-use super::solution::{ContactSolution, Numbers, StressNumbers, is_known};
+use super::interrupt::{Interrupt, Interruptible};
+use super::scene::{Motion, Scene};
+use super::solution::ContactSolution;
 use super::timetable::{Conditions, Timetable};
-use super::{SimError, setup, warnings};
+use super::{SimError, setup};
 use crate::elastic::{DeformationModel, HalfSpace, LayeredHalfSpace, LineHalfSpace};
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -49,6 +52,8 @@ pub(super) struct ContactModel {
     evaluation: Option<Evaluation>,
     /// That of the last one.
     pub(super) flow: Option<FlowBalance>,
+    /// Set by an interrupt that ended the last solve; none where nothing interrupts.
+    heeded: Option<Arc<AtomicBool>>,
 }
 
 /// What changes of a contact model from step to step.
@@ -70,6 +75,7 @@ pub(super) struct Overrides {
     pub(super) viscosity: Option<Box<dyn ViscosityLaw>>,
     pub(super) density: Option<Box<dyn DensityLaw>>,
     pub(super) solver: Option<Box<dyn ContactSolver>>,
+    pub(super) interrupt: Option<Interrupt>,
 }
 
 impl ContactModel {
@@ -88,6 +94,13 @@ impl ContactModel {
         let mut form_gap = vec![0.0; grid.len()];
         scene.form.gap_into(&grid, &mut form_gap)?;
         let deformation = checked_deformation(scene, grid, overrides.deformation)?;
+        let (deformation, heeded) = match overrides.interrupt {
+            None => (deformation, None),
+            Some(interrupt) => {
+                let (model, heeded) = Interruptible::new(deformation, interrupt);
+                (Box::new(model) as Box<dyn DeformationModel>, Some(heeded))
+            }
+        };
         let missing =
             [("viscosity", overrides.viscosity.is_some()), ("density", overrides.density.is_some())];
         if let (None, Some((law, _))) = (&scene.lubricant, missing.iter().find(|(_, given)| *given)) {
@@ -134,6 +147,7 @@ impl ContactModel {
             motion: conditions.motion,
             load: conditions.load,
             bulk_temperature: conditions.bulk_temperature,
+            heeded,
         })
     }
 
@@ -221,7 +235,14 @@ impl ContactModel {
             reference_pressure: self.hertz.p_max,
             reference_film,
         };
-        let report = self.solver.solve(&mut problem, state, &self.rule)?;
+        if let Some(heeded) = &self.heeded {
+            heeded.store(false, Ordering::Relaxed);
+        }
+        let solved = self.solver.solve(&mut problem, state, &self.rule);
+        if self.heeded.as_ref().is_some_and(|heeded| heeded.load(Ordering::Relaxed)) {
+            return Err(SimError::Interrupted);
+        }
+        let report = solved?;
         self.flow = match &mut self.evaluation {
             Some(evaluation) => evaluation.flow_balance(&problem, state)?,
             None => None,
@@ -248,73 +269,7 @@ impl ContactModel {
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {
-    let asked = scene.solver.estimate || scene.solver.accuracy.is_some();
-    let mut solution = if asked || matches!(scene.grid, GridSpec::Accuracy { .. }) {
-        accuracy::solve(scene)?
-    } else {
-        solve_on_grid(scene, |grid| Ok(ContactState::new(grid)))?
-    };
-    let found = warnings::after_solve(scene, &solution);
-    solution.warnings.extend(found);
-    Ok(solution)
-}
-
-/// Solves the contact on the grid of the scene from the state that `start` makes.
-pub(super) fn solve_on_grid(
-    scene: &Scene,
-    start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
-) -> Result<ContactSolution, SimError> {
-    let model = ContactModel::new(scene, Overrides::default())?;
-    let ball = setup::heights(&scene.roughness.ball, &model.grid, "ball")?;
-    let disc = setup::heights(&scene.roughness.disc, &model.grid, "disc")?;
-    solve_model(scene, model, [ball, disc], start)
-}
-
-/// The same with the heights of ball and disc on this grid given \[m\].
-pub(super) fn solve_heights(
-    scene: &Scene,
-    heights: [Vec<f64>; 2],
-    start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
-) -> Result<ContactSolution, SimError> {
-    solve_model(scene, ContactModel::new(scene, Overrides::default())?, heights, start)
-}
-
-fn solve_model(
-    scene: &Scene,
-    mut model: ContactModel,
-    [ball, disc]: [Vec<f64>; 2],
-    start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
-) -> Result<ContactSolution, SimError> {
-    let grid = model.grid;
-    let mut warnings = scene.warnings();
-    let bodies = [(&scene.roughness.ball, &ball), (&scene.roughness.disc, &disc)];
-    for (index, (roughness, heights)) in bodies.into_iter().enumerate() {
-        if matches!(roughness, Roughness::File(_)) {
-            warnings.extend(warnings::of_heights(index, heights, &grid, &model.hertz));
-        }
-    }
-    let gap: Vec<f64> =
-        model.form_gap.iter().zip(ball.iter().zip(&disc)).map(|(form, (b, d))| form - b - d).collect();
-    let limit = match scene.plastic {
-        None => None,
-        Some(plastic) => {
-            let [ball, disc] = scene.hardnesses(plastic.hardness);
-            let softer = ball.min(disc);
-            setup::validate_hardness(softer, &grid, &model.hertz)?;
-            Some(vec![softer; grid.len()])
-        }
-    };
-    let mut state = start(&grid)?;
-    let report = model.solve(&gap, limit.as_deref(), None, &mut state)?;
-    let law = boundary_law(&scene.friction, None)?;
-    let mut friction = FrictionFields::new(scene, grid.len())?;
-    let known = is_known(&state);
-    if known {
-        friction.update(&model, &state, law.as_ref(), None)?;
-    }
-    let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
-    let stress = if known { StressNumbers::of(scene, &model, &state, &friction)? } else { None };
-    Ok(ContactSolution { warnings, stress, ..model.solution(report, state, gap, numbers) })
+    SimBuilder::new(scene.clone()).solve()
 }
 
 /// Checks that grid and hardness do for the smallest and the largest load of the schedule.

@@ -32,6 +32,9 @@ pub enum SimError {
         /// The last attempt.
         source: NotConverged,
     },
+    /// The solve was ended from outside ([`SimBuilder::interrupt`](super::SimBuilder::interrupt)).
+    #[error("the solve was interrupted")]
+    Interrupted,
     /// A checkpoint could not be used.
     #[cfg(feature = "serde")]
     #[error(transparent)]

@@ -66,20 +66,22 @@ impl FrictionFields {
         })
     }
 
-    /// Overwrites the fields with those of `state`, whose bodies carry the tribofilms `films` \[m\]; without them they are bare.
+    /// Overwrites the fields with those of `state`, whose bodies carry the tribofilms `films` \[m\].
     pub(super) fn update(
         &mut self,
         contact: &ContactModel,
         state: &ContactState,
         law: &dyn BoundaryFriction,
-        films: Option<&[Vec<f64>; 2]>,
+        films: &[Vec<f64>; 2],
     ) -> Result<(), InputError> {
         self.sliding = contact.motion.sliding_speed();
-        for (k, (solid, boundary)) in self.solid.iter_mut().zip(&mut self.boundary).enumerate() {
+        for (k, solid) in self.solid.iter_mut().enumerate() {
             *solid = state.solid_pressure(k);
-            let tribofilm = films.map_or([0.0; 2], |[ball, disc]| [ball[k], disc[k]]);
-            *boundary = law.coefficient(*solid, self.sliding, tribofilm);
-            InputError::require_non_negative("boundary friction of the law", *boundary)?;
+        }
+        let [ball, disc] = films;
+        law.coefficients(&self.solid, self.sliding, [ball, disc], &mut self.boundary);
+        for &coefficient in &self.boundary {
+            InputError::require_non_negative("boundary friction of the law", coefficient)?;
         }
         match &contact.lubricant {
             None => self.shear.fill(0.0),

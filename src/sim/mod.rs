@@ -20,6 +20,7 @@ mod hertz;
 mod history_means;
 #[cfg(feature = "serde")]
 mod identity;
+mod interrupt;
 #[cfg(feature = "npz")]
 mod npz;
 mod observer;
@@ -30,6 +31,7 @@ mod run_folder;
 pub mod scene;
 mod setup;
 mod simulation;
+mod single;
 mod solution;
 mod solution_numbers;
 mod squeeze_memory;

@@ -29,7 +29,7 @@ use crate::report::{SolveReport, Status};
 use crate::reynolds::ContactState;
 use crate::rubbing::RubbingPoint;
 use crate::surface::{FourierShift, Offset, RoughnessMotion, add_blended, blend_shifted, copy_shifted};
-use crate::tribochem::FilmGrowthLaw;
+use crate::tribochem::{FilmGrowthLaw, Tribofilm};
 use crate::wear::WearLaw;
 
 /// Positions of the roughness that a step tries before it gives up.
@@ -125,6 +125,9 @@ pub(super) struct Fields {
     pub(super) films: [Vec<f64>; 2],
     depths: [Vec<f64>; 2],
     on_body: Vec<f64>,
+    /// What the nodes of a body feel.
+    points: Vec<RubbingPoint>,
+    wear_rates: Vec<f64>,
     heat: Vec<f64>,
     rise: Vec<f64>,
     /// Mass that the squeeze refers to.
@@ -143,6 +146,8 @@ impl Fields {
             films: pair(),
             depths: pair(),
             on_body: zeros(),
+            points: Vec::with_capacity(n),
+            wear_rates: zeros(),
             heat: zeros(),
             rise: zeros(),
             squeezed: zeros(),
@@ -316,8 +321,8 @@ impl MixedLubricationSim {
     ///
     /// # Errors
     /// A time step that is negative or not finite; a contact that did not converge at any tried position of the
-    /// roughness; a law that returned a value that is not finite. Everything is then as before, so that another step of this
-    /// length fails again.
+    /// roughness; a law that returned a value that is not finite; an [interrupt](SimBuilder::interrupt). Everything is then as
+    /// before, so that another step of this length fails again.
     pub fn step(&mut self, time_step: f64) -> Result<StepRecord, SimError> {
         self.step_within(&StepControl::fixed(time_step))
     }
@@ -482,7 +487,7 @@ impl MixedLubricationSim {
     /// modelled.
     fn rub(&mut self) -> Result<Option<f64>, SimError> {
         let Self { fields, contact, laws, state, heat, .. } = self;
-        fields.friction.update(contact, state, laws.friction.as_ref(), Some(&fields.films))?;
+        fields.friction.update(contact, state, laws.friction.as_ref(), &fields.films)?;
         let Some(flash) = &mut heat.flash else { return Ok(None) };
         for (k, heat) in fields.heat.iter_mut().enumerate() {
             *heat = fields.friction.heat(k);
@@ -523,11 +528,12 @@ impl MixedLubricationSim {
         let Self { fields, bodies, contact, laws, state, .. } = self;
         let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
         let (bulk, sliding) = (conditions.bulk_temperature, conditions.motion.sliding_speed());
+        let Fields { points, wear_rates, rise, friction, .. } = fields;
         let on_grid = |k: usize| RubbingPoint {
             pressure: state.pressure[k],
-            solid_pressure: fields.friction.solid[k],
-            shear_stress: fields.friction.stress(k),
-            temperature: bulk + fields.rise[k],
+            solid_pressure: friction.solid[k],
+            shear_stress: friction.stress(k),
+            temperature: bulk + rise[k],
             sliding_speed: sliding,
             film_thickness: state.film[k],
             in_contact: state.in_contact[k],
@@ -543,17 +549,17 @@ impl MixedLubricationSim {
                 }
                 at.towards(&on_grid(j * nx + (i + nx - 1) % nx), offset.fraction)
             };
+            points.clear();
+            points.extend((0..nx * ny).map(point));
             if let (Some(law), Some(film)) = (&laws.growth, &mut body.film) {
-                film.advance(law.as_ref(), 0.5 * exposed, point)?;
+                film.advance_all(law.as_ref(), 0.5 * exposed, points)?;
             }
             if let Some(law) = &laws.wear {
-                let thickness = body.film.as_ref().map(|film| film.thickness());
-                body.wear.advance(law.each()[index], exposed, |node| {
-                    (point(node), thickness.map_or(0.0, |thickness| thickness[node]))
-                })?;
+                let thickness = body.film.as_ref().map_or(body.no_film.as_slice(), Tribofilm::thickness);
+                body.wear.advance_all(law.each()[index], exposed, (points, thickness), wear_rates)?;
             }
             if let (Some(law), Some(film)) = (&laws.growth, &mut body.film) {
-                film.advance(law.as_ref(), 0.5 * exposed, point)?;
+                film.advance_all(law.as_ref(), 0.5 * exposed, points)?;
             }
             body.rebuild()?;
         }

@@ -52,6 +52,10 @@ pub struct ContactSolution {
     pub friction_boundary: f64,
     /// Part of the friction coefficient that shear of the fluid makes.
     pub friction_fluid: f64,
+    /// Composite roughness `sqrt(rq_ball^2 + rq_disc^2)` on the track, as in a [record](super::StepRecord) \[m\].
+    pub composite_rq: f64,
+    /// `film.mean_central / composite_rq`; none between smooth surfaces and where the film is not known.
+    pub lambda: Option<f64>,
     /// What is unlikely to be meant or to hold: that of [`Scene::warnings`](super::Scene::warnings), of surfaces from files, and of the
     /// solution.
     pub warnings: Vec<Warning>,
@@ -59,6 +63,22 @@ pub struct ContactSolution {
     pub(super) boundary_friction: f64,
     /// Shear stress of the fluid \[Pa\].
     pub(super) shear: Vec<f64>,
+}
+
+impl ContactSolution {
+    /// Fields by name, one value a node: `pressure` and `fluid_pressure` \[Pa\], `film` \[m\], `theta` (the share of the gap that is filled),
+    /// `gap` and `plastic_depth` \[m\].
+    pub fn fields(&self) -> [(&'static str, &[f64]); 6] {
+        let state = &self.state;
+        [
+            ("pressure", &state.pressure),
+            ("fluid_pressure", &state.fluid_pressure),
+            ("film", &state.film),
+            ("theta", &state.content),
+            ("gap", &self.gap),
+            ("plastic_depth", &state.plastic_depth),
+        ]
+    }
 }
 
 /// Film thickness of a solution \[m\].
@@ -195,12 +215,14 @@ impl ContactModel {
     /// The solution that a solve with this model has led to.
     pub(super) fn solution(
         &self,
-        report: SolveReport,
-        state: ContactState,
+        (report, state): (SolveReport, ContactState),
         gap: Vec<f64>,
         numbers: Numbers,
+        rq: [f64; 2],
     ) -> ContactSolution {
         let lubricated = self.lubricant.is_some();
+        let composite_rq = metrics::composite_rq(rq[0], rq[1]);
+        let lambda = numbers.film.mean_central / composite_rq;
         ContactSolution {
             report,
             grid: self.grid,
@@ -215,6 +237,8 @@ impl ContactModel {
             shear: numbers.shear,
             discretisation: lubricated.then_some((self.scheme, self.face_mobility, self.contact)),
             cavitation: lubricated.then_some(self.cavitation),
+            composite_rq,
+            lambda: lambda.is_finite().then_some(lambda),
             flow: self.flow,
             state,
             gap,

@@ -124,6 +124,7 @@ mod named {
         pressure: Pressure,
         contact: Contact,
         friction: Friction,
+        roughness: Roughness,
         flow: Option<Flow>,
         approach: f64,
         stress: Option<Stress>,
@@ -168,6 +169,7 @@ mod named {
         minimum: f64,
         mean_central: f64,
         minimum_gap: f64,
+        lambda: Option<f64>,
     }
 
     #[derive(Serialize)]
@@ -192,6 +194,11 @@ mod named {
         coefficient: f64,
         boundary: f64,
         fluid: f64,
+    }
+
+    #[derive(Serialize)]
+    struct Roughness {
+        composite_rq: f64,
     }
 
     #[derive(Serialize)]
@@ -282,6 +289,7 @@ mod named {
                     boundary: self.friction_boundary,
                     fluid: self.friction_fluid,
                 },
+                roughness: Roughness { composite_rq: self.composite_rq },
                 flow: self.flow.map(|flow| Flow {
                     inflow: flow.inflow,
                     outflow: flow.outflow,
@@ -324,6 +332,7 @@ mod named {
                 minimum: film.minimum,
                 mean_central: film.mean_central,
                 minimum_gap: film.minimum_gap,
+                lambda: self.lambda,
             }
         }
 

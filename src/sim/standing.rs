@@ -5,6 +5,7 @@ use super::setup;
 use super::simulation::MixedLubricationSim;
 use super::solution::{ContactSolution, Numbers, is_known};
 use super::timetable::Conditions;
+use super::track::track_rq;
 use crate::error::InputError;
 use crate::reynolds::ContactState;
 use crate::surface::Offset;
@@ -47,13 +48,15 @@ impl MixedLubricationSim {
         let Self { contact, fields, laws, state, .. } = self;
         let known = is_known(state);
         if known {
-            fields.friction.update(contact, state, laws.friction.as_ref(), Some(&fields.films))?;
+            fields.friction.update(contact, state, laws.friction.as_ref(), &fields.films)?;
         }
         let limit = laws.plasticity.is_some().then_some(fields.yielding.limit.as_slice());
         let numbers = Numbers::of(contact, state, known.then_some(&fields.friction), limit)?;
         let gap = fields.gap.clone();
         let state = std::mem::replace(state, ContactState::new(&contact.grid));
-        Ok(contact.solution(report, state, gap, numbers))
+        let rq =
+            self.bodies.each_ref().map(|body| track_rq(&contact.grid, contact.hertz.a_y, body.surface()));
+        Ok(contact.solution((report, state), gap, numbers, rq))
     }
 }
 

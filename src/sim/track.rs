@@ -3,6 +3,7 @@
 use super::body::Body;
 use super::simulation::MixedLubricationSim;
 use crate::error::InputError;
+use crate::grid::Grid;
 
 impl MixedLubricationSim {
     /// Mean of `field`, one value per node of a body's patch, over the width of the track, `|y| <= a` with the half-width `a` of
@@ -63,20 +64,34 @@ impl MixedLubricationSim {
 
     /// Root mean square of [`track_roughness`](Self::track_roughness) \[m\].
     pub(super) fn track_rq(&self, heights: &[f64]) -> Result<f64, InputError> {
-        let (mut square, mut count) = (0.0, 0);
-        for (row, mean) in self.track_rows(heights)? {
-            square += row.iter().map(|z| (z - mean).powi(2)).sum::<f64>();
-            count += row.len();
-        }
-        Ok(if count > 0 { (square / count as f64).sqrt() } else { 0.0 })
+        InputError::require_len("field", heights, self.contact.grid.len())?;
+        Ok(track_rq(&self.contact.grid, self.contact.hertz.a_y, heights))
     }
 
     /// The rows of the track and their means.
     fn track_rows<'a>(&self, field: &'a [f64]) -> Result<impl Iterator<Item = (&'a [f64], f64)>, InputError> {
-        let (grid, half_width) = (self.contact.grid, self.contact.hertz.a_y);
-        InputError::require_len("field", field, grid.len())?;
-        let rows = field.chunks_exact(grid.nx()).enumerate();
-        let within = rows.filter(move |(j, _)| grid.y(*j).abs() <= half_width);
-        Ok(within.map(|(_, row)| (row, row.iter().sum::<f64>() / row.len() as f64)))
+        InputError::require_len("field", field, self.contact.grid.len())?;
+        Ok(track_rows(&self.contact.grid, self.contact.hertz.a_y, field))
     }
+}
+
+/// Root mean square of the rows of `heights` on `grid` within `|y| <= half_width`, each about its mean \[m\].
+pub(super) fn track_rq(grid: &Grid, half_width: f64, heights: &[f64]) -> f64 {
+    let (mut square, mut count) = (0.0, 0);
+    for (row, mean) in track_rows(grid, half_width, heights) {
+        square += row.iter().map(|z| (z - mean).powi(2)).sum::<f64>();
+        count += row.len();
+    }
+    if count > 0 { (square / count as f64).sqrt() } else { 0.0 }
+}
+
+fn track_rows<'a>(
+    grid: &Grid,
+    half_width: f64,
+    field: &'a [f64],
+) -> impl Iterator<Item = (&'a [f64], f64)> + use<'a> {
+    let grid = *grid;
+    let rows = field.chunks_exact(grid.nx()).enumerate();
+    let within = rows.filter(move |(j, _)| grid.y(*j).abs() <= half_width);
+    within.map(|(_, row)| (row, row.iter().sum::<f64>() / row.len() as f64))
 }

@@ -123,9 +123,31 @@ impl Tribofilm {
     ) -> Result<(), InputError> {
         InputError::require_non_negative("time_step", time_step)?;
         self.require_law(law)?;
-        let nodes = self.states.chunks_exact_mut(self.n_states).zip(&mut self.thickness);
-        for (node, (states, thickness)) in nodes.enumerate() {
-            law.advance(&point(node), time_step, states);
+        let nodes = self.states.chunks_exact_mut(self.n_states).enumerate();
+        nodes.for_each(|(node, states)| law.advance(&point(node), time_step, states));
+        self.account(law)
+    }
+
+    /// The same under the conditions `at`, one a node, by a law that may take all nodes at once.
+    ///
+    /// # Errors
+    /// As of [`advance`](Self::advance), and conditions of another number of nodes: the film is unchanged.
+    pub fn advance_all(
+        &mut self,
+        law: &dyn FilmGrowthLaw,
+        time_step: f64,
+        at: &[RubbingPoint],
+    ) -> Result<(), InputError> {
+        InputError::require_non_negative("time_step", time_step)?;
+        self.require_law(law)?;
+        InputError::require_len("at", at, self.thickness.len())?;
+        law.advance_all(at, time_step, &mut self.states);
+        self.account(law)
+    }
+
+    /// Thicknesses of the states as they are now, and what nodes have gained and lost since.
+    fn account(&mut self, law: &dyn FilmGrowthLaw) -> Result<(), InputError> {
+        for (states, thickness) in self.states.chunks_exact(self.n_states).zip(&mut self.thickness) {
             let change = law.thickness(states) - *thickness;
             *thickness = law.thickness(states);
             self.gained += change.max(0.0);

@@ -42,6 +42,7 @@ pub use flash_temperature::{FlashReport, FlashTemperature, estimate_maximum_rise
 pub use ghanbarzadeh::Ghanbarzadeh;
 #[cfg(feature = "fit")]
 pub use growth_curve::GrowthCurve;
+pub use integrate::integrate_rates;
 pub use moving_source::ThermalBody;
 pub use proportional_removal::ProportionalRemoval;
 pub use stress_activated::StressActivated;
@@ -126,6 +127,16 @@ pub trait FilmGrowthLaw: Debug + Send + Sync {
         if let Some(thickness) = states.first_mut() {
             let rate = |thickness: f64| self.rate(at, thickness);
             *thickness = integrate::integrate(rate, self.maximum_thickness(), *thickness, time_step);
+        }
+    }
+
+    /// Advances the states of all nodes, node-major in `states`, by `time_step` \[s\] under the conditions `at`, one a node.
+    ///
+    /// By default node by node with [`advance`](Self::advance); for laws that work on whole fields at once, whose default integration
+    /// is [`integrate_rates`]. Both must come to the same.
+    fn advance_all(&self, at: &[RubbingPoint], time_step: f64, states: &mut [f64]) {
+        for (at, states) in at.iter().zip(states.chunks_exact_mut(self.n_states().max(1))) {
+            self.advance(at, time_step, states);
         }
     }
 }

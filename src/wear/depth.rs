@@ -77,6 +77,30 @@ impl WearDepth {
         Ok(())
     }
 
+    /// The same under the states `at` and films of `film_thickness` \[m\], one a node, by a law that may take all nodes at once.
+    /// `rates`, of the same length, is overwritten with those of the law \[m/s\].
+    ///
+    /// # Errors
+    /// As of [`advance`](Self::advance), and slices of another length than the body has nodes: nothing is worn.
+    pub fn advance_all(
+        &mut self,
+        law: &dyn WearLaw,
+        time_step: f64,
+        (at, film_thickness): (&[RubbingPoint], &[f64]),
+        rates: &mut [f64],
+    ) -> Result<(), InputError> {
+        InputError::require_non_negative("time_step", time_step)?;
+        InputError::require_len("at", at, self.values.len())?;
+        InputError::require_len("film_thickness", film_thickness, self.values.len())?;
+        InputError::require_len("rates", rates, self.values.len())?;
+        law.depth_rates(at, film_thickness, rates);
+        for &rate in &*rates {
+            InputError::require_non_negative("wear rate of the law", rate)?;
+        }
+        self.values.iter_mut().zip(&*rates).for_each(|(value, rate)| *value += rate * time_step);
+        Ok(())
+    }
+
     /// Worn volume \[m^3\] on cells of `cell_area` \[m^2\].
     pub fn volume(&self, cell_area: f64) -> f64 {
         self.values.iter().sum::<f64>() * cell_area

@@ -6,6 +6,7 @@ mod smooth;
 mod surfaces;
 
 use super::SimError;
+use super::interrupt::Interrupt;
 use super::scene::{GridSpec, Scene};
 use super::setup;
 use super::solution::ContactSolution;
@@ -42,7 +43,7 @@ pub struct ErrorEstimate {
 ///
 /// # Errors
 /// A scene that does not fit, an accuracy out of range, surfaces that are not known on other meshes.
-pub(super) fn solve(scene: &Scene) -> Result<ContactSolution, SimError> {
+pub(super) fn solve(scene: &Scene, interrupt: Option<&Interrupt>) -> Result<ContactSolution, SimError> {
     let smooth = scene.is_smooth();
     match (scene.grid, scene.solver.accuracy) {
         (GridSpec::Accuracy { .. }, Some(_)) => Err(SimError::Input(InputError::Conflict {
@@ -51,10 +52,14 @@ pub(super) fn solve(scene: &Scene) -> Result<ContactSolution, SimError> {
         })),
         (GridSpec::Accuracy { accuracy }, None) => {
             setup::validate_accuracy("grid.accuracy", accuracy)?;
-            if smooth { smooth::solve(scene, accuracy) } else { rough::on_own_grid(scene, accuracy) }
+            if smooth {
+                smooth::solve(scene, accuracy, interrupt)
+            } else {
+                rough::on_own_grid(scene, accuracy, interrupt)
+            }
         }
-        (_, Some(accuracy)) => rough::refined(scene.clone(), accuracy, "solver.accuracy"),
-        (_, None) => rough::on_given_grid(scene),
+        (_, Some(accuracy)) => rough::refined(scene.clone(), accuracy, "solver.accuracy", interrupt),
+        (_, None) => rough::on_given_grid(scene, interrupt),
     }
 }
 

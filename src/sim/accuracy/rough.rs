@@ -5,9 +5,10 @@ use super::surfaces::Surfaces;
 use super::{ErrorEstimate, Spent, change};
 use crate::error::InputError;
 use crate::report::Status;
-use crate::reynolds::{ContactDefinition, ContactState};
-use crate::sim::contact::solve_heights;
+use crate::reynolds::ContactDefinition;
+use crate::sim::interrupt::Interrupt;
 use crate::sim::scene::{GridSpec, Roughness, Scene};
+use crate::sim::single::solve_heights;
 use crate::sim::solution::ContactSolution;
 use crate::sim::{SimError, setup};
 
@@ -27,23 +28,34 @@ const REACH: f64 = 5.0;
 const ROOM: f64 = 0.3;
 
 /// Solves on the grid of `scene` and on half its cells, and estimates the errors of the former.
-pub(super) fn on_given_grid(scene: &Scene) -> Result<ContactSolution, SimError> {
-    refined(scene.clone(), f64::INFINITY, "solver.estimate")
+pub(super) fn on_given_grid(
+    scene: &Scene,
+    interrupt: Option<&Interrupt>,
+) -> Result<ContactSolution, SimError> {
+    refined(scene.clone(), f64::INFINITY, "solver.estimate", interrupt)
 }
 
 /// Solves on finer and finer meshes, the first of which holds the waves of the random surfaces.
-pub(super) fn on_own_grid(scene: &Scene, accuracy: f64) -> Result<ContactSolution, SimError> {
+pub(super) fn on_own_grid(
+    scene: &Scene,
+    accuracy: f64,
+    interrupt: Option<&Interrupt>,
+) -> Result<ContactSolution, SimError> {
     let grid = cells_of_waves(scene, accuracy)?;
-    refined(Scene { grid, ..scene.clone() }, accuracy, "grid.accuracy")
+    refined(Scene { grid, ..scene.clone() }, accuracy, "grid.accuracy", interrupt)
 }
 
 /// Solves on finer and finer meshes until the largest of the four estimated errors is at most `accuracy`, or the mesh is not
 /// solved, or the next one would be too large. `field` is the key that asks for it.
-pub(super) fn refined(mut scene: Scene, accuracy: f64, field: &str) -> Result<ContactSolution, SimError> {
+pub(super) fn refined(
+    mut scene: Scene,
+    accuracy: f64,
+    field: &str,
+    interrupt: Option<&Interrupt>,
+) -> Result<ContactSolution, SimError> {
     let surfaces = surfaces(&scene, field)?;
     let solved = |scene: &Scene| -> Result<ContactSolution, SimError> {
-        let heights = surfaces.on(&scene.grid()?)?;
-        solve_heights(scene, heights, |grid| Ok(ContactState::new(grid)))
+        solve_heights(scene, interrupt, surfaces.on(&scene.grid()?)?)
     };
     let halved = Scene { grid: of_cells(scene.grid, |n| n.div_ceil(2)), ..scene.clone() };
     let mut coarse = solved(&halved).map_err(|error| on_half(error, field))?;

@@ -10,10 +10,11 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::Status;
 use crate::reynolds::ContactState;
-use crate::sim::contact::solve_on_grid;
 use crate::sim::formula::formula_film;
 use crate::sim::hertz::HertzContact;
+use crate::sim::interrupt::Interrupt;
 use crate::sim::scene::{GridSpec, Scene};
+use crate::sim::single::solve_on_grid;
 use crate::sim::solution::ContactSolution;
 use crate::sim::{SimError, setup};
 
@@ -128,7 +129,11 @@ impl Plan {
 
 /// Solves the single contact of `scene` so that the estimated error of the central film (of the maximum pressure where it
 /// is dry) is at most `accuracy`, or reports the estimate that was reached.
-pub(super) fn solve(scene: &Scene, accuracy: f64) -> Result<ContactSolution, SimError> {
+pub(super) fn solve(
+    scene: &Scene,
+    accuracy: f64,
+    interrupt: Option<&Interrupt>,
+) -> Result<ContactSolution, SimError> {
     setup::validate(scene)?;
     let hertz = scene.hertz()?;
     let mut scene = scene.clone();
@@ -140,7 +145,7 @@ pub(super) fn solve(scene: &Scene, accuracy: f64) -> Result<ContactSolution, Sim
     let mut round = 0;
     loop {
         round += 1;
-        let meshes = Meshes::solve(&mut scene, &hertz, &plan, &mut work)?;
+        let meshes = Meshes::solve((&mut scene, interrupt), &hertz, &plan, &mut work)?;
         let (mut solution, estimate) = meshes.estimate(scene.is_lubricated(), plan.box_error, growth);
         let reached = estimate
             .map_or(f64::INFINITY, |e| if scene.is_lubricated() { e.central_film } else { e.max_pressure });
@@ -166,7 +171,7 @@ struct Meshes {
 
 impl Meshes {
     fn solve(
-        scene: &mut Scene,
+        (scene, interrupt): (&mut Scene, Option<&Interrupt>),
         hertz: &HertzContact,
         plan: &Plan,
         work: &mut Spent,
@@ -175,7 +180,7 @@ impl Meshes {
         let (mut middle, mut previous): (Option<ContactSolution>, Option<ContactSolution>) = (None, None);
         for level in (0..LEVELS).rev() {
             scene.grid = plan.cells(hertz, level, scene.form.is_line())?;
-            let solution = solve_on_grid(scene, |grid| match &previous {
+            let solution = solve_on_grid(scene, interrupt, |grid| match &previous {
                 Some(coarse) if coarse.report.status == Status::Converged => prolonged(coarse, grid),
                 _ => Ok(ContactState::new(grid)),
             })?;

@@ -494,8 +494,13 @@ impl Scene {
     /// surfaces, that of a film which is linear between nodes between smooth ones, whose inlets are resolved, and arithmetic means in the
     /// paper's contact as published.
     pub fn face_mobility(&self) -> FaceMobility {
+        self.face_mobility_between(self.is_smooth())
+    }
+
+    /// The same between bodies that are `smooth` or not, whatever the scene says of their roughness.
+    pub(super) fn face_mobility_between(&self, smooth: bool) -> FaceMobility {
         self.solver.face_mobility.unwrap_or(match self.solver.contact {
-            ContactDefinition::Hard if self.is_smooth() => FaceMobility::Wedge,
+            ContactDefinition::Hard if smooth => FaceMobility::Wedge,
             ContactDefinition::Hard => FaceMobility::Inlet,
             ContactDefinition::Paper => FaceMobility::Arithmetic,
         })

@@ -1,0 +1,173 @@
+//! Errors of the crate as exceptions of `stribeck.errors`, with field and value.
+
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use stribeck::reynolds::ReynoldsError;
+use stribeck::sim::{CheckpointError, SimError};
+use stribeck::surface::SurfaceError;
+use stribeck::{InputError, NotConverged};
+
+use crate::record::report_dict;
+
+/// An exception of the class `kind` of `stribeck.errors`.
+pub(crate) fn raise(
+    py: Python<'_>,
+    kind: &str,
+    message: &str,
+    field: Option<&str>,
+    value: Option<Bound<'_, PyAny>>,
+) -> PyErr {
+    let made = || -> PyResult<PyErr> {
+        let class = py.import("stribeck.errors")?.getattr(kind)?;
+        let named = PyDict::new(py);
+        named.set_item("field", field)?;
+        named.set_item("value", value)?;
+        Ok(PyErr::from_value(class.call((message,), Some(&named))?))
+    };
+    made().unwrap_or_else(|error| error)
+}
+
+/// What a fallible function of the crate returns, for Python.
+pub(crate) trait ForPython {
+    fn for_python(self, py: Python<'_>) -> PyErr;
+}
+
+impl ForPython for InputError {
+    fn for_python(self, py: Python<'_>) -> PyErr {
+        input(py, "InputError", &self)
+    }
+}
+
+fn input(py: Python<'_>, kind: &str, error: &InputError) -> PyErr {
+    let message = error.to_string();
+    let number = |value: f64| value.into_pyobject(py).ok().map(Bound::into_any);
+    match error {
+        InputError::Value { field, value, .. } => raise(py, kind, &message, Some(field), number(*value)),
+        InputError::Shape { field, found, .. } => {
+            let found = found.into_pyobject(py).ok().map(Bound::into_any);
+            raise(py, kind, &message, Some(field), found)
+        }
+        InputError::NotFinite { field, index, value } => {
+            raise(py, kind, &message, Some(&format!("{field}[{index}]")), number(*value))
+        }
+        // Some fields bring their value along: `load.force = 5`.
+        InputError::Conflict { field, .. } => match field.split_once(" = ") {
+            Some((field, value)) => {
+                let value = value.trim_matches('"');
+                let number = value.parse().ok().and_then(number);
+                let text = || value.into_pyobject(py).ok().map(Bound::into_any);
+                raise(py, kind, &message, Some(field), number.or_else(text))
+            }
+            None => raise(py, kind, &message, Some(field), None),
+        },
+        _ => raise(py, kind, &message, None, None),
+    }
+}
+
+impl ForPython for SurfaceError {
+    fn for_python(self, py: Python<'_>) -> PyErr {
+        let message = self.to_string();
+        let path = match &self {
+            Self::Input(error) => return input(py, "InputError", error),
+            Self::Io { path, source } => return io(py, &path.display().to_string(), &message, source),
+            Self::UnknownFormat { path }
+            | Self::Corrupt { path, .. }
+            | Self::Unsupported { path, .. }
+            | Self::NotFinite { path, .. } => Some(path.display().to_string()),
+            _ => None,
+        };
+        let value = path.as_ref().and_then(|path| path.into_pyobject(py).ok()).map(Bound::into_any);
+        raise(py, "SurfaceError", &message, path.as_ref().map(|_| "path"), value)
+    }
+}
+
+fn io(py: Python<'_>, path: &str, message: &str, source: &std::io::Error) -> PyErr {
+    let error =
+        raise(py, "FileError", message, Some("path"), path.into_pyobject(py).ok().map(Bound::into_any));
+    if let Some(number) = source.raw_os_error() {
+        let _ = error.value(py).setattr("errno", number);
+    }
+    error
+}
+
+impl ForPython for CheckpointError {
+    fn for_python(self, py: Python<'_>) -> PyErr {
+        let message = self.to_string();
+        match &self {
+            Self::Io { path, source } => io(py, &path.display().to_string(), &message, source),
+            Self::Other { part, .. } => raise(py, "CheckpointError", &message, Some(part), None),
+            _ => raise(py, "CheckpointError", &message, Some("path"), None),
+        }
+    }
+}
+
+impl ForPython for NotConverged {
+    fn for_python(self, py: Python<'_>) -> PyErr {
+        not_converged(py, &self.to_string(), &self)
+    }
+}
+
+fn not_converged(py: Python<'_>, message: &str, source: &NotConverged) -> PyErr {
+    let status = source.report.status.to_string();
+    let error = raise(
+        py,
+        "NotConvergedError",
+        message,
+        Some("status"),
+        status.into_pyobject(py).ok().map(Bound::into_any),
+    );
+    if let Ok(report) = report_dict(py, &source.report) {
+        let _ = error.value(py).setattr("report", report);
+    }
+    error
+}
+
+impl ForPython for SimError {
+    fn for_python(self, py: Python<'_>) -> PyErr {
+        let message = self.to_string();
+        match self {
+            Self::Input(error) => error.for_python(py),
+            Self::Surface(error) => error.for_python(py),
+            Self::Checkpoint(error) => error.for_python(py),
+            Self::NotConverged { source, .. } => not_converged(py, &message, &source),
+            Self::Reynolds(ReynoldsError::Input(error)) => error.for_python(py),
+            Self::Reynolds(error) => {
+                let (field, value) = match &error {
+                    ReynoldsError::WrongSolver { solver, .. } => {
+                        (Some("solver.kind"), solver.into_pyobject(py).ok().map(Bound::into_any))
+                    }
+                    ReynoldsError::EdgeContact { x, y } => {
+                        (Some("grid"), (*x, *y).into_pyobject(py).ok().map(Bound::into_any))
+                    }
+                    _ => (Some("grid"), None),
+                };
+                raise(py, "SolverError", &message, field, value)
+            }
+            Self::Scene { reason } => scene(py, &reason),
+            Self::Io { path, source } => io(py, &path.display().to_string(), &message, &source),
+            Self::Interrupted => raise(py, "InterruptedSolve", &message, None, None),
+            _ => raise(py, "StribeckError", &message, None, None),
+        }
+    }
+}
+
+/// The error of a scene that does not fit: the parser names the table or the key last, after `in`, and a key that is missing or stray
+/// first.
+fn scene(py: Python<'_>, reason: &str) -> PyErr {
+    let quoted = |words: &str| words.split('`').nth(1).map(str::to_owned);
+    let place = reason.rsplit_once(" in `").and_then(|(_, end)| end.strip_suffix('`'));
+    let key = ["unknown field ", "missing field ", "missing key ", "missing keys: "]
+        .iter()
+        .find_map(|words| reason.split_once(words))
+        .and_then(|(_, rest)| quoted(&format!(" {rest}")));
+    let field = match (place, key) {
+        (Some(table), Some(key)) => Some(format!("{table}.{key}")),
+        (place, key) => key.or(place.map(str::to_owned)),
+    };
+    raise(py, "SceneError", reason, field.as_deref(), None)
+}
+
+/// The value, or the error as an exception.
+pub(crate) fn value<T, E: ForPython>(py: Python<'_>, result: Result<T, E>) -> PyResult<T> {
+    result.map_err(|error| error.for_python(py))
+}

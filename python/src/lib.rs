@@ -1,0 +1,32 @@
+//! The compiled part of the Python package `stribeck`: scenes, solves, histories, surfaces and formulas as plain functions of
+//! numbers, dictionaries and arrays. Classes for people are written in Python around it (`python/stribeck`).
+
+mod analytic;
+mod convert;
+mod error;
+mod interrupt;
+mod laws;
+mod metrics;
+mod record;
+mod scene;
+mod simulation;
+mod solution;
+mod start;
+mod surface;
+
+use pyo3::prelude::*;
+
+#[pymodule]
+fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add_class::<scene::Cells>()?;
+    module.add_class::<scene::Scene>()?;
+    module.add_class::<simulation::Simulation>()?;
+    module.add_class::<start::BodyStart>()?;
+    module.add_class::<surface::Surface>()?;
+    module.add_function(wrap_pyfunction!(solution::solve, module)?)?;
+    module.add_function(wrap_pyfunction!(surface::generate, module)?)?;
+    module.add_function(wrap_pyfunction!(surface::texture, module)?)?;
+    analytic::register(module)?;
+    metrics::register(module)
+}

@@ -1,0 +1,259 @@
+//! Histories.
+
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::{Mutex, TryLockError};
+
+use numpy::PyArray2;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use stribeck::sim::{CheckpointError, MixedLubricationSim, SimError, StepControl, StepRecord};
+
+use crate::convert::{dictionary, field, list, on_grid};
+use crate::error::{ForPython, raise, value};
+use crate::laws::Failure;
+use crate::record::record_dict;
+use crate::scene::{Cells, Scene, conditions_dict};
+use crate::solution::{Parts, parts_of};
+use crate::start::BodyStart;
+
+#[pyclass(frozen, module = "stribeck._stribeck")]
+pub(crate) struct Simulation {
+    run: Mutex<Run>,
+    failure: Failure,
+}
+
+struct Run {
+    sim: MixedLubricationSim,
+    /// Those of all steps since the start or the last checkpoint: a signal may come before Python sees one.
+    records: Vec<StepRecord>,
+}
+
+type Arrays<'py> = Bound<'py, PyDict>;
+
+impl Simulation {
+    /// What `act` makes of the simulation, with the interpreter free meanwhile; an exception of a law or a signal comes first.
+    fn act<T: Send, E: ForPython + Send>(
+        &self,
+        py: Python<'_>,
+        act: impl FnOnce(&mut Run) -> Result<T, E> + Send,
+    ) -> PyResult<T> {
+        drop(self.failure.take());
+        let acted = py.detach(|| match self.run.try_lock() {
+            Ok(mut run) => Some(act(&mut run)),
+            Err(TryLockError::Poisoned(poisoned)) => Some(act(&mut poisoned.into_inner())),
+            Err(TryLockError::WouldBlock) => None,
+        });
+        if let Some(error) = self.failure.take() {
+            return Err(error);
+        }
+        match acted {
+            Some(acted) => value(py, acted),
+            None => Err(Self::busy(py)),
+        }
+    }
+
+    /// What `look` reads.
+    fn look<T>(&self, py: Python<'_>, look: impl FnOnce(&MixedLubricationSim) -> PyResult<T>) -> PyResult<T> {
+        match self.run.try_lock() {
+            Ok(run) => look(&run.sim),
+            Err(TryLockError::Poisoned(poisoned)) => look(&poisoned.into_inner().sim),
+            Err(TryLockError::WouldBlock) => Err(Self::busy(py)),
+        }
+    }
+
+    fn busy(py: Python<'_>) -> PyErr {
+        let message = "the simulation is taking a step, on another thread or in the call that asks";
+        raise(py, "BusyError", message, None, None)
+    }
+}
+
+#[pymethods]
+impl Simulation {
+    #[new]
+    fn new(py: Python<'_>, scene: &Scene, parts: Parts<'_>, squeeze: bool) -> PyResult<Self> {
+        let (mut builder, failure) = parts.builder(py, scene)?;
+        if squeeze {
+            builder = builder.with_squeeze();
+        }
+        let built = py.detach(|| builder.build());
+        if let Some(error) = failure.take() {
+            return Err(error);
+        }
+        let run = Run { sim: value(py, built)?, records: Vec::new() };
+        Ok(Self { run: Mutex::new(run), failure })
+    }
+
+    fn step<'py>(&self, py: Python<'py>, time_step: f64, depth: f64) -> PyResult<Bound<'py, PyDict>> {
+        let control = StepControl { longest: time_step, depth };
+        let record = self.act(py, |run| {
+            let record = run.sim.step_within(&control)?;
+            run.records.push(record);
+            Ok::<_, SimError>(record)
+        })?;
+        record_dict(py, &record)
+    }
+
+    /// One step towards the time `end`; none where it is reached.
+    fn step_towards<'py>(
+        &self,
+        py: Python<'py>,
+        end: f64,
+        time_step: f64,
+        depth: f64,
+    ) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let control = StepControl { longest: time_step, depth };
+        let record = self.act(py, |run| {
+            let mut first = None;
+            run.sim.run_until(end, &control, &mut |_: &MixedLubricationSim, record: &StepRecord| {
+                first = Some(*record);
+                ControlFlow::Break(())
+            })?;
+            run.records.extend(first);
+            Ok::<_, SimError>(first)
+        })?;
+        record.map(|record| record_dict(py, &record)).transpose()
+    }
+
+    /// The records from the `first` on.
+    fn records<'py>(&self, py: Python<'py>, first: usize) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let run = match self.run.try_lock() {
+            Ok(run) => run,
+            Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
+            Err(TryLockError::WouldBlock) => return Err(Self::busy(py)),
+        };
+        run.records.iter().skip(first).map(|record| record_dict(py, record)).collect()
+    }
+
+    fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        self.act(py, |run| run.sim.save(path))
+    }
+
+    fn restore(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        self.act(py, |run| {
+            run.sim.restore(path)?;
+            run.records.clear();
+            Ok::<_, CheckpointError>(())
+        })
+    }
+
+    fn restore_under_other_conditions(&self, py: Python<'_>, path: PathBuf) -> PyResult<Vec<String>> {
+        self.act(py, |run| {
+            let differences = run.sim.restore_under_other_conditions(path)?;
+            run.records.clear();
+            Ok::<_, CheckpointError>(differences)
+        })
+    }
+
+    /// Takes over everything that later steps of `other` depend on.
+    fn copy_from(&self, py: Python<'_>, other: &Self) -> PyResult<()> {
+        let (kept, records) =
+            other.act(py, |run| Ok::<_, CheckpointError>((run.sim.checkpoint()?, run.records.clone())))?;
+        self.act(py, |run| {
+            run.sim.restore_checkpoint(&kept)?;
+            run.records = records;
+            Ok::<_, CheckpointError>(())
+        })
+    }
+
+    fn checkpoint<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, pyo3::types::PyBytes>> {
+        let kept = self.act(py, |run| run.sim.checkpoint())?;
+        Ok(pyo3::types::PyBytes::new(py, &kept))
+    }
+
+    /// The contact of the bodies as they stand under `load`, `entrainment_speed`, `slide_roll_ratio` and `bulk_temperature`.
+    #[pyo3(signature = (load=None, entrainment_speed=None, slide_roll_ratio=None, bulk_temperature=None))]
+    fn solve_under<'py>(
+        &self,
+        py: Python<'py>,
+        load: Option<f64>,
+        entrainment_speed: Option<f64>,
+        slide_roll_ratio: Option<f64>,
+        bulk_temperature: Option<f64>,
+    ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
+        let solution = self.act(py, |run| {
+            let mut conditions = run.sim.conditions();
+            conditions.load = load.unwrap_or(conditions.load);
+            let motion = &mut conditions.motion;
+            motion.entrainment_speed = entrainment_speed.unwrap_or(motion.entrainment_speed);
+            motion.slide_roll_ratio = slide_roll_ratio.unwrap_or(motion.slide_roll_ratio);
+            conditions.bulk_temperature = bulk_temperature.unwrap_or(conditions.bulk_temperature);
+            run.sim.solve_under(&conditions)
+        })?;
+        parts_of(py, &solution)
+    }
+
+    #[getter]
+    fn time(&self, py: Python<'_>) -> PyResult<f64> {
+        self.look(py, |sim| Ok(sim.time()))
+    }
+
+    #[getter]
+    fn steps(&self, py: Python<'_>) -> PyResult<u64> {
+        self.look(py, |sim| Ok(sim.steps()))
+    }
+
+    fn grid(&self, py: Python<'_>) -> PyResult<Cells> {
+        self.look(py, |sim| Ok(Cells(sim.grid())))
+    }
+
+    fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.look(py, |sim| list(py, &sim.warnings()))
+    }
+
+    fn about<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.look(py, |sim| {
+            Ok(dictionary!(py, {
+                "conditions": conditions_dict(py, &sim.conditions())?,
+                "motion": format!("{:?}", sim.motion()),
+                "flash_estimate": sim.flash_estimate(),
+                "models_flash_temperature": sim.models_flash_temperature(),
+                "ledger_residual": value(py, sim.ledger_residual())?,
+            }))
+        })
+    }
+
+    /// The fields of both bodies.
+    fn bodies<'py>(&self, py: Python<'py>) -> PyResult<Vec<Arrays<'py>>> {
+        self.look(py, |sim| {
+            let grid = sim.grid();
+            let array = |values: &[f64]| -> PyResult<Bound<'py, PyArray2<f64>>> { field(py, &grid, values) };
+            sim.bodies()
+                .iter()
+                .map(|body| {
+                    Ok(dictionary!(py, {
+                        "initial": array(body.initial())?,
+                        "surface": array(body.surface())?,
+                        "wear": array(body.wear_depth())?,
+                        "plastic_depth": array(body.plastic_depth())?,
+                        "tribofilm": array(body.film_thickness())?,
+                        "worn_profile": numpy::PyArray1::from_vec(py, sim.worn_profile(body)),
+                    }))
+                })
+                .collect()
+        })
+    }
+
+    /// The fields of the last contact.
+    fn fields<'py>(&self, py: Python<'py>) -> PyResult<Arrays<'py>> {
+        self.look(py, |sim| {
+            let (grid, state) = (sim.grid(), sim.state());
+            Ok(dictionary!(py, {
+                "pressure": field(py, &grid, &state.pressure)?,
+                "fluid_pressure": field(py, &grid, &state.fluid_pressure)?,
+                "film": field(py, &grid, &state.film)?,
+                "theta": field(py, &grid, &state.content)?,
+                "plastic_depth": field(py, &grid, &state.plastic_depth)?,
+                "in_contact": field(py, &grid, &state.in_contact)?,
+            }))
+        })
+    }
+
+    fn starts(&self, py: Python<'_>) -> PyResult<[BodyStart; 2]> {
+        self.look(py, |sim| Ok(sim.starts().map(BodyStart)))
+    }
+
+    fn mean_on_track(&self, py: Python<'_>, values: numpy::PyReadonlyArray2<'_, f64>) -> PyResult<f64> {
+        self.look(py, |sim| value(py, sim.mean_on_track(on_grid(py, "field", &values, &sim.grid())?)))
+    }
+}

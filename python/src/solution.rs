@@ -1,0 +1,165 @@
+//! Single contacts.
+
+use std::time::Instant;
+
+use numpy::PyReadonlyArray2;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use stribeck::reynolds::ContactState;
+use stribeck::sim::{ContactSolution, MixedLubricationSim, SimBuilder};
+
+use crate::convert::{field, named, on_grid};
+use crate::error::value;
+use crate::interrupt::on_signal;
+use crate::laws::Laws;
+use crate::scene::{Scene, grid_dict};
+use crate::start::BodyStart;
+
+/// A law in Python: what tells it from others, and its function.
+pub(crate) type PyLaw = (String, Py<PyAny>);
+/// The same with the largest thickness of its film \[m\].
+pub(crate) type PyGrowth = (String, Py<PyAny>, f64);
+type Array<'py> = PyReadonlyArray2<'py, f64>;
+
+/// What may stand in place of the parts of a scene.
+#[derive(FromPyObject)]
+pub(crate) struct Parts<'py> {
+    #[pyo3(item)]
+    ball_heights: Option<Array<'py>>,
+    #[pyo3(item)]
+    disc_heights: Option<Array<'py>>,
+    #[pyo3(item)]
+    ball_start: Option<Py<BodyStart>>,
+    #[pyo3(item)]
+    disc_start: Option<Py<BodyStart>>,
+    #[pyo3(item)]
+    growth: Option<PyGrowth>,
+    #[pyo3(item)]
+    wear: Option<PyLaw>,
+    #[pyo3(item)]
+    friction: Option<PyLaw>,
+}
+
+impl Parts<'_> {
+    /// A builder with these parts, and the laws' exceptions.
+    pub(crate) fn builder(
+        self,
+        py: Python<'_>,
+        scene: &Scene,
+    ) -> PyResult<(SimBuilder, crate::laws::Failure)> {
+        let mut builder = MixedLubricationSim::builder(scene.0.clone());
+        let own_law = self.growth.is_some() || self.wear.is_some() || self.friction.is_some();
+        let needs_grid = own_law || self.ball_heights.is_some() || self.disc_heights.is_some();
+        let failure = if needs_grid {
+            let grid = value(py, scene.0.grid())?;
+            if let Some(heights) = &self.ball_heights {
+                builder = builder.ball_heights(on_grid(py, "ball heights", heights, &grid)?.to_vec());
+            }
+            if let Some(heights) = &self.disc_heights {
+                builder = builder.disc_heights(on_grid(py, "disc heights", heights, &grid)?.to_vec());
+            }
+            let laws = Laws::new(grid, self.growth, self.wear, self.friction);
+            if let Some(law) = laws.growth {
+                builder = builder.growth_law(law);
+            }
+            if let Some(law) = laws.wear {
+                builder = builder.wear_law(law);
+            }
+            if let Some(law) = laws.friction {
+                builder = builder.boundary_friction(law);
+            }
+            laws.failure
+        } else {
+            crate::laws::Failure::default()
+        };
+        if let Some(start) = self.ball_start {
+            builder = builder.ball_start(start.get().0.clone());
+        }
+        if let Some(start) = self.disc_start {
+            builder = builder.disc_start(start.get().0.clone());
+        }
+        Ok((builder.interrupt(on_signal(failure.clone())), failure))
+    }
+}
+
+/// The fields and the approach of an earlier solution.
+#[derive(FromPyObject)]
+pub(crate) struct Start<'py> {
+    #[pyo3(item)]
+    pressure: Array<'py>,
+    #[pyo3(item)]
+    fluid_pressure: Array<'py>,
+    #[pyo3(item)]
+    film: Array<'py>,
+    #[pyo3(item)]
+    theta: Array<'py>,
+    #[pyo3(item)]
+    plastic_depth: Array<'py>,
+    #[pyo3(item)]
+    in_contact: PyReadonlyArray2<'py, bool>,
+    #[pyo3(item)]
+    approach: f64,
+}
+
+impl Start<'_> {
+    /// The state; its mass belongs to a squeeze, which a single contact has not.
+    fn state(&self, py: Python<'_>, scene: &Scene) -> PyResult<ContactState> {
+        let grid = value(py, scene.0.grid())?;
+        let part =
+            |name: &str, array| -> PyResult<Vec<f64>> { Ok(on_grid(py, name, array, &grid)?.to_vec()) };
+        Ok(ContactState {
+            pressure: part("start pressure", &self.pressure)?,
+            fluid_pressure: part("start fluid_pressure", &self.fluid_pressure)?,
+            film: part("start film", &self.film)?,
+            content: part("start theta", &self.theta)?,
+            plastic_depth: part("start plastic_depth", &self.plastic_depth)?,
+            in_contact: on_grid(py, "start in_contact", &self.in_contact, &grid)?.to_vec(),
+            approach: self.approach,
+            ..ContactState::new(&grid)
+        })
+    }
+}
+
+/// Solves the single contact of `scene`; returns numbers and fields.
+#[pyfunction]
+#[pyo3(signature = (scene, parts, start=None))]
+pub(crate) fn solve<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    parts: Parts<'py>,
+    start: Option<Start<'py>>,
+) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
+    let (mut builder, failure) = parts.builder(py, scene)?;
+    if let Some(start) = start {
+        builder = builder.contact_start(start.state(py, scene)?);
+    }
+    let began = Instant::now();
+    let solved = py.detach(|| builder.solve());
+    let seconds = began.elapsed().as_secs_f64();
+    if let Some(error) = failure.take() {
+        return Err(error);
+    }
+    let (numbers, fields) = parts_of(py, &value(py, solved)?)?;
+    numbers.set_item("seconds", seconds)?;
+    Ok((numbers, fields))
+}
+
+/// Numbers and fields of a solution.
+pub(crate) fn parts_of<'py>(
+    py: Python<'py>,
+    solution: &ContactSolution,
+) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
+    let fields = PyDict::new(py);
+    for (name, values) in solution.fields() {
+        fields.set_item(name, field(py, &solution.grid, values)?)?;
+    }
+    fields.set_item("in_contact", field(py, &solution.grid, &solution.state.in_contact)?)?;
+    Ok((numbers(py, solution)?, fields))
+}
+
+/// The numbers under the names of the command's JSON, with the edges of the grid; what is not finite is None.
+fn numbers<'py>(py: Python<'py>, solution: &ContactSolution) -> PyResult<Bound<'py, PyDict>> {
+    let numbers = named(py, solution)?;
+    numbers.set_item("grid", grid_dict(py, &solution.grid)?)?;
+    Ok(numbers)
+}

@@ -1,0 +1,62 @@
+"""Rough lubricated contacts that change as they rub: mixed elastohydrodynamic lubrication, plastic flattening, tribofilm growth and wear,
+solved together on one grid.
+
+All numbers are SI. Fields are arrays of the shape ``(ny, nx)``, x along the flow; heights point out of their body.
+
+>>> import stribeck
+>>> solution = stribeck.solve(stribeck.Scene.azam_2019(32))
+>>> solution.status
+'converged'
+"""
+
+from . import analytic, laws, metrics, surface
+from ._stribeck import __version__
+from .errors import (
+    BusyError,
+    CheckpointError,
+    FileError,
+    InputError,
+    InterruptedSolve,
+    LawError,
+    NotConvergedError,
+    SceneError,
+    ShapeError,
+    SolverError,
+    StribeckError,
+    StribeckWarning,
+    SurfaceError,
+)
+from .history import Body, BodyStart, History, Record, Simulation
+from .scene import Grid, Scene
+from .solution import Report, Solution, solve
+
+__all__ = [
+    "Body",
+    "BodyStart",
+    "BusyError",
+    "CheckpointError",
+    "FileError",
+    "Grid",
+    "History",
+    "InputError",
+    "InterruptedSolve",
+    "LawError",
+    "NotConvergedError",
+    "Record",
+    "Report",
+    "Scene",
+    "SceneError",
+    "ShapeError",
+    "Simulation",
+    "Solution",
+    "SolverError",
+    "StribeckError",
+    "StribeckWarning",
+    "SurfaceError",
+    "__version__",
+    "analytic",
+    "laws",
+    "metrics",
+    "solve",
+    "surface",
+]

@@ -1,0 +1,135 @@
+"""Nested numbers with their names as attributes."""
+
+from __future__ import annotations
+
+import html
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+#: Units by the last part of a name; names that are not here have none.
+UNITS = {
+    "approach": "m",
+    "area": "m^2",
+    "average_film": "m",
+    "bulk_temperature": "K",
+    "central_film": "",
+    "composite_rq": "m",
+    "corrected_area": "m^2",
+    "dx": "m",
+    "dy": "m",
+    "entrainment_speed": "m/s",
+    "film_cutoff": "m",
+    "flash_rise": "K",
+    "force": "N",
+    "half_width": "m",
+    "half_width_x": "m",
+    "half_width_y": "m",
+    "inflow": "m^3/s",
+    "mean_central": "m",
+    "mean_pressure": "Pa",
+    "max_pressure": "Pa",
+    "minimum": "m",
+    "minimum_gap": "m",
+    "outflow": "m^3/s",
+    "plastic_area": "m^2",
+    "plastic_volume": "m^3",
+    "radius": "m",
+    "seconds": "s",
+    "time": "s",
+    "time_step": "s",
+}
+_PREFIXES = {"rq_": "m", "mean_wear_": "m", "max_wear_": "m", "mean_film_": "m", "track_": "m"}
+_PATHS = {
+    "film.central": "m",
+    "film.lambda": "",
+    "pressure.max": "Pa",
+    "pressure.central": "Pa",
+    "hertz.pressure": "Pa",
+    "load": "N",
+}
+
+
+def unit(path: str) -> str:
+    """The unit of the number with the name ``path``, empty for ratios and counts."""
+    if path.startswith(("error_estimate.", "residual.")):
+        return ""
+    if path in _PATHS:
+        return _PATHS[path]
+    last = path.rsplit(".", 1)[-1]
+    for prefix, named in _PREFIXES.items():
+        if last.startswith(prefix):
+            return named
+    return UNITS.get(last, "")
+
+
+class Numbers(Mapping[str, Any]):
+    """A read-only table of numbers, nested; ``n.film.central`` is ``n["film"]["central"]``. Of a name that is a word of Python the
+    attribute ends with an underscore: ``n.film.lambda_``."""
+
+    __slots__ = ("_values",)
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        wrapped = {k: Numbers(v) if isinstance(v, dict) else v for k, v in values.items()}
+        object.__setattr__(self, "_values", wrapped)
+
+    def __getitem__(self, key: str) -> Any:
+        return self._values[key]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__") or name == "_values":
+            raise AttributeError(name)
+        try:
+            return self._values[name if name in self._values else name.removesuffix("_")]
+        except KeyError:
+            known = ", ".join(self._values)
+            raise AttributeError(f"there is no {name!r} here, but {known}") from None
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"{type(self).__name__} cannot be changed")
+
+    def __dir__(self) -> list[str]:
+        return sorted([*super().__dir__(), *self._values])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.to_dict(),)
+
+    def to_dict(self) -> dict[str, Any]:
+        """A nested dictionary of plain values."""
+        return {k: v.to_dict() if isinstance(v, Numbers) else v for k, v in self._values.items()}
+
+    def rows(self, prefix: str = "") -> Iterator[tuple[str, Any]]:
+        """All values with their full names."""
+        for key, value in self._values.items():
+            if isinstance(value, Numbers):
+                yield from value.rows(f"{prefix}{key}.")
+            else:
+                yield f"{prefix}{key}", value
+
+    def __repr__(self) -> str:
+        lines = [f"  {name:<30} {_text(value)} {unit(name)}".rstrip() for name, value in self.rows()]
+        return "\n".join([f"<{type(self).__name__}", *lines, ">"])
+
+    def _repr_html_(self) -> str:
+        return table((name, _text(value), unit(name)) for name, value in self.rows())
+
+
+def _text(value: Any) -> str:
+    if isinstance(value, float):
+        return "nan" if math.isnan(value) else f"{value:.6g}"
+    return str(value)
+
+
+def table(rows: Any, head: Any = ()) -> str:
+    """An HTML table of texts."""
+    cells = ["".join(f"<td>{html.escape(str(cell))}</td>" for cell in row) for row in rows]
+    heads = "".join(f"<th>{html.escape(str(cell))}</th>" for cell in head)
+    top = f"<thead><tr>{heads}</tr></thead>" if heads else ""
+    body = "".join(f"<tr>{row}</tr>" for row in cells)
+    return f"<table>{top}<tbody>{body}</tbody></table>"

@@ -1,0 +1,103 @@
+"""Exceptions of the package. Each carries ``field``, what was wrong by name, and ``value``, what was found there."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+__all__ = [
+    "BusyError",
+    "CheckpointError",
+    "FileError",
+    "InputError",
+    "InterruptedSolve",
+    "LawError",
+    "NotConvergedError",
+    "SceneError",
+    "ShapeError",
+    "SolverError",
+    "StribeckError",
+    "StribeckWarning",
+    "SurfaceError",
+]
+
+
+class StribeckError(Exception):
+    """Anything that the package refuses. ``field`` names the input, ``value`` is what was given; None where there is none."""
+
+    field: str | None
+    value: Any
+
+    def __init__(self, message: str, *, field: str | None = None, value: Any = None) -> None:
+        super().__init__(message)
+        self.field = field
+        self.value = value
+
+
+class InputError(StribeckError, ValueError):
+    """A value out of range, a contradiction or a number that is not finite."""
+
+
+class ShapeError(InputError):
+    """An array of the wrong shape; ``value`` is the shape found."""
+
+
+class SceneError(InputError):
+    """A scene that does not fit: an unknown or missing key, a value of the wrong type."""
+
+
+class SurfaceError(InputError):
+    """A measured surface or its file that cannot be used; ``value`` is the path."""
+
+
+class SolverError(StribeckError):
+    """A solver that is not made for the contact, or a contact that reaches the edge of the box."""
+
+
+class NotConvergedError(StribeckError):
+    """A contact that had to be solved and was not; ``value`` is the status, ``report`` the report of the last try."""
+
+    report: dict[str, Any] | None = None
+
+
+class LawError(StribeckError):
+    """A law in Python that raised (see ``__cause__``), or returned what is no field of finite numbers."""
+
+
+class CheckpointError(StribeckError):
+    """A checkpoint that is damaged or belongs to another simulation; ``field`` is the part that differs."""
+
+
+class FileError(StribeckError, OSError):
+    """A file that cannot be read or written; ``value`` is its path."""
+
+
+class BusyError(StribeckError, RuntimeError):
+    """A simulation that is asked while it takes a step."""
+
+
+class StribeckWarning(UserWarning):
+    """Something that is allowed but unlikely to be meant or to hold: ``field`` is the key of the scene or the number of the solution,
+    ``value`` its value in SI units, ``message`` what is wrong and ``remedy`` what would mend it."""
+
+    def __init__(self, field: str, value: float, message: str, remedy: str) -> None:
+        super().__init__(f"{field} = {value:.7g}: {message}; {remedy}")
+        self.field, self.value, self.message, self.remedy = field, value, message, remedy
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.field, self.value, self.message, self.remedy)
+
+
+class InterruptedSolve(StribeckError):
+    """A solve that was ended from outside without an exception."""
+
+
+def found(items: list[dict[str, Any]]) -> list[StribeckWarning]:
+    """Warnings of the compiled module as such."""
+    return [StribeckWarning(**item) for item in items]
+
+
+def say(items: list[StribeckWarning], depth: int) -> None:
+    """Says each warning through the ``warnings`` of Python, as of the caller ``depth`` calls up."""
+    for item in items:
+        warnings.warn(item, stacklevel=depth + 1)

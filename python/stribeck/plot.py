@@ -1,0 +1,92 @@
+"""Pictures with matplotlib, which is optional: ``pip install "stribeck[plot]"``. Each function draws into ``ax`` or axes of its own and returns them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from ._numbers import unit
+from .history import History
+from .solution import Solution
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["history", "map", "profile"]
+
+#: Fields: scale of the unit shown and its name.
+_SHOWN = {
+    "pressure": (1e-9, "GPa"),
+    "fluid_pressure": (1e-9, "GPa"),
+    "film": (1e9, "nm"),
+    "gap": (1e6, "um"),
+    "plastic_depth": (1e9, "nm"),
+    "theta": (1.0, ""),
+    "in_contact": (1.0, ""),
+}
+
+
+def _axes(ax: Axes | None) -> Axes:
+    if ax is not None:
+        return ax
+    try:
+        import matplotlib.pyplot as plt
+    except ImportError as error:
+        raise ImportError('stribeck.plot needs matplotlib: pip install "stribeck[plot]"') from error
+    return plt.subplots(layout="constrained")[1]
+
+
+def _label(name: str, shown: str) -> str:
+    words = name.replace("_", " ")
+    return f"{words}, {shown}" if shown else words
+
+
+def map(solution: Solution, name: str = "film", *, ax: Axes | None = None, **options: Any) -> Axes:  # noqa: A001
+    """A field of a solution over x and y in micrometres; ``options`` go to ``imshow``."""
+    axes = _axes(ax)
+    grid = solution.grid
+    scale, shown = _SHOWN.get(name, (1.0, ""))
+    extent = tuple(1e6 * edge for edge in (*grid["x"], *grid["y"]))
+    image = axes.imshow(solution.fields[name] * scale, origin="lower", extent=extent, **options)
+    axes.figure.colorbar(image, ax=axes, label=_label(name, shown))
+    axes.set_xlabel("x, um")
+    axes.set_ylabel("y, um")
+    return axes
+
+
+def profile(
+    solution: Solution, names: str | Sequence[str] = "film", *, along: str = "x", ax: Axes | None = None, **options: Any
+) -> Axes:
+    """Fields along the row or column next to the middle of the contact; ``options`` go to ``plot``."""
+    axes = _axes(ax)
+    grid = solution.grid
+    positions, across = (grid.nodes_x, grid.nodes_y) if along == "x" else (grid.nodes_y, grid.nodes_x)
+    middle = int(abs(across).argmin())
+    chosen = [names] if isinstance(names, str) else list(names)
+    for name in chosen:
+        scale, shown = _SHOWN.get(name, (1.0, ""))
+        field = solution.fields[name]
+        line = field[middle, :] if along == "x" else field[:, middle]
+        axes.plot(1e6 * positions, scale * line, label=_label(name, shown), **options)
+    axes.set_xlabel(f"{along}, um")
+    if len(chosen) == 1:
+        axes.set_ylabel(_label(chosen[0], _SHOWN.get(chosen[0], (1.0, ""))[1]))
+    else:
+        axes.legend()
+    return axes
+
+
+def history(
+    records: History, names: str | Sequence[str] = "friction_coefficient", *, ax: Axes | None = None, **options: Any
+) -> Axes:
+    """Columns of a history over time in seconds; ``options`` go to ``plot``."""
+    axes = _axes(ax)
+    chosen = [names] if isinstance(names, str) else list(names)
+    for name in chosen:
+        axes.plot(records["time"], records[name], label=_label(name, unit(name)), **options)
+    axes.set_xlabel("time, s")
+    if len(chosen) == 1:
+        axes.set_ylabel(_label(chosen[0], unit(chosen[0])))
+    else:
+        axes.legend()
+    return axes

@@ -1,0 +1,199 @@
+"""Scenes: everything that defines a contact."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ._numbers import Numbers
+from ._stribeck import Cells, Scene as _Scene
+from .errors import SceneError, StribeckWarning, found
+
+__all__ = ["Grid", "Scene"]
+
+
+class Grid(Numbers):
+    """Cells of a contact: counts ``nx``, ``ny``, sizes ``dx``, ``dy`` and outer edges ``x``, ``y`` [m]. Fields have the shape
+    ``(ny, nx)``; x is along the flow."""
+
+    __slots__ = ()
+
+    @classmethod
+    def box(cls, nx: int, ny: int, x: tuple[float, float], y: tuple[float, float]) -> Grid:
+        """``nx`` x ``ny`` cells that fill the box between the edges ``x`` and ``y`` [m]."""
+        return cls(Cells((ny, nx), list(x), list(y)).to_dict())
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """``(ny, nx)``."""
+        return self["ny"], self["nx"]
+
+    @property
+    def nodes_x(self) -> npt.NDArray[np.float64]:
+        """Positions of the columns, shape ``(nx,)`` [m]."""
+        return np.asarray(self["x"][0] + self["dx"] * (np.arange(self["nx"]) + 0.5))
+
+    @property
+    def nodes_y(self) -> npt.NDArray[np.float64]:
+        """Positions of the rows, shape ``(ny,)`` [m]."""
+        return np.asarray(self["y"][0] + self["dy"] * (np.arange(self["ny"]) + 0.5))
+
+    @property
+    def _cells(self) -> Cells:
+        return Cells(self.shape, list(self["x"]), list(self["y"]))
+
+
+class _SceneGrid(Grid):
+    """The cells of a scene to the last bit: its edges come back rounded."""
+
+    __slots__ = ("_exact",)
+
+    _exact: Cells
+
+    def __init__(self, exact: Cells) -> None:
+        super().__init__(exact.to_dict())
+        object.__setattr__(self, "_exact", exact)
+
+    @property
+    def _cells(self) -> Cells:
+        return self._exact
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Grid, (self.to_dict(),)
+
+
+class Scene:
+    """A contact in tables and keys as in a scene file (``docs/scene.md``), all SI.
+
+    ``Scene(source)`` takes a dictionary, the text of a scene file, a path to one or another scene; ``Scene(form={...}, load={...},
+    grid={...})`` takes tables by name. Both may be combined: tables by name come on top (see :meth:`replace`). Paths in a scene file
+    are relative to its folder, in a dictionary or text to the working directory.
+
+    Raises :class:`~stribeck.SceneError` naming the key that does not fit, :class:`~stribeck.FileError` for a file that cannot be read.
+    Values out of range are found when the scene is used.
+    """
+
+    __slots__ = ("_raw",)
+
+    def __init__(
+        self,
+        source: Scene | Mapping[str, Any] | str | os.PathLike[str] | None = None,
+        /,
+        **tables: Mapping[str, Any] | None,
+    ) -> None:
+        if source is None:
+            self._raw = _of_tables(tables)
+            return
+        if isinstance(source, Scene):
+            self._raw = source._raw
+        elif isinstance(source, Mapping):
+            self._raw = _of_tables(source)
+        elif isinstance(source, str) and ("\n" in source or "=" in source):
+            self._raw = _Scene.from_toml(source)
+        else:
+            self._raw = _Scene.load(os.fspath(source))
+        if tables:
+            self._raw = self.replace(**tables)._raw
+
+    @classmethod
+    def azam_2019(cls, n: int = 128, *, tribofilm: bool = False) -> Scene:
+        """The scene of Azam et al. (2019): a steel ball on a rough disc in base oil at 80 C, on ``n`` x ``n`` cells."""
+        return cls._of(_Scene.azam_2019(n, tribofilm))
+
+    @classmethod
+    def _of(cls, raw: _Scene) -> Scene:
+        scene = cls.__new__(cls)
+        scene._raw = raw
+        return scene
+
+    def replace(self, **tables: Mapping[str, Any] | None) -> Scene:
+        """The same scene with other values: ``scene.replace(motion={"entrainment_speed": 0.2}, wear=None)``.
+
+        Keys within a table are replaced one by one, and left out where the value is None. A table with a ``kind``, ``load`` and ``grid``
+        are replaced as a whole.
+        """
+        return type(self)(_merged(self.to_dict(), tables, ()))
+
+    def to_dict(self) -> dict[str, Any]:
+        """The scene as tables and keys, defaults included."""
+        return self._raw.to_dict()
+
+    def to_toml(self) -> str:
+        """The scene as the text of a scene file."""
+        return self._raw.to_toml()
+
+    @property
+    def grid(self) -> Grid:
+        """The cells of the contact."""
+        return _SceneGrid(self._raw.grid())
+
+    def hertz(self) -> Numbers:
+        """The smooth dry contact: ``radius``, ``half_width_x``, ``half_width_y`` [m], ``pressure`` [Pa], ``force`` [N]."""
+        return Numbers(self._raw.hertz())
+
+    def conditions(self, time: float = 0.0) -> Numbers:
+        """``load`` [N], ``entrainment_speed`` [m/s], ``slide_roll_ratio`` and ``bulk_temperature`` [K] at ``time`` [s]."""
+        return Numbers(self._raw.conditions(time))
+
+    @property
+    def warnings(self) -> list[StribeckWarning]:
+        """What is unlikely to be meant or to hold, as far as it is known without solving."""
+        return found(self._raw.warnings())
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scene) and self._raw == other._raw
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"Scene({self.to_dict()!r})"
+
+    def _repr_html_(self) -> str:
+        return Numbers(self.to_dict())._repr_html_()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.to_dict(),)
+
+
+def as_scene(source: Scene | Mapping[str, Any] | str | os.PathLike[str]) -> Scene:
+    """The scene itself, or one of what :class:`Scene` takes."""
+    return source if isinstance(source, Scene) else Scene(source)
+
+
+def _of_tables(tables: Mapping[str, Any]) -> _Scene:
+    plain = _plain(tables)
+    try:
+        return _Scene.from_dict(plain)
+    except SceneError as error:
+        if error.value is None and error.field is not None:
+            error.value = _at(plain, error.field)
+        raise
+
+
+def _at(tables: Any, path: str) -> Any:
+    for key in path.split("."):
+        if not isinstance(tables, dict):
+            return None
+        tables = tables.get(key)
+    return tables
+
+
+def _plain(tables: Mapping[str, Any]) -> dict[str, Any]:
+    return {k: _plain(v) if isinstance(v, Mapping) else v for k, v in tables.items()}
+
+
+def _merged(base: dict[str, Any], changes: Mapping[str, Any], path: tuple[str, ...]) -> dict[str, Any]:
+    merged = dict(base)
+    for key, new in changes.items():
+        old = merged.get(key)
+        if not isinstance(new, Mapping):
+            merged[key] = new
+        elif not isinstance(old, dict) or "kind" in new or (not path and key in ("load", "grid")):
+            merged[key] = _plain(new)
+        else:
+            merged[key] = _merged(old, new, (*path, key))
+    return merged

@@ -1,0 +1,172 @@
+"""Single contacts."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ._numbers import Numbers
+from ._stribeck import BodyStart, solve as _solve
+from .errors import InputError, NotConvergedError, StribeckWarning, found, say
+from .laws import FrictionLaw, growth_triple, pair
+from .scene import Grid, Scene, as_scene
+
+__all__ = ["Report", "Solution", "solve"]
+
+Heights = npt.ArrayLike | tuple[npt.ArrayLike | None, npt.ArrayLike | None] | Mapping[str, npt.ArrayLike | None] | None
+
+
+class Report(Numbers):
+    """How a solve ended: ``status``, ``solver``, ``residual`` (mass, load, complementarity), ``energy_error``, ``work``."""
+
+    __slots__ = ()
+
+
+class Solution(Numbers):
+    """A solved contact. Numbers have the names of the command's JSON, all SI: ``film.central``, ``film.lambda_``,
+    ``contact.load_ratio``, ``friction.coefficient``, ``residual.mass``, ``status``, ``warnings`` and so on.
+
+    ``fields`` holds maps of the shape ``(ny, nx)`` by name: ``pressure``, ``fluid_pressure`` [Pa], ``film``, ``gap``, ``plastic_depth`` [m],
+    ``theta`` (filled share of the gap) and ``in_contact``.
+    """
+
+    __slots__ = ("fields",)
+
+    fields: dict[str, npt.NDArray[Any]]
+
+    def __init__(self, values: Mapping[str, Any], fields: Mapping[str, npt.NDArray[Any]] | None = None) -> None:
+        super().__init__(values)
+        object.__setattr__(self, "fields", dict(fields or {}))
+
+    @property
+    def grid(self) -> Grid:
+        """The cells of the fields."""
+        return Grid(self["grid"].to_dict())
+
+    @property
+    def warnings(self) -> list[StribeckWarning]:
+        """What is unlikely to be meant or to hold, of the scene, its surfaces and the solution."""
+        return found(self["warnings"])
+
+    @property
+    def report(self) -> Report:
+        """How the solve ended."""
+        names = ("status", "solver", "residual", "energy_error", "work")
+        values = self.to_dict()
+        return Report({name: values[name] for name in names})
+
+    @property
+    def converged(self) -> bool:
+        """Whether all residuals are at or below the tolerance."""
+        return bool(self["status"] == "converged")
+
+    def require_converged(self) -> Solution:
+        """The solution itself; raises :class:`~stribeck.NotConvergedError` where it is none."""
+        if self.converged:
+            return self
+        error = NotConvergedError(
+            f"{self['solver']} ended as {self['status']} with the residuals {self['residual'].to_dict()}",
+            field="status",
+            value=self["status"],
+        )
+        error.report = self.report.to_dict()
+        raise error
+
+    def save_fields(self, path: str | os.PathLike[str]) -> None:
+        """Writes the fields as a NumPy archive."""
+        arrays: dict[str, Any] = self.fields
+        np.savez_compressed(path, **arrays)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.to_dict(), self.fields)
+
+
+def solve(
+    scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
+    *,
+    heights: Heights = None,
+    bodies: tuple[BodyStart | None, BodyStart | None] | None = None,
+    friction: FrictionLaw | Any = None,
+    solver: str | None = None,
+    start: Solution | None = None,
+) -> Solution:
+    """Solves the single contact of ``scene``, surfaces as they are.
+
+    ``heights`` [m], positive out of the body, shape ``(ny, nx)`` of the scene's grid: an array for the disc, a pair for ball and disc, or a
+    dictionary with the keys ``ball`` and ``disc``. ``bodies`` are ball and disc of an earlier run. ``friction`` is a law of solid contact
+    (:mod:`stribeck.laws`), ``solver`` the name of a solver in place of that of the scene, ``start`` a solution on the same grid whose pressures
+    are a first guess. Other threads run meanwhile; Ctrl-C ends the solve. What is unlikely to be meant is said as a
+    :class:`~stribeck.StribeckWarning` and stands in ``warnings`` of the solution.
+
+    Not converging is a status, see :meth:`Solution.require_converged`. Raises :class:`~stribeck.InputError` with ``field`` and ``value``
+    for what cannot be solved.
+    """
+    raw = with_solver(as_scene(scene), solver)._raw
+    first = None
+    if start is not None:
+        first = {**start.fields, "approach": start["approach"]}
+    numbers, fields = _solve(raw, parts(heights, bodies, None, None, friction), first)
+    solution = Solution(numbers, fields)
+    say(solution.warnings, 2)
+    return solution
+
+
+def with_solver(scene: Scene, solver: str | None) -> Scene:
+    """The scene with the solver of this name."""
+    return scene if solver is None else scene.replace(solver={"kind": solver})
+
+
+def parts(
+    heights: Heights,
+    bodies: tuple[BodyStart | None, BodyStart | None] | None,
+    growth: Any,
+    wear: Any,
+    friction: Any,
+) -> dict[str, Any]:
+    """What stands in place of parts of a scene, as the compiled module takes it."""
+    ball, disc = _both(heights)
+    ball_start, disc_start = bodies if bodies is not None else (None, None)
+    return {
+        "ball_heights": _optional("ball heights", ball),
+        "disc_heights": _optional("disc heights", disc),
+        "ball_start": ball_start,
+        "disc_start": disc_start,
+        "growth": growth_triple(growth),
+        "wear": pair(wear, "depth_rate", "wear law"),
+        "friction": pair(friction, "coefficient", "boundary friction"),
+    }
+
+
+def _both(heights: Heights) -> tuple[Any, Any]:
+    if heights is None:
+        return None, None
+    if isinstance(heights, Mapping):
+        stray = set(heights) - {"ball", "disc"}
+        if stray:
+            raise InputError(f"heights: unknown body {sorted(stray)[0]!r}", field="heights", value=sorted(stray)[0])
+        return heights.get("ball"), heights.get("disc")
+    if isinstance(heights, tuple):
+        if len(heights) != 2:
+            raise InputError(f"heights: {len(heights)} bodies, expected ball and disc", field="heights", value=len(heights))
+        return heights
+    return None, heights
+
+
+def _optional(name: str, values: Any) -> npt.NDArray[np.float64] | None:
+    return None if values is None else _array(name, values)
+
+
+def _array(name: str, values: Any) -> npt.NDArray[np.float64]:
+    try:
+        array = np.ascontiguousarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name}: not an array of numbers ({error})", field=name, value=values) from None
+    if array.ndim != 2:
+        from .errors import ShapeError
+
+        raise ShapeError(f"{name} has {array.ndim} axes, expected (ny, nx)", field=name, value=array.shape)
+    return array

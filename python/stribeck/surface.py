@@ -1,0 +1,179 @@
+"""Surfaces: measured ones and their preparation, generated ones. Heights are in metres and point out of the body; arrays have the shape
+``(ny, nx)``, x along the flow."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from ._stribeck import Surface as _Surface, generate as _generate, texture as _texture
+from .scene import Grid
+
+__all__ = ["Surface", "dimples", "generate", "grooves", "read"]
+
+Boundary = Literal["periodic", "open"]
+Field = npt.NDArray[np.float64]
+
+
+class Surface:
+    """A measured surface. Every step of a preparation gives a new one, so that steps can be chained:
+    ``read(path).fill_undefined().remove_plane().s_filter(2e-6)``."""
+
+    __slots__ = ("_raw",)
+
+    def __init__(
+        self,
+        heights: npt.ArrayLike,
+        dx: float | None = None,
+        dy: float | None = None,
+        defined: npt.ArrayLike | None = None,
+    ) -> None:
+        """Heights [m] of the shape ``(ny, nx)``, spacing [m] and which points are defined; ``dy`` is ``dx`` unless given."""
+        from .solution import _array
+
+        mask = None if defined is None else np.ascontiguousarray(defined, dtype=bool)
+        self._raw = _Surface(_array("heights", heights), dx, dy, mask)
+
+    @classmethod
+    def _of(cls, raw: Any) -> Surface:
+        surface = cls.__new__(cls)
+        surface._raw = raw
+        return surface
+
+    @property
+    def heights(self) -> Field:
+        """Heights [m], shape ``(ny, nx)``, a copy; zero where undefined."""
+        return self._raw.heights
+
+    @property
+    def defined(self) -> npt.NDArray[np.bool_]:
+        """Which points are defined."""
+        mask = self._raw.defined
+        return np.ones(self.shape, dtype=bool) if mask is None else mask
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """``(ny, nx)``."""
+        return self._raw.ny, self._raw.nx
+
+    @property
+    def dx(self) -> float | None:
+        """Distance of the points along x [m]; None where the file does not say."""
+        return self._raw.dx
+
+    @property
+    def dy(self) -> float | None:
+        """Distance of the points along y [m]."""
+        return self._raw.dy
+
+    @property
+    def undefined(self) -> int:
+        """Number of undefined points."""
+        return self._raw.undefined
+
+    def with_spacing(self, dx: float, dy: float | None = None) -> Surface:
+        """The same heights with other distances of the points [m]."""
+        return self._of(self._raw.with_spacing(dx, dx if dy is None else dy))
+
+    def fill_undefined(self) -> Surface:
+        """Undefined points filled from their neighbours."""
+        return self._of(self._raw.fill_undefined())
+
+    def remove_plane(self) -> Surface:
+        """Without the plane of least squares."""
+        return self._of(self._raw.remove_plane())
+
+    def remove_polynomial(self, degree: int) -> Surface:
+        """Without the polynomial of least squares."""
+        return self._of(self._raw.remove_polynomial(degree))
+
+    def remove_sphere(self) -> tuple[Surface, float]:
+        """Without the sphere of least squares, and its radius [m]."""
+        raw, radius = self._raw.remove_sphere()
+        return self._of(raw), radius
+
+    def s_filter(self, cutoff: float, boundary: Boundary = "open") -> Surface:
+        """Without waves shorter than about ``cutoff`` [m] (Gaussian filter)."""
+        return self._of(self._raw.s_filter(cutoff, boundary))
+
+    def l_filter(self, cutoff: float, boundary: Boundary = "open") -> Surface:
+        """Without waves longer than about ``cutoff`` [m] (Gaussian filter)."""
+        return self._of(self._raw.l_filter(cutoff, boundary))
+
+    def set_rq(self, rq: float) -> Surface:
+        """Scaled to the root mean square height ``rq`` [m]."""
+        return self._of(self._raw.set_rq(rq))
+
+    def taper(self, width: float) -> Surface:
+        """With edges that fade to the mean over ``width`` [m]."""
+        return self._of(self._raw.taper(width))
+
+    def crop(self, first: tuple[int, int], nx: int, ny: int) -> Surface:
+        """``nx`` x ``ny`` points from the column and row ``first`` on."""
+        return self._of(self._raw.crop(list(first), nx, ny))
+
+    def rotated_90(self) -> Surface:
+        """Turned by a quarter."""
+        return self._of(self._raw.rotated_90())
+
+    def fit_to_grid(self, grid: Grid) -> Field:
+        """Levelled, filled, mirrored until it covers ``grid``, and resampled: heights [m] of the shape ``(ny, nx)``."""
+        return self._raw.fit_to_grid(grid._cells)
+
+    def resample(self, grid: Grid) -> Field:
+        """Resampled to ``grid``, which it must cover: heights [m] of the shape ``(ny, nx)``."""
+        return self._raw.resample(grid._cells)
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """Writes the surface; the format is that of the name: ``.x3p``, ``.npy`` or ``.txt``."""
+        self._raw.write(os.fspath(path))
+
+    def __repr__(self) -> str:
+        spacing = "unknown spacing" if self.dx is None or self.dy is None else f"{self.dx * 1e6:g} x {self.dy * 1e6:g} um apart"
+        return f"<Surface of {self.shape[1]} x {self.shape[0]} points, {spacing}, {self.undefined} undefined>"
+
+
+def read(path: str | os.PathLike[str]) -> Surface:
+    """Reads a file of an instrument: x3p, sur, sdf, plu, al3d, npy or text. Raises :class:`~stribeck.SurfaceError` or
+    :class:`~stribeck.FileError`, whose ``value`` is the path."""
+    return Surface._of(_Surface.read(os.fspath(path)))
+
+
+def generate(
+    grid: Grid,
+    rq: float,
+    *,
+    kind: Literal["gaussian", "exponential", "self_affine"] = "gaussian",
+    seed: int = 0,
+    **options: Any,
+) -> Field:
+    """A random surface [m] on ``grid`` with the root mean square height ``rq`` [m].
+
+    Options of ``gaussian`` and ``exponential``: ``length_x``, ``length_y``, where the autocorrelation is 10 % [m] (``length`` for both). Of
+    ``self_affine``: ``hurst``, ``roll_off``, ``shortest`` and ``longest`` [m]. Of all: ``skewness`` and ``kurtosis``, ``boundary`` ("periodic" or "open")
+    and ``exact_rq`` (True: this very surface has ``rq``; False: the mean over seeds).
+    """
+    from .errors import InputError
+
+    length = options.pop("length", None)
+    if length is not None:
+        options = {"length_x": length, "length_y": length, **options}
+    known = {"length_x", "length_y", "hurst", "roll_off", "shortest", "longest", "skewness", "kurtosis", "boundary", "exact_rq"}
+    for name in options:
+        if name not in known:
+            raise InputError(f"{name}: no option of a random surface, which are {', '.join(sorted(known))}", field=name)
+    return _generate(grid._cells, kind, rq, seed, options)
+
+
+def dimples(grid: Grid, *, radius: float, depth: float, pitch: float, seed: int | None = None) -> Field:
+    """Round dimples [m]: on a square lattice, or with a ``seed`` at random within its squares."""
+    layout = "square" if seed is None else "random"
+    return _texture(grid._cells, "dimples", [radius, depth, pitch], layout, seed or 0)
+
+
+def grooves(grid: Grid, *, width: float, depth: float, pitch: float, direction: Literal["x", "y", "crossed"] = "y") -> Field:
+    """Straight grooves [m] along x, along y or both."""
+    return _texture(grid._cells, "grooves", [width, depth, pitch], direction, 0)

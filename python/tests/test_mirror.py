@@ -1,0 +1,148 @@
+"""The examples of the crate in Python: equal numbers to the last bit."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+from conftest import ROOT, SCENES, run_example, run_json
+
+import stribeck
+
+
+@pytest.mark.parametrize("name", ["smooth", "rough", "rough_dry", "line"])
+def test_solve_is_the_example_solve(name: str, tmp_path) -> None:
+    path, fields = SCENES / f"{name}.toml", tmp_path / "fields.npz"
+    expected = run_json("solve", str(path), "--fields", str(fields))
+    solution = stribeck.solve(path)
+    compared = 0
+    for key, value in expected.items():
+        if key in ("seconds", "warnings"):
+            continue
+        found = solution.to_dict()[key]
+        if isinstance(value, dict):
+            assert {k: found[k] for k in value} == value, key
+        else:
+            assert found == value, key
+        compared += 1
+    assert compared > 15
+    with np.load(fields) as archive:
+        for field, values in archive.items():
+            np.testing.assert_array_equal(solution.fields[field], values, err_msg=field)
+
+
+def test_a_history_is_the_example_history(tmp_path) -> None:
+    path, csv = SCENES / "dry_history.toml", tmp_path / "history.csv"
+    expected = run_json("history", str(path), "--steps", "4", "--time-step", "30", "--csv", str(csv))
+    simulation = stribeck.Simulation(path)
+    history = simulation.run(4, 30.0)
+    last = history[-1]
+    assert last.friction_coefficient == expected["friction"]["coefficient"]
+    assert last.lambda_ == expected["film"]["lambda"]
+    assert last.rq_disc == expected["roughness"]["disc_rq"]
+    assert simulation.time == expected["time"]
+    assert simulation.bodies[1].worn_profile.tolist() == expected["wear"]["disc_profile"]
+    header, *rows = [line.split(",") for line in csv.read_text().splitlines()]
+    names = [column_name(name) for name in header]
+    table = history.to_numpy()
+    assert set(names) == set(table.dtype.names)
+    for row, record in zip(rows, table, strict=True):
+        for name, cell in zip(names, row, strict=True):
+            found = record[name]
+            if isinstance(found, str):
+                assert cell == found
+            elif cell == "":
+                assert math.isnan(found)
+            else:
+                assert float(cell) == found, name
+
+
+def column_name(header: str) -> str:
+    """The name of a record for the column of a history file: without its unit."""
+    odd = {"h_avg_m": "average_film", "contact_area_ratio": "area_ratio", "contact_load_ratio": "load_ratio",
+           "rq_composite_m": "composite_rq"}
+    units = r"_(m3_s|m_s|m3|pa|m|s|k|n)$"
+    return odd.get(header) or re.sub(units, "", header)
+
+
+class PowerDriven:
+    """The law of the example `custom_growth_law`."""
+
+    maximum_thickness = 150e-9
+
+    def rate(self, at, thickness):
+        left = 1.0 - thickness / self.maximum_thickness
+        return 4e-16 * at.shear_stress * at.sliding_speed * left * left
+
+
+def test_a_growth_law_in_python_is_that_in_rust() -> None:
+    simulation = stribeck.Simulation(stribeck.Scene.azam_2019(32), growth=PowerDriven())
+    history = simulation.run(6, 600.0)
+    lines = [f"{r.time:5.0f} s  mean film on the disc {r.mean_film_disc * 1e9:6.2f} nm" for r in history]
+    assert lines == run_example("custom_growth_law").splitlines()
+    assert history[-1].mean_film_disc > 20e-9
+
+
+def test_laws_in_python_are_those_of_the_crate_to_the_last_bit() -> None:
+    scene = stribeck.Scene.azam_2019(32)
+    rate, coefficient = (5.45e-8 / 6e9), 0.115
+    own = stribeck.Simulation(
+        scene,
+        wear=lambda at, film: rate * np.maximum(at.pressure, 0.0) * np.abs(at.sliding_speed),
+        friction=lambda pressure, speed, ball, disc: coefficient,
+    )
+    crate = stribeck.Simulation(scene)
+    for _ in range(3):
+        assert same(own.step(60.0), crate.step(60.0))
+
+
+def same(one: stribeck.Record, other: stribeck.Record) -> bool:
+    """Whether all numbers are equal; what is not modelled is so in both."""
+    return all(a == b or (a != a and b != b) for a, b in zip(one.values(), other.values(), strict=True))
+
+
+def test_smooth_films_are_those_of_the_example_smooth_ehl() -> None:
+    rows = [line.split() for line in run_example("smooth_ehl").splitlines()[2:]]
+    scene = stribeck.Scene.azam_2019(64).replace(
+        roughness=None, plastic=None, load={"hertz_pressure": 0.5e9}, lubricant={"eta0": 0.04, "roelands_z": 0.6}
+    )
+    a = scene.hertz().half_width_x
+    grid = {"nx": 96, "ny": 64, "x": [-4.0 * a, 2.0 * a], "y": [-2.5 * a, 2.5 * a]}
+    for speed, central, _, minimum, _ in rows:
+        solution = stribeck.solve(scene.replace(grid=grid, motion={"entrainment_speed": float(speed)}))
+        solution.require_converged()
+        assert f"{solution.film.central * 1e9:.1f}" == central
+        assert f"{solution.film.minimum * 1e9:.1f}" == minimum
+
+
+def test_a_measured_surface_runs_as_in_its_example() -> None:
+    surface = stribeck.surface.read(ROOT / "tests/data/surfaces/cut.x3p")
+    scene = stribeck.Scene.azam_2019(64, tribofilm=True).replace(
+        form={"kind": "sphere", "radius": 1e-3}, load={"hertz_pressure": 0.8e9}, solver={"tolerance": 1e-3}
+    )
+    a = scene.hertz().half_width_x
+    edges = [-2.0 * a, 2.0 * a]
+    scene = scene.replace(grid={"nx": 64, "ny": 64, "x": edges, "y": edges})
+    heights = surface.fit_to_grid(scene.grid)
+    sq = stribeck.metrics.height_statistics(heights).sq
+    simulation = stribeck.Simulation(scene, heights=heights * (50e-9 / sq))
+    lines = [
+        f"{r.time:8.0f} {r.lambda_:9.3f} {r.load_ratio:11.3f} {1e9 * r.rq_disc:13.2f} {1e9 * r.mean_film_disc:10.2f}"
+        for r in simulation.run(6, 60.0)
+    ]
+    assert lines == run_example("measured_surface").splitlines()[3:]
+    assert simulation.ledger_residual < 1e-20
+
+
+def test_dry_contacts_are_those_of_the_example_dry_contact() -> None:
+    rows = [line.split() for line in run_example("dry_contact").splitlines()[2:]]
+    scene = stribeck.Scene.azam_2019(96).replace(lubricant=None)
+    for load, area, share, pressure, kind in rows:
+        plastic = None if kind == "elastic" else scene.to_dict()["plastic"]
+        solution = stribeck.solve(scene.replace(load={"force": float(load)}, plastic=plastic))
+        hertz_area = math.pi * solution.hertz.half_width_x * solution.hertz.half_width_y
+        assert f"{solution.contact.area * 1e12:.1f}" == area
+        assert f"{solution.contact.area / hertz_area:.3f}" == share
+        assert f"{solution.pressure.max * 1e-9:.2f}" == pressure

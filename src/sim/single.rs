@@ -1,0 +1,166 @@
+//! Single contacts through the builder of simulations: one path for scenes, heights in memory, own parts and finer meshes.
+
+use super::body::Body;
+use super::builder::SimBuilder;
+use super::contact::ContactModel;
+use super::friction::FrictionFields;
+use super::interrupt::Interrupt;
+use super::scene::{GridSpec, Scene};
+use super::simulation::Laws;
+use super::solution::{ContactSolution, Numbers, StressNumbers, is_known};
+use super::track::track_rq;
+use super::yielding::Yielding;
+use super::{SimError, accuracy, setup, warnings};
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::reynolds::ContactState;
+
+impl SimBuilder {
+    /// Solves the single contact of the bodies as they stand, in the first position of their roughness and at the conditions of the
+    /// start, as [`solve_contact`](super::solve_contact) does, with the laws, heights and starts that were given here. What changes bodies is not asked, a
+    /// hardness that grows with the plastic depth of this contact is not followed.
+    ///
+    /// # Errors
+    /// A scene, heights or starts that do not fit; a load that the pressure limit cannot carry; own parts beside an accuracy or an
+    /// estimate of errors, which need other meshes. Not converging is a status of the report.
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
+    /// let scene = Scene::azam_2019(32);
+    /// let first = solve_contact(&scene)?;
+    /// // The same surfaces from memory, and a start that is the solution.
+    /// let heights = |k: usize| MixedLubricationSim::builder(scene.clone()).build().map(|sim| sim.bodies()[k].surface().to_vec());
+    /// let builder = MixedLubricationSim::builder(scene.clone()).ball_heights(heights(0)?).disc_heights(heights(1)?);
+    /// let again = builder.contact_start(first.state.clone()).solve()?;
+    /// assert!((again.film.central / first.film.central - 1.0).abs() < 1e-3);
+    /// assert!(again.report.work.iterations < first.report.work.iterations);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn solve(mut self) -> Result<ContactSolution, SimError> {
+        let scene = self.scene.clone();
+        let mut solution = if needs_meshes(&scene) {
+            if let Some(part) = self.own_part() {
+                return Err(SimError::Input(InputError::Conflict {
+                    field: part.to_owned(),
+                    reason: "it is known on one grid, an accuracy or an estimate of errors needs several"
+                        .to_owned(),
+                }));
+            }
+            accuracy::solve(&scene, self.overrides.interrupt.as_ref())?
+        } else {
+            let start = self.contact_start.take();
+            let own_heights = self.own_heights();
+            self.solve_from(own_heights, |grid| Ok(start.unwrap_or_else(|| ContactState::new(grid))))?
+        };
+        let found = warnings::after_solve(&scene, &solution);
+        solution.warnings.extend(found);
+        Ok(solution)
+    }
+
+    /// The same on the grid of the scene alone, from what `start` makes; `own_heights` are in place of those of the scene.
+    pub(super) fn solve_from(
+        mut self,
+        own_heights: [bool; 2],
+        start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
+    ) -> Result<ContactSolution, SimError> {
+        self.scene.schedule.read_tables()?;
+        let overrides = std::mem::take(&mut self.overrides);
+        let mut contact = ContactModel::new(&self.scene, overrides)?;
+        if let (Some(plastic), None) = (self.scene.plastic, &self.plasticity) {
+            let [ball, disc] = self.scene.hardnesses(plastic.hardness);
+            setup::validate_hardness(ball.min(disc), &contact.grid, &contact.hertz)?;
+        }
+        let laws = self.laws()?;
+        let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
+        let warnings = self.warnings(own_heights, &contact, &bodies);
+        contact.face_mobility = self.face_mobility(own_heights, &bodies);
+        let state = start(&contact.grid)?;
+        let solution = solve_bodies(&self.scene, contact, &bodies, &laws, state)?;
+        Ok(ContactSolution { warnings, ..solution })
+    }
+
+    /// The first part that was put in place of one of the scene.
+    fn own_part(&self) -> Option<&'static str> {
+        let [ball, disc] = &self.heights;
+        let [ball_start, disc_start] = &self.starts;
+        let own = &self.overrides;
+        [
+            ("ball heights", ball.is_some()),
+            ("disc heights", disc.is_some()),
+            ("ball start", ball_start.is_some()),
+            ("disc start", disc_start.is_some()),
+            ("contact start", self.contact_start.is_some()),
+            ("deformation", own.deformation.is_some()),
+            ("viscosity", own.viscosity.is_some()),
+            ("density", own.density.is_some()),
+            ("solver", own.solver.is_some()),
+            ("plasticity model", self.plasticity.is_some()),
+            ("boundary friction", self.friction.is_some()),
+        ]
+        .into_iter()
+        .find_map(|(part, given)| given.then_some(part))
+    }
+}
+
+/// Whether the single contact of `scene` is solved on several meshes.
+fn needs_meshes(scene: &Scene) -> bool {
+    let asked = scene.solver.estimate || scene.solver.accuracy.is_some();
+    asked || matches!(scene.grid, GridSpec::Accuracy { .. })
+}
+
+/// Solves the contact on the grid of the scene from the state that `start` makes.
+pub(super) fn solve_on_grid(
+    scene: &Scene,
+    interrupt: Option<&Interrupt>,
+    start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
+) -> Result<ContactSolution, SimError> {
+    let mut builder = SimBuilder::new(scene.clone());
+    builder.overrides.interrupt = interrupt.cloned();
+    builder.solve_from([false; 2], start)
+}
+
+/// The same with the heights of ball and disc on this grid given \[m\].
+pub(super) fn solve_heights(
+    scene: &Scene,
+    interrupt: Option<&Interrupt>,
+    [ball, disc]: [Vec<f64>; 2],
+) -> Result<ContactSolution, SimError> {
+    let mut builder = SimBuilder::new(scene.clone()).ball_heights(ball).disc_heights(disc);
+    builder.overrides.interrupt = interrupt.cloned();
+    // They are those of the scene on another mesh.
+    builder.solve_from([false; 2], |grid| Ok(ContactState::new(grid)))
+}
+
+/// Solves the contact of `bodies` as they stand from `state`.
+fn solve_bodies(
+    scene: &Scene,
+    mut model: ContactModel,
+    bodies: &[Body; 2],
+    laws: &Laws,
+    mut state: ContactState,
+) -> Result<ContactSolution, SimError> {
+    let grid = model.grid;
+    let [ball, disc] = bodies;
+    let heights = ball.surface().iter().zip(disc.surface());
+    let gap: Vec<f64> = model.form_gap.iter().zip(heights).map(|(form, (b, d))| form - b - d).collect();
+    let films = [ball, disc].map(|body| body.film_thickness().to_vec());
+    let limit = match &laws.plasticity {
+        None => None,
+        Some(plasticity) => {
+            let depths = [ball, disc].map(|body| body.plastic_depth().to_vec());
+            let mut yielding = Yielding::new(grid.len());
+            yielding.start(plasticity, &films, &depths)?;
+            Some(yielding.limit)
+        }
+    };
+    let report = model.solve(&gap, limit.as_deref(), None, &mut state)?;
+    let mut friction = FrictionFields::new(scene, grid.len())?;
+    let known = is_known(&state);
+    if known {
+        friction.update(&model, &state, laws.friction.as_ref(), &films)?;
+    }
+    let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
+    let rq = [ball, disc].map(|body| track_rq(&grid, model.hertz.a_y, body.surface()));
+    let stress = if known { StressNumbers::of(scene, &model, &state, &friction)? } else { None };
+    Ok(ContactSolution { stress, ..model.solution((report, state), gap, numbers, rq) })
+}
