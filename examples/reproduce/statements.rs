@@ -1,80 +1,155 @@
-//! What the paper says, as questions to a pair of histories.
+//! What the paper says, as questions to a pair of histories at each tenth of the run.
 
-use crate::history::History;
+use stribeck::sim::StepRecord;
 
-/// The same seed and choices with and without tribofilm.
+use crate::history::{BEARING_INTERVALS, History, PARTS};
+
+/// The same seed and variant with and without tribofilm.
 #[derive(Debug, Clone)]
 pub(crate) struct Pair {
     pub(crate) with: History,
     pub(crate) without: History,
 }
 
-/// A statement of the paper.
+/// A number of a step.
+pub(crate) type Value = fn(&StepRecord) -> f64;
+
+/// A statement of the paper: what it says at the end of a tenth of the run, from 1 to 10, and of which tenths.
 pub(crate) struct Statement {
     pub(crate) text: &'static str,
-    pub(crate) holds: fn(&Pair) -> bool,
+    parts: std::ops::RangeInclusive<usize>,
+    holds: fn(&Pair, usize) -> bool,
 }
 
-/// Relative change that still counts as a plateau.
+impl Statement {
+    /// The answer at tenth `part`; none where the statement is not one of it.
+    pub(crate) fn answer(&self, pair: &Pair, part: usize) -> Option<bool> {
+        self.parts.contains(&part).then(|| (self.holds)(pair, part))
+    }
+}
+
+/// Relative change from one tenth to the next that counts as none.
 const PLATEAU: f64 = 0.05;
 /// Pressures that count as near 2 GPa.
 const NEAR_2_GPA: std::ops::Range<f64> = 1.5e9..2.5e9;
-/// Limit of the first contact: nodes stand at it where an elastic contact would exceed it.
-const FIRST_LIMIT: f64 = 6e9;
+/// Hardness of the steel: nodes of the first contact stand at it where an elastic one would exceed it.
+const HARDNESS: f64 = 6e9;
+/// Share of the initial height within which the peaks of two bearing curves count as the same.
+const SAME_PEAKS: f64 = 0.1;
 
-/// All of them; what scatters is the mean over the first or last steps.
-pub(crate) const STATEMENTS: [Statement; 17] = [
-    Statement { text: "Rq of the ball higher with film", holds: |p| higher_last(p, "rq_ball_m") },
-    Statement { text: "composite Rq higher with film", holds: |p| higher_last(p, "rq_composite_m") },
-    Statement { text: "h_avg higher with film", holds: |p| higher(p, "h_avg_m") },
-    Statement { text: "lambda higher with film", holds: |p| higher(p, "lambda") },
+const LAMBDA: Value = |r| r.lambda;
+const LAMBDA_OLD: Value = |r| r.lambda_old;
+const AREA: Value = |r| r.area_ratio;
+const LOAD: Value = |r| r.load_ratio;
+const PRESSURE: Value = |r| r.max_pressure;
+const WEAR: Value = |r| r.track_wear[1];
+
+/// A statement of every tenth.
+const fn always(text: &'static str, holds: fn(&Pair, usize) -> bool) -> Statement {
+    Statement { text, parts: 1..=PARTS, holds }
+}
+
+/// A statement of what changes from the tenth before, or from the first.
+const fn change(text: &'static str, holds: fn(&Pair, usize) -> bool) -> Statement {
+    Statement { text, parts: 2..=PARTS, holds }
+}
+
+/// A statement of the end.
+const fn end(text: &'static str, holds: fn(&Pair, usize) -> bool) -> Statement {
+    Statement { text, parts: PARTS..=PARTS, holds }
+}
+
+/// All of them, in the order of the paper's figures.
+pub(crate) const STATEMENTS: [Statement; 27] = [
+    always("Rq of the ball higher with film", |p, k| higher(p, k, |r| r.rq[0])),
+    always("Rq of the disc higher with film", |p, k| higher(p, k, |r| r.rq[1])),
+    always("lambda_OLD lower with film", |p, k| p.with.mean(k, LAMBDA_OLD) < p.without.mean(k, LAMBDA_OLD)),
+    change("lambda_OLD keeps rising, with film", |p, k| rises(&p.with, k, LAMBDA_OLD)),
+    change("lambda_OLD keeps rising, without", |p, k| rises(&p.without, k, LAMBDA_OLD)),
+    always("h_avg higher with film", |p, k| higher(p, k, |r| r.average_film)),
+    always("lambda higher with film", |p, k| higher(p, k, LAMBDA)),
+    change("lambda below its first tenth, with film", |p, k| below_first(&p.with, k, LAMBDA)),
+    change("lambda below its first tenth, without", |p, k| below_first(&p.without, k, LAMBDA)),
+    change("lambda falls less with film", |p, k| kept(&p.with, k, LAMBDA) > kept(&p.without, k, LAMBDA)),
+    end("the fall of lambda slows down, with film", |p, _| slows_down(&p.with, LAMBDA)),
+    always("area ratio higher with film", |p, k| higher(p, k, AREA)),
+    always("load ratio higher with film", |p, k| higher(p, k, LOAD)),
+    change("area ratio keeps falling, with film", |p, k| falls(&p.with, k, AREA)),
+    change("area ratio keeps falling, without", |p, k| falls(&p.without, k, AREA)),
+    change("load ratio below its first tenth, with film", |p, k| below_first(&p.with, k, LOAD)),
+    change("load ratio below its first tenth, without", |p, k| below_first(&p.without, k, LOAD)),
+    end("load ratio at a limit in the end, with film", |p, k| stands(&p.with, k, LOAD)),
+    end("load ratio at a limit in the end, without", |p, k| stands(&p.without, k, LOAD)),
+    always("wear of the disc lower with film", |p, k| p.with.at(k, WEAR) < p.without.at(k, WEAR)),
+    change("wear of the disc slows down, with film", |p, k| {
+        wear_rate(&p.with, k) < wear_rate(&p.with, k - 1)
+    }),
     Statement {
-        text: "lambda_OLD lower with film",
-        holds: |p| p.with.last("lambda_old") < p.without.last("lambda_old"),
+        text: "nodes of the first contact at 6 GPa",
+        parts: 1..=1,
+        holds: |p, _| p.without.records.first().is_some_and(|r| r.max_pressure >= HARDNESS * (1.0 - 1e-9)),
     },
-    Statement { text: "lambda_OLD rises in time, with film", holds: |p| rises(&p.with, "lambda_old") },
-    Statement { text: "lambda_OLD rises in time, without film", holds: |p| rises(&p.without, "lambda_old") },
-    Statement { text: "lambda falls in time, with film", holds: |p| falls(&p.with, "lambda") },
-    Statement { text: "lambda falls in time, without film", holds: |p| falls(&p.without, "lambda") },
-    Statement {
-        text: "wear of the disc lower with film",
-        holds: |p| p.with.last("track_wear_disc_m") < p.without.last("track_wear_disc_m"),
-    },
-    Statement {
-        text: "largest pressure first at the 6 GPa that an elastic contact exceeds",
-        holds: |p| p.without.first("max_pressure_pa") >= FIRST_LIMIT * (1.0 - 1e-9),
-    },
-    Statement {
-        text: "largest pressure near 2 GPa in the end, with film",
-        holds: |p| NEAR_2_GPA.contains(&p.with.end("max_pressure_pa")),
-    },
-    Statement {
-        text: "load ratio reaches a plateau, with and without film",
-        holds: |p| [&p.with, &p.without].iter().all(|history| flat(history, "load_ratio")),
-    },
-    Statement { text: "area ratio falls in time, with film", holds: |p| falls(&p.with, "area_ratio") },
-    Statement { text: "area ratio falls in time, without film", holds: |p| falls(&p.without, "area_ratio") },
-    Statement { text: "area ratio higher with film", holds: |p| higher(p, "area_ratio") },
-    Statement { text: "load ratio higher with film", holds: |p| higher(p, "load_ratio") },
+    change("largest pressure below its first tenth, with film", |p, k| below_first(&p.with, k, PRESSURE)),
+    end("largest pressure near 2 GPa in the end, with film", |p, k| {
+        NEAR_2_GPA.contains(&p.with.mean(k, PRESSURE))
+    }),
+    end("film along y thicker with film", |p, _| profile_mean(&p.with) > profile_mean(&p.without)),
+    always("peaks of the disc's bearing curve the same", |p, k| same_peaks(p, k)),
+    always("valleys of the disc's bearing curve hold more with film", |p, k| {
+        valleys(&p.with, k) > valleys(&p.without, k)
+    }),
 ];
 
-fn higher(pair: &Pair, column: &str) -> bool {
-    pair.with.end(column) > pair.without.end(column)
+fn higher(pair: &Pair, part: usize, value: Value) -> bool {
+    pair.with.mean(part, value) > pair.without.mean(part, value)
 }
 
-fn higher_last(pair: &Pair, column: &str) -> bool {
-    pair.with.last(column) > pair.without.last(column)
+fn rises(history: &History, part: usize, value: Value) -> bool {
+    history.mean(part, value) > history.mean(part - 1, value)
 }
 
-fn rises(history: &History, column: &str) -> bool {
-    history.end(column) > history.start(column)
+fn falls(history: &History, part: usize, value: Value) -> bool {
+    history.mean(part, value) < history.mean(part - 1, value)
 }
 
-fn falls(history: &History, column: &str) -> bool {
-    history.end(column) < history.start(column)
+fn below_first(history: &History, part: usize, value: Value) -> bool {
+    history.mean(part, value) < history.mean(1, value)
 }
 
-fn flat(history: &History, column: &str) -> bool {
-    let (end, before) = (history.end(column), history.before_last_quarter(column));
-    (end - before).abs() <= PLATEAU * before.abs()
+/// Share of the first tenth that is left.
+fn kept(history: &History, part: usize, value: Value) -> f64 {
+    history.mean(part, value) / history.mean(1, value)
+}
+
+/// Whether it falls, and by less in the second half.
+fn slows_down(history: &History, value: Value) -> bool {
+    let fall = |from: usize, to: usize| history.mean(from, value) - history.mean(to, value);
+    fall(1, PARTS) > 0.0 && fall(PARTS / 2, PARTS) < fall(1, PARTS / 2)
+}
+
+fn stands(history: &History, part: usize, value: Value) -> bool {
+    let (now, before) = (history.mean(part, value), history.mean(part - 1, value));
+    (now - before).abs() <= PLATEAU * before
+}
+
+/// Wear of the disc in one tenth.
+fn wear_rate(history: &History, part: usize) -> f64 {
+    let before = if part > 1 { history.at(part - 1, WEAR) } else { 0.0 };
+    history.at(part, WEAR) - before
+}
+
+fn profile_mean(history: &History) -> f64 {
+    history.profile.iter().map(|point| point.1).sum::<f64>() / history.profile.len() as f64
+}
+
+/// Heights that a tenth of the area exceeds differ by little.
+fn same_peaks(pair: &Pair, part: usize) -> bool {
+    let height = |history: &History, part: usize| history.bearing[part][BEARING_INTERVALS as usize / 10];
+    (height(&pair.with, part) - height(&pair.without, part)).abs() <= SAME_PEAKS * height(&pair.without, 0)
+}
+
+/// Volume below the mean plane per area.
+fn valleys(history: &History, part: usize) -> f64 {
+    let depths = history.bearing[part].iter().map(|height| (-height).max(0.0));
+    depths.sum::<f64>() / history.bearing[part].len() as f64
 }
