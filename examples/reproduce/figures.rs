@@ -7,8 +7,7 @@ use plotters::style::RGBColor;
 use stribeck::sim::StepRecord;
 
 use crate::chart::{BLACK, BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
-use crate::history::{BEARING_INTERVALS, History, PARTS};
-use crate::statements::Value;
+use crate::statements::{BEARING_INTERVALS, History, PARTS, Value};
 use crate::tables::Results;
 
 /// Share of the steps in a running mean.
@@ -54,8 +53,8 @@ pub(crate) fn draw_all(results: &Results, folder: &Path) -> Result<(), Box<dyn E
 
 /// Without film first: where both lie on each other, the film stays visible.
 fn sides(results: &Results) -> [(Vec<&History>, RGBColor); 2] {
-    let without = results.pairs.iter().map(|(_, pair)| &pair.without).collect();
-    let with = results.pairs.iter().map(|(_, pair)| &pair.with).collect();
+    let without = results.pairs.iter().map(|pair| &pair.without).collect();
+    let with = results.pairs.iter().map(|pair| &pair.with).collect();
     [(without, BLUE), (with, VERMILION)]
 }
 
@@ -130,12 +129,12 @@ fn profiles(results: &Results) -> Figure {
 
 fn bearing(results: &Results) -> Figure {
     let shares: Vec<f64> =
-        (0..=BEARING_INTERVALS).map(|k| 100.0 * f64::from(k) / f64::from(BEARING_INTERVALS)).collect();
+        (0..=BEARING_INTERVALS).map(|k| 100.0 * k as f64 / BEARING_INTERVALS as f64).collect();
     let curves = |histories: &[&History], last: bool, colour| {
         let part = if last { PARTS } else { 0 };
         let values: Vec<Vec<f64>> = histories
             .iter()
-            .filter_map(|history| history.bearing.get(part))
+            .filter_map(|history| history.bearing.get(&part))
             .map(|heights| heights.iter().map(|z| 1e9 * z).collect())
             .collect();
         band(&shares, &values, colour)

@@ -1,58 +1,23 @@
 //! One history: its run, what it leaves in its folder, and reading that back.
 
-use std::fmt::Write as _;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use stribeck::metrics::BearingCurve;
 use stribeck::sim::{MixedLubricationSim, Observer, RunEnd, RunFolder, SimError, StepRecord};
 
 use crate::options::Options;
 use crate::plan::Run;
+use crate::statements::{History, PARTS, bearing_heights, film_profile};
 
-/// Parts of a run at whose ends the paper is asked.
-pub(crate) const PARTS: usize = 10;
 /// Why a history ended early.
 const NOTE: &str = "failed.txt";
-/// Intervals of a bearing curve.
-pub(crate) const BEARING_INTERVALS: u32 = 200;
 /// Steps from one checkpoint to the next.
 const EVERY: u64 = 10;
 /// Positions of the roughness that a history may pass over because they were not solved: each costs as much as tens of steps,
 /// and what is left is a selection.
 const MOST_PASSED_OVER: u32 = 20;
-
-/// A complete history.
-#[derive(Debug, Clone)]
-pub(crate) struct History {
-    pub(crate) records: Vec<StepRecord>,
-    /// Film over y at x = 0 in the last step, inside the Hertz contact \[m\].
-    pub(crate) profile: Vec<(f64, f64)>,
-    /// Heights of the disc's track at even shares of its area, at the start and after each part \[m\].
-    pub(crate) bearing: Vec<Vec<f64>>,
-}
-
-impl History {
-    /// Mean of a number over part `part`, from 1 to [`PARTS`].
-    pub(crate) fn mean(&self, part: usize, value: fn(&StepRecord) -> f64) -> f64 {
-        let end = |part: usize| part * self.records.len() / PARTS;
-        let records = self.records.get(end(part - 1)..end(part)).unwrap_or_default();
-        records.iter().map(value).sum::<f64>() / records.len() as f64
-    }
-
-    /// A number at the end of part `part`.
-    pub(crate) fn at(&self, part: usize, value: fn(&StepRecord) -> f64) -> f64 {
-        let last = (part * self.records.len() / PARTS).checked_sub(1);
-        last.and_then(|step| self.records.get(step)).map_or(f64::NAN, value)
-    }
-
-    /// Positions of the roughness that were passed over.
-    pub(crate) fn skipped(&self) -> u32 {
-        self.records.iter().map(|record| record.attempts - 1).sum()
-    }
-}
 
 /// Whether `run` has ended, early or not: its fields are written last.
 pub(crate) fn has_ended(run: &Run, options: &Options) -> bool {
@@ -76,8 +41,8 @@ struct Writer<'a> {
 
 impl Observer for Writer<'_> {
     fn after_step(&mut self, sim: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()> {
-        let parts = PARTS as u64;
-        if let Some(part) = (1..=parts).find(|part| part * self.steps / parts == sim.steps()) {
+        let ends = |part: &usize| *part as u64 * self.steps / PARTS as u64 == sim.steps();
+        if let Some(part) = (1..=PARTS).find(ends) {
             if let Err(error) = write_bearing(sim, sim.bodies()[1].surface(), &bearing_file(self.path, part))
             {
                 self.failure = Some(error);
@@ -122,19 +87,14 @@ pub(crate) fn run(run: &Run, options: &Options) -> Result<String, String> {
     Ok(format!("{left} steps in {:.0} s{outcome}", start.elapsed().as_secs_f64()))
 }
 
-fn bearing_file(path: &Path, part: u64) -> PathBuf {
+fn bearing_file(path: &Path, part: usize) -> PathBuf {
     path.join(format!("bearing{part}.csv"))
 }
 
 /// A height a line, at even shares of the area.
 fn write_bearing(sim: &MixedLubricationSim, heights: &[f64], file: &Path) -> Result<(), String> {
-    let on_track = sim.track_roughness(heights).map_err(|error| error.to_string())?;
-    let curve = BearingCurve::new(&on_track).map_err(|error| error.to_string())?;
-    let mut text = String::new();
-    for k in 0..=BEARING_INTERVALS {
-        // Writing to a string cannot fail.
-        let _ = writeln!(text, "{:e}", curve.height_at(f64::from(k) / f64::from(BEARING_INTERVALS)));
-    }
+    let heights = bearing_heights(sim, heights).map_err(|error| error.to_string())?;
+    let text: String = heights.iter().map(|height| format!("{height:e}\n")).collect();
     fs::write(file, text).map_err(|error| format!("{}: {error}", file.display()))
 }
 
@@ -144,19 +104,13 @@ pub(crate) fn read(run: &Run, options: &Options) -> Result<History, String> {
     let mut sim = run.build().map_err(|error| error.to_string())?;
     let (_, records) =
         RunFolder::resume(&path, &mut sim, EVERY).map_err(|error| format!("{}: {error}", path.display()))?;
-    let bearing = (0..=PARTS as u64).map(|part| read_numbers(&bearing_file(&path, part)));
-    Ok(History { records, profile: film_profile(&sim), bearing: bearing.collect::<Result<_, _>>()? })
+    let curve = |part| Ok::<_, String>((part, read_numbers(&bearing_file(&path, part))?));
+    let bearing = (0..=PARTS).map(curve).collect::<Result<_, _>>()?;
+    Ok(History { records, profile: film_profile(&sim, &sim.state().film), bearing })
 }
 
 fn read_numbers(file: &Path) -> Result<Vec<f64>, String> {
     let text = fs::read_to_string(file).map_err(|error| format!("{}: {error}", file.display()))?;
     let numbers = text.lines().map(|line| line.parse().map_err(|_| format!("{}: `{line}`", file.display())));
     numbers.collect()
-}
-
-/// Film along y through x = 0, inside the Hertz contact.
-fn film_profile(sim: &MixedLubricationSim) -> Vec<(f64, f64)> {
-    let (grid, radius) = (sim.grid(), sim.hertz().a_y);
-    let inside = (0..grid.ny()).map(|j| grid.y(j)).filter(|y| y.abs() <= radius);
-    inside.map(|y| (y, grid.interpolate(&sim.state().film, 0.0, y).unwrap_or(f64::NAN))).collect()
 }

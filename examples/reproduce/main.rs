@@ -18,6 +18,7 @@ mod figures;
 mod history;
 mod options;
 mod plan;
+#[path = "../statements/mod.rs"]
 mod statements;
 mod tables;
 

@@ -4,15 +4,16 @@ use std::fmt::Write as _;
 use std::fs;
 
 use crate::cases::Case;
-use crate::history::{self, PARTS};
+use crate::history;
 use crate::options::Options;
 use crate::plan::Run;
-use crate::statements::{Pair, STATEMENTS, Value};
+use crate::statements::{PARTS, Pair, STATEMENTS, Statement, Value, share};
 
 /// A variant and its pairs that are complete, by seed.
 pub(crate) struct Results {
     pub(crate) case: Case,
-    pub(crate) pairs: Vec<(u64, Pair)>,
+    pub(crate) seeds: Vec<u64>,
+    pub(crate) pairs: Vec<Pair>,
 }
 
 /// Reads what is complete, in the order of `cases`; variants without a pair are left out.
@@ -25,8 +26,11 @@ pub(crate) fn gather(runs: &[Run], options: &Options) -> Result<Vec<Results>, St
         }
         let pair = Pair { with: history::read(run, options)?, without: history::read(&without, options)? };
         match all.iter_mut().find(|results| results.case.name == run.case.name) {
-            Some(results) => results.pairs.push((run.seed, pair)),
-            None => all.push(Results { case: run.case, pairs: vec![(run.seed, pair)] }),
+            Some(results) => {
+                results.seeds.push(run.seed);
+                results.pairs.push(pair);
+            }
+            None => all.push(Results { case: run.case, seeds: vec![run.seed], pairs: vec![pair] }),
         }
     }
     let place = |name| crate::cases::CASES.iter().position(|case| case.name == name);
@@ -36,22 +40,16 @@ pub(crate) fn gather(runs: &[Run], options: &Options) -> Result<Vec<Results>, St
 
 impl Results {
     /// Seeds whose answer at `part` is yes; none where the statement is not one of that tenth.
-    fn agree(&self, statement: usize, part: usize) -> Option<usize> {
-        let answers = self.pairs.iter().map(|(_, pair)| STATEMENTS[statement].answer(pair, part));
+    fn agree(&self, statement: &Statement, part: usize) -> Option<usize> {
+        let answers = self.pairs.iter().map(|pair| statement.answer(pair, part));
         answers.collect::<Option<Vec<bool>>>().map(|yes| yes.into_iter().filter(|yes| *yes).count())
-    }
-
-    /// Share of the seeds and tenths that agree.
-    fn share(&self, statement: usize) -> f64 {
-        let agree: Vec<usize> = (1..=PARTS).filter_map(|part| self.agree(statement, part)).collect();
-        agree.iter().sum::<usize>() as f64 / (agree.len() * self.pairs.len()) as f64
     }
 
     /// Mean over the seeds and sample standard deviation; no number for one seed.
     fn spread(&self, value: impl Fn(&Pair) -> f64) -> (f64, f64) {
         let n = self.pairs.len() as f64;
-        let mean = self.pairs.iter().map(|(_, pair)| value(pair)).sum::<f64>() / n;
-        let sum: f64 = self.pairs.iter().map(|(_, pair)| (value(pair) - mean).powi(2)).sum();
+        let mean = self.pairs.iter().map(|pair| value(pair)).sum::<f64>() / n;
+        let sum: f64 = self.pairs.iter().map(|pair| (value(pair) - mean).powi(2)).sum();
         (mean, (sum / (n - 1.0)).sqrt())
     }
 }
@@ -119,7 +117,7 @@ fn statements(all: &[Results]) -> String {
     text.push_str(&tenths());
     text.push('\n');
     for results in all {
-        for (k, statement) in STATEMENTS.iter().enumerate() {
+        for statement in &STATEMENTS {
             let (case, seeds) = (&results.case, results.pairs.len());
             let _ = write!(
                 text,
@@ -127,10 +125,10 @@ fn statements(all: &[Results]) -> String {
                 case.name,
                 case.steps,
                 statement.text,
-                results.share(k)
+                share(statement, &results.pairs).unwrap_or(f64::NAN)
             );
             for part in 1..=PARTS {
-                let agree = results.agree(k, part).map_or_else(String::new, |n| n.to_string());
+                let agree = results.agree(statement, part).map_or_else(String::new, |n| n.to_string());
                 let _ = write!(text, ",{agree}");
             }
             text.push('\n');
@@ -170,7 +168,7 @@ fn histories(all: &[Results]) -> String {
         "variant,seed,tribofilm,cells,side_mm,steps,positions_passed_over,convolutions_per_step\n",
     );
     for results in all {
-        for (seed, pair) in &results.pairs {
+        for (seed, pair) in results.seeds.iter().zip(&results.pairs) {
             for (side, history) in [("with", &pair.with), ("without", &pair.without)] {
                 let Case { name, cells, side: length, .. } = results.case;
                 let steps = history.records.len();
@@ -179,7 +177,7 @@ fn histories(all: &[Results]) -> String {
                     text,
                     "{name},{seed},{side},{cells},{},{steps},{},{:.0}",
                     1e3 * length,
-                    history.skipped(),
+                    history.passed_over(),
                     work / steps as f64
                 );
             }
@@ -197,11 +195,14 @@ pub(crate) fn summary(all: &[Results]) -> String {
     row(&mut text, "steps", all, |results| results.case.steps.to_string());
     row(&mut text, "cells", all, |results| results.case.cells.to_string());
     row(&mut text, "positions passed over", all, |results| {
-        let skipped = results.pairs.iter().map(|(_, pair)| pair.with.skipped() + pair.without.skipped());
-        skipped.sum::<u32>().to_string()
+        let passed_over =
+            results.pairs.iter().map(|pair| pair.with.passed_over() + pair.without.passed_over());
+        passed_over.sum::<u32>().to_string()
     });
-    for (k, statement) in STATEMENTS.iter().enumerate() {
-        row(&mut text, statement.text, all, |results| format!("{:.2}", results.share(k)));
+    for statement in &STATEMENTS {
+        row(&mut text, statement.text, all, |results| {
+            format!("{:.2}", share(statement, &results.pairs).unwrap_or(f64::NAN))
+        });
     }
     for quantity in &QUANTITIES {
         for (side, film) in SIDES {
