@@ -42,12 +42,11 @@ struct Writer<'a> {
 impl Observer for Writer<'_> {
     fn after_step(&mut self, sim: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()> {
         let ends = |part: &usize| *part as u64 * self.steps / PARTS as u64 == sim.steps();
-        if let Some(part) = (1..=PARTS).find(ends) {
-            if let Err(error) = write_bearing(sim, sim.bodies()[1].surface(), &bearing_file(self.path, part))
-            {
-                self.failure = Some(error);
-                return ControlFlow::Break(());
-            }
+        let curve = (1..=PARTS).find(ends).map(|part| bearing_file(self.path, part));
+        let written = curve.map_or(Ok(()), |file| write_bearing(sim, sim.bodies()[1].surface(), &file));
+        if let Err(error) = written {
+            self.failure = Some(error);
+            return ControlFlow::Break(());
         }
         self.passed_over += record.attempts - 1;
         if self.passed_over > MOST_PASSED_OVER {

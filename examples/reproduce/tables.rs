@@ -48,7 +48,7 @@ impl Results {
     /// Mean over the seeds and sample standard deviation; no number for one seed.
     fn spread(&self, value: impl Fn(&Pair) -> f64) -> (f64, f64) {
         let n = self.pairs.len() as f64;
-        let mean = self.pairs.iter().map(|pair| value(pair)).sum::<f64>() / n;
+        let mean = self.pairs.iter().map(&value).sum::<f64>() / n;
         let sum: f64 = self.pairs.iter().map(|pair| (value(pair) - mean).powi(2)).sum();
         (mean, (sum / (n - 1.0)).sqrt())
     }

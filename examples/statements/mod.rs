@@ -167,7 +167,7 @@ pub(crate) const STATEMENTS: [Statement; 27] = [
         NEAR_2_GPA.contains(&p.with.mean(k, PRESSURE))
     }),
     end("film along y thicker with film", |p, _| profile_mean(&p.with) > profile_mean(&p.without)),
-    curves("peaks of the disc's bearing curve the same", |p, k| same_peaks(p, k)),
+    curves("peaks of the disc's bearing curve the same", same_peaks),
     curves("valleys of the disc's bearing curve hold more with film", |p, k| {
         valleys(&p.with, k) > valleys(&p.without, k)
     }),
