@@ -101,9 +101,13 @@ fn band(places: &[f64], values: &[Vec<f64>], colour: RGBColor) -> Vec<Line> {
     pens.into_iter().zip([low, high, mean]).map(|(pen, points)| Line { pen, points }).collect()
 }
 
+/// Mean of the steps around each, as many before as after.
 fn running_mean(records: &[StepRecord], unit: f64, value: Value) -> Vec<f64> {
-    let half = (0.5 * WINDOW * records.len() as f64).round() as usize;
-    let around = |k: usize| &records[k.saturating_sub(half)..(k + half + 1).min(records.len())];
+    let widest = (0.5 * WINDOW * records.len() as f64).round() as usize;
+    let around = |k: usize| {
+        let half = widest.min(k).min(records.len() - 1 - k);
+        &records[k - half..=k + half]
+    };
     let mean = |part: &[StepRecord]| unit * part.iter().map(value).sum::<f64>() / part.len() as f64;
     (0..records.len()).map(|k| mean(around(k))).collect()
 }
