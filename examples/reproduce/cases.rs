@@ -44,17 +44,18 @@ const DEFAULT: Case = Case {
 };
 
 /// All variants, in the order of the tables.
-pub(crate) const CASES: [Case; 11] = [
+pub(crate) const CASES: [Case; 12] = [
     DEFAULT,
     Case { name: "contact_film_2nm", change: |scene| scene.solver.film_cutoff = 2e-9, ..DEFAULT },
     Case { name: "contact_film_5nm", change: |scene| scene.solver.film_cutoff = 5e-9, ..DEFAULT },
     Case { name: "contact_film_10nm", change: |scene| scene.solver.film_cutoff = 10e-9, ..DEFAULT },
-    Case { name: "half_step", steps: 2 * STEPS, seeds: 2, ..DEFAULT },
-    Case { name: "box_0.75mm", surface_cells: 96, cells: 96, side: 0.75e-3, seeds: 2, ..DEFAULT },
-    Case { name: "mesh_64", steps: 40, seeds: 1, ..DEFAULT },
-    Case { name: "mesh_128", cells: 128, steps: 40, seeds: 1, ..DEFAULT },
+    Case { name: "steps_1440", steps: 1440, seeds: 2, ..DEFAULT },
+    Case { name: "steps_240", steps: 240, seeds: 2, ..DEFAULT },
+    Case { name: "box_0.75mm", surface_cells: 96, cells: 96, side: 0.75e-3, steps: 240, seeds: 2, ..DEFAULT },
+    Case { name: "mesh_64", steps: 40, seeds: 2, ..DEFAULT },
+    Case { name: "mesh_128", cells: 128, steps: 40, seeds: 2, ..DEFAULT },
     Case { name: "mesh_256", cells: 256, steps: 40, seeds: 1, ..DEFAULT },
-    Case { name: "published_flow", change: published_flow, ..DEFAULT },
+    Case { name: "published_flow", steps: 40, seeds: 2, change: published_flow, ..DEFAULT },
     Case { name: "published", steps: 40, seeds: 2, change: published, ..DEFAULT },
 ];
 
