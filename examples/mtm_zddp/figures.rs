@@ -3,14 +3,12 @@
 use std::error::Error;
 use std::path::Path;
 
-use stribeck::metrics::BearingCurve;
+use stribeck::InputError;
 use stribeck::sim::{Body, StepRecord};
 
 use crate::chart::{BLACK, BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
 use crate::history::History;
-
-/// Points of a bearing area curve.
-const BEARING_POINTS: u32 = 500;
+use crate::statements::{self, BEARING_INTERVALS};
 
 /// Draws `figure1.svg` to `figure8.svg` into `folder`.
 pub(crate) fn draw_all(with: &History, without: &History, folder: &Path) -> Result<(), Box<dyn Error>> {
@@ -23,7 +21,7 @@ pub(crate) fn draw_all(with: &History, without: &History, folder: &Path) -> Resu
         lambda(pair),
         contact(pair),
         wear(pair),
-        film_profile(pair)?,
+        film_profile(pair),
         bearing_area(pair)?,
     ];
     for (number, figure) in (1..).zip(figures) {
@@ -189,42 +187,32 @@ fn wear(pair: Pair<'_>) -> Figure {
 }
 
 /// Along y through x = 0, inside the Hertz contact, as the last step left it.
-fn film_profile(pair: Pair<'_>) -> Result<Figure, Box<dyn Error>> {
+fn film_profile(pair: Pair<'_>) -> Figure {
     let mut lines = Vec::new();
     for (history, colour) in pair.into_iter().zip(COLOURS) {
-        let (grid, radius) = (history.sim.grid(), history.sim.hertz().a_y);
-        let mut points = Vec::new();
-        if let Some(contact) = &history.last_contact {
-            for y in (0..grid.ny()).map(|j| grid.y(j)).filter(|y| y.abs() <= radius) {
-                points.push((1e6 * y, 1e9 * grid.interpolate(&contact.film, 0.0, y)?));
-            }
-        }
+        let film = history.last_contact.as_ref().map(|contact| contact.film.as_slice());
+        let profile = film.map(|film| statements::film_profile(&history.sim, film)).unwrap_or_default();
+        let points = profile.into_iter().map(|(y, film)| (1e6 * y, 1e9 * film)).collect();
         lines.push(Line { pen: Pen::strong(colour), points });
     }
-    Ok(Figure {
+    Figure {
         title: "Film along y at x = 0 in the last step (one position of the roughness)".to_owned(),
         x_label: "y, \u{b5}m",
         x_scale: XScale::FromZero,
         legend: legend(pair),
         panels: vec![Panel { y_label: "film thickness, nm", lines }],
-    })
+    }
 }
 
 /// Roughness of the disc on the track over the share of its area that stands as high.
 fn bearing_area(pair: Pair<'_>) -> Result<Figure, Box<dyn Error>> {
-    let line = |heights: &[f64], pen: Pen| -> Result<Line, Box<dyn Error>> {
-        let curve = BearingCurve::new(heights)?;
-        let share = |k: u32| f64::from(k) / f64::from(BEARING_POINTS);
-        let points =
-            (0..=BEARING_POINTS).map(|k| (100.0 * share(k), 1e9 * curve.height_at(share(k)))).collect();
+    let curve = |history: &History, heights: fn(&Body) -> &[f64], pen: Pen| -> Result<Line, InputError> {
+        let heights = statements::bearing_heights(&history.sim, heights(&history.sim.bodies()[1]))?;
+        let share = 100.0 / BEARING_INTERVALS as f64;
+        let points = heights.iter().enumerate().map(|(k, z)| (k as f64 * share, 1e9 * z)).collect();
         Ok(Line { pen, points })
     };
-    let on_track = |history: &History, heights: fn(&Body) -> &[f64]| {
-        history.sim.track_roughness(heights(&history.sim.bodies()[1]))
-    };
     let [without, with] = pair;
-    let initial = on_track(without, Body::initial)?;
-    let (without, with) = (on_track(without, Body::surface)?, on_track(with, Body::surface)?);
     let mut legend = vec![(Pen::dashed(BLACK), "initial".to_owned())];
     legend.extend(
         pair.into_iter()
@@ -239,9 +227,9 @@ fn bearing_area(pair: Pair<'_>) -> Result<Figure, Box<dyn Error>> {
         panels: vec![Panel {
             y_label: "height above the mean along the track, nm",
             lines: vec![
-                line(&initial, Pen::dashed(BLACK))?,
-                line(&without, Pen::strong(BLUE))?,
-                line(&with, Pen::strong(VERMILION))?,
+                curve(without, Body::initial, Pen::dashed(BLACK))?,
+                curve(without, Body::surface, Pen::strong(BLUE))?,
+                curve(with, Body::surface, Pen::strong(VERMILION))?,
             ],
         }],
     })

@@ -1,10 +1,12 @@
 //! One history: the run and what is left of it.
 
 use indicatif::ProgressBar;
+use stribeck::InputError;
 use stribeck::reynolds::ContactState;
 use stribeck::sim::{MixedLubricationSim, Observer, RunFolder, SimError, StepRecord, write_vtk};
 
 use crate::options::Options;
+use crate::statements::{self, PARTS, bearing_heights, film_profile};
 
 /// What a run leaves behind.
 pub(crate) struct History {
@@ -79,5 +81,21 @@ impl History {
     /// Steps over which scattered columns are averaged: 21, fewer in a short history.
     pub(crate) fn window(&self) -> usize {
         (self.records.len() / 8).clamp(1, 21) | 1
+    }
+
+    /// What the paper's statements are asked of: bearing curves at the start and the end alone.
+    ///
+    /// # Errors
+    /// Heights that are no numbers.
+    pub(crate) fn for_statements(&self) -> Result<statements::History, InputError> {
+        let (sim, disc) = (&self.sim, &self.sim.bodies()[1]);
+        let curves =
+            [(0, bearing_heights(sim, disc.initial())?), (PARTS, bearing_heights(sim, disc.surface())?)];
+        let film = self.last_contact.as_ref().map(|contact| contact.film.as_slice());
+        Ok(statements::History {
+            records: self.records.clone(),
+            profile: film.map(|film| film_profile(sim, film)).unwrap_or_default(),
+            bearing: curves.into(),
+        })
     }
 }

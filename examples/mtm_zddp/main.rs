@@ -4,6 +4,7 @@
 //! ```text
 //! cargo run --release --example mtm_zddp               # 128 x 128 nodes, 720 steps of 10 s
 //! cargo run --release --example mtm_zddp -- --quick    # 64 x 64 nodes, 24 steps of 10 s
+//! cargo run --release --example mtm_zddp -- --seeds 3  # and how far seeds lie apart
 //! cargo run --release --example mtm_zddp -- --resume   # goes on where it was stopped
 //! cargo run --release --example mtm_zddp -- --help
 //! ```
@@ -17,6 +18,8 @@ mod history;
 mod maps;
 mod options;
 mod setup;
+#[path = "../statements/mod.rs"]
+mod statements;
 mod table;
 
 use std::error::Error;
@@ -49,23 +52,29 @@ fn main() -> ExitCode {
     }
 }
 
-/// Runs both histories and writes all there is of them; whether both took every step.
+/// Runs both histories of every seed and writes all there is of them; whether all took every step.
 fn run(options: &Options) -> Result<bool, Box<dyn Error>> {
     let start = Instant::now();
-    std::fs::create_dir_all(&options.out)
-        .map_err(|source| SimError::Io { path: options.out.clone(), source })?;
-    let sims = setup::pair(options)?;
-    let [with, without] = rub(sims, options)?;
-    figures::draw_all(&with, &without, &options.out)?;
-    maps::draw(&with, &options.out.join("maps.svg"))?;
+    let mut pairs = Vec::new();
+    for number in 0..options.seeds {
+        let options = options.of_seed(number);
+        std::fs::create_dir_all(&options.out)
+            .map_err(|source| SimError::Io { path: options.out.clone(), source })?;
+        let [with, without] = rub(setup::pair(&options)?, &options)?;
+        if number == 0 {
+            figures::draw_all(&with, &without, &options.out)?;
+            maps::draw(&with, &options.out.join("maps.svg"))?;
+        }
+        pairs.push([with, without]);
+    }
     say(&format!(
-        "{}\n{} for both histories; tables, fields and figures are in {}\n",
-        table::closing(&with, &without),
+        "{}\n{} in all; tables, fields and figures are in {}\n",
+        table::closing(&pairs)?,
         clock(start.elapsed()),
         options.out.display()
     ))?;
     let mut complete = true;
-    for history in [&with, &without] {
+    for history in pairs.iter().flatten() {
         if let Some(error) = &history.failure {
             complete = false;
             let (taken, wanted) = (history.records.len(), options.steps);

@@ -13,6 +13,7 @@ usage: cargo run --release --example mtm_zddp -- [options]
   --quick         64 x 64 nodes, 24 steps of 10 s instead of 128 x 128 nodes, 720 steps of 10 s
   --surface FILE  measured surface of the disc: x3p, sur, sdf, plu, al3d, text, or npy with the heights of the grid in metres
   --seed N        seed of both roughnesses and of their motion (default 1)
+  --seeds N       so many seeds from that one on (default 1): the table says how far they lie apart; figures are of the first
   --steps N       number of steps
   --grid N        nodes along each side of the grid
   --out DIR       where to write (default target/mtm_zddp)
@@ -22,7 +23,8 @@ usage: cargo run --release --example mtm_zddp -- [options]
 
 Writes with.csv and without.csv (a row per step), with.npz and without.npz (final fields), figure1.svg to figure8.svg, maps.svg
 (the last contact from above) and the folders with and without, from which a run is repeated or resumed: scene.toml, run.toml,
-history.csv, fields.npz, checkpoint and contact.vtk (pressure and film for ParaView).
+history.csv, fields.npz, checkpoint and contact.vtk (pressure and film for ParaView). Further seeds are written into the folders
+seed2 and so on.
 Exit status: 0 done, 1 wrong option or file, 2 a history ended early (what there is of it is written).
 ";
 
@@ -45,6 +47,8 @@ pub(crate) struct Options {
     pub(crate) time_step: f64,
     /// Seed of roughness and motion.
     pub(crate) seed: u64,
+    /// Number of seeds, from that one on.
+    pub(crate) seeds: u64,
     /// File of the disc's measured surface.
     pub(crate) surface: Option<PathBuf>,
     /// Folder of the output.
@@ -55,17 +59,28 @@ pub(crate) struct Options {
     pub(crate) resume: bool,
 }
 
+impl Options {
+    /// The options of one seed: the first is written beside the figures, others into folders of their own.
+    pub(crate) fn of_seed(&self, number: u64) -> Self {
+        let seed = self.seed.wrapping_add(number);
+        let out = if number == 0 { self.out.clone() } else { self.out.join(format!("seed{seed}")) };
+        Self { seed, out, ..self.clone() }
+    }
+}
+
 /// Reads the command line; the options may stand in any order.
 pub(crate) fn parse() -> Result<Command, lexopt::Error> {
     let mut parser = lexopt::Parser::from_env();
     let (mut quick, mut grid, mut steps) = (false, None, None);
-    let (mut seed, mut surface, mut out) = (1, None, PathBuf::from("target/mtm_zddp"));
+    let (mut seed, mut seeds) = (1, 1);
+    let (mut surface, mut out) = (None, PathBuf::from("target/mtm_zddp"));
     let (mut every, mut resume) = (10, false);
     while let Some(argument) = parser.next()? {
         match argument {
             Long("quick") => quick = true,
             Long("surface") => surface = Some(PathBuf::from(parser.value()?)),
             Long("seed") => seed = parser.value()?.parse()?,
+            Long("seeds") => seeds = at_least_one("--seeds", parser.value()?.parse()?)?,
             Long("steps") => steps = Some(at_least_one("--steps", parser.value()?.parse()?)?),
             Long("grid") => grid = Some(at_least_one("--grid", parser.value()?.parse()?)?),
             Long("out") => out = PathBuf::from(parser.value()?),
@@ -81,7 +96,7 @@ pub(crate) fn parse() -> Result<Command, lexopt::Error> {
         None => default_grid,
     };
     let steps = steps.unwrap_or(default_steps);
-    Ok(Command::Run(Options { grid, steps, time_step, seed, surface, out, every, resume }))
+    Ok(Command::Run(Options { grid, steps, time_step, seed, seeds, surface, out, every, resume }))
 }
 
 fn at_least_one(option: &str, count: u64) -> Result<u64, lexopt::Error> {

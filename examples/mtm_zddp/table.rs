@@ -1,10 +1,12 @@
-//! The closing table: each history at its start and at its end.
+//! The closing table: the histories at their start and at their end, and what of the paper holds.
 
 use std::fmt::Write;
 
+use stribeck::InputError;
 use stribeck::sim::StepRecord;
 
 use crate::history::History;
+use crate::statements::{PARTS, Pair, STATEMENTS, share};
 
 /// How start and end of a column are read.
 #[derive(Clone, Copy, PartialEq)]
@@ -41,40 +43,75 @@ const ROWS: [Row; 18] = [
     Row("friction coefficient", "", 1.0, 4, End::Mean, |r| r.friction_coefficient),
 ];
 
-/// The table and how it is read. Histories without a step have dashes.
-pub(crate) fn closing(with: &History, without: &History) -> String {
+/// The table, how it is read, and the share of the paper's statements that hold. Numbers are means over the seeds, and their
+/// standard deviation at the end.
+///
+/// # Errors
+/// Heights that are no numbers.
+pub(crate) fn closing(pairs: &[[History; 2]]) -> Result<String, InputError> {
     let mut text = String::new();
-    let histories = [without, with];
-    let [left, right] = histories.map(|history| format!("{:>22}", history.title));
     // Writing to a string cannot fail.
-    let _ = writeln!(text, "{:36}{left}  {right}", "");
-    let _ = writeln!(text, "{:36}{:>11}{:>11}  {:>11}{:>11}", "", "start", "end", "start", "end");
+    let _ = writeln!(text, "{:36}{:>26}  {:>26}", "", "without tribofilm", "with tribofilm");
+    let _ = writeln!(text, "{:36}{:>9}{:>17}  {:>9}{:>17}", "", "start", "end", "start", "end");
     for row in ROWS {
         let Row(name, unit, _, _, end, _) = row;
         let mark = if end == End::Mean { "*" } else { "" };
-        let [left, right] = histories.map(|history| ends(history, &row));
-        let _ = writeln!(text, "{:<29}{unit:<7}{left}  {right}", format!("{name}{mark}"));
+        let [with, without] = [0, 1].map(|side| {
+            let values: Vec<[f64; 2]> = pairs.iter().filter_map(|pair| ends(&pair[side], &row)).collect();
+            cells(&values, row.3)
+        });
+        let _ = writeln!(text, "{:<29}{unit:<7}{without}  {with}", format!("{name}{mark}"));
     }
+    let window = pairs.first().map_or(1, |[with, _]| with.window());
     let _ = writeln!(
         text,
-        "start: time zero; end: last step (*: mean of the last {}); track: mean over its width",
-        with.window()
+        "start: time zero; end: last step (*: mean of the last {window}), mean of {} seeds +- their standard deviation; track: mean \
+         over its width",
+        pairs.len()
     );
-    for history in histories {
-        let moved = history.records.iter().filter(|record| record.attempts > 1).count();
-        let count = history.records.len();
-        let _ = writeln!(text, "{}: {moved} of {count} steps needed another position", history.title);
-    }
-    text
+    let asked = pairs
+        .iter()
+        .map(|[with, without]| Ok(Pair { with: with.for_statements()?, without: without.for_statements()? }));
+    let asked: Vec<Pair> = asked.collect::<Result<_, InputError>>()?;
+    let passed_over: u32 =
+        asked.iter().map(|pair| pair.with.passed_over() + pair.without.passed_over()).sum();
+    let _ = writeln!(
+        text,
+        "{passed_over} positions of the roughness were passed over: their contacts were not solved"
+    );
+    held(&mut text, &asked);
+    Ok(text)
 }
 
-/// Start and end of one history, two cells.
-fn ends(history: &History, &Row(_, _, factor, decimals, end, value): &Row) -> String {
-    let records = &history.records;
-    let [Some(first), Some(last)] = [records.first(), records.last()] else {
-        return format!("{:>11}{:>11}", "-", "-");
+/// What the paper says, and how much of it holds. Histories of less than ten steps, or of which one ended early, are not asked.
+fn held(text: &mut String, pairs: &[Pair]) {
+    let whole = |pair: &Pair| {
+        let steps = [&pair.with, &pair.without].map(|history| history.records.len());
+        steps[0] == steps[1] && steps[0] >= PARTS
     };
-    let sums = end == End::Sum;
+    if !pairs.iter().all(whole) {
+        return;
+    }
+    let shares: Vec<(&str, f64)> =
+        STATEMENTS.iter().filter_map(|statement| Some((statement.text, share(statement, pairs)?))).collect();
+    let mean = shares.iter().map(|(_, share)| share).sum::<f64>() / shares.len() as f64;
+    let always = shares.iter().filter(|(_, share)| *share >= 1.0).count();
+    let _ = writeln!(
+        text,
+        "\nwhat the paper says, and the share of seeds and tenths of the run in which it holds: {mean:.2} in the mean, {always} of {} always",
+        shares.len()
+    );
+    for (statement, share) in shares {
+        let _ = writeln!(text, "{share:6.2}  {statement}");
+    }
+}
+
+/// Start and end of one history; none without a step.
+fn ends(history: &History, &Row(_, _, factor, _, end, value): &Row) -> Option<[f64; 2]> {
+    let records = &history.records;
+    let (first, last) = (records.first()?, records.last()?);
+    // The contact of the first step is that of time zero.
+    let start = if end == End::Sum { 0.0 } else { value(first) };
     let end = match end {
         End::Last | End::Sum => value(last),
         End::Mean => {
@@ -82,7 +119,18 @@ fn ends(history: &History, &Row(_, _, factor, decimals, end, value): &Row) -> St
             tail.iter().map(value).sum::<f64>() / tail.len() as f64
         }
     };
-    // The contact of the first step is that of time zero.
-    let start = if sums { 0.0 } else { value(first) };
-    format!("{:>11.decimals$}{:>11.decimals$}", factor * start, factor * end)
+    Some([factor * start, factor * end])
+}
+
+/// Start and end over the seeds, two cells.
+fn cells(values: &[[f64; 2]], decimals: usize) -> String {
+    let n = values.len() as f64;
+    let [start, end] = [0, 1].map(|k| values.iter().map(|value| value[k]).sum::<f64>() / n);
+    let square: f64 = values.iter().map(|value| (value[1] - end).powi(2)).sum();
+    let end = match values.len() {
+        0 => return format!("{:>9}{:>17}", "-", "-"),
+        1 => format!("{end:.decimals$}"),
+        _ => format!("{end:.decimals$} +- {:.decimals$}", (square / (n - 1.0)).sqrt()),
+    };
+    format!("{start:>9.decimals$}{end:>17}")
 }

@@ -1,57 +1,65 @@
-//! The eight figures of the paper: mean over the seeds, and their smallest and largest values pale behind it.
+//! The eight figures of the paper, of one variant: mean over the seeds, and their smallest and largest values pale behind it.
 
 use std::error::Error;
 use std::path::Path;
 
 use plotters::style::RGBColor;
+use stribeck::sim::StepRecord;
 
 use crate::chart::{BLACK, BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
-use crate::history::History;
-use crate::report::Results;
+use crate::statements::{BEARING_INTERVALS, History, PARTS, Value};
+use crate::tables::Results;
 
-/// Draws `reproduction1.svg` to `reproduction8.svg` into `folder`.
+/// Share of the steps in a running mean.
+const WINDOW: f64 = 0.05;
+
+/// Draws `figure1.svg` to `figure8.svg` into `folder`.
 pub(crate) fn draw_all(results: &Results, folder: &Path) -> Result<(), Box<dyn Error>> {
     let figures = [
-        over_time(results, "Roughness of the ball", &[("Rq of the ball, nm", "rq_ball_m", 1e9)]),
+        over_time(results, "Roughness of the ball", &[("Rq of the ball, nm", 1e9, |r| r.rq[0])]),
         over_time(
             results,
             "\u{3bb} ratio by the film formula of Hamrock and Dowson",
-            &[("\u{3bb}_OLD = h_c / Rq", "lambda_old", 1.0)],
+            &[("\u{3bb}_OLD = h_c / Rq", 1.0, |r| r.lambda_old)],
         ),
         over_time(
             results,
             "Average film within 2/3 of the contact radius, and composite roughness",
-            &[("h_avg, nm", "h_avg_m", 1e9), ("Rq, nm", "rq_composite_m", 1e9)],
+            &[("h_avg, nm", 1e9, |r| r.average_film), ("Rq, nm", 1e9, |r| r.composite_rq)],
         ),
-        over_time(results, "\u{3bb} ratio by the average film", &[("\u{3bb} = h_avg / Rq", "lambda", 1.0)]),
+        over_time(
+            results,
+            "\u{3bb} ratio by the average film",
+            &[("\u{3bb} = h_avg / Rq", 1.0, |r| r.lambda)],
+        ),
         over_time(
             results,
             "Solid contact: share of the Hertz area and of the load",
-            &[("area ratio", "area_ratio", 1.0), ("load ratio", "load_ratio", 1.0)],
+            &[("area ratio", 1.0, |r| r.area_ratio), ("load ratio", 1.0, |r| r.load_ratio)],
         ),
         over_time(
             results,
-            "Wear depth of the disc, mean over its patch",
-            &[("wear depth, nm", "track_wear_disc_m", 1e9)],
+            "Wear depth of the disc, mean over the width of its track",
+            &[("wear depth, nm", 1e9, |r| r.track_wear[1])],
         ),
         profiles(results),
         bearing(results),
     ];
     for (number, figure) in (1..).zip(figures) {
-        figure.write(&folder.join(format!("reproduction{number}.svg")))?;
+        figure.write(&folder.join(format!("figure{number}.svg")))?;
     }
     Ok(())
 }
 
 /// Without film first: where both lie on each other, the film stays visible.
 fn sides(results: &Results) -> [(Vec<&History>, RGBColor); 2] {
-    let without = results.seeds.iter().map(|pair| &pair.without).collect();
-    let with = results.seeds.iter().map(|pair| &pair.with).collect();
+    let without = results.pairs.iter().map(|pair| &pair.without).collect();
+    let with = results.pairs.iter().map(|pair| &pair.with).collect();
     [(without, BLUE), (with, VERMILION)]
 }
 
 fn legend(results: &Results) -> Vec<(Pen, String)> {
-    let seeds = results.seeds.len();
+    let seeds = results.pairs.len();
     vec![
         (Pen::strong(BLUE), "without tribofilm".to_owned()),
         (Pen::strong(VERMILION), "with tribofilm".to_owned()),
@@ -59,16 +67,15 @@ fn legend(results: &Results) -> Vec<(Pen, String)> {
     ]
 }
 
-fn over_time(results: &Results, title: &str, columns: &[(&'static str, &str, f64)]) -> Figure {
-    let panel = |&(y_label, column, unit): &(&'static str, &str, f64)| {
+fn over_time(results: &Results, title: &str, panels: &[(&'static str, f64, Value)]) -> Figure {
+    let panel = |&(y_label, unit, value): &(&'static str, f64, Value)| {
         let mut lines = Vec::new();
         for (histories, colour) in sides(results) {
-            let values: Vec<Vec<f64>> = histories
-                .iter()
-                .map(|h| running_mean(&h.column(column), h.window()).iter().map(|v| unit * v).collect())
-                .collect();
-            let times = histories.iter().map(|h| h.column("time_s")).max_by_key(Vec::len).unwrap_or_default();
-            lines.extend(band(&times.iter().map(|t| t / 60.0).collect::<Vec<_>>(), &values, colour));
+            let values: Vec<Vec<f64>> =
+                histories.iter().map(|history| running_mean(&history.records, unit, value)).collect();
+            let records = histories.first().map(|history| history.records.as_slice()).unwrap_or_default();
+            let minutes: Vec<f64> = records.iter().map(|record| record.time / 60.0).collect();
+            lines.extend(band(&minutes, &values, colour));
         }
         Panel { y_label, lines }
     };
@@ -77,11 +84,11 @@ fn over_time(results: &Results, title: &str, columns: &[(&'static str, &str, f64
         x_label: "time, min",
         x_scale: XScale::FromZero,
         legend: legend(results),
-        panels: columns.iter().map(panel).collect(),
+        panels: panels.iter().map(panel).collect(),
     }
 }
 
-/// Mean, smallest and largest at each place, over the histories that reach it.
+/// Mean, smallest and largest at each place.
 fn band(places: &[f64], values: &[Vec<f64>], colour: RGBColor) -> Vec<Line> {
     let (mut low, mut high, mut mean) = (Vec::new(), Vec::new(), Vec::new());
     for (k, &x) in places.iter().enumerate() {
@@ -94,10 +101,15 @@ fn band(places: &[f64], values: &[Vec<f64>], colour: RGBColor) -> Vec<Line> {
     pens.into_iter().zip([low, high, mean]).map(|(pen, points)| Line { pen, points }).collect()
 }
 
-fn running_mean(values: &[f64], window: usize) -> Vec<f64> {
-    let half = window / 2;
-    let around = |k: usize| &values[k.saturating_sub(half)..(k + half + 1).min(values.len())];
-    (0..values.len()).map(|k| around(k).iter().sum::<f64>() / around(k).len() as f64).collect()
+/// Mean of the steps around each, as many before as after.
+fn running_mean(records: &[StepRecord], unit: f64, value: Value) -> Vec<f64> {
+    let widest = (0.5 * WINDOW * records.len() as f64).round() as usize;
+    let around = |k: usize| {
+        let half = widest.min(k).min(records.len() - 1 - k);
+        &records[k - half..=k + half]
+    };
+    let mean = |part: &[StepRecord]| unit * part.iter().map(value).sum::<f64>() / part.len() as f64;
+    (0..records.len()).map(|k| mean(around(k))).collect()
 }
 
 /// The first seed alone: a profile belongs to one surface.
@@ -120,26 +132,29 @@ fn profiles(results: &Results) -> Figure {
 }
 
 fn bearing(results: &Results) -> Figure {
-    let curves = |histories: &[&History], moment: usize| {
-        let values: Vec<Vec<f64>> =
-            histories.iter().map(|h| h.bearing[moment].iter().map(|p| 1e9 * p.1).collect()).collect();
-        let places = histories.first().map(|h| h.bearing[moment].as_slice()).unwrap_or_default();
-        (places.iter().map(|p| 100.0 * p.0).collect::<Vec<_>>(), values)
+    let shares: Vec<f64> =
+        (0..=BEARING_INTERVALS).map(|k| 100.0 * k as f64 / BEARING_INTERVALS as f64).collect();
+    let curves = |histories: &[&History], last: bool, colour| {
+        let part = if last { PARTS } else { 0 };
+        let values: Vec<Vec<f64>> = histories
+            .iter()
+            .filter_map(|history| history.bearing.get(&part))
+            .map(|heights| heights.iter().map(|z| 1e9 * z).collect())
+            .collect();
+        band(&shares, &values, colour)
     };
     let mut lines = Vec::new();
     for (histories, colour) in sides(results) {
-        let (places, values) = curves(&histories, 1);
-        lines.extend(band(&places, &values, colour));
         if colour == BLUE {
-            let (places, values) = curves(&histories, 0);
-            let start = band(&places, &values, BLACK).pop();
-            lines.extend(start.map(|line| Line { pen: Pen::dashed(BLACK), ..line }));
+            let initial = curves(&histories, false, BLACK).pop();
+            lines.extend(initial.map(|line| Line { pen: Pen::dashed(BLACK), ..line }));
         }
+        lines.extend(curves(&histories, true, colour));
     }
     let mut legend = legend(results);
     legend.push((Pen::dashed(BLACK), "initial".to_owned()));
     Figure {
-        title: "Bearing area curve of the disc".to_owned(),
+        title: "Bearing area curve of the disc's track".to_owned(),
         x_label: "material ratio, %",
         x_scale: XScale::FromZero,
         legend,

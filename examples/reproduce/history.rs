@@ -1,264 +1,115 @@
-//! One history: its run, its files, and reading them back.
+//! One history: its run, what it leaves in its folder, and reading that back.
 
-use std::fmt::Write as _;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use stribeck::metrics::BearingCurve;
-use stribeck::sim::{MixedLubricationSim, RunEnd, StepRecord};
+use stribeck::sim::{MixedLubricationSim, Observer, RunEnd, RunFolder, SimError, StepRecord};
 
 use crate::options::Options;
 use crate::plan::Run;
+use crate::statements::{History, PARTS, bearing_heights, film_profile};
 
-/// Points of a bearing area curve.
-const BEARING_POINTS: u32 = 200;
-
+/// Why a history ended early.
+const NOTE: &str = "failed.txt";
+/// Steps from one checkpoint to the next.
+const EVERY: u64 = 10;
 /// Positions of the roughness that a history may pass over because they were not solved: each costs as much as tens of steps,
 /// and what is left is a selection.
 const MOST_PASSED_OVER: u32 = 20;
 
-/// Columns of a history file besides the material ratio and height of its curves.
-const COLUMNS: [&str; 17] = [
-    "time_s",
-    "rq_ball_m",
-    "rq_disc_m",
-    "rq_composite_m",
-    "h_avg_m",
-    "lambda",
-    "lambda_old",
-    "area_ratio",
-    "load_ratio",
-    "max_pressure_pa",
-    "track_wear_ball_m",
-    "track_wear_disc_m",
-    "max_wear_disc_m",
-    "track_film_disc_m",
-    "friction_coefficient",
-    "flash_rise_k",
-    "attempts",
-];
-
-fn row(record: &StepRecord) -> [f64; COLUMNS.len()] {
-    [
-        record.time,
-        record.rq[0],
-        record.rq[1],
-        record.composite_rq,
-        record.average_film,
-        record.lambda,
-        record.lambda_old,
-        record.area_ratio,
-        record.load_ratio,
-        record.max_pressure,
-        record.track_wear[0],
-        record.track_wear[1],
-        record.max_wear[1],
-        record.track_film[1],
-        record.friction_coefficient,
-        record.flash_rise.unwrap_or(0.0),
-        f64::from(record.attempts),
-    ]
+/// Whether `run` has ended, early or not: its fields are written last.
+pub(crate) fn has_ended(run: &Run, options: &Options) -> bool {
+    run.folder(options).join("fields.npz").exists()
 }
 
-/// A history as its files have it.
-#[derive(Debug, Clone)]
-pub(crate) struct History {
-    rows: Vec<Vec<f64>>,
-    /// Film over y at x = 0 after the last step.
-    pub(crate) profile: Vec<(f64, f64)>,
-    /// Height of the disc over material ratio, at the start and after the last step.
-    pub(crate) bearing: [Vec<(f64, f64)>; 2],
-    /// Why it ended early.
-    pub(crate) failure: Option<String>,
+/// Whether `run` has taken all of its steps.
+pub(crate) fn is_complete(run: &Run, options: &Options) -> bool {
+    has_ended(run, options) && !run.folder(options).join(NOTE).exists()
 }
 
-impl History {
-    /// Step by step the mean of `histories`, as long as the shortest; curves are those of the first.
-    pub(crate) fn mean_of(histories: &[&Self]) -> Option<Self> {
-        let mut mean = (*histories.first()?).clone();
-        mean.rows.truncate(histories.iter().map(|history| history.rows.len()).min()?);
-        for (step, row) in mean.rows.iter_mut().enumerate() {
-            for (column, cell) in row.iter_mut().enumerate() {
-                *cell = histories.iter().map(|h| h.rows[step][column]).sum::<f64>() / histories.len() as f64;
-            }
+/// Writes the folder of the run, and the bearing curve of the disc at the end of each part, before the checkpoint that
+/// could stand there.
+struct Writer<'a> {
+    folder: RunFolder,
+    path: &'a Path,
+    steps: u64,
+    passed_over: u32,
+    failure: Option<String>,
+}
+
+impl Observer for Writer<'_> {
+    fn after_step(&mut self, sim: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()> {
+        let ends = |part: &usize| *part as u64 * self.steps / PARTS as u64 == sim.steps();
+        let curve = (1..=PARTS).find(ends).map(|part| bearing_file(self.path, part));
+        let written = curve.map_or(Ok(()), |file| write_bearing(sim, sim.bodies()[1].surface(), &file));
+        if let Err(error) = written {
+            self.failure = Some(error);
+            return ControlFlow::Break(());
         }
-        Some(mean)
-    }
-
-    /// A column over the steps.
-    pub(crate) fn column(&self, name: &str) -> Vec<f64> {
-        let index = COLUMNS.iter().position(|column| *column == name);
-        self.rows.iter().filter_map(|row| index.and_then(|k| row.get(k))).copied().collect()
-    }
-
-    pub(crate) fn steps(&self) -> usize {
-        self.rows.len()
-    }
-
-    /// Steps over which scattered columns are averaged.
-    pub(crate) fn window(&self) -> usize {
-        (self.rows.len() / 8).clamp(1, 36)
-    }
-
-    /// Mean of a column over the first steps.
-    pub(crate) fn start(&self, name: &str) -> f64 {
-        mean(self.column(name).iter().take(self.window()))
-    }
-
-    /// Mean of a column over the last steps.
-    pub(crate) fn end(&self, name: &str) -> f64 {
-        mean(self.column(name).iter().rev().take(self.window()))
-    }
-
-    /// Mean of a column over as many steps, before the last quarter.
-    pub(crate) fn before_last_quarter(&self, name: &str) -> f64 {
-        let (column, window) = (self.column(name), self.window());
-        let middle = 3 * column.len() / 4;
-        mean(column[middle.saturating_sub(window)..middle].iter())
-    }
-
-    pub(crate) fn last(&self, name: &str) -> f64 {
-        self.column(name).last().copied().unwrap_or(f64::NAN)
-    }
-
-    pub(crate) fn first(&self, name: &str) -> f64 {
-        self.column(name).first().copied().unwrap_or(f64::NAN)
+        self.passed_over += record.attempts - 1;
+        if self.passed_over > MOST_PASSED_OVER {
+            self.failure = Some(format!("{} positions of the roughness were passed over", self.passed_over));
+            return ControlFlow::Break(());
+        }
+        self.folder.after_step(sim, record)
     }
 }
 
-fn mean<'a>(values: impl Iterator<Item = &'a f64>) -> f64 {
-    let (mut sum, mut count) = (0.0, 0.0);
-    for value in values {
-        sum += value;
-        count += 1.0;
-    }
-    sum / count
-}
-
-fn path(run: &Run, options: &Options, extension: &str) -> PathBuf {
-    // Not `with_extension`: stems may hold a dot.
-    let mut name = run.stem(options).into_os_string();
-    name.push(extension);
-    PathBuf::from(name)
-}
-
-/// Whether the history of `run` is there, complete or with the note why not, by the same steps.
-pub(crate) fn is_there(run: &Run, options: &Options) -> bool {
-    read(run, options).is_ok_and(|history| {
-        let same_step = history
-            .rows
-            .first()
-            .and_then(|row| row.first())
-            .is_some_and(|time| (time - run.time_step(options)).abs() < 1e-9 * run.time_step(options));
-        let complete = history.steps() as u64 == run.steps(options);
-        same_step && (complete || history.failure.is_some() && (history.steps() as u64) < run.steps(options))
-    })
-}
-
-/// Runs and writes one history; a line on how it went.
-pub(crate) fn write(run: &Run, options: &Options) -> Result<String, String> {
+/// Runs one history, from its last checkpoint on if there is one; a line on how it went.
+///
+/// # Errors
+/// A file that cannot be written. A history that ends early is noted in its folder and in the line.
+pub(crate) fn run(run: &Run, options: &Options) -> Result<String, String> {
     let start = Instant::now();
-    let stem = run.stem(options);
-    let mut sim = run.build().map_err(|error| format!("{}: {error}", stem.display()))?;
-    let mut rows = String::from("# history\n");
-    let (mut profile, mut passed_over) = (String::new(), 0);
-    let outcome = sim.run(
-        run.steps(options),
-        run.time_step(options),
-        &mut |sim: &MixedLubricationSim, record: &StepRecord| {
-            push(&mut rows, &row(record));
-            profile = film_profile(sim);
-            passed_over += record.attempts - 1;
-            if passed_over > MOST_PASSED_OVER { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        },
-    );
-    let mut text = rows;
-    let _ = writeln!(text, "# profile\n{profile}# initial");
-    let disc = &sim.bodies()[1];
-    for (heights, next) in [(disc.initial(), "# final\n"), (disc.surface(), "")] {
-        let on_track = sim.track_roughness(heights).map_err(|error| error.to_string())?;
-        let curve = BearingCurve::new(&on_track).map_err(|error| error.to_string())?;
-        for k in 0..=BEARING_POINTS {
-            let share = f64::from(k) / f64::from(BEARING_POINTS);
-            push(&mut text, &[share, curve.height_at(share)]);
-        }
-        text.push_str(next);
-    }
-    let failure = match outcome {
+    let path = run.folder(options);
+    let text = |error: SimError| error.to_string();
+    let mut sim = run.build().map_err(text)?;
+    let (folder, records) = RunFolder::resume(&path, &mut sim, EVERY).map_err(text)?;
+    write_bearing(&sim, sim.bodies()[1].initial(), &bearing_file(&path, 0))?;
+    let passed_over = records.iter().map(|record| record.attempts - 1).sum();
+    let mut writer = Writer { folder, path: &path, steps: run.case.steps, passed_over, failure: None };
+    let left = run.case.steps.saturating_sub(sim.steps());
+    let failure = match sim.run(left, run.time_step, &mut writer) {
         Ok(RunEnd::Finished) => None,
-        Ok(_) => Some(format!("{passed_over} positions of the roughness were passed over")),
+        // Where the folder stopped the run its own error is told below.
+        Ok(RunEnd::Stopped) => writer.failure,
         Err(error) => Some(error.to_string()),
     };
-    let note = path(run, options, ".failed.txt");
-    let saved = match &failure {
-        Some(reason) => fs::write(&note, reason),
-        // One from an earlier attempt is out of date.
-        None if note.exists() => fs::remove_file(&note),
-        None => Ok(()),
-    };
-    saved.map_err(|error| format!("{}: {error}", note.display()))?;
-    // Whole or not at all, so that an interrupted run leaves nothing that looks complete.
-    let (draft, file) = (path(run, options, ".part"), path(run, options, ".csv"));
-    fs::write(&draft, text)
-        .and_then(|()| fs::rename(&draft, &file))
-        .map_err(|error| format!("{}: {error}", file.display()))?;
+    let note = path.join(NOTE);
+    if let Some(reason) = &failure {
+        fs::write(&note, reason).map_err(|error| format!("{}: {error}", note.display()))?;
+    }
+    writer.folder.finish(&sim).map_err(text)?;
     let outcome = failure.map_or_else(String::new, |reason| format!(", ended early: {reason}"));
-    Ok(format!(
-        "{} in {:.0} s, {} steps{outcome}",
-        stem.display(),
-        start.elapsed().as_secs_f64(),
-        sim.steps()
-    ))
+    Ok(format!("{left} steps in {:.0} s{outcome}", start.elapsed().as_secs_f64()))
 }
 
-fn push(text: &mut String, numbers: &[f64]) {
-    for (k, number) in numbers.iter().enumerate() {
-        // Writing to a string cannot fail.
-        let _ = write!(text, "{}{number:e}", if k > 0 { "," } else { "" });
-    }
-    text.push('\n');
+fn bearing_file(path: &Path, part: usize) -> PathBuf {
+    path.join(format!("bearing{part}.csv"))
 }
 
-/// Film along y through x = 0, inside the Hertz contact.
-fn film_profile(sim: &MixedLubricationSim) -> String {
-    let (grid, radius, mut text) = (sim.grid(), sim.hertz().a_y, String::new());
-    for y in (0..grid.ny()).map(|j| grid.y(j)).filter(|y| y.abs() <= radius) {
-        push(&mut text, &[y, grid.interpolate(&sim.state().film, 0.0, y).unwrap_or(f64::NAN)]);
-    }
-    text
+/// A height a line, at even shares of the area.
+fn write_bearing(sim: &MixedLubricationSim, heights: &[f64], file: &Path) -> Result<(), String> {
+    let heights = bearing_heights(sim, heights).map_err(|error| error.to_string())?;
+    let text: String = heights.iter().map(|height| format!("{height:e}\n")).collect();
+    fs::write(file, text).map_err(|error| format!("{}: {error}", file.display()))
 }
 
-/// Reads the history of `run`.
+/// Reads a complete history.
 pub(crate) fn read(run: &Run, options: &Options) -> Result<History, String> {
-    let file = path(run, options, ".csv");
-    let text = fs::read_to_string(&file).map_err(|error| format!("{}: {error}", file.display()))?;
-    let mut history = History {
-        rows: Vec::new(),
-        profile: Vec::new(),
-        bearing: [Vec::new(), Vec::new()],
-        failure: fs::read_to_string(path(run, options, ".failed.txt")).ok(),
-    };
-    let mut section = "";
-    for line in text.lines() {
-        if let Some(name) = line.strip_prefix("# ") {
-            section = name;
-            continue;
-        }
-        let numbers = parse(line, &file)?;
-        match (section, numbers.as_slice()) {
-            ("history", row) if row.len() == COLUMNS.len() => history.rows.push(numbers),
-            ("profile", &[y, film]) => history.profile.push((y, film)),
-            ("initial", &[ratio, height]) => history.bearing[0].push((ratio, height)),
-            ("final", &[ratio, height]) => history.bearing[1].push((ratio, height)),
-            _ => return Err(format!("{}: `{line}` does not fit", file.display())),
-        }
-    }
-    Ok(history)
+    let path = run.folder(options);
+    let mut sim = run.build().map_err(|error| error.to_string())?;
+    let (_, records) =
+        RunFolder::resume(&path, &mut sim, EVERY).map_err(|error| format!("{}: {error}", path.display()))?;
+    let curve = |part| Ok::<_, String>((part, read_numbers(&bearing_file(&path, part))?));
+    let bearing = (0..=PARTS).map(curve).collect::<Result<_, _>>()?;
+    Ok(History { records, profile: film_profile(&sim, &sim.state().film), bearing })
 }
 
-fn parse(line: &str, file: &Path) -> Result<Vec<f64>, String> {
-    let numbers = line.split(',').map(|cell| cell.parse::<f64>().map_err(|_| cell.to_owned()));
-    numbers.collect::<Result<_, _>>().map_err(|cell| format!("{}: `{cell}` is no number", file.display()))
+fn read_numbers(file: &Path) -> Result<Vec<f64>, String> {
+    let text = fs::read_to_string(file).map_err(|error| format!("{}: {error}", file.display()))?;
+    let numbers = text.lines().map(|line| line.parse().map_err(|_| format!("{}: `{line}`", file.display())));
+    numbers.collect()
 }

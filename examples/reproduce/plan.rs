@@ -4,119 +4,109 @@ use std::collections::VecDeque;
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
-use stribeck::sim::scene::{Flash, Roughness, TrackMotion};
-use stribeck::sim::{MixedLubricationSim, Scene, SimError};
+use stribeck::Grid;
+use stribeck::sim::scene::{RandomRoughness, Roughness};
+use stribeck::sim::{MixedLubricationSim, SimError};
+use stribeck::surface::{Autocorrelation, Heights, RoughnessSpec, generate};
 
-use crate::choices::{BASE, CHOICES, Choice, LONG_STEPS, NO_FLIP};
+use crate::cases::{CASES, Case, TEST_TIME};
 use crate::history;
 use crate::options::Options;
 
-/// Bound of every residual of a solve: one solve stands for hundreds of passages at one position of the roughness,
-/// and columns scatter by some 10 % from one position to the next.
-const TOLERANCE: f64 = 1e-3;
-
-/// Added to the steps of convected roughness \[s\]: a body carries its periodic patch past in 5 ms, and steps that are
-/// multiples of it would find the patches where they were.
-const OFF_BEAT: f64 = 3.09e-3;
+/// Length of a step of a quick run \[s\].
+const QUICK_STEP: f64 = 10.0;
 
 /// One history.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Run {
-    pub(crate) choice: &'static Choice,
+    pub(crate) case: Case,
     pub(crate) seed: u64,
-    pub(crate) grid: usize,
     pub(crate) film: bool,
+    pub(crate) time_step: f64,
 }
 
 impl Run {
-    /// Stem of its files.
-    pub(crate) fn stem(&self, options: &Options) -> PathBuf {
+    /// Its folder.
+    pub(crate) fn folder(&self, options: &Options) -> PathBuf {
         let film = if self.film { "with" } else { "without" };
-        options.out.join(format!("{}_{}_seed{}_{film}", self.choice.name, self.grid, self.seed))
+        options.out.join(format!("{}_seed{}_{film}", self.case.name, self.seed))
     }
 
-    pub(crate) fn steps(&self, options: &Options) -> u64 {
-        ((options.steps as f64 / self.choice.time_step).round() as u64).max(1)
-    }
-
-    pub(crate) fn time_step(&self, options: &Options) -> f64 {
-        let time_step = options.time_step * self.choice.time_step;
-        match self.choice.motion {
-            TrackMotion::Carried => time_step + OFF_BEAT,
-            _ => time_step,
-        }
-    }
-
+    /// The simulation at its start. Roughness is made on the grid of the variant and brought to a finer one by its Fourier series.
     pub(crate) fn build(&self) -> Result<MixedLubricationSim, SimError> {
-        let mut scene = Scene::azam_2019(self.grid);
-        if self.film {
-            scene = scene.with_tribofilm();
-        }
-        // Below a kelvin, but then the history can say so.
-        scene.thermal.flash = Flash::On;
-        scene.solver.tolerance = TOLERANCE;
-        let bodies = [&mut scene.roughness.ball, &mut scene.roughness.disc];
-        for (roughness, seed) in bodies.into_iter().zip([2 * self.seed - 1, 2 * self.seed]) {
-            if let Roughness::Gaussian(random) = roughness {
-                random.seed = seed;
-            }
-        }
-        (scene.track.motion, scene.track.seed) = (self.choice.motion, self.seed);
-        (self.choice.flip)(&mut scene);
-        MixedLubricationSim::builder(scene).build()
+        let scene = self.case.scene(self.seed, self.film);
+        let [ball, disc] = [self.heights(&scene.roughness.ball)?, self.heights(&scene.roughness.disc)?];
+        MixedLubricationSim::builder(scene).ball_heights(ball).disc_heights(disc).build()
+    }
+
+    fn heights(&self, roughness: &Roughness) -> Result<Vec<f64>, SimError> {
+        let (n, half) = (self.case.surface_cells, 0.5 * self.case.side);
+        let grid = Grid::from_edges(n, n, [-half, half], [-half, half])?;
+        let Roughness::Gaussian(RandomRoughness { rq, length_x, length_y, seed }) = *roughness else {
+            return Ok(vec![0.0; self.case.cells * self.case.cells]);
+        };
+        let autocorrelation = Autocorrelation::Gaussian;
+        let spec = RoughnessSpec { autocorrelation, rq, length_x, length_y, seed };
+        let surface = Heights::new(n, n, Some([grid.dx(), grid.dy()]), generate(&grid, &spec)?, None)?;
+        Ok(surface.resample_fourier(self.case.cells, self.case.cells)?.heights().to_vec())
     }
 }
 
-/// All histories that the options ask for, pairs side by side, those that take longest first.
+/// The histories that the options ask for, in the order in which they are run: with few seeds of every variant before all
+/// seeds of any.
 pub(crate) fn runs(options: &Options) -> Vec<Run> {
-    let mut pairs: Vec<(&'static Choice, u64, usize)> = Vec::new();
-    if options.fine {
-        pairs.extend([(&LONG_STEPS, 1, 2 * options.grid), (&LONG_STEPS, 1, options.grid)]);
+    let cases: Vec<Case> =
+        CASES.iter().map(|case| if options.quick { case.quick() } else { *case }).collect();
+    let wanted = |case: &&Case| options.case.as_ref().is_none_or(|name| name == case.name);
+    let mut runs = Vec::new();
+    for seed in 1..=options.seeds {
+        for case in cases.iter().filter(wanted).filter(|case| seed <= case.seeds) {
+            let time_step = if options.quick { QUICK_STEP } else { TEST_TIME / case.steps as f64 };
+            runs.extend([true, false].map(|film| Run { case: *case, seed, film, time_step }));
+        }
     }
-    if options.choices {
-        pairs.extend([&NO_FLIP].into_iter().chain(&CHOICES).map(|choice| (choice, 1, options.grid)));
-    }
-    pairs.extend((1..=options.seeds).map(|seed| (&BASE, seed, options.grid)));
-    let both = |(choice, seed, grid)| [true, false].map(|film| Run { choice, seed, grid, film });
-    pairs.into_iter().flat_map(both).collect()
+    runs
 }
 
-/// Runs those that are not there yet.
+/// Runs those that have not ended yet.
 ///
 /// # Errors
-/// A file that cannot be written, a scene that cannot be built. A history that ends early is noted in its files.
+/// A file that cannot be written, a scene that cannot be built. A history that ends early is noted in its folder.
 pub(crate) fn execute(runs: &[Run], options: &Options) -> Result<(), String> {
-    std::fs::create_dir_all(&options.out).map_err(|error| format!("{}: {error}", options.out.display()))?;
-    let missing: VecDeque<&Run> = runs.iter().filter(|run| !history::is_there(run, options)).collect();
-    println!("{} of {} histories are there", runs.len() - missing.len(), runs.len());
-    let (total, queue) = (missing.len(), Mutex::new(missing));
-    let failure: Mutex<Option<String>> = Mutex::new(None);
+    let missing: VecDeque<&Run> = runs.iter().filter(|run| !history::has_ended(run, options)).collect();
+    println!("{} of {} histories have ended", runs.len() - missing.len(), runs.len());
+    let queue = Mutex::new((missing, None));
     std::thread::scope(|scope| {
         for _ in 0..options.threads {
-            scope.spawn(|| {
-                // Histories side by side use the processors better than the parts of one.
-                let pool = match rayon::ThreadPoolBuilder::new().num_threads(1).build() {
-                    Ok(pool) => pool,
-                    Err(error) => {
-                        *failure.lock().unwrap_or_else(PoisonError::into_inner) = Some(error.to_string());
-                        return;
-                    }
-                };
-                loop {
-                    let next = queue.lock().unwrap_or_else(PoisonError::into_inner).pop_front();
-                    let Some(run) = next else { return };
-                    let outcome = pool.install(|| history::write(run, options));
-                    let left = queue.lock().unwrap_or_else(PoisonError::into_inner).len();
-                    match outcome {
-                        Ok(line) => println!("[{}/{total}] {line}", total - left),
-                        Err(error) => {
-                            *failure.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
-                            queue.lock().unwrap_or_else(PoisonError::into_inner).clear();
-                        }
-                    }
-                }
-            });
+            scope.spawn(|| work(&queue, options));
         }
     });
-    failure.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
+    queue.into_inner().unwrap_or_else(PoisonError::into_inner).1.map_or(Ok(()), Err)
+}
+
+type Queue<'a> = Mutex<(VecDeque<&'a Run>, Option<String>)>;
+
+/// Takes runs until none is left or one cannot be written. Histories side by side use the processors better than the
+/// parts of one, so that each has one thread.
+fn work(queue: &Queue<'_>, options: &Options) {
+    let locked = || queue.lock().unwrap_or_else(PoisonError::into_inner);
+    let pool = match rayon::ThreadPoolBuilder::new().num_threads(1).build() {
+        Ok(pool) => pool,
+        Err(error) => {
+            locked().1 = Some(error.to_string());
+            return;
+        }
+    };
+    loop {
+        let next = {
+            let mut queue = locked();
+            if queue.1.is_some() { None } else { queue.0.pop_front() }
+        };
+        let Some(run) = next else { return };
+        let name = run.folder(options);
+        match pool.install(|| history::run(run, options)) {
+            Ok(line) => println!("{}: {line}", name.display()),
+            Err(error) => locked().1 = Some(format!("{}: {error}", name.display())),
+        }
+    }
 }
