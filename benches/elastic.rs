@@ -11,8 +11,8 @@ use rustfft::FftPlanner;
 use stribeck::Grid;
 use stribeck::elastic::{DeformationModel, HalfSpace};
 
-/// One forward and one inverse real transform of `2 n` x `2 n` points, all rows and columns, columns contiguous:
-/// the yardstick. It neither skips rows of zeros nor transposes, and it multiplies no kernel.
+/// One forward and one inverse real transform of `2 n` x `2 n` points, all rows and columns, columns
+/// contiguous: the yardstick. It neither skips rows of zeros nor transposes, and it multiplies no kernel.
 struct BareTransforms {
     size: usize,
     field: Vec<f64>,

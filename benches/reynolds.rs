@@ -1,6 +1,6 @@
-//! Time of the pieces of a lubricated solve, from a film that is right to its discretisation error: one semi-system sweep, one
-//! multigrid cycle, one Newton step, viscosity and density of all nodes. Each of the first three holds one evaluation of the
-//! film more, with which a solve begins or ends.
+//! Time of the pieces of a lubricated solve, from a film that is right to its discretisation error: one
+//! semi-system sweep, one multigrid cycle, one Newton step, viscosity and density of all nodes. Each of the
+//! first three holds one evaluation of the film more, with which a solve begins or ends.
 #![expect(clippy::unwrap_used, reason = "benchmark")]
 
 use std::hint::black_box;

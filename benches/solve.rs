@@ -1,5 +1,6 @@
-//! Time of whole contacts at 128 and 256 cells, each from a cold start with kernel, plan and buffers still to be made: a full
-//! film (M = 20, L = 10), a highly loaded one (M = 1000, L = 10), both of second order, and a dry rough contact.
+//! Time of whole contacts at 128 and 256 cells, each from a cold start with kernel, plan and buffers still to
+//! be made: a full film (M = 20, L = 10), a highly loaded one (M = 1000, L = 10), both of second order, and a
+//! dry rough contact.
 #![expect(clippy::unwrap_used, reason = "benchmark")]
 
 use std::time::Duration;

@@ -1,4 +1,5 @@
-//! A deformation model of one's own: steel under a thin compliant coating that yields in proportion to the pressure on it.
+//! A deformation model of one's own: steel under a thin compliant coating that yields in proportion to the
+//! pressure on it.
 #![expect(clippy::print_stdout, reason = "a program that talks to its user")]
 
 use stribeck::elastic::{DeformationModel, HalfSpace};
@@ -6,8 +7,8 @@ use stribeck::sim::scene::RoughnessPair;
 use stribeck::sim::{MixedLubricationSim, Scene, SimError};
 use stribeck::{Grid, InputError};
 
-/// A coating of thickness `t` and confined modulus `M` on a half-space: `u = K p + (t/M) p`. Valid while the coating is thin
-/// against the contact.
+/// A coating of thickness `t` and confined modulus `M` on a half-space: `u = K p + (t/M) p`. Valid while the
+/// coating is thin against the contact.
 #[derive(Debug)]
 struct Coated {
     substrate: HalfSpace,

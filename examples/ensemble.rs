@@ -1,4 +1,5 @@
-//! A sweep over loads and seeds on all threads of the machine, or over the ranks of an MPI program; resumable.
+//! A sweep over loads and seeds on all threads of the machine, or over the ranks of an MPI program;
+//! resumable.
 //!
 //! ```text
 //! cargo run --release --example ensemble [-- FOLDER]

@@ -4,8 +4,9 @@
 //! cargo run --release --example history -- SCENE.toml --steps N --time-step S [--json] [--csv OUT.csv]
 //! ```
 //!
-//! Numbers are means over the last tenth of the steps. Ends with 0 when all steps were taken, 2 when a contact did not
-//! converge, 1 for bad input, with one line on standard error; warnings and progress go there too.
+//! Numbers are means over the last tenth of the steps. Ends with 0 when all steps were taken, 2 when a
+//! contact did not converge, 1 for bad input, with one line on standard error; warnings and progress go there
+//! too.
 
 use std::error::Error;
 use std::fs::File;

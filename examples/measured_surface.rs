@@ -39,7 +39,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     scene.grid = GridSpec::Cells { nx: 64, ny: 64, x: [-2.0 * a, 2.0 * a], y: [-2.0 * a, 2.0 * a] };
     scene.solver.tolerance = 1e-3;
 
-    // Levelled, holes filled, mirrored until it fills the box. Its own height may be anything: here a fine-ground one.
+    // Levelled, holes filled, mirrored until it fills the box. Its own height may be anything: here a
+    // fine-ground one.
     let mut heights = measured.fit_to_grid(&scene.grid()?)?;
     let sq = height_statistics(&heights)?.sq;
     println!("Sq {:.1} nm as measured, scaled to 50 nm", 1e9 * sq);

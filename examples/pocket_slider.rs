@@ -4,9 +4,9 @@
 //! cargo run --release --example pocket_slider -- [--speed U] [--cells N] [--json]
 //! ```
 //!
-//! A pad of 10 mm, infinitely wide, over a surface that moves with `U` m/s. The film falls from 1.05 to 1 um, the pocket is 1 um deep
-//! from 2 to 5 mm, the viscosity 0.01 Pa s, pressure 1e5 Pa at the edges and zero where the film cavitates. Pressures are absolute, forces
-//! and flows those of one metre of width.
+//! A pad of 10 mm, infinitely wide, over a surface that moves with `U` m/s. The film falls from 1.05 to 1 um,
+//! the pocket is 1 um deep from 2 to 5 mm, the viscosity 0.01 Pa s, pressure 1e5 Pa at the edges and zero
+//! where the film cavitates. Pressures are absolute, forces and flows those of one metre of width.
 //!
 //! Ends with 0 when the solve converged, 2 when it did not, 1 for bad input, with one line on standard error.
 

@@ -4,8 +4,8 @@
 //! cargo run --release --example solve -- SCENE.toml [--json] [--fields OUT.npz]
 //! ```
 //!
-//! Ends with 0 when the solve converged, 2 when it did not, 1 for bad input, with one line on standard error; warnings stand there too, a
-//! line each.
+//! Ends with 0 when the solve converged, 2 when it did not, 1 for bad input, with one line on standard error;
+//! warnings stand there too, a line each.
 
 use std::error::Error;
 use std::io::{self, Write};

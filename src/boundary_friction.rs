@@ -6,8 +6,8 @@ use crate::error::InputError;
 
 /// The friction coefficient of a node in solid contact.
 ///
-/// Contract: a coefficient is finite and not negative for all finite arguments that are not negative, and depends on the
-/// arguments alone.
+/// Contract: a coefficient is finite and not negative for all finite arguments that are not negative, and
+/// depends on the arguments alone.
 ///
 /// ```
 /// use stribeck::BoundaryFriction;
@@ -23,12 +23,13 @@ use crate::error::InputError;
 /// assert!((Falling.coefficient(1e9, 0.1, [0.0; 2]) - 0.1).abs() < 1e-15);
 /// ```
 pub trait BoundaryFriction: Debug + Send + Sync {
-    /// Shear stress over `solid_pressure` \[Pa\] where the bodies slide past each other at `sliding_speed` \[m/s\] and carry
-    /// `tribofilm` \[m\], that of the ball first.
+    /// Shear stress over `solid_pressure` \[Pa\] where the bodies slide past each other at `sliding_speed`
+    /// \[m/s\] and carry `tribofilm` \[m\], that of the ball first.
     fn coefficient(&self, solid_pressure: f64, sliding_speed: f64, tribofilm: [f64; 2]) -> f64;
 
-    /// Overwrites `coefficients` with those of all nodes, under `solid_pressure` \[Pa\] and the tribofilms of ball and disc \[m\], slices
-    /// of one length. By default node by node with [`coefficient`](Self::coefficient), to which it must come.
+    /// Overwrites `coefficients` with those of all nodes, under `solid_pressure` \[Pa\] and the tribofilms of
+    /// ball and disc \[m\], slices of one length. By default node by node with
+    /// [`coefficient`](Self::coefficient), to which it must come.
     fn coefficients(
         &self,
         solid_pressure: &[f64],
@@ -76,8 +77,9 @@ impl BoundaryFriction for ConstantFriction {
     }
 }
 
-/// Friction between that of bare and that of covered surfaces: `mu = mu_bare + c (mu_covered - mu_bare)` with the cover
-/// `c = min{(h_1 + h_2) / h_full, 1}` of the tribofilms `h_1` and `h_2` that lie between the solids.
+/// Friction between that of bare and that of covered surfaces: `mu = mu_bare + c (mu_covered - mu_bare)` with
+/// the cover `c = min{(h_1 + h_2) / h_full, 1}` of the tribofilms `h_1` and `h_2` that lie between the
+/// solids.
 ///
 /// ```
 /// use stribeck::{BoundaryFriction, FilmFriction};

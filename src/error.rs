@@ -2,7 +2,8 @@
 
 use thiserror::Error;
 
-/// An input that cannot be used: a value out of range, a field of the wrong shape, a number that is not finite.
+/// An input that cannot be used: a value out of range, a field of the wrong shape, a number that is not
+/// finite.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum InputError {

@@ -5,7 +5,8 @@ use crate::error::InputError;
 /// A uniform, cell-centred grid. Node `(i, j)` of a field is entry `j * nx + i`: x (the direction of
 /// entrainment) runs fastest. Lengths in metres.
 ///
-/// A grid with one row is a line contact: `dy` is then the length that all loads and areas refer to, one metre by custom.
+/// A grid with one row is a line contact: `dy` is then the length that all loads and areas refer to, one
+/// metre by custom.
 ///
 /// ```
 /// use stribeck::Grid;
@@ -120,7 +121,8 @@ impl Grid {
         (0..self.ny).flat_map(move |j| (0..self.nx).map(move |i| (self.x(i), self.y(j))))
     }
 
-    /// Value of `field` at `(x, y)` \[m\] by bilinear interpolation between nodes (constant beyond the outermost ones).
+    /// Value of `field` at `(x, y)` \[m\] by bilinear interpolation between nodes (constant beyond the
+    /// outermost ones).
     ///
     /// # Errors
     /// [`InputError::Shape`] when `field` does not fit the grid.

@@ -1,5 +1,5 @@
-//! Rough lubricated contacts that change as they rub: mixed elastohydrodynamic lubrication, plastic flattening,
-//! growth of anti-wear tribofilms and wear, solved together on one grid.
+//! Rough lubricated contacts that change as they rub: mixed elastohydrodynamic lubrication, plastic
+//! flattening, growth of anti-wear tribofilms and wear, solved together on one grid.
 //!
 //! # The model
 //!
@@ -66,15 +66,17 @@
 //!
 //! # Conventions and limits
 //!
-//! SI units throughout. Fields are row-major slices, node `(i, j)` at `j * nx + i`, x along the entrainment. Heights point
-//! out of their body. Isothermal fluid, smooth far field, parabolic bodies, half-space elasticity, no subsurface plasticity;
-//! contact area and load ratio depend on `h_cut`, and on the grid where both solids and fluid carry much of the load.
+//! SI units throughout. Fields are row-major slices, node `(i, j)` at `j * nx + i`, x along the entrainment.
+//! Heights point out of their body. Isothermal fluid, smooth far field, parabolic bodies, half-space
+//! elasticity, no subsurface plasticity; contact area and load ratio depend on `h_cut`, and on the grid where
+//! both solids and fluid carry much of the load.
 //!
 //! # Features
 //!
-//! None by default. `serde`: scenes as TOML, checkpoints. `formats`: files of measured surfaces. `npz`, `vtk`: fields for `NumPy`
-//! and `ParaView`. `parallel`: several threads on large grids, with the same results. `testing`: conformance of own laws and
-//! solvers, random scenes. `fit`: constants of growth laws from measured films.
+//! None by default. `serde`: scenes as TOML, checkpoints. `formats`: files of measured surfaces. `npz`,
+//! `vtk`: fields for `NumPy` and `ParaView`. `parallel`: several threads on large grids, with the same
+//! results. `testing`: conformance of own laws and solvers, random scenes. `fit`: constants of growth laws
+//! from measured films.
 #![deny(missing_docs)]
 #![forbid(unsafe_code)]
 

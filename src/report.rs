@@ -15,8 +15,8 @@ pub enum Status {
     MaxIterations,
     /// The residuals no longer fell.
     Stalled,
-    /// The mesh is too coarse to hold a positive film: films fall to the contact film or below although the film expected
-    /// of the contact is well above it.
+    /// The mesh is too coarse to hold a positive film: films fall to the contact film or below although the
+    /// film expected of the contact is well above it.
     MeshTooCoarse,
     /// The residuals grew without bound or were no longer finite.
     Diverged,
@@ -40,18 +40,18 @@ impl fmt::Display for Status {
 /// With `h_m` the pressure-weighted mean film and `a_x`, `a_y` the reference contact half-widths:
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Residuals {
-    /// Sum of the absolute mass imbalances of the cells that hold fluid under pressure, of all cells where cavitation
-    /// conserves mass, over the mass that the mean film `h_m` carries through the contact width `2 a_y`, or that flows into
-    /// the box where that is less. Zero without lubricant.
+    /// Sum of the absolute mass imbalances of the cells that hold fluid under pressure, of all cells where
+    /// cavitation conserves mass, over the mass that the mean film `h_m` carries through the contact width
+    /// `2 a_y`, or that flows into the box where that is less. Zero without lubricant.
     ///
     /// Where cavitation conserves mass and the surfaces move it bounds the imbalance of the
     /// [flow through the box](crate::reynolds::FlowBalance).
     pub mass: f64,
     /// `|sum of pressure - load| / load`.
     pub load: f64,
-    /// Violation of the inequalities: fluid that builds up in cavitated cells (scaled as `mass`; with Reynolds' condition
-    /// alone, `mass` counts it else), and the gap error
-    /// of solid contact plus penetration elsewhere, averaged over the Hertz area and divided by `h_m`; the larger.
+    /// Violation of the inequalities: fluid that builds up in cavitated cells (scaled as `mass`; with
+    /// Reynolds' condition alone, `mass` counts it else), and the gap error of solid contact plus penetration
+    /// elsewhere, averaged over the Hertz area and divided by `h_m`; the larger.
     pub complementarity: f64,
 }
 
@@ -98,8 +98,8 @@ pub struct SolveReport {
     /// Residuals of the state that was returned.
     pub residuals: Residuals,
     /// Of dry contacts: what the energy lies above its minimum at most, over the elastic energy
-    /// ([`DryOutcome::energy_error`](crate::elastic::DryOutcome::energy_error)). It holds whatever the solver did. None with a lubricant, which has no
-    /// energy to minimise, and from solvers that do not tell.
+    /// ([`DryOutcome::energy_error`](crate::elastic::DryOutcome::energy_error)). It holds whatever the solver
+    /// did. None with a lubricant, which has no energy to minimise, and from solvers that do not tell.
     pub energy_error: Option<f64>,
     /// Work of the whole solve, starts and fallbacks included.
     pub work: Work,

@@ -20,7 +20,8 @@ pub struct RubbingPoint {
 }
 
 impl RubbingPoint {
-    /// The state of a point that lies `share` of the way from this node to `other`; the nearer one decides on contact.
+    /// The state of a point that lies `share` of the way from this node to `other`; the nearer one decides on
+    /// contact.
     pub(crate) fn towards(&self, other: &Self, share: f64) -> Self {
         let mix = |here: f64, there: f64| here + share * (there - here);
         Self {

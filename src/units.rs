@@ -151,7 +151,8 @@ impl Dimension {
         self.units().iter().filter_map(|(names, _)| names.first().copied())
     }
 
-    /// The value of `text`, a number and a unit, in SI units; a space between them may be left out. `field` is for the error.
+    /// The value of `text`, a number and a unit, in SI units; a space between them may be left out. `field`
+    /// is for the error.
     ///
     /// # Errors
     /// Text that is no number and unit, a unit of something else, no unit.

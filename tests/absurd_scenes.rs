@@ -1,4 +1,5 @@
-//! Random scenes, absurd ones included: each ends in convergence, in a status or in an error that says what is wrong.
+//! Random scenes, absurd ones included: each ends in convergence, in a status or in an error that says what
+//! is wrong.
 
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test stops at what it did not expect")]
 

@@ -159,7 +159,8 @@ fn rough(n: usize) -> Scene {
     scene
 }
 
-/// The heights of `of` on its grid as node-by-node files in `folder`, by their Fourier series on `n` x `n` cells.
+/// The heights of `of` on its grid as node-by-node files in `folder`, by their Fourier series on `n` x `n`
+/// cells.
 fn as_files(of: &Scene, n: usize, folder: &Path) -> RoughnessPair {
     let grid = of.grid().unwrap();
     let file = |roughness: &Roughness, name: &str| {
@@ -192,7 +193,8 @@ fn four_estimates(estimate: &ErrorEstimate) -> [f64; 4] {
     [estimate.load_ratio, estimate.area_ratio, estimate.mean_film, estimate.friction_coefficient]
 }
 
-/// The solution is that of the grid alone, and its errors against four times finer cells are below the estimates.
+/// The solution is that of the grid alone, and its errors against four times finer cells are below the
+/// estimates.
 #[test]
 fn a_coarser_solve_estimates_a_rough_contact() {
     let folder = tempfile::tempdir().unwrap();
@@ -275,7 +277,7 @@ fn surfaces_and_grids_without_an_estimate_are_refused() {
     assert!(message(&few).starts_with("grid.nx = 9"), "{}", message(&few));
     let mut paper = rough(16);
     paper.solver.estimate = true;
-    paper.solver.contact = ContactDefinition::Paper;
+    paper.solver.contact = ContactDefinition::UnifiedReynolds;
     assert!(message(&paper).starts_with("solver.contact = \"paper\""), "{}", message(&paper));
     let mut wrong = rough(16);
     wrong.solver.accuracy = Some(0.5);

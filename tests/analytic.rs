@@ -56,7 +56,8 @@ fn hertz_circular_is_the_contact_of_the_paper() {
     assert_relative_eq!(back.a_x, (1.5 * back.load * 9.525e-3 / 229.67e9).cbrt(), max_relative = 1e-14);
 }
 
-/// `(Rx, Ry, long semi-axis, short, p_max, approach)` for E' = 2.3e11 Pa and 50 N, from `tests/data/hertz_ellipse.py`.
+/// `(Rx, Ry, long semi-axis, short, p_max, approach)` for E' = 2.3e11 Pa and 50 N, from
+/// `tests/data/hertz_ellipse.py`.
 const ELLIPSES: [[f64; 6]; 4] = [
     [0.015, 0.01, 0.00018118625206229306, 0.00013829924616772202, 952722312.3775166, 2.0506160057407018e-06],
     [0.02, 0.01, 0.00020823180593762083, 0.00013131008172487395, 873104553.9253107, 1.946129003230728e-06],
@@ -81,7 +82,8 @@ fn hertz_elliptical_agrees_with_high_precision_values() {
 
 #[test]
 fn hertz_pressure_deforms_the_half_space_into_the_shape_of_the_body() {
-    // the displacement under the elliptical pressure must fill the gap: u(x, y) + x^2/2Rx + y^2/2Ry = approach
+    // the displacement under the elliptical pressure must fill the gap: u(x, y) + x^2/2Rx + y^2/2Ry =
+    // approach
     let contact = HertzPoint::from_load(20e-3, 8e-3, 230e9, 50.0).unwrap();
     let n = 200;
     let (hx, hy) = (contact.a_x / f64::from(n), contact.a_y / f64::from(n));
@@ -182,8 +184,8 @@ fn westergaard_pressure_carries_the_mean_pressure() {
 
 #[test]
 fn westergaard_pressure_flattens_the_wave() {
-    // plane strain: du/dx = -(4/(pi E')) PV integral of p(s)/(x - s), periodic form with cot; inside the contact
-    // the slope must cancel that of the surface
+    // plane strain: du/dx = -(4/(pi E')) PV integral of p(s)/(x - s), periodic form with cot; inside the
+    // contact the slope must cancel that of the surface
     let wave = Westergaard { amplitude: 0.2e-6, wavelength: 50e-6, equivalent_modulus: 230e9 };
     let mean = 0.4 * wave.full_contact_pressure().unwrap();
     let (x, n) = (5e-6, 400_000);

@@ -144,7 +144,8 @@ fn materials_out_of_range_are_named() {
     assert!(error.contains("materials.ball.hardness = 6e9"), "{error}");
 }
 
-/// The steps after those of an earlier run, from memory and from its archive, are the ones that it would have taken.
+/// The steps after those of an earlier run, from memory and from its archive, are the ones that it would have
+/// taken.
 #[test]
 fn bodies_go_on_where_another_run_ended() {
     let folder = tempfile::tempdir().unwrap();

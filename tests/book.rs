@@ -1,4 +1,5 @@
-//! The pages of the book: all are in the summary and short, what they and the README link to is there, and numbers have names.
+//! The pages of the book: all are in the summary and short, what they and the README link to is there, and
+//! numbers have names.
 
 #![expect(clippy::unwrap_used, reason = "a test stops at what it did not expect")]
 

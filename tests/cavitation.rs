@@ -126,7 +126,8 @@ fn the_mass_residual_bounds_the_imbalance_of_the_box() {
     }
 }
 
-/// With a squeeze term the box may store what enters: a film that is thicker than the one before takes up the difference.
+/// With a squeeze term the box may store what enters: a film that is thicker than the one before takes up the
+/// difference.
 #[test]
 fn what_is_stored_is_no_imbalance() {
     let mut scene = Scene::azam_2019(32);

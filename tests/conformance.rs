@@ -1,4 +1,5 @@
-//! Every law, model and solver of the crate keeps the contract of its trait, and the checks find those who do not.
+//! Every law, model and solver of the crate keeps the contract of its trait, and the checks find those who do
+//! not.
 
 use stribeck::elastic::{DeformationModel, HalfSpace};
 use stribeck::lubricant::{Barus, DensityLaw, DowsonHigginson, Incompressible, Roelands, ViscosityLaw};

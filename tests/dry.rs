@@ -1,4 +1,5 @@
-//! Dry contacts of scenes: errors that fall with the mesh, steps that do not grow with it, boxes that are too small.
+//! Dry contacts of scenes: errors that fall with the mesh, steps that do not grow with it, boxes that are too
+//! small.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::Status;
@@ -28,8 +29,8 @@ fn solved(scene: &Scene) -> ContactSolution {
     solution
 }
 
-/// Peak, approach, force and radius of the smooth ball. The rim crosses the cells, so that errors scatter about n^-2:
-/// measured 3.6e-5, 6.8e-6 and 2.1e-6 for the peak, 2.1e-5, 7.4e-6 and 1.4e-6 for the approach.
+/// Peak, approach, force and radius of the smooth ball. The rim crosses the cells, so that errors scatter
+/// about n^-2: measured 3.6e-5, 6.8e-6 and 2.1e-6 for the peak, 2.1e-5, 7.4e-6 and 1.4e-6 for the approach.
 #[test]
 fn smooth_ball_is_hertz_to_second_order() {
     for (n, peak_bound) in [(128, 5e-5), (256, 1e-5), (512, 3e-6)] {
@@ -67,7 +68,8 @@ fn capped_rough_contact_takes_steps_that_do_not_grow_with_the_grid() {
     }
 }
 
-/// Conjugate-gradient steps on the grid itself, to 1e-8: measured 23 to 29, and 30 to 33 on 1024 x 1024 nodes.
+/// Conjugate-gradient steps on the grid itself, to 1e-8: measured 23 to 29, and 30 to 33 on 1024 x 1024
+/// nodes.
 #[test]
 fn rough_contacts_take_at_most_forty_steps_on_every_grid() {
     for n in [128, 129, 256, 512] {
@@ -135,7 +137,8 @@ fn what_rounding_does_not_allow_ends_as_stalled() {
     }
 }
 
-/// The area of a Hertz circle: cells along its edge count too much by a share of their size, which the correction knows.
+/// The area of a Hertz circle: cells along its edge count too much by a share of their size, which the
+/// correction knows.
 #[test]
 fn corrected_areas_fall_faster_to_that_of_hertz() {
     // Root mean square over sizes next to each other, as the rounding of one circle to cells is chance.

@@ -1,4 +1,5 @@
-//! The half-space against the direct sum, and dry contact against Hertz, a flat punch and its own inequalities.
+//! The half-space against the direct sum, and dry contact against Hertz, a flat punch and its own
+//! inequalities.
 #![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
 
 use proptest::collection::vec;
@@ -176,7 +177,7 @@ proptest! {
 }
 
 #[test]
-fn displacement_estimate_has_single_precision_for_numbers_of_any_size() {
+fn displacement_single_has_single_precision_for_numbers_of_any_size() {
     for (nx, ny) in [(64, 48), (33, 70)] {
         let grid = Grid::centred(nx, ny, 4e-6, 3e-6).unwrap();
         for (modulus, unit) in [(MODULUS, 1e9), (1e-30, 1e200), (1e30, 1e-60), (MODULUS, 0.0)] {
@@ -184,7 +185,7 @@ fn displacement_estimate_has_single_precision_for_numbers_of_any_size() {
             let pressure: Vec<f64> = (0..grid.len()).map(|k| unit * (k as f64).sin()).collect();
             let exact = displacement(&mut body, &pressure);
             let mut found = vec![f64::NAN; grid.len()];
-            body.displacement_estimate(&pressure, &mut found).unwrap();
+            body.displacement_single(&pressure, &mut found).unwrap();
             let most = largest(&displacement(&mut body, &vec![unit; grid.len()]));
             for (found, exact) in found.iter().zip(&exact) {
                 assert!((found - exact).abs() <= 1e-6 * most, "{found:e} for {exact:e}, E' = {modulus:e}");
@@ -194,19 +195,19 @@ fn displacement_estimate_has_single_precision_for_numbers_of_any_size() {
 }
 
 #[test]
-fn displacement_sketch_is_the_estimate_between_near_nodes() {
+fn displacement_periodic_is_the_estimate_between_near_nodes() {
     let grid = Grid::centred(64, 48, 4e-6, 3e-6).unwrap();
     let mut body = HalfSpace::new(grid, MODULUS).unwrap();
     let mut pressure = vec![0.0; grid.len()];
     pressure[24 * 64 + 32] = 1e9;
     let (mut sketch, mut estimate) = (pressure.clone(), pressure.clone());
-    body.displacement_sketch(&pressure, &mut sketch).unwrap();
-    body.displacement_estimate(&pressure, &mut estimate).unwrap();
+    body.displacement_periodic(&pressure, &mut sketch).unwrap();
+    body.displacement_single(&pressure, &mut estimate).unwrap();
     assert_close(&sketch, &estimate, 1e-5, "from the middle no way round is shorter");
     // From a corner the opposite one is next door.
     pressure.rotate_left(24 * 64 + 32);
-    body.displacement_sketch(&pressure, &mut sketch).unwrap();
-    body.displacement_estimate(&pressure, &mut estimate).unwrap();
+    body.displacement_periodic(&pressure, &mut sketch).unwrap();
+    body.displacement_single(&pressure, &mut estimate).unwrap();
     assert_close(&sketch[..20], &estimate[..20], 1e-5, "near the corner");
     assert!(sketch[grid.len() - 1] > 10.0 * estimate[grid.len() - 1], "round the corner");
 }
@@ -256,9 +257,9 @@ fn provided_estimates_are_the_displacement_and_a_division_by_the_self_influence(
     let u = displacement(&mut springs, &pressure);
     assert_close(&estimate(&mut springs, &u), &pressure, 1e-14, "springs");
     let mut same = [0.0; 6];
-    springs.displacement_estimate(&pressure, &mut same).unwrap();
+    springs.displacement_single(&pressure, &mut same).unwrap();
     assert_eq!(same.as_slice(), u);
-    springs.displacement_sketch(&pressure, &mut same).unwrap();
+    springs.displacement_periodic(&pressure, &mut same).unwrap();
     assert_eq!(same.as_slice(), u);
     let error = springs.pressure_estimate(&u[..5], &mut [0.0; 6]).unwrap_err();
     assert_shape(&error, "displacement", 6, 5);
@@ -283,10 +284,10 @@ fn shape_errors_name_the_field() {
     let (short, mut short_out) = ([0.0; 11], [0.0; 13]);
     assert_shape(&body.displacement(&short, &mut out).unwrap_err(), "pressure", 12, 11);
     assert_shape(&body.displacement(&good, &mut short_out).unwrap_err(), "out", 12, 13);
-    assert_shape(&body.displacement_estimate(&short, &mut out).unwrap_err(), "pressure", 12, 11);
-    assert_shape(&body.displacement_estimate(&good, &mut short_out).unwrap_err(), "out", 12, 13);
-    assert_shape(&body.displacement_sketch(&short, &mut out).unwrap_err(), "pressure", 12, 11);
-    assert_shape(&body.displacement_sketch(&good, &mut short_out).unwrap_err(), "out", 12, 13);
+    assert_shape(&body.displacement_single(&short, &mut out).unwrap_err(), "pressure", 12, 11);
+    assert_shape(&body.displacement_single(&good, &mut short_out).unwrap_err(), "out", 12, 13);
+    assert_shape(&body.displacement_periodic(&short, &mut out).unwrap_err(), "pressure", 12, 11);
+    assert_shape(&body.displacement_periodic(&good, &mut short_out).unwrap_err(), "out", 12, 13);
     assert_shape(&body.pressure_estimate(&short, &mut out).unwrap_err(), "displacement", 12, 11);
     assert_shape(&body.pressure_estimate(&good, &mut short_out).unwrap_err(), "out", 12, 13);
     assert_shape(&direct_displacement(&grid, MODULUS, &short).unwrap_err(), "pressure", 12, 11);
@@ -461,7 +462,8 @@ fn smooth_ball_is_hertz() {
         let (state, report) = scene.solved();
         scene.check(&state, 1e-13);
         assert!(report.work.inner_iterations <= 60, "{report:?}");
-        // Second order: measured 1.2e-4, 6.6e-5 and 3.6e-5 for the peak, 1.1e-4, 1.6e-4 and 2.1e-5 for the approach.
+        // Second order: measured 1.2e-4, 6.6e-5 and 3.6e-5 for the peak, 1.1e-4, 1.6e-4 and 2.1e-5 for the
+        // approach.
         let second_order = 3e-4 * (64.0 / n as f64).powi(2);
         let peak = largest(&state.pressure);
         let exact = scene.grid.nodes().map(|(x, y)| hertz.pressure_at(x, y)).fold(0.0, f64::max);
@@ -730,7 +732,8 @@ enum Start {
 #[derive(Debug)]
 struct RandomScene {
     heights: Vec<f64>,
-    /// Decadic logarithms of the roughness \[m\], of the load over the largest that 5 GPa carry, of the pressure \[Pa\] of the start.
+    /// Decadic logarithms of the roughness \[m\], of the load over the largest that 5 GPa carry, of the
+    /// pressure \[Pa\] of the start.
     logs: (f64, f64, f64),
     curved: bool,
     /// None, or the limits in 5 GPa.

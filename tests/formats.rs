@@ -127,7 +127,8 @@ const WHOLE: [Expected; 6] = [
     },
 ];
 
-/// The whole files, which are too large for the repository: `MEASURED_SURFACES=folder cargo test -- --ignored`.
+/// The whole files, which are too large for the repository:
+/// `MEASURED_SURFACES=folder cargo test -- --ignored`.
 #[test]
 #[ignore = "needs the folder of the whole files in MEASURED_SURFACES"]
 fn whole_files_are_read_as_by_another_program() {

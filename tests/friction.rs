@@ -13,7 +13,8 @@ fn dry(n: usize) -> Scene {
     scene
 }
 
-/// The friction of a film grows with what it covers, and its boundary share is the mean coefficient times the load on solids.
+/// The friction of a film grows with what it covers, and its boundary share is the mean coefficient times the
+/// load on solids.
 #[test]
 fn friction_follows_the_tribofilm() {
     let friction = |film_coefficient: Option<f64>, thickness: f64| {
@@ -121,7 +122,8 @@ fn the_estimate_of_the_flash_temperature_knows_the_fluid() {
     }
 }
 
-/// Numbers of a record belong together: roughness and film of one contact, pressures within the limit of their nodes.
+/// Numbers of a record belong together: roughness and film of one contact, pressures within the limit of
+/// their nodes.
 #[test]
 fn the_record_tells_the_truth() {
     let mut scene = Scene::azam_2019(48).with_tribofilm();
@@ -151,7 +153,7 @@ fn the_record_tells_the_truth() {
         let mut scene = scene.clone();
         scene.lubricant.as_mut().unwrap().formula_alpha = alpha;
         let record = MixedLubricationSim::builder(scene).build().unwrap().step(1.0).unwrap();
-        (record.lambda_old, record.average_film)
+        (record.formula_lambda, record.average_film)
     };
     let (by_slope, stated) = (formula(None), formula(Some(2.0 * 1.4393e-8)));
     assert!((stated.0 / by_slope.0 / 2.0_f64.powf(0.53) - 1.0).abs() < 1e-4, "{stated:?} {by_slope:?}");

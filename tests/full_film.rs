@@ -1,4 +1,5 @@
-//! Smooth full films: known values, orders of convergence, costs that do not grow with the grid, meshes that are too coarse.
+//! Smooth full films: known values, orders of convergence, costs that do not grow with the grid, meshes that
+//! are too coarse.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::elastic::{DeformationModel, HalfSpace};
@@ -106,8 +107,8 @@ fn first_order_films_are_a_little_too_thick() {
     }
 }
 
-/// The example of a public code of sweeps whose load loop ends in a limit cycle at 128 and at 256 cells. On the coarsest mesh its film is
-/// a hundredth thinner than on the finest.
+/// The example of a public code of sweeps whose load loop ends in a limit cycle at 128 and at 256 cells. On
+/// the coarsest mesh its film is a hundredth thinner than on the finest.
 #[test]
 fn steel_ball_in_thick_oil_converges_on_every_grid() {
     let modulus = 200e9 / (1.0 - 0.3_f64.powi(2));
@@ -215,7 +216,8 @@ fn multigrid_alone_needs_few_convolutions() {
     }
 }
 
-/// A film of 0.4 % of the displacement, which coarse grids do not hold; converged it is 7.56 nm, 1.90 nm at its minimum.
+/// A film of 0.4 % of the displacement, which coarse grids do not hold; converged it is 7.56 nm, 1.90 nm at
+/// its minimum.
 #[test]
 fn the_very_thin_film_of_the_reference_contact_is_found() {
     let [coarse, fine] = [256, 512].map(|n| {
@@ -289,7 +291,8 @@ fn multigrid_refuses_what_it_cannot_do() {
     assert!(solution.state.pressure.iter().chain(&solution.state.film).all(|v| v.is_finite()));
 }
 
-/// A made-up pressure that is zero at the edge, and a made-up film, on the square of -1 to 1 in units of `LENGTH`.
+/// A made-up pressure that is zero at the edge, and a made-up film, on the square of -1 to 1 in units of
+/// `LENGTH`.
 const LENGTH: f64 = 1e-4;
 const PEAK: f64 = 2e8;
 /// Fast enough that entrainment is as large as pressure flow.
@@ -305,8 +308,8 @@ fn made_film(x: f64, y: f64) -> f64 {
     1e-6 * (1.0 + 0.3 * (2.0 * x).sin() + 0.2 * y * y)
 }
 
-/// Largest pressure error over the peak of a made-up solution on `n` by `n` nodes, the outermost at the edge. What the
-/// equations leave over for it goes into the previous mass of the squeeze term.
+/// Largest pressure error over the peak of a made-up solution on `n` by `n` nodes, the outermost at the edge.
+/// What the equations leave over for it goes into the previous mass of the squeeze term.
 fn manufactured_error(n: usize, scheme: Scheme, face_mobility: FaceMobility) -> f64 {
     // The pressure is ambient at the edge of the box.
     let step = 2.0 * LENGTH / n as f64;

@@ -251,7 +251,8 @@ fn open_surfaces_are_the_same_at_their_edges_as_in_their_middle() {
     let roll_off = 48e-6;
     let phases = SelfAffine { roll_off, ..self_affine(0.8, Synthesis::RandomPhase) };
     let noise = SelfAffine { synthesis: Synthesis::FilteredNoise, ..phases };
-    // of an endless surface at a lag of 12 nodes: 10^-1 at the length, and by the integral of the spectrum with its cut-off
+    // of an endless surface at a lag of 12 nodes: 10^-1 at the length, and by the integral of the spectrum
+    // with its cut-off
     let kinds = [
         (correlated(Autocorrelation::Gaussian, 12e-6, 12e-6, 0), 0.1),
         (correlated(Autocorrelation::Exponential, 12e-6, 12e-6, 0), 0.1),
@@ -260,7 +261,8 @@ fn open_surfaces_are_the_same_at_their_edges_as_in_their_middle() {
     ];
     for (kind, expected) in kinds {
         let seeds = 3000_u32;
-        // along x at the left, in the middle, at the right; along y at the lower and upper edge; between left and right edge
+        // along x at the left, in the middle, at the right; along y at the lower and upper edge; between left
+        // and right edge
         let pairs = [
             [(0, 20), (12, 20)],
             [(18, 20), (30, 20)],
@@ -356,7 +358,8 @@ fn threads_change_no_bit() {
     }
 }
 
-/// Points 0, 1, 48 and 1919 of each kind as recorded. Transforms without vector units differ by at most 4e-10 of Rq.
+/// Points 0, 1, 48 and 1919 of each kind as recorded. Transforms without vector units differ by at most 4e-10
+/// of Rq.
 const RECORDED: [[f64; 4]; 4] = [
     [
         4.554_922_164_241_156e-8,

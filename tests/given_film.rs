@@ -93,7 +93,8 @@ impl PocketSlider {
         sums
     }
 
-    /// `dp/dx = 12 eta (u/h^2 - q/h^3)`, integrated; the film ruptures where the pocket begins if it ruptures at all.
+    /// `dp/dx = 12 eta (u/h^2 - q/h^3)`, integrated; the film ruptures where the pocket begins if it ruptures
+    /// at all.
     fn exact(&self) -> Exact {
         let u = 0.5 * self.speed;
         let [start, end] = Self::POCKET;
@@ -128,8 +129,8 @@ impl PocketSlider {
         Exact { pressures: [0.0, behind(end)], load, reformation: Some(high), flow }
     }
 
-    /// Pressures, flows, load and place of reformation are exact to second order, wherever the edges of the pocket lie in their
-    /// cells.
+    /// Pressures, flows, load and place of reformation are exact to second order, wherever the edges of the
+    /// pocket lie in their cells.
     fn check(&self, cells: usize) {
         let (found, exact) = (self.solve(cells), self.exact());
         let off = |a: f64, b: f64| (a - b).abs() / b.abs();
@@ -167,7 +168,8 @@ fn deep_pocket_in_a_parallel_slider() {
     }
 }
 
-/// Peak pressure \[Pa\] of the pocket of finite width of Bertocchi et al. (2013), and its place over the length.
+/// Peak pressure \[Pa\] of the pocket of finite width of Bertocchi et al. (2013), and its place over the
+/// length.
 fn pocket_of_finite_width(lubricant: &Lubricant) -> (f64, f64) {
     let (length, width) = (20e-3, 10e-3);
     let grid = Grid::from_edges(200, 100, [0.0, length], [-0.5 * width, 0.5 * width]).unwrap();
@@ -196,12 +198,14 @@ fn pocket_of_finite_width_has_the_peak_of_the_figure() {
     let (peak, place) = pocket_of_finite_width(&compressible);
     assert!((peak / 8.50e6 - 1.0).abs() < 0.03, "{peak}");
     assert!((place - 0.504).abs() < 0.01, "{place}");
-    // The wedge of a tenth is so slight that half a per cent of compression takes a twentieth of the pressure.
+    // The wedge of a tenth is so slight that half a per cent of compression takes a twentieth of the
+    // pressure.
     let (incompressible, _) = pocket_of_finite_width(&Lubricant::new(barus(), Incompressible));
     assert!((incompressible / peak - 1.048).abs() < 0.005, "{incompressible} {peak}");
 }
 
-/// Sommerfeld number `F psi^2 / (B D eta omega)` of a bearing as wide as its diameter, supplied where its gap is widest.
+/// Sommerfeld number `F psi^2 / (B D eta omega)` of a bearing as wide as its diameter, supplied where its gap
+/// is widest.
 fn sommerfeld_number(eccentricity: f64, cells: [usize; 2]) -> f64 {
     let (radius, clearance, omega) = (0.05_f64, 5e-5, 100.0);
     let [length, width] = [2.0 * std::f64::consts::PI * radius, 2.0 * radius];

@@ -1,4 +1,5 @@
-//! A layer on the disc: its transform, its influence coefficients, dry and lubricated contacts of coated bodies, errors.
+//! A layer on the disc: its transform, its influence coefficients, dry and lubricated contacts of coated
+//! bodies, errors.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::f64::consts::PI;
@@ -31,8 +32,9 @@ fn solve<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> [f64; N] {
     b
 }
 
-/// The transform from the equations of elasticity in plane strain at unit wave number: Airy's function `phi(z) cos x`, `phi = (A + B z) exp(-z) +
-/// (C + D z) exp(z)` in the layer and `(E + F z) exp(-z)` below, pressure at `z = 0`, bonded at `z = h`.
+/// The transform from the equations of elasticity in plane strain at unit wave number: Airy's function
+/// `phi(z) cos x`, `phi = (A + B z) exp(-z) + (C + D z) exp(z)` in the layer and `(E + F z) exp(-z)` below,
+/// pressure at `z = 0`, bonded at `z = h`.
 fn by_airy(h: f64, [g1, v1]: [f64; 2], [g2, v2]: [f64; 2]) -> f64 {
     // Value and three derivatives of the functions.
     let decaying = |z: f64| {
@@ -45,7 +47,8 @@ fn by_airy(h: f64, [g1, v1]: [f64; 2], [g2, v2]: [f64; 2]) -> f64 {
     let growing = |z: f64| {
         [[1.0; 4].map(|s| s * (z - h).exp()), [z, z + 1.0, z + 2.0, z + 3.0].map(|s| s * (z - h).exp())]
     };
-    // 2 G u of cos and sin waves: w = [v phi' ...] from the strains, (1 - v) phi''' - (2 - v) phi' and (1 - v) phi'' + v phi.
+    // 2 G u of cos and sin waves: w = [v phi' ...] from the strains, (1 - v) phi''' - (2 - v) phi' and (1 -
+    // v) phi'' + v phi.
     let w = |f: [f64; 4], g: f64, v: f64| ((1.0 - v) * f[3] - (2.0 - v) * f[1]) / (2.0 * g);
     let u = |f: [f64; 4], g: f64, v: f64| ((1.0 - v) * f[2] + v * f[0]) / (2.0 * g);
     let [below, above] = [h, 0.0].map(|z| {
@@ -209,7 +212,8 @@ fn coated_bodies_keep_the_contract() {
     }
 }
 
-/// A rigid ball on a layer of a tenth of its radius, under the load that would make a contact of that size on the substrate.
+/// A rigid ball on a layer of a tenth of its radius, under the load that would make a contact of that size on
+/// the substrate.
 fn coated_ball(ratio: f64, n: usize) -> Scene {
     let mut scene = Scene::azam_2019(n);
     scene.form = Form::Sphere { radius: 1e-3 };
@@ -323,8 +327,8 @@ fn solvers_agree_on_coated_bodies_in_oil() {
     }
 }
 
-/// Elasticity factors of pairs of materials in ISO 6336-2, `sqrt{1/(pi [(1 - v1^2)/E1 + (1 - v2^2)/E2])}` in MPa^(1/2); a named disc is the substrate of its
-/// layer.
+/// Elasticity factors of pairs of materials in ISO 6336-2, `sqrt{1/(pi [(1 - v1^2)/E1 + (1 - v2^2)/E2])}` in
+/// MPa^(1/2); a named disc is the substrate of its layer.
 #[test]
 fn named_materials() {
     let named = |material| Material { material: Some(material), ..Material::default() };

@@ -53,7 +53,8 @@ fn conditions(hertz: &HertzLine, speed: f64) -> LineFilmConditions {
     }
 }
 
-/// Composite midpoint rule, panels halved thirty times towards the end `to`, where the integrand may be singular.
+/// Composite midpoint rule, panels halved thirty times towards the end `to`, where the integrand may be
+/// singular.
 fn integral(from: f64, to: f64, integrand: impl Fn(f64) -> f64) -> f64 {
     let mut sum = 0.0;
     for level in 0..30 {
@@ -136,8 +137,8 @@ fn dry_line_contact_is_hertz() {
     }
 }
 
-/// The formulas are met by an incompressible lubricant. A compressible one is thinner in the centre by about its density
-/// there, by 10 to 17 % here; the minimum film, where the pressure is low, hardly knows.
+/// The formulas are met by an incompressible lubricant. A compressible one is thinner in the centre by about
+/// its density there, by 10 to 17 % here; the minimum film, where the pressure is low, hardly knows.
 #[test]
 fn central_film_is_that_of_the_formulas() {
     for (p_max, speed) in [(0.4e9, 1.0), (0.8e9, 1.0), (0.8e9, 5.0), (1.0e9, 2.0), (1.2e9, 0.5)] {

@@ -9,7 +9,8 @@ use stribeck::metrics::{
 };
 use stribeck::{Boundary, Grid};
 
-/// The quantile of the standard normal distribution by Newton's method on the series of its distribution function.
+/// The quantile of the standard normal distribution by Newton's method on the series of its distribution
+/// function.
 fn quantile(share: f64) -> f64 {
     let mut z: f64 = 0.0;
     for _ in 0..60 {
@@ -25,7 +26,8 @@ fn quantile(share: f64) -> f64 {
     z
 }
 
-/// 2^20 heights that are exact normal quantiles of standard deviation `sq`, shuffled by a multiplicative step.
+/// 2^20 heights that are exact normal quantiles of standard deviation `sq`, shuffled by a multiplicative
+/// step.
 fn normal_heights(sq: f64) -> Vec<f64> {
     let n = 1 << 20;
     let mut heights = vec![0.0; n];
@@ -284,7 +286,8 @@ fn autocorrelation_is_the_mean_over_pairs_of_defined_points() {
 
 #[test]
 fn texture_aspect_ratio_is_that_of_the_lengths() {
-    // correlations that fall to 0.2 at 20 and 50 nodes; waves of many directions are too few for a perfect one
+    // correlations that fall to 0.2 at 20 and 50 nodes; waves of many directions are too few for a perfect
+    // one
     let grid = Grid::centred(512, 512, 1e-6, 1e-6).unwrap();
     let lengths = [20e-6, 50e-6].map(|length: f64| length / (0.2_f64.ln() / -std::f64::consts::LN_10).sqrt());
     let spec = stribeck::surface::RoughnessSpec {

@@ -11,7 +11,8 @@ use stribeck::sim::scene::{GridSpec, Load, PlasticSpec, RandomRoughness, Roughne
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::{Status, Work};
 
-/// The reference bodies with composite roughness `rq` of correlation length `length`, on a box of 3.6 Hertz radii.
+/// The reference bodies with composite roughness `rq` of correlation length `length`, on a box of 3.6 Hertz
+/// radii.
 fn scene(n: usize, speed: f64, rq: f64, length: f64, pressure: f64, hardness: Option<f64>) -> Scene {
     let mut scene = Scene::azam_2019(n);
     scene.motion.entrainment_speed = speed;
@@ -71,7 +72,8 @@ fn scenes_all_over_the_map_converge() {
     }
 }
 
-/// High asperities reach as far as the box does where the load is low; a smaller box shows it whatever their seed.
+/// High asperities reach as far as the box does where the load is low; a smaller box shows it whatever their
+/// seed.
 #[test]
 fn solids_touch_on_the_outermost_nodes_too() {
     for (speed, length, hardness) in [(1.0, 10e-6, None), (0.1, 40e-6, Some(2e9)), (0.01, 10e-6, Some(6e9))] {
@@ -87,8 +89,8 @@ fn solids_touch_on_the_outermost_nodes_too() {
     }
 }
 
-/// On 512 x 512 nodes cells are so small that films some nanometres off take gigapascals to mend: what a start from bodies that
-/// are not yet parted costs a thousand convolutions there.
+/// On 512 x 512 nodes cells are so small that films some nanometres off take gigapascals to mend: what a
+/// start from bodies that are not yet parted costs a thousand convolutions there.
 #[test]
 fn the_rough_reference_contact_is_found_on_every_mesh() {
     let work = |n: usize, cavitation, mobility| {
@@ -109,8 +111,9 @@ fn the_rough_reference_contact_is_found_on_every_mesh() {
     assert!(per_step(coarse) < 3.5 && per_step(fine) < 3.5, "{coarse:?}, {fine:?}");
 }
 
-/// A step leaves solids that touch some nanometres off the contact film. Fluid that flowed through those films would drain the
-/// pockets whose rims they are, and these contacts took 757 to 4914 convolutions; 82 to 114 were measured.
+/// A step leaves solids that touch some nanometres off the contact film. Fluid that flowed through those
+/// films would drain the pockets whose rims they are, and these contacts took 757 to 4914 convolutions; 82 to
+/// 114 were measured.
 #[test]
 fn the_rims_of_pockets_hold() {
     for (speed, rq, length, pressure) in
@@ -122,8 +125,9 @@ fn the_rims_of_pockets_hold() {
     }
 }
 
-/// Linear systems to 10 % may send the fluid of a pocket of one node in and out of cavitation, step by step. Solved better where that
-/// happens, and by steps under which no residual grows, they end it within the first attempt of 60 steps (187 without the latter).
+/// Linear systems to 10 % may send the fluid of a pocket of one node in and out of cavitation, step by step.
+/// Solved better where that happens, and by steps under which no residual grows, they end it within the first
+/// attempt of 60 steps (187 without the latter).
 #[test]
 fn pockets_do_not_go_round_in_cycles() {
     let mut scene = scene(64, 0.1, 300e-9, 10e-6, 2e9, Some(2e9));
@@ -174,8 +178,8 @@ fn a_solution_with_fluid_at_the_limit_is_one() {
     assert_eq!((report.status, report.work.iterations), (Status::Converged, 0), "{report:?}");
 }
 
-/// From the dry contact these stall with every kind of attempt, the last two on every way over other speeds too: the way leads
-/// through time.
+/// From the dry contact these stall with every kind of attempt, the last two on every way over other speeds
+/// too: the way leads through time.
 #[test]
 fn contacts_that_stall_from_the_dry_one_are_reached() {
     for (seed, hardness) in [(1, None), (1, Some(6e9)), (2, None), (6, None)] {
@@ -194,7 +198,7 @@ fn contacts_that_stall_from_the_dry_one_are_reached() {
 fn both_contacts_are_the_same_film_where_nothing_touches() {
     let mut hard = scene(64, 10.0, 20e-9, 40e-6, 1.15e9, Some(6e9));
     let mut paper = hard.clone();
-    paper.solver.contact = ContactDefinition::Paper;
+    paper.solver.contact = ContactDefinition::UnifiedReynolds;
     let mut sweeps = paper.clone();
     sweeps.solver.kind = SolverKind::SemiSystem;
     for scene in [&mut hard, &mut paper, &mut sweeps] {
@@ -221,7 +225,7 @@ fn both_contacts_are_the_same_film_where_nothing_touches() {
 fn the_papers_contact_converges_with_nodes_at_the_limit() {
     let mut scene = Scene::azam_2019(64);
     scene.motion.entrainment_speed = 1.0;
-    scene.solver.contact = ContactDefinition::Paper;
+    scene.solver.contact = ContactDefinition::UnifiedReynolds;
     scene.solver.kind = SolverKind::SemiSystem;
     let solution = solve_contact(&scene).unwrap();
     assert_eq!(solution.report.status, Status::Converged, "{:?}", solution.report);
@@ -229,12 +233,13 @@ fn the_papers_contact_converges_with_nodes_at_the_limit() {
     assert!(solution.state.plastic_depth.iter().any(|depth| *depth > 1e-9));
 }
 
-/// What the paper's contact does where asperities touch is pinned as it is: films settle at negative gaps long before the balances
-/// do, and nodes at the limit yield. The stiffness of the sweeps plays no part in it.
+/// What the paper's contact does where asperities touch is pinned as it is: films settle at negative gaps
+/// long before the balances do, and nodes at the limit yield. The stiffness of the sweeps plays no part in
+/// it.
 #[test]
 fn the_papers_contact_lets_gaps_become_negative() {
     let mut scene = Scene::azam_2019(64);
-    scene.solver.contact = ContactDefinition::Paper;
+    scene.solver.contact = ContactDefinition::UnifiedReynolds;
     scene.solver.max_iterations = 3000;
     let solution = solve_contact(&scene).unwrap();
     let state = &solution.state;

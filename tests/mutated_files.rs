@@ -49,8 +49,8 @@ unsafe impl GlobalAlloc for Weighing {
 #[global_allocator]
 static ALLOCATOR: Weighing = Weighing;
 
-/// What a read takes at most beyond its result: buffers of the decompressors, and for each byte of the file what a byte
-/// of text or deflated data can stand for.
+/// What a read takes at most beyond its result: buffers of the decompressors, and for each byte of the file
+/// what a byte of text or deflated data can stand for.
 const BUFFERS: usize = 1 << 20;
 const PER_BYTE: usize = 256;
 
@@ -264,7 +264,8 @@ fn a_lie_about_the_size_costs_no_memory() {
     }
 }
 
-/// 64 MiB of zeros deflate to 64 kB: what comes out is held against what the description says before more is taken.
+/// 64 MiB of zeros deflate to 64 kB: what comes out is held against what the description says before more is
+/// taken.
 #[test]
 fn a_bomb_is_cut_short() {
     use std::io::{Read, Write};

@@ -80,7 +80,8 @@ fn hotter_oil_is_thinner_and_thickens_less() {
     }
 }
 
-/// The equation as written, its temperature coefficient at the reference, and no temperature where the index is zero.
+/// The equation as written, its temperature coefficient at the reference, and no temperature where the index
+/// is zero.
 #[test]
 fn roelands_with_temperature() {
     let law = ThermalRoelands::new(roelands(), 313.15, 1.1).unwrap();
@@ -101,7 +102,8 @@ fn roelands_with_temperature() {
     assert_eq!(without.viscosity(4e8).to_bits(), roelands().viscosity(4e8).to_bits());
 }
 
-/// Tait's bulk modulus and its rise at ambient pressure, Doolittle's free volume, and no temperature without expansion.
+/// Tait's bulk modulus and its rise at ambient pressure, Doolittle's free volume, and no temperature without
+/// expansion.
 #[test]
 fn doolittle_tait() {
     let law = DoolittleTait::new(FREE_VOLUME).unwrap();
@@ -209,7 +211,8 @@ fn every_law_is_solved_from_a_scene() {
     assert!(films[1] < 0.6 * films[0] && films[3] < 0.6 * films[2], "{films:?}");
 }
 
-/// Films of a history follow the schedule of the bulk temperature where the law knows temperature, and come back.
+/// Films of a history follow the schedule of the bulk temperature where the law knows temperature, and come
+/// back.
 #[test]
 fn histories_follow_the_bulk_temperature() {
     let mut scene = scene();

@@ -287,7 +287,8 @@ fn friction_is_boundary_on_solids_and_shear_on_fluid() {
     assert!((mu(&scene) / 0.115 - 1.0).abs() < 1e-5, "{}", mu(&scene));
     scene.motion.slide_roll_ratio = 0.0;
     assert_eq!(mu(&scene), 0.0);
-    // Fluid alone carries: at most the limiting stress over the mean pressure, less by Eyring, whatever the boundary.
+    // Fluid alone carries: at most the limiting stress over the mean pressure, less by Eyring, whatever the
+    // boundary.
     let mut scene = Scene::azam_2019(48);
     scene.roughness = Default::default();
     scene.plastic = None;

@@ -1,4 +1,5 @@
-//! Checkpoints: a resumed run is the uninterrupted one to the last bit, whoever stopped it; files that do not fit are refused.
+//! Checkpoints: a resumed run is the uninterrupted one to the last bit, whoever stopped it; files that do not
+//! fit are refused.
 
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test stops at what it did not expect")]
 
@@ -285,8 +286,8 @@ impl Random {
     }
 }
 
-/// Runs that are killed (SIGKILL) at random moments, once to three times each, and resumed with another number of threads
-/// end with the files of one that is not killed, byte by byte.
+/// Runs that are killed (SIGKILL) at random moments, once to three times each, and resumed with another
+/// number of threads end with the files of one that is not killed, byte by byte.
 fn killed_runs(ends: usize, files: usize, start: impl Fn(&Path, &str) -> Child) {
     let folder = tempfile::tempdir().unwrap();
     let whole = folder.path().join("whole");
@@ -305,7 +306,8 @@ fn killed_runs(ends: usize, files: usize, start: impl Fn(&Path, &str) -> Child) 
             let mut child = start(&out, if (same + hits) % 2 == 0 { "1" } else { "2" });
             if hits < wanted {
                 std::thread::sleep(length.mul_f64(0.9 * random.share()));
-                // The first kill of every second run waits for a file to be written; later ones may find what that left.
+                // The first kill of every second run waits for a file to be written; later ones may find what
+                // that left.
                 let waits = hits == 0 && same % 2 == 1;
                 while waits && !is_writing(&out) && child.try_wait().unwrap().is_none() {}
                 if child.try_wait().unwrap().is_none() {
@@ -383,7 +385,8 @@ fn killed_runs_of_shared_lines() {
     killed_examples(6, SHARED);
 }
 
-/// Loads in steps, speeds on ramps, so that the last step before the checkpoint and the first after it meet other conditions.
+/// Loads in steps, speeds on ramps, so that the last step before the checkpoint and the first after it meet
+/// other conditions.
 fn scheduled() -> Scene {
     let mut scene = scene();
     scene.schedule.load = Some(Schedule::steps(&[(0.0, 30.0), (60.0, 40.0), (150.0, 50.0)]));

@@ -76,7 +76,7 @@ fn semi_system_and_newton_agree_on_full_films() {
 fn textbook_coefficients_fail_and_say_so() {
     let mut scene = smooth(64);
     scene.solver.kind = SolverKind::SemiSystem;
-    scene.solver.contact = ContactDefinition::Paper;
+    scene.solver.contact = ContactDefinition::UnifiedReynolds;
     scene.solver.stiffness = 1.0;
     scene.solver.max_iterations = 3000;
     let solution = solve_contact(&scene).unwrap();
@@ -104,8 +104,8 @@ fn rough_scenes_converge() {
     }
 }
 
-/// Without roughness and away from the boundary, both pressure flows and both schemes tend to one film; at 10 m/s the
-/// film is thick against the cells and they are close already.
+/// Without roughness and away from the boundary, both pressure flows and both schemes tend to one film; at 10
+/// m/s the film is thick against the cells and they are close already.
 #[test]
 fn discretisations_agree_where_the_mesh_resolves_the_film() {
     let mut films = Vec::new();
@@ -133,7 +133,7 @@ fn rough_smooth_and_published_scenes_have_their_discretisations() {
         assert_eq!((scene.scheme(), scene.face_mobility()), (Scheme::Limited, mobility));
         assert_eq!(scene.cavitation(), Cavitation::MassConserving);
     }
-    scene.solver.contact = ContactDefinition::Paper;
+    scene.solver.contact = ContactDefinition::UnifiedReynolds;
     assert_eq!((scene.scheme(), scene.face_mobility()), (Scheme::FirstOrder, FaceMobility::Arithmetic));
     assert_eq!(scene.cavitation(), Cavitation::Reynolds);
     (scene.solver.scheme, scene.solver.face_mobility) =

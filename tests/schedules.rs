@@ -92,7 +92,8 @@ fn wear_follows_load_and_distance_of_the_schedule() {
     let half_width = sim.hertz().a_x;
     let records = records(&mut sim, 60.0, &StepControl::fixed(60.0));
     assert_eq!(records.len(), 3);
-    // The box is met as rarely as the contact of the load that holds is shorter, which grows with the third root.
+    // The box is met as rarely as the contact of the load that holds is shorter, which grows with the third
+    // root.
     let work = 20.0 * 0.005 * 15.0 + 20.0 * 0.01 * 15.0 + 40.0 * 0.01 * 30.0 / 2.0_f64.cbrt();
     let expected = 5.45e-8 * work / (6e9 * 2.0 * half_width * sim.grid().size_y());
     for wear in records[2].mean_wear {
@@ -241,8 +242,9 @@ fn schedules_of_files_are_read_and_written() {
     }
 }
 
-/// The scene and the steps of the example `running_in`: loads of 20, 40 and 60 N wear the peaks away, solids carry less at the
-/// same speed, and friction falls by their share. In the mean over speeds: a single contact may meet a peak that is left.
+/// The scene and the steps of the example `running_in`: loads of 20, 40 and 60 N wear the peaks away, solids
+/// carry less at the same speed, and friction falls by their share. In the mean over speeds: a single contact
+/// may meet a peak that is left.
 #[test]
 fn running_in_lowers_friction_of_mixed_contacts() {
     let scene = Scene::from_toml(include_str!("../examples/scenes/running_in.toml")).unwrap();

@@ -195,7 +195,8 @@ fn bad_input_is_named() {
     }
 }
 
-/// Stresses and speeds at the ends of their ranges neither panic nor end as converged with numbers that are none.
+/// Stresses and speeds at the ends of their ranges neither panic nor end as converged with numbers that are
+/// none.
 #[test]
 fn absurd_values_end_in_finite_numbers() {
     for (stress, ratio) in [(1e-300, 0.5), (1e300, 0.5), (1e-3, 2.0), (5e6, 1e-300)] {

@@ -59,7 +59,8 @@ fn every_step_keeps_the_account_and_the_residuals() {
     bare.tribofilm = None;
     let mut sim = MixedLubricationSim::builder(bare).build().unwrap();
     let records = run(&mut sim, 4, 100.0);
-    // The middle of the track ages by the time of the test: the mean is that of a strip as long as the contact.
+    // The middle of the track ages by the time of the test: the mean is that of a strip as long as the
+    // contact.
     let area = 2.0 * sim.hertz().a_x * sim.grid().size_y();
     let expected = 5.45e-8 * sim.hertz().load * 0.005 * 400.0 / (6e9 * area);
     for wear in records[3].mean_wear {
@@ -157,8 +158,8 @@ impl ContactSolver for Stubborn {
     }
 }
 
-/// Everything that a checkpoint holds, positions drawn and masses squeezed included, and the conditions of the contact: a step that fails
-/// after its solve leaves them, and so does one whose contact is not solved.
+/// Everything that a checkpoint holds, positions drawn and masses squeezed included, and the conditions of
+/// the contact: a step that fails after its solve leaves them, and so does one whose contact is not solved.
 #[test]
 fn a_failed_step_leaves_everything_as_it_was() {
     let mut hot = scene();

@@ -104,7 +104,8 @@ fn what_is_supplied_arrives() {
     assert!((leaving / flow.outflow - 1.0).abs() < 1e-12, "{leaving:e}, {flow:?}");
 }
 
-/// The cycles of multigrid and the lines of the semi-system know too little of the fluid that a starved inlet hands on from cell to cell.
+/// The cycles of multigrid and the lines of the semi-system know too little of the fluid that a starved inlet
+/// hands on from cell to cell.
 #[test]
 fn solvers_agree_or_end_as_stalled() {
     use SolverKind::{Auto, Multigrid, NewtonKrylov, SemiSystem};

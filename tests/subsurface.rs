@@ -17,7 +17,8 @@ fn components(field: &StressField, k: usize) -> [f64; 6] {
     [field.xx[k], field.yy[k], field.zz[k], field.xy[k], field.xz[k], field.yz[k]]
 }
 
-/// Stresses under unit point loads at the origin: normal (Boussinesq) and along x (Cerruti), Johnson 1985, equations 3.19 and 3.76.
+/// Stresses under unit point loads at the origin: normal (Boussinesq) and along x (Cerruti), Johnson 1985,
+/// equations 3.19 and 3.76.
 fn point_loads(v: f64, [x, y, z]: [f64; 3]) -> [[f64; 6]; 2] {
     let r2 = x * x + y * y;
     let rho = (r2 + z * z).sqrt();
@@ -136,7 +137,8 @@ fn line_contacts_are_those_of_plane_strain() {
     assert!((best.0 - 0.558).abs() < 1e-3 && (best.1 - 0.70).abs() < 0.011, "{best:?}");
 }
 
-/// On the axis of a traction `f p` only `xz` is left, of rings of point loads. Behind the contact the tension is Hamilton's.
+/// On the axis of a traction `f p` only `xz` is left, of rings of point loads. Behind the contact the tension
+/// is Hamilton's.
 #[test]
 fn sliding_hertz() {
     let n = 241;
@@ -158,8 +160,8 @@ fn sliding_hertz() {
     }
 }
 
-/// A traction along +x stretches the surface behind, at x = -1; from there on the tension falls as a root of the distance, so that cells miss
-/// it by a root of their size.
+/// A traction along +x stretches the surface behind, at x = -1; from there on the tension falls as a root of
+/// the distance, so that cells miss it by a root of their size.
 #[test]
 fn tension_behind_a_sliding_ball_is_that_of_hamilton() {
     let friction = 0.25;
@@ -208,7 +210,8 @@ fn scenes_end_with_stresses_that_they_ask_for() {
     assert!((stress.yield_ratio.unwrap() / (mises.stress / 1e9) - 1.0).abs() < 1e-12);
     let shear = stress.largest.orthogonal_shear.stress;
     assert!((stress.shakedown_ratio.unwrap() / (3.0_f64.sqrt() * shear / 1e9) - 1.0).abs() < 1e-12);
-    // Friction of 0.5 takes the largest stress to the surface; the ball drags the disc along +x and compresses it in front.
+    // Friction of 0.5 takes the largest stress to the surface; the ball drags the disc along +x and
+    // compresses it in front.
     scene.motion.slide_roll_ratio = 0.5;
     scene.friction.boundary_coefficient = 0.5;
     let sliding = solved(&scene).stress.unwrap().largest.von_mises;

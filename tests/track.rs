@@ -1,4 +1,5 @@
-//! What a history must not depend on: the box, the length of its steps, where on the track the contact is met.
+//! What a history must not depend on: the box, the length of its steps, where on the track the contact is
+//! met.
 #![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
 
 use std::ops::ControlFlow;
@@ -59,7 +60,8 @@ fn the_first_contact_is_that_of_solve_contact() {
     }
 }
 
-/// The whole force wears a strip as long as the contact: with one coefficient `K F s / (H (2a)^2)` over the width of the track.
+/// The whole force wears a strip as long as the contact: with one coefficient `K F s / (H (2a)^2)` over the
+/// width of the track.
 #[test]
 fn wear_of_the_track_is_that_of_force_and_distance_in_any_box() {
     for columns in [32, 48, 64] {
@@ -89,13 +91,15 @@ fn on_a_track_a_point_ages_while_the_contact_passes() {
     let share = [9.525e-3, 23e-3].map(|radius| scene.hertz().unwrap().a_x / (std::f64::consts::PI * radius));
     let track = run(scene, 3, 10.0).1;
     for body in [0, 1] {
-        // The surfaces hardly change: film and wear are those of the time in the contact, small against what they end at.
+        // The surfaces hardly change: film and wear are those of the time in the contact, small against what
+        // they end at.
         close(track.track_wear[body], share[body] * clock.track_wear[body], 0.05);
         close(track.track_film[body], share[body] * clock.track_film[body], 0.1);
     }
 }
 
-/// At a slide-roll ratio of 2 the disc stands still: what lies in the contact stays there and ages by the time of the test.
+/// At a slide-roll ratio of 2 the disc stands still: what lies in the contact stays there and ages by the
+/// time of the test.
 #[test]
 fn a_body_that_does_not_move_stays_in_the_contact() {
     for exposure in [Exposure::ContactClock, Exposure::Track] {

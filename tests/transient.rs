@@ -1,4 +1,5 @@
-//! Contacts in time: waves that travel through line and point contacts with both surfaces, and the order of the time step.
+//! Contacts in time: waves that travel through line and point contacts with both surfaces, and the order of
+//! the time step.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::f64::consts::PI;
@@ -120,8 +121,9 @@ impl Rolling {
         assert_eq!(report.status, Status::Converged, "{report:?}");
     }
 
-    /// Runs a wave of length `wave` half-widths, whose amplitude is a tenth of the central film, through the contact, `cells`
-    /// of the grid in a step; returns its amplitude in the middle of the contact over the undeformed one.
+    /// Runs a wave of length `wave` half-widths, whose amplitude is a tenth of the central film, through the
+    /// contact, `cells` of the grid in a step; returns its amplitude in the middle of the contact over the
+    /// undeformed one.
     fn amplitude(&mut self, wave: f64, cells: f64, second_order: bool) -> f64 {
         let (grid, middle) = (self.grid, self.middle);
         let (length, step_length) = (wave * self.half_width, cells * grid.dx());
@@ -203,8 +205,8 @@ fn second_order_in_time_is_of_second_order_and_first_order_is_not() {
     assert!(first[2] < 0.9 * second[2], "{first:?}, {second:?}");
 }
 
-/// Amplitude over the parameter `n = (wave length / a) sqrt(M / L)` lies on one curve for all loads and waves (Venner and
-/// Lubrecht 2000). Sixteen cells a wave and more; waves of eleven cells are damped by the scheme.
+/// Amplitude over the parameter `n = (wave length / a) sqrt(M / L)` lies on one curve for all loads and waves
+/// (Venner and Lubrecht 2000). Sixteen cells a wave and more; waves of eleven cells are damped by the scheme.
 #[test]
 fn waves_under_a_ball_are_flattened_by_the_master_curve() {
     for (moes_load, wave, cells) in
@@ -217,8 +219,8 @@ fn waves_under_a_ball_are_flattened_by_the_master_curve() {
     }
 }
 
-/// A dent on a surface at half the entrainment speed: what it does to the film at the inlet travels ahead of it, at the
-/// entrainment speed, while the dent itself is pressed nearly flat.
+/// A dent on a surface at half the entrainment speed: what it does to the film at the inlet travels ahead of
+/// it, at the entrainment speed, while the dent itself is pressed nearly flat.
 #[test]
 fn the_film_that_a_dent_lets_in_runs_ahead_of_it() {
     let mut rolling = Rolling::line(512);

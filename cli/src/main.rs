@@ -1,6 +1,8 @@
-//! The command `stribeck`: rough lubricated contacts from scene files (`docs/scene.md`), with reports, JSON and pictures.
+//! The command `stribeck`: rough lubricated contacts from scene files (`docs/scene.md`), with reports, JSON
+//! and pictures.
 //!
-//! Ends with 0 when the contact converged, 1 when it did not, 2 when the input was refused, with one line on standard error.
+//! Ends with 0 when the contact converged, 1 when it did not, 2 when the input was refused, with one line on
+//! standard error.
 #![forbid(unsafe_code)]
 
 mod commands;
@@ -17,7 +19,8 @@ use crate::output::Outcome;
 
 /// Rough lubricated contacts that change as they rub.
 ///
-/// A scene file describes a contact in TOML; `stribeck init` writes one. Exit status: 0 converged, 1 not converged, 2 refused.
+/// A scene file describes a contact in TOML; `stribeck init` writes one. Exit status: 0 converged, 1 not
+/// converged, 2 refused.
 #[derive(Parser)]
 #[command(version, max_term_width = 100)]
 struct Cli {

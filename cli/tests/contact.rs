@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use common::{assert_pictures, assert_refused, error_of, json_of, repository, stribeck, text};
 use stribeck::sim::{Scene, solve_contact};
 
-/// The rough scene of the repository on 32 x 32 cells, with roughness that they hold; `more` replaces text in it.
+/// The rough scene of the repository on 32 x 32 cells, with roughness that they hold; `more` replaces text in
+/// it.
 fn rough(folder: &Path, more: &[(&str, &str)]) -> PathBuf {
     let mut scene = std::fs::read_to_string(repository("examples/scenes/rough.toml")).unwrap();
     for (from, to) in [("= 128", "= 32"), ("= 10e-6", "= 50e-6")].iter().chain(more) {

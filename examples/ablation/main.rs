@@ -7,8 +7,8 @@
 //! cargo run --release --example ablation -- --quick         # a few coarse scenes
 //! ```
 //!
-//! Three groups of contacts: rough reference contacts at 128 x 128 from the dry contact, scenes of the stability map, and the
-//! contacts of a history, each of which starts from the one before.
+//! Three groups of contacts: rough reference contacts at 128 x 128 from the dry contact, scenes of the
+//! stability map, and the contacts of a history, each of which starts from the one before.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 

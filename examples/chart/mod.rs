@@ -189,7 +189,8 @@ impl Figure {
         Ok(())
     }
 
-    /// From zero, or from the lowest point where it is negative, to the last point of all lines; decades are whole.
+    /// From zero, or from the lowest point where it is negative, to the last point of all lines; decades are
+    /// whole.
     fn x_range(&self) -> Range<f64> {
         let lines = self.panels.iter().flat_map(|panel| &panel.lines);
         let (low, high) = extremes(lines.flat_map(|line| &line.points).map(|point| point.0));

@@ -3,7 +3,8 @@
 use std::error::Error;
 use std::process::ExitCode;
 
-/// Runs `work` as the options ask; prints the usage where they ask for none, and errors by the `name` of the example.
+/// Runs `work` as the options ask; prints the usage where they ask for none, and errors by the `name` of the
+/// example.
 pub(crate) fn run<O>(
     name: &str,
     usage: &str,

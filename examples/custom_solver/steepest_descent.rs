@@ -4,7 +4,8 @@ use stribeck::reynolds::{ContactSolver, ContactState, Evaluation, LubricatedCont
 use stribeck::reynolds::{ReynoldsError, StoppingRule};
 use stribeck::{SolveReport, Status, Work};
 
-/// Dry elastic contact by steepest descent; pressures that turn negative are cut off, the load is shared out anew.
+/// Dry elastic contact by steepest descent; pressures that turn negative are cut off, the load is shared out
+/// anew.
 #[derive(Debug)]
 pub(crate) struct SteepestDescent;
 

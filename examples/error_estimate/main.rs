@@ -5,7 +5,8 @@
 //! cargo run --release --example error_estimate -- rough   # `solver.estimate` of rough contacts, a quarter of an hour
 //! ```
 //!
-//! Prints one row per contact, true error and estimate of each number in per cent, and how many estimates hold.
+//! Prints one row per contact, true error and estimate of each number in per cent, and how many estimates
+//! hold.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 

@@ -1,4 +1,5 @@
-//! Random mixed contacts: small ones, so that a reference on a finer mesh is affordable. All meshes have the same waves.
+//! Random mixed contacts: small ones, so that a reference on a finer mesh is affordable. All meshes have the
+//! same waves.
 
 use std::error::Error;
 use std::path::Path;

@@ -1,5 +1,5 @@
-//! Full-film contacts solved to an accuracy, again on finer meshes, and once more on a box of twice the size; extrapolated
-//! values stand for the truth.
+//! Full-film contacts solved to an accuracy, again on finer meshes, and once more on a box of twice the size;
+//! extrapolated values stand for the truth.
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -53,7 +53,8 @@ pub(crate) fn run(accuracy: f64, finest_nodes: usize) -> Result<(), Box<dyn Erro
     Ok(())
 }
 
-/// A smooth contact by its Moes parameters, formed with the sum of the speeds; Roelands viscosity, Dowson-Higginson density.
+/// A smooth contact by its Moes parameters, formed with the sum of the speeds; Roelands viscosity,
+/// Dowson-Higginson density.
 fn contact(moes_load: f64, moes_lubricant: f64) -> Scene {
     let speed_parameter = (moes_lubricant / (ALPHA * MODULUS)).powi(4);
     let eta0 = 0.04;
@@ -86,8 +87,9 @@ fn numbers(solution: &ContactSolution) -> [f64; 3] {
     [solution.film.central, solution.film.minimum, solution.contact.max_pressure]
 }
 
-/// Numbers of the truth: extrapolated from meshes two and four times finer (from the solution's own and the one two times
-/// finer where four times is too fine), films times what a box of twice the size changes on a coarser mesh.
+/// Numbers of the truth: extrapolated from meshes two and four times finer (from the solution's own and the
+/// one two times finer where four times is too fine), films times what a box of twice the size changes on a
+/// coarser mesh.
 fn truth(
     scene: &Scene,
     solution: &ContactSolution,

@@ -97,7 +97,7 @@ pub(crate) fn solve(job: &Job, folder: &Path) -> Result<Row, Box<dyn Error>> {
             scene.solver.face_mobility = Some(FaceMobility::ReducedPressure);
         }
         Contact::Paper => {
-            scene.solver.contact = ContactDefinition::Paper;
+            scene.solver.contact = ContactDefinition::UnifiedReynolds;
             scene.solver.max_iterations = job.sweeps();
         }
     }

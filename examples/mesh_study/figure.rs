@@ -1,4 +1,5 @@
-//! The figure, of the first surface: a row of panels for each quantity, over the cells on the left, over the contact film on the right.
+//! The figure, of the first surface: a row of panels for each quantity, over the cells on the left, over the
+//! contact film on the right.
 
 use std::error::Error;
 use std::path::Path;

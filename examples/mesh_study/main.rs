@@ -1,6 +1,6 @@
-//! What of a rough mixed contact converges with the mesh: area ratio, load ratio, mean film and friction of the rough
-//! reference scene on the same band-limited surface from 64 to 512 cells along each side, over the film at which solids
-//! touch and over the speed, for both definitions of contact and both pressure flows.
+//! What of a rough mixed contact converges with the mesh: area ratio, load ratio, mean film and friction of
+//! the rough reference scene on the same band-limited surface from 64 to 512 cells along each side, over the
+//! film at which solids touch and over the speed, for both definitions of contact and both pressure flows.
 //!
 //! ```text
 //! cargo run --release --example mesh_study                   # up to 512 x 512 cells
@@ -9,8 +9,9 @@
 //! cargo run --release --example mesh_study -- --reference    # the limits of small contacts
 //! ```
 //!
-//! The surfaces are generated on the coarsest grid and brought to the others by their Fourier series. Contacts that are in the
-//! table already are not solved again: a run that was stopped goes on, and a finer grid adds to what is there.
+//! The surfaces are generated on the coarsest grid and brought to the others by their Fourier series.
+//! Contacts that are in the table already are not solved again: a run that was stopped goes on, and a finer
+//! grid adds to what is there.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 

@@ -131,8 +131,8 @@ fn scatter(text: &mut String, rows: &[Row]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Of the first surface: the power of the cell size that a quantity falls or grows with from one mesh to the next, and from the
-/// third mesh on the order of its changes.
+/// Of the first surface: the power of the cell size that a quantity falls or grows with from one mesh to the
+/// next, and from the third mesh on the order of its changes.
 fn powers(text: &mut String, rows: &[Row]) -> Result<(), Error> {
     writeln!(text, "\nFirst surface alone, power of the cell size (order of the changes):\n")?;
     writeln!(text, "| contact | cells | area ratio | load ratio | mean film | friction |")?;

@@ -16,7 +16,7 @@ pub(crate) fn draw_all(with: &History, without: &History, folder: &Path) -> Resu
     let pair = [without, with];
     let figures = [
         ball_roughness(pair),
-        lambda_old(pair),
+        formula_lambda(pair),
         film_and_roughness(pair),
         lambda(pair),
         contact(pair),
@@ -118,9 +118,9 @@ fn ball_roughness(pair: Pair<'_>) -> Figure {
     }
 }
 
-fn lambda_old(pair: Pair<'_>) -> Figure {
+fn formula_lambda(pair: Pair<'_>) -> Figure {
     let clock = Clock::new(pair);
-    let lines = clock.smooth(pair, Pen::strong, |r| r.lambda_old);
+    let lines = clock.smooth(pair, Pen::strong, |r| r.formula_lambda);
     Figure {
         title: "\u{3bb} ratio by the film formula of Hamrock and Dowson".to_owned(),
         x_label: clock.label,

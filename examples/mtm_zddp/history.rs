@@ -22,11 +22,12 @@ pub(crate) struct History {
     pub(crate) failure: Option<SimError>,
 }
 
-/// Takes the steps that `options` asks for, or those that a stopped run left, and writes them into the folder `name` of
-/// the output.
+/// Takes the steps that `options` asks for, or those that a stopped run left, and writes them into the folder
+/// `name` of the output.
 ///
 /// # Errors
-/// A file that cannot be written or resumed from. A contact that was not solved ends the run and is noted in the history.
+/// A file that cannot be written or resumed from. A contact that was not solved ends the run and is noted in
+/// the history.
 pub(crate) fn run(
     mut sim: MixedLubricationSim,
     name: &'static str,

@@ -1,5 +1,6 @@
-//! Two hours of a rough ball rubbing on a rough disc in a mini traction machine, with and without a ZDDP tribofilm:
-//! the histories of Azam et al. (2019), their figures and their closing numbers. Runs can be stopped and resumed.
+//! Two hours of a rough ball rubbing on a rough disc in a mini traction machine, with and without a ZDDP
+//! tribofilm: the histories of Azam et al. (2019), their figures and their closing numbers. Runs can be
+//! stopped and resumed.
 //!
 //! ```text
 //! cargo run --release --example mtm_zddp               # 128 x 128 nodes, 720 steps of 10 s

@@ -8,8 +8,8 @@ use stribeck::{Grid, InputError, surface};
 
 use crate::options::Options;
 
-/// Bound of every residual of a solve: mass, load and complementarity. One solve stands for hundreds of passages at one
-/// position of the roughness, and columns scatter by some 10 % from one position to the next.
+/// Bound of every residual of a solve: mass, load and complementarity. One solve stands for hundreds of
+/// passages at one position of the roughness, and columns scatter by some 10 % from one position to the next.
 const TOLERANCE: f64 = 1e-3;
 
 /// The simulations with and without tribofilm; all else is the same, roughness and its motion included.
@@ -44,8 +44,8 @@ fn scene(options: &Options) -> Scene {
     scene
 }
 
-/// The measured surface in `path` on `grid` \[m\]: levelled and resampled where the file says how far apart its
-/// points are, else node by node.
+/// The measured surface in `path` on `grid` \[m\]: levelled and resampled where the file says how far apart
+/// its points are, else node by node.
 fn disc_heights(path: &Path, grid: &Grid) -> Result<Vec<f64>, SimError> {
     let measured = surface::read(path)?;
     if measured.dx().is_some() {

@@ -28,7 +28,7 @@ const ROWS: [Row; 18] = [
     Row("Rq, composite", "nm", 1e9, 1, End::Last, |r| r.composite_rq),
     Row("average film h_avg", "nm", 1e9, 1, End::Mean, |r| r.average_film),
     Row("lambda = h_avg/Rq", "", 1.0, 3, End::Mean, |r| r.lambda),
-    Row("lambda_OLD = h_c/Rq", "", 1.0, 4, End::Last, |r| r.lambda_old),
+    Row("lambda_OLD = h_c/Rq", "", 1.0, 4, End::Last, |r| r.formula_lambda),
     Row("contact area ratio", "", 1.0, 3, End::Mean, |r| r.area_ratio),
     Row("contact load ratio", "", 1.0, 3, End::Mean, |r| r.load_ratio),
     Row("largest pressure", "GPa", 1e-9, 2, End::Mean, |r| r.max_pressure),
@@ -43,8 +43,8 @@ const ROWS: [Row; 18] = [
     Row("friction coefficient", "", 1.0, 4, End::Mean, |r| r.friction_coefficient),
 ];
 
-/// The table, how it is read, and the share of the paper's statements that hold. Numbers are means over the seeds, and their
-/// standard deviation at the end.
+/// The table, how it is read, and the share of the paper's statements that hold. Numbers are means over the
+/// seeds, and their standard deviation at the end.
 ///
 /// # Errors
 /// Heights that are no numbers.
@@ -83,7 +83,8 @@ pub(crate) fn closing(pairs: &[[History; 2]]) -> Result<String, InputError> {
     Ok(text)
 }
 
-/// What the paper says, and how much of it holds. Histories of less than ten steps, or of which one ended early, are not asked.
+/// What the paper says, and how much of it holds. Histories of less than ten steps, or of which one ended
+/// early, are not asked.
 fn held(text: &mut String, pairs: &[Pair]) {
     let whole = |pair: &Pair| {
         let steps = [&pair.with, &pair.without].map(|history| history.records.len());

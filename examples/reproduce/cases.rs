@@ -1,4 +1,5 @@
-//! The scene in its variants: the default, the contact film, the model as published, and what refines the default.
+//! The scene in its variants: the default, the contact film, the model as published, and what refines the
+//! default.
 
 use stribeck::reynolds::{Cavitation, ContactDefinition, FaceMobility, Scheme};
 use stribeck::sim::Scene;
@@ -6,12 +7,13 @@ use stribeck::sim::scene::{GridSpec, Roughness};
 
 /// Time of the test \[s\].
 pub(crate) const TEST_TIME: f64 = 7200.0;
-/// Cells of 7.8 um, on which the roughness of a box of 0.5 mm is made; finer meshes get it by its Fourier series.
+/// Cells of 7.8 um, on which the roughness of a box of 0.5 mm is made; finer meshes get it by its Fourier
+/// series.
 const CELLS: usize = 64;
 const BOX: f64 = 0.5e-3;
 const STEPS: u64 = 720;
-/// Bound of every residual of a solve: one solve stands for hundreds of passages at one position of the roughness,
-/// and its numbers scatter by some 10 % from one position to the next.
+/// Bound of every residual of a solve: one solve stands for hundreds of passages at one position of the
+/// roughness, and its numbers scatter by some 10 % from one position to the next.
 const TOLERANCE: f64 = 1e-3;
 
 /// One variant.
@@ -59,18 +61,18 @@ pub(crate) const CASES: [Case; 12] = [
     Case { name: "published", steps: 40, seeds: 2, change: published, ..DEFAULT },
 ];
 
-/// Flow and cavitation as published: first-order entrainment, arithmetic means of the mobilities, Reynolds' condition. Solid
-/// contact is the crate's.
+/// Flow and cavitation as published: first-order entrainment, arithmetic means of the mobilities, Reynolds'
+/// condition. Solid contact is the crate's.
 fn published_flow(scene: &mut Scene) {
     scene.solver.scheme = Some(Scheme::FirstOrder);
     scene.solver.face_mobility = Some(FaceMobility::Arithmetic);
     scene.solver.cavitation = Some(Cavitation::Reynolds);
 }
 
-/// Flow, cavitation and solid contact as published. Its sweeps take seven thousand convolutions to a residual of a hundredth and a
-/// quarter of that to a tenth, with load and area ratio within 0.001.
+/// Flow, cavitation and solid contact as published. Its sweeps take seven thousand convolutions to a residual
+/// of a hundredth and a quarter of that to a tenth, with load and area ratio within 0.001.
 fn published(scene: &mut Scene) {
-    scene.solver.contact = ContactDefinition::Paper;
+    scene.solver.contact = ContactDefinition::UnifiedReynolds;
     scene.solver.tolerance = 0.1;
 }
 

@@ -1,4 +1,5 @@
-//! The eight figures of the paper, of one variant: mean over the seeds, and their smallest and largest values pale behind it.
+//! The eight figures of the paper, of one variant: mean over the seeds, and their smallest and largest values
+//! pale behind it.
 
 use std::error::Error;
 use std::path::Path;
@@ -20,7 +21,7 @@ pub(crate) fn draw_all(results: &Results, folder: &Path) -> Result<(), Box<dyn E
         over_time(
             results,
             "\u{3bb} ratio by the film formula of Hamrock and Dowson",
-            &[("\u{3bb}_OLD = h_c / Rq", 1.0, |r| r.lambda_old)],
+            &[("\u{3bb}_OLD = h_c / Rq", 1.0, |r| r.formula_lambda)],
         ),
         over_time(
             results,

@@ -15,8 +15,8 @@ use crate::statements::{History, PARTS, bearing_heights, film_profile};
 const NOTE: &str = "failed.txt";
 /// Steps from one checkpoint to the next.
 const EVERY: u64 = 10;
-/// Positions of the roughness that a history may pass over because they were not solved: each costs as much as tens of steps,
-/// and what is left is a selection.
+/// Positions of the roughness that a history may pass over because they were not solved: each costs as much
+/// as tens of steps, and what is left is a selection.
 const MOST_PASSED_OVER: u32 = 20;
 
 /// Whether `run` has ended, early or not: its fields are written last.
@@ -29,8 +29,8 @@ pub(crate) fn is_complete(run: &Run, options: &Options) -> bool {
     has_ended(run, options) && !run.folder(options).join(NOTE).exists()
 }
 
-/// Writes the folder of the run, and the bearing curve of the disc at the end of each part, before the checkpoint that
-/// could stand there.
+/// Writes the folder of the run, and the bearing curve of the disc at the end of each part, before the
+/// checkpoint that could stand there.
 struct Writer<'a> {
     folder: RunFolder,
     path: &'a Path,

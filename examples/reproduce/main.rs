@@ -1,5 +1,6 @@
-//! The experiment of Azam et al. (2019) over several roughness seeds, with and without tribofilm, asked throughout the
-//! run what the paper says of it; and the same on other meshes, steps, boxes and contact films, and as published.
+//! The experiment of Azam et al. (2019) over several roughness seeds, with and without tribofilm, asked
+//! throughout the run what the paper says of it; and the same on other meshes, steps, boxes and contact
+//! films, and as published.
 //!
 //! ```text
 //! cargo run --release --example reproduce                                   # all variants: hours

@@ -32,7 +32,8 @@ impl Run {
         options.out.join(format!("{}_seed{}_{film}", self.case.name, self.seed))
     }
 
-    /// The simulation at its start. Roughness is made on the grid of the variant and brought to a finer one by its Fourier series.
+    /// The simulation at its start. Roughness is made on the grid of the variant and brought to a finer one
+    /// by its Fourier series.
     pub(crate) fn build(&self) -> Result<MixedLubricationSim, SimError> {
         let scene = self.case.scene(self.seed, self.film);
         let [ball, disc] = [self.heights(&scene.roughness.ball)?, self.heights(&scene.roughness.disc)?];
@@ -52,8 +53,8 @@ impl Run {
     }
 }
 
-/// The histories that the options ask for, in the order in which they are run: with few seeds of every variant before all
-/// seeds of any.
+/// The histories that the options ask for, in the order in which they are run: with few seeds of every
+/// variant before all seeds of any.
 pub(crate) fn runs(options: &Options) -> Vec<Run> {
     let cases: Vec<Case> =
         CASES.iter().map(|case| if options.quick { case.quick() } else { *case }).collect();
@@ -71,7 +72,8 @@ pub(crate) fn runs(options: &Options) -> Vec<Run> {
 /// Runs those that have not ended yet.
 ///
 /// # Errors
-/// A file that cannot be written, a scene that cannot be built. A history that ends early is noted in its folder.
+/// A file that cannot be written, a scene that cannot be built. A history that ends early is noted in its
+/// folder.
 pub(crate) fn execute(runs: &[Run], options: &Options) -> Result<(), String> {
     let missing: VecDeque<&Run> = runs.iter().filter(|run| !history::has_ended(run, options)).collect();
     println!("{} of {} histories have ended", runs.len() - missing.len(), runs.len());
@@ -86,8 +88,8 @@ pub(crate) fn execute(runs: &[Run], options: &Options) -> Result<(), String> {
 
 type Queue<'a> = Mutex<(VecDeque<&'a Run>, Option<String>)>;
 
-/// Takes runs until none is left or one cannot be written. Histories side by side use the processors better than the
-/// parts of one, so that each has one thread.
+/// Takes runs until none is left or one cannot be written. Histories side by side use the processors better
+/// than the parts of one, so that each has one thread.
 fn work(queue: &Queue<'_>, options: &Options) {
     let locked = || queue.lock().unwrap_or_else(PoisonError::into_inner);
     let pool = match rayon::ThreadPoolBuilder::new().num_threads(1).build() {

@@ -1,4 +1,5 @@
-//! The tables: every statement at each tenth of the run, every number, every history; and short ones to print.
+//! The tables: every statement at each tenth of the run, every number, every history; and short ones to
+//! print.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -54,8 +55,8 @@ impl Results {
     }
 }
 
-/// A number of the tables: name, unit, factor from SI, decimals, value, and whether it adds up, so that a tenth has it at its end
-/// and not in its mean.
+/// A number of the tables: name, unit, factor from SI, decimals, value, and whether it adds up, so that a
+/// tenth has it at its end and not in its mean.
 struct Quantity(&'static str, &'static str, f64, usize, Value, bool);
 
 const QUANTITIES: [Quantity; 15] = [
@@ -63,7 +64,7 @@ const QUANTITIES: [Quantity; 15] = [
     Quantity("Rq of the disc", "nm", 1e9, 1, |r| r.rq[1], false),
     Quantity("h_avg", "nm", 1e9, 1, |r| r.average_film, false),
     Quantity("lambda", "1", 1.0, 3, |r| r.lambda, false),
-    Quantity("lambda_OLD", "1", 1.0, 4, |r| r.lambda_old, false),
+    Quantity("lambda_OLD", "1", 1.0, 4, |r| r.formula_lambda, false),
     Quantity("area ratio", "1", 1.0, 3, |r| r.area_ratio, false),
     Quantity("load ratio", "1", 1.0, 3, |r| r.load_ratio, false),
     Quantity("friction coefficient", "1", 1.0, 4, |r| r.friction_coefficient, false),
@@ -186,7 +187,8 @@ fn histories(all: &[Results]) -> String {
     text
 }
 
-/// Three tables in Markdown, one column a variant: what was run, shares of seeds and tenths that agree, numbers of the last tenth.
+/// Three tables in Markdown, one column a variant: what was run, shares of seeds and tenths that agree,
+/// numbers of the last tenth.
 pub(crate) fn summary(all: &[Results]) -> String {
     let mut text = String::new();
     row(&mut text, "", all, |results| results.case.name.to_owned());

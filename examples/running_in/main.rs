@@ -1,6 +1,6 @@
-//! Running-in: a speed sweep on new surfaces, wear under the load steps of a schedule (20, 40, 60 N), and the same sweep on
-//! the surfaces that this leaves. Writes the Stribeck curves of new and worn surfaces into one figure and one table, and the
-//! folder of the run, into `target/running_in`.
+//! Running-in: a speed sweep on new surfaces, wear under the load steps of a schedule (20, 40, 60 N), and the
+//! same sweep on the surfaces that this leaves. Writes the Stribeck curves of new and worn surfaces into one
+//! figure and one table, and the folder of the run, into `target/running_in`.
 //!
 //! ```text
 //! cargo run --release --example running_in [-- SPEEDS]     # 13 from 1 mm/s to 1 m/s

@@ -7,8 +7,9 @@
 //! cargo run --release --example stability_map -- --seed 2         # other roughness
 //! ```
 //!
-//! A solve that calls itself converged is checked from its fields alone: no pressure or gap may be negative, no film under
-//! solid contact off the contact film, and the pressures must carry the load. One that fails the check is listed as a lie.
+//! A solve that calls itself converged is checked from its fields alone: no pressure or gap may be negative,
+//! no film under solid contact off the contact film, and the pressures must carry the load. One that fails
+//! the check is listed as a lie.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 

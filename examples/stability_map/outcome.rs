@@ -13,7 +13,8 @@ use crate::scenes::Case;
 
 /// Residual at which a scene counts as converged.
 const TOLERANCE: f64 = 1e-6;
-/// Steps that the semi-system is given, and sweeps of the paper's contact: where these converge they mostly do so within 2000.
+/// Steps that the semi-system is given, and sweeps of the paper's contact: where these converge they mostly
+/// do so within 2000.
 const SWEEPS: u64 = 3000;
 /// Distance below the contact film that no gap may have \[m\].
 const SLACK: f64 = 0.1e-9;
@@ -105,7 +106,7 @@ pub(crate) fn solve(case: &Case, solver: Solver) -> Entry {
         Solver::SemiSystem => SolverKind::SemiSystem,
     };
     if solver == Solver::PaperContact {
-        scene.solver.contact = ContactDefinition::Paper;
+        scene.solver.contact = ContactDefinition::UnifiedReynolds;
     }
     if matches!(solver, Solver::SemiSystem | Solver::PaperContact) {
         scene.solver.max_iterations = SWEEPS;

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use stribeck::sim::Scene;
 use stribeck::sim::scene::{FileRoughness, GridSpec, PlasticSpec, RandomRoughness, Roughness, RoughnessPair};
 
-/// Hertz pressure of the reference scene \[Pa\] and half of its box \[m\]; boxes grow with the Hertz radius, which grows with
-/// the pressure.
+/// Hertz pressure of the reference scene \[Pa\] and half of its box \[m\]; boxes grow with the Hertz radius,
+/// which grows with the pressure.
 const REFERENCE: (f64, f64) = (1.15e9, 0.25e-3);
 /// Share of ball and disc in the composite roughness, those of the reference scene.
 const SHARES: [f64; 2] = [20.0 / 131.529, 130.0 / 131.529];

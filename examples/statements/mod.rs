@@ -1,4 +1,5 @@
-//! What Azam et al. (2019) say, as questions to a pair of histories at each tenth of the run. Shared by the examples.
+//! What Azam et al. (2019) say, as questions to a pair of histories at each tenth of the run. Shared by the
+//! examples.
 
 use std::collections::BTreeMap;
 use std::ops::{Range, RangeInclusive};
@@ -18,8 +19,8 @@ pub(crate) struct History {
     pub(crate) records: Vec<StepRecord>,
     /// Film over y at x = 0 in the last step, inside the Hertz contact \[m\].
     pub(crate) profile: Vec<(f64, f64)>,
-    /// Heights of the disc's track at even shares of its area \[m\]: by the part of the run at whose end they were taken, 0 for
-    /// its start. Parts may be missing.
+    /// Heights of the disc's track at even shares of its area \[m\]: by the part of the run at whose end they
+    /// were taken, 0 for its start. Parts may be missing.
     pub(crate) bearing: BTreeMap<usize, Vec<f64>>,
 }
 
@@ -77,7 +78,8 @@ pub(crate) fn share(statement: &Statement, pairs: &[Pair]) -> Option<f64> {
 /// A number of a step.
 pub(crate) type Value = fn(&StepRecord) -> f64;
 
-/// A statement of the paper: what it says at the end of a tenth of the run, from 1 to 10, and of which tenths.
+/// A statement of the paper: what it says at the end of a tenth of the run, from 1 to 10, and of which
+/// tenths.
 pub(crate) struct Statement {
     pub(crate) text: &'static str,
     parts: RangeInclusive<usize>,
@@ -105,7 +107,7 @@ const HARDNESS: f64 = 6e9;
 const SAME_PEAKS: f64 = 0.1;
 
 const LAMBDA: Value = |r| r.lambda;
-const LAMBDA_OLD: Value = |r| r.lambda_old;
+const LAMBDA_OLD: Value = |r| r.formula_lambda;
 const AREA: Value = |r| r.area_ratio;
 const LOAD: Value = |r| r.load_ratio;
 const PRESSURE: Value = |r| r.max_pressure;

@@ -1,5 +1,6 @@
-//! What a history of two hours ends with against the number of its steps, with places along the track and at random: the scene of
-//! `examples/scenes/dry_history.toml`. Writes a table and a figure into `target/step_study`.
+//! What a history of two hours ends with against the number of its steps, with places along the track and at
+//! random: the scene of `examples/scenes/dry_history.toml`. Writes a table and a figure into
+//! `target/step_study`.
 //!
 //! ```text
 //! cargo run --release --example step_study [-- SEEDS]     # 2 seeds of the places

@@ -1,14 +1,15 @@
-//! What accuracy costs: errors of four contacts against seconds and convolutions, one line per solver, that of the example
-//! `custom_solver` among them; errors of wear and film of a history against its steps.
+//! What accuracy costs: errors of four contacts against seconds and convolutions, one line per solver, that
+//! of the example `custom_solver` among them; errors of wear and film of a history against its steps.
 //!
 //! ```text
 //! cargo run --release --example work_precision                      # docs/work_precision.{csv,svg}, docs/time_steps.csv, minutes
 //! cargo run --release --example work_precision -- --quick --out DIR # coarse grids, seconds
 //! ```
 //!
-//! Errors are relative differences to a finer grid, solved to 1e-8. Seconds are those of one solve from a cold start with
-//! all buffers still to be made, the kernel's spectrum apart: processor time where the system tells it (Linux), so that other
-//! programs on the machine matter less, else time on the clock. What did not converge is in the table and not in the figure.
+//! Errors are relative differences to a finer grid, solved to 1e-8. Seconds are those of one solve from a
+//! cold start with all buffers still to be made, the kernel's spectrum apart: processor time where the system
+//! tells it (Linux), so that other programs on the machine matter less, else time on the clock. What did not
+//! converge is in the table and not in the figure.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that talks to its user")]
 
@@ -49,7 +50,8 @@ usage: cargo run --release --example work_precision -- [--quick] [--out DIR]
   --out DIR  where to write work_precision.csv and .svg and time_steps.csv (default docs)
 ";
 const TIGHT: f64 = 1e-6;
-/// A solve is repeated until it has taken this long \[s\]: the system counts processor time in steps of milliseconds.
+/// A solve is repeated until it has taken this long \[s\]: the system counts processor time in steps of
+/// milliseconds.
 const LEAST_SECONDS: f64 = 0.1;
 const MOST_REPEATS: f64 = 30.0;
 const REFERENCE: f64 = 1e-8;
@@ -400,7 +402,8 @@ fn write_table(rows: &[Row], path: &Path) -> Result<(), Box<dyn Error>> {
     std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()).into())
 }
 
-/// A row of two panels for every case, errors over seconds and over convolutions, and one for the steps in time.
+/// A row of two panels for every case, errors over seconds and over convolutions, and one for the steps in
+/// time.
 fn draw(rows: &[Row], steps: &[Vec<Series>; 2], path: &Path) -> Result<(), Box<dyn Error>> {
     let root = SVGBackend::new(path, SIZE).into_drawing_area();
     root.fill(&WHITE)?;

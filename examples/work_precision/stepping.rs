@@ -39,8 +39,8 @@ struct Outcome {
     values: [f64; 2],
 }
 
-/// The rough reference contact with its tribofilm. The roughness stays where it is: moved at random it would scatter by more than the
-/// steps err.
+/// The rough reference contact with its tribofilm. The roughness stays where it is: moved at random it would
+/// scatter by more than the steps err.
 fn history(cells: usize, end: f64, control: &StepControl) -> Result<Outcome, Box<dyn Error>> {
     let scene = Scene::azam_2019(cells).with_tribofilm();
     let mut sim = MixedLubricationSim::builder(scene).motion(AtRest).build()?;

@@ -47,7 +47,8 @@ pub(crate) fn contiguous<'a, T: numpy::Element>(
     })
 }
 
-/// A dictionary of strings, numbers, truth values, lists and dictionaries as a table; keys whose value is None are left out.
+/// A dictionary of strings, numbers, truth values, lists and dictionaries as a table; keys whose value is
+/// None are left out.
 pub(crate) fn table(dict: &Bound<'_, PyDict>, inside: &str) -> PyResult<Table> {
     let mut table = Table::new();
     for (key, entry) in dict {

@@ -151,8 +151,8 @@ impl ForPython for SimError {
     }
 }
 
-/// The error of a scene that does not fit: the parser names the table or the key last, after `in`, and a key that is missing or stray
-/// first.
+/// The error of a scene that does not fit: the parser names the table or the key last, after `in`, and a key
+/// that is missing or stray first.
 fn scene(py: Python<'_>, reason: &str) -> PyErr {
     let quoted = |words: &str| words.split('`').nth(1).map(str::to_owned);
     let place = reason.rsplit_once(" in `").and_then(|(_, end)| end.strip_suffix('`'));

@@ -10,8 +10,8 @@ use crate::laws::Failure;
 /// Time between two looks for signals.
 const PERIOD: Duration = Duration::from_millis(50);
 
-/// A question whether a signal has raised an exception, which is kept in `failure`; asked again within [`PERIOD`] it does not
-/// look.
+/// A question whether a signal has raised an exception, which is kept in `failure`; asked again within
+/// [`PERIOD`] it does not look.
 pub(crate) fn on_signal(failure: Failure) -> impl Fn() -> bool + Send + Sync + 'static {
     let looked = Mutex::new(Instant::now());
     move || {

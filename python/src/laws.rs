@@ -49,7 +49,8 @@ impl fmt::Debug for Function {
 }
 
 impl Function {
-    /// Calls with the arguments that `arguments` makes and writes what is returned into `out`; NaN where that fails, with the exception kept.
+    /// Calls with the arguments that `arguments` makes and writes what is returned into `out`; NaN where that
+    /// fails, with the exception kept.
     fn fill<'py>(&self, py: Python<'py>, arguments: Vec<Bound<'py, PyAny>>, out: &mut [f64]) {
         if let Err(error) = self.try_fill(py, arguments, out) {
             self.failure.keep(error);

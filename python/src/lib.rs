@@ -1,5 +1,6 @@
-//! The compiled part of the Python package `stribeck`: scenes, solves, histories, surfaces and formulas as plain functions of
-//! numbers, dictionaries and arrays. Classes for people are written in Python around it (`python/stribeck`).
+//! The compiled part of the Python package `stribeck`: scenes, solves, histories, surfaces and formulas as
+//! plain functions of numbers, dictionaries and arrays. Classes for people are written in Python around it
+//! (`python/stribeck`).
 
 mod analytic;
 mod convert;

@@ -55,7 +55,7 @@ pub(crate) fn record_dict<'py>(py: Python<'py>, record: &StepRecord) -> PyResult
         "composite_rq": record.composite_rq,
         "average_film": record.average_film,
         "lambda": record.lambda,
-        "lambda_old": record.lambda_old,
+        "formula_lambda": record.formula_lambda,
         "area_ratio": record.area_ratio,
         "load_ratio": record.load_ratio,
         "max_pressure": record.max_pressure,

@@ -32,7 +32,8 @@ struct Run {
 type Arrays<'py> = Bound<'py, PyDict>;
 
 impl Simulation {
-    /// What `act` makes of the simulation, with the interpreter free meanwhile; an exception of a law or a signal comes first.
+    /// What `act` makes of the simulation, with the interpreter free meanwhile; an exception of a law or a
+    /// signal comes first.
     fn act<T: Send, E: ForPython + Send>(
         &self,
         py: Python<'_>,
@@ -161,7 +162,8 @@ impl Simulation {
         Ok(pyo3::types::PyBytes::new(py, &kept))
     }
 
-    /// The contact of the bodies as they stand under `load`, `entrainment_speed`, `slide_roll_ratio` and `bulk_temperature`.
+    /// The contact of the bodies as they stand under `load`, `entrainment_speed`, `slide_roll_ratio` and
+    /// `bulk_temperature`.
     #[pyo3(signature = (load=None, entrainment_speed=None, slide_roll_ratio=None, bulk_temperature=None))]
     fn solve_under<'py>(
         &self,

@@ -2,8 +2,8 @@
 
 use crate::error::InputError;
 
-/// Operating conditions of a smooth, fully flooded, isothermal point contact, and the film formulas fitted to its
-/// numerical solutions.
+/// Operating conditions of a smooth, fully flooded, isothermal point contact, and the film formulas fitted to
+/// its numerical solutions.
 ///
 /// Dimensionless groups of Hamrock and Dowson, with the *mean* surface speed `u`:
 /// `U = eta0 u/(E' R)`, `G = alpha E'`, `W = F/(E' R^2)`.
@@ -121,8 +121,8 @@ impl FilmConditions {
 
     /// Central film thickness \[m\]: `h = 2.69 R U^0.67 G^0.53 W^-0.067 (1 - 0.61 exp(-0.73 k))`.
     ///
-    /// A fit to solutions of hard (elastic, piezoviscous) contacts, 1 <= k <= 8; some 10 % at moderate conditions, more
-    /// outside the fitted loads and speeds.
+    /// A fit to solutions of hard (elastic, piezoviscous) contacts, 1 <= k <= 8; some 10 % at moderate
+    /// conditions, more outside the fitted loads and speeds.
     ///
     /// Source: Hamrock, B. J. and Dowson, D. (1977), Journal of Lubrication Technology 99, 264-276.
     ///
@@ -141,8 +141,8 @@ impl FilmConditions {
         Ok(2.69 * self.radius * self.powers(0.67, 0.53, -0.067) * side)
     }
 
-    /// Minimum film thickness \[m\]: `h = 3.63 R U^0.68 G^0.49 W^-0.073 (1 - exp(-0.68 k))`. Range and source as
-    /// [`FilmConditions::hamrock_dowson_central`].
+    /// Minimum film thickness \[m\]: `h = 3.63 R U^0.68 G^0.49 W^-0.073 (1 - exp(-0.68 k))`. Range and source
+    /// as [`FilmConditions::hamrock_dowson_central`].
     ///
     /// # Errors
     /// See [`FilmConditions::validate`].
@@ -165,13 +165,13 @@ impl FilmConditions {
             * self.load_parameter().powf(load)
     }
 
-    /// Central film thickness \[m\] of a *circular* contact by the formula of Nijenbanning, Venner and Moes, which joins
-    /// the asymptotes of the rigid and elastic, isoviscous and piezoviscous regimes:
+    /// Central film thickness \[m\] of a *circular* contact by the formula of Nijenbanning, Venner and Moes,
+    /// which joins the asymptotes of the rigid and elastic, isoviscous and piezoviscous regimes:
     ///
-    /// `H = {[H_RI^(3/2) + (H_EI^-4 + 1.8^-4)^(-3/8)]^(2s/3) + (H_RP^-8 + H_EP^-8)^(-s/8)}^(1/s)`, `h = H R (2U)^(1/2)`,
-    /// `s = 1.5 (1 + exp(-1.2 H_EI/H_EP))`, with
-    /// `H_RI = 145 (1.796)^(-15/7) M^-2`, `H_EI = 3.18 (1.63)^(-14/25) M^(-2/15)`,
-    /// `H_RP = 1.29 (1.691)^(-2/3) L^(2/3)`, `H_EP = 1.48 (1.63)^(-7/20) M^(-1/12) L^(3/4)`.
+    /// `H = {[H_RI^(3/2) + (H_EI^-4 + 1.8^-4)^(-3/8)]^(2s/3) + (H_RP^-8 + H_EP^-8)^(-s/8)}^(1/s)`,
+    /// `h = H R (2U)^(1/2)`, `s = 1.5 (1 + exp(-1.2 H_EI/H_EP))`, with `H_RI = 145 (1.796)^(-15/7) M^-2`,
+    /// `H_EI = 3.18 (1.63)^(-14/25) M^(-2/15)`, `H_RP = 1.29 (1.691)^(-2/3) L^(2/3)`,
+    /// `H_EP = 1.48 (1.63)^(-7/20) M^(-1/12) L^(3/4)`.
     ///
     /// Source: Nijenbanning, G., Venner, C. H. and Moes, H. (1994), Wear 176, 217-229.
     ///

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use crate::error::InputError;
 
-/// Equivalent modulus `E'` \[Pa\] of two elastic bodies: `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`, with Young's moduli \[Pa\] and
-/// Poisson's ratios. (Twice the contact modulus `E*` of other texts.)
+/// Equivalent modulus `E'` \[Pa\] of two elastic bodies: `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`, with Young's
+/// moduli \[Pa\] and Poisson's ratios. (Twice the contact modulus `E*` of other texts.)
 ///
 /// # Errors
 /// A modulus that is not finite and positive, a Poisson's ratio outside -1 < v <= 0.5.
@@ -32,18 +32,20 @@ pub fn equivalent_modulus(first: [f64; 2], second: [f64; 2]) -> Result<f64, Inpu
 
 /// A dry, smooth, frictionless point contact of bodies whose gap is `x^2/(2 Rx) + y^2/(2 Ry)`.
 ///
-/// Pressure `p = p_max sqrt(1 - (x/a_x)^2 - (y/a_y)^2)`. With `k` the ratio of the short semi-axis `b` to the long one
-/// `a`, `e^2 = 1 - k^2`, `K` and `E` the complete elliptic integrals of modulus `e` and `s = (K - E)/(e^2 K)`:
+/// Pressure `p = p_max sqrt(1 - (x/a_x)^2 - (y/a_y)^2)`. With `k` the ratio of the short semi-axis `b` to the
+/// long one `a`, `e^2 = 1 - k^2`, `K` and `E` the complete elliptic integrals of modulus `e` and
+/// `s = (K - E)/(e^2 K)`:
 ///
 /// * the ratio of the radii fixes `k`: `R_long / R_short = (1 - s)/(k^2 s)`,
 /// * load `W = pi E' a^3 / (6 R_long K s)`, maximum pressure `p_max = 3 W / (2 pi a b)`,
 /// * approach `a^2 / (2 R_long s)`.
 ///
-/// For `Rx = Ry = R` these are `a^3 = 3 W R / (2 E')`, `p_max = a E' / (pi R)` and `a^2 / R`. The elliptic integrals come from
-/// the arithmetic-geometric mean and `k` from a bracketed root, both to rounding: no fitted formula.
+/// For `Rx = Ry = R` these are `a^3 = 3 W R / (2 E')`, `p_max = a E' / (pi R)` and `a^2 / R`. The elliptic
+/// integrals come from the arithmetic-geometric mean and `k` from a bracketed root, both to rounding: no
+/// fitted formula.
 ///
-/// Source: Hertz, H. (1882), Journal fuer die reine und angewandte Mathematik 92, 156-171; Johnson, K. L. (1985),
-/// Contact Mechanics, chapter 4.
+/// Source: Hertz, H. (1882), Journal fuer die reine und angewandte Mathematik 92, 156-171; Johnson, K. L.
+/// (1985), Contact Mechanics, chapter 4.
 ///
 /// ```
 /// use stribeck::analytic::HertzPoint;
@@ -91,8 +93,8 @@ impl HertzPoint {
     /// Contact of radii `radius_x`, `radius_y` \[m\] and equivalent modulus `E'` \[Pa\] under `load` \[N\].
     ///
     /// # Errors
-    /// An argument that is not finite and positive, radii further apart than [`HertzPoint::MAX_RADIUS_RATIO`], or a result
-    /// beyond the range of numbers.
+    /// An argument that is not finite and positive, radii further apart than
+    /// [`HertzPoint::MAX_RADIUS_RATIO`], or a result beyond the range of numbers.
     ///
     /// ```
     /// use stribeck::analytic::HertzPoint;
@@ -114,7 +116,8 @@ impl HertzPoint {
         shape.contact(radius_x, radius_y, equivalent_modulus, long)
     }
 
-    /// Contact of radii `radius_x`, `radius_y` \[m\] and equivalent modulus `E'` \[Pa\] whose maximum pressure is `max_pressure` \[Pa\].
+    /// Contact of radii `radius_x`, `radius_y` \[m\] and equivalent modulus `E'` \[Pa\] whose maximum
+    /// pressure is `max_pressure` \[Pa\].
     ///
     /// # Errors
     /// As [`HertzPoint::from_load`].
@@ -225,8 +228,9 @@ impl Shape {
     }
 }
 
-/// `(K, (K - E)/(e^2 K))` for semi-axes in the ratio `k = sqrt(1 - e^2)`, `0 < k <= 1`, by the arithmetic-geometric mean:
-/// `K = pi/(2 a_n)`, `E = K (1 - sum 2^(n-1) c_n^2)` with `c_0 = e`, `c_(n+1) = c_n^2/(4 a_(n+1))`.
+/// `(K, (K - E)/(e^2 K))` for semi-axes in the ratio `k = sqrt(1 - e^2)`, `0 < k <= 1`, by the
+/// arithmetic-geometric mean: `K = pi/(2 a_n)`, `E = K (1 - sum 2^(n-1) c_n^2)` with `c_0 = e`,
+/// `c_(n+1) = c_n^2/(4 a_(n+1))`.
 fn elliptic(k: f64) -> (f64, f64) {
     let squared = (1.0 - k) * (1.0 + k);
     let (mut mean, mut geometric) = (1.0, k);
@@ -248,8 +252,8 @@ fn elliptic(k: f64) -> (f64, f64) {
     (PI / (2.0 * mean), share)
 }
 
-/// Short over long semi-axis for `ratio >= 1` of the radii, by bisection in the logarithm between `1/ratio` and
-/// `1/sqrt(ratio)`, which bracket the root.
+/// Short over long semi-axis for `ratio >= 1` of the radii, by bisection in the logarithm between `1/ratio`
+/// and `1/sqrt(ratio)`, which bracket the root.
 fn axis_ratio(ratio: f64) -> f64 {
     let target = ratio.ln();
     let excess = |log_k: f64| {

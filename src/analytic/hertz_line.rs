@@ -9,8 +9,8 @@ use crate::error::InputError;
 /// Pressure `p = p_max sqrt(1 - (x/a)^2)`, with the load per length `w` \[N/m\]:
 /// `a^2 = 8 w R/(pi E')`, `p_max = 2 w/(pi a) = a E'/(4 R)`. For two cylinders `1/R = 1/R1 + 1/R2`.
 ///
-/// Source: Hertz, H. (1882), Journal fuer die reine und angewandte Mathematik 92, 156-171; Johnson, K. L. (1985),
-/// Contact Mechanics, section 4.2.
+/// Source: Hertz, H. (1882), Journal fuer die reine und angewandte Mathematik 92, 156-171; Johnson, K. L.
+/// (1985), Contact Mechanics, section 4.2.
 ///
 /// ```
 /// use stribeck::analytic::HertzLine;
@@ -53,7 +53,8 @@ impl HertzLine {
         Self::of(radius, equivalent_modulus, (8.0 * load / (PI * equivalent_modulus) * radius).sqrt())
     }
 
-    /// Contact of radius `radius` \[m\] and equivalent modulus `E'` \[Pa\] whose maximum pressure is `max_pressure` \[Pa\].
+    /// Contact of radius `radius` \[m\] and equivalent modulus `E'` \[Pa\] whose maximum pressure is
+    /// `max_pressure` \[Pa\].
     ///
     /// # Errors
     /// As [`HertzLine::from_load`].

@@ -2,12 +2,12 @@
 
 use crate::error::InputError;
 
-/// Operating conditions of a smooth, fully flooded, isothermal line contact, and the film formulas fitted to its
-/// numerical solutions.
+/// Operating conditions of a smooth, fully flooded, isothermal line contact, and the film formulas fitted to
+/// its numerical solutions.
 ///
-/// Dimensionless groups of Dowson and Higginson, with the *mean* surface speed `u` and the load per length `w`:
-/// `U = eta0 u/(E' R)`, `G = alpha E'`, `W = w/(E' R)`.
-/// Groups of Moes, with the *sum* of the speeds `2u`: `M = W (2U)^(-1/2)`, `L = G (2U)^(1/4)`.
+/// Dimensionless groups of Dowson and Higginson, with the *mean* surface speed `u` and the load per length
+/// `w`: `U = eta0 u/(E' R)`, `G = alpha E'`, `W = w/(E' R)`. Groups of Moes, with the *sum* of the speeds
+/// `2u`: `M = W (2U)^(-1/2)`, `L = G (2U)^(1/4)`.
 ///
 /// ```
 /// use stribeck::analytic::LineFilmConditions;
@@ -118,7 +118,8 @@ impl LineFilmConditions {
     /// Central film thickness \[m\]: `h = 3.06 R U^0.69 G^0.56 W^-0.10`, a fit to solutions of hard (elastic,
     /// piezoviscous) contacts.
     ///
-    /// Source: Dowson, D. and Toyoda, S. (1979), Proceedings of the 5th Leeds-Lyon Symposium on Tribology, 60-65.
+    /// Source: Dowson, D. and Toyoda, S. (1979), Proceedings of the 5th Leeds-Lyon Symposium on Tribology,
+    /// 60-65.
     ///
     /// # Errors
     /// See [`LineFilmConditions::validate`].
@@ -159,14 +160,15 @@ impl LineFilmConditions {
             * self.load_parameter().powf(load)
     }
 
-    /// Central film thickness \[m\] by the formula of Moes, which joins the asymptotes of the rigid and elastic, isoviscous
-    /// and piezoviscous regimes (incompressible lubricant):
+    /// Central film thickness \[m\] by the formula of Moes, which joins the asymptotes of the rigid and
+    /// elastic, isoviscous and piezoviscous regimes (incompressible lubricant):
     ///
-    /// `H = {(H_RI^(7/3) + H_EI^(7/3))^(3s/7) + (H_RP^(-7/2) + H_EP^(-7/2))^(-2s/7)}^(1/s)`, `h = H R (2U)^(1/2)`,
-    /// `s = (7 + 8 exp(-2 H_EI/H_RI))/5`, with `H_RI = 3 M^-1`, `H_EI = 2.621 M^(-1/5)`, `H_RP = 1.287 L^(2/3)`,
-    /// `H_EP = 1.311 M^(-1/8) L^(3/4)`.
+    /// `H = {(H_RI^(7/3) + H_EI^(7/3))^(3s/7) + (H_RP^(-7/2) + H_EP^(-7/2))^(-2s/7)}^(1/s)`,
+    /// `h = H R (2U)^(1/2)`, `s = (7 + 8 exp(-2 H_EI/H_RI))/5`, with `H_RI = 3 M^-1`,
+    /// `H_EI = 2.621 M^(-1/5)`, `H_RP = 1.287 L^(2/3)`, `H_EP = 1.311 M^(-1/8) L^(3/4)`.
     ///
-    /// Source: Moes, H. (1992), Wear 159, 57-66; Moes, H. (2000), Lubrication and Beyond, University of Twente.
+    /// Source: Moes, H. (1992), Wear 159, 57-66; Moes, H. (2000), Lubrication and Beyond, University of
+    /// Twente.
     ///
     /// # Errors
     /// See [`LineFilmConditions::validate`].

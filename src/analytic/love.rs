@@ -23,17 +23,19 @@ const GAUSS_8: [(f64, f64); 4] = [
     (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
 ];
 
-/// Integral of `1/r` \[m\] over the rectangle `|x'| <= half_x`, `|y'| <= half_y`, seen from the point `(x, y)` of its plane:
+/// Integral of `1/r` \[m\] over the rectangle `|x'| <= half_x`, `|y'| <= half_y`, seen from the point
+/// `(x, y)` of its plane:
 ///
 /// `f(x, y) = integral dx' dy' / sqrt((x - x')^2 + (y - y')^2)`.
 ///
 /// All lengths in metres (or in any one unit: the result has the same one). Defined for every finite point,
 /// inside, outside and on the edges; sizes of zero give zero, negative or non-finite arguments `NaN`.
 ///
-/// The textbook formula, a difference of four corner terms, loses two digits for each decade of distance. Three
-/// branches keep the relative error below 1e-13 at any distance and aspect ratio: corner terms paired into
-/// logarithms of ratios near the rectangle (which is halved first when long and thin), Gauss quadrature with 8 x 8
-/// points beyond 8 half diagonals and with 4 x 4 points beyond 50, where the integrand is smooth and positive.
+/// The textbook formula, a difference of four corner terms, loses two digits for each decade of distance.
+/// Three branches keep the relative error below 1e-13 at any distance and aspect ratio: corner terms paired
+/// into logarithms of ratios near the rectangle (which is halved first when long and thin), Gauss quadrature
+/// with 8 x 8 points beyond 8 half diagonals and with 4 x 4 points beyond 50, where the integrand is smooth
+/// and positive.
 ///
 /// Source: Love, A. E. H. (1929), Philosophical Transactions of the Royal Society A 228, 377-420.
 ///
@@ -57,8 +59,9 @@ pub fn rectangle_potential(x: f64, y: f64, half_x: f64, half_y: f64) -> f64 {
     potential(x.abs(), y.abs(), half_x, half_y)
 }
 
-/// Displacement \[m\] at `(x, y)` of the pair of surfaces under `pressure` \[Pa\] on the rectangle `|x'| <= half_x`, `|y'| <= half_y`
-/// \[m\]: `u = 2 p / (pi E') f(x, y)` with the equivalent modulus `E'` \[Pa\] and [`rectangle_potential`] `f`.
+/// Displacement \[m\] at `(x, y)` of the pair of surfaces under `pressure` \[Pa\] on the rectangle
+/// `|x'| <= half_x`, `|y'| <= half_y` \[m\]: `u = 2 p / (pi E') f(x, y)` with the equivalent modulus `E'`
+/// \[Pa\] and [`rectangle_potential`] `f`.
 ///
 /// Arguments outside their range (`E'` above zero, sizes not negative, all finite) give `NaN`.
 ///

@@ -1,9 +1,11 @@
 //! Closed-form solutions: what the numerical models are checked against, and the scales of a contact.
 //!
-//! [`HertzPoint`] is the dry smooth contact of two curved bodies (circular or elliptical), [`HertzLine`] that of parallel
-//! cylinders, [`FilmConditions`] and [`LineFilmConditions`] are the film formulas fitted to full numerical solutions,
-//! [`Westergaard`] is the dry contact of a wavy surface, [`rectangle_potential`] the integral of 1/r over a rectangle and
-//! [`strip_potential`] that of a logarithm over a strip, from which the displacement of a uniformly loaded cell follows. All of it is plain arithmetic on numbers: nothing here knows a grid or a solver.
+//! [`HertzPoint`] is the dry smooth contact of two curved bodies (circular or elliptical), [`HertzLine`] that
+//! of parallel cylinders, [`FilmConditions`] and [`LineFilmConditions`] are the film formulas fitted to full
+//! numerical solutions, [`Westergaard`] is the dry contact of a wavy surface, [`rectangle_potential`] the
+//! integral of 1/r over a rectangle and [`strip_potential`] that of a logarithm over a strip, from which the
+//! displacement of a uniformly loaded cell follows. All of it is plain arithmetic on numbers: nothing here
+//! knows a grid or a solver.
 
 mod film_formulas;
 mod hertz;

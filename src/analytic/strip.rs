@@ -7,14 +7,16 @@ const FAR: f64 = 8.0;
 /// Terms of that series: the first one left out is below 1e-17.
 const TERMS: u32 = 8;
 
-/// Integral of `ln(reference/|x - s|)` \[m\] over the strip `|s| <= half_width`, seen from the point `x` of its plane.
+/// Integral of `ln(reference/|x - s|)` \[m\] over the strip `|s| <= half_width`, seen from the point `x` of
+/// its plane.
 ///
-/// All lengths in metres. A strip of length without end displaces every point without bound, so the displacement counts
-/// from that at the distance `reference` from a line load: there the integrand is zero. Defined for every finite `x`,
-/// inside, outside and on the edges; a strip of no width gives zero, arguments out of range (`reference` above zero,
-/// `half_width` not negative) `NaN`.
+/// All lengths in metres. A strip of length without end displaces every point without bound, so the
+/// displacement counts from that at the distance `reference` from a line load: there the integrand is zero.
+/// Defined for every finite `x`, inside, outside and on the edges; a strip of no width gives zero, arguments
+/// out of range (`reference` above zero, `half_width` not negative) `NaN`.
 ///
-/// Beyond 8 half-widths a series in `half_width/x` keeps the digits that the difference of the two edge terms loses.
+/// Beyond 8 half-widths a series in `half_width/x` keeps the digits that the difference of the two edge terms
+/// loses.
 ///
 /// Source: Johnson, K. L. (1985), Contact Mechanics, section 2.3.
 ///
@@ -48,10 +50,12 @@ pub fn strip_potential(x: f64, half_width: f64, reference: f64) -> f64 {
     edge(distance + half_width) - edge(distance - half_width) + 2.0 * half_width
 }
 
-/// Displacement \[m\] at `x` of the pair of surfaces under `pressure` \[Pa\] on the strip `|s| <= half_width` \[m\], plane
-/// strain: `u = 4 p / (pi E') g(x)` with the equivalent modulus `E'` \[Pa\] and [`strip_potential`] `g`.
+/// Displacement \[m\] at `x` of the pair of surfaces under `pressure` \[Pa\] on the strip `|s| <= half_width`
+/// \[m\], plane strain: `u = 4 p / (pi E') g(x)` with the equivalent modulus `E'` \[Pa\] and
+/// [`strip_potential`] `g`.
 ///
-/// Arguments outside their range (`E'` and `reference` above zero, width not negative, all finite) give `NaN`.
+/// Arguments outside their range (`E'` and `reference` above zero, width not negative, all finite) give
+/// `NaN`.
 ///
 /// Source: Johnson, K. L. (1985), Contact Mechanics, section 2.3.
 ///

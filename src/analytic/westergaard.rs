@@ -4,11 +4,13 @@ use std::f64::consts::PI;
 
 use crate::error::InputError;
 
-/// A surface `z = amplitude cos(2 pi x/wavelength)` pressed without friction against a flat one, plane strain.
+/// A surface `z = amplitude cos(2 pi x/wavelength)` pressed without friction against a flat one, plane
+/// strain.
 ///
-/// Contact is complete at the mean pressure `p* = pi E' A/(2 wavelength)`, which is `pi E* A/wavelength` with the contact
-/// modulus `E* = E'/2` (the literature's usual symbol) and `A` the amplitude, half the height from valley to
-/// crest. Below it, strips of half-width `c` touch at the crests, `p/p* = sin^2(pi c/wavelength)`.
+/// Contact is complete at the mean pressure `p* = pi E' A/(2 wavelength)`, which is `pi E* A/wavelength` with
+/// the contact modulus `E* = E'/2` (the literature's usual symbol) and `A` the amplitude, half the height
+/// from valley to crest. Below it, strips of half-width `c` touch at the crests,
+/// `p/p* = sin^2(pi c/wavelength)`.
 ///
 /// Source: Westergaard, H. M. (1939), Journal of Applied Mechanics 6, A49-A53; Johnson, K. L. (1985), Contact
 /// Mechanics, chapter 13.
@@ -57,7 +59,8 @@ impl Westergaard {
         Ok(0.5 * PI * self.equivalent_modulus * self.amplitude / self.wavelength)
     }
 
-    /// Half-width of a contact strip \[m\] under `mean_pressure` \[Pa\]; half the wavelength once contact is complete.
+    /// Half-width of a contact strip \[m\] under `mean_pressure` \[Pa\]; half the wavelength once contact is
+    /// complete.
     ///
     /// # Errors
     /// See [`Westergaard::validate`]; a mean pressure that is negative or not finite.
@@ -74,8 +77,8 @@ impl Westergaard {
     }
 
     /// Pressure \[Pa\] at the distance `x` \[m\] from a crest under `mean_pressure` \[Pa\]:
-    /// `p(x) = 2 p_mean cos(t)/sin^2(t_c) sqrt(sin^2(t_c) - sin^2(t))` with `t = pi x/wavelength`, `t_c = pi c/wavelength`; with
-    /// complete contact `p(x) = p_mean + p* cos(2 t)`.
+    /// `p(x) = 2 p_mean cos(t)/sin^2(t_c) sqrt(sin^2(t_c) - sin^2(t))` with `t = pi x/wavelength`,
+    /// `t_c = pi c/wavelength`; with complete contact `p(x) = p_mean + p* cos(2 t)`.
     ///
     /// # Errors
     /// See [`Westergaard::contact_half_width`]; an `x` that is not finite.

@@ -4,7 +4,8 @@ use super::half_space::influence_table;
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Displacement \[m\] of the half-space under `pressure` \[Pa\] as the plain sum over all pairs of nodes, `O(N^2)`.
+/// Displacement \[m\] of the half-space under `pressure` \[Pa\] as the plain sum over all pairs of nodes,
+/// `O(N^2)`.
 ///
 /// # Errors
 /// A pressure that does not fit the grid, a modulus that is not finite and positive.

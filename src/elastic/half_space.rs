@@ -9,11 +9,12 @@ use crate::analytic::rectangle_potential;
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Two half-spaces pressed together: `u(x, y) = 2/(pi E') * integral of p / r` with the pressure constant in each
-/// cell (influence coefficients of Love 1929), summed as a discrete convolution through FFTs of the doubled size.
+/// Two half-spaces pressed together: `u(x, y) = 2/(pi E') * integral of p / r` with the pressure constant in
+/// each cell (influence coefficients of Love 1929), summed as a discrete convolution through FFTs of the
+/// doubled size.
 ///
-/// `E'` is the equivalent modulus, `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`. Cost: one forward and one inverse real
-/// FFT of 4 N points for N nodes. Memory: about 100 bytes per node for the shared plan and 100 for each
+/// `E'` is the equivalent modulus, `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`. Cost: one forward and one inverse
+/// real FFT of 4 N points for N nodes. Memory: about 100 bytes per node for the shared plan and 100 for each
 /// clone's buffers. Cloning shares the plan.
 ///
 /// ```
@@ -63,7 +64,8 @@ impl HalfSpace {
     }
 }
 
-/// Displacement \[m/Pa\] at an offset of `di` columns and `dj` rows from a cell under unit pressure (Love 1929).
+/// Displacement \[m/Pa\] at an offset of `di` columns and `dj` rows from a cell under unit pressure (Love
+/// 1929).
 pub(super) fn influence_coefficient(grid: &Grid, equivalent_modulus: f64, di: usize, dj: usize) -> f64 {
     2.0 / (PI * equivalent_modulus)
         * rectangle_potential(grid.dx() * di as f64, grid.dy() * dj as f64, 0.5 * grid.dx(), 0.5 * grid.dy())
@@ -89,12 +91,12 @@ impl DeformationModel for HalfSpace {
         self.response.displacement(pressure, out)
     }
 
-    fn displacement_estimate(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.response.displacement_estimate(pressure, out)
+    fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.response.displacement_single(pressure, out)
     }
 
-    fn displacement_sketch(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.response.displacement_sketch(pressure, out)
+    fn displacement_periodic(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.response.displacement_periodic(pressure, out)
     }
 
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {

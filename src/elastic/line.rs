@@ -6,15 +6,18 @@ use crate::analytic::strip_displacement;
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Two half-spaces pressed together along lines: `u(x) = 4/(pi E') * integral of p ln(reference/|x - s|) ds` with the
-/// pressure constant in each cell, the influence coefficients of the strips exact, summed through FFTs of twice the line.
+/// Two half-spaces pressed together along lines: `u(x) = 4/(pi E') * integral of p ln(reference/|x - s|) ds`
+/// with the pressure constant in each cell, the influence coefficients of the strips exact, summed through
+/// FFTs of twice the line.
 ///
-/// Plane strain has no displacement at infinity to count from: `u` is zero at the distance `reference` from a line load,
-/// and so is the approach that belongs to it. Another reference moves `u` and the approach by `4 w/(pi E')` times the
-/// logarithm of their ratio, `w` being the load per length, and changes neither pressure nor gap.
+/// Plane strain has no displacement at infinity to count from: `u` is zero at the distance `reference` from a
+/// line load, and so is the approach that belongs to it. Another reference moves `u` and the approach by
+/// `4 w/(pi E')` times the logarithm of their ratio, `w` being the load per length, and changes neither
+/// pressure nor gap.
 ///
-/// The grid has one row. `E'` is the equivalent modulus, `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`. Cost: one forward and
-/// one inverse real FFT of 2 N points for N nodes. Memory: about 200 bytes per node. Cloning shares the plan.
+/// The grid has one row. `E'` is the equivalent modulus, `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`. Cost: one
+/// forward and one inverse real FFT of 2 N points for N nodes. Memory: about 200 bytes per node. Cloning
+/// shares the plan.
 ///
 /// ```
 /// use stribeck::analytic::HertzLine;
@@ -37,12 +40,12 @@ pub struct LineHalfSpace {
 }
 
 impl LineHalfSpace {
-    /// Half-space under the single row of `grid` with equivalent modulus `E'` \[Pa\], displacements counted from the
-    /// distance `reference` \[m\].
+    /// Half-space under the single row of `grid` with equivalent modulus `E'` \[Pa\], displacements counted
+    /// from the distance `reference` \[m\].
     ///
     /// # Errors
-    /// More than one row; a modulus that is not finite and positive; a reference below the length of the row, with which
-    /// distant nodes would attract each other.
+    /// More than one row; a modulus that is not finite and positive; a reference below the length of the row,
+    /// with which distant nodes would attract each other.
     pub fn new(grid: Grid, equivalent_modulus: f64, reference: f64) -> Result<Self, InputError> {
         require_row(&grid, reference)?;
         InputError::require_positive("elastic.equivalent_modulus", equivalent_modulus)?;
@@ -55,7 +58,8 @@ impl LineHalfSpace {
     }
 }
 
-/// Checks that `grid` has one row, and that the distance `reference` \[m\] from which displacements count is beyond it.
+/// Checks that `grid` has one row, and that the distance `reference` \[m\] from which displacements count is
+/// beyond it.
 pub(super) fn require_row(grid: &Grid, reference: f64) -> Result<(), InputError> {
     InputError::require(grid.ny() == 1, "grid.ny", grid.ny() as f64, "1 for a line contact")?;
     InputError::require(
@@ -75,8 +79,8 @@ impl DeformationModel for LineHalfSpace {
         self.response.displacement(pressure, out)
     }
 
-    fn displacement_estimate(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.response.displacement_estimate(pressure, out)
+    fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.response.displacement_single(pressure, out)
     }
 
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {

@@ -1,10 +1,11 @@
 //! Elastic deformation of the surfaces under pressure.
 //!
-//! [`DeformationModel`] is what solvers need of a body: the displacement field of a pressure field and the first
-//! influence coefficients. [`HalfSpace`] is the default (Boussinesq half-space, Love's influence coefficients,
-//! DC-FFT convolution), [`LineHalfSpace`] its plane-strain counterpart for line contacts, [`LayeredHalfSpace`] either of them with a bonded
-//! [`Layer`]; [`direct_displacement`] is the slow direct sum that it is checked against. [`subsurface_stress`] and [`stress_extremes`] are the stresses below
-//! the surface.
+//! [`DeformationModel`] is what solvers need of a body: the displacement field of a pressure field and the
+//! first influence coefficients. [`HalfSpace`] is the default (Boussinesq half-space, Love's influence
+//! coefficients, DC-FFT convolution), [`LineHalfSpace`] its plane-strain counterpart for line contacts,
+//! [`LayeredHalfSpace`] either of them with a bonded [`Layer`]; [`direct_displacement`] is the slow direct
+//! sum that it is checked against. [`subsurface_stress`] and [`stress_extremes`] are the stresses below the
+//! surface.
 
 mod direct;
 mod dry;
@@ -28,51 +29,55 @@ use crate::grid::Grid;
 
 /// The displacement of both surfaces together as a linear function of pressure.
 ///
-/// Contract: `displacement` is linear in the pressure, symmetric (the influence of node a on b is that of b on
-/// a), translation invariant and positive; solvers rely on all four. It must not allocate after the first call.
+/// Contract: `displacement` is linear in the pressure, symmetric (the influence of node a on b is that of b
+/// on a), translation invariant and positive; solvers rely on all four. It must not allocate after the first
+/// call.
 pub trait DeformationModel: Debug + Send {
     /// The grid that pressures and displacements live on.
     fn grid(&self) -> Grid;
 
-    /// Overwrites `out` \[m\] with the displacement (widening of the gap) under `pressure` \[Pa\], both of `grid().len()`
-    /// values in the order of the grid.
+    /// Overwrites `out` \[m\] with the displacement (widening of the gap) under `pressure` \[Pa\], both of
+    /// `grid().len()` values in the order of the grid.
     ///
     /// # Errors
     /// [`InputError::Shape`] when a slice does not fit the grid.
     fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError>;
 
-    /// The influence coefficient \[m/Pa\] at an offset of `di` columns and `dj` rows (absolute values, at most
-    /// [`NEAR`]): line relaxations solve for these implicitly.
+    /// The influence coefficient \[m/Pa\] at an offset of `di` columns and `dj` rows (absolute values, at
+    /// most [`NEAR`]): line relaxations solve for these implicitly.
     fn influence(&self, di: usize, dj: usize) -> f64;
 
-    /// The same bodies on another grid, for multigrid; none (the default) where the model lives on one grid alone:
-    /// then `Multigrid` refuses it and `Auto` takes Newton's method.
+    /// The same bodies on another grid, for multigrid; none (the default) where the model lives on one grid
+    /// alone: then `Multigrid` refuses it and `Auto` takes Newton's method.
     fn on_grid(&self, _grid: Grid) -> Option<Box<dyn DeformationModel>> {
         None
     }
 
-    /// Overwrites `out` \[m\] with the displacement under `pressure` \[Pa\] to about 1e-6 of its largest value: what the
-    /// products of linear systems need, which are solved to a hundredth. By default `displacement`.
+    /// Overwrites `out` \[m\] with the displacement under `pressure` \[Pa\] to about 1e-6 of its largest
+    /// value: what the products of linear systems need, which are solved to a hundredth. By default
+    /// `displacement`.
     ///
     /// # Errors
     /// [`InputError::Shape`] when a slice does not fit the grid.
-    fn displacement_estimate(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+    fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         self.displacement(pressure, out)
     }
 
-    /// Overwrites `out` \[m\] with the displacement under `pressure` \[Pa\] to some per cent, exact between near nodes: what linear
-    /// systems are solved with before `displacement_estimate` tells how well. The half-space takes the shortest way between two
-    /// nodes round a periodic grid, at a quarter of the cost. By default `displacement_estimate`.
+    /// Overwrites `out` \[m\] with the displacement under `pressure` \[Pa\] to some per cent, exact between
+    /// near nodes: what linear systems are solved with before `displacement_single` tells how well. The
+    /// half-space takes the shortest way between two nodes round a periodic grid, at a quarter of the cost.
+    /// By default `displacement_single`.
     ///
     /// # Errors
     /// [`InputError::Shape`] when a slice does not fit the grid.
-    fn displacement_sketch(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.displacement_estimate(pressure, out)
+    fn displacement_periodic(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.displacement_single(pressure, out)
     }
 
-    /// Overwrites `out` \[Pa\] with an estimate of the pressure that causes `displacement` \[m\]: the preconditioner of
-    /// contact equations. It must be linear, to about 1e-6, and positive; the better it inverts `displacement`, the fewer
-    /// iterations a solve takes. By default a division by the self-influence.
+    /// Overwrites `out` \[Pa\] with an estimate of the pressure that causes `displacement` \[m\]: the
+    /// preconditioner of contact equations. It must be linear, to about 1e-6, and positive; the better it
+    /// inverts `displacement`, the fewer iterations a solve takes. By default a division by the
+    /// self-influence.
     ///
     /// # Errors
     /// [`InputError::Shape`] when a slice does not fit the grid.

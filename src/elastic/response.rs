@@ -43,7 +43,7 @@ impl ElasticResponse {
         Ok(())
     }
 
-    pub(super) fn displacement_estimate(
+    pub(super) fn displacement_single(
         &mut self,
         pressure: &[f64],
         out: &mut [f64],
@@ -51,7 +51,7 @@ impl ElasticResponse {
         in_single(&mut self.estimate, self.grid, ("pressure", pressure), self.own, out)
     }
 
-    pub(super) fn displacement_sketch(
+    pub(super) fn displacement_periodic(
         &mut self,
         pressure: &[f64],
         out: &mut [f64],

@@ -37,14 +37,16 @@ pub struct DoolittleTaitConstants {
 
 /// Viscosity by free volume and density by Tait, both by pressure and temperature:
 ///
-/// `eta = eta_R exp{B R_0 [w/(v - R_0 w) - 1/(1 - R_0)]}`, `w = 1 + epsilon (T - T_R)`, `v = [1 + a_V (T - T_R)] V/V_0`,
-/// `V/V_0 = 1 - ln[1 + p (1 + K_0')/K_0]/(1 + K_0')`, `K_0 = K_00 exp(-beta_K T)`.
+/// `eta = eta_R exp{B R_0 [w/(v - R_0 w) - 1/(1 - R_0)]}`, `w = 1 + epsilon (T - T_R)`,
+/// `v = [1 + a_V (T - T_R)] V/V_0`, `V/V_0 = 1 - ln[1 + p (1 + K_0')/K_0]/(1 + K_0')`,
+/// `K_0 = K_00 exp(-beta_K T)`.
 ///
-/// Valid where the constants were fitted, mostly up to 1 GPa. Beyond, the viscosity is at most `exp(25)` times that at ambient pressure
-/// ([`Roelands::MAX_EXPONENT`]), the volume at least a fifth, and `beta_K T` at most 5.
+/// Valid where the constants were fitted, mostly up to 1 GPa. Beyond, the viscosity is at most `exp(25)`
+/// times that at ambient pressure ([`Roelands::MAX_EXPONENT`]), the volume at least a fifth, and `beta_K T`
+/// at most 5.
 ///
-/// Source: Doolittle, A. K. (1951), Journal of Applied Physics 22, 1471-1475 (free volume); with the equation of Tait in Bair, S. (2007), High Pressure
-/// Rheology for Quantitative Elastohydrodynamics, Elsevier.
+/// Source: Doolittle, A. K. (1951), Journal of Applied Physics 22, 1471-1475 (free volume); with the equation
+/// of Tait in Bair, S. (2007), High Pressure Rheology for Quantitative Elastohydrodynamics, Elsevier.
 ///
 /// ```
 /// use stribeck::lubricant::{DensityLaw, DoolittleTait, DoolittleTaitConstants, ViscosityLaw};
@@ -73,7 +75,8 @@ impl DoolittleTait {
     /// The law at the temperature `T_R` of its constants.
     ///
     /// # Errors
-    /// A constant that is not finite, or not above zero but for `epsilon`, `beta` and `expansion`, the last two not below it, `r0` not below one.
+    /// A constant that is not finite, or not above zero but for `epsilon`, `beta` and `expansion`, the last
+    /// two not below it, `r0` not below one.
     pub fn new(constants: DoolittleTaitConstants) -> Result<Self, InputError> {
         let DoolittleTaitConstants { viscosity, temperature, b, r0, epsilon, k0_slope, k00, beta, expansion } =
             constants;

@@ -27,13 +27,15 @@ pub struct ImprovedYasutomiConstants {
     pub c2: f64,
 }
 
-/// `log10 eta = log10 eta_g - C_1 x/(C_2 + x)`, `x = [T - T_g(p)] F(p)`, `T_g = T_g0 + A_1 ln(1 + A_2 p)`, `F = (1 + b_1 p)^b_2`.
+/// `log10 eta = log10 eta_g - C_1 x/(C_2 + x)`, `x = [T - T_g(p)] F(p)`, `T_g = T_g0 + A_1 ln(1 + A_2 p)`,
+/// `F = (1 + b_1 p)^b_2`.
 ///
-/// Valid where the constants were fitted and above the glass transition; below it the viscosity stays `eta_g`. It is at most
-/// `exp(25)` times that at ambient pressure ([`Roelands::MAX_EXPONENT`]).
+/// Valid where the constants were fitted and above the glass transition; below it the viscosity stays
+/// `eta_g`. It is at most `exp(25)` times that at ambient pressure ([`Roelands::MAX_EXPONENT`]).
 ///
-/// Source: Bair, S., Mary, C., Bouscharain, N. and Vergne, P. (2013), Proceedings of the Institution of Mechanical Engineers J 227, 1056-1060; after
-/// Yasutomi, S., Bair, S. and Winer, W. O. (1984), Journal of Tribology 106, 291-302.
+/// Source: Bair, S., Mary, C., Bouscharain, N. and Vergne, P. (2013), Proceedings of the Institution of
+/// Mechanical Engineers J 227, 1056-1060; after Yasutomi, S., Bair, S. and Winer, W. O. (1984), Journal of
+/// Tribology 106, 291-302.
 ///
 /// ```
 /// use stribeck::lubricant::{ImprovedYasutomi, ImprovedYasutomiConstants, ViscosityLaw};
@@ -60,7 +62,8 @@ impl ImprovedYasutomi {
     /// The law at `temperature` \[K\].
     ///
     /// # Errors
-    /// A constant or temperature that is not finite and positive, but for `a1`, `a2` and `b1`, which are not below zero, and `b2`, which is not above it.
+    /// A constant or temperature that is not finite and positive, but for `a1`, `a2` and `b1`, which are not
+    /// below zero, and `b2`, which is not above it.
     pub fn new(constants: ImprovedYasutomiConstants, temperature: f64) -> Result<Self, InputError> {
         let ImprovedYasutomiConstants { glass_viscosity, glass_temperature, a1, a2, b1, b2, c1, c2 } =
             constants;

@@ -1,7 +1,8 @@
 //! Lubricant laws: viscosity and density as functions of pressure, of some of temperature too.
 //!
-//! [`Rheology`] is the shear stress that friction and heat are made of. [`ViscosityLaw`] and [`DensityLaw`] are open sets: implement one for an own fluid and hand it to
-//! [`Lubricant::new`], which tabulates both: solvers read the table, without a virtual call per node.
+//! [`Rheology`] is the shear stress that friction and heat are made of. [`ViscosityLaw`] and [`DensityLaw`]
+//! are open sets: implement one for an own fluid and hand it to [`Lubricant::new`], which tabulates both:
+//! solvers read the table, without a virtual call per node.
 
 mod barus;
 mod density;
@@ -40,7 +41,8 @@ pub trait ViscosityLaw: Debug + Send + Sync {
         (self.viscosity(high) / self.viscosity(low)).ln() / (high - low)
     }
 
-    /// The law at `temperature` \[K\], above zero; none (the default) for a law that does not know temperature.
+    /// The law at `temperature` \[K\], above zero; none (the default) for a law that does not know
+    /// temperature.
     fn at_temperature(&self, _temperature: f64) -> Option<Box<dyn ViscosityLaw>> {
         None
     }
@@ -64,7 +66,8 @@ pub trait DensityLaw: Debug + Send + Sync {
     /// Slope of the ratio \[1/Pa\] at `pressure` \[Pa\].
     fn slope(&self, pressure: f64) -> f64;
 
-    /// The law at `temperature` \[K\], above zero; none (the default) for a law that does not know temperature.
+    /// The law at `temperature` \[K\], above zero; none (the default) for a law that does not know
+    /// temperature.
     fn at_temperature(&self, _temperature: f64) -> Option<Box<dyn DensityLaw>> {
         None
     }
@@ -113,11 +116,12 @@ impl Lubricant {
         &*self.density
     }
 
-    /// Reduced pressure and density at `pressure` \[Pa\], from a table of the two laws: cubics 2.5 MPa apart, relative
-    /// error of the reduced pressure below 1e-7 for `alpha` up to 40 1/GPa; linear above 20.48 GPa.
+    /// Reduced pressure and density at `pressure` \[Pa\], from a table of the two laws: cubics 2.5 MPa apart,
+    /// relative error of the reduced pressure below 1e-7 for `alpha` up to 40 1/GPa; linear above 20.48 GPa.
     ///
-    /// The flow through a face at film `h` between pressures 1 and 2 is exactly `h^3 (q_1 - q_2) / (12 eta_0)` times
-    /// width over length: it grows with `p_1` and falls with `p_2` however steep the viscosity is.
+    /// The flow through a face at film `h` between pressures 1 and 2 is exactly
+    /// `h^3 (q_1 - q_2) / (12 eta_0)` times width over length: it grows with `p_1` and falls with `p_2`
+    /// however steep the viscosity is.
     ///
     /// ```
     /// use stribeck::lubricant::{Barus, Incompressible, Lubricant};

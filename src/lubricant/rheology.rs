@@ -2,14 +2,16 @@
 
 use crate::error::InputError;
 
-/// Newtonian, `tau = eta g`, of Eyring, `tau = tau_E asinh(eta g / tau_E)`, or of Carreau, `tau = eta g [1 + (eta g/G)^2]^((n - 1)/2)`,
-/// and in all cases at most a limiting stress, a constant one or a share of the pressure. `g` is the shear rate \[1/s\].
+/// Newtonian, `tau = eta g`, of Eyring, `tau = tau_E asinh(eta g / tau_E)`, or of Carreau,
+/// `tau = eta g [1 + (eta g/G)^2]^((n - 1)/2)`, and in all cases at most a limiting stress, a constant one or
+/// a share of the pressure. `g` is the shear rate \[1/s\].
 ///
-/// Mineral oils have Eyring stresses of some 5 to 10 MPa and limiting stresses of 5 to 10 % of the pressure. Isothermal.
-/// Here it decides friction and heat; of the flow by pressure see [`ShearThinning`](crate::reynolds::ShearThinning).
+/// Mineral oils have Eyring stresses of some 5 to 10 MPa and limiting stresses of 5 to 10 % of the pressure.
+/// Isothermal. Here it decides friction and heat; of the flow by pressure see
+/// [`ShearThinning`](crate::reynolds::ShearThinning).
 ///
-/// Sources: Eyring (1936), Journal of Chemical Physics 4, 283-291; Carreau (1972), Transactions of the Society of Rheology 16, 99-127, whose time is
-/// `eta/G` here.
+/// Sources: Eyring (1936), Journal of Chemical Physics 4, 283-291; Carreau (1972), Transactions of the
+/// Society of Rheology 16, 99-127, whose time is `eta/G` here.
 ///
 /// ```
 /// use stribeck::lubricant::Rheology;
@@ -51,7 +53,8 @@ impl Rheology {
         Ok(Self::thinned(Thinning::Eyring { stress }))
     }
 
-    /// Shear thinning of Carreau with the stress `stress` \[Pa\] where it sets in and the exponent `n`, without limit.
+    /// Shear thinning of Carreau with the stress `stress` \[Pa\] where it sets in and the exponent `n`,
+    /// without limit.
     ///
     /// ```
     /// use stribeck::lubricant::Rheology;
@@ -97,8 +100,8 @@ impl Rheology {
         if self.share.is_finite() { self.limit.min(self.share * pressure.max(0.0)) } else { self.limit }
     }
 
-    /// Shear stress \[Pa\] of a fluid of `viscosity` \[Pa s\] at `shear_rate` \[1/s\], both not negative, whatever its pressure: see
-    /// [`Rheology::limit`].
+    /// Shear stress \[Pa\] of a fluid of `viscosity` \[Pa s\] at `shear_rate` \[1/s\], both not negative,
+    /// whatever its pressure: see [`Rheology::limit`].
     pub fn shear_stress(&self, viscosity: f64, shear_rate: f64) -> f64 {
         let newtonian = viscosity * shear_rate;
         let stress = match self.thinning {

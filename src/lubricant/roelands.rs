@@ -35,8 +35,8 @@ impl Roelands {
     /// (1.96e8 in the usual form).
     ///
     /// # Errors
-    /// `eta0` not above `exp(-9.67)` = 63 uPa s (the law would thin under pressure), `z` or `p0` not positive, or
-    /// a value that is not finite.
+    /// `eta0` not above `exp(-9.67)` = 63 uPa s (the law would thin under pressure), `z` or `p0` not
+    /// positive, or a value that is not finite.
     pub fn new(eta0: f64, z: f64, p0: f64) -> Result<Self, InputError> {
         InputError::require(
             eta0.is_finite() && eta0 > (-9.67_f64).exp(),

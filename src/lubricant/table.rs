@@ -28,8 +28,8 @@ pub struct FluidPoint {
 
 /// Piecewise cubics through exact values and slopes, `INTERVAL` apart; linear beyond the last.
 ///
-/// The increments of the reduced pressure come from quadrature of the laws, so that slopes keep their digits where
-/// the reduced pressure saturates.
+/// The increments of the reduced pressure come from quadrature of the laws, so that slopes keep their digits
+/// where the reduced pressure saturates.
 pub(super) struct FluidTable {
     reduced: Vec<Cubic>,
     density: Vec<Cubic>,
@@ -45,7 +45,8 @@ struct Cubic {
 }
 
 impl Cubic {
-    /// From the value at the start, the increment over the interval and the slopes at its ends times its width.
+    /// From the value at the start, the increment over the interval and the slopes at its ends times its
+    /// width.
     fn hermite(value: f64, increment: f64, start: f64, end: f64) -> Self {
         Self { value, a: start, b: 3.0 * increment - 2.0 * start - end, c: start + end - 2.0 * increment }
     }

@@ -8,15 +8,15 @@ use crate::error::InputError;
 /// Temperature that Roelands' temperatures count from \[K\].
 const ORIGIN: f64 = 138.0;
 
-/// `eta = eta_0 exp{(ln eta_0 + 9.67) [(1 + p/p_0)^z [(T - 138)/(T_0 - 138)]^(-S_0) - 1]}` with `eta_0` in Pa s at the temperature `T_0`
-/// in K.
+/// `eta = eta_0 exp{(ln eta_0 + 9.67) [(1 + p/p_0)^z [(T - 138)/(T_0 - 138)]^(-S_0) - 1]}` with `eta_0` in Pa
+/// s at the temperature `T_0` in K.
 ///
-/// At each temperature this is [`Roelands`] with another `eta_0`; at `T_0` it is the one that is given. The temperature coefficient
-/// `-d ln(eta)/dT` at `T_0` is `S_0 (ln eta_0 + 9.67)/(T_0 - 138)`; mineral oils have `S_0` of 1.0 to 1.5. Temperatures below 139 K count as
-/// 139 K.
+/// At each temperature this is [`Roelands`] with another `eta_0`; at `T_0` it is the one that is given. The
+/// temperature coefficient `-d ln(eta)/dT` at `T_0` is `S_0 (ln eta_0 + 9.67)/(T_0 - 138)`; mineral oils have
+/// `S_0` of 1.0 to 1.5. Temperatures below 139 K count as 139 K.
 ///
-/// Source: Roelands, C.J.A. (1966), Correlational aspects of the viscosity-temperature-pressure relationship of lubricating oils, thesis,
-/// Delft; in this form Houpert, L. (1985), Journal of Tribology 107, 241-247.
+/// Source: Roelands, C.J.A. (1966), Correlational aspects of the viscosity-temperature-pressure relationship
+/// of lubricating oils, thesis, Delft; in this form Houpert, L. (1985), Journal of Tribology 107, 241-247.
 ///
 /// ```
 /// use stribeck::lubricant::{Roelands, ThermalRoelands, ViscosityLaw};

@@ -1,4 +1,5 @@
-//! The material ratio (bearing area, Abbott) curve and the parameters read from it (ISO 25178-2, ISO 13565-2).
+//! The material ratio (bearing area, Abbott) curve and the parameters read from it (ISO 25178-2, ISO
+//! 13565-2).
 
 use super::roughness::{height_statistics, require_heights};
 use crate::error::InputError;
@@ -6,8 +7,8 @@ use crate::error::InputError;
 /// Share of the curve spanned by the secant of least slope.
 const SECANT: f64 = 0.4;
 
-/// Height against the share of the surface at or above it: falls from the highest peak at ratio 0 to the deepest valley
-/// at ratio 1. Heights count from their mean.
+/// Height against the share of the surface at or above it: falls from the highest peak at ratio 0 to the
+/// deepest valley at ratio 1. Heights count from their mean.
 ///
 /// ```
 /// use stribeck::metrics::BearingCurve;
@@ -26,12 +27,12 @@ pub struct BearingCurve {
 
 /// Parameters of the core, the peaks and the valleys (ISO 13565-2, areal form ISO 25178-2).
 ///
-/// The straight line through the two ends of the secant of least slope over 40 % of the curve cuts ratio 0 and 1
-/// at the heights whose difference is the core height; what stands above and hangs below is turned into
+/// The straight line through the two ends of the secant of least slope over 40 % of the curve cuts ratio 0
+/// and 1 at the heights whose difference is the core height; what stands above and hangs below is turned into
 /// triangles of the same area.
 ///
-/// The standard takes the line of least squares over the same 40 %, whose Sk of a normal distribution is 2.574 Sq instead of
-/// the 2.622 Sq that is commonly quoted for it; the secant gives the latter.
+/// The standard takes the line of least squares over the same 40 %, whose Sk of a normal distribution is
+/// 2.574 Sq instead of the 2.622 Sq that is commonly quoted for it; the secant gives the latter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct CoreParameters {
@@ -74,13 +75,15 @@ impl BearingCurve {
         Ok(Self { heights })
     }
 
-    /// The heights \[m\] about their mean, highest first; the i-th of n stands at the material ratio `(i + 1/2)/n`.
+    /// The heights \[m\] about their mean, highest first; the i-th of n stands at the material ratio
+    /// `(i + 1/2)/n`.
     #[must_use]
     pub fn heights(&self) -> &[f64] {
         &self.heights
     }
 
-    /// Height \[m\] at a material ratio, linear between the points of the curve; ratios beyond 0 and 1 count as these.
+    /// Height \[m\] at a material ratio, linear between the points of the curve; ratios beyond 0 and 1 count
+    /// as these.
     ///
     /// ```
     /// # use stribeck::metrics::BearingCurve;
@@ -121,7 +124,8 @@ impl BearingCurve {
 
     /// Core, peak and valley parameters.
     ///
-    /// Of a normal distribution of standard deviation Sq: `sk = 2.622 Sq`, `spk = svk = 0.937 Sq`, `smr1 = 9.49 %`.
+    /// Of a normal distribution of standard deviation Sq: `sk = 2.622 Sq`, `spk = svk = 0.937 Sq`,
+    /// `smr1 = 9.49 %`.
     ///
     /// ```
     /// # use stribeck::metrics::BearingCurve;

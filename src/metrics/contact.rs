@@ -6,16 +6,16 @@ use super::film::{normalised_radius_squared, require_semi_axes};
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Share of a cell that each change between contact and gap counts too much: `(pi - 1 + ln 2)/24`, the mean over all
-/// directions of a straight edge.
+/// Share of a cell that each change between contact and gap counts too much: `(pi - 1 + ln 2)/24`, the mean
+/// over all directions of a straight edge.
 const EXCESS: f64 = (PI - 1.0 + LN_2) / 24.0;
 
 /// Size and load of the solid contact.
 ///
-/// A cell counts whole as soon as its node touches, so that the area is too large by a share of the cells along its edge.
-/// With `M` changes between contact and gap along all grid lines the corrected area is `A - c M dx dy`,
-/// `c = (pi - 1 + ln 2)/24`, whose error falls faster with the size of the cells. On fine grids the limit lies between the
-/// two, which makes them an estimate of the error without a second solve.
+/// A cell counts whole as soon as its node touches, so that the area is too large by a share of the cells
+/// along its edge. With `M` changes between contact and gap along all grid lines the corrected area is
+/// `A - c M dx dy`, `c = (pi - 1 + ln 2)/24`, whose error falls faster with the size of the cells. On fine
+/// grids the limit lies between the two, which makes them an estimate of the error without a second solve.
 ///
 /// Source: Yastrebov, V. A., Anciaux, G. and Molinari, J.-F. (2017), Tribology International 114, 161-171.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,8 +35,8 @@ pub struct ContactStatistics {
     pub load_ratio: f64,
 }
 
-/// Solid contact of the nodes flagged `in_contact`, which carry `solid_pressure` \[Pa\], under `load` \[N\], compared with
-/// the Hertz ellipse of semi-axes `a_x`, `a_y` \[m\] centred on the origin of the grid.
+/// Solid contact of the nodes flagged `in_contact`, which carry `solid_pressure` \[Pa\], under `load` \[N\],
+/// compared with the Hertz ellipse of semi-axes `a_x`, `a_y` \[m\] centred on the origin of the grid.
 ///
 /// # Errors
 /// Slices that do not fit the grid, pressures that are not finite, a load or semi-axes that are not positive.

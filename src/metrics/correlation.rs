@@ -11,7 +11,8 @@ use crate::numerics::Fft2;
 
 /// Normalised autocorrelation for lags up to half the surface, 1 at lag zero.
 ///
-/// `f(t_x, t_y) = mean z(x, y) z(x + t_x, y + t_y) / mean z^2`, means over all pairs of defined points at that lag.
+/// `f(t_x, t_y) = mean z(x, y) z(x + t_x, y + t_y) / mean z^2`, means over all pairs of defined points at
+/// that lag.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AreaCorrelation {
     /// Largest lag along each axis, in nodes.
@@ -25,16 +26,18 @@ pub struct AreaCorrelation {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SpatialParameters {
-    /// Autocorrelation length \[m\]: shortest lag at which the function falls to the threshold; `None` when it falls nowhere.
+    /// Autocorrelation length \[m\]: shortest lag at which the function falls to the threshold; `None` when
+    /// it falls nowhere.
     pub sal: Option<f64>,
-    /// Texture aspect ratio: `sal` over the longest such lag, 0 (lay) to 1 (isotropic); `None` when the function stays above
-    /// the threshold up to the largest lag in some direction.
+    /// Texture aspect ratio: `sal` over the longest such lag, 0 (lay) to 1 (isotropic); `None` when the
+    /// function stays above the threshold up to the largest lag in some direction.
     pub str: Option<f64>,
 }
 
 impl AreaCorrelation {
-    /// Autocorrelation of `heights` \[m\] on `grid` where `defined` (`None`: everywhere), about their mean. Of an open surface each
-    /// lag is averaged over the pairs that overlap (unbiased, scattering at long lags).
+    /// Autocorrelation of `heights` \[m\] on `grid` where `defined` (`None`: everywhere), about their mean.
+    /// Of an open surface each lag is averaged over the pairs that overlap (unbiased, scattering at long
+    /// lags).
     ///
     /// # Errors
     /// Slices that do not fit the grid, a defined height that is not finite, heights that are all equal.
@@ -122,8 +125,8 @@ impl AreaCorrelation {
 
     /// Sal and Str for `threshold` (0.2 in the standard).
     ///
-    /// The region around lag zero in which the function stays above the threshold is followed from node to node; lengths are
-    /// those at which it crosses the threshold between two nodes, linearly.
+    /// The region around lag zero in which the function stays above the threshold is followed from node to
+    /// node; lengths are those at which it crosses the threshold between two nodes, linearly.
     ///
     /// # Errors
     /// A threshold that is not between 0 and 1.
@@ -179,7 +182,8 @@ impl AreaCorrelation {
     }
 }
 
-/// From the transform of `z + i w` (heights and weights) that of the correlations of `z` and of `w`, as real and imaginary part.
+/// From the transform of `z + i w` (heights and weights) that of the correlations of `z` and of `w`, as real
+/// and imaginary part.
 fn powers(field: &[Complex64], [nx, ny]: [usize; 2]) -> Vec<Complex64> {
     (0..field.len())
         .map(|k| {

@@ -7,13 +7,15 @@ use crate::grid::Grid;
 pub(crate) const CENTRAL: f64 = 2.0 / 3.0;
 
 /// Average film \[m\] of the centre: mean of `max(film, 0)` over the nodes with
-/// `(x/a_x)^2 + (y/a_y)^2 <= (2/3)^2`, for Hertz semi-axes `a_x`, `a_y` \[m\] centred on the origin of the grid.
+/// `(x/a_x)^2 + (y/a_y)^2 <= (2/3)^2`, for Hertz semi-axes `a_x`, `a_y` \[m\] centred on the origin of the
+/// grid.
 ///
 /// Negative gaps (surfaces that overlap in a solution with errors) count as zero.
 /// Source: Zhu, D. and Hu, Y. Z. (2001), Tribology Transactions 44, 383-390 (the two-thirds region).
 ///
 /// # Errors
-/// A film that does not fit the grid or is not finite, semi-axes that are not positive, no node in the region.
+/// A film that does not fit the grid or is not finite, semi-axes that are not positive, no node in the
+/// region.
 ///
 /// ```
 /// use stribeck::{Grid, metrics::average_central_film};
@@ -76,7 +78,8 @@ pub fn minimum_film(film: &[f64], pressure: &[f64]) -> Result<Option<f64>, Input
     Ok(loaded.map(|(&h, _)| h).min_by(f64::total_cmp))
 }
 
-/// Smallest value \[m\] of a gap as it is, negative ones included: how far the surfaces of a solution overlap.
+/// Smallest value \[m\] of a gap as it is, negative ones included: how far the surfaces of a solution
+/// overlap.
 ///
 /// # Errors
 /// An empty slice, a value that is not finite.

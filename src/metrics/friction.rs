@@ -4,13 +4,13 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Rheology;
 
-/// Overwrites `shear` \[Pa\] with the shear stress of the lubricant at each node, that of `rheology` at the shear rate
-/// `|u_s| / h`.
+/// Overwrites `shear` \[Pa\] with the shear stress of the lubricant at each node, that of `rheology` at the
+/// shear rate `|u_s| / h`.
 ///
-/// `viscosity` \[Pa s\] and `film` \[m\] are fields of one length, `sliding_speed` \[m/s\] is the difference of the surface speeds
-/// (its sign does not matter). Nodes without a film (`film <= 0`) have no viscous shear: the boundary film carries
-/// them. Real lubricants shear at some 5 to 10 % of the pressure at most; a Newtonian one without a limit is far too
-/// stiff in a concentrated contact.
+/// `viscosity` \[Pa s\] and `film` \[m\] are fields of one length, `sliding_speed` \[m/s\] is the difference
+/// of the surface speeds (its sign does not matter). Nodes without a film (`film <= 0`) have no viscous
+/// shear: the boundary film carries them. Real lubricants shear at some 5 to 10 % of the pressure at most; a
+/// Newtonian one without a limit is far too stiff in a concentrated contact.
 ///
 /// # Errors
 /// Slices of different lengths, values that are not finite, a negative viscosity.
@@ -45,11 +45,13 @@ pub fn viscous_shear_into(
 
 /// Coefficient of friction: `(mu_b sum p_solid + sum tau) dA / load`.
 ///
-/// `solid_pressure` \[Pa\] is the pressure that solid contact carries, `viscous_shear` \[Pa\] the shear stress of the
-/// lubricant (see [`viscous_shear_into`]), `boundary_friction` the coefficient of the boundary film, `load` in N.
+/// `solid_pressure` \[Pa\] is the pressure that solid contact carries, `viscous_shear` \[Pa\] the shear
+/// stress of the lubricant (see [`viscous_shear_into`]), `boundary_friction` the coefficient of the boundary
+/// film, `load` in N.
 ///
 /// # Errors
-/// Fields that do not fit the grid or are not finite, a negative boundary friction, a load that is not positive.
+/// Fields that do not fit the grid or are not finite, a negative boundary friction, a load that is not
+/// positive.
 ///
 /// ```
 /// use stribeck::{Grid, metrics::friction_coefficient};

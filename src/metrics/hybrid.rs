@@ -16,9 +16,9 @@ pub struct HybridParameters {
 
 /// Gradient and developed area of `heights` \[m\] on `grid`, where `defined` (`None`: everywhere).
 ///
-/// Slopes are differences between neighbours, each direction averaged over all its pairs of defined points. The area of the
-/// cell between four defined points is the mean of its two triangulations. Both grow with the resolution of a surface
-/// that is rough at every scale: filter first.
+/// Slopes are differences between neighbours, each direction averaged over all its pairs of defined points.
+/// The area of the cell between four defined points is the mean of its two triangulations. Both grow with the
+/// resolution of a surface that is rough at every scale: filter first.
 ///
 /// # Errors
 /// Slices that do not fit the grid, a defined height that is not finite, no two defined neighbours.

@@ -1,4 +1,5 @@
-//! Numbers that describe surfaces, films and contacts: pure functions of field slices and a [`Grid`](crate::Grid).
+//! Numbers that describe surfaces, films and contacts: pure functions of field slices and a
+//! [`Grid`](crate::Grid).
 //!
 //! | file | what |
 //! |---|---|

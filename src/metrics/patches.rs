@@ -4,7 +4,8 @@ use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Share of the perimeter times the spacing by which whole cells exceed the true contact, `(pi - 1 + ln 2) / 24`.
+/// Share of the perimeter times the spacing by which whole cells exceed the true contact,
+/// `(pi - 1 + ln 2) / 24`.
 const PERIMETER_CORRECTION: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
 
 /// Connected patches of a contact.
@@ -13,18 +14,19 @@ const PERIMETER_CORRECTION: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts
 pub struct ContactPatches {
     /// Area of each patch \[m^2\], the largest first.
     pub areas: Vec<f64>,
-    /// Length of all edges between a node in contact and one that is not \[m\]; edges of an open grid do not count.
+    /// Length of all edges between a node in contact and one that is not \[m\]; edges of an open grid do not
+    /// count.
     pub perimeter: f64,
     /// Contact area \[m^2\] without the surplus of whole cells along the perimeter.
     pub corrected_area: f64,
 }
 
-/// Patches of the nodes flagged `in_contact`; nodes that share an edge belong together, across the border of a
-/// periodic grid too.
+/// Patches of the nodes flagged `in_contact`; nodes that share an edge belong together, across the border of
+/// a periodic grid too.
 ///
-/// On a grid the contact area is too large by a share of its perimeter, since cells that are touched in part count whole:
-/// `A = A_cells - (pi - 1 + ln 2)/24 * sum of dx dy over the edges`. The correction makes the area converge faster with the
-/// mesh; it is meant for patches of several cells, and is not below zero.
+/// On a grid the contact area is too large by a share of its perimeter, since cells that are touched in part
+/// count whole: `A = A_cells - (pi - 1 + ln 2)/24 * sum of dx dy over the edges`. The correction makes the
+/// area converge faster with the mesh; it is meant for patches of several cells, and is not below zero.
 ///
 /// Source: Yastrebov, V. A., Anciaux, G. and Molinari, J.-F. (2017), Tribology International 114, 161-171.
 ///

@@ -24,7 +24,8 @@ pub struct HeightStatistics {
     pub sz: f64,
 }
 
-/// Height parameters of `heights` \[m\]: population moments (division by the number of values) after removal of the mean.
+/// Height parameters of `heights` \[m\]: population moments (division by the number of values) after removal
+/// of the mean.
 ///
 /// A surface whose deviations are mere rounding of its mean counts as flat.
 ///

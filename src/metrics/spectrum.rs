@@ -29,13 +29,15 @@ pub struct Spectrum {
 }
 
 /// Mean of the areal density `C(q_x, q_y) = |h(q)|^2 / A` over rings of equal `|q|` \[m^4\], with
-/// `h(q) = dx dy sum z exp(-i q x)` and A the area: `Sq^2 = 1/(4 pi^2)` times the integral of C over the plane of q.
+/// `h(q) = dx dy sum z exp(-i q x)` and A the area: `Sq^2 = 1/(4 pi^2)` times the integral of C over the
+/// plane of q.
 ///
-/// Rings are as wide as the smaller of the two wavenumber steps and reach to the smaller of the two Nyquist wavenumbers. An
-/// open surface is weighted with the product of two Hann windows of mean square 1 first, so that its edges do not add a
-/// spectrum of steps.
+/// Rings are as wide as the smaller of the two wavenumber steps and reach to the smaller of the two Nyquist
+/// wavenumbers. An open surface is weighted with the product of two Hann windows of mean square 1 first, so
+/// that its edges do not add a spectrum of steps.
 ///
-/// Source: Jacobs, T. D. B., Junge, T. and Pastewka, L. (2017), Surface Topography: Metrology and Properties 5, 013001.
+/// Source: Jacobs, T. D. B., Junge, T. and Pastewka, L. (2017), Surface Topography: Metrology and Properties
+/// 5, 013001.
 ///
 /// # Errors
 /// Heights that do not fit the grid or are not finite, a grid with fewer than 4 nodes along an axis.
@@ -76,12 +78,14 @@ pub fn radial_spectrum(grid: &Grid, heights: &[f64], boundary: Boundary) -> Resu
     Ok(Spectrum { wavenumber, density })
 }
 
-/// Mean of the one-sided wavenumbers' density `C(q) = |h(q)|^2 / L` of all profiles along `axis` \[m^3\], with
-/// `h(q) = d sum z exp(-i q x)` and L their length: `Rq^2 = 1/pi` times the integral of C over q > 0.
+/// Mean of the one-sided wavenumbers' density `C(q) = |h(q)|^2 / L` of all profiles along `axis` \[m^3\],
+/// with `h(q) = d sum z exp(-i q x)` and L their length: `Rq^2 = 1/pi` times the integral of C over q > 0.
 ///
-/// Profiles of an open surface are weighted with a Hann window of mean square 1. The mean of the whole surface is removed.
+/// Profiles of an open surface are weighted with a Hann window of mean square 1. The mean of the whole
+/// surface is removed.
 ///
-/// Source: Jacobs, T. D. B., Junge, T. and Pastewka, L. (2017), Surface Topography: Metrology and Properties 5, 013001.
+/// Source: Jacobs, T. D. B., Junge, T. and Pastewka, L. (2017), Surface Topography: Metrology and Properties
+/// 5, 013001.
 ///
 /// # Errors
 /// Heights that do not fit the grid or are not finite, fewer than 4 nodes along the axis.

@@ -153,19 +153,21 @@ pub(crate) fn fast_length(n: usize) -> usize {
 }
 
 impl ConvolutionPlan {
-    /// Plan for fields of `nx` x `ny` and the kernel `kernel(i, j)` at offsets `-nx < i < nx`, `-ny < j < ny`.
+    /// Plan for fields of `nx` x `ny` and the kernel `kernel(i, j)` at offsets `-nx < i < nx`,
+    /// `-ny < j < ny`.
     pub(crate) fn new(nx: usize, ny: usize, kernel: impl Fn(isize, isize) -> f64) -> Self {
         Self::padded(nx, ny, [2 * nx - 1, 2 * ny - 1], kernel)
     }
 
-    /// The convolution on the periodic grid of the fields themselves, padded only to a fast length: every two nodes see each
-    /// other the shortest way round. A quarter of the cost.
+    /// The convolution on the periodic grid of the fields themselves, padded only to a fast length: every two
+    /// nodes see each other the shortest way round. A quarter of the cost.
     pub(crate) fn periodic(nx: usize, ny: usize, kernel: impl Fn(isize, isize) -> f64) -> Self {
         Self::padded(nx, ny, [nx, ny], kernel)
     }
 
-    /// The inverse of this convolution on its padded grid: one over the modulus of the spectrum of the kernel. Of a periodic
-    /// kernel that falls as `1/r` the inverse falls as `1/r^3`, so that the images reach nothing but the edges.
+    /// The inverse of this convolution on its padded grid: one over the modulus of the spectrum of the
+    /// kernel. Of a periodic kernel that falls as `1/r` the inverse falls as `1/r^3`, so that the images
+    /// reach nothing but the edges.
     pub(crate) fn inverse(&self) -> Self {
         let mut plan = self.clone();
         let scale = 1.0 / (plan.padded_x as f64 * plan.padded_y as f64);
@@ -173,7 +175,8 @@ impl ConvolutionPlan {
         plan
     }
 
-    /// The same in single precision, the kernel multiplied by `factor`: half the memory and about half the time.
+    /// The same in single precision, the kernel multiplied by `factor`: half the memory and about half the
+    /// time.
     pub(crate) fn to_single(&self, factor: f64) -> ConvolutionPlan<f32> {
         let mut plan = ConvolutionPlan::transforms([self.nx, self.ny], [self.padded_x, self.padded_y]);
         plan.spectrum = self.spectrum.map(|value| (factor * value) as f32);
@@ -317,14 +320,15 @@ impl<T: Precision> Convolution<T> {
         }
     }
 
-    /// Overwrites `out` with the convolution of `field`. Both must hold `nx * ny` values: the callers check. Lines are
-    /// transformed one by one, whichever thread does it: the result does not depend on their number.
+    /// Overwrites `out` with the convolution of `field`. Both must hold `nx * ny` values: the callers check.
+    /// Lines are transformed one by one, whichever thread does it: the result does not depend on their
+    /// number.
     pub(crate) fn apply(&mut self, field: &[f64], out: &mut [f64]) {
         self.apply_scaled(field, [1.0, 1.0], out);
     }
 
-    /// The same with the field multiplied by the first factor before and by the second one after: what keeps numbers of
-    /// any size within single precision.
+    /// The same with the field multiplied by the first factor before and by the second one after: what keeps
+    /// numbers of any size within single precision.
     pub(crate) fn apply_scaled(&mut self, field: &[f64], [before, after]: [f64; 2], out: &mut [f64]) {
         let plan = &*self.plan;
         let Buffers { rows, columns, lanes } = &mut self.work;

@@ -1,6 +1,7 @@
 //! Restart-free flexible GMRES in single precision, with buffers that are kept.
 
-/// Cosine of the rotation of a step below which it has left the residual as it was: its norm has fallen by half the square.
+/// Cosine of the rotation of a step below which it has left the residual as it was: its norm has fallen by
+/// half the square.
 const STAGNANT: f64 = 0.02;
 
 /// A linear operator with its preconditioner.
@@ -12,9 +13,10 @@ pub(crate) trait PreconditionedOperator {
 }
 
 /// Basis and rotations of a GMRES solve (Saad and Schultz 1986, SIAM J. Sci. Stat. Comput. 7, 856-869), the
-/// preconditioned basis kept as well (Saad 1993, SIAM J. Sci. Comput. 14, 461-469): the solution needs no further
-/// preconditioning. That acts on the residuals, not on the basis, which spans the same as long as it is linear: one that
-/// is not mends what it has left itself. After a step that left the residual as it was, it acts on the basis.
+/// preconditioned basis kept as well (Saad 1993, SIAM J. Sci. Comput. 14, 461-469): the solution needs no
+/// further preconditioning. That acts on the residuals, not on the basis, which spans the same as long as it
+/// is linear: one that is not mends what it has left itself. After a step that left the residual as it was,
+/// it acts on the basis.
 #[derive(Debug, Clone)]
 pub(crate) struct Gmres {
     basis: Vec<Vec<f32>>,
@@ -126,7 +128,8 @@ impl Gmres {
         self.rhs[step + 1].abs()
     }
 
-    /// The residual that step `step` leaves, over its norm: `q -> cosine v - sine q` with the new direction `v`.
+    /// The residual that step `step` leaves, over its norm: `q -> cosine v - sine q` with the new direction
+    /// `v`.
     fn follow_residual(&mut self, step: usize, n: usize) {
         let (cosine, sine) = (self.cosines[step] as f32, self.sines[step] as f32);
         for (q, v) in self.residual[..n].iter_mut().zip(&self.basis[step + 1]) {

@@ -1,4 +1,5 @@
-//! Lines of a field shared among threads. Without the feature `parallel`, and on small fields, there is one lane.
+//! Lines of a field shared among threads. Without the feature `parallel`, and on small fields, there is one
+//! lane.
 
 /// Nodes of a field from which threads are worth their overhead.
 #[cfg(feature = "parallel")]
@@ -20,8 +21,8 @@ pub(super) fn lanes_for(_nodes: usize) -> usize {
     1
 }
 
-/// Shares the lines of `field`, `length` values each, among `lanes`: `work` gets the number of its first line, its lines
-/// and its lane.
+/// Shares the lines of `field`, `length` values each, among `lanes`: `work` gets the number of its first
+/// line, its lines and its lane.
 pub(super) fn share_lines<T: Send, L: Send>(
     lanes: &mut [L],
     field: &mut [T],

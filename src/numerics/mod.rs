@@ -1,4 +1,5 @@
-//! Numerical tools shared by the rooms above: convolution on the doubled grid, periodic transforms, sparse LU, tridiagonal elimination, GMRES, vectors.
+//! Numerical tools shared by the rooms above: convolution on the doubled grid, periodic transforms, sparse
+//! LU, tridiagonal elimination, GMRES, vectors.
 
 mod convolution;
 mod fft;

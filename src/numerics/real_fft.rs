@@ -9,8 +9,8 @@ use rustfft::{Fft, FftPlanner};
 use super::lanes::{lanes_for, share_lines};
 use super::transpose::{BLOCK, transpose};
 
-/// Transforms of real `nx` x `ny` fields, of which `nx / 2 + 1` columns of the spectrum tell all. Lines are transformed one by
-/// one, whichever thread does it: no bit depends on their number.
+/// Transforms of real `nx` x `ny` fields, of which `nx / 2 + 1` columns of the spectrum tell all. Lines are
+/// transformed one by one, whichever thread does it: no bit depends on their number.
 pub(crate) struct RealFft2 {
     nx: usize,
     ny: usize,
@@ -61,8 +61,8 @@ impl RealFft2 {
         (0..lanes_for(self.nx * self.ny)).map(lane).collect()
     }
 
-    /// Overwrites `field` with its transform, changed by `each` and transformed back (without normalisation). `each` gets the
-    /// index of a wave in a quarter of `nx / 2 + 1` x `ny / 2 + 1` waves, and its value.
+    /// Overwrites `field` with its transform, changed by `each` and transformed back (without normalisation).
+    /// `each` gets the index of a wave in a quarter of `nx / 2 + 1` x `ny / 2 + 1` waves, and its value.
     pub(crate) fn filter(&self, field: &mut [f64], each: impl Fn(usize, &mut Complex64) + Sync) {
         let (nx, ny, width) = (self.nx, self.ny, self.width());
         let mut lanes = self.lanes();
@@ -95,9 +95,9 @@ impl RealFft2 {
         });
     }
 
-    /// The first `kept_x` x `kept_y` values of the field whose spectrum, `nx / 2 + 1` columns of `ny` waves, `fill` writes
-    /// (without normalisation): `fill` gets the number of a column and the column, zero so far, and tells whether it holds
-    /// anything. Lines that are not kept are not transformed back.
+    /// The first `kept_x` x `kept_y` values of the field whose spectrum, `nx / 2 + 1` columns of `ny` waves,
+    /// `fill` writes (without normalisation): `fill` gets the number of a column and the column, zero so far,
+    /// and tells whether it holds anything. Lines that are not kept are not transformed back.
     pub(crate) fn synthesise(
         &self,
         [kept_x, kept_y]: [usize; 2],
@@ -128,8 +128,8 @@ impl RealFft2 {
         field
     }
 
-    /// Transform of a field that mirrors itself along both axes, given and returned as its `nx / 2 + 1` x `ny / 2 + 1` first
-    /// values. Both directions are the same.
+    /// Transform of a field that mirrors itself along both axes, given and returned as its `nx / 2 + 1` x
+    /// `ny / 2 + 1` first values. Both directions are the same.
     pub(crate) fn symmetric(&self, quarter: &[f64]) -> Vec<f64> {
         let (nx, ny, width) = (self.nx, self.ny, self.width());
         let height = ny / 2 + 1;

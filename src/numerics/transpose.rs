@@ -1,6 +1,7 @@
 //! Fields seen the other way round.
 
-/// Edge length of the square blocks in which fields are transposed: two blocks of complex numbers fit the first-level cache.
+/// Edge length of the square blocks in which fields are transposed: two blocks of complex numbers fit the
+/// first-level cache.
 pub(super) const BLOCK: usize = 16;
 
 /// Line `first + k` of `source`, seen the other way round, into line `k` of `lines`: `n` values, in blocks.

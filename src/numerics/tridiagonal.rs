@@ -1,7 +1,7 @@
 //! Tridiagonal systems.
 
-/// Solves `below[i] x[i - 1] + diagonal[i] x[i] + above[i] x[i + 1] = rhs[i]` by elimination without exchange of rows (Thomas),
-/// which is stable for M-matrices. The solution replaces `rhs`; `above` is overwritten.
+/// Solves `below[i] x[i - 1] + diagonal[i] x[i] + above[i] x[i + 1] = rhs[i]` by elimination without exchange
+/// of rows (Thomas), which is stable for M-matrices. The solution replaces `rhs`; `above` is overwritten.
 pub(crate) fn solve_tridiagonal(below: &[f64], diagonal: &[f64], above: &mut [f64], rhs: &mut [f64]) {
     let mut before = (0.0, 0.0);
     let rows = below.iter().zip(diagonal).zip(&mut *above).zip(&mut *rhs);

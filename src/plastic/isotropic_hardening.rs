@@ -3,11 +3,12 @@
 use super::{ElasticPerfectlyPlastic, PlasticityModel};
 use crate::error::InputError;
 
-/// `H(h, d) = H_0(h) + M d`: the hardness of [`ElasticPerfectlyPlastic`] under the film `h`, and linear isotropic
-/// hardening with the plastic depth `d` in place of the plastic strain. A node that has carried a pressure once carries it
-/// again without further depth.
+/// `H(h, d) = H_0(h) + M d`: the hardness of [`ElasticPerfectlyPlastic`] under the film `h`, and linear
+/// isotropic hardening with the plastic depth `d` in place of the plastic strain. A node that has carried a
+/// pressure once carries it again without further depth.
 ///
-/// The modulus is per depth, so it belongs to a size of asperity: a strain modulus over the height that it spreads over.
+/// The modulus is per depth, so it belongs to a size of asperity: a strain modulus over the height that it
+/// spreads over.
 ///
 /// ```
 /// use stribeck::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};

@@ -20,14 +20,15 @@ use crate::error::InputError;
 
 /// The largest pressure a body carries at a node.
 ///
-/// Contract: the limit is positive and not NaN for every finite argument, and it does not fall with the plastic depth;
-/// infinity means that the body never yields.
+/// Contract: the limit is positive and not NaN for every finite argument, and it does not fall with the
+/// plastic depth; infinity means that the body never yields.
 pub trait PlasticityModel: Debug + Send + Sync {
     /// Pressure limit \[Pa\] of one body at a node that carries `film_thickness` \[m\] of tribofilm and has
     /// been flattened by `plastic_depth` \[m\].
     fn pressure_limit(&self, film_thickness: f64, plastic_depth: f64) -> f64;
 
-    /// Whether the limit depends on the plastic depth: a simulation then finds limit and depth of a step together.
+    /// Whether the limit depends on the plastic depth: a simulation then finds limit and depth of a step
+    /// together.
     fn hardens(&self) -> bool {
         false
     }

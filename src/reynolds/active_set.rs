@@ -73,8 +73,8 @@ pub(super) struct Sample {
 }
 
 impl Sample {
-    /// The primal-dual rule: a multiplier plus its scaled constraint decides, so that a solution is a fixed point and
-    /// nodes do not chatter as they do when pressure and residual are tested one after the other.
+    /// The primal-dual rule: a multiplier plus its scaled constraint decides, so that a solution is a fixed
+    /// point and nodes do not chatter as they do when pressure and residual are tested one after the other.
     pub(super) fn classify(&self, previous: Kind) -> Kind {
         if previous.fluid == Fluid::AtLimit && self.fluid_pressure >= self.limit {
             return previous;

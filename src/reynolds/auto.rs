@@ -8,24 +8,25 @@ use super::{
 };
 use crate::report::{SolveReport, Status};
 
-/// Newton's method finishes for less what would take multigrid more cycles than these. It goes on from residuals below
-/// this; from larger ones it would start anew.
+/// Newton's method finishes for less what would take multigrid more cycles than these. It goes on from
+/// residuals below this; from larger ones it would start anew.
 const HAND_OVER: HandOver = HandOver { cycles: 11, residual: 1.0 };
 
-/// Expected film over contact film above which solid contact on a smooth surface is the fault of the mesh; the minimum
-/// film is a quarter of the central one at least.
+/// Expected film over contact film above which solid contact on a smooth surface is the fault of the mesh;
+/// the minimum film is a quarter of the central one at least.
 const FILM_OVER_CONTACT: f64 = 10.0;
 
-/// [`Dry`] without a lubricant. [`Multigrid`] where a smooth full film is expected; [`NewtonKrylov`] finishes what
-/// that leaves above the tolerance, and solves all the rest. Where it does not converge although no solids touch,
-/// [`SemiSystem`] tries, which in solid contact would not. The report names the solver whose state was kept
-/// (`"multigrid+newton_krylov"` if the second finished what the first began) and counts the work of all.
+/// [`Dry`] without a lubricant. [`Multigrid`] where a smooth full film is expected; [`NewtonKrylov`] finishes
+/// what that leaves above the tolerance, and solves all the rest. Where it does not converge although no
+/// solids touch, [`SemiSystem`] tries, which in solid contact would not. The report names the solver whose
+/// state was kept (`"multigrid+newton_krylov"` if the second finished what the first began) and counts the
+/// work of all.
 ///
-/// A smooth contact whose film by formula is ten times the contact film and more, but whose solids touch on this mesh,
-/// ends as [`Status::MeshTooCoarse`].
+/// A smooth contact whose film by formula is ten times the contact film and more, but whose solids touch on
+/// this mesh, ends as [`Status::MeshTooCoarse`].
 ///
-/// With [`ContactDefinition::Paper`] the hard contact is solved first: where nothing touches it is the answer, else
-/// [`SemiSystem`] starts from the state that was given.
+/// With [`ContactDefinition::UnifiedReynolds`] the hard contact is solved first: where nothing touches it is
+/// the answer, else [`SemiSystem`] starts from the state that was given.
 #[derive(Debug)]
 pub struct Auto {
     dry: Dry,
@@ -43,7 +44,8 @@ impl Auto {
         Self::with_dry(Dry::new())
     }
 
-    /// A solver that takes a dry contact at the edge of the box as it is (see [`Dry::allowing_edge_contact`]).
+    /// A solver that takes a dry contact at the edge of the box as it is (see
+    /// [`Dry::allowing_edge_contact`]).
     pub fn allowing_edge_contact() -> Self {
         Self::with_dry(Dry::allowing_edge_contact())
     }
@@ -105,7 +107,7 @@ impl Auto {
         given.clone_from(state);
         problem.contact = ContactDefinition::Hard;
         let open = self.lubricated(problem, state, stop);
-        problem.contact = ContactDefinition::Paper;
+        problem.contact = ContactDefinition::UnifiedReynolds;
         let open = open?;
         let touches = state.in_contact.contains(&true);
         if open.status == Status::Converged && !touches {

@@ -9,8 +9,9 @@ use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::report::Residuals;
 
-/// Share of the pressure limit within which a pressure counts as at it in the paper's contact. Relaxed steps of a share `w` towards
-/// the limit end where the next one is lost to rounding, short of it by `2^-53 / w`: this holds for `w` down to 1.1e-4.
+/// Share of the pressure limit within which a pressure counts as at it in the paper's contact. Relaxed steps
+/// of a share `w` towards the limit end where the next one is lost to rounding, short of it by `2^-53 / w`:
+/// this holds for `w` down to 1.1e-4.
 const LIMIT_ROUNDING: f64 = 1e-12;
 
 /// Cost of a convolution without padding in those on the padded grid: transforms of a quarter of the points.
@@ -70,7 +71,8 @@ impl Coupled {
         Ok(())
     }
 
-    /// Marks the nodes whose fluid is at the limit in `state`: they keep their plastic depths when it is evaluated.
+    /// Marks the nodes whose fluid is at the limit in `state`: they keep their plastic depths when it is
+    /// evaluated.
     fn recall_limited(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
         if problem.lubricant.is_none() || problem.is_paper() {
             return;
@@ -185,7 +187,8 @@ impl Coupled {
         }
     }
 
-    /// Residuals of the state as evaluated, by the pressures and films alone: the sides of nodes play no part.
+    /// Residuals of the state as evaluated, by the pressures and films alone: the sides of nodes play no
+    /// part.
     pub(super) fn residuals(&self, problem: &LubricatedContact<'_>, state: &ContactState) -> Residuals {
         let grid = self.fluid.grid;
         let (half_x, half_y) = problem.reference_half_widths;
@@ -223,8 +226,8 @@ impl Coupled {
         }
     }
 
-    /// The flux over the speed \[m^2\] that mass residuals are scaled with: that of the mean film through the contact width,
-    /// `through_contact`, or what flows into the box of a contact at rest where that is less.
+    /// The flux over the speed \[m^2\] that mass residuals are scaled with: that of the mean film through the
+    /// contact width, `through_contact`, or what flows into the box of a contact at rest where that is less.
     fn flux_scale(&self, problem: &LubricatedContact<'_>, through_contact: f64) -> f64 {
         if problem.lubricant.is_none() || problem.squeeze.is_some() {
             return through_contact;

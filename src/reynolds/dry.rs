@@ -10,8 +10,8 @@ use crate::report::{SolveReport, Status, Work};
 
 /// Reference film over mean dry gap above which a start is fluid.
 const FILM_OVER_GAP: f64 = 2.0;
-/// Share of the gap error of a start that its solve goes on to. Pressures carried over from half of the cells leave 2 %, would fulfil
-/// a loose demand as they are, and have steps.
+/// Share of the gap error of a start that its solve goes on to. Pressures carried over from half of the cells
+/// leave 2 %, would fulfil a loose demand as they are, and have steps.
 const START_MARGIN: f64 = 0.3;
 /// Active-set passes of a start.
 const START_PASSES: u64 = 40;
@@ -102,8 +102,8 @@ pub(super) fn hertzian_on(grid: &Grid, problem: &LubricatedContact<'_>, pressure
     }
 }
 
-/// Dry contact by active-set conjugate gradients; a lubricant in the problem is an error, and so is a contact that
-/// reaches the edge of the box: the bodies would touch beyond it, and what they carry there is residual.
+/// Dry contact by active-set conjugate gradients; a lubricant in the problem is an error, and so is a contact
+/// that reaches the edge of the box: the bodies would touch beyond it, and what they carry there is residual.
 #[derive(Debug, Default)]
 pub struct Dry {
     edge_contact: bool,
@@ -156,8 +156,8 @@ impl ContactSolver for Dry {
         let kept = self.workspace.take().filter(|w| w.1.fluid.grid == grid);
         let workspace = kept.unwrap_or_else(|| Box::new((DryStart::new(grid), Coupled::new(grid))));
         let (start, coupled) = &mut **self.workspace.insert(workspace);
-        // The report averages gap errors over the reference ellipse, the solver over the real contact, which may be
-        // larger.
+        // The report averages gap errors over the reference ellipse, the solver over the real contact, which
+        // may be larger.
         let (half_x, half_y) = problem.reference_half_widths;
         let share = std::f64::consts::PI * half_x * half_y / (grid.size_x() * grid.size_y());
         let tolerance = stop.tolerance * share.min(1.0);

@@ -8,8 +8,8 @@ use super::{ReynoldsError, StoppingRule, check_call};
 use crate::grid::Grid;
 use crate::report::Residuals;
 
-/// Films and residuals of a state as all solvers of the crate compute them, so that a solver of one's own reports the
-/// same numbers. Owns its buffers; an evaluation allocates nothing.
+/// Films and residuals of a state as all solvers of the crate compute them, so that a solver of one's own
+/// reports the same numbers. Owns its buffers; an evaluation allocates nothing.
 ///
 /// ```
 /// use stribeck::Grid;
@@ -43,8 +43,8 @@ impl Evaluation {
         Self { coupled: Coupled::new(grid) }
     }
 
-    /// What flows into the box and out of it at the pressures and films of `state` as they are; none without a lubricant. No
-    /// elastic displacement.
+    /// What flows into the box and out of it at the pressures and films of `state` as they are; none without
+    /// a lubricant. No elastic displacement.
     ///
     /// # Errors
     /// As of [`evaluate`](Self::evaluate).
@@ -76,9 +76,9 @@ impl Evaluation {
         Ok(())
     }
 
-    /// Overwrites film, plastic depth, mass and contact flags of `state` with those that follow from its pressures and
-    /// approach, and returns how far it is from a solution; one elastic displacement. Where the fluid itself is at the pressure
-    /// limit the plastic depth is an unknown of its own, and stays.
+    /// Overwrites film, plastic depth, mass and contact flags of `state` with those that follow from its
+    /// pressures and approach, and returns how far it is from a solution; one elastic displacement. Where the
+    /// fluid itself is at the pressure limit the plastic depth is an unknown of its own, and stays.
     ///
     /// # Errors
     /// A problem or a state that breaks the contract of [`LubricatedContact`], or one of another grid.

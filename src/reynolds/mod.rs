@@ -1,8 +1,8 @@
 //! The coupled contact problem: fluid film, solid contact, plastic limit and load balance in one system.
 //!
-//! [`LubricatedContact`] states the problem, a [`ContactSolver`] solves it in a [`ContactState`], and all solvers share
-//! one discretisation, one stopping rule and one report. Non-convergence is a [`Status`](crate::Status); only a
-//! broken contract is an error.
+//! [`LubricatedContact`] states the problem, a [`ContactSolver`] solves it in a [`ContactState`], and all
+//! solvers share one discretisation, one stopping rule and one report. Non-convergence is a
+//! [`Status`](crate::Status); only a broken contract is an error.
 //!
 //! | solver | method | use |
 //! |---|---|---|
@@ -79,10 +79,11 @@ impl StoppingRule {
 
 /// Solves a [`LubricatedContact`].
 ///
-/// Contract: start from `state` (a state without any pressure asks for a cold start), leave the best state found in it,
-/// and report residuals of exactly that state. Buffers may be made at the first solve; later ones on the same grid do
-/// not allocate. What is found depends on problem, state and rule alone, so that a resumed run is the uninterrupted one.
-/// Residuals are those of [`Evaluation`]. Never report [`Status::Converged`](crate::Status::Converged) with a residual above the tolerance.
+/// Contract: start from `state` (a state without any pressure asks for a cold start), leave the best state
+/// found in it, and report residuals of exactly that state. Buffers may be made at the first solve; later
+/// ones on the same grid do not allocate. What is found depends on problem, state and rule alone, so that a
+/// resumed run is the uninterrupted one. Residuals are those of [`Evaluation`]. Never report
+/// [`Status::Converged`](crate::Status::Converged) with a residual above the tolerance.
 pub trait ContactSolver: Debug + Send {
     /// Name for reports.
     fn name(&self) -> &'static str;

@@ -13,11 +13,13 @@ pub enum ContactDefinition {
     /// Fluid and solid pressure apart: solids push where the film is the cut-off, and hold it there.
     #[default]
     Hard,
-    /// One pressure, as in Azam et al. (2019): pressure flow is switched off at nodes whose film is below the cut-off, films
-    /// are carried along as they are, below zero too, pressures are cut at the limit; there the overlap is plastic depth. What
-    /// presses at nodes below the cut-off is called solid pressure afterwards. Nothing keeps gaps from becoming negative, and the answer depends on the mesh. Where the film is above
-    /// the cut-off everywhere, it is that of `Hard`.
-    Paper,
+    /// One pressure, as in Azam et al. (2019): pressure flow is switched off at nodes whose film is below the
+    /// cut-off, films are carried along as they are, below zero too, pressures are cut at the limit; there
+    /// the overlap is plastic depth. What presses at nodes below the cut-off is called solid pressure
+    /// afterwards. Nothing keeps gaps from becoming negative, and the answer depends on the mesh. Where the
+    /// film is above the cut-off everywhere, it is that of `Hard`.
+    #[cfg_attr(feature = "serde", serde(rename = "paper"))]
+    UnifiedReynolds,
 }
 
 /// The previous state that the squeeze term `d(rho h)/dt` refers to.
@@ -30,13 +32,14 @@ pub struct Squeeze<'a> {
 }
 
 impl<'a> Squeeze<'a> {
-    /// The backward difference of second order from the masses of the `last` two times, newest first. `time_steps` \[s\] are
-    /// those since the newest and from the oldest to the newest; with `r` their ratio it is
-    /// `((1 + 2 r)/(1 + r) m - (1 + r) m_1 + r^2/(1 + r) m_2) / dt`, for equal steps `(3 m - 4 m_1 + m_2) / (2 dt)`. That is a
-    /// difference of first order over a shorter step from a mean of `m_1` and `m_2`, which is written to `combined`. A wave that
-    /// travels through a contact is damped by first order already at twenty steps a period. Histories whose steps grow by more
-    /// than 2.4 each are unstable with it. Where a cell empties fast, that mean is below zero, which no content of the cell can make
-    /// up for: the difference is then of first order, in all cells.
+    /// The backward difference of second order from the masses of the `last` two times, newest first.
+    /// `time_steps` \[s\] are those since the newest and from the oldest to the newest; with `r` their ratio
+    /// it is `((1 + 2 r)/(1 + r) m - (1 + r) m_1 + r^2/(1 + r) m_2) / dt`, for equal steps
+    /// `(3 m - 4 m_1 + m_2) / (2 dt)`. That is a difference of first order over a shorter step from a mean of
+    /// `m_1` and `m_2`, which is written to `combined`. A wave that travels through a contact is damped by
+    /// first order already at twenty steps a period. Histories whose steps grow by more than 2.4 each are
+    /// unstable with it. Where a cell empties fast, that mean is below zero, which no content of the cell can
+    /// make up for: the difference is then of first order, in all cells.
     ///
     /// # Errors
     /// Slices of different lengths, a time step that is not positive.
@@ -86,11 +89,11 @@ impl<'a> Squeeze<'a> {
 /// - film `h = gap - approach + K p + d`;
 /// - load balance: the integral of `p` is `load`.
 ///
-/// Without lubricant `p_f = 0` and `h_cut = 0`: dry contact. Fluid pressure is zero on the outermost nodes; solids touch there
-/// as anywhere.
+/// Without lubricant `p_f = 0` and `h_cut = 0`: dry contact. Fluid pressure is zero on the outermost nodes;
+/// solids touch there as anywhere.
 ///
-/// On a grid with one row this is a line contact: the two ends of the row are its outermost nodes, nothing flows across
-/// it, and loads are those of the length `dy`.
+/// On a grid with one row this is a line contact: the two ends of the row are its outermost nodes, nothing
+/// flows across it, and loads are those of the length `dy`.
 #[derive(Debug)]
 pub struct LubricatedContact<'a> {
     /// Undeformed gap per node \[m\]: form minus the heights of both surfaces.
@@ -117,18 +120,18 @@ pub struct LubricatedContact<'a> {
     pub face_mobility: FaceMobility,
     /// What holds where the fluid cavitates.
     pub cavitation: Cavitation,
-    /// Film thickness that the inlet edge is supplied with \[m\], or none for a flooded inlet: the content there is `min(1,
-    /// supplied_film/h)`. Needs cavitation that conserves mass.
+    /// Film thickness that the inlet edge is supplied with \[m\], or none for a flooded inlet: the content
+    /// there is `min(1, supplied_film/h)`. Needs cavitation that conserves mass.
     pub supplied_film: Option<f64>,
     /// Shear thinning of the pressure flow, or none for a Newtonian one.
     pub shear_thinning: Option<ShearThinning>,
-    /// Half-widths `(a_x, a_y)` of the contact \[m\] that residuals are scaled with and starts are built from, usually
-    /// Hertz.
+    /// Half-widths `(a_x, a_y)` of the contact \[m\] that residuals are scaled with and starts are built
+    /// from, usually Hertz.
     pub reference_half_widths: (f64, f64),
     /// Pressure \[Pa\] that starts are built from, usually the Hertz pressure.
     pub reference_pressure: f64,
-    /// Film thickness \[m\] that starts are built from, usually the Hamrock-Dowson central film of the smooth contact;
-    /// zero where none is known.
+    /// Film thickness \[m\] that starts are built from, usually the Hamrock-Dowson central film of the smooth
+    /// contact; zero where none is known.
     pub reference_film: f64,
 }
 
@@ -145,7 +148,7 @@ impl LubricatedContact<'_> {
 
     /// Whether pressures are those of the paper's contact.
     pub(super) fn is_paper(&self) -> bool {
-        self.contact == ContactDefinition::Paper && self.lubricant.is_some()
+        self.contact == ContactDefinition::UnifiedReynolds && self.lubricant.is_some()
     }
 
     /// The same contact with the squeeze term `squeeze`.
@@ -174,8 +177,8 @@ impl LubricatedContact<'_> {
     /// Checks shapes and ranges of every field.
     ///
     /// # Errors
-    /// An [`InputError`] naming the first offending field, or a load that the pressure limit cannot carry, with the
-    /// largest load that it can.
+    /// An [`InputError`] naming the first offending field, or a load that the pressure limit cannot carry,
+    /// with the largest load that it can.
     pub fn validate(&self) -> Result<(), InputError> {
         let grid = self.grid();
         InputError::require_len("gap", self.gap, grid.len())?;

@@ -111,14 +111,16 @@ impl SimBuilder {
         self
     }
 
-    /// Begins with a ball that has been through an earlier run: its heights, wear, plastic depth and tribofilm.
+    /// Begins with a ball that has been through an earlier run: its heights, wear, plastic depth and
+    /// tribofilm.
     #[must_use]
     pub fn ball_start(mut self, start: BodyStart) -> Self {
         self.starts[0] = Some(start);
         self
     }
 
-    /// Begins with a disc that has been through an earlier run: its heights, wear, plastic depth and tribofilm.
+    /// Begins with a disc that has been through an earlier run: its heights, wear, plastic depth and
+    /// tribofilm.
     #[must_use]
     pub fn disc_start(mut self, start: BodyStart) -> Self {
         self.starts[1] = Some(start);
@@ -132,18 +134,19 @@ impl SimBuilder {
         self
     }
 
-    /// Makes the history transient: each contact after the first feels the squeeze of the films of the two before
-    /// ([`Squeeze::second_order`](crate::reynolds::Squeeze::second_order); of first order in the second contact and after a step
-    /// more than twice as long as the one before). It belongs to [`Carried`](crate::surface::Carried) and steps of the time that the
-    /// surfaces need for a cell; in the long steps of a wear history the squeeze is nothing.
+    /// Makes the history transient: each contact after the first feels the squeeze of the films of the two
+    /// before ([`Squeeze::second_order`](crate::reynolds::Squeeze::second_order); of first order in the
+    /// second contact and after a step more than twice as long as the one before). It belongs to
+    /// [`Carried`](crate::surface::Carried) and steps of the time that the surfaces need for a cell; in the
+    /// long steps of a wear history the squeeze is nothing.
     #[must_use]
     pub fn with_squeeze(mut self) -> Self {
         self.squeeze = true;
         self
     }
 
-    /// Replaces the heights of the ball, one value per node of the grid, positive out of the body \[m\]. Flow through faces is by
-    /// default that between rough surfaces unless all of them are equal.
+    /// Replaces the heights of the ball, one value per node of the grid, positive out of the body \[m\]. Flow
+    /// through faces is by default that between rough surfaces unless all of them are equal.
     #[must_use]
     pub fn ball_heights(mut self, heights: Vec<f64>) -> Self {
         self.heights[0] = Some(heights);
@@ -158,8 +161,8 @@ impl SimBuilder {
         self
     }
 
-    /// Ends a solve early: `asked` is called once an iteration, on the thread that solves, and where it returns true the solve is
-    /// an error ([`SimError::Interrupted`]) and a simulation is as before the step.
+    /// Ends a solve early: `asked` is called once an iteration, on the thread that solves, and where it
+    /// returns true the solve is an error ([`SimError::Interrupted`]) and a simulation is as before the step.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -180,15 +183,16 @@ impl SimBuilder {
         self
     }
 
-    /// Starts [`solve`](Self::solve) from the pressures of an earlier solution on the same grid. The first step of a history starts
-    /// from the bodies alone.
+    /// Starts [`solve`](Self::solve) from the pressures of an earlier solution on the same grid. The first
+    /// step of a history starts from the bodies alone.
     #[must_use]
     pub fn contact_start(mut self, state: ContactState) -> Self {
         self.contact_start = Some(state);
         self
     }
 
-    /// The pressure flow through faces, by default that between rough surfaces where heights in place of those of the scene are.
+    /// The pressure flow through faces, by default that between rough surfaces where heights in place of
+    /// those of the scene are.
     pub(super) fn face_mobility(&self, own_heights: [bool; 2], bodies: &[Body; 2]) -> FaceMobility {
         let roughness = [&self.scene.roughness.ball, &self.scene.roughness.disc];
         let smooth = (0..2).all(|index| {
@@ -232,7 +236,8 @@ impl SimBuilder {
         )?)
     }
 
-    /// Those of the scene but for roughness that `own_heights` replace, and those of heights that were given or read.
+    /// Those of the scene but for roughness that `own_heights` replace, and those of heights that were given
+    /// or read.
     pub(super) fn warnings(
         &self,
         own_heights: [bool; 2],

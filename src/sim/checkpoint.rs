@@ -154,8 +154,8 @@ impl<'a> BodyPart<'a> {
 
 impl MixedLubricationSim {
     /// Writes all that later steps depend on into one file: a simulation of the same scene and laws that
-    /// [restores](Self::restore) it goes on as this one, equal to the last bit on the same kind of processor. The file
-    /// is replaced as a whole: a process killed meanwhile leaves the old one.
+    /// [restores](Self::restore) it goes on as this one, equal to the last bit on the same kind of processor.
+    /// The file is replaced as a whole: a process killed meanwhile leaves the old one.
     ///
     /// Own laws and solvers must not remember anything between calls that changes what they return.
     ///
@@ -229,19 +229,22 @@ impl MixedLubricationSim {
         self.take_over(Path::new(IN_MEMORY), bytes, &[]).map(|_| ())
     }
 
-    /// Takes over what [`save`](Self::save) wrote. The simulation must be built from the same scene, laws, motion and
-    /// heights; time, steps and all fields are then those of the file. On an error it is as before.
+    /// Takes over what [`save`](Self::save) wrote. The simulation must be built from the same scene, laws,
+    /// motion and heights; time, steps and all fields are then those of the file. On an error it is as
+    /// before.
     ///
     /// # Errors
-    /// A file that cannot be read, is no checkpoint, is damaged, has a newer format or belongs to another simulation.
+    /// A file that cannot be read, is no checkpoint, is damaged, has a newer format or belongs to another
+    /// simulation.
     pub fn restore(&mut self, path: impl AsRef<Path>) -> Result<(), CheckpointError> {
         let path = path.as_ref();
         self.take_over(path, &read(path)?, &[]).map(|_| ())
     }
 
-    /// Goes on from what [`save`](Self::save) wrote under other conditions: load, speeds, lubricant, friction, temperatures,
-    /// schedule and solver may be others than those of the file. Returns the names of the parts that differ. Time and steps go on
-    /// from those of the file, and a schedule is asked for its values at that time.
+    /// Goes on from what [`save`](Self::save) wrote under other conditions: load, speeds, lubricant,
+    /// friction, temperatures, schedule and solver may be others than those of the file. Returns the names of
+    /// the parts that differ. Time and steps go on from those of the file, and a schedule is asked for its
+    /// values at that time.
     ///
     /// # Errors
     /// As of [`restore`](Self::restore); the simulation is then as before.
@@ -270,7 +273,8 @@ impl MixedLubricationSim {
         self.take_over(path, &read(path)?, &CONDITIONS)
     }
 
-    /// Takes over the `bytes` of the file at `path`, which may differ in the parts `allowed`; returns those in which it does.
+    /// Takes over the `bytes` of the file at `path`, which may differ in the parts `allowed`; returns those
+    /// in which it does.
     fn take_over(
         &mut self,
         path: &Path,

@@ -46,7 +46,8 @@ pub(super) struct ContactModel {
     bulk_temperature: f64,
     /// Film formulas of the smooth contact; none without lubricant.
     pub(super) formulas: Option<FormulaFilm>,
-    /// Central film by formula, by the pressure-viscosity coefficient that is stated for it; zero without lubricant \[m\].
+    /// Central film by formula, by the pressure-viscosity coefficient that is stated for it; zero without
+    /// lubricant \[m\].
     pub(super) stated_film: f64,
     /// Measures the flow of solutions; none without lubricant.
     evaluation: Option<Evaluation>,
@@ -207,7 +208,8 @@ impl ContactModel {
         self.formulas.map_or(0.0, |formulas| formulas.central)
     }
 
-    /// Solves the contact with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`, from `state`.
+    /// Solves the contact with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`,
+    /// from `state`.
     pub(super) fn solve(
         &mut self,
         gap: &[f64],
@@ -251,11 +253,13 @@ impl ContactModel {
     }
 }
 
-/// Solves the single contact of `scene`, surfaces as they are. With an accuracy the contact is solved on finer and finer
-/// meshes, the last of which is returned; with `solver.estimate` on half the cells of its grid too.
+/// Solves the single contact of `scene`, surfaces as they are. With an accuracy the contact is solved on
+/// finer and finer meshes, the last of which is returned; with `solver.estimate` on half the cells of its
+/// grid too.
 ///
 /// # Errors
-/// A scene that does not fit; a load that the pressure limit cannot carry. Not converging is a status of the report.
+/// A scene that does not fit; a load that the pressure limit cannot carry. Not converging is a status of the
+/// report.
 ///
 /// ```
 /// use stribeck::sim::{Scene, solve_contact};
@@ -285,7 +289,8 @@ fn validate_loads(scene: &Scene, grid: &Grid, timetable: &Timetable) -> Result<(
     Ok(())
 }
 
-/// The elastic model in place of that of the scene, or that of the scene; it must live on the grid and have a stiffness.
+/// The elastic model in place of that of the scene, or that of the scene; it must live on the grid and have a
+/// stiffness.
 fn checked_deformation(
     scene: &Scene,
     grid: Grid,
@@ -317,8 +322,8 @@ fn checked_deformation(
     Ok(deformation)
 }
 
-/// The elastic bodies of the scene. Displacements of a line contact count from the distance of the radius, or the length of
-/// the box where that is longer.
+/// The elastic bodies of the scene. Displacements of a line contact count from the distance of the radius, or
+/// the length of the box where that is longer.
 fn half_space(scene: &Scene, grid: Grid) -> Result<Box<dyn DeformationModel>, InputError> {
     let modulus = scene.equivalent_modulus()?;
     let reference = scene.form.radii().0.max(grid.size_x());

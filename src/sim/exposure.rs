@@ -1,22 +1,25 @@
 //! How long the nodes under the contact age in a step.
 //!
-//! A point of the track, which is `l` long, meets the contact once a round. In the middle, `y = 0`, it is in the contact of the
-//! half-width `a` for the share `2a/l` of the time, elsewhere for that of the chord. The patch of a body is a piece of the track,
-//! `L` long, whose places the contact meets equally often: in the simulation the middle is in the contact for the share `2a/L` of
-//! the steps, whatever `l` is. A node under the contact of a solve therefore ages for
+//! A point of the track, which is `l` long, meets the contact once a round. In the middle, `y = 0`, it is in
+//! the contact of the half-width `a` for the share `2a/l` of the time, elsewhere for that of the chord. The
+//! patch of a body is a piece of the track, `L` long, whose places the contact meets equally often: in the
+//! simulation the middle is in the contact for the share `2a/L` of the steps, whatever `l` is. A node under
+//! the contact of a solve therefore ages for
 //!
 //! | exposure | body that moves along x | that stays |
 //! |---|---|---|
 //! | contact clock | `dt L/(2a)` | `dt` |
 //! | track | `dt L/l` | `dt` at rest, else `dt 2a/l` |
 //!
-//! so that the middle of the track ages by `dt` in a step on average (contact clock), or by `dt 2a/l` (track), in a box of any length.
-//! Roughness that is met at random in both directions has `L_x L_y/(pi a b)` in place of `L/(2a)`, with the area of the contact. A
-//! body at rest relative to the contact (at a slide-roll ratio of 2 or -2) has no track: what is in the contact stays there.
+//! so that the middle of the track ages by `dt` in a step on average (contact clock), or by `dt 2a/l`
+//! (track), in a box of any length. Roughness that is met at random in both directions has `L_x L_y/(pi a b)`
+//! in place of `L/(2a)`, with the area of the contact. A body at rest relative to the contact (at a
+//! slide-roll ratio of 2 or -2) has no track: what is in the contact stays there.
 //!
-//! Growth and wear of a step take this time. A print of the contact takes no time: a passage leaves one. Where a step is so
-//! short that less than one passage of a point falls to a solve at one of the places of the track, it leaves that share of its
-//! print; a body that stays, or whose passages the steps follow, takes the whole print each time.
+//! Growth and wear of a step take this time. A print of the contact takes no time: a passage leaves one.
+//! Where a step is so short that less than one passage of a point falls to a solve at one of the places of
+//! the track, it leaves that share of its print; a body that stays, or whose passages the steps follow, takes
+//! the whole print each time.
 
 use super::hertz::HertzContact;
 use super::scene::{self, Scene, TrackSpec};
@@ -31,7 +34,8 @@ use crate::wear::track_duty_factor;
 pub(super) struct Ageing {
     /// Time in the contact per second \[1\].
     pub(super) rate: f64,
-    /// Passages that a solve stands for per second \[1/s\]; infinite where every solve leaves its whole print.
+    /// Passages that a solve stands for per second \[1/s\]; infinite where every solve leaves its whole
+    /// print.
     passages: f64,
 }
 
@@ -45,8 +49,8 @@ impl Ageing {
 /// Checks the tracks of a scene under all conditions of its schedule.
 ///
 /// # Errors
-/// A track that is shorter than the patch or than the contact under the largest load, one that is missing where the exposure
-/// needs it.
+/// A track that is shorter than the patch or than the contact under the largest load, one that is missing
+/// where the exposure needs it.
 pub(super) fn validate(scene: &Scene, timetable: &Timetable, grid: &Grid) -> Result<(), InputError> {
     scene.track.validate()?;
     let needed = scene.track.exposure == scene::Exposure::Track;

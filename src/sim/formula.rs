@@ -21,7 +21,8 @@ pub struct FormulaFilm {
 }
 
 impl Scene {
-    /// What the film formulas make of the smooth, flooded contact at the start, with the slope of the viscosity law; none for a dry contact.
+    /// What the film formulas make of the smooth, flooded contact at the start, with the slope of the
+    /// viscosity law; none for a dry contact.
     ///
     /// ```
     /// let film = stribeck::sim::Scene::azam_2019(64).formula_film()?.expect("it has an oil");
@@ -39,8 +40,8 @@ impl Scene {
     }
 }
 
-/// The film formulas at `entrainment_speed` \[m/s\], by the pressure-viscosity coefficient `alpha` \[1/Pa\] or the slope of the
-/// law; none without a lubricant.
+/// The film formulas at `entrainment_speed` \[m/s\], by the pressure-viscosity coefficient `alpha` \[1/Pa\]
+/// or the slope of the law; none without a lubricant.
 pub(super) fn formula_film(
     scene: &Scene,
     hertz: &HertzContact,
@@ -84,7 +85,8 @@ pub(super) fn formula_film(
     }))
 }
 
-/// Central film by formula, by the coefficient that is stated for it, else the slope of the law; zero without lubricant \[m\].
+/// Central film by formula, by the coefficient that is stated for it, else the slope of the law; zero without
+/// lubricant \[m\].
 pub(super) fn stated_film(
     scene: &Scene,
     hertz: &HertzContact,

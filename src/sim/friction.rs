@@ -38,8 +38,8 @@ pub(super) fn boundary_law(
     Ok(Box::new(FilmFriction::new(bare, covered, thickness)?))
 }
 
-/// Friction fields of one solved contact. A node in contact that also carries fluid pressure has both shares, each by
-/// its own pressure.
+/// Friction fields of one solved contact. A node in contact that also carries fluid pressure has both shares,
+/// each by its own pressure.
 #[derive(Debug)]
 pub(super) struct FrictionFields {
     rheology: Rheology,
@@ -134,8 +134,9 @@ impl FrictionFields {
     }
 }
 
-/// Mean shear stress \[Pa\] of a fluid that fills a Hertz contact of maximum pressure `p_max` \[Pa\] with a `film` \[m\]
-/// everywhere, at `sliding` \[m/s\]: the mean over the area of the stress under `p_max sqrt(1 - r^2/a^2)`.
+/// Mean shear stress \[Pa\] of a fluid that fills a Hertz contact of maximum pressure `p_max` \[Pa\] with a
+/// `film` \[m\] everywhere, at `sliding` \[m/s\]: the mean over the area of the stress under
+/// `p_max sqrt(1 - r^2/a^2)`.
 pub(super) fn mean_fluid_stress(
     lubricant: &Lubricant,
     rheology: &Rheology,

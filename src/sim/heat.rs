@@ -25,7 +25,8 @@ pub(super) struct Heat {
 }
 
 impl Heat {
-    /// The pass for the conditions at the start, left out where it is switched off or its estimate is negligible.
+    /// The pass for the conditions at the start, left out where it is switched off or its estimate is
+    /// negligible.
     pub(super) fn new(
         scene: &Scene,
         contact: &ContactModel,
@@ -59,8 +60,8 @@ impl Heat {
     }
 }
 
-/// Largest rise \[K\] of the smooth contact, all of its load on solids or all of it on a fluid film of the thickness that the
-/// formulas give, whichever is hotter.
+/// Largest rise \[K\] of the smooth contact, all of its load on solids or all of it on a fluid film of the
+/// thickness that the formulas give, whichever is hotter.
 fn estimated_rise(
     scene: &Scene,
     contact: &ContactModel,

@@ -7,8 +7,8 @@ use crate::analytic::{HertzLine, HertzPoint};
 /// Length of a line contact that loads, areas and fields refer to \[m\].
 pub(super) const LINE_LENGTH: f64 = 1.0;
 
-/// Size, pressure and load of the Hertz contact of the smooth bodies. Of a line contact these are those of one metre of its
-/// length, so that its load in N is its load per length in N/m.
+/// Size, pressure and load of the Hertz contact of the smooth bodies. Of a line contact these are those of
+/// one metre of its length, so that its load in N is its load per length in N/m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct HertzContact {

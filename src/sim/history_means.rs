@@ -11,7 +11,7 @@ const NAMES: [(&str, &str); 18] = [
     ("film", "mean_central"),
     ("film", "minimum_gap"),
     ("film", "lambda"),
-    ("film", "lambda_old"),
+    ("film", "formula_lambda"),
     ("pressure", "max"),
     ("friction", "coefficient"),
     ("roughness", "ball_rq"),
@@ -33,7 +33,7 @@ fn numbers(record: &StepRecord) -> [f64; NAMES.len()] {
         record.average_film,
         record.minimum_gap,
         record.lambda,
-        record.lambda_old,
+        record.formula_lambda,
         record.max_pressure,
         record.friction_coefficient,
         record.rq[0],
@@ -85,8 +85,8 @@ impl HistoryMeans {
         }
     }
 
-    /// The mean of `key` in `table` (as in `film.lambda`) over the steps of the last tenth that were seen, in SI units; none for
-    /// other names.
+    /// The mean of `key` in `table` (as in `film.lambda`) over the steps of the last tenth that were seen, in
+    /// SI units; none for other names.
     pub fn mean(&self, table: &str, key: &str) -> Option<f64> {
         self.named().find(|(name, ..)| *name == (table, key)).map(|(_, mean)| mean)
     }
@@ -118,7 +118,8 @@ mod named {
     use crate::sim::scene::BODIES;
     use crate::sim::{MixedLubricationSim, Warning};
 
-    /// What a history ends with, ready to be written: the means and the worn profiles of `sim`, all in SI units.
+    /// What a history ends with, ready to be written: the means and the worn profiles of `sim`, all in SI
+    /// units.
     #[derive(Debug, Clone, Serialize)]
     pub struct HistoryNumbers {
         steps: u64,

@@ -37,7 +37,8 @@ impl Identity {
 }
 
 impl MixedLubricationSim {
-    /// The scene and the parts in its place by what `Debug` prints of them, which for laws are their constants.
+    /// The scene and the parts in its place by what `Debug` prints of them, which for laws are their
+    /// constants.
     pub(super) fn identity(&self) -> Identity {
         let (scene, laws, lubricant) = (&self.scene, &self.laws, &self.contact.lubricant);
         let parts = [

@@ -24,8 +24,8 @@ impl Interrupt {
     }
 }
 
-/// A deformation model that asks before each displacement, which every solver needs once an iteration, and refuses it where
-/// the solve shall end.
+/// A deformation model that asks before each displacement, which every solver needs once an iteration, and
+/// refuses it where the solve shall end.
 #[derive(Debug)]
 pub(super) struct Interruptible {
     model: Box<dyn DeformationModel>,
@@ -66,12 +66,12 @@ impl DeformationModel for Interruptible {
         Some(Box::new(Self { model, interrupt: self.interrupt.clone(), heeded: Arc::clone(&self.heeded) }))
     }
 
-    fn displacement_estimate(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.model.displacement_estimate(pressure, out)
+    fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.model.displacement_single(pressure, out)
     }
 
-    fn displacement_sketch(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.model.displacement_sketch(pressure, out)
+    fn displacement_periodic(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.model.displacement_periodic(pressure, out)
     }
 
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {

@@ -1,7 +1,7 @@
 //! The reference simulation: a rough lubricated contact through time.
 //!
-//! A [`Scene`] describes it, [`solve_contact`] solves its single contact, [`MixedLubricationSim`] runs its history.
-//! Every law can be replaced through the [builder](SimBuilder); an [`Observer`] sees every step.
+//! A [`Scene`] describes it, [`solve_contact`] solves its single contact, [`MixedLubricationSim`] runs its
+//! history. Every law can be replaced through the [builder](SimBuilder); an [`Observer`] sees every step.
 
 mod accuracy;
 mod body;

@@ -15,12 +15,13 @@ const HEADER: usize = 128;
 /// Magic, version and length of the dictionary.
 const PREFIX: usize = 10;
 
-/// Writes `fields` of `nx` x `ny` values, x fastest, as a deflated `NumPy` archive: `numpy.load(path)["film"]` is the array
-/// of shape `(ny, nx)`, 64 bit floats in C order, of the field named `film`.
+/// Writes `fields` of `nx` x `ny` values, x fastest, as a deflated `NumPy` archive:
+/// `numpy.load(path)["film"]` is the array of shape `(ny, nx)`, 64 bit floats in C order, of the field named
+/// `film`.
 ///
 /// # Errors
-/// [`SimError::Input`] naming the field that has not `nx * ny` values or whose name is empty, taken or no file name;
-/// [`SimError::Io`] when the file cannot be written.
+/// [`SimError::Input`] naming the field that has not `nx * ny` values or whose name is empty, taken or no
+/// file name; [`SimError::Io`] when the file cannot be written.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;

@@ -11,9 +11,9 @@ use crate::reynolds::FlowBalance;
 const SOLVERS: [&str; 6] =
     ["newton_krylov", "semi_system", "dry", "auto", "multigrid", "multigrid+newton_krylov"];
 
-/// The numbers of one committed step; all SI. Those of the contact (roughness, film, pressures, friction, heat) are of one
-/// instant, the start of the step, under the conditions that held then: the contact of the first record is that of
-/// time zero. Wear, tribofilm and flattened volume are those at its end.
+/// The numbers of one committed step; all SI. Those of the contact (roughness, film, pressures, friction,
+/// heat) are of one instant, the start of the step, under the conditions that held then: the contact of the
+/// first record is that of time zero. Wear, tribofilm and flattened volume are those at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepRecord {
     /// Number of the step, from 0.
@@ -31,9 +31,9 @@ pub struct StepRecord {
     pub average_film: f64,
     /// `average_film / composite_rq`.
     pub lambda: f64,
-    /// Central film by formula (Hamrock and Dowson, of a line contact Dowson and Toyoda) with the stated pressure-viscosity
-    /// coefficient over `composite_rq`; zero without lubricant.
-    pub lambda_old: f64,
+    /// Central film by formula (Hamrock and Dowson, of a line contact Dowson and Toyoda) with the stated
+    /// pressure-viscosity coefficient over `composite_rq`; zero without lubricant.
+    pub formula_lambda: f64,
     /// Solid contact area inside the Hertz ellipse over its area.
     pub area_ratio: f64,
     /// Share of the load that solid contact carries.
@@ -57,8 +57,8 @@ pub struct StepRecord {
     pub plastic_volume: f64,
     /// Largest flash temperature rise \[K\]; none where it is not modelled.
     pub flash_rise: Option<f64>,
-    /// Friction coefficient, from boundary friction under the solid pressure and shear of the fluid; zero without
-    /// sliding.
+    /// Friction coefficient, from boundary friction under the solid pressure and shear of the fluid; zero
+    /// without sliding.
     pub friction_coefficient: f64,
     /// Part of the friction coefficient that solid contact makes.
     pub friction_boundary: f64,
@@ -82,7 +82,7 @@ pub struct StepRecord {
 
 impl StepRecord {
     /// Names of the columns that [`StepRecord::write_csv`] writes, with units.
-    pub const CSV_HEADER: &'static str = "step,time_s,time_step_s,rq_ball_m,rq_disc_m,rq_composite_m,h_avg_m,lambda,lambda_old,\
+    pub const CSV_HEADER: &'static str = "step,time_s,time_step_s,rq_ball_m,rq_disc_m,rq_composite_m,h_avg_m,lambda,formula_lambda,\
         contact_area_ratio,contact_load_ratio,max_pressure_pa,mean_pressure_pa,mean_wear_ball_m,mean_wear_disc_m,\
         max_wear_ball_m,max_wear_disc_m,mean_film_ball_m,mean_film_disc_m,track_wear_ball_m,track_wear_disc_m,\
         track_film_ball_m,track_film_disc_m,plastic_volume_m3,flash_rise_k,\
@@ -90,8 +90,8 @@ impl StepRecord {
         complementarity_residual,energy_error,convolutions,iterations,inner_iterations,friction_boundary,friction_fluid,load_n,\
          entrainment_speed_m_s,slide_roll_ratio,bulk_temperature_k";
 
-    /// Writes the record as one line of comma-separated values, every digit kept; a flash temperature that is not
-    /// modelled is an empty cell, as are the flows of a dry contact and the energy error of others.
+    /// Writes the record as one line of comma-separated values, every digit kept; a flash temperature that is
+    /// not modelled is an empty cell, as are the flows of a dry contact and the energy error of others.
     ///
     /// # Errors
     /// Those of the writer.
@@ -104,7 +104,7 @@ impl StepRecord {
             self.composite_rq,
             self.average_film,
             self.lambda,
-            self.lambda_old,
+            self.formula_lambda,
             self.area_ratio,
             self.load_ratio,
             self.max_pressure,
@@ -159,8 +159,8 @@ impl StepRecord {
         writeln!(out, ",{:e}", self.bulk_temperature)
     }
 
-    /// The record that [`write_csv`](Self::write_csv) wrote as `line`, every bit of it, but for the name of a solver that is
-    /// not one of the crate: it reads `other`.
+    /// The record that [`write_csv`](Self::write_csv) wrote as `line`, every bit of it, but for the name of a
+    /// solver that is not one of the crate: it reads `other`.
     ///
     /// # Errors
     /// A cell that is missing, too many or not what its column holds.
@@ -179,7 +179,7 @@ impl StepRecord {
         let mut number = || next().and_then(|(column, cell)| parsed::<f64>(column, cell));
         let (time, time_step) = (number()?, number()?);
         let (rq, composite_rq, average_film) = ([number()?, number()?], number()?, number()?);
-        let (lambda, lambda_old, area_ratio, load_ratio) = (number()?, number()?, number()?, number()?);
+        let (lambda, formula_lambda, area_ratio, load_ratio) = (number()?, number()?, number()?, number()?);
         let (max_pressure, mean_pressure) = (number()?, number()?);
         let (mean_wear, max_wear) = ([number()?, number()?], [number()?, number()?]);
         let (mean_film, track_wear) = ([number()?, number()?], [number()?, number()?]);
@@ -232,7 +232,7 @@ impl StepRecord {
             composite_rq,
             average_film,
             lambda,
-            lambda_old,
+            formula_lambda,
             area_ratio,
             load_ratio,
             max_pressure,

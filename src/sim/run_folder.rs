@@ -29,7 +29,8 @@ use crate::reynolds::ContactState;
 ///
 /// Bodies of `fields.npz` are starts of other runs ([`BodyStart`](super::BodyStart)).
 ///
-/// A run that was killed, whenever that was, goes on from its checkpoint and leaves the same files as one that was not.
+/// A run that was killed, whenever that was, goes on from its checkpoint and leaves the same files as one
+/// that was not.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
@@ -69,8 +70,8 @@ struct RunTable {
 }
 
 impl RunFolder {
-    /// Makes the folder for a run from its start, with a checkpoint after each `every` steps (0: at the end alone). What
-    /// an earlier run left there is replaced.
+    /// Makes the folder for a run from its start, with a checkpoint after each `every` steps (0: at the end
+    /// alone). What an earlier run left there is replaced.
     ///
     /// # Errors
     /// [`SimError::Io`] for a file that cannot be written.
@@ -103,8 +104,9 @@ impl RunFolder {
         Ok(Self { path, history, every, last_contact: None, saved_steps: None, failure: None })
     }
 
-    /// Goes on with the run in the folder: `sim`, built as for its start, is brought to the checkpoint and the history is
-    /// cut to its steps, which are returned. Without a checkpoint this is [`create`](Self::create).
+    /// Goes on with the run in the folder: `sim`, built as for its start, is brought to the checkpoint and
+    /// the history is cut to its steps, which are returned. Without a checkpoint this is
+    /// [`create`](Self::create).
     ///
     /// # Errors
     /// A checkpoint that cannot be used (see [`CheckpointError`]), a history that does not reach it.
@@ -222,7 +224,8 @@ impl RunFolder {
     }
 }
 
-/// States of the tribofilms, where there is more to them than the thickness: a start of another run needs them.
+/// States of the tribofilms, where there is more to them than the thickness: a start of another run needs
+/// them.
 fn film_states(sim: &MixedLubricationSim) -> Vec<(String, Vec<f64>)> {
     let mut fields = Vec::new();
     for (name, body) in BODIES.into_iter().zip(sim.bodies()) {

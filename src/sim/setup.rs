@@ -136,7 +136,8 @@ pub(super) fn validate_box(grid: &Grid, hertz: &HertzContact, is_line: bool) -> 
     Ok(())
 }
 
-/// Checks that the system grants the memory of a contact on `grid`: where it runs out later the process is ended.
+/// Checks that the system grants the memory of a contact on `grid`: where it runs out later the process is
+/// ended.
 pub(super) fn validate_memory(grid: &Grid, lubricated: bool) -> Result<(), InputError> {
     let bytes = grid.len().saturating_mul(if lubricated { LUBRICATED_BYTES } else { DRY_BYTES });
     let mut trial: Vec<u8> = Vec::new();

@@ -74,11 +74,12 @@ pub enum RunEnd {
 
 /// A rough lubricated contact whose surfaces flatten, grow a tribofilm and wear as they rub.
 ///
-/// Each step solves the quasi-static contact of the surfaces as they stand, advances tribofilm and wear under its pressures
-/// for the time that the step exposes the nodes to it ([`Exposure`](super::scene::Exposure)), applies the plastic depth, and
-/// moves the roughness of both bodies to the next position. One solve stands for all passages within the step. Nothing
-/// irreversible happens unless the solve converged: where it did not, the step tries other positions of the roughness, and if all fail the step is
-/// an error and the state is as before.
+/// Each step solves the quasi-static contact of the surfaces as they stand, advances tribofilm and wear under
+/// its pressures for the time that the step exposes the nodes to it ([`Exposure`](super::scene::Exposure)),
+/// applies the plastic depth, and moves the roughness of both bodies to the next position. One solve stands
+/// for all passages within the step. Nothing irreversible happens unless the solve converged: where it did
+/// not, the step tries other positions of the roughness, and if all fail the step is an error and the state
+/// is as before.
 ///
 /// ```
 /// use stribeck::sim::{MixedLubricationSim, RunEnd, Scene, StepRecord};
@@ -243,8 +244,8 @@ impl MixedLubricationSim {
         &self.state
     }
 
-    /// What is unlikely to be meant or to hold: that of [`Scene::warnings`], of heights that were read or given, and after the first
-    /// step of its contact. The list is that of the whole run, no step repeats it.
+    /// What is unlikely to be meant or to hold: that of [`Scene::warnings`], of heights that were read or
+    /// given, and after the first step of its contact. The list is that of the whole run, no step repeats it.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
@@ -254,10 +255,10 @@ impl MixedLubricationSim {
         self.heat.flash.is_some()
     }
 
-    /// Largest flash temperature rise that the smooth contact would have \[K\] under the conditions at any entry of the schedule,
-    /// by which it is modelled or left out unless the scene says which: by boundary friction under all of the load, or by shear of a fluid
-    /// film of the thickness that the formulas give, whichever is hotter (see
-    /// [`estimate_rise_under_flux`](crate::tribochem::estimate_rise_under_flux)).
+    /// Largest flash temperature rise that the smooth contact would have \[K\] under the conditions at any
+    /// entry of the schedule, by which it is modelled or left out unless the scene says which: by boundary
+    /// friction under all of the load, or by shear of a fluid film of the thickness that the formulas give,
+    /// whichever is hotter (see [`estimate_rise_under_flux`](crate::tribochem::estimate_rise_under_flux)).
     pub fn flash_estimate(&self) -> f64 {
         self.heat.estimate
     }
@@ -290,8 +291,8 @@ impl MixedLubricationSim {
         Ok(RunEnd::Finished)
     }
 
-    /// Steps until the time `end` \[s\], each as long as `control` allows and none across an entry of a schedule;
-    /// `observer` sees each and may stop the run.
+    /// Steps until the time `end` \[s\], each as long as `control` allows and none across an entry of a
+    /// schedule; `observer` sees each and may stop the run.
     ///
     /// # Errors
     /// See [`MixedLubricationSim::step_within`]; the steps before are committed.
@@ -320,15 +321,15 @@ impl MixedLubricationSim {
     /// Takes one step of `time_step` \[s\] under the conditions that hold at its start.
     ///
     /// # Errors
-    /// A time step that is negative or not finite; a contact that did not converge at any tried position of the
-    /// roughness; a law that returned a value that is not finite; an [interrupt](SimBuilder::interrupt). Everything is then as
-    /// before, so that another step of this length fails again.
+    /// A time step that is negative or not finite; a contact that did not converge at any tried position of
+    /// the roughness; a law that returned a value that is not finite; an [interrupt](SimBuilder::interrupt).
+    /// Everything is then as before, so that another step of this length fails again.
     pub fn step(&mut self, time_step: f64) -> Result<StepRecord, SimError> {
         self.step_within(&StepControl::fixed(time_step))
     }
 
-    /// Takes one step, as long as `control` allows: one solve of the contact, and then the longest step under its
-    /// pressures in which no node wears or grows by more than the depth. The record holds its length.
+    /// Takes one step, as long as `control` allows: one solve of the contact, and then the longest step under
+    /// its pressures in which no node wears or grows by more than the depth. The record holds its length.
     ///
     /// # Errors
     /// As of [`MixedLubricationSim::step`], and laws that change a node by more than the depth in any time.
@@ -455,8 +456,8 @@ impl MixedLubricationSim {
         let Self { fields, contact, laws, state, travel, squeeze_memory, step, .. } = self;
         let squeeze =
             if travel.squeeze { squeeze_memory.squeeze(*step, &mut fields.squeezed)? } else { None };
-        // A film that is squeezed was there a moment ago; roughness that has moved far makes the last pressures no better
-        // a start than the dry contact.
+        // A film that is squeezed was there a moment ago; roughness that has moved far makes the last
+        // pressures no better a start than the dry contact.
         if squeeze.is_none() {
             state.pressure.fill(0.0);
         }
@@ -483,8 +484,8 @@ impl MixedLubricationSim {
         Ok(report)
     }
 
-    /// Shear, heat and temperature under the solved pressures; returns the largest flash rise \[K\], none where it is not
-    /// modelled.
+    /// Shear, heat and temperature under the solved pressures; returns the largest flash rise \[K\], none
+    /// where it is not modelled.
     fn rub(&mut self) -> Result<Option<f64>, SimError> {
         let Self { fields, contact, laws, state, heat, .. } = self;
         fields.friction.update(contact, state, laws.friction.as_ref(), &fields.films)?;
@@ -517,8 +518,8 @@ impl MixedLubricationSim {
         Ok(())
     }
 
-    /// Applies wear, film growth and flattening to the bodies. The film grows half before and half after the wear, so
-    /// that the wear coefficient is that of the middle of the step.
+    /// Applies wear, film growth and flattening to the bodies. The film grows half before and half after the
+    /// wear, so that the wear coefficient is that of the middle of the step.
     fn commit(&mut self, time_step: f64, offsets: Offsets) -> Result<(), SimError> {
         let conditions = self.conditions();
         let ageing = self.ageing(&conditions)?;
@@ -572,8 +573,8 @@ impl MixedLubricationSim {
         Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
     }
 
-    /// The record of the step of length `time_step` that the bodies have just taken, whose contact was solved under `conditions` on
-    /// surfaces of roughness `rq`.
+    /// The record of the step of length `time_step` that the bodies have just taken, whose contact was solved
+    /// under `conditions` on surfaces of roughness `rq`.
     fn record(
         &self,
         (report, attempts): (SolveReport, u32),
@@ -601,7 +602,7 @@ impl MixedLubricationSim {
             composite_rq,
             average_film: film.mean_central,
             lambda: over_rq(film.mean_central),
-            lambda_old: over_rq(self.contact.stated_film),
+            formula_lambda: over_rq(self.contact.stated_film),
             area_ratio: contact.area_ratio,
             load_ratio: contact.load_ratio,
             max_pressure: contact.max_pressure,

@@ -1,4 +1,5 @@
-//! Single contacts through the builder of simulations: one path for scenes, heights in memory, own parts and finer meshes.
+//! Single contacts through the builder of simulations: one path for scenes, heights in memory, own parts and
+//! finer meshes.
 
 use super::body::Body;
 use super::builder::SimBuilder;
@@ -16,13 +17,15 @@ use crate::grid::Grid;
 use crate::reynolds::ContactState;
 
 impl SimBuilder {
-    /// Solves the single contact of the bodies as they stand, in the first position of their roughness and at the conditions of the
-    /// start, as [`solve_contact`](super::solve_contact) does, with the laws, heights and starts that were given here. What changes bodies is not asked, a
-    /// hardness that grows with the plastic depth of this contact is not followed.
+    /// Solves the single contact of the bodies as they stand, in the first position of their roughness and at
+    /// the conditions of the start, as [`solve_contact`](super::solve_contact) does, with the laws, heights
+    /// and starts that were given here. What changes bodies is not asked, a hardness that grows with the
+    /// plastic depth of this contact is not followed.
     ///
     /// # Errors
-    /// A scene, heights or starts that do not fit; a load that the pressure limit cannot carry; own parts beside an accuracy or an
-    /// estimate of errors, which need other meshes. Not converging is a status of the report.
+    /// A scene, heights or starts that do not fit; a load that the pressure limit cannot carry; own parts
+    /// beside an accuracy or an estimate of errors, which need other meshes. Not converging is a status of
+    /// the report.
     ///
     /// ```
     /// use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
@@ -57,7 +60,8 @@ impl SimBuilder {
         Ok(solution)
     }
 
-    /// The same on the grid of the scene alone, from what `start` makes; `own_heights` are in place of those of the scene.
+    /// The same on the grid of the scene alone, from what `start` makes; `own_heights` are in place of those
+    /// of the scene.
     pub(super) fn solve_from(
         mut self,
         own_heights: [bool; 2],

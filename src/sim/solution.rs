@@ -36,8 +36,8 @@ pub struct ContactSolution {
     pub state: ContactState,
     /// Undeformed gap, form and roughness \[m\].
     pub gap: Vec<f64>,
-    /// Estimated errors where the scene asks for an accuracy or for an estimate; none also where the coarser meshes were
-    /// not solved.
+    /// Estimated errors where the scene asks for an accuracy or for an estimate; none also where the coarser
+    /// meshes were not solved.
     pub error_estimate: Option<ErrorEstimate>,
     /// Stresses below the surface of the disc; none where the scene does not ask for them.
     pub stress: Option<StressNumbers>,
@@ -45,19 +45,20 @@ pub struct ContactSolution {
     pub film: FilmNumbers,
     /// Contact numbers.
     pub contact: ContactNumbers,
-    /// Friction coefficient, from boundary friction under the solid pressure and shear of the fluid; zero without
-    /// sliding.
+    /// Friction coefficient, from boundary friction under the solid pressure and shear of the fluid; zero
+    /// without sliding.
     pub friction_coefficient: f64,
     /// Part of the friction coefficient that solid contact makes.
     pub friction_boundary: f64,
     /// Part of the friction coefficient that shear of the fluid makes.
     pub friction_fluid: f64,
-    /// Composite roughness `sqrt(rq_ball^2 + rq_disc^2)` on the track, as in a [record](super::StepRecord) \[m\].
+    /// Composite roughness `sqrt(rq_ball^2 + rq_disc^2)` on the track, as in a [record](super::StepRecord)
+    /// \[m\].
     pub composite_rq: f64,
     /// `film.mean_central / composite_rq`; none between smooth surfaces and where the film is not known.
     pub lambda: Option<f64>,
-    /// What is unlikely to be meant or to hold: that of [`Scene::warnings`](super::Scene::warnings), of surfaces from files, and of the
-    /// solution.
+    /// What is unlikely to be meant or to hold: that of [`Scene::warnings`](super::Scene::warnings), of
+    /// surfaces from files, and of the solution.
     pub warnings: Vec<Warning>,
     /// Coefficient of friction of solid contact; zero without sliding.
     pub(super) boundary_friction: f64,
@@ -66,8 +67,8 @@ pub struct ContactSolution {
 }
 
 impl ContactSolution {
-    /// Fields by name, one value a node: `pressure` and `fluid_pressure` \[Pa\], `film` \[m\], `theta` (the share of the gap that is filled),
-    /// `gap` and `plastic_depth` \[m\].
+    /// Fields by name, one value a node: `pressure` and `fluid_pressure` \[Pa\], `film` \[m\], `theta` (the
+    /// share of the gap that is filled), `gap` and `plastic_depth` \[m\].
     pub fn fields(&self) -> [(&'static str, &[f64]); 6] {
         let state = &self.state;
         [
@@ -144,13 +145,15 @@ pub struct StressNumbers {
     pub largest: StressExtremes,
     /// Largest stress of von Mises over the yield strength; none without one.
     pub yield_ratio: Option<f64>,
-    /// Largest orthogonal shear stress over the yield stress in shear, `yield strength / sqrt 3`: the load is below the elastic shakedown
-    /// limit of free rolling where it is below one (see [`StressExtremes::orthogonal_shear`]); none without a strength.
+    /// Largest orthogonal shear stress over the yield stress in shear, `yield strength / sqrt 3`: the load is
+    /// below the elastic shakedown limit of free rolling where it is below one (see
+    /// [`StressExtremes::orthogonal_shear`]); none without a strength.
     pub shakedown_ratio: Option<f64>,
 }
 
 impl StressNumbers {
-    /// Those of `state`, if `scene` asks for them. The disc is dragged along the motion of the ball against it.
+    /// Those of `state`, if `scene` asks for them. The disc is dragged along the motion of the ball against
+    /// it.
     pub(super) fn of(
         scene: &Scene,
         model: &ContactModel,
@@ -189,7 +192,8 @@ pub(super) struct Numbers {
 }
 
 impl Numbers {
-    /// Those of `state`; without `friction` the solve diverged, which is a status, and its numbers are unknown.
+    /// Those of `state`; without `friction` the solve diverged, which is a status, and its numbers are
+    /// unknown.
     pub(super) fn of(
         model: &ContactModel,
         state: &ContactState,

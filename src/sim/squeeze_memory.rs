@@ -3,7 +3,8 @@
 use crate::error::InputError;
 use crate::reynolds::Squeeze;
 
-/// Longest step over the one before with which the difference of second order is taken; from 2.4 on it is unstable.
+/// Longest step over the one before with which the difference of second order is taken; from 2.4 on it is
+/// unstable.
 const LONGEST: f64 = 2.0;
 
 /// Masses of the last two contacts and the steps after them, newest first.
@@ -38,9 +39,9 @@ impl SqueezeMemory {
         self.steps = [time_step, self.steps[0]];
     }
 
-    /// The squeeze of the contact after `contacts` others, none of the first. It is of second order in time, of first order in
-    /// the second contact and after a step more than twice as long as the one before. What it refers to may be written to
-    /// `combined`.
+    /// The squeeze of the contact after `contacts` others, none of the first. It is of second order in time,
+    /// of first order in the second contact and after a step more than twice as long as the one before. What
+    /// it refers to may be written to `combined`.
     pub(super) fn squeeze<'a>(
         &'a self,
         contacts: u64,

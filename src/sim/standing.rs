@@ -11,9 +11,9 @@ use crate::reynolds::ContactState;
 use crate::surface::Offset;
 
 impl MixedLubricationSim {
-    /// Solves the contact of the bodies as they stand under `conditions`, their roughness in its first position and at rest
-    /// against the contact: no squeeze. Nothing is committed and later steps are as without the call. Not converging is a status
-    /// of the report.
+    /// Solves the contact of the bodies as they stand under `conditions`, their roughness in its first
+    /// position and at rest against the contact: no squeeze. Nothing is committed and later steps are as
+    /// without the call. Not converging is a status of the report.
     ///
     /// # Errors
     /// Conditions out of range, a load that the grid or the pressure limit cannot carry.

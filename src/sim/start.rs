@@ -8,8 +8,8 @@ use crate::plastic::PlasticDepth;
 use crate::tribochem::{FilmGrowthLaw, Tribofilm};
 use crate::wear::WearDepth;
 
-/// What a body has been through before a run: heights of the new body, wear, plastic depth and tribofilm, all on the grid of
-/// the contact. Its surface is `initial - wear - plastic + tribofilm`.
+/// What a body has been through before a run: heights of the new body, wear, plastic depth and tribofilm, all
+/// on the grid of the contact. Its surface is `initial - wear - plastic + tribofilm`.
 ///
 /// ```
 /// use stribeck::sim::{BodyStart, MixedLubricationSim, Scene};

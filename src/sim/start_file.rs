@@ -18,13 +18,14 @@ const HEADER: u64 = 1 << 16;
 
 impl BodyStart {
     /// The body that an npz archive holds as the arrays `NAME_initial_m`, `NAME_wear_m`, `NAME_plastic_m` and
-    /// `NAME_tribofilm_m` of shape `(ny, nx)`, as `fields.npz` of a [`RunFolder`](super::RunFolder) does for the names `ball` and
-    /// `disc`. All but the first may be missing. The states of a film are taken from `NAME_tribofilm_state_0` and so on where
-    /// they are there. The archive does not tell the size of its cells: `grid` is the one that it was written on.
+    /// `NAME_tribofilm_m` of shape `(ny, nx)`, as `fields.npz` of a [`RunFolder`](super::RunFolder) does for
+    /// the names `ball` and `disc`. All but the first may be missing. The states of a film are taken from
+    /// `NAME_tribofilm_state_0` and so on where they are there. The archive does not tell the size of its
+    /// cells: `grid` is the one that it was written on.
     ///
     /// # Errors
-    /// [`SimError`] for a file that cannot be read or is no archive, an array that is missing, damaged or not of the shape of
-    /// `grid`.
+    /// [`SimError`] for a file that cannot be read or is no archive, an array that is missing, damaged or not
+    /// of the shape of `grid`.
     pub fn read_npz(path: impl AsRef<Path>, name: &str, grid: Grid) -> Result<Self, SimError> {
         let path = path.as_ref();
         let io = |source| SimError::Io { path: path.to_owned(), source };

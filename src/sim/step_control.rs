@@ -15,8 +15,8 @@ use crate::error::InputError;
 pub struct StepControl {
     /// Longest step \[s\].
     pub longest: f64,
-    /// Largest change of wear or tribofilm of any node of either body in a step \[m\]; infinite: no bound. Plastic depth
-    /// does not count, it does not depend on the length of the step.
+    /// Largest change of wear or tribofilm of any node of either body in a step \[m\]; infinite: no bound.
+    /// Plastic depth does not count, it does not depend on the length of the step.
     pub depth: f64,
 }
 

@@ -30,8 +30,8 @@ impl Scene {
     /// What holds at `time` \[s\]: the values of the schedules, of the scene where there is none.
     ///
     /// # Errors
-    /// A load, form or modulus out of range, a schedule that goes back in time, has no value at the start or asks for a value
-    /// out of range, a table that cannot be read.
+    /// A load, form or modulus out of range, a schedule that goes back in time, has no value at the start or
+    /// asks for a value out of range, a table that cannot be read.
     pub fn conditions(&self, time: f64) -> Result<Conditions, InputError> {
         InputError::require_non_negative("time", time)?;
         Ok(Timetable::new(self)?.at(time))
@@ -119,7 +119,8 @@ impl Timetable {
         moving
     }
 
-    /// Mean speeds \[m/s\] of ball and disc from the start to `time` \[s\]: what carries them as far as they have come.
+    /// Mean speeds \[m/s\] of ball and disc from the start to `time` \[s\]: what carries them as far as they
+    /// have come.
     pub(super) fn mean_speeds(&self, time: f64) -> [f64; 2] {
         let changes = self.speed.is_some() || self.slide_roll_ratio.is_some();
         if !changes || time <= 0.0 {
@@ -133,7 +134,8 @@ impl Timetable {
         let (mut from, mut distances) = (0.0, [0.0; 2]);
         while from < time {
             let to = next(from);
-            // Products of two ramps are parabolas, which the two points of Gauss integrate exactly; none is at a jump.
+            // Products of two ramps are parabolas, which the two points of Gauss integrate exactly; none is
+            // at a jump.
             let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
             for point in [middle - half / 3.0_f64.sqrt(), middle + half / 3.0_f64.sqrt()] {
                 let speeds = self.at(point).motion.surface_speeds();

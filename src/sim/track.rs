@@ -6,8 +6,9 @@ use crate::error::InputError;
 use crate::grid::Grid;
 
 impl MixedLubricationSim {
-    /// Mean of `field`, one value per node of a body's patch, over the width of the track, `|y| <= a` with the half-width `a` of
-    /// the Hertz contact across under the load of the last step; cells count by their share of it. The box does not change it.
+    /// Mean of `field`, one value per node of a body's patch, over the width of the track, `|y| <= a` with
+    /// the half-width `a` of the Hertz contact across under the load of the last step; cells count by their
+    /// share of it. The box does not change it.
     ///
     /// # Errors
     /// A field of another length than the grid.
@@ -40,10 +41,11 @@ impl MixedLubricationSim {
         body.wear_depth().chunks_exact(nx).map(|row| row.iter().sum::<f64>() / nx as f64).collect()
     }
 
-    /// Roughness on the track \[m\]: of `heights`, one value per node of a body's patch, the rows within `|y| <= a`, each about its
-    /// mean along x. A groove is the same all along the track, so that its form goes with the means; roughness that is as long as
-    /// the patch goes too, of isotropic roughness of the correlation length `b` in a patch of the length `L` a share of the order
-    /// `b/L` of the square of Rq. Rows beside the track are none of its roughness: with them Rq would be that of the box.
+    /// Roughness on the track \[m\]: of `heights`, one value per node of a body's patch, the rows within
+    /// `|y| <= a`, each about its mean along x. A groove is the same all along the track, so that its form
+    /// goes with the means; roughness that is as long as the patch goes too, of isotropic roughness of the
+    /// correlation length `b` in a patch of the length `L` a share of the order `b/L` of the square of Rq.
+    /// Rows beside the track are none of its roughness: with them Rq would be that of the box.
     ///
     /// # Errors
     /// A field of another length than the grid.

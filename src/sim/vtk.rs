@@ -8,14 +8,14 @@ use super::SimError;
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Writes `fields` on `grid` as point data of a legacy VTK file (structured points, binary, 64 bit floats, lengths in m),
-/// which `ParaView` and `VisIt` open. Names must not hold blanks.
+/// Writes `fields` on `grid` as point data of a legacy VTK file (structured points, binary, 64 bit floats,
+/// lengths in m), which `ParaView` and `VisIt` open. Names must not hold blanks.
 ///
 /// Source: VTK file formats, Kitware, legacy format 3.0.
 ///
 /// # Errors
-/// [`SimError::Input`] naming the field that does not fit the grid or whose name is empty, taken or holds a blank;
-/// [`SimError::Io`] when the file cannot be written.
+/// [`SimError::Input`] naming the field that does not fit the grid or whose name is empty, taken or holds a
+/// blank; [`SimError::Io`] when the file cannot be written.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;

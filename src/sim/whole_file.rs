@@ -11,8 +11,8 @@ pub(super) fn draft(path: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// Puts the [`draft`] in the place of `path` once the disk has it: whoever stops the process, or the machine, finds the old
-/// file or the new one.
+/// Puts the [`draft`] in the place of `path` once the disk has it: whoever stops the process, or the machine,
+/// finds the old file or the new one.
 pub(super) fn put_in_place(path: &Path) -> io::Result<()> {
     let draft = draft(path);
     File::open(&draft)?.sync_all()?;

@@ -42,9 +42,9 @@ impl Yielding {
         model.contact_limit_into([first, second], [above, below], &mut self.limit)
     }
 
-    /// Moves the limit towards that of the bodies once they have given way by `plastic` \[m\], and returns the largest
-    /// distance from it, relative. A limit that rises by dH lets the node give way by some `compliance` dH \[m\] less,
-    /// which the length of the move allows for.
+    /// Moves the limit towards that of the bodies once they have given way by `plastic` \[m\], and returns
+    /// the largest distance from it, relative. A limit that rises by dH lets the node give way by some
+    /// `compliance` dH \[m\] less, which the length of the move allows for.
     pub(super) fn harden(
         &mut self,
         models: &PerBody<dyn PlasticityModel>,

@@ -75,8 +75,8 @@ fn density(shape: &RandomShape, johnson: Option<&Johnson>, grid: &Grid, transfor
     transform.symmetric(&correlation)
 }
 
-/// Share of the largest density below which a density is mostly rounding of its transform. Roots of that would tell surfaces
-/// of one processor from those of another.
+/// Share of the largest density below which a density is mostly rounding of its transform. Roots of that
+/// would tell surfaces of one processor from those of another.
 const ROUNDING: f64 = 1e-14;
 
 /// That of the Gaussian autocorrelation, which is a product of functions of x and of y.

@@ -89,8 +89,8 @@ impl Heights {
         self.moved(self.nx, self.ny, |i, j| (self.ny - 1 - j) * self.nx + i)
     }
 
-    /// Twice as long along each axis, with mirror images of the surface: heights are continuous and periodic. An axis of a
-    /// single point stays as it is.
+    /// Twice as long along each axis, with mirror images of the surface: heights are continuous and periodic.
+    /// An axis of a single point stays as it is.
     ///
     /// # Errors
     /// [`SurfaceError::Input`] for more than [`crate::Grid::MAX_NODES`] points.
@@ -109,12 +109,13 @@ impl Heights {
         })
     }
 
-    /// Lets the deviations from the mean of the defined points fall to zero within `width` \[m\] of the edges, by `sin^2`: opposite
-    /// edges then fit together. Roughness near the edges is lost, and the mean may change.
+    /// Lets the deviations from the mean of the defined points fall to zero within `width` \[m\] of the
+    /// edges, by `sin^2`: opposite edges then fit together. Roughness near the edges is lost, and the mean
+    /// may change.
     ///
     /// # Errors
-    /// [`SurfaceError::NoSpacing`], [`SurfaceError::AllUndefined`]; [`SurfaceError::Input`] for a width that is not positive or above
-    /// half the size along an axis of more than one point.
+    /// [`SurfaceError::NoSpacing`], [`SurfaceError::AllUndefined`]; [`SurfaceError::Input`] for a width that
+    /// is not positive or above half the size along an axis of more than one point.
     ///
     /// ```
     /// # use stribeck::surface::Heights;
@@ -151,7 +152,8 @@ impl Heights {
     /// Removes the mean of the defined points and scales them to the root mean square height `rq` \[m\].
     ///
     /// # Errors
-    /// [`SurfaceError::AllUndefined`]; [`SurfaceError::Input`] for a negative `rq` or a flat surface that should not be one.
+    /// [`SurfaceError::AllUndefined`]; [`SurfaceError::Input`] for a negative `rq` or a flat surface that
+    /// should not be one.
     ///
     /// ```
     /// # use stribeck::surface::Heights;

@@ -3,8 +3,8 @@
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Undeformed gap between the smooth bodies, `x^2/(2 Rx) + y^2/(2 Ry)` (of a cylinder the first term alone): the parabolic approximation, valid while the
-/// contact is small against the radii.
+/// Undeformed gap between the smooth bodies, `x^2/(2 Rx) + y^2/(2 Ry)` (of a cylinder the first term alone):
+/// the parabolic approximation, valid while the contact is small against the radii.
 ///
 /// With two curved bodies the radii are the equivalent ones, `1/R = 1/R1 + 1/R2` in each direction.
 ///

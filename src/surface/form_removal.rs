@@ -10,19 +10,19 @@ use crate::error::InputError;
 const MAX_DEGREE: usize = 10;
 /// Share of the largest eigenvalue below which a direction is left as it is.
 const DEGENERATE: f64 = 1e-12;
-/// Steps of the fit of a sphere, halvings of a step that leaves the sphere, and change at which the fit ends, in
-/// half the length of the surface.
+/// Steps of the fit of a sphere, halvings of a step that leaves the sphere, and change at which the fit ends,
+/// in half the length of the surface.
 const STEPS: usize = 50;
 const HALVINGS: usize = 30;
 const CONVERGED: f64 = 1e-13;
 
 impl Heights {
-    /// Subtracts the plane of least squares through the defined points. A direction in which they do not extend
-    /// keeps its slope.
+    /// Subtracts the plane of least squares through the defined points. A direction in which they do not
+    /// extend keeps its slope.
     ///
     /// # Errors
-    /// [`SurfaceError::AllUndefined`] when nothing is known; [`SurfaceError::Input`] for heights so large that the sums
-    /// overflow.
+    /// [`SurfaceError::AllUndefined`] when nothing is known; [`SurfaceError::Input`] for heights so large
+    /// that the sums overflow.
     ///
     /// ```
     /// # use stribeck::surface::Heights;
@@ -36,8 +36,8 @@ impl Heights {
         self.remove_polynomial(1)
     }
 
-    /// Subtracts the polynomial `sum c_mn x^m y^n` over `m + n <= degree` of least squares through the defined points. What
-    /// they leave open (a slope across a single row) is not changed.
+    /// Subtracts the polynomial `sum c_mn x^m y^n` over `m + n <= degree` of least squares through the
+    /// defined points. What they leave open (a slope across a single row) is not changed.
     ///
     /// # Errors
     /// A degree above 10; those of [`Heights::remove_plane`].
@@ -99,12 +99,12 @@ impl Heights {
         Ok(())
     }
 
-    /// Subtracts the sphere of least squares of the vertical distances through the defined points and returns its radius \[m\]:
-    /// positive for a ball, negative for a socket, very large for a flat.
+    /// Subtracts the sphere of least squares of the vertical distances through the defined points and returns
+    /// its radius \[m\]: positive for a ball, negative for a socket, very large for a flat.
     ///
     /// # Errors
-    /// [`SurfaceError::NoSpacing`]; [`SurfaceError::Input`] when no sphere is found (the surface reaches beyond its
-    /// equator); those of [`Heights::remove_plane`].
+    /// [`SurfaceError::NoSpacing`]; [`SurfaceError::Input`] when no sphere is found (the surface reaches
+    /// beyond its equator); those of [`Heights::remove_plane`].
     ///
     /// ```
     /// # use stribeck::{Grid, surface::Heights};
@@ -192,7 +192,8 @@ fn no_sphere() -> SurfaceError {
 }
 
 /// A sphere by height, slopes and curvature at the origin, so that a flat is one of them:
-/// `curvature (w^2 + r^2) - 2 (w - p x - q y) / m = 0` with `w` the height above the origin and `m^2 = 1 + p^2 + q^2`.
+/// `curvature (w^2 + r^2) - 2 (w - p x - q y) / m = 0` with `w` the height above the origin and
+/// `m^2 = 1 + p^2 + q^2`.
 #[derive(Clone, Copy)]
 struct Cap([f64; 4]);
 

@@ -11,13 +11,15 @@ use super::measured::Heights;
 use crate::grid::Grid;
 
 impl Heights {
-    /// The same area with `nx` x `ny` points, by the Fourier series of the surface continued periodically: exact for waves that
-    /// both sets of points resolve; waves that the new points do not resolve are left out, so nothing is aliased.
+    /// The same area with `nx` x `ny` points, by the Fourier series of the surface continued periodically:
+    /// exact for waves that both sets of points resolve; waves that the new points do not resolve are left
+    /// out, so nothing is aliased.
     ///
     /// Edges that do not fit together ring: [`Heights::taper`] or [`Heights::tile_mirrored`] first.
     ///
     /// # Errors
-    /// [`SurfaceError::Undefined`]; [`SurfaceError::Input`] for a count of zero or more than [`Grid::MAX_NODES`] points.
+    /// [`SurfaceError::Undefined`]; [`SurfaceError::Input`] for a count of zero or more than
+    /// [`Grid::MAX_NODES`] points.
     ///
     /// ```
     /// # use stribeck::surface::Heights;

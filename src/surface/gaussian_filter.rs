@@ -17,18 +17,18 @@ const ALPHA: f64 = 0.469_718_639_349_825_7;
 const REACH: f64 = 1.6;
 
 impl Heights {
-    /// S-filter: keeps what is longer than `cutoff` \[m\]. A wave of length L passes by `exp(-ln 2 (cutoff/L)^2)`, one half at
-    /// the cut-off.
+    /// S-filter: keeps what is longer than `cutoff` \[m\]. A wave of length L passes by
+    /// `exp(-ln 2 (cutoff/L)^2)`, one half at the cut-off.
     ///
-    /// The weights are `exp(-pi (r / (alpha cutoff))^2)` with `alpha = sqrt(ln 2 / pi)`. Near undefined points and the edges
-    /// of an open surface they are divided by their sum over what is defined; a periodic surface goes on beyond its edges.
-    /// Undefined points stay so.
+    /// The weights are `exp(-pi (r / (alpha cutoff))^2)` with `alpha = sqrt(ln 2 / pi)`. Near undefined
+    /// points and the edges of an open surface they are divided by their sum over what is defined; a periodic
+    /// surface goes on beyond its edges. Undefined points stay so.
     ///
     /// Source: ISO 16610-61:2015.
     ///
     /// # Errors
-    /// [`SurfaceError::NoSpacing`], [`SurfaceError::AllUndefined`]; [`SurfaceError::Input`] for a cut-off that is not positive or
-    /// longer than the surface.
+    /// [`SurfaceError::NoSpacing`], [`SurfaceError::AllUndefined`]; [`SurfaceError::Input`] for a cut-off
+    /// that is not positive or longer than the surface.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -44,7 +44,8 @@ impl Heights {
         Ok(())
     }
 
-    /// L-filter: removes what is longer than `cutoff` \[m\], the mean included: the surface less its [`Heights::s_filter`].
+    /// L-filter: removes what is longer than `cutoff` \[m\], the mean included: the surface less its
+    /// [`Heights::s_filter`].
     ///
     /// # Errors
     /// Those of [`Heights::s_filter`].
@@ -92,8 +93,8 @@ impl Heights {
     }
 }
 
-/// Convolves `lines` lines of `count` points, the first points `start` apart and their points `stride`, with Gaussian weights
-/// for a cut-off in points.
+/// Convolves `lines` lines of `count` points, the first points `start` apart and their points `stride`, with
+/// Gaussian weights for a cut-off in points.
 fn smooth_lines(
     field: &mut [Complex64],
     [start, stride, lines, count]: [usize; 4],

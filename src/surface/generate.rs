@@ -13,8 +13,8 @@ pub enum Autocorrelation {
     /// `Rq^2 exp(-ln(10) s^2)`: smooth slopes; contact results converge with the mesh.
     #[default]
     Gaussian,
-    /// `Rq^2 exp(-ln(10) s)`: ground surfaces, rough at every scale; slopes and peak pressures grow without bound
-    /// as the mesh is refined.
+    /// `Rq^2 exp(-ln(10) s)`: ground surfaces, rough at every scale; slopes and peak pressures grow without
+    /// bound as the mesh is refined.
     Exponential,
 }
 
@@ -64,7 +64,8 @@ impl RoughnessSpec {
     /// Checks the fields against the grid that they are meant for.
     ///
     /// # Errors
-    /// A negative `rq`, a length that is not positive or exceeds the size of the grid, a value that is not finite.
+    /// A negative `rq`, a length that is not positive or exceeds the size of the grid, a value that is not
+    /// finite.
     pub fn validate(&self, grid: &Grid) -> Result<(), InputError> {
         InputError::require_non_negative("roughness.rq", self.rq)?;
         let lengths = [
@@ -82,11 +83,11 @@ impl RoughnessSpec {
 
 /// A periodic random surface \[m\] on `grid`, with zero mean and root mean square height exactly `rq`.
 ///
-/// White noise (`ChaCha8`, normal deviates, in the order of the field) is convolved with the filter whose spectrum
-/// is the root of the transform of the periodic autocorrelation; small negative parts of that transform, which
-/// wrapping can leave, are cut. Opposite edges fit together, so the surface may be shifted around
-/// ([`super::RoughnessMotion`]). The same seed gives the same surface: to the last bit on one processor with any number of
-/// threads, to some 1e-9 of `rq` on others, whose transforms round otherwise.
+/// White noise (`ChaCha8`, normal deviates, in the order of the field) is convolved with the filter whose
+/// spectrum is the root of the transform of the periodic autocorrelation; small negative parts of that
+/// transform, which wrapping can leave, are cut. Opposite edges fit together, so the surface may be shifted
+/// around ([`super::RoughnessMotion`]). The same seed gives the same surface: to the last bit on one
+/// processor with any number of threads, to some 1e-9 of `rq` on others, whose transforms round otherwise.
 ///
 /// Source: Hu, Y. Z. and Tonder, K. (1992), International Journal of Machine Tools and Manufacture 32, 83-90.
 ///

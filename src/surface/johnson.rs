@@ -24,7 +24,8 @@ const TERMS: usize = 30;
 /// Nodes of the table of correlations.
 const TABLE: usize = 1025;
 
-/// The curve between two deviates, standardised to mean 0 and variance 1 and mirrored for a negative skewness.
+/// The curve between two deviates, standardised to mean 0 and variance 1 and mirrored for a negative
+/// skewness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Johnson {
     shape: Shape,
@@ -137,7 +138,8 @@ impl Johnson {
         if (kurtosis - curve).abs() < ON_CURVE {
             return if beta < ON_CURVE { Shape::Normal } else { Shape::Lognormal { delta } };
         }
-        // at a given skewness the kurtosis is monotonic in delta: up to the curve when bounded, down to it when not
+        // at a given skewness the kurtosis is monotonic in delta: up to the curve when bounded, down to it
+        // when not
         let largest = delta.min(DELTA_LARGEST);
         if kurtosis < curve {
             let at = |delta: f64| Shape::Bounded { gamma: gamma_bounded(delta, skewness), delta };
@@ -165,8 +167,8 @@ impl Johnson {
         Curve { johnson: self, nodes: (0..=INTERVALS).map(node).collect() }
     }
 
-    /// Correlations that normal deviates need so that the turned ones have those asked for: pairs `(asked, needed)`,
-    /// rising, for needed correlations from -1 to 1.
+    /// Correlations that normal deviates need so that the turned ones have those asked for: pairs
+    /// `(asked, needed)`, rising, for needed correlations from -1 to 1.
     ///
     /// With the Hermite coefficients `a_n` of the curve, `asked = sum a_n^2 n! needed^n / sum a_n^2 n!`.
     pub(super) fn correlations(&self) -> Vec<(f64, f64)> {

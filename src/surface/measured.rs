@@ -9,7 +9,8 @@ use crate::grid::Grid;
 /// Sweeps that smooth the filled holes after the nearest values have grown into them.
 const FILL_SWEEPS: usize = 200;
 
-/// Measured heights \[m\] of `nx` x `ny` points, row-major with x fastest, and the spacing of the points where it is known.
+/// Measured heights \[m\] of `nx` x `ny` points, row-major with x fastest, and the spacing of the points
+/// where it is known.
 ///
 /// Undefined points (the instrument saw nothing) are flagged in a mask; their height is stored as 0.
 ///
@@ -33,13 +34,14 @@ pub struct Heights {
 }
 
 impl Heights {
-    /// Surface of `nx` x `ny` points with `spacing` `[dx, dy]` \[m\] and a mask of the defined points (`None`: all).
+    /// Surface of `nx` x `ny` points with `spacing` `[dx, dy]` \[m\] and a mask of the defined points
+    /// (`None`: all).
     ///
     /// Heights of undefined points are ignored, whatever they are.
     ///
     /// # Errors
-    /// A count of zero or more than [`Grid::MAX_NODES`] points, a spacing that is not positive, slices of the wrong
-    /// length, a defined height that is not finite.
+    /// A count of zero or more than [`Grid::MAX_NODES`] points, a spacing that is not positive, slices of the
+    /// wrong length, a defined height that is not finite.
     pub fn new(
         nx: usize,
         ny: usize,
@@ -128,9 +130,9 @@ impl Heights {
         self.defined.as_ref().map_or(0, |mask| mask.iter().filter(|defined| !**defined).count())
     }
 
-    /// Fills the undefined points: the defined heights grow inwards as the mean of the neighbours already known, then
-    /// relaxation towards Laplace's equation smooths the filled area (a membrane over the hole). Defined heights
-    /// stay as they are.
+    /// Fills the undefined points: the defined heights grow inwards as the mean of the neighbours already
+    /// known, then relaxation towards Laplace's equation smooths the filled area (a membrane over the hole).
+    /// Defined heights stay as they are.
     ///
     /// # Errors
     /// [`SurfaceError::AllUndefined`] when nothing is known.
@@ -201,14 +203,17 @@ impl Heights {
         self.defined.as_ref().is_none_or(|mask| mask[k])
     }
 
-    /// Heights \[m\] on `grid`, from a window of its size in the middle of the surface; positions of the grid do not matter.
+    /// Heights \[m\] on `grid`, from a window of its size in the middle of the surface; positions of the grid
+    /// do not matter.
     ///
-    /// Along an axis where the grid is the coarser of the two, cells receive the average of the area they cover
-    /// (which lowers the roughness: wavelengths below the cell are gone), else linear interpolation. Opposite
-    /// edges of the result do not fit together: see [`Heights::resample_mirrored`] for periodic roughness.
+    /// Along an axis where the grid is the coarser of the two, cells receive the average of the area they
+    /// cover (which lowers the roughness: wavelengths below the cell are gone), else linear interpolation.
+    /// Opposite edges of the result do not fit together: see [`Heights::resample_mirrored`] for periodic
+    /// roughness.
     ///
     /// # Errors
-    /// [`SurfaceError::NoSpacing`], [`SurfaceError::Undefined`], or [`SurfaceError::TooSmall`] when the window does not fit.
+    /// [`SurfaceError::NoSpacing`], [`SurfaceError::Undefined`], or [`SurfaceError::TooSmall`] when the
+    /// window does not fit.
     ///
     /// ```
     /// # use stribeck::{Grid, surface::Heights};
@@ -227,17 +232,17 @@ impl Heights {
         Ok(resample(&self.heights, [self.nx, self.ny], [dx, dy], grid, Tiling::Window))
     }
 
-    /// Heights \[m\] on `grid`, periodic and of any size: a window in the middle of the surface is laid out in mirror
-    /// images, like tiles that are flipped over at each edge, so that heights are continuous everywhere and
-    /// opposite edges of the grid fit together.
+    /// Heights \[m\] on `grid`, periodic and of any size: a window in the middle of the surface is laid out
+    /// in mirror images, like tiles that are flipped over at each edge, so that heights are continuous
+    /// everywhere and opposite edges of the grid fit together.
     ///
     /// Along each axis the window is the largest that fits an even number of times into the grid. The pattern
     /// repeats, and its mirror symmetry is visible at the seams: averages of roughness are kept, the longest
     /// wavelengths are not. Cells are averaged or interpolated as in [`Heights::resample`].
     ///
     /// # Errors
-    /// [`SurfaceError::NoSpacing`] or [`SurfaceError::Undefined`]; [`SurfaceError::Input`] when the measured area is so small that it
-    /// would be repeated more often than the grid has nodes.
+    /// [`SurfaceError::NoSpacing`] or [`SurfaceError::Undefined`]; [`SurfaceError::Input`] when the measured
+    /// area is so small that it would be repeated more often than the grid has nodes.
     ///
     /// ```
     /// # use stribeck::{Grid, surface::Heights};
@@ -272,8 +277,9 @@ impl Heights {
         }
     }
 
-    /// The measured roughness on a simulation grid \[m\], periodic and with zero mean: [`Heights::fill_undefined`],
-    /// [`Heights::remove_plane`], [`Heights::resample_mirrored`], then removal of the mean.
+    /// The measured roughness on a simulation grid \[m\], periodic and with zero mean:
+    /// [`Heights::fill_undefined`], [`Heights::remove_plane`], [`Heights::resample_mirrored`], then removal
+    /// of the mean.
     ///
     /// # Errors
     /// [`SurfaceError::NoSpacing`], [`SurfaceError::AllUndefined`], or those of the three steps.

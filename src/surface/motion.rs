@@ -2,8 +2,8 @@
 
 use crate::error::InputError;
 
-/// Where a pattern stands: node `(i, j)` of the grid sees the body's own field at column `i + columns + fraction` and row
-/// `j + rows`, both periodic.
+/// Where a pattern stands: node `(i, j)` of the grid sees the body's own field at column
+/// `i + columns + fraction` and row `j + rows`, both periodic.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Offset {
     /// Whole columns.
@@ -55,9 +55,9 @@ pub fn copy_shifted(
     Ok(())
 }
 
-/// Adds `values`, computed on the grid, to the periodic `field` of the body at `offset`: each value goes to the two columns
-/// that it stands between, by their distance, so that the sum is kept; with a fraction of zero
-/// `field[((j + rows) % ny, (i + columns) % nx)] += values[(j, i)]`.
+/// Adds `values`, computed on the grid, to the periodic `field` of the body at `offset`: each value goes to
+/// the two columns that it stands between, by their distance, so that the sum is kept; with a fraction of
+/// zero `field[((j + rows) % ny, (i + columns) % nx)] += values[(j, i)]`.
 ///
 /// # Errors
 /// Slices that have not `nx * ny` values, a fraction outside 0 to 1.
@@ -98,7 +98,8 @@ fn require_shapes(source: &[f64], nx: usize, ny: usize, target: &[f64]) -> Resul
     InputError::require_len("target", target, nodes)
 }
 
-/// Calls `visit(start in the body's field, start on the grid, length)` for the one or two contiguous pieces of each row.
+/// Calls `visit(start in the body's field, start on the grid, length)` for the one or two contiguous pieces
+/// of each row.
 fn for_rows(nx: usize, ny: usize, shift: (usize, usize), mut visit: impl FnMut(usize, usize, usize)) {
     if nx == 0 || ny == 0 {
         return;

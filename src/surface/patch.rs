@@ -11,10 +11,12 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::{RealFft2, fast_length};
 
-/// Normal deviates on `grid` with the autocorrelation of `shape`, and their standard deviation over all seeds.
+/// Normal deviates on `grid` with the autocorrelation of `shape`, and their standard deviation over all
+/// seeds.
 ///
-/// The spectrum of white noise is white, so the waves of the larger surface are drawn as they are, each column of the
-/// spectrum from a stream of its own; of the transform back only the lines of the patch are made.
+/// The spectrum of white noise is white, so the waves of the larger surface are drawn as they are, each
+/// column of the spectrum from a stream of its own; of the transform back only the lines of the patch are
+/// made.
 pub(super) fn deviates(
     shape: &RandomShape,
     johnson: Option<&Johnson>,
@@ -52,7 +54,8 @@ pub(super) fn deviates(
     Ok((field, amplitudes.power.sqrt()))
 }
 
-/// Makes a column whose waves along y come with their own conjugates such: real where a wave is its own partner.
+/// Makes a column whose waves along y come with their own conjugates such: real where a wave is its own
+/// partner.
 fn mirror(column: &mut [Complex64]) {
     let ny = column.len();
     for j in 0..=ny / 2 {
@@ -65,9 +68,9 @@ fn mirror(column: &mut [Complex64]) {
     }
 }
 
-/// A grid so much larger than `grid` that opposite edges of a part of its size hardly know each other: by a margin over which
-/// the autocorrelation falls to 2 % or less, as far as half the size of `grid` allows; beyond that by one over which it falls
-/// to 10 % or less.
+/// A grid so much larger than `grid` that opposite edges of a part of its size hardly know each other: by a
+/// margin over which the autocorrelation falls to 2 % or less, as far as half the size of `grid` allows;
+/// beyond that by one over which it falls to 10 % or less.
 fn period(shape: &RandomShape, grid: &Grid) -> Result<Grid, InputError> {
     let half = [grid.size_x() / 2.0, grid.size_y() / 2.0];
     let margins = match *shape {

@@ -18,10 +18,12 @@ use crate::numerics::{RealFft2, both, map_lines};
 /// What the root mean square height of a random surface refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum HeightScale {
-    /// Each surface has exactly that height: what the standard parameters of one surface call for. Removes the mean.
+    /// Each surface has exactly that height: what the standard parameters of one surface call for. Removes
+    /// the mean.
     #[default]
     Exact,
-    /// The mean square over all seeds has it, as of patches of one large surface; single surfaces scatter about it.
+    /// The mean square over all seeds has it, as of patches of one large surface; single surfaces scatter
+    /// about it.
     Ensemble,
 }
 
@@ -108,18 +110,21 @@ impl RandomSurface {
         Self { shape, rq, seed, height, distribution, boundary }
     }
 
-    /// The surface on `grid` \[m\]. Of a periodic one no part of its spectrum is constant, so its mean is zero.
+    /// The surface on `grid` \[m\]. Of a periodic one no part of its spectrum is constant, so its mean is
+    /// zero.
     ///
-    /// Heights of a Johnson distribution are turned out of normal ones node by node; the normal ones have the autocorrelation
-    /// that leads to the one asked for (a translation process). Skewness and kurtosis are met by the mean over seeds; a
-    /// single surface scatters about them with the number of correlation lengths that it holds.
+    /// Heights of a Johnson distribution are turned out of normal ones node by node; the normal ones have the
+    /// autocorrelation that leads to the one asked for (a translation process). Skewness and kurtosis are met
+    /// by the mean over seeds; a single surface scatters about them with the number of correlation lengths
+    /// that it holds.
     ///
-    /// Sources: Hu, Y. Z. and Tonder, K. (1992), International Journal of Machine Tools and Manufacture 32, 83-90; Johnson,
-    /// N. L. (1949), Biometrika 36, 149-176.
+    /// Sources: Hu, Y. Z. and Tonder, K. (1992), International Journal of Machine Tools and Manufacture 32,
+    /// 83-90; Johnson, N. L. (1949), Biometrika 36, 149-176.
     ///
     /// # Errors
-    /// A negative `rq`, lengths that are not positive or exceed the grid, a Hurst exponent or cut-offs out of order, a pair of
-    /// skewness and kurtosis that does not exist (the range is named), a grid with too few nodes.
+    /// A negative `rq`, lengths that are not positive or exceed the grid, a Hurst exponent or cut-offs out of
+    /// order, a pair of skewness and kurtosis that does not exist (the range is named), a grid with too few
+    /// nodes.
     pub fn generate(&self, grid: &Grid) -> Result<Vec<f64>, InputError> {
         self.shape.validate(self.rq, self.seed, grid)?;
         let johnson = match self.distribution {

@@ -1,4 +1,5 @@
-//! Transfer of measured heights to a grid: separable averages or interpolation, with mirror images where needed.
+//! Transfer of measured heights to a grid: separable averages or interpolation, with mirror images where
+//! needed.
 
 use crate::grid::Grid;
 

@@ -10,13 +10,14 @@ use crate::grid::Grid;
 
 /// Where the roughness of each body stands at each solve.
 ///
-/// A step of a wear history spans many passages of the contact, so the two roughness patterns meet at another relative
-/// position each time. All patterns are periodic.
+/// A step of a wear history spans many passages of the contact, so the two roughness patterns meet at another
+/// relative position each time. All patterns are periodic.
 ///
-/// Contract: an offset depends on the arguments alone, so that a resumed run meets the positions of an uninterrupted one; its
-/// fraction is a number from 0 to 1; its columns and rows are whole numbers of any size (patterns are periodic); a body of which
-/// [`visits`](Self::visits) says that it stays keeps its offset, one that moves along its track keeps its row; `Debug` prints the
-/// constants. `testing::roughness_motion` checks it.
+/// Contract: an offset depends on the arguments alone, so that a resumed run meets the positions of an
+/// uninterrupted one; its fraction is a number from 0 to 1; its columns and rows are whole numbers of any
+/// size (patterns are periodic); a body of which [`visits`](Self::visits) says that it stays keeps its
+/// offset, one that moves along its track keeps its row; `Debug` prints the constants.
+/// `testing::roughness_motion` checks it.
 ///
 /// ```
 /// use stribeck::Grid;
@@ -37,11 +38,12 @@ use crate::grid::Grid;
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 pub trait RoughnessMotion: Debug + Send + Sync {
-    /// Where the pattern of `body` (0 the ball, 1 the disc) stands on `grid` at the `draw`-th solve, counted from 0, and `time`
-    /// \[s\], its surface moving at `speed` \[m/s\] along x.
+    /// Where the pattern of `body` (0 the ball, 1 the disc) stands on `grid` at the `draw`-th solve, counted
+    /// from 0, and `time` \[s\], its surface moving at `speed` \[m/s\] along x.
     fn offset(&self, body: usize, draw: u64, time: f64, speed: f64, grid: &Grid) -> Offset;
 
-    /// Which places of its patch a body moving at `speed` \[m/s\] brings under the contact, each equally often.
+    /// Which places of its patch a body moving at `speed` \[m/s\] brings under the contact, each equally
+    /// often.
     fn visits(&self, speed: f64) -> Visits;
 }
 
@@ -72,8 +74,8 @@ impl RoughnessMotion for AtRest {
     }
 }
 
-/// Each pattern is carried along x by its body: after the time `t` it stands `V t` downstream, between nodes by
-/// interpolation.
+/// Each pattern is carried along x by its body: after the time `t` it stands `V t` downstream, between nodes
+/// by interpolation.
 ///
 /// ```
 /// use stribeck::Grid;
@@ -102,13 +104,13 @@ impl RoughnessMotion for Carried {
     }
 }
 
-/// Each pattern stands at another place along the track at each solve, a whole number of nodes from its origin; across the track
-/// it never moves, so that a groove forms. A body at rest stays.
+/// Each pattern stands at another place along the track at each solve, a whole number of nodes from its
+/// origin; across the track it never moves, so that a groove forms. A body at rest stays.
 ///
-/// Places of ball and disc are an additive recurrence, `x_n = frac(s + n c)` of the patch, with `c` the first and second
-/// negative power of the real root of `g^3 = g + 1` and `s` from the seed: places of a body and of one body on the other are spread
-/// far more evenly than random ones, so that the mean over `n` solves converges nearly with `1/n`. The solve 0 has both patterns at
-/// their origins.
+/// Places of ball and disc are an additive recurrence, `x_n = frac(s + n c)` of the patch, with `c` the first
+/// and second negative power of the real root of `g^3 = g + 1` and `s` from the seed: places of a body and of
+/// one body on the other are spread far more evenly than random ones, so that the mean over `n` solves
+/// converges nearly with `1/n`. The solve 0 has both patterns at their origins.
 ///
 /// ```
 /// use stribeck::Grid;
@@ -147,8 +149,8 @@ impl RoughnessMotion for AlongTrack {
     }
 }
 
-/// Each pattern stands at a new random place at each solve, a whole number of nodes from its origin along and across: no groove
-/// forms. The solve 0 has both patterns at their origins.
+/// Each pattern stands at a new random place at each solve, a whole number of nodes from its origin along and
+/// across: no groove forms. The solve 0 has both patterns at their origins.
 ///
 /// ```
 /// use stribeck::Grid;

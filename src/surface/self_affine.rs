@@ -4,10 +4,11 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::map_lines;
 
-/// A spectrum that falls as `q^(-2 (1 + hurst))` from the roll-off on, `q = 2 pi / wavelength`; constant above the roll-off
-/// wavelength, zero outside the cut-offs.
+/// A spectrum that falls as `q^(-2 (1 + hurst))` from the roll-off on, `q = 2 pi / wavelength`; constant
+/// above the roll-off wavelength, zero outside the cut-offs.
 ///
-/// Source: Jacobs, T. D. B., Junge, T. and Pastewka, L. (2017), Surface Topography: Metrology and Properties 5, 013001.
+/// Source: Jacobs, T. D. B., Junge, T. and Pastewka, L. (2017), Surface Topography: Metrology and Properties
+/// 5, 013001.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SelfAffine {
     /// Hurst exponent, above 0 and at most 1: 1 is smoothest.

@@ -110,7 +110,8 @@ impl FourierShift {
     }
 }
 
-/// Overwrites `out` with the periodic `field` as seen at `offset`, linear between columns: positive fields stay so.
+/// Overwrites `out` with the periodic `field` as seen at `offset`, linear between columns: positive fields
+/// stay so.
 ///
 /// # Errors
 /// Slices that have not `nx * ny` values, a fraction outside 0 to 1.

@@ -25,8 +25,8 @@ pub enum Texture {
         radius: f64,
         /// Depth at the centre \[m\].
         depth: f64,
-        /// Distance of the centres along x and y \[m\], rounded so that a whole number fits into the grid; at least twice the
-        /// radius.
+        /// Distance of the centres along x and y \[m\], rounded so that a whole number fits into the grid; at
+        /// least twice the radius.
         pitch: f64,
         /// Where the centres are.
         layout: DimpleLayout,
@@ -49,7 +49,8 @@ pub enum Texture {
 pub enum DimpleLayout {
     /// On a square lattice.
     Square,
-    /// At random within the squares of that lattice, without overlap and without a preferred direction of what is near.
+    /// At random within the squares of that lattice, without overlap and without a preferred direction of
+    /// what is near.
     Random {
         /// Seed: equal seeds give equal surfaces.
         seed: u64,

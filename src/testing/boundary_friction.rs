@@ -8,8 +8,8 @@ const PRESSURES: [f64; 4] = [0.0, 1e6, 1e9, 1e12];
 const SPEEDS: [f64; 4] = [0.0, 1e-3, 1.0, 1e3];
 const FILMS: [f64; 4] = [0.0, 5e-9, 200e-9, 1e-3];
 
-/// Checks `law` against the contract of [`BoundaryFriction`]: coefficients are finite and not negative, and the same for the
-/// same arguments, whatever was asked in between.
+/// Checks `law` against the contract of [`BoundaryFriction`]: coefficients are finite and not negative, and
+/// the same for the same arguments, whatever was asked in between.
 ///
 /// # Errors
 /// The first violation.

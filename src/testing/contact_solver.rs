@@ -20,9 +20,9 @@ const SPEED: f64 = 5.0;
 const CUTOFF: f64 = 1e-9;
 
 /// Checks `solver` against the contract of [`ContactSolver`] on a smooth steel ball at 0.5 GPa, dry or, where
-/// `lubricated`, in a thick film of oil: it converges, its residuals are within the rule, pressure is never negative and
-/// carries the load, the contact is that of Hertz, a restart from the solution stays there, no iterations end as such,
-/// and bad input is refused.
+/// `lubricated`, in a thick film of oil: it converges, its residuals are within the rule, pressure is never
+/// negative and carries the load, the contact is that of Hertz, a restart from the solution stays there, no
+/// iterations end as such, and bad input is refused.
 ///
 /// # Errors
 /// The first violation.

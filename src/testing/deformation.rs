@@ -4,9 +4,9 @@ use super::{Contract, Violation, close};
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
 
-/// Checks `model`, on a grid of at least 6 x 6 nodes, against the contract of [`DeformationModel`]: no displacement
-/// without pressure, positive under it and nowhere negative, linear, symmetric, translation invariant, its influence coefficients those of its
-/// displacement, slices of the wrong length refused.
+/// Checks `model`, on a grid of at least 6 x 6 nodes, against the contract of [`DeformationModel`]: no
+/// displacement without pressure, positive under it and nowhere negative, linear, symmetric, translation
+/// invariant, its influence coefficients those of its displacement, slices of the wrong length refused.
 ///
 /// # Errors
 /// The first violation.

@@ -6,13 +6,14 @@ use crate::tribochem::FilmGrowthLaw;
 
 /// Shares of the largest thickness that films start from.
 const FILLINGS: [f64; 4] = [0.0, 0.3, 0.8, 1.0];
-/// Accepted difference between one step and several over the same time, relative to the largest thickness: that of
-/// the default integration.
+/// Accepted difference between one step and several over the same time, relative to the largest thickness:
+/// that of the default integration.
 const SPLIT_TOLERANCE: f64 = 1e-4;
 
-/// Checks `law` against the contract of [`FilmGrowthLaw`]: the largest thickness is positive; a bare surface has no
-/// film; rates and states are finite; idle nodes are frozen; a film stays between zero and the largest thickness; nothing happens
-/// in no time; the film that a short step adds is the rate; a step may be cut anywhere.
+/// Checks `law` against the contract of [`FilmGrowthLaw`]: the largest thickness is positive; a bare surface
+/// has no film; rates and states are finite; idle nodes are frozen; a film stays between zero and the largest
+/// thickness; nothing happens in no time; the film that a short step adds is the rate; a step may be cut
+/// anywhere.
 ///
 /// # Errors
 /// The first violation.

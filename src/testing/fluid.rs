@@ -9,8 +9,9 @@ const PRESSURES: [f64; 12] = [0.0, 1e3, 1e6, 1e7, 5e7, 1.1e8, 3e8, 7.7e8, 1.3e9,
 /// ambient pressure.
 const SLOPE_TOLERANCE: f64 = 1e-3;
 
-/// Checks `law` against the contract of [`ViscosityLaw`]: finite and positive at every pressure, not falling with it,
-/// pressures below zero counting as zero, the logarithmic slope that of the viscosity, whole fields like single values.
+/// Checks `law` against the contract of [`ViscosityLaw`]: finite and positive at every pressure, not falling
+/// with it, pressures below zero counting as zero, the logarithmic slope that of the viscosity, whole fields
+/// like single values.
 ///
 /// # Errors
 /// The first violation.
@@ -44,8 +45,8 @@ pub fn viscosity_law(law: &dyn ViscosityLaw) -> Result<(), Violation> {
     slopes(&contract, |p| law.viscosity(p).ln(), |p| law.log_slope(p))
 }
 
-/// Checks `law` against the contract of [`DensityLaw`]: the ratio is finite, 1 at ambient pressure, not falling with
-/// pressure, pressures below zero counting as zero, the slope that of the ratio.
+/// Checks `law` against the contract of [`DensityLaw`]: the ratio is finite, 1 at ambient pressure, not
+/// falling with pressure, pressures below zero counting as zero, the slope that of the ratio.
 ///
 /// # Errors
 /// The first violation.

@@ -1,7 +1,8 @@
-//! Conformance of laws, models and solvers to the contracts of their traits, for tests of one's own (feature `testing`).
+//! Conformance of laws, models and solvers to the contracts of their traits, for tests of one's own (feature
+//! `testing`).
 //!
-//! Each function probes one implementation over a wide range of arguments and returns the first [`Violation`] it
-//! finds. Passing is necessary, not sufficient: a law can keep its contract and still be wrong.
+//! Each function probes one implementation over a wide range of arguments and returns the first [`Violation`]
+//! it finds. Passing is necessary, not sufficient: a law can keep its contract and still be wrong.
 //!
 //! | function | checks |
 //! |---|---|

@@ -11,8 +11,9 @@ const TIMES: [f64; 4] = [0.0, 1e-5, 10.0, 7200.0];
 /// Solves.
 const DRAWS: [u64; 7] = [0, 1, 2, 3, 100, 5041, u64::MAX];
 
-/// Checks `motion` against the contract of [`RoughnessMotion`]: fractions are numbers from 0 to 1; offsets depend on the
-/// arguments alone; a body that stays keeps its offset; one that moves along its track keeps its row.
+/// Checks `motion` against the contract of [`RoughnessMotion`]: fractions are numbers from 0 to 1; offsets
+/// depend on the arguments alone; a body that stays keeps its offset; one that moves along its track keeps
+/// its row.
 ///
 /// # Errors
 /// The first violation.

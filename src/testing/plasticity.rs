@@ -7,8 +7,9 @@ use crate::plastic::PlasticityModel;
 const FILMS: [f64; 5] = [0.0, 10e-9, 150e-9, 200e-9, 1e-6];
 const DEPTHS: [f64; 5] = [0.0, 1e-9, 30e-9, 500e-9, 1e-5];
 
-/// Checks `model` against the contract of [`PlasticityModel`]: limits are positive, they do not fall as a node is
-/// flattened (what has yielded once carries that load again), and the limit of a pair is the smaller one.
+/// Checks `model` against the contract of [`PlasticityModel`]: limits are positive, they do not fall as a
+/// node is flattened (what has yielded once carries that load again), and the limit of a pair is the smaller
+/// one.
 ///
 /// # Errors
 /// The first violation.

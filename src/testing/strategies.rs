@@ -134,8 +134,8 @@ fn processes()
     (prop::option::of(plastic), prop::option::of(film), prop::option::of(wear), thermal)
 }
 
-/// Scenes of every kind with values in their ranges on small grids, from dry to full film. Not all fit their box: some
-/// are refused, and some do not converge.
+/// Scenes of every kind with values in their ranges on small grids, from dry to full film. Not all fit their
+/// box: some are refused, and some do not converge.
 pub fn scenes() -> impl Strategy<Value = Scene> {
     let load = prop_oneof![
         3 => decades(1e8, 3e9).prop_map(|p| Load { hertz_pressure: Some(p), force: None }),
@@ -184,8 +184,9 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
     })
 }
 
-/// Scenes of [`scenes`] of which up to three values are absurd: zero, negative, huge, tiny or no number, boxes beside the
-/// contact, grids of one or two nodes, a hardness that cannot carry the load, an accuracy that cannot be reached.
+/// Scenes of [`scenes`] of which up to three values are absurd: zero, negative, huge, tiny or no number,
+/// boxes beside the contact, grids of one or two nodes, a hardness that cannot carry the load, an accuracy
+/// that cannot be reached.
 pub fn absurd_scenes() -> impl Strategy<Value = Scene> {
     let values = prop_oneof![prop::sample::select(&ABSURD[..]), any::<f64>(), decades(1e-12, 1e12)];
     let changes = prop::collection::vec((0_usize..CHANGES, values), 0..4);

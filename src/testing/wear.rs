@@ -7,8 +7,8 @@ use crate::wear::WearLaw;
 /// Films \[m\] that rates are asked for.
 const FILMS: [f64; 4] = [0.0, 20e-9, 200e-9, 1e-6];
 
-/// Checks `law` against the contract of [`WearLaw`]: rates are finite and never negative; nothing wears at rest or
-/// without load; faster sliding and, in contact, higher load never wear less.
+/// Checks `law` against the contract of [`WearLaw`]: rates are finite and never negative; nothing wears at
+/// rest or without load; faster sliding and, in contact, higher load never wear less.
 ///
 /// # Errors
 /// The first violation.

@@ -13,8 +13,8 @@ pub(super) const BOLTZMANN: f64 = 1.380649e-23;
 /// ```
 pub const ELECTRON_VOLT: f64 = 1.602176634e-19;
 
-/// `k = k_0 exp[-max(E - s V, 0) / (k_B T)]`: the form of Bell, ended where the stress `s` has taken the whole barrier
-/// away. In the unit of `k_0`.
+/// `k = k_0 exp[-max(E - s V, 0) / (k_B T)]`: the form of Bell, ended where the stress `s` has taken the
+/// whole barrier away. In the unit of `k_0`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Barrier {
     prefactor: f64,

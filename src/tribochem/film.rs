@@ -83,8 +83,8 @@ impl Tribofilm {
         Ok(film)
     }
 
-    /// A film with the `states` that [`states`](Self::states) gave, and the thicknesses `changes` that nodes have gained
-    /// and lost in sum \[m\], as [`changes`](Self::changes) gave them.
+    /// A film with the `states` that [`states`](Self::states) gave, and the thicknesses `changes` that nodes
+    /// have gained and lost in sum \[m\], as [`changes`](Self::changes) gave them.
     ///
     /// # Errors
     /// States that do not belong to `law` or give a thickness that is not finite.
@@ -113,8 +113,8 @@ impl Tribofilm {
     ///
     /// # Errors
     /// A time step that is negative or not finite, or a law with another number of states than the film was
-    /// made with: the film is unchanged. A law that left a state or a thickness that is not finite: the film holds
-    /// it, the error names its position.
+    /// made with: the film is unchanged. A law that left a state or a thickness that is not finite: the film
+    /// holds it, the error names its position.
     pub fn advance(
         &mut self,
         law: &dyn FilmGrowthLaw,

@@ -94,14 +94,16 @@ pub struct GrowthFit<L> {
 
 /// Fits the constants of a law to a film that was measured under constant conditions `at`.
 ///
-/// `start` names the constants, all positive, with a value to start from; `law` makes the law from their values. The
-/// sum of squared deviations is minimised over the logarithms of the constants (Levenberg-Marquardt). Intervals are
-/// those of the linearised problem in the logarithms, `ln c +- t s sqrt[(J^T J)^-1]`, `t` the quantile of Student for
-/// the degrees of freedom; errors of the measurement count as independent and equal.
+/// `start` names the constants, all positive, with a value to start from; `law` makes the law from their
+/// values. The sum of squared deviations is minimised over the logarithms of the constants
+/// (Levenberg-Marquardt). Intervals are those of the linearised problem in the logarithms,
+/// `ln c +- t s sqrt[(J^T J)^-1]`, `t` the quantile of Student for the degrees of freedom; errors of the
+/// measurement count as independent and equal.
 ///
 /// # Errors
-/// Not more points than constants; constants that `law` refuses; no minimum found; a constant that the measurement does
-/// not determine: its effect cannot be told from that of others, or its interval reaches beyond a factor of 10.
+/// Not more points than constants; constants that `law` refuses; no minimum found; a constant that the
+/// measurement does not determine: its effect cannot be told from that of others, or its interval reaches
+/// beyond a factor of 10.
 ///
 /// ```
 /// use stribeck::RubbingPoint;
@@ -197,7 +199,8 @@ impl<L: FilmGrowthLaw, F: Fn(&[f64]) -> Result<L, InputError>> Problem<'_, F> {
         Some(matrix)
     }
 
-    /// Why the minimisation ended early: a constant that ran away is one that the measurement says nothing about.
+    /// Why the minimisation ended early: a constant that ran away is one that the measurement says nothing
+    /// about.
     fn failure(&self, start: &[(&str, f64)], termination: &TerminationReason) -> FitError {
         let ways =
             start.iter().zip(self.logarithms.iter()).map(|((name, value), l)| (name, (l - value.ln()).abs()));

@@ -181,11 +181,12 @@ pub fn estimate_maximum_rise(
     estimate_rise_under_flux(bodies, speeds, mean_flux, radius)
 }
 
-/// [`estimate_maximum_rise`] \[K\] by the mean heat flux `mean_flux` \[W/m^2\] over the contact, whatever makes the heat:
-/// that of a fluid is its mean shear stress times the sliding speed.
+/// [`estimate_maximum_rise`] \[K\] by the mean heat flux `mean_flux` \[W/m^2\] over the contact, whatever
+/// makes the heat: that of a fluid is its mean shear stress times the sliding speed.
 ///
 /// # Errors
-/// A property or radius that is not finite and positive, a flux that is negative or not finite, a speed that is not finite.
+/// A property or radius that is not finite and positive, a flux that is negative or not finite, a speed that
+/// is not finite.
 ///
 /// ```
 /// use stribeck::tribochem::{ThermalBody, estimate_rise_under_flux};

@@ -24,8 +24,8 @@ pub struct GrowthCurve {
 }
 
 impl GrowthCurve {
-    /// From `times` \[s\] since the surface was bare, ascending, and the `thicknesses` \[m\] then; noise may make a
-    /// thickness negative.
+    /// From `times` \[s\] since the surface was bare, ascending, and the `thicknesses` \[m\] then; noise may
+    /// make a thickness negative.
     ///
     /// # Errors
     /// Slices of different length, a value not finite, a negative time, times that do not ascend.
@@ -44,8 +44,8 @@ impl GrowthCurve {
         Ok(Self { times, thicknesses })
     }
 
-    /// From comma-separated text of two columns, time \[s\] and thickness \[m\]; a first row that holds no numbers is a
-    /// heading, lines that start with `#` are skipped.
+    /// From comma-separated text of two columns, time \[s\] and thickness \[m\]; a first row that holds no
+    /// numbers is a heading, lines that start with `#` are skipped.
     ///
     /// # Errors
     /// [`FitError::Csv`] with the line of a row that is not two numbers; those of [`GrowthCurve::new`].

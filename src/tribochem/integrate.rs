@@ -24,10 +24,10 @@ pub(super) fn integrate(rate: impl Fn(f64) -> f64, ceiling: f64, start: f64, tim
 }
 
 /// Advances `thickness` \[m\], one value a node, by `time_step` \[s\] as
-/// [`FilmGrowthLaw::advance`](super::FilmGrowthLaw::advance) does by default, to the same last bit, for a law that gives the
-/// rates of all nodes at once: `rates(thickness, out)` overwrites `out` \[m/s\] with those of films of `thickness` \[m\]. Nodes that have
-/// arrived are asked for on, with the thickness of their last question. `largest` is the thickness \[m\] that growth alone
-/// approaches.
+/// [`FilmGrowthLaw::advance`](super::FilmGrowthLaw::advance) does by default, to the same last bit, for a law
+/// that gives the rates of all nodes at once: `rates(thickness, out)` overwrites `out` \[m/s\] with those of
+/// films of `thickness` \[m\]. Nodes that have arrived are asked for on, with the thickness of their last
+/// question. `largest` is the thickness \[m\] that growth alone approaches.
 ///
 /// ```
 /// use stribeck::tribochem::integrate_rates;
@@ -83,8 +83,8 @@ enum Question {
     Between,
 }
 
-/// The way of one film through a step. It asks for the rate at one thickness after the other, so that many films can go side by
-/// side.
+/// The way of one film through a step. It asks for the rate at one thickness after the other, so that many
+/// films can go side by side.
 #[derive(Debug, Clone, Copy)]
 struct Flow {
     scale: f64,
@@ -124,8 +124,8 @@ impl Flow {
         })
     }
 
-    /// Takes the rate that was asked for, first that at the start, and returns the thickness whose rate is needed next; none at the
-    /// end of the step.
+    /// Takes the rate that was asked for, first that at the start, and returns the thickness whose rate is
+    /// needed next; none at the end of the step.
     fn answer(&mut self, rate: f64) -> Option<f64> {
         match self.question {
             Question::Here => self.begin(rate),
@@ -177,7 +177,8 @@ impl Flow {
         None
     }
 
-    /// Begins a substep, or the rest of the step after too many of them, at the film as it is with its `rate`.
+    /// Begins a substep, or the rest of the step after too many of them, at the film as it is with its
+    /// `rate`.
     fn begin(&mut self, rate: f64) -> Option<f64> {
         let last = self.trials == MAX_TRIALS;
         if (!last && self.left <= 0.0) || self.at_rest(self.thickness, rate) {
@@ -235,7 +236,8 @@ impl Flow {
             || (rate > 0.0 && thickness >= self.top)
     }
 
-    /// Distance to where the slope is probed, on the side the film comes from, where no bound or kink ahead disturbs it.
+    /// Distance to where the slope is probed, on the side the film comes from, where no bound or kink ahead
+    /// disturbs it.
     fn probe(&self, from: f64, rate: f64) -> f64 {
         let behind = -rate.signum() * PROBE * self.scale;
         if (0.0..=self.top).contains(&(from + behind)) { behind } else { -behind }

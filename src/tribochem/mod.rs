@@ -9,10 +9,10 @@
 //! | [`StressActivated`] | first order, over a barrier that shear or normal stress lowers | |
 //! | [`ProportionalRemoval`] | steady, over a barrier that shear stress lowers | in proportion to the film |
 //!
-//! [`Activation`] is the condition under which a node takes part. [`Tribofilm`] is the film of one body, carried on the
-//! nodes of that body's own surface; [`FlashTemperature`] is the temperature rise that friction heat causes.
-//! With the feature `fit`, `fit_growth_law` finds the constants of a law from a measured film.
-//! The hardness of a film belongs to [`crate::plastic`].
+//! [`Activation`] is the condition under which a node takes part. [`Tribofilm`] is the film of one body,
+//! carried on the nodes of that body's own surface; [`FlashTemperature`] is the temperature rise that
+//! friction heat causes. With the feature `fit`, `fit_growth_law` finds the constants of a law from a
+//! measured film. The hardness of a film belongs to [`crate::plastic`].
 
 mod activation;
 mod barrier;
@@ -58,8 +58,8 @@ use crate::rubbing::RubbingPoint;
 /// overrides `advance`, and with it `thickness` and `n_states`.
 ///
 /// Contract: rates are finite and depend on the arguments alone; an inactive node (see [`Activation`]) is
-/// frozen, it neither grows nor loses film; states stay finite; a film that starts within `0..=maximum_thickness`
-/// stays there.
+/// frozen, it neither grows nor loses film; states stay finite; a film that starts within
+/// `0..=maximum_thickness` stays there.
 ///
 /// ```
 /// use stribeck::RubbingPoint;
@@ -130,10 +130,11 @@ pub trait FilmGrowthLaw: Debug + Send + Sync {
         }
     }
 
-    /// Advances the states of all nodes, node-major in `states`, by `time_step` \[s\] under the conditions `at`, one a node.
+    /// Advances the states of all nodes, node-major in `states`, by `time_step` \[s\] under the conditions
+    /// `at`, one a node.
     ///
-    /// By default node by node with [`advance`](Self::advance); for laws that work on whole fields at once, whose default integration
-    /// is [`integrate_rates`]. Both must come to the same.
+    /// By default node by node with [`advance`](Self::advance); for laws that work on whole fields at once,
+    /// whose default integration is [`integrate_rates`]. Both must come to the same.
     fn advance_all(&self, at: &[RubbingPoint], time_step: f64, states: &mut [f64]) {
         for (at, states) in at.iter().zip(states.chunks_exact_mut(self.n_states().max(1))) {
             self.advance(at, time_step, states);

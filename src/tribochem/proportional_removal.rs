@@ -6,12 +6,12 @@ use super::{Activation, FilmGrowthLaw};
 use crate::error::InputError;
 use crate::rubbing::RubbingPoint;
 
-/// `dh/dt = G exp[-(E - tau V) / (k_B T)] - a h` at active nodes: growth by shear stress `tau` at a rate that does not
-/// know the film, removal in proportion to it, since thick films are softer on top. The film settles where both are
-/// equal, at most at its maximum thickness. Exact in any time step.
+/// `dh/dt = G exp[-(E - tau V) / (k_B T)] - a h` at active nodes: growth by shear stress `tau` at a rate that
+/// does not know the film, removal in proportion to it, since thick films are softer on top. The film settles
+/// where both are equal, at most at its maximum thickness. Exact in any time step.
 ///
-/// Source: form of Akchurin and Bosman (2017), Tribology Letters 65, doi 10.1007/s11249-017-0842-8; the constants are
-/// the user's, they were fitted per experiment.
+/// Source: form of Akchurin and Bosman (2017), Tribology Letters 65, doi 10.1007/s11249-017-0842-8; the
+/// constants are the user's, they were fitted per experiment.
 ///
 /// ```
 /// use stribeck::RubbingPoint;
@@ -35,11 +35,12 @@ pub struct ProportionalRemoval {
 
 impl ProportionalRemoval {
     /// Law with the largest film `maximum_thickness` \[m\], the `growth_rate` G \[m/s\] without barrier, the
-    /// `activation_energy` E \[J\], the `shear_activation_volume` V \[m^3\] and the `removal_rate` a \[1/s\]. Every sheared
-    /// node is active.
+    /// `activation_energy` E \[J\], the `shear_activation_volume` V \[m^3\] and the `removal_rate` a \[1/s\].
+    /// Every sheared node is active.
     ///
     /// # Errors
-    /// A thickness or growth rate that is not positive, another constant that is negative, a value not finite.
+    /// A thickness or growth rate that is not positive, another constant that is negative, a value not
+    /// finite.
     pub fn new(
         maximum_thickness: f64,
         growth_rate: f64,

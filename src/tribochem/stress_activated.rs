@@ -6,15 +6,17 @@ use super::{Activation, FilmGrowthLaw};
 use crate::error::InputError;
 use crate::rubbing::RubbingPoint;
 
-/// `dh/dt = k_0 exp[-(E - s V) / (k_B T)] (h_max - h)` at active nodes, the form of Bell: a stress `s` that acts on the
-/// activation volume `V` lowers the barrier `E`, down to zero and no further. Exact in any time step.
+/// `dh/dt = k_0 exp[-(E - s V) / (k_B T)] (h_max - h)` at active nodes, the form of Bell: a stress `s` that
+/// acts on the activation volume `V` lowers the barrier `E`, down to zero and no further. Exact in any time
+/// step.
 ///
-/// Which stress is part of the constructor, since an activation volume belongs to the stress it was fitted with: shear
-/// stresses in contacts are a tenth of the pressures, and published volumes differ accordingly, some 0.1 nm^3 for
-/// [shear](Self::by_shear_stress) and 0.004 nm^3 for [normal stress](Self::by_normal_stress).
+/// Which stress is part of the constructor, since an activation volume belongs to the stress it was fitted
+/// with: shear stresses in contacts are a tenth of the pressures, and published volumes differ accordingly,
+/// some 0.1 nm^3 for [shear](Self::by_shear_stress) and 0.004 nm^3 for
+/// [normal stress](Self::by_normal_stress).
 ///
-/// Sources: form: Bell (1978), Science 200, 618-627; film growth under normal stress: Gosvami and co-workers (2015),
-/// Science 348, 102-106; under shear stress: Zhang and Spikes (2016), Tribology Letters 63.
+/// Sources: form: Bell (1978), Science 200, 618-627; film growth under normal stress: Gosvami and co-workers
+/// (2015), Science 348, 102-106; under shear stress: Zhang and Spikes (2016), Tribology Letters 63.
 ///
 /// ```
 /// use stribeck::tribochem::{ELECTRON_VOLT, StressActivated};
@@ -42,8 +44,8 @@ enum Stress {
 
 impl StressActivated {
     /// Law driven by the shear stress of the node, of contact and fluid together: limit of growth
-    /// `maximum_thickness` \[m\], `prefactor` \[1/s\], `activation_energy` \[J\], `shear_activation_volume` \[m^3\]. Every
-    /// sheared node is active, in solid contact or not.
+    /// `maximum_thickness` \[m\], `prefactor` \[1/s\], `activation_energy` \[J\], `shear_activation_volume`
+    /// \[m^3\]. Every sheared node is active, in solid contact or not.
     ///
     /// # Errors
     /// A thickness or prefactor that is not positive, a negative energy or volume, a value not finite.
@@ -63,8 +65,8 @@ impl StressActivated {
         })
     }
 
-    /// Law driven by the pressure of the node: limit of growth `maximum_thickness` \[m\], `prefactor` \[1/s\],
-    /// `activation_energy` \[J\], `normal_activation_volume` \[m^3\]; active in solid contact.
+    /// Law driven by the pressure of the node: limit of growth `maximum_thickness` \[m\], `prefactor`
+    /// \[1/s\], `activation_energy` \[J\], `normal_activation_volume` \[m^3\]; active in solid contact.
     ///
     /// # Errors
     /// As of [`by_shear_stress`](Self::by_shear_stress).
@@ -84,8 +86,8 @@ impl StressActivated {
         })
     }
 
-    /// The same law with the prefactor that gives `rate_constant` \[1/s\] at `stress` \[Pa\] (the one the law is driven
-    /// by) and `temperature` \[K\].
+    /// The same law with the prefactor that gives `rate_constant` \[1/s\] at `stress` \[Pa\] (the one the law
+    /// is driven by) and `temperature` \[K\].
     ///
     /// # Errors
     /// A rate constant or temperature that is not positive, a negative stress, a value not finite.

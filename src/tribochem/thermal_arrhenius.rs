@@ -6,8 +6,8 @@ use super::{Activation, FilmGrowthLaw};
 use crate::error::InputError;
 use crate::rubbing::RubbingPoint;
 
-/// `dh/dt = k_0 exp[-E / (k_B T)] (h_max - h)` at active nodes: saturating growth whose rate only temperature, flash
-/// temperature included, decides. Exact in any time step.
+/// `dh/dt = k_0 exp[-E / (k_B T)] (h_max - h)` at active nodes: saturating growth whose rate only
+/// temperature, flash temperature included, decides. Exact in any time step.
 ///
 /// Valid where rubbing merely exposes the surface; measured films grow faster under stress (see
 /// [`StressActivated`](super::StressActivated)).
@@ -30,8 +30,8 @@ pub struct ThermalArrhenius {
 }
 
 impl ThermalArrhenius {
-    /// Law with the limit of growth `maximum_thickness` \[m\], the `prefactor` \[1/s\] and the `activation_energy`
-    /// \[J\], active in solid contact.
+    /// Law with the limit of growth `maximum_thickness` \[m\], the `prefactor` \[1/s\] and the
+    /// `activation_energy` \[J\], active in solid contact.
     ///
     /// # Errors
     /// A thickness or prefactor that is not positive, a negative energy, a value not finite.

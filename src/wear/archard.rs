@@ -15,8 +15,9 @@ pub enum WearPressure {
 }
 
 /// `dz/dt = K(h)/H p |u_s|` with `K(h) = K_steel - (K_steel - K_min) clamp(h / h_max, 0, 1)`; K
-/// dimensionless, H the hardness of the substrate, constant, or the [local one](Self::with_film_hardness). With one K and all pressure counted the mean
-/// depth over an area A after the sliding distance s is `K F s / (H A)`, however rough the surfaces are.
+/// dimensionless, H the hardness of the substrate, constant, or the [local one](Self::with_film_hardness).
+/// With one K and all pressure counted the mean depth over an area A after the sliding distance s is
+/// `K F s / (H A)`, however rough the surfaces are.
 ///
 /// Sources: Archard (1953), Journal of Applied Physics 24, 981-988; coefficient and film: Ghanbarzadeh and
 /// co-workers (2016), Tribology Letters 61, as used by Azam and co-workers (2019), Tribology International
@@ -85,8 +86,8 @@ impl Archard {
         self
     }
 
-    /// The same law divided by the local hardness: it falls linearly with the film, from that of the substrate to
-    /// `film_hardness` \[Pa\] under a film of the reference thickness.
+    /// The same law divided by the local hardness: it falls linearly with the film, from that of the
+    /// substrate to `film_hardness` \[Pa\] under a film of the reference thickness.
     ///
     /// # Errors
     /// A hardness that is not finite and positive.

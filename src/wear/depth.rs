@@ -77,11 +77,12 @@ impl WearDepth {
         Ok(())
     }
 
-    /// The same under the states `at` and films of `film_thickness` \[m\], one a node, by a law that may take all nodes at once.
-    /// `rates`, of the same length, is overwritten with those of the law \[m/s\].
+    /// The same under the states `at` and films of `film_thickness` \[m\], one a node, by a law that may take
+    /// all nodes at once. `rates`, of the same length, is overwritten with those of the law \[m/s\].
     ///
     /// # Errors
-    /// As of [`advance`](Self::advance), and slices of another length than the body has nodes: nothing is worn.
+    /// As of [`advance`](Self::advance), and slices of another length than the body has nodes: nothing is
+    /// worn.
     pub fn advance_all(
         &mut self,
         law: &dyn WearLaw,

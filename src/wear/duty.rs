@@ -2,8 +2,8 @@
 
 use crate::error::InputError;
 
-/// Share of the time that a point on a circular track of `track_radius` \[m\] spends in a contact of `half_width` \[m\],
-/// `2 a / (2 pi r)`, at most 1.
+/// Share of the time that a point on a circular track of `track_radius` \[m\] spends in a contact of
+/// `half_width` \[m\], `2 a / (2 pi r)`, at most 1.
 ///
 /// Wear coefficients that were fitted to the contact as if it rubbed all the time already contain it.
 ///

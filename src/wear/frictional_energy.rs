@@ -4,12 +4,12 @@ use super::WearLaw;
 use crate::error::InputError;
 use crate::rubbing::RubbingPoint;
 
-/// `dz/dt = a(h) tau |u_s|`: the volume worn is proportional to the energy of friction, with the volume per energy
-/// `a(h) = a_bare - (a_bare - a_film) clamp(h / h_ref, 0, 1)` \[m^3/J\] falling as the tribofilm grows. Shear of contact and
-/// fluid both count.
+/// `dz/dt = a(h) tau |u_s|`: the volume worn is proportional to the energy of friction, with the volume per
+/// energy `a(h) = a_bare - (a_bare - a_film) clamp(h / h_ref, 0, 1)` \[m^3/J\] falling as the tribofilm
+/// grows. Shear of contact and fluid both count.
 ///
-/// Under one friction coefficient `mu` and no fluid shear it is [`Archard`](super::Archard) with `a = K / (mu H)`; it
-/// differs where friction varies over the contact.
+/// Under one friction coefficient `mu` and no fluid shear it is [`Archard`](super::Archard) with
+/// `a = K / (mu H)`; it differs where friction varies over the contact.
 ///
 /// Source: Fouvry, Kapsa, Vincent (1996), Wear 200, 186-205.
 ///
@@ -33,8 +33,8 @@ pub struct FrictionalEnergy {
 }
 
 impl FrictionalEnergy {
-    /// Law with the volumes per energy `bare` and `filmed` \[m^3/J\] of a surface without film and under a film of
-    /// `reference_thickness` \[m\] or more.
+    /// Law with the volumes per energy `bare` and `filmed` \[m^3/J\] of a surface without film and under a
+    /// film of `reference_thickness` \[m\] or more.
     ///
     /// # Errors
     /// A negative volume, `filmed` above `bare`, a thickness that is not positive, a value not finite.

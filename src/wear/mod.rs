@@ -23,14 +23,15 @@ use crate::rubbing::RubbingPoint;
 
 /// The rate at which one body loses height at a node.
 ///
-/// Contract: finite and never negative for every finite input, zero at rest and without load, not falling with sliding
-/// speed and load; the film itself is not worn, only the substrate.
+/// Contract: finite and never negative for every finite input, zero at rest and without load, not falling
+/// with sliding speed and load; the film itself is not worn, only the substrate.
 pub trait WearLaw: Debug + Send + Sync {
     /// Rate of wear \[m/s\] at a node in the state `at` that carries `film_thickness` \[m\] of tribofilm.
     fn depth_rate(&self, at: &RubbingPoint, film_thickness: f64) -> f64;
 
-    /// Overwrites `rates` \[m/s\] with those of all nodes, in the states `at` and under `film_thickness` \[m\], slices of one
-    /// length. By default node by node with [`depth_rate`](Self::depth_rate), to which it must come.
+    /// Overwrites `rates` \[m/s\] with those of all nodes, in the states `at` and under `film_thickness`
+    /// \[m\], slices of one length. By default node by node with [`depth_rate`](Self::depth_rate), to which
+    /// it must come.
     fn depth_rates(&self, at: &[RubbingPoint], film_thickness: &[f64], rates: &mut [f64]) {
         for (rate, (at, film)) in rates.iter_mut().zip(at.iter().zip(film_thickness)) {
             *rate = self.depth_rate(at, *film);

@@ -4,8 +4,8 @@
 //! peers_convolution NODES REPEATS
 //! ```
 //!
-//! Prints one JSON object: the median time of a product, and the largest displacement under the Hertz pressure of the
-//! reference ball \[m\].
+//! Prints one JSON object: the median time of a product, and the largest displacement under the Hertz
+//! pressure of the reference ball \[m\].
 
 use std::error::Error;
 use std::io::{self, Write};

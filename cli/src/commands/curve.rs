@@ -20,7 +20,8 @@ use crate::picture::{self, BLUE, Chart, Line, Panel, XScale};
 const RANGE: f64 = 100.0;
 const POINTS: u32 = 13;
 
-/// The oil, the surfaces, the load and the ratio of sliding are those of the scene. The curve is written as a table (csv) too.
+/// The oil, the surfaces, the load and the ratio of sliding are those of the scene. The curve is written as a
+/// table (csv) too.
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// Scene file

@@ -24,8 +24,8 @@ const STEEL: (f64, f64) = (210e9, 0.3);
 /// Pressure that steel carries before it yields for good \[Pa\].
 const HARDNESS: &str = "6 GPa";
 
-/// A steel ball on a steel disc in oil. Numbers are in SI units or have a unit: "9.525 mm". Without options and on a terminal each
-/// is asked for.
+/// A steel ball on a steel disc in oil. Numbers are in SI units or have a unit: "9.525 mm". Without options
+/// and on a terminal each is asked for.
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// File to write
@@ -181,8 +181,9 @@ fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>>
     Ok(text)
 }
 
-/// Distance of the inlet edge from the middle, in half-widths, from which on the oil floods the contact, as far as the box reaches:
-/// `1 + 3.06 ((R/a)^2 H)^0.58` with the film `H` by formula over the radius (Hamrock and Dowson 1977, starvation).
+/// Distance of the inlet edge from the middle, in half-widths, from which on the oil floods the contact, as
+/// far as the box reaches: `1 + 3.06 ((R/a)^2 H)^0.58` with the film `H` by formula over the radius (Hamrock
+/// and Dowson 1977, starvation).
 fn flooded_inlet(scene: &Scene, half_width: f64) -> Result<f64, InputError> {
     let (radius, _) = scene.form.radii();
     let film = scene.formula_film()?.map_or(0.0, |formula| formula.central);
@@ -237,7 +238,8 @@ fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
     Ok(text)
 }
 
-/// A box of so many cells along x and y that ends `inlet` before the middle and `half_side` on the other sides \[m\].
+/// A box of so many cells along x and y that ends `inlet` before the middle and `half_side` on the other
+/// sides \[m\].
 fn grid([inlet, half_side]: [f64; 2], [nx, ny]: [u32; 2]) -> String {
     let [inlet, edge] = [inlet, half_side].map(|length| format!("{} um", plain(length * 1e6)));
     format!(

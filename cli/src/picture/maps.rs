@@ -7,7 +7,8 @@ use stribeck::Grid;
 
 use super::{Drawn, Picture, TEXT_SIZE, TITLE_SIZE, colour, text, tick};
 
-/// Width of a field, of the axis and the margin on its left and of the bar with its numbers on its right, in pixels.
+/// Width of a field, of the axis and the margin on its left and of the bar with its numbers on its right, in
+/// pixels.
 const FIELD: u32 = 330;
 const LEFT: u32 = 70;
 const MARGIN: u32 = 8;

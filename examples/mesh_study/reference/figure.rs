@@ -1,5 +1,5 @@
-//! The figure, of the first surface: a column of panels for each scene, load ratio, area ratio and friction over the size of the cells, at
-//! all speeds.
+//! The figure, of the first surface: a column of panels for each scene, load ratio, area ratio and friction
+//! over the size of the cells, at all speeds.
 
 use std::error::Error;
 use std::path::Path;

@@ -19,7 +19,8 @@ impl Case {
     }
 }
 
-/// Numbers of one surface as cells become small, with their spreads: area ratio, load ratio, mean film \[m\] and friction.
+/// Numbers of one surface as cells become small, with their spreads: area ratio, load ratio, mean film \[m\]
+/// and friction.
 #[derive(Debug)]
 pub(crate) struct OfSurface {
     seed: u64,
@@ -44,8 +45,9 @@ impl Limit {
     }
 }
 
-/// The limit of one surface, from the finest mesh that both laws with limited entrainment converge on: the value of the first law; the
-/// spread is what the second differs by, or what the first changed by from the mesh before where that is more.
+/// The limit of one surface, from the finest mesh that both laws with limited entrainment converge on: the
+/// value of the first law; the spread is what the second differs by, or what the first changed by from the
+/// mesh before where that is more.
 fn of_surface(case: &Case, rows: &[Row], seed: u64) -> Option<OfSurface> {
     let on = |law, cells| case.values(rows, law, seed, cells);
     CELLS.into_iter().rev().find_map(|cells| {
@@ -167,8 +169,8 @@ fn head(text: &mut String) -> std::fmt::Result {
     writeln!(text, "|---|---|---|---{}|", "|---".repeat(CELLS.len()))
 }
 
-/// Distances of single contacts from their limits on meshes coarser than those of the limits, of films and friction relative: mean and
-/// largest, by the load ratio of the limit.
+/// Distances of single contacts from their limits on meshes coarser than those of the limits, of films and
+/// friction relative: mean and largest, by the load ratio of the limit.
 fn errors(text: &mut String, rows: &[Row]) -> std::fmt::Result {
     let limits: Vec<(Case, Limit)> =
         cases().into_iter().filter_map(|case| limit(&case, rows).map(|limit| (case, limit))).collect();

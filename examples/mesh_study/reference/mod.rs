@@ -1,4 +1,5 @@
-//! Limits of mixed contacts as cells become small, by two discretisations that agree, and what coarse meshes make of them.
+//! Limits of mixed contacts as cells become small, by two discretisations that agree, and what coarse meshes
+//! make of them.
 
 mod figure;
 mod limits;
@@ -12,7 +13,8 @@ use plan::{CELLS, LAWS, Run};
 use run::Row;
 use stribeck::reynolds::ContactState;
 
-/// Solves what `reference_runs.csv` in `folder` does not hold yet; writes the limits to `reference.csv` and draws `reference.svg`.
+/// Solves what `reference_runs.csv` in `folder` does not hold yet; writes the limits to `reference.csv` and
+/// draws `reference.svg`.
 pub(crate) fn run(folder: &Path, finest: usize) -> Result<(), Box<dyn Error>> {
     let table = folder.join("reference_runs.csv");
     let known: Vec<String> = if table.exists() {
@@ -39,8 +41,8 @@ pub(crate) fn run(folder: &Path, finest: usize) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Solves a contact from coarse to fine meshes, each from the solution on the one before, other laws from that of the first on
-/// the same mesh. Adds what `lines` do not hold.
+/// Solves a contact from coarse to fine meshes, each from the solution on the one before, other laws from
+/// that of the first on the same mesh. Adds what `lines` do not hold.
 fn chain(run: Run, lines: &mut Vec<String>, table: &Path, place: &str) -> Result<(), Box<dyn Error>> {
     let on = |cells: usize| {
         LAWS.map(|law| Run { law, cells, ..run }).into_iter().filter(|run| run.cells <= run.finest())

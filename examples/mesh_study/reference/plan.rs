@@ -1,6 +1,6 @@
-//! Which contacts the reference is made of: rough contacts of the reference scene cut down to an eighth, box and radius, so
-//! that meshes become as fine as inlets of asperities need. Pressures, heights, wave lengths and speeds are those of the large scene, and so is
-//! the flow in front of an asperity.
+//! Which contacts the reference is made of: rough contacts of the reference scene cut down to an eighth, box
+//! and radius, so that meshes become as fine as inlets of asperities need. Pressures, heights, wave lengths
+//! and speeds are those of the large scene, and so is the flow in front of an asperity.
 
 use stribeck::reynolds::{Cavitation, FaceMobility, Scheme};
 use stribeck::sim::Scene;
@@ -9,7 +9,8 @@ use stribeck::surface::Form;
 
 /// Over the box and the radius of the reference scene.
 pub(crate) const SCALE: f64 = 1.0 / 8.0;
-/// Cells of the mesh that surfaces are generated on: those of 7.8 um of the mesh study. Waves are 15.6 um long or longer.
+/// Cells of the mesh that surfaces are generated on: those of 7.8 um of the mesh study. Waves are 15.6 um
+/// long or longer.
 pub(crate) const SURFACE_CELLS: usize = 8;
 /// Cells along each side, 3.9 um to 0.12 um.
 pub(crate) const CELLS: [usize; 6] = [16, 32, 64, 128, 256, 512];
@@ -103,7 +104,8 @@ impl Run {
         format!("{},{speed},{},{},{seed},{cells}", miniature.name, cavitation.1, law.name())
     }
 
-    /// Cells of the finest mesh: the transition is where limits are far, means of cubes are there to be judged.
+    /// Cells of the finest mesh: the transition is where limits are far, means of cubes are there to be
+    /// judged.
     pub(crate) fn finest(&self) -> usize {
         let in_transition = self.case().is_transition() && self.cavitation.0 == Cavitation::MassConserving;
         match self.law {
@@ -139,7 +141,8 @@ impl Run {
     }
 }
 
-/// All contacts with the first law, each on its finest mesh of up to `finest` cells along each side, the finest first.
+/// All contacts with the first law, each on its finest mesh of up to `finest` cells along each side, the
+/// finest first.
 pub(crate) fn all(finest: usize) -> Vec<Run> {
     let mut runs = Vec::new();
     for seed in SEEDS {

@@ -107,7 +107,8 @@ pub(crate) fn solve(run: Run, start: Option<ContactState>) -> Result<(Row, Conta
     Ok((row, if status == Status::Converged { state } else { ContactState::new(&grid) }))
 }
 
-/// The undeformed gap: the ball on the flat less the heights of both, which are those of a coarse mesh by their Fourier series.
+/// The undeformed gap: the ball on the flat less the heights of both, which are those of a coarse mesh by
+/// their Fourier series.
 fn gap(run: Run, scene: &Scene, grid: Grid) -> Result<Vec<f64>, Box<dyn Error>> {
     let coarse = Run { cells: SURFACE_CELLS, ..run }.scene().grid()?;
     let mut gap = vec![0.0; grid.len()];
@@ -158,7 +159,8 @@ fn numbers(
     ])
 }
 
-/// A state of `n` by `n` cells on twice as many along each side: linear between their centres, flags of contact from the nearest.
+/// A state of `n` by `n` cells on twice as many along each side: linear between their centres, flags of
+/// contact from the nearest.
 pub(crate) fn finer(state: &ContactState, n: usize) -> ContactState {
     let nodes = || (0..4 * n * n).map(|k| (k % (2 * n), k / (2 * n)));
     let neighbour =

@@ -7,7 +7,8 @@ use crate::grid::Grid;
 
 /// Cells along an axis below which a grid is not coarsened.
 const SMALLEST: usize = 32;
-/// Gap error to which a coarser contact is solved: its cells leave more than that on the finer ones of any mesh.
+/// Gap error to which a coarser contact is solved: its cells leave more than that on the finer ones of any
+/// mesh.
 const TOLERANCE: f64 = 0.001;
 const PASSES: u64 = 40;
 
@@ -38,7 +39,8 @@ impl Key {
     }
 }
 
-/// Pairs of cells as one, along an axis with more than one; the last cell of an odd count has one beyond the edge for a partner.
+/// Pairs of cells as one, along an axis with more than one; the last cell of an odd count has one beyond the
+/// edge for a partner.
 fn coarsened(grid: &Grid) -> Option<Grid> {
     let halved = |n: usize| if n == 1 { 1 } else { n.div_ceil(2) };
     let (nx, ny) = (halved(grid.nx()), halved(grid.ny()));
@@ -119,7 +121,8 @@ fn children(fine: &Grid, i: usize, j: usize) -> impl Iterator<Item = usize> {
 }
 
 impl DrySolver {
-    /// Overwrites `pressure` with that of the contact on half of the cells; returns its convolutions, zero where there is no such grid.
+    /// Overwrites `pressure` with that of the contact on half of the cells; returns its convolutions, zero
+    /// where there is no such grid.
     pub(super) fn start_from_coarser(
         &mut self,
         problem: &DryProblem<'_>,

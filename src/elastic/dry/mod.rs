@@ -19,9 +19,9 @@ const LEAST_GAIN: f64 = 0.9;
 /// Gap error above which a start is no better than that of a coarser grid, whose pressures leave this much.
 const COARSE_START: f64 = 0.02;
 
-/// The problem: find pressure `p` and approach `delta` with `g = gap + K p - delta`, `0 <= p <= limit`, `g >= 0`
-/// where `p = 0`, `g = 0` between, `g <= 0` where `p = limit`, and the sum of `p` times the cell area equal to the
-/// load.
+/// The problem: find pressure `p` and approach `delta` with `g = gap + K p - delta`, `0 <= p <= limit`,
+/// `g >= 0` where `p = 0`, `g = 0` between, `g <= 0` where `p = limit`, and the sum of `p` times the cell
+/// area equal to the load.
 ///
 /// Pressure stays zero on nodes with `excluded` set.
 #[derive(Debug, Clone, Copy)]
@@ -59,14 +59,15 @@ pub struct DryOutcome {
     /// Mean absolute gap error on contact nodes plus penetration elsewhere, over the pressure-weighted mean
     /// displacement.
     pub gap_error: f64,
-    /// What the energy `1/2 p K p + gap p` lies above its minimum at most, over the elastic energy `1/2 p K p`: the duality gap
-    /// of Frank and Wolfe (1956, Naval Research Logistics Quarterly 3, 95-110), the sum of `p (v - w)` with `v = gap + K p` and `w` its
-    /// minimum over the nodes below their limit, nodes at the limit with `v < w` left out. It holds whatever the solver did.
+    /// What the energy `1/2 p K p + gap p` lies above its minimum at most, over the elastic energy
+    /// `1/2 p K p`: the duality gap of Frank and Wolfe (1956, Naval Research Logistics Quarterly 3, 95-110),
+    /// the sum of `p (v - w)` with `v = gap + K p` and `w` its minimum over the nodes below their limit,
+    /// nodes at the limit with `v < w` left out. It holds whatever the solver did.
     pub energy_error: f64,
     /// Approach of the bodies \[m\].
     pub approach: f64,
-    /// Elastic convolutions in equivalents of the grid: those of a coarser one count by its share of nodes, a pressure
-    /// estimate as a quarter.
+    /// Elastic convolutions in equivalents of the grid: those of a coarser one count by its share of nodes, a
+    /// pressure estimate as a quarter.
     pub convolutions: f64,
     /// Passes of the active set on the grid itself.
     pub passes: u64,
@@ -76,18 +77,20 @@ pub struct DryOutcome {
     pub converged: bool,
 }
 
-/// Active-set conjugate gradients with a per-node pressure limit and the load as a constraint, on nested grids.
+/// Active-set conjugate gradients with a per-node pressure limit and the load as a constraint, on nested
+/// grids.
 ///
-/// Within a pass the sets are fixed, and conjugate gradients at constant load close the gap of the free nodes, preconditioned
-/// by the pressure estimate of the model (`|q|` on the periodic grid for the half-space) masked to them. A pass ends as soon as the
-/// nodes beyond their bounds hold as much energy as the gaps of the free ones. Then nodes beyond their bounds change sides, and
-/// nodes whose gaps are on the wrong side become free once these gaps outweigh those of the free nodes (proportioning:
-/// Dostal 1997, SIAM J. Optim. 7, 871-887).
-/// Polonsky and Keer (1999, Wear 231, 206-219) change sides at every step instead, which stalls once many nodes sit at the limit.
+/// Within a pass the sets are fixed, and conjugate gradients at constant load close the gap of the free
+/// nodes, preconditioned by the pressure estimate of the model (`|q|` on the periodic grid for the
+/// half-space) masked to them. A pass ends as soon as the nodes beyond their bounds hold as much energy as
+/// the gaps of the free ones. Then nodes beyond their bounds change sides, and nodes whose gaps are on the
+/// wrong side become free once these gaps outweigh those of the free nodes (proportioning: Dostal 1997, SIAM
+/// J. Optim. 7, 871-887). Polonsky and Keer (1999, Wear 231, 206-219) change sides at every step instead,
+/// which stalls once many nodes sit at the limit.
 ///
-/// The products within a pass are [`DeformationModel::displacement_estimate`], the gaps that decide are of
-/// [`DeformationModel::displacement`]. A start whose gap error exceeds 2 % is solved to 0.1 % on half the cells first, where the model
-/// lives on other grids ([`DeformationModel::on_grid`]), down to 16 cells.
+/// The products within a pass are [`DeformationModel::displacement_single`], the gaps that decide are of
+/// [`DeformationModel::displacement`]. A start whose gap error exceeds 2 % is solved to 0.1 % on half the
+/// cells first, where the model lives on other grids ([`DeformationModel::on_grid`]), down to 16 cells.
 #[derive(Debug)]
 pub struct DrySolver {
     side: Vec<Side>,
@@ -117,8 +120,9 @@ impl DrySolver {
         }
     }
 
-    /// Solves `problem`, starting from `pressure`. Ends when the gap error is at most `tolerance`, after `max_passes` passes, or
-    /// when a hundred passes have brought nothing, as rounding bounds what can be reached; then with the best pressure found.
+    /// Solves `problem`, starting from `pressure`. Ends when the gap error is at most `tolerance`, after
+    /// `max_passes` passes, or when a hundred passes have brought nothing, as rounding bounds what can be
+    /// reached; then with the best pressure found.
     ///
     /// # Errors
     /// Slices that do not fit the grid of `deformation` or this solver.
@@ -220,13 +224,15 @@ impl DrySolver {
         Ok(self.evaluate(task, deformation, pressure, outcome)?.0)
     }
 
-    /// Gap under the pressure that the last solve returned \[m\], negative where nodes at their limit overlap.
+    /// Gap under the pressure that the last solve returned \[m\], negative where nodes at their limit
+    /// overlap.
     pub fn gap(&self) -> &[f64] {
         &self.gap
     }
 
-    /// Deformed gaps over the datum and their error; returns the level of the free ones, the mean displacement, and whether the gaps of
-    /// the free nodes are closed so far that those of the others tell who is next to touch.
+    /// Deformed gaps over the datum and their error; returns the level of the free ones, the mean
+    /// displacement, and whether the gaps of the free nodes are closed so far that those of the others tell
+    /// who is next to touch.
     fn evaluate(
         &mut self,
         task: &Task<'_>,
@@ -251,7 +257,8 @@ impl DrySolver {
         Ok((level, scale, is_settled))
     }
 
-    /// Mean gap error \[m\], and whether the gaps on the wrong side have the larger sum of squares than those of the free nodes.
+    /// Mean gap error \[m\], and whether the gaps on the wrong side have the larger sum of squares than those
+    /// of the free nodes.
     fn gap_error(&self, problem: &DryProblem<'_>, pressure: &[f64], level: f64) -> (f64, bool) {
         let (mut error, mut n, mut free, mut wrong) = (0.0, 0_usize, 0.0, 0.0);
         for (k, (side, g)) in self.side.iter().zip(&self.gap).enumerate() {

@@ -25,8 +25,9 @@ struct Sums {
 }
 
 impl DrySolver {
-    /// Closes the gaps of the free nodes: until their mean square is below that of `goal` \[m\] or has fallen enough for this pass, or,
-    /// unless the pass is cautious, until the nodes beyond their bounds matter more. Gaps follow.
+    /// Closes the gaps of the free nodes: until their mean square is below that of `goal` \[m\] or has fallen
+    /// enough for this pass, or, unless the pass is cautious, until the nodes beyond their bounds matter
+    /// more. Gaps follow.
     pub(super) fn relax(
         &mut self,
         problem: &DryProblem<'_>,
@@ -63,7 +64,7 @@ impl DrySolver {
             let beta =
                 if step == 0 { 0.0 } else { (mean * shift * n_free as f64 - sums.overlap) / curvature };
             self.turn(mean, beta);
-            deformation.displacement_estimate(&self.direction, &mut self.displacement)?;
+            deformation.displacement_single(&self.direction, &mut self.displacement)?;
             outcome.convolutions += STEP_COST;
             outcome.steps += 1;
             (curvature, shift) = self.curvature(n_free);

@@ -65,8 +65,8 @@ impl DrySolver {
         open.fold(f64::INFINITY, f64::min)
     }
 
-    /// Frees the nodes whose gaps are on the wrong side of `level`; of them only those with at least half of the worst violation
-    /// in a cautious pass.
+    /// Frees the nodes whose gaps are on the wrong side of `level`; of them only those with at least half of
+    /// the worst violation in a cautious pass.
     pub(super) fn touch(&mut self, level: f64, cautious: bool) {
         let violation = |side: Side, g: f64| match side {
             Side::Open => level - g,
@@ -87,8 +87,8 @@ impl DrySolver {
         }
     }
 
-    /// Opens the free nodes with tension and holds those beyond the limit at it; of them only those with at least half of the worst
-    /// violation in a cautious pass.
+    /// Opens the free nodes with tension and holds those beyond the limit at it; of them only those with at
+    /// least half of the worst violation in a cautious pass.
     pub(super) fn clip(&mut self, problem: &DryProblem<'_>, pressure: &mut [f64], cautious: bool) {
         let beyond = |k: usize, p: f64| (-p).max(p - problem.limit_of(k));
         let mut least = 0.0_f64;

@@ -6,7 +6,8 @@ const FAR: f64 = 16.0;
 const GAUSS: [(f64, f64); 3] =
     [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
 
-/// Integral of `1/sqrt(r^2 + depth^2)` \[m\] over the rectangle `|x'| <= half_x`, `|y'| <= half_y`, seen from `(x, y)`; `depth > 0`.
+/// Integral of `1/sqrt(r^2 + depth^2)` \[m\] over the rectangle `|x'| <= half_x`, `|y'| <= half_y`, seen from
+/// `(x, y)`; `depth > 0`.
 pub(super) fn rectangle(x: f64, y: f64, [half_x, half_y]: [f64; 2], depth: f64) -> f64 {
     let square = depth * depth;
     if x * x + y * y + square > (FAR * half_x.max(half_y)).powi(2) {
@@ -30,7 +31,8 @@ pub(super) fn rectangle(x: f64, y: f64, [half_x, half_y]: [f64; 2], depth: f64) 
     corner(right, above) - corner(left, above) - corner(right, below) + corner(left, below)
 }
 
-/// Integral of `ln(reference/sqrt((x - s)^2 + depth^2))` \[m\] over the strip `|s| <= half_width`, seen from `x`; `depth > 0`.
+/// Integral of `ln(reference/sqrt((x - s)^2 + depth^2))` \[m\] over the strip `|s| <= half_width`, seen from
+/// `x`; `depth > 0`.
 pub(super) fn strip(x: f64, half_width: f64, depth: f64, reference: f64) -> f64 {
     let square = depth * depth;
     if x * x + square > (FAR * half_width).powi(2) {

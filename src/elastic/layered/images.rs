@@ -1,17 +1,18 @@
 //! The response of a layer as that of loads below the surface.
 //!
-//! A unit load at the depth `a` below the surface has the potential `1/sqrt(r^2 + a^2)`, whose transform is `exp(-q a)/q`. The correction
-//! `f - 1` of a layer to a half-space of its own material is smooth in `q` and falls as `exp(-2 q h)`: a sum of such exponentials
-//! reproduces it, and turns the response on a cell into closed forms at any ratio of cell, thickness and distance, with no periodic
-//! image. In the field theory of layered media this is the method of discrete images.
+//! A unit load at the depth `a` below the surface has the potential `1/sqrt(r^2 + a^2)`, whose transform is
+//! `exp(-q a)/q`. The correction `f - 1` of a layer to a half-space of its own material is smooth in `q` and
+//! falls as `exp(-2 q h)`: a sum of such exponentials reproduces it, and turns the response on a cell into
+//! closed forms at any ratio of cell, thickness and distance, with no periodic image. In the field theory of
+//! layered media this is the method of discrete images.
 
 use faer::Mat;
 
 use super::Layer;
 use crate::error::InputError;
 
-/// Depths over the thickness: geometric from the first on. The nearest images lie at twice the thickness, the farthest where the
-/// stiffest layer bends, at its thickness times the cube root of the ratio of moduli.
+/// Depths over the thickness: geometric from the first on. The nearest images lie at twice the thickness, the
+/// farthest where the stiffest layer bends, at its thickness times the cube root of the ratio of moduli.
 const FIRST_DEPTH: f64 = 0.7;
 const RATIO: f64 = 1.2;
 const IMAGES: usize = 48;

@@ -9,11 +9,12 @@ const MODULUS_RATIO: [f64; 2] = [1e-4, 1e3];
 ///
 /// A pressure of wave number `q` on the layer moves its surface by
 ///
-/// `u/p = (1 - v1)/(G1 q) f(q h)`, `f(x) = [1 + 4 x K T - L K T^2] / [1 - (L + K + 4 K x^2) T + L K T^2]`, `T = exp(-2 x)`,
+/// `u/p = (1 - v1)/(G1 q) f(q h)`, `f(x) = [1 + 4 x K T - L K T^2] / [1 - (L + K + 4 K x^2) T + L K T^2]`,
+/// `T = exp(-2 x)`,
 ///
-/// with the thickness `h`, Poisson's ratios `v1`, `v2` and shear moduli `G1`, `G2 = G1/M` of layer and substrate,
-/// `L = 1 - 4 (1 - v1)/[1 + M (3 - 4 v2)]` and `K = (M - 1)/(M + 3 - 4 v1)`. Short waves see a half-space of the layer, `f = 1`, long
-/// ones one of the substrate, `f = M (1 - v2)/(1 - v1)`.
+/// with the thickness `h`, Poisson's ratios `v1`, `v2` and shear moduli `G1`, `G2 = G1/M` of layer and
+/// substrate, `L = 1 - 4 (1 - v1)/[1 + M (3 - 4 v2)]` and `K = (M - 1)/(M + 3 - 4 v1)`. Short waves see a
+/// half-space of the layer, `f = 1`, long ones one of the substrate, `f = M (1 - v2)/(1 - v1)`.
 ///
 /// Source: Burmister, D. M. (1945), Journal of Applied Physics 16, 89-94.
 ///
@@ -37,8 +38,8 @@ impl Layer {
     /// Layer of `thickness` \[m\] with Young's modulus \[Pa\] and Poisson's ratio of layer and substrate.
     ///
     /// # Errors
-    /// A thickness or modulus that is not finite and positive, a ratio not above -1 or above 0.5, shear moduli of layer and
-    /// substrate whose ratio is not between 1e-4 and 1e3.
+    /// A thickness or modulus that is not finite and positive, a ratio not above -1 or above 0.5, shear
+    /// moduli of layer and substrate whose ratio is not between 1e-4 and 1e3.
     pub fn new(
         thickness: f64,
         [modulus, poisson]: [f64; 2],

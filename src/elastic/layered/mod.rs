@@ -21,20 +21,23 @@ const ROUNDED: f64 = 1e-3;
 
 /// Two bodies pressed together, one of them a half-space with a bonded [`Layer`].
 ///
-/// The other body has what compliance the equivalent modulus `E'` of the pair without layer leaves to it, `2/E' - (1 - v2^2)/E2`; none
-/// where it is rigid. With `c1`, `c2` the compliances `(1 - v^2)/E` of layer and substrate a load `p` on a cell moves the surfaces by
+/// The other body has what compliance the equivalent modulus `E'` of the pair without layer leaves to it,
+/// `2/E' - (1 - v2^2)/E2`; none where it is rigid. With `c1`, `c2` the compliances `(1 - v^2)/E` of layer and
+/// substrate a load `p` on a cell moves the surfaces by
 ///
 /// `u = 1/pi [(2/E' - c2 + c1) F_0 + c1 sum_k s_k F_k] p`,
 ///
-/// `F_0` being the potential of the cell (Love 1929) and `F_k` that of the cell at the depth `a_k`. The images `s_k`, `a_k` reproduce the
-/// transform of the layer to 5e-6 of it, up to a ratio of shear moduli of 100 (3e-5 up to 1000). A layer of the material of the
-/// substrate has none. In plane strain the potentials are those of strips, twice.
+/// `F_0` being the potential of the cell (Love 1929) and `F_k` that of the cell at the depth `a_k`. The
+/// images `s_k`, `a_k` reproduce the transform of the layer to 5e-6 of it, up to a ratio of shear moduli of
+/// 100 (3e-5 up to 1000). A layer of the material of the substrate has none. In plane strain the potentials
+/// are those of strips, twice.
 ///
-/// Displacements are summed as a convolution through FFTs of twice the grid, as those of [`HalfSpace`](super::HalfSpace) and at
-/// the same cost. Only making the model is dearer: 48 images for each of the `N` coefficients.
+/// Displacements are summed as a convolution through FFTs of twice the grid, as those of
+/// [`HalfSpace`](super::HalfSpace) and at the same cost. Only making the model is dearer: 48 images for each
+/// of the `N` coefficients.
 ///
-/// Sources: Burmister, D. M. (1945), Journal of Applied Physics 16, 89-94 (layer); Love, A. E. H. (1929), Philosophical Transactions of
-/// the Royal Society A 228, 377-420 (cells).
+/// Sources: Burmister, D. M. (1945), Journal of Applied Physics 16, 89-94 (layer); Love, A. E. H. (1929),
+/// Philosophical Transactions of the Royal Society A 228, 377-420 (cells).
 ///
 /// ```
 /// use stribeck::elastic::{DeformationModel, HalfSpace, Layer, LayeredHalfSpace};
@@ -83,8 +86,8 @@ impl LayeredHalfSpace {
         Ok(Self::from_coefficients(grid, equivalent_modulus, layer, false, coefficient))
     }
 
-    /// The same under line loads, plane strain, on the single row of `grid`; displacements count from the distance `reference` \[m\], as
-    /// those of [`LineHalfSpace`](super::LineHalfSpace).
+    /// The same under line loads, plane strain, on the single row of `grid`; displacements count from the
+    /// distance `reference` \[m\], as those of [`LineHalfSpace`](super::LineHalfSpace).
     ///
     /// # Errors
     /// More than one row, a reference below the length of the row, a modulus as in [`LayeredHalfSpace::new`].
@@ -163,15 +166,15 @@ impl DeformationModel for LayeredHalfSpace {
         self.response.displacement(pressure, out)
     }
 
-    fn displacement_estimate(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.response.displacement_estimate(pressure, out)
+    fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.response.displacement_single(pressure, out)
     }
 
-    fn displacement_sketch(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+    fn displacement_periodic(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         if self.plane_strain {
-            return self.response.displacement_estimate(pressure, out);
+            return self.response.displacement_single(pressure, out);
         }
-        self.response.displacement_sketch(pressure, out)
+        self.response.displacement_periodic(pressure, out)
     }
 
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {

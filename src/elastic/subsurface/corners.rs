@@ -1,7 +1,8 @@
 //! Stresses under a uniformly loaded rectangle as differences between its corners.
 //!
-//! With `X = x - x'`, `Y = y - y'` and `r^2 = X^2 + Y^2 + z^2` a stress under a point load is `g(X, Y)`, and `G` with `d^2 G/dX dY = g` gives that under a
-//! rectangle as `G` at two opposite corners less `G` at the other two. All are for unit loads and without the factor `1/(2 pi)`.
+//! With `X = x - x'`, `Y = y - y'` and `r^2 = X^2 + Y^2 + z^2` a stress under a point load is `g(X, Y)`, and
+//! `G` with `d^2 G/dX dY = g` gives that under a rectangle as `G` at two opposite corners less `G` at the
+//! other two. All are for unit loads and without the factor `1/(2 pi)`.
 
 /// Components of a stress in the order xx, yy, zz, xy, xz, yz.
 pub(super) const COMPONENTS: usize = 6;

@@ -22,15 +22,16 @@ pub struct Extreme {
 pub struct StressExtremes {
     /// Largest stress of von Mises.
     pub von_mises: Extreme,
-    /// Largest magnitude of the orthogonal shear stress `xz`, whose range a point meets when it is rolled over: the measure of rolling
-    /// fatigue of Lundberg and Palmgren (1947), Acta Polytechnica, Mechanical Engineering Series 1, no. 3. Residual stresses of a rolled
-    /// surface cannot carry it, so that the elastic shakedown limit of free rolling is reached where it is the yield stress in
-    /// shear (Johnson 1985, Contact Mechanics, section 9.2; exact in plane strain).
+    /// Largest magnitude of the orthogonal shear stress `xz`, whose range a point meets when it is rolled
+    /// over: the measure of rolling fatigue of Lundberg and Palmgren (1947), Acta Polytechnica, Mechanical
+    /// Engineering Series 1, no. 3. Residual stresses of a rolled surface cannot carry it, so that the
+    /// elastic shakedown limit of free rolling is reached where it is the yield stress in shear (Johnson
+    /// 1985, Contact Mechanics, section 9.2; exact in plane strain).
     pub orthogonal_shear: Extreme,
 }
 
-/// The largest stresses under the nodes of `grid` at `depths` \[m\], which increase, of a half-space of Poisson's ratio `poisson` under `pressure` and
-/// `traction` \[Pa\], see [`subsurface_stress`].
+/// The largest stresses under the nodes of `grid` at `depths` \[m\], which increase, of a half-space of
+/// Poisson's ratio `poisson` under `pressure` and `traction` \[Pa\], see [`subsurface_stress`].
 ///
 /// # Errors
 /// No depths or depths that do not increase, and what [`subsurface_stress`] refuses.

@@ -41,7 +41,8 @@ impl StressField {
         [&mut self.xx, &mut self.yy, &mut self.zz, &mut self.xy, &mut self.xz, &mut self.yz]
     }
 
-    /// Stress of von Mises \[Pa\] under each node: `sqrt{[(xx - yy)^2 + (yy - zz)^2 + (zz - xx)^2]/2 + 3 (xy^2 + xz^2 + yz^2)}`.
+    /// Stress of von Mises \[Pa\] under each node:
+    /// `sqrt{[(xx - yy)^2 + (yy - zz)^2 + (zz - xx)^2]/2 + 3 (xy^2 + xz^2 + yz^2)}`.
     pub fn von_mises(&self) -> impl Iterator<Item = f64> + '_ {
         (0..self.xx.len()).map(|k| {
             let (xx, yy, zz) = (self.xx[k], self.yy[k], self.zz[k]);
@@ -52,18 +53,20 @@ impl StressField {
     }
 }
 
-/// Stresses at `depth` \[m\] of a half-space of Poisson's ratio `poisson` under `pressure` \[Pa\] and the `traction` \[Pa\] along +x on its surface,
-/// both constant in each cell of `grid`; `None` for no traction.
+/// Stresses at `depth` \[m\] of a half-space of Poisson's ratio `poisson` under `pressure` \[Pa\] and the
+/// `traction` \[Pa\] along +x on its surface, both constant in each cell of `grid`; `None` for no traction.
 ///
-/// The stresses under a uniformly loaded rectangle are closed forms, summed as convolutions through FFTs of twice the grid: no periodic
-/// images. At depth zero they are those just below the surface. Under a line contact (a row of cells one metre wide) they are those of plane
-/// strain to `(b/0.5 m)^2` at the distance `b`. Cost: twelve convolutions and the transforms of their kernels, six without traction.
+/// The stresses under a uniformly loaded rectangle are closed forms, summed as convolutions through FFTs of
+/// twice the grid: no periodic images. At depth zero they are those just below the surface. Under a line
+/// contact (a row of cells one metre wide) they are those of plane strain to `(b/0.5 m)^2` at the distance
+/// `b`. Cost: twelve convolutions and the transforms of their kernels, six without traction.
 ///
-/// Sources: Love, A. E. H. (1929), Philosophical Transactions of the Royal Society A 228, 377-420 (pressure); Johnson, K. L. (1985), Contact
-/// Mechanics, section 3.6 (point traction).
+/// Sources: Love, A. E. H. (1929), Philosophical Transactions of the Royal Society A 228, 377-420 (pressure);
+/// Johnson, K. L. (1985), Contact Mechanics, section 3.6 (point traction).
 ///
 /// # Errors
-/// Slices that do not fit the grid, a depth that is not finite or below zero, a ratio not above -1 or above 0.5.
+/// Slices that do not fit the grid, a depth that is not finite or below zero, a ratio not above -1 or above
+/// 0.5.
 ///
 /// ```
 /// use stribeck::elastic::subsurface_stress;

@@ -13,8 +13,8 @@ const TILE: usize = 2;
 /// Pivots that are inverted together.
 const PANEL: usize = 8;
 
-/// Values below this count as zero: products of what is left are normal numbers. Far couplings fall by orders of magnitude
-/// from node to node, and some processors take a hundred times longer for denormal numbers.
+/// Values below this count as zero: products of what is left are normal numbers. Far couplings fall by orders
+/// of magnitude from node to node, and some processors take a hundred times longer for denormal numbers.
 const NEGLIGIBLE: f32 = 1e-18;
 
 /// `length` rounded up to whole vectors.
@@ -102,8 +102,8 @@ pub(super) fn packed(inner: usize) -> usize {
     TILE * VECTOR * inner.max(PANEL)
 }
 
-/// `out += a b` for `rows` padded rows, `inner` columns of `a` and `columns` of `b`; column `j` of `out` starts at
-/// `j * stride`. `pack` holds [`packed`] entries.
+/// `out += a b` for `rows` padded rows, `inner` columns of `a` and `columns` of `b`; column `j` of `out`
+/// starts at `j * stride`. `pack` holds [`packed`] entries.
 #[inline(always)]
 pub(super) fn add_matrix_product<S: Simd>(
     simd: S,
@@ -190,9 +190,9 @@ fn add_to_tile<S: Simd, const ROWS: usize, const COLUMNS: usize>(
     COLUMNS
 }
 
-/// Inverts a block of `pivots` columns, padded, in place by Gauss and Jordan's method, without exchanging rows, some pivots at
-/// a time; pivots smaller than `smallest` count as that. `scratch` holds as much as the block and `pack` [`packed`] entries.
-/// Returns whether all were numbers.
+/// Inverts a block of `pivots` columns, padded, in place by Gauss and Jordan's method, without exchanging
+/// rows, some pivots at a time; pivots smaller than `smallest` count as that. `scratch` holds as much as the
+/// block and `pack` [`packed`] entries. Returns whether all were numbers.
 #[inline(always)]
 pub(super) fn invert<S: Simd>(
     simd: S,

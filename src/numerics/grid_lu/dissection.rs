@@ -1,5 +1,5 @@
-//! Nested dissection of a grid: the order in which its nodes are eliminated, and what each elimination touches
-//! (George 1973, SIAM J. Numer. Anal. 10, 345-363).
+//! Nested dissection of a grid: the order in which its nodes are eliminated, and what each elimination
+//! touches (George 1973, SIAM J. Numer. Anal. 10, 345-363).
 
 use std::ops::Range;
 
@@ -20,7 +20,8 @@ pub(super) struct Front {
     pub(super) children: Vec<Child>,
     /// Entries of the stencil among the pivots.
     pub(super) entries: Vec<Entry>,
-    /// Entries of the stencil between pivots and border; of a leaf one for each node of the border, in their order.
+    /// Entries of the stencil between pivots and border; of a leaf one for each node of the border, in their
+    /// order.
     pub(super) edges: Vec<Edge>,
     /// The first front of the subtree that this one ends.
     pub(super) first: usize,

@@ -12,8 +12,9 @@ const SMALLEST_PIVOT: f32 = 1e-6;
 
 /// What a front keeps of its elimination.
 ///
-/// With the block `P` of the pivots, `B` below it and `C` beside it: `P^-1`, `-B P^-1` and `C`. Every node of the border of a leaf
-/// has one neighbour among the pivots, so that `-B` and `C` have one entry for each, and these are kept.
+/// With the block `P` of the pivots, `B` below it and `C` beside it: `P^-1`, `-B P^-1` and `C`. Every node of
+/// the border of a leaf has one neighbour among the pivots, so that `-B` and `C` have one entry for each, and
+/// these are kept.
 struct Parts<'a> {
     inverse: &'a mut [f32],
     lower: &'a mut [f32],
@@ -60,8 +61,8 @@ impl Front {
         Parts { inverse, lower, upper: &mut rest[..upper] }
     }
 
-    /// Eliminates the pivots of the matrix `scaled`, with the remainders of the children: `None` where one is idle. Returns
-    /// whether all were numbers.
+    /// Eliminates the pivots of the matrix `scaled`, with the remainders of the children: `None` where one is
+    /// idle. Returns whether all were numbers.
     #[inline(always)]
     pub(super) fn eliminate<S: Simd>(
         &self,

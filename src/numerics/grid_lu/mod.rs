@@ -1,7 +1,8 @@
-//! LU factorisation of a matrix on the five-point stencil of a grid, factorised again and again: buffers are kept.
+//! LU factorisation of a matrix on the five-point stencil of a grid, factorised again and again: buffers are
+//! kept.
 //!
-//! Multifrontal elimination in the order of nested dissection, without exchange of rows, in single precision: it serves
-//! as a preconditioner. Nodes that no entry links to others cost nothing beyond a division.
+//! Multifrontal elimination in the order of nested dissection, without exchange of rows, in single precision:
+//! it serves as a preconditioner. Nodes that no entry links to others cost nothing beyond a division.
 
 mod dense;
 mod dissection;
@@ -66,8 +67,8 @@ impl GridLu {
         }
     }
 
-    /// Factorises the matrix with row `k` at `stencil[5 k..5 k + 5]` in the order centre, east, west, north, south.
-    /// Entries that point outside the grid must be zero. Returns whether it succeeded.
+    /// Factorises the matrix with row `k` at `stencil[5 k..5 k + 5]` in the order centre, east, west, north,
+    /// south. Entries that point outside the grid must be zero. Returns whether it succeeded.
     pub(crate) fn factorise(&mut self, stencil: &[f32]) -> bool {
         self.linked.fill(false);
         let rows = stencil.chunks_exact(STENCIL).zip(self.scaled.chunks_exact_mut(STENCIL));

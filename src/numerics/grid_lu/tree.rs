@@ -38,7 +38,8 @@ pub(super) struct Tree {
     pub(super) starts: Starts,
     pub(super) vectors: Vec<f32>,
     factors: Vec<f32>,
-    /// What fronts leave for their parents, on two stacks: those of a front and of its grandchildren, those of its children.
+    /// What fronts leave for their parents, on two stacks: those of a front and of its grandchildren, those
+    /// of its children.
     remainders: [Vec<f32>; 2],
     /// What a branch needs of the stack of its last front and of the other.
     depths: Vec<[usize; 2]>,
@@ -78,8 +79,8 @@ impl Tree {
         (Walk { fronts, starts, depths, arch: Arch::new() }, branch, [own, other])
     }
 
-    /// Eliminates all fronts of the matrix `scaled`, of whose nodes `linked` says which have entries beside the diagonal. Returns
-    /// whether all pivots were numbers.
+    /// Eliminates all fronts of the matrix `scaled`, of whose nodes `linked` says which have entries beside
+    /// the diagonal. Returns whether all pivots were numbers.
     pub(super) fn eliminate(&mut self, scaled: &[f32], linked: &[bool]) -> bool {
         let root = self.fronts.len() - 1;
         let (walk, branch, stacks) = self.parts();
@@ -95,7 +96,8 @@ impl Tree {
     }
 }
 
-/// What the branch of each front needs of both stacks: branches that run side by side have parts of their own.
+/// What the branch of each front needs of both stacks: branches that run side by side have parts of their
+/// own.
 fn depths(fronts: &[Front], lanes: usize) -> Vec<[usize; 2]> {
     let mut lanes_of = vec![lanes; fronts.len()];
     for (f, front) in fronts.iter().enumerate().rev() {
@@ -240,8 +242,8 @@ impl Walk<'_> {
         }
     }
 
-    /// Eliminates the fronts of a branch, whose last is `root`, with the remainder of that on the first stack. Returns whether all
-    /// pivots were numbers.
+    /// Eliminates the fronts of a branch, whose last is `root`, with the remainder of that on the first
+    /// stack. Returns whether all pivots were numbers.
     fn eliminate(
         &self,
         root: usize,

@@ -1,19 +1,20 @@
 //! What flows into the box and out of it.
 
-/// Flow through the edges of the box at ambient density \[m^3/s\]; of a line contact, one metre wide, the same number is \[m^2/s\]
-/// a metre of contact.
+/// Flow through the edges of the box at ambient density \[m^3/s\]; of a line contact, one metre wide, the
+/// same number is \[m^2/s\] a metre of contact.
 ///
-/// Flows are those through the faces of the outermost nodes, by entrainment and by pressure. Where cavitation conserves mass the
-/// imbalance is at most the [mass residual](crate::Residuals::mass): the balances of all cells add up to it. With Reynolds'
-/// condition it is what cavitated cells make out of nothing, and no residual counts it.
+/// Flows are those through the faces of the outermost nodes, by entrainment and by pressure. Where cavitation
+/// conserves mass the imbalance is at most the [mass residual](crate::Residuals::mass): the balances of all
+/// cells add up to it. With Reynolds' condition it is what cavitated cells make out of nothing, and no
+/// residual counts it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FlowBalance {
     /// What enters \[m^3/s\].
     pub inflow: f64,
     /// What leaves \[m^3/s\].
     pub outflow: f64,
-    /// `|outflow - inflow + stored| / inflow`; `stored` is the rate at which the mass in the gaps grows, zero without a squeeze
-    /// term. Over the outflow where nothing enters, zero where nothing flows.
+    /// `|outflow - inflow + stored| / inflow`; `stored` is the rate at which the mass in the gaps grows, zero
+    /// without a squeeze term. Over the outflow where nothing enters, zero where nothing flows.
     pub imbalance: f64,
 }
 

@@ -6,18 +6,20 @@ use crate::error::{InputError, legible};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Cavitation {
-    /// Mass is conserved: the gap is filled to the content `theta`, `p_f >= 0`, `0 <= theta <= 1`, `p_f (1 - theta) = 0`, and
-    /// `theta rho h` is carried along in place of `rho h` (Elrod and Adams 1974; as one complementary pair Giacopini, Fowell, Dini
-    /// and Strozzi 2010, doi 10.1115/1.4000794). Fluid reforms where what arrives fills the gap again.
+    /// Mass is conserved: the gap is filled to the content `theta`, `p_f >= 0`, `0 <= theta <= 1`,
+    /// `p_f (1 - theta) = 0`, and `theta rho h` is carried along in place of `rho h` (Elrod and Adams 1974;
+    /// as one complementary pair Giacopini, Fowell, Dini and Strozzi 2010, doi 10.1115/1.4000794). Fluid
+    /// reforms where what arrives fills the gap again.
     #[default]
     MassConserving,
-    /// Reynolds' condition: a cavitated cell carries along a full film, whatever it got. Where fluid reforms, it is made out of
-    /// nothing.
+    /// Reynolds' condition: a cavitated cell carries along a full film, whatever it got. Where fluid reforms,
+    /// it is made out of nothing.
     Reynolds,
 }
 
 impl Cavitation {
-    /// Refuses a supplied film `value` \[m\], named `field`, where a cell that is not filled carries on a full film.
+    /// Refuses a supplied film `value` \[m\], named `field`, where a cell that is not filled carries on a
+    /// full film.
     pub(crate) fn require_conserved(self, field: &str, value: f64) -> Result<(), InputError> {
         if self == Self::MassConserving {
             return Ok(());

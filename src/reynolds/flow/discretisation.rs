@@ -6,13 +6,14 @@
 //! `F_k = sum over faces of c a_face (phi_k - phi_neighbour) + w (M_east - M_west) + s (m_k - m_previous)`
 //!
 //! with `m = rho/rho_0 h`, `c = 1 / (U dx)` (faces in x) or `dx / (U dy^2)` (faces in y), `w = u / U` and
-//! `s = dx / (U dt)`. `M` is what entrainment carries through a face ([`Scheme`]); `a_face`, a mean of `h^3 / (12 eta_0)`, and the
-//! potential `phi` are those of the [`FaceMobility`].
+//! `s = dx / (U dt)`. `M` is what entrainment carries through a face ([`Scheme`]); `a_face`, a mean of
+//! `h^3 / (12 eta_0)`, and the potential `phi` are those of the [`FaceMobility`].
 //!
 //! With shear thinning the mobility of a face is divided by the mean of `eta*/eta` of its two nodes
-//! ([`ShearThinning`](super::ShearThinning)). Why not a mean of `a eta/eta*`: at steep viscosities the node of high pressure
-//! has nearly all of that and nearly none of the change of `q`. Divided like this the flow through a face still grows with
-//! the pressure of its node where `ln eta` is linear in pressure, as `q_end - q <= (dq/dp) / (d ln eta/dp)`.
+//! ([`ShearThinning`](super::ShearThinning)). Why not a mean of `a eta/eta*`: at steep viscosities the node
+//! of high pressure has nearly all of that and nearly none of the change of `q`. Divided like this the flow
+//! through a face still grows with the pressure of its node where `ln eta` is linear in pressure, as
+//! `q_end - q <= (dq/dp) / (d ln eta/dp)`.
 //!
 //! In `a` the film counts as at least half the contact film, in `m` it counts as it is.
 
@@ -27,12 +28,12 @@ use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::reynolds::problem::{LubricatedContact, inner_rows, interior};
 
-/// Weight of the first-order entrainment term in the preconditioner of the second-order one. Their ratio lies between 1
-/// (smooth fields) and 2 (from node to node).
+/// Weight of the first-order entrainment term in the preconditioner of the second-order one. Their ratio lies
+/// between 1 (smooth fields) and 2 (from node to node).
 const SECOND_ORDER_WEIGHT: f64 = 1.25;
 
-/// The pressure is ambient at the edge of the box, half a cell beyond the outermost nodes, whose own pressure counts as ambient: of
-/// the difference to the next nodes this share is left.
+/// The pressure is ambient at the edge of the box, half a cell beyond the outermost nodes, whose own pressure
+/// counts as ambient: of the difference to the next nodes this share is left.
 const EDGE_SHARE: f64 = 2.0 / 3.0;
 
 /// Pressure difference over sum below which the secant of a potential is taken as the mean of its slopes.
@@ -49,8 +50,9 @@ pub(in crate::reynolds) struct HeldNeighbour {
     is_first: bool,
 }
 
-/// Derivatives of what entrainment carries through a face beyond what its first node holds: by the pressures of that node and of
-/// the one upstream, by the films of that node, of the second of the face and of the one upstream.
+/// Derivatives of what entrainment carries through a face beyond what its first node holds: by the pressures
+/// of that node and of the one upstream, by the films of that node, of the second of the face and of the one
+/// upstream.
 pub(in crate::reynolds) type BeyondDerivatives = [f64; 5];
 
 /// Quantities of the nodes and faces at the current pressure and film, and the coefficients of the balance.
@@ -69,7 +71,8 @@ pub(in crate::reynolds) struct Discretisation {
     face_y: f64,
     wedge: f64,
     squeeze: f64,
-    /// Squeeze against the masses at which a linear step begins: in the derivatives alone, as it vanishes there.
+    /// Squeeze against the masses at which a linear step begins: in the derivatives alone, as it vanishes
+    /// there.
     pseudo_transient: f64,
     /// `1 / (12 eta_0)`.
     fluidity: f64,
@@ -81,8 +84,8 @@ pub(in crate::reynolds) struct Discretisation {
     /// `M` less `m` of the first node, and film over that of the first node, of the faces to the east.
     beyond: Vec<f64>,
     face_films: Vec<f64>,
-    /// Factors of the inlets, and squares of the cosines between the flow and the gradient of the undeformed gap, at the faces to the
-    /// east.
+    /// Factors of the inlets, and squares of the cosines between the flow and the gradient of the undeformed
+    /// gap, at the faces to the east.
     inlets: Vec<f64>,
     alignments: Vec<f64>,
     /// `M` of the faces to the east \[m\], and the share `theta` of the gap that is filled.
@@ -150,8 +153,8 @@ impl Discretisation {
         self.scheme = problem.scheme;
         self.cavitation = problem.cavitation;
         self.supply = problem.supplied_film.unwrap_or(f64::INFINITY);
-        // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor at the
-        // contact film itself would hide from Newton that a node just under it can open.
+        // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor
+        // at the contact film itself would hide from Newton that a node just under it can open.
         self.film_floor = 0.5 * problem.contact_film();
         self.closed_film = if problem.is_paper() { problem.contact_film() } else { f64::NEG_INFINITY };
         self.rate = speed / dx;
@@ -236,7 +239,8 @@ impl Discretisation {
         ViscosityRatio::new(x, by_pressure, if h > self.film_floor { -1.0 / h } else { 0.0 })
     }
 
-    /// Takes over fluid pressure and film of every node, and the masses of the previous time, where there is one.
+    /// Takes over fluid pressure and film of every node, and the masses of the previous time, where there is
+    /// one.
     pub(in crate::reynolds) fn update(
         &mut self,
         lubricant: &Lubricant,
@@ -285,7 +289,8 @@ impl Discretisation {
         }
     }
 
-    /// Whether node `k` is one of the inlet edge that gets less than fills it: what it carries on does not depend on its film.
+    /// Whether node `k` is one of the inlet edge that gets less than fills it: what it carries on does not
+    /// depend on its film.
     #[inline]
     fn is_starved(&self, k: usize) -> bool {
         self.content[k] < 1.0 && k.is_multiple_of(self.grid.nx())
@@ -332,7 +337,8 @@ impl Discretisation {
         }
     }
 
-    /// Density of the face to the east of node `k` beyond that of the node, extrapolated from the nodes upstream.
+    /// Density of the face to the east of node `k` beyond that of the node, extrapolated from the nodes
+    /// upstream.
     #[inline]
     fn density_rise(&self, k: usize) -> DensityRise {
         if k.is_multiple_of(self.grid.nx()) {
@@ -368,7 +374,8 @@ impl Discretisation {
         Inlet::new(self.nodes[k - 1].film, self.nodes[k].film, self.nodes[k + 1].film, self.alignments[k])
     }
 
-    /// The direction of the face to the east of node `k`: nothing distinguishes it from one across where nothing is carried.
+    /// The direction of the face to the east of node `k`: nothing distinguishes it from one across where
+    /// nothing is carried.
     #[inline]
     fn along(&self, k: usize) -> Direction {
         if self.wedge > 0.0 {
@@ -416,8 +423,8 @@ impl Discretisation {
         if at_edge { EDGE_SHARE * self.face_y } else { self.face_y }
     }
 
-    /// Neighbours of node `k` (east, west, north, south) with coefficients and mobilities of the faces; across a line contact they
-    /// are the node itself.
+    /// Neighbours of node `k` (east, west, north, south) with coefficients and mobilities of the faces;
+    /// across a line contact they are the node itself.
     #[inline]
     fn neighbours(&self, k: usize) -> [(usize, f64, f64); 4] {
         let nx = if self.grid.ny() == 1 { 0 } else { self.grid.nx() };
@@ -440,7 +447,8 @@ impl Discretisation {
         self.cavitation = cavitation;
     }
 
-    /// Makes the next linear steps, until [`Self::configure`], steps in time of `1 / share` passages of a cell.
+    /// Makes the next linear steps, until [`Self::configure`], steps in time of `1 / share` passages of a
+    /// cell.
     pub(in crate::reynolds) fn set_pseudo_transient(&mut self, share: f64) {
         self.pseudo_transient = share * self.wedge;
     }
@@ -450,8 +458,8 @@ impl Discretisation {
         self.rate
     }
 
-    /// Flow over pressure difference of the faces to the east and to the north of node `k` \[m/Pa\], at the pressures of
-    /// the last update.
+    /// Flow over pressure difference of the faces to the east and to the north of node `k` \[m/Pa\], at the
+    /// pressures of the last update.
     pub(in crate::reynolds) fn conductances(&self, k: usize, pressure: &[f64]) -> [f64; 2] {
         let towards = |o: usize, c: f64, mobility: f64| {
             let (a, b) = (&self.nodes[k], &self.nodes[o]);
@@ -469,8 +477,8 @@ impl Discretisation {
         ]
     }
 
-    /// Coefficients of `m` at `k`, `k - 1` and `k - 2` in the entrainment term, where it is linear in `m`; those of first order of
-    /// the limited scheme and beside the inlet.
+    /// Coefficients of `m` at `k`, `k - 1` and `k - 2` in the entrainment term, where it is linear in `m`;
+    /// those of first order of the limited scheme and beside the inlet.
     #[inline]
     pub(in crate::reynolds) fn upwind(&self, k: usize) -> [f64; 3] {
         let w = self.wedge;
@@ -485,7 +493,8 @@ impl Discretisation {
         self.transport(k, previous) + self.pressure_outflow(k)
     }
 
-    /// What leaves interior node `k` beyond what enters, its gap filled to its content: zero where the content makes it so.
+    /// What leaves interior node `k` beyond what enters, its gap filled to its content: zero where the
+    /// content makes it so.
     pub(in crate::reynolds) fn imbalance(&self, k: usize, previous: Option<&[f64]>) -> f64 {
         let stored = previous.map_or(0.0, |previous| self.squeeze * (self.held_mass(k) - previous[k]));
         self.wedge * (self.carried[k] - self.carried[k - 1]) + stored + self.pressure_outflow(k)
@@ -585,7 +594,8 @@ impl Discretisation {
         ]
     }
 
-    /// Density, its slope, then flow through all faces of a node at fluid pressure `p` and film `h` and its derivatives by both.
+    /// Density, its slope, then flow through all faces of a node at fluid pressure `p` and film `h` and its
+    /// derivatives by both.
     pub(in crate::reynolds) fn outflow(
         &self,
         lubricant: &Lubricant,
@@ -628,8 +638,8 @@ impl Discretisation {
         sums
     }
 
-    /// Derivatives of the flow by pressure through the face to the east of node `k`, its film over that of the node and the factor of
-    /// the inlet held: by both pressures, then by both films.
+    /// Derivatives of the flow by pressure through the face to the east of node `k`, its film over that of
+    /// the node and the factor of the inlet held: by both pressures, then by both films.
     pub(in crate::reynolds) fn east_flow_derivatives(&self, k: usize) -> [f64; 4] {
         self.flow_derivatives(k, k + 1, self.coefficient_east(k), self.along(k))
     }
@@ -652,12 +662,14 @@ impl Discretisation {
         ]
     }
 
-    /// Whether anything is carried through faces beyond what their first nodes hold, or their mobility depends on the node upstream.
+    /// Whether anything is carried through faces beyond what their first nodes hold, or their mobility
+    /// depends on the node upstream.
     pub(in crate::reynolds) fn carries_beyond(&self) -> bool {
         self.scheme != Scheme::FirstOrder || self.face_mobility == FaceMobility::Inlet
     }
 
-    /// Derivatives of that through the face to the east of node `k`, with what it adds to the flow by pressure.
+    /// Derivatives of that through the face to the east of node `k`, with what it adds to the flow by
+    /// pressure.
     pub(in crate::reynolds) fn beyond_derivatives(&self, k: usize) -> BeyondDerivatives {
         let nx = self.grid.nx();
         let column = k % nx;
@@ -716,7 +728,8 @@ impl Discretisation {
         [density_p * self.masses[k] / density, density]
     }
 
-    /// Coefficients of the masses of a node and of the one upstream in its balance, without what faces carry beyond them.
+    /// Coefficients of the masses of a node and of the one upstream in its balance, without what faces carry
+    /// beyond them.
     pub(in crate::reynolds) fn mass_coefficients(&self) -> [f64; 2] {
         [self.wedge + self.squeeze + self.pseudo_transient, -self.wedge]
     }
@@ -730,8 +743,8 @@ impl Discretisation {
         [wedge + self.squeeze + self.pseudo_transient, -wedge]
     }
 
-    /// Coefficients `(below, diagonal, above)` of an implicit step along x at node `k` with mobilities frozen,
-    /// entrainment of first order and the elastic response of the line stiffened by `stiffness`.
+    /// Coefficients `(below, diagonal, above)` of an implicit step along x at node `k` with mobilities
+    /// frozen, entrainment of first order and the elastic response of the line stiffened by `stiffness`.
     pub(in crate::reynolds) fn line_row(&self, k: usize, near: NearField, stiffness: f64) -> (f64, f64, f64) {
         let [east, west, north, south] = self.neighbours(k).map(|(_, c, mobility)| c * mobility);
         let cross = north + south;
@@ -791,7 +804,8 @@ mod tests {
         }
     }
 
-    /// The flow between two pressures through a film of one thickness is `h^3/12` times the integral of `dp / eta*`.
+    /// The flow between two pressures through a film of one thickness is `h^3/12` times the integral of
+    /// `dp / eta*`.
     #[test]
     fn flow_between_two_pressures_tends_to_the_integral() {
         let oil = Lubricant::new(Barus::new(0.04, 20e-9).unwrap(), Incompressible);

@@ -6,20 +6,21 @@
 pub enum Scheme {
     /// First-order upwind: the flux through a face is that of the node upstream of it.
     FirstOrder,
-    /// Second-order upwind: the flux through a face is extrapolated from the two nodes upstream of it. On films that fall
-    /// steeply it may become negative.
+    /// Second-order upwind: the flux through a face is extrapolated from the two nodes upstream of it. On
+    /// films that fall steeply it may become negative.
     SecondOrder,
-    /// Limited second order: the density `rho_0 + (rho_0 - rho_-1)/2` extrapolated from the two nodes upstream
-    /// times the film of the face, `h_f = h_0 + minmod(h_0 - h_-1, h_1 - h_0)/2`, with `h_-1`, `h_0` the films of the two nodes
-    /// upstream and `h_1` that of the node downstream. `minmod` is the smaller of both, zero where their signs differ: no film of a
-    /// face is negative. With `FaceMobility::Inlet` the extrapolation is taken times `min(1, h_0/h_-1)^2`: at the edge of a contact
-    /// density rises as the film falls, but no further behind the edge.
+    /// Limited second order: the density `rho_0 + (rho_0 - rho_-1)/2` extrapolated from the two nodes
+    /// upstream times the film of the face, `h_f = h_0 + minmod(h_0 - h_-1, h_1 - h_0)/2`, with `h_-1`, `h_0`
+    /// the films of the two nodes upstream and `h_1` that of the node downstream. `minmod` is the smaller of
+    /// both, zero where their signs differ: no film of a face is negative. With `FaceMobility::Inlet` the
+    /// extrapolation is taken times `min(1, h_0/h_-1)^2`: at the edge of a contact density rises as the film
+    /// falls, but no further behind the edge.
     #[default]
     Limited,
 }
 
-/// What the film of a face is beyond that of the node upstream \[m\], with its derivatives by the films of that node, of the one
-/// downstream and of the one further upstream.
+/// What the film of a face is beyond that of the node upstream \[m\], with its derivatives by the films of
+/// that node, of the one downstream and of the one further upstream.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct FaceFilm {
     pub(super) beyond: f64,
@@ -35,7 +36,8 @@ impl FaceFilm {
         Self { beyond: 0.5 * (next - own), by_own: -0.5, by_next: 0.5, by_up: 0.0 }
     }
 
-    /// Half the smaller of the two differences of the films `up`, `own` and `next`, zero where their signs differ.
+    /// Half the smaller of the two differences of the films `up`, `own` and `next`, zero where their signs
+    /// differ.
     #[inline]
     pub(super) fn limited(up: f64, own: f64, next: f64) -> Self {
         let (behind, ahead) = (own - up, next - own);
@@ -49,8 +51,8 @@ impl FaceFilm {
     }
 }
 
-/// What the density of a face is beyond that of the node upstream, extrapolated from the node further upstream, with its
-/// derivatives by the densities and the films of the two.
+/// What the density of a face is beyond that of the node upstream, extrapolated from the node further
+/// upstream, with its derivatives by the densities and the films of the two.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct DensityRise {
     pub(super) rise: f64,

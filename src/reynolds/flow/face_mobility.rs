@@ -16,28 +16,31 @@ use super::shear_thinning::ViscosityRatio;
 /// On faces along the flow whose films fall and whose density rises, that of `Inlet` is taken times
 /// `1 + (rho_1/rho_0 - 1)(1 - h_1/h_0)`.
 ///
-/// The flow through the face is `A / (12 eta_0)` times the difference of the potentials over the distance. `h_0` is the film
-/// upstream, `h_1` that downstream, `h_f` that of the face, which entrainment carries through it; `Y = (h_0 - h_1)/h_1`, and `I` is the
-/// integral of `(h - h_1)/h^3` over the distance of the nodes, `Y/(2 h_0^2)` for a film that falls evenly.
+/// The flow through the face is `A / (12 eta_0)` times the difference of the potentials over the distance.
+/// `h_0` is the film upstream, `h_1` that downstream, `h_f` that of the face, which entrainment carries
+/// through it; `Y = (h_0 - h_1)/h_1`, and `I` is the integral of `(h - h_1)/h^3` over the distance of the
+/// nodes, `Y/(2 h_0^2)` for a film that falls evenly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum FaceMobility {
-    /// Arithmetic mean of the mobilities `rho h^3 / (12 eta)` of the two nodes times their pressure difference: the
-    /// usual choice.
+    /// Arithmetic mean of the mobilities `rho h^3 / (12 eta)` of the two nodes times their pressure
+    /// difference: the usual choice.
     Arithmetic,
-    /// Mean of `h^3 / (12 eta_0)` times the difference of the reduced pressures: exact in the viscosity, so that the
-    /// flow grows with the pressure difference however steep the viscosity is.
+    /// Mean of `h^3 / (12 eta_0)` times the difference of the reduced pressures: exact in the viscosity, so
+    /// that the flow grows with the pressure difference however steep the viscosity is.
     ReducedPressure,
-    /// That of a film that is linear between the two nodes, reduced pressures. The exact flow between two nodes is
-    /// `u 2 h_0 h_1/(h_0 + h_1) + 2 h_0^2 h_1^2/(h_0 + h_1) (q_0 - q_1)/(12 eta_0 dx)`. Its first term lets the film of a node
-    /// upstream of a steep fall run away, so entrainment is `u h_f`; where films fall the mobility that belongs to it gives the
-    /// exact rise of pressure to the flow `u h_1` that a node in contact passes on. The inlet in front of an
-    /// asperity then builds up its pressure on cells far wider than itself.
+    /// That of a film that is linear between the two nodes, reduced pressures. The exact flow between two
+    /// nodes is `u 2 h_0 h_1/(h_0 + h_1) + 2 h_0^2 h_1^2/(h_0 + h_1) (q_0 - q_1)/(12 eta_0 dx)`. Its first
+    /// term lets the film of a node upstream of a steep fall run away, so entrainment is `u h_f`; where films
+    /// fall the mobility that belongs to it gives the exact rise of pressure to the flow `u h_1` that a node
+    /// in contact passes on. The inlet in front of an asperity then builds up its pressure on cells far wider
+    /// than itself.
     Wedge,
-    /// That of a film which is flat behind the edge of a contact and rises from it as the gap of a Hertz contact does, `s^(3/2)`. Where
-    /// the edge lies is told by the films of two nodes in front of it. In front of edges oblique to the flow the pressure that builds up
-    /// is that of the flow's component along the normal of the edge, which is taken to be that of the undeformed gap. Films that are
-    /// resolved have the mobility of `Wedge`.
+    /// That of a film which is flat behind the edge of a contact and rises from it as the gap of a Hertz
+    /// contact does, `s^(3/2)`. Where the edge lies is told by the films of two nodes in front of it. In
+    /// front of edges oblique to the flow the pressure that builds up is that of the flow's component along
+    /// the normal of the edge, which is taken to be that of the undeformed gap. Films that are resolved have
+    /// the mobility of `Wedge`.
     #[default]
     Inlet,
 }
@@ -45,13 +48,14 @@ pub enum FaceMobility {
 /// Where a face lies: between nodes along the flow, or across it.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Direction {
-    /// From the first node to the second along +x: the film of the face over that of the first, and the factor of the inlet.
+    /// From the first node to the second along +x: the film of the face over that of the first, and the
+    /// factor of the inlet.
     Along(f64, f64),
     Across,
 }
 
-/// Mobility of a face with its derivatives by pressure and film of its first and of its second node, by the film of the face
-/// over that of the first, and by the factor of the inlet.
+/// Mobility of a face with its derivatives by pressure and film of its first and of its second node, by the
+/// film of the face over that of the first, and by the factor of the inlet.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FaceFlow {
     pub(super) mobility: f64,
@@ -93,8 +97,9 @@ impl FaceMobility {
 }
 
 impl FaceFlow {
-    /// The same times `1 + (rho_1/rho_0 - 1)(1 - h_1/h_0)` where the film falls and the density rises along the flow: what the denser
-    /// fluid carries on through the film downstream need not be pushed back in the inlet.
+    /// The same times `1 + (rho_1/rho_0 - 1)(1 - h_1/h_0)` where the film falls and the density rises along
+    /// the flow: what the denser fluid carries on through the film downstream need not be pushed back in the
+    /// inlet.
     #[inline]
     fn densified(self, a: &NodeFlow, b: &NodeFlow) -> Self {
         let (rise, fall) = (b.density / a.density - 1.0, 1.0 - b.film / a.film);
@@ -136,8 +141,8 @@ impl FaceFlow {
     }
 }
 
-/// What takes the place of `h^3` between the films `a` and `b`, and its derivatives by both, by the film of the face over `a` and by the
-/// factor of the inlet.
+/// What takes the place of `h^3` between the films `a` and `b`, and its derivatives by both, by the film of
+/// the face over `a` and by the factor of the inlet.
 #[inline]
 fn wedge(a: f64, b: f64, direction: Direction) -> [f64; 5] {
     let sum = a + b;
@@ -199,8 +204,9 @@ mod tests {
         }
     }
 
-    /// The flow of a linear film between two nodes: entrainment of the mean `2 a b / (a + b)`, exact mobility; a face that carries
-    /// the film upstream of it and lets the film downstream through needs the same rise of pressure.
+    /// The flow of a linear film between two nodes: entrainment of the mean `2 a b / (a + b)`, exact
+    /// mobility; a face that carries the film upstream of it and lets the film downstream through needs the
+    /// same rise of pressure.
     #[test]
     fn steep_falls_need_the_pressure_of_the_wedge() {
         for a in [5.0, 50.0, 500.0] {

@@ -1,13 +1,15 @@
 //! The inlet in front of a contact whose edge lies within a cell.
 //!
-//! Where solids touch, or nearly so, the film is flat behind the edge of the contact and rises in front of it as `s^(3/2)`, `s` being the
-//! distance from the edge (Hertz). With the films `h_-1`, `h_0`, `h_1` of two nodes in front of the contact and one in it, the ratio
-//! `R = (h_-1 - h_1)/(h_0 - h_1)` tells where the edge lies: `d = 1/(R^(2/3) - 1)` cells behind the node of `h_0`. It is 2 for films that fall
-//! evenly and `2^(3/2)` where the edge is at the node of `h_1`.
+//! Where solids touch, or nearly so, the film is flat behind the edge of the contact and rises in front of it
+//! as `s^(3/2)`, `s` being the distance from the edge (Hertz). With the films `h_-1`, `h_0`, `h_1` of two
+//! nodes in front of the contact and one in it, the ratio `R = (h_-1 - h_1)/(h_0 - h_1)` tells where the edge
+//! lies: `d = 1/(R^(2/3) - 1)` cells behind the node of `h_0`. It is 2 for films that fall evenly and
+//! `2^(3/2)` where the edge is at the node of `h_1`.
 //!
-//! The flow `u h_1` through the face needs the rise `12 eta_0 u I` of the reduced pressure, `I` the integral of `(h - h_1)/h^3`. With
-//! `Y = (h_0 - h_1)/h_1` and the distance of the nodes as unit of length, `h_1^2 I` is `Y/(2 (1 + Y)^2)` for a film that falls evenly and
-//! `d G(Y)` for the edge, with `G = 2/3 Y^(-2/3)` times the integral of `z^(2/3)/(1 + z)^3` from 0 to `Y`.
+//! The flow `u h_1` through the face needs the rise `12 eta_0 u I` of the reduced pressure, `I` the integral
+//! of `(h - h_1)/h^3`. With `Y = (h_0 - h_1)/h_1` and the distance of the nodes as unit of length, `h_1^2 I`
+//! is `Y/(2 (1 + Y)^2)` for a film that falls evenly and `d G(Y)` for the edge, with `G = 2/3 Y^(-2/3)` times
+//! the integral of `z^(2/3)/(1 + z)^3` from 0 to `Y`.
 
 /// Ratio `R` of films that fall evenly.
 const EVEN: f64 = 2.0;
@@ -15,12 +17,12 @@ const EVEN: f64 = 2.0;
 const AT_NODE: f64 = 2.0 * std::f64::consts::SQRT_2;
 /// `G(Y)` tends to this times `Y` for small falls.
 const SMALL: f64 = 0.4;
-/// With this factor `SMALL Y/(1 + GROWTH Y)^(5/3)` has the limit of `G` at large falls too, `2/3 B(5/3, 4/3) Y^(-2/3)`; between them it is
-/// 8 % below `G` at most.
+/// With this factor `SMALL Y/(1 + GROWTH Y)^(5/3)` has the limit of `G` at large falls too,
+/// `2/3 B(5/3, 4/3) Y^(-2/3)`; between them it is 8 % below `G` at most.
 const GROWTH: f64 = 1.269_593_561_5;
 
-/// The mobility of a face in an inlet over that of a film which falls evenly between its nodes, with its derivatives by the films upstream
-/// of the face, at its first and at its second node \[1/m\].
+/// The mobility of a face in an inlet over that of a film which falls evenly between its nodes, with its
+/// derivatives by the films upstream of the face, at its first and at its second node \[1/m\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Inlet {
     pub(super) factor: f64,
@@ -33,8 +35,9 @@ impl Inlet {
     /// Without an inlet.
     pub(super) const NONE: Self = Self { factor: 1.0, by_up: 0.0, by_own: 0.0, by_next: 0.0 };
 
-    /// Of the films `up`, `own` and `next` along the flow. `alignment` is the square of the cosine between the flow and the normal of the
-    /// contact's edge: in front of an oblique edge only that share of the pressure builds up, as the fluid gives way along the edge.
+    /// Of the films `up`, `own` and `next` along the flow. `alignment` is the square of the cosine between
+    /// the flow and the normal of the contact's edge: in front of an oblique edge only that share of the
+    /// pressure builds up, as the fluid gives way along the edge.
     pub(super) fn new(up: f64, own: f64, next: f64, alignment: f64) -> Self {
         let fall = own - next;
         if !(fall > 0.0 && next > 0.0) {
@@ -49,7 +52,8 @@ impl Inlet {
         let g_y = g * (1.0 / y - 5.0 / 3.0 * GROWTH / (1.0 + GROWTH * y));
         let (edge, edge_y) = (2.0 * one * one * g, 2.0 * one * (2.0 * g + one * g_y));
         let (rise, rise_y, rise_ratio) = if ratio < AT_NODE {
-            // The fourth power leaves the order of films that fall nearly evenly; rough contacts do not feel it.
+            // The fourth power leaves the order of films that fall nearly evenly; rough contacts do not feel
+            // it.
             let root = (ratio - EVEN) / (AT_NODE - EVEN);
             let (weight, weight_ratio) = (root.powi(4), 4.0 * root.powi(3) / (AT_NODE - EVEN));
             (even + weight * (edge - even), even_y + weight * (edge_y - even_y), weight_ratio * (edge - even))
@@ -111,9 +115,10 @@ mod tests {
         }
     }
 
-    /// The rise of pressure up to a contact of film 1 with the flank `s^(3/2)` in front of it, wherever its edge lies between nodes whose
-    /// distance is from a tenth to a hundred lengths of the flank: within a factor of two on average, where a film that falls evenly is
-    /// up to three times off, and up to 35 times for single places.
+    /// The rise of pressure up to a contact of film 1 with the flank `s^(3/2)` in front of it, wherever its
+    /// edge lies between nodes whose distance is from a tenth to a hundred lengths of the flank: within a
+    /// factor of two on average, where a film that falls evenly is up to three times off, and up to 35 times
+    /// for single places.
     #[test]
     fn the_place_of_the_edge_decides_about_the_rise_of_pressure() {
         // 2/3 B(5/3, 4/3).

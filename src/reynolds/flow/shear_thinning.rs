@@ -7,14 +7,15 @@ const LARGEST: f64 = 1e100;
 
 /// Shear thinning of the flow by pressure, by the sliding of the surfaces.
 ///
-/// Sliding at `u_s` shears a film of thickness `h` by the stress `tau_E asinh(x)`, `x = eta u_s / (h tau_E)`, in place of
-/// the Newtonian `eta u_s / h`. The flow by pressure takes the viscosity that is left,
+/// Sliding at `u_s` shears a film of thickness `h` by the stress `tau_E asinh(x)`, `x = eta u_s / (h tau_E)`,
+/// in place of the Newtonian `eta u_s / h`. The flow by pressure takes the viscosity that is left,
 ///
 /// `eta* = eta asinh(x) / x`,
 ///
-/// in all directions alike. It holds where sliding shears the film far more than the pressure flow does. Of a small
-/// change of shear along the sliding direction the resistance is the lower `d tau / d rate = eta / sqrt(1 + x^2)`; that
-/// difference of directions is left out. A limiting stress does not enter.
+/// in all directions alike. It holds where sliding shears the film far more than the pressure flow does. Of a
+/// small change of shear along the sliding direction the resistance is the lower
+/// `d tau / d rate = eta / sqrt(1 + x^2)`; that difference of directions is left out. A limiting stress does
+/// not enter.
 ///
 /// ```
 /// use stribeck::reynolds::ShearThinning;

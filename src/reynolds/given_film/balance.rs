@@ -1,16 +1,17 @@
 //! What flows into and out of each cell, with exact derivatives.
 //!
-//! Flows along x are over width and entrainment speed, a film thickness \[m\]; the surfaces move along +x. On the way
-//! between two nodes with the integrals `I_2` and `I_3` of `1/h^2` and `1/h^3` a full film lets flow
+//! Flows along x are over width and entrainment speed, a film thickness \[m\]; the surfaces move along +x. On
+//! the way between two nodes with the integrals `I_2` and `I_3` of `1/h^2` and `1/h^3` a full film lets flow
 //!
 //! `f = rho I_2 / I_3 + (q_0 - q_1) / (12 eta_0 u I_3)`,
 //!
-//! exactly, with the reduced pressures `q` of the nodes. Where the pressure at the place between the two pieces of the way
-//! would be below that of cavitation, the film ruptures there, and the flow is that of the piece upstream alone:
-//! the smaller of both.
+//! exactly, with the reduced pressures `q` of the nodes. Where the pressure at the place between the two
+//! pieces of the way would be below that of cavitation, the film ruptures there, and the flow is that of the
+//! piece upstream alone: the smaller of both.
 //!
-//! The unknown of a node is `s`: of a full one pressure above cavitation over a scale of the node, of a cavitated
-//! one content less one. The scale makes the derivative of the outflow by `s` the same on both sides of zero.
+//! The unknown of a node is `s`: of a full one pressure above cavitation over a scale of the node, of a
+//! cavitated one content less one. The scale makes the derivative of the outflow by `s` the same on both
+//! sides of zero.
 
 use super::film::FilmThickness;
 use super::{GivenFilm, SideEdges};
@@ -175,15 +176,15 @@ impl<'a> Balance<'a> {
         self.cavitation + self.scale[k] * unknown.max(0.0)
     }
 
-    /// Pressure \[Pa\] of the reduced pressure `potential` close to that of a place of pressure `pressure` and reduced pressure `known`,
-    /// both above that of cavitation.
+    /// Pressure \[Pa\] of the reduced pressure `potential` close to that of a place of pressure `pressure`
+    /// and reduced pressure `known`, both above that of cavitation.
     pub(super) fn pressure_beside(&self, pressure: f64, known: f64, potential: f64) -> f64 {
         let [_, slope, ..] = point(self.lubricant, pressure);
         (pressure + (potential - known) / slope).max(self.cavitation)
     }
 
-    /// The unknown of a node less `change`. A node that becomes full starts with a smaller pressure if a film that ruptures on the way to
-    /// the next node lets more flow out of it than a full one.
+    /// The unknown of a node less `change`. A node that becomes full starts with a smaller pressure if a film
+    /// that ruptures on the way to the next node lets more flow out of it than a full one.
     pub(super) fn moved(&self, k: usize, unknown: f64, change: f64) -> f64 {
         let next = unknown - change;
         if unknown < 0.0 && next > 0.0 { self.landing[k] * next } else { next }
@@ -217,7 +218,8 @@ impl<'a> Balance<'a> {
         }
     }
 
-    /// Balances each cell under what its neighbours are, one after the other along the flow, rows in the order of `rows`.
+    /// Balances each cell under what its neighbours are, one after the other along the flow, rows in the
+    /// order of `rows`.
     pub(super) fn sweep(&mut self, unknowns: &mut [f64], rows: impl Iterator<Item = usize>) {
         let nx = self.film.grid().nx();
         for (j, i) in rows.flat_map(|j| (0..nx).map(move |i| (j, i))) {
@@ -293,8 +295,8 @@ impl<'a> Balance<'a> {
         }
     }
 
-    /// Net outflow of each cell \[m\], and its derivatives by the unknowns of the cell and its neighbours to the east, west,
-    /// north and south. Returns what flows through the edges of the box.
+    /// Net outflow of each cell \[m\], and its derivatives by the unknowns of the cell and its neighbours to
+    /// the east, west, north and south. Returns what flows through the edges of the box.
     pub(super) fn linearise(&self, outflow: &mut [f64], stencil: &mut [f64]) -> Through {
         let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
         outflow.fill(0.0);

@@ -53,9 +53,9 @@ impl Way {
 /// Thickness of the film between two rigid surfaces, on a [`Grid`].
 ///
 /// The flow from node to node is that of the film between them, and not of a mean of two nodes:
-/// [`from_nodes`](Self::from_nodes) takes the film as constant in each cell, with jumps at the faces of the cells;
-/// [`from_function`](Self::from_function) asks for the film wherever it needs it, and finds one jump between two nodes,
-/// wherever it is.
+/// [`from_nodes`](Self::from_nodes) takes the film as constant in each cell, with jumps at the faces of the
+/// cells; [`from_function`](Self::from_function) asks for the film wherever it needs it, and finds one jump
+/// between two nodes, wherever it is.
 ///
 /// ```
 /// use stribeck::Grid;
@@ -78,8 +78,8 @@ pub struct FilmThickness {
 }
 
 impl FilmThickness {
-    /// A film that is constant in each cell: `film` \[m\] has one value a node. Second order where edges of a texture lie on
-    /// faces of cells, first order where they do not.
+    /// A film that is constant in each cell: `film` \[m\] has one value a node. Second order where edges of a
+    /// texture lie on faces of cells, first order where they do not.
     ///
     /// # Errors
     /// A field that does not fit the grid, or a value that is not finite and positive.
@@ -111,9 +111,9 @@ impl FilmThickness {
         Ok(Self { grid, nodes: film.to_vec(), along, across })
     }
 
-    /// The film `thickness(x, y)` \[m\], second order for films that jump at most once between two nodes of a row or
-    /// column, wherever the jump is. Of several jumps between two nodes one is resolved. The function is also asked on the
-    /// edges of the box.
+    /// The film `thickness(x, y)` \[m\], second order for films that jump at most once between two nodes of a
+    /// row or column, wherever the jump is. Of several jumps between two nodes one is resolved. The function
+    /// is also asked on the edges of the box.
     ///
     /// # Errors
     /// A value that is not finite and positive.

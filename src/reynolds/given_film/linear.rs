@@ -38,8 +38,8 @@ impl LinearSolver {
         Self { nx: grid.nx(), method, residual: vec![0.0; n] }
     }
 
-    /// Solves `A x = rhs` with row `k` of `A` at `stencil[5 k..5 k + 5]`: centre, east, west, north, south. Returns the number
-    /// of substitutions, none if the matrix could not be factorised.
+    /// Solves `A x = rhs` with row `k` of `A` at `stencil[5 k..5 k + 5]`: centre, east, west, north, south.
+    /// Returns the number of substitutions, none if the matrix could not be factorised.
     pub(super) fn solve(&mut self, stencil: &[f64], rhs: &[f64], x: &mut [f64]) -> Option<u64> {
         let Self { nx, method, residual } = self;
         match method {

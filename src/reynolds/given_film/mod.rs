@@ -14,8 +14,8 @@ use super::ReynoldsError;
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
 
-/// Sum of the absolute imbalances of all cells, unless rounding leaves more, and imbalance of the box, over the inflow, at which a
-/// solve has converged.
+/// Sum of the absolute imbalances of all cells, unless rounding leaves more, and imbalance of the box, over
+/// the inflow, at which a solve has converged.
 const IMBALANCE: f64 = 1e-10;
 
 /// Memory that a solve needs for a node.
@@ -35,15 +35,17 @@ pub enum SideEdges {
 ///
 /// Find pressure `p` and content `theta` with
 ///
-/// `d(u theta rho h)/dx = div(rho h^3 / (12 eta) grad p)`, `p >= p_cav`, `0 <= theta <= 1`, `(p - p_cav) (1 - theta) = 0`,
+/// `d(u theta rho h)/dx = div(rho h^3 / (12 eta) grad p)`, `p >= p_cav`, `0 <= theta <= 1`,
+/// `(p - p_cav) (1 - theta) = 0`,
 ///
-/// `u` being the mean of both speeds: mass is conserved where the film ruptures and where it reforms. The film stands still, so
-/// that a surface with texture is at rest and one that moves is smooth. Pressure is ambient, and the film is full, at the two
-/// edges of the box across x, half a cell beyond the outermost nodes.
+/// `u` being the mean of both speeds: mass is conserved where the film ruptures and where it reforms. The
+/// film stands still, so that a surface with texture is at rest and one that moves is smooth. Pressure is
+/// ambient, and the film is full, at the two edges of the box across x, half a cell beyond the outermost
+/// nodes.
 ///
-/// Pressures are absolute or above ambient, as the caller likes; viscosity and density are those of the laws at these pressures, below
-/// zero those at zero. On a grid of one row nothing flows across it: surfaces that are wide along y, of which forces and
-/// flows are those of the length `dy`, one metre by custom.
+/// Pressures are absolute or above ambient, as the caller likes; viscosity and density are those of the laws
+/// at these pressures, below zero those at zero. On a grid of one row nothing flows across it: surfaces that
+/// are wide along y, of which forces and flows are those of the length `dy`, one metre by custom.
 ///
 /// Sources: Elrod and Adams (1974); as one complementary pair Giacopini, Fowell, Dini and Strozzi (2010), doi
 /// 10.1115/1.4000794.
@@ -92,7 +94,8 @@ impl GivenFilm<'_> {
     /// Solves by Newton's method with a direct factorisation, from coarser grids to that of the film.
     ///
     /// # Errors
-    /// Speeds or pressures that are not finite, a cavitation pressure above ambient, more nodes than there is memory for.
+    /// Speeds or pressures that are not finite, a cavitation pressure above ambient, more nodes than there is
+    /// memory for.
     pub fn solve(&self) -> Result<GivenFilmSolution, ReynoldsError> {
         self.validate()?;
         let nodes = self.film.grid().len();

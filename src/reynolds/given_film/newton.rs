@@ -62,8 +62,9 @@ pub(super) fn solve<'a>(problem: &GivenFilm<'a>, film: &'a FilmThickness, speed:
 
 /// Newton's method on one grid.
 ///
-/// Each step is followed by sweeps over the cells along the flow: they carry contents through the cavitated cells as far as the
-/// changed ones let them, which the linear system does not know. Without them fronts move by a few cells a step.
+/// Each step is followed by sweeps over the cells along the flow: they carry contents through the cavitated
+/// cells as far as the changed ones let them, which the linear system does not know. Without them fronts move
+/// by a few cells a step.
 fn on_grid<'a>(
     problem: &GivenFilm<'a>,
     film: &'a FilmThickness,

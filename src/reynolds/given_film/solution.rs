@@ -14,7 +14,8 @@ use crate::report::{Residuals, SolveReport, Status, Work};
 pub struct GivenFilmSolution {
     /// Pressure at the nodes \[Pa\].
     pub pressure: Vec<f64>,
-    /// Content `theta` of the nodes: the share of the gap that is filled. In the cell in which the film reforms it says where.
+    /// Content `theta` of the nodes: the share of the gap that is filled. In the cell in which the film
+    /// reforms it says where.
     pub content: Vec<f64>,
     /// Integral of the pressure over the box \[N\]; pressures count as they are, ambient ones too.
     pub load: f64,
@@ -28,8 +29,9 @@ pub struct GivenFilmSolution {
     pub imbalance: f64,
     /// Newton steps on grids coarser than that of the film.
     pub coarse_steps: u64,
-    /// How the solve ended: `residuals.mass` is the sum of the absolute imbalances of all cells over the inflow,
-    /// `work.iterations` counts Newton steps on the grid of the film, `work.inner_iterations` substitutions.
+    /// How the solve ended: `residuals.mass` is the sum of the absolute imbalances of all cells over the
+    /// inflow, `work.iterations` counts Newton steps on the grid of the film, `work.inner_iterations`
+    /// substitutions.
     pub report: SolveReport,
     grid: Grid,
     /// Pressure along each row from edge to edge: places \[m\] and values \[Pa\], straight in between.
@@ -39,8 +41,8 @@ pub struct GivenFilmSolution {
 }
 
 impl GivenFilmSolution {
-    /// Pressure \[Pa\] at `x` \[m\] in row `row`, straight between the nodes and the places where the film jumps between them; that
-    /// of the edges beyond them. None for a row that the grid does not have.
+    /// Pressure \[Pa\] at `x` \[m\] in row `row`, straight between the nodes and the places where the film
+    /// jumps between them; that of the edges beyond them. None for a row that the grid does not have.
     pub fn pressure_at(&self, x: f64, row: usize) -> Option<f64> {
         let profile = self.profiles.get(row)?;
         let next = profile.partition_point(|point| point[0] < x);
@@ -50,8 +52,8 @@ impl GivenFilmSolution {
         Some(before[1] + share * (after[1] - before[1]))
     }
 
-    /// Where \[m\] the film reforms first along the flow in row `row`, within its cell; none where it is full, where it does not reform, and
-    /// for a row that the grid does not have.
+    /// Where \[m\] the film reforms first along the flow in row `row`, within its cell; none where it is
+    /// full, where it does not reform, and for a row that the grid does not have.
     pub fn reformation(&self, row: usize) -> Option<f64> {
         self.reformation.get(row).copied().flatten()
     }

@@ -5,11 +5,12 @@ use crate::reynolds::state::ContactState;
 /// Largest weight of the earlier cycle: that which an error needs of which a cycle leaves nine tenths.
 const LARGEST_SHARE: f64 = 9.0;
 
-/// Anderson mixing over two cycles: the combination of their results whose starts, combined in the same way, leave the
-/// least mass residual. Cycles that are slow by one error alone, or swing, become fast ones, without a further convolution.
+/// Anderson mixing over two cycles: the combination of their results whose starts, combined in the same way,
+/// leave the least mass residual. Cycles that are slow by one error alone, or swing, become fast ones,
+/// without a further convolution.
 ///
-/// Source: Oosterlee, C. W. and Washio, T. (2000), Krylov subspace acceleration of nonlinear multigrid with application to
-/// recirculating flows, SIAM J. Sci. Comput. 21, 1670-1690.
+/// Source: Oosterlee, C. W. and Washio, T. (2000), Krylov subspace acceleration of nonlinear multigrid with
+/// application to recirculating flows, SIAM J. Sci. Comput. 21, 1670-1690.
 #[derive(Debug)]
 pub(super) struct Acceleration {
     /// Mass residuals before the last cycle, pressure and approach after it.
@@ -29,8 +30,8 @@ impl Acceleration {
         self.is_known = false;
     }
 
-    /// Combines pressure and approach after a cycle with those after the cycle before. `start` is the state before the
-    /// cycle and `balance` its mass balance.
+    /// Combines pressure and approach after a cycle with those after the cycle before. `start` is the state
+    /// before the cycle and `balance` its mass balance.
     pub(super) fn recombine(
         &mut self,
         start: &ContactState,

@@ -13,12 +13,12 @@ use crate::reynolds::flow::{Cavitation, FaceMobility, Scheme};
 use crate::reynolds::problem::{LubricatedContact, interior};
 use crate::reynolds::state::ContactState;
 
-/// Sweeps before and after a coarse-grid correction, each with the share of a change that nodes take which entrainment
-/// dominates. Together they damp more modes than three equal shares.
+/// Sweeps before and after a coarse-grid correction, each with the share of a change that nodes take which
+/// entrainment dominates. Together they damp more modes than three equal shares.
 const SHARES_BEFORE: [f64; 2] = [0.5, 0.4];
 const SHARES_AFTER: [f64; 1] = [1.0];
-/// Share of a change that nodes take where pressure flow dominates a little, at first and once cycles have become slow:
-/// on fine grids the pressure spike swings with the first.
+/// Share of a change that nodes take where pressure flow dominates a little, at first and once cycles have
+/// become slow: on fine grids the pressure spike swings with the first.
 const NEAR_SHARE: f64 = 0.5;
 const CAREFUL_SHARE: f64 = 0.3;
 /// Corrections from the next coarser grid in a cycle: a W cycle.
@@ -28,13 +28,14 @@ const COARSEST_SWEEPS: usize = 8;
 const COARSEST_SHARE: f64 = 0.3;
 /// Nodes along an axis below which a grid is not coarsened.
 const SMALLEST: usize = 24;
-/// Cells of the first grid of the start in Hertz half-widths: square root of film over displacement, within bounds.
+/// Cells of the first grid of the start in Hertz half-widths: square root of film over displacement, within
+/// bounds.
 const START_CELL: (f64, f64) = (0.03, 0.12);
 /// Cycles on the grid of the start, and on the finer ones before the finest.
 const START_CYCLES: usize = 5;
 const CYCLES: usize = 2;
-/// Expected film over displacement below which all of these shares are smaller, by the factor that follows: coarse grids
-/// do not hold such films, and larger changes would close them.
+/// Expected film over displacement below which all of these shares are smaller, by the factor that follows:
+/// coarse grids do not hold such films, and larger changes would close them.
 const VERY_THIN: f64 = 0.006;
 const VERY_THIN_FACTOR: f64 = 0.8;
 /// Share of the mean elastic displacement by which the approach follows a relative load error of one.
@@ -47,7 +48,8 @@ const LARGEST_STEP: f64 = 0.1;
 const LARGEST_CHANGE: f64 = 0.5;
 /// Error of the central film with second-order entrainment, times radius over cell size squared.
 const SECOND_ORDER_ERROR: f64 = 5.0;
-/// Share of the reference film that this error may take on the coarser grids of the start; else these are first order.
+/// Share of the reference film that this error may take on the coarser grids of the start; else these are
+/// first order.
 const LARGEST_ERROR: f64 = 0.3;
 
 /// Grids from the coarsest to that of the problem.
@@ -131,7 +133,8 @@ impl Hierarchy {
         self.near_share = NEAR_SHARE;
         for level in &mut self.levels {
             level.fluid.configure(problem);
-            // Nothing reforms in a smooth film; where it does, the residuals tell, and another solver finishes.
+            // Nothing reforms in a smooth film; where it does, the residuals tell, and another solver
+            // finishes.
             level.fluid.set_cavitation(Cavitation::Reynolds);
             level.source.fill(0.0);
             level.load = problem.load;
@@ -161,8 +164,8 @@ impl Hierarchy {
         }
     }
 
-    /// Full multigrid: from a Hertzian pressure and the film of a formula on a coarse grid up to the finest, solved on
-    /// each to about its discretisation error.
+    /// Full multigrid: from a Hertzian pressure and the film of a formula on a coarse grid up to the finest,
+    /// solved on each to about its discretisation error.
     pub(super) fn start(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -204,8 +207,9 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Schemes of level `l` and of those that correct it. Coarse grids always work with reduced pressures: with means of
-    /// mobilities that change by orders of magnitude from node to node their corrections are useless.
+    /// Schemes of level `l` and of those that correct it. Coarse grids always work with reduced pressures:
+    /// with means of mobilities that change by orders of magnitude from node to node their corrections are
+    /// useless.
     fn discretise(&mut self, l: usize, scheme: Scheme, face_mobility: FaceMobility) {
         for level in &mut self.levels[..l] {
             level.fluid.set_scheme(scheme, FaceMobility::ReducedPressure);
@@ -213,7 +217,8 @@ impl Hierarchy {
         self.levels[l].fluid.set_scheme(scheme, face_mobility);
     }
 
-    /// How the approach follows load errors and how nodes are relaxed, by mean elastic displacement and expected film.
+    /// How the approach follows load errors and how nodes are relaxed, by mean elastic displacement and
+    /// expected film.
     fn set_thinness(&mut self, displacement: f64, film: f64) {
         let (least, thick) = THIN;
         self.load_gain = LOAD_GAIN * displacement * (film / (thick * displacement)).clamp(least, 1.0);
@@ -245,7 +250,8 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Hertzian pressure and an approach that leaves the reference film at the centre; returns the displacement there.
+    /// Hertzian pressure and an approach that leaves the reference film at the centre; returns the
+    /// displacement there.
     fn guess(&mut self, problem: &mut LubricatedContact<'_>, l: usize, film: f64) -> Result<f64, InputError> {
         let (a, b) = problem.reference_half_widths;
         let level = &mut self.levels[l];

@@ -6,8 +6,8 @@ use crate::lubricant::Lubricant;
 use crate::reynolds::flow::Discretisation;
 use crate::reynolds::problem::interior;
 
-/// The first influence coefficients along x \[m/Pa\], of a pressure change at one node and of one that the four
-/// neighbours take back.
+/// The first influence coefficients along x \[m/Pa\], of a pressure change at one node and of one that the
+/// four neighbours take back.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Influence {
     pub(super) single: [f64; NEAR],
@@ -26,7 +26,8 @@ impl Influence {
     }
 }
 
-/// Equations `F(p, h) = source` (or `>=` where `p = 0`), `h = gap - approach + K p`, integral of `p` = `load`.
+/// Equations `F(p, h) = source` (or `>=` where `p = 0`), `h = gap - approach + K p`, integral of `p` =
+/// `load`.
 #[derive(Debug, Clone)]
 pub(super) struct Level {
     pub(super) grid: Grid,

@@ -21,7 +21,8 @@ use crate::report::{Residuals, SolveReport, Status, Work};
 const PATIENCE: u64 = 3;
 /// A residual is better if it is below this share of the best one.
 const GAIN: f64 = 0.8;
-/// Share of a residual left by a cycle above which relaxation becomes more careful, from the cycle [`SETTLED`] on.
+/// Share of a residual left by a cycle above which relaxation becomes more careful, from the cycle
+/// [`SETTLED`] on.
 const SLOW: f64 = 0.6;
 const SETTLED: u64 = 3;
 /// Cycles over which the rate of convergence is taken.
@@ -37,18 +38,19 @@ const LIMIT_OVER_REFERENCE: f64 = 1.2;
 /// Nodes along each axis below which there is nothing to coarsen.
 const SMALLEST_GRID: usize = 32;
 
-/// Full multigrid in the manner of Lubrecht, Venner and Brandt: W cycles of the full approximation scheme, hybrid line
-/// relaxation, the approach balanced on the coarsest grid alone.
+/// Full multigrid in the manner of Lubrecht, Venner and Brandt: W cycles of the full approximation scheme,
+/// hybrid line relaxation, the approach balanced on the coarsest grid alone.
 ///
-/// A state without pressure is started on a coarse grid from a Hertzian pressure and the reference film of the problem,
-/// and carried up, two cycles a grid: the answer is then within its discretisation error, after about 24 convolutions of the
-/// finest grid. Each further cycle costs eight convolutions; seven to ten of them, of which each is recombined with the one
-/// before, bring all residuals to 1e-6, nearly independent of load and grid.
+/// A state without pressure is started on a coarse grid from a Hertzian pressure and the reference film of
+/// the problem, and carried up, two cycles a grid: the answer is then within its discretisation error, after
+/// about 24 convolutions of the finest grid. Each further cycle costs eight convolutions; seven to ten of
+/// them, of which each is recombined with the one before, bring all residuals to 1e-6, nearly independent of
+/// load and grid.
 ///
-/// Made for full films: it knows neither solid contact nor the pressure limit. A solve whose films fall below the
-/// contact film ends as [`Status::MeshTooCoarse`] where the reference film is well above that, and as
-/// [`Status::Stalled`] otherwise or where pressures exceed the limit. The deformation model must exist on coarser grids
-/// ([`DeformationModel::on_grid`](crate::elastic::DeformationModel::on_grid)).
+/// Made for full films: it knows neither solid contact nor the pressure limit. A solve whose films fall below
+/// the contact film ends as [`Status::MeshTooCoarse`] where the reference film is well above that, and as
+/// [`Status::Stalled`] otherwise or where pressures exceed the limit. The deformation model must exist on
+/// coarser grids ([`DeformationModel::on_grid`](crate::elastic::DeformationModel::on_grid)).
 ///
 /// Source: Venner, C. H. and Lubrecht, A. A. (2000), Multilevel Methods in Lubrication, Elsevier.
 #[derive(Debug, Default)]
@@ -58,7 +60,8 @@ pub struct Multigrid {
     workspace: Option<Box<Workspace>>,
 }
 
-/// A solve whose residuals are below `residual` ends as stalled as soon as more than this number of cycles is foreseen.
+/// A solve whose residuals are below `residual` ends as stalled as soon as more than this number of cycles is
+/// foreseen.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HandOver {
     pub(super) cycles: u64,
@@ -84,8 +87,8 @@ impl Multigrid {
         Self { hand_over: Some(hand_over), workspace: None }
     }
 
-    /// Whether the problem is a smooth full film behind a flooded inlet on a grid that can be coarsened: a meniscus in front of the
-    /// contact is none of Reynolds' condition, which is that of the cycles.
+    /// Whether the problem is a smooth full film behind a flooded inlet on a grid that can be coarsened: a
+    /// meniscus in front of the contact is none of Reynolds' condition, which is that of the cycles.
     pub(super) fn suits(problem: &LubricatedContact<'_>) -> bool {
         let grid = problem.grid();
         grid.nx().min(grid.ny()) >= SMALLEST_GRID
@@ -151,8 +154,8 @@ impl ContactSolver for Multigrid {
     }
 }
 
-/// Whether no solids should touch: a smooth gap, a film expected at more than `margin` times the contact film, and
-/// pressures below the limit.
+/// Whether no solids should touch: a smooth gap, a film expected at more than `margin` times the contact
+/// film, and pressures below the limit.
 pub(super) fn expects_full_film(problem: &LubricatedContact<'_>, margin: f64) -> bool {
     let grid = problem.grid();
     let is_thick = problem.reference_film > margin * problem.contact_film();
@@ -161,8 +164,9 @@ pub(super) fn expects_full_film(problem: &LubricatedContact<'_>, margin: f64) ->
     is_thick && !is_soft && is_smooth(problem, &grid)
 }
 
-/// Whether the gap is a paraboloid all over the contact: its second differences over a quarter of the half-widths vary by
-/// little of the reference film. Differences from node to node would miss waves of many cells.
+/// Whether the gap is a paraboloid all over the contact: its second differences over a quarter of the
+/// half-widths vary by little of the reference film. Differences from node to node would miss waves of many
+/// cells.
 fn is_smooth(problem: &LubricatedContact<'_>, grid: &Grid) -> bool {
     let (a, b) = problem.reference_half_widths;
     let (nx, ny) = (grid.nx(), grid.ny());
@@ -277,7 +281,8 @@ impl Workspace {
     }
 }
 
-/// Cycles from `residual` to `tolerance` at the rate since `earlier`, [`RATE_CYCLES`] cycles ago; zero before.
+/// Cycles from `residual` to `tolerance` at the rate since `earlier`, [`RATE_CYCLES`] cycles ago; zero
+/// before.
 fn cycles_needed(residual: f64, earlier: f64, tolerance: f64) -> f64 {
     if !earlier.is_finite() {
         return 0.0;

@@ -1,23 +1,23 @@
 //! Hybrid line relaxation along x.
 //!
-//! Where pressure flow dominates, a line takes its changes at once and the next lines see them (Gauss-Seidel). Where
-//! entrainment dominates, a change moves films far away, so each node takes its change back from its four neighbours
-//! (a dipole), whose reach is short, and all lines start from the pressures before the sweep (Jacobi). Rows hold what a node
-//! carries for its film and for its compression.
+//! Where pressure flow dominates, a line takes its changes at once and the next lines see them
+//! (Gauss-Seidel). Where entrainment dominates, a change moves films far away, so each node takes its change
+//! back from its four neighbours (a dipole), whose reach is short, and all lines start from the pressures
+//! before the sweep (Jacobi). Rows hold what a node carries for its film and for its compression.
 //!
-//! Far from the contact, films hardly follow the low pressures there: further passes over those nodes, without a
-//! new film, cost no convolution.
+//! Far from the contact, films hardly follow the low pressures there: further passes over those nodes,
+//! without a new film, cost no convolution.
 
 use super::level::Level;
 use crate::grid::Grid;
 
 /// Conductance over self-influence below which entrainment dominates a node.
 const SWITCH: f64 = 0.3;
-/// Above it, the share of a change that is taken is [`Shares::near`] where the ratio is at most the first number, and grows
-/// to one at the second.
+/// Above it, the share of a change that is taken is [`Shares::near`] where the ratio is at most the first
+/// number, and grows to one at the second.
 const FLOW_RATIOS: (f64, f64) = (2.0, 50.0);
-/// Smallest over largest conductance of a node below which that share is taken at any ratio: there the viscosity
-/// changes by much from node to node. A share of one needs at least the second number.
+/// Smallest over largest conductance of a node below which that share is taken at any ratio: there the
+/// viscosity changes by much from node to node. A share of one needs at least the second number.
 const EVENNESS: (f64, f64) = (0.3, 0.7);
 /// Ratio above which films hardly follow, and passes over such nodes.
 const FAR_RATIO: f64 = 5.0;
@@ -98,7 +98,8 @@ pub(super) struct Shares {
     pub(super) keeps_neighbours: bool,
 }
 
-/// Share of a change taken at a node whose pressure flow dominates by `ratio`, with conductances of this evenness.
+/// Share of a change taken at a node whose pressure flow dominates by `ratio`, with conductances of this
+/// evenness.
 fn flow_share(ratio: f64, evenness: f64, near: f64) -> f64 {
     let weight = ((evenness - EVENNESS.0) / (EVENNESS.1 - EVENNESS.0)).clamp(0.0, 1.0);
     let (low, high) = FLOW_RATIOS;
@@ -121,8 +122,8 @@ impl LineRelaxation {
         }
     }
 
-    /// One pass over all lines of an evaluated level, and more over the nodes far from the contact. No node changes by
-    /// more than `largest` \[Pa\] in a pass.
+    /// One pass over all lines of an evaluated level, and more over the nodes far from the contact. No node
+    /// changes by more than `largest` \[Pa\] in a pass.
     pub(super) fn sweep(&mut self, level: &mut Level, largest: f64, shares: Shares) {
         level.before.copy_from_slice(&level.pressure);
         level.find_drive();

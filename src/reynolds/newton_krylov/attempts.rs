@@ -11,8 +11,8 @@ use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
 impl Workspace {
-    /// Solves from the state as it is if it carries pressure; else, and again where that stalls, from the dry contact; at last by
-    /// another way. Leaves the best state.
+    /// Solves from the state as it is if it carries pressure; else, and again where that stalls, from the dry
+    /// contact; at last by another way. Leaves the best state.
     pub(super) fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -55,8 +55,8 @@ impl Workspace {
         Ok((status, self.best_residuals))
     }
 
-    /// One attempt after the other until one does not stall, the first from the state as it is if it carries pressure, all others
-    /// from the dry contact. Keeps the best state of all.
+    /// One attempt after the other until one does not stall, the first from the state as it is if it carries
+    /// pressure, all others from the dry contact. Keeps the best state of all.
     pub(super) fn attempts(
         &mut self,
         attempts: &[Attempt],
@@ -80,7 +80,8 @@ impl Workspace {
         Ok(status)
     }
 
-    /// One attempt, from the dry contact by film homotopy if it is `cold`. Leaves another cut-off in the problem.
+    /// One attempt, from the dry contact by film homotopy if it is `cold`. Leaves another cut-off in the
+    /// problem.
     fn attempt(
         &mut self,
         attempt: Attempt,

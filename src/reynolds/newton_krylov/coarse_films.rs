@@ -18,10 +18,11 @@ const COST: f64 = UNPADDED / (WIDTH * WIDTH) as f64;
 
 /// One pressure for all nodes of a block whose films are given, such that their mean film is the one given.
 ///
-/// With `n` given nodes in a block (the sum of their squared weights) and `K` the mean influence of two different nodes of
-/// two blocks, the mean film of a block is `sum of K n p + (1 - K_own) p`, its own nodes having the
-/// self-influence, one, on themselves. Multiplied by `sqrt(n)` these equations are symmetric in `sqrt(n) p`; conjugate
-/// gradients solve them, the inverse convolution for blocks full of given nodes being the preconditioner.
+/// With `n` given nodes in a block (the sum of their squared weights) and `K` the mean influence of two
+/// different nodes of two blocks, the mean film of a block is `sum of K n p + (1 - K_own) p`, its own nodes
+/// having the self-influence, one, on themselves. Multiplied by `sqrt(n)` these equations are symmetric in
+/// `sqrt(n) p`; conjugate gradients solve them, the inverse convolution for blocks full of given nodes being
+/// the preconditioner.
 #[derive(Debug)]
 pub(super) struct CoarseFilms {
     /// Block of every node.
@@ -86,8 +87,9 @@ impl CoarseFilms {
         }
     }
 
-    /// Adds to the pressures of the `given` nodes those of their blocks, such that together with all other pressures they make
-    /// the mean of `films`, in deflections of a node under unit pressure. Returns the cost.
+    /// Adds to the pressures of the `given` nodes those of their blocks, such that together with all other
+    /// pressures they make the mean of `films`, in deflections of a node under unit pressure. Returns the
+    /// cost.
     pub(super) fn add_pressures(
         &mut self,
         given: &[u32],
@@ -116,7 +118,8 @@ impl CoarseFilms {
         cost
     }
 
-    /// Takes the share `lessened` of the mean pressure of each block from `values`, pressures over their weights.
+    /// Takes the share `lessened` of the mean pressure of each block from `values`, pressures over their
+    /// weights.
     pub(super) fn lessen_means(&mut self, given: &[u32], weights: &[f64], values: &mut [f64], lessened: f64) {
         self.scratch.fill(0.0);
         for k in given.iter().map(|&k| k as usize) {
@@ -184,7 +187,8 @@ impl CoarseFilms {
     }
 }
 
-/// Mean influence of the nodes of two blocks at an offset of `di` and `dj` blocks, from the influences in `table`.
+/// Mean influence of the nodes of two blocks at an offset of `di` and `dj` blocks, from the influences in
+/// `table`.
 fn mean_influence(grid: &Grid, table: &[f64], offset: [isize; 2]) -> f64 {
     let reach = WIDTH as isize;
     let [columns, rows] = offset.map(|blocks| {

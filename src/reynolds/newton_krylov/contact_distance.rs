@@ -4,7 +4,8 @@ use crate::grid::Grid;
 use crate::reynolds::active_set::Kind;
 use crate::reynolds::problem::inner_rows;
 
-/// Cells from every inner node of a grid to the nearest node in contact, along the axis on which these are more, at most `most`.
+/// Cells from every inner node of a grid to the nearest node in contact, along the axis on which these are
+/// more, at most `most`.
 #[derive(Debug)]
 pub(super) struct ContactDistance {
     grid: Grid,

@@ -8,8 +8,8 @@ use crate::reynolds::problem::{LubricatedContact, Squeeze};
 use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
-/// First time step, over the time in which the fluid passes a cell, and the one after which the steady contact is near; where it
-/// is not, it is tried again after steps longer by [`LATER`].
+/// First time step, over the time in which the fluid passes a cell, and the one after which the steady
+/// contact is near; where it is not, it is tried again after steps longer by [`LATER`].
 const TIME_STEPS: (f64, f64) = (1.0, 1000.0);
 const LATER: f64 = 10.0;
 /// Time steps after which the way has led nowhere.
@@ -21,7 +21,8 @@ const FOLLOWING: Attempt =
 const ARRIVING: Attempt = Attempt { most_steps: THOROUGH.most_steps, ..FOLLOWING };
 /// Gap error of the dry contact that it starts from.
 const FULL_START: f64 = 0.03;
-/// Residual to which they are solved at first, and its reduction where the contact rests there and the steady one stalls from it.
+/// Residual to which they are solved at first, and its reduction where the contact rests there and the steady
+/// one stalls from it.
 const ON_THE_WAY: (f64, f64) = (1e-3, 0.1);
 /// Growth of the time step after a solve of at most so many Newton steps.
 const GROWTH: [(u64, f64); 3] = [(6, 2.0), (9, 1.3), (FOLLOWING.most_steps, 1.15)];
@@ -29,10 +30,11 @@ const GROWTH: [(u64, f64); 3] = [(6, 2.0), (9, 1.3), (FOLLOWING.most_steps, 1.15
 const SHORTER_TIME: f64 = 0.3;
 
 impl Workspace {
-    /// Other ways to a contact that stalls from the dry one; says whether one of them leads to a solution. If not, state and best one
-    /// are those of some contact on the way.
+    /// Other ways to a contact that stalls from the dry one; says whether one of them leads to a solution. If
+    /// not, state and best one are those of some contact on the way.
     ///
-    /// Where mass is conserved, the contact with Reynolds' condition comes first: its gaps are full, and drain from there.
+    /// Where mass is conserved, the contact with Reynolds' condition comes first: its gaps are full, and
+    /// drain from there.
     pub(super) fn take_another_way(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -88,11 +90,12 @@ impl Workspace {
         Ok(())
     }
 
-    /// Follows the fluid in time, from the contact of `state` whose gap is full of it, until it rests; says whether it comes to rest
-    /// at a solution. If not, state and best one are those of some time.
+    /// Follows the fluid in time, from the contact of `state` whose gap is full of it, until it rests; says
+    /// whether it comes to rest at a solution. If not, state and best one are those of some time.
     ///
-    /// Pockets between solids fill and drain as slowly as their rims let them. Each of these times is a contact with a squeeze
-    /// term, which changes little in a short step; what has no solution near by in a steady contact is passed in time.
+    /// Pockets between solids fill and drain as slowly as their rims let them. Each of these times is a
+    /// contact with a squeeze term, which changes little in a short step; what has no solution near by in a
+    /// steady contact is passed in time.
     fn follow_time(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -145,8 +148,9 @@ impl Workspace {
     }
 }
 
-/// The squeeze term of the contact `time_step` after it carried the mass `last`, and its `own` one beside it: both together are one
-/// over a shorter step from a mean of what they refer to, which is written to `carried`.
+/// The squeeze term of the contact `time_step` after it carried the mass `last`, and its `own` one beside it:
+/// both together are one over a shorter step from a mean of what they refer to, which is written to
+/// `carried`.
 fn squeeze_since<'a>(
     last: &[f64],
     time_step: f64,

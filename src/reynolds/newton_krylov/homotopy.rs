@@ -22,8 +22,9 @@ impl Homotopy {
         problem.film_cutoff > self.film_cutoff
     }
 
-    /// Whether `residual` is low enough, with the contact film of the problem, for the condition of the problem, which then holds:
-    /// the gaps of the dry contact are empty, and fill layer by layer where mass is conserved.
+    /// Whether `residual` is low enough, with the contact film of the problem, for the condition of the
+    /// problem, which then holds: the gaps of the dry contact are empty, and fill layer by layer where mass
+    /// is conserved.
     pub(super) fn arrives(
         &mut self,
         problem: &LubricatedContact<'_>,

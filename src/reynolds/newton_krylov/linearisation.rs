@@ -1,8 +1,8 @@
 //! Derivatives of the mass balances, face by face, and what they make of changes of pressures and films.
 //!
-//! All is in single precision, balances and films over the self-influence, so that they are pressures. A flow is
-//! computed once for the two nodes of its face: what rounding makes of it leaves one as it enters the other, and the balance
-//! of a pocket, the small difference of large flows, keeps its digits.
+//! All is in single precision, balances and films over the self-influence, so that they are pressures. A flow
+//! is computed once for the two nodes of its face: what rounding makes of it leaves one as it enters the
+//! other, and the balance of a pocket, the small difference of large flows, keeps its digits.
 
 use crate::grid::Grid;
 use crate::numerics::STENCIL;
@@ -12,7 +12,8 @@ use crate::reynolds::problem::inner_rows;
 /// Largest derivative that counts: that of real films is some 1e12.
 const LARGEST: f64 = 1e30;
 
-/// Derivatives of the flow through the faces of one direction: by the pressures of its two nodes, by their films.
+/// Derivatives of the flow through the faces of one direction: by the pressures of its two nodes, by their
+/// films.
 type FaceFlows = [Vec<f32>; 4];
 
 /// The mass balances of all nodes, linearised.
@@ -24,7 +25,8 @@ pub(super) struct Linearisation {
     /// Of the face to the east of each node, and of that to the north.
     east: FaceFlows,
     north: FaceFlows,
-    /// Of what entrainment carries through the face to the east of each node beyond what that node holds, where it carries more.
+    /// Of what entrainment carries through the face to the east of each node beyond what that node holds,
+    /// where it carries more.
     beyond: [Vec<f32>; 5],
     carries_beyond: bool,
     beyond_change: Vec<f32>,
@@ -99,7 +101,8 @@ impl Linearisation {
         self.near = fluid.five_point_mass_coefficients().map(single);
     }
 
-    /// Change of the balance of every inner node under changes of fluid pressure and film; others stay as they are.
+    /// Change of the balance of every inner node under changes of fluid pressure and film; others stay as
+    /// they are.
     pub(super) fn product(&mut self, pressure: &[f32], film: &[f32], out: &mut [f32]) {
         let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
         let [by_pressure, by_film] = &self.mass;
@@ -146,9 +149,9 @@ impl Linearisation {
         self.passed[k] > 0.0
     }
 
-    /// Row of inner node `k` of the fluid block, centre, east, west, north and south: entrainment of first order, the film of a
-    /// node following its own unknown by `response`, its pressure by `moves`. The unknown of a node that is `linked` is what it
-    /// carries on.
+    /// Row of inner node `k` of the fluid block, centre, east, west, north and south: entrainment of first
+    /// order, the film of a node following its own unknown by `response`, its pressure by `moves`. The
+    /// unknown of a node that is `linked` is what it carries on.
     pub(super) fn stencil_row(
         &self,
         k: usize,

@@ -6,9 +6,11 @@ use crate::reynolds::flow::{Discretisation, HeldNeighbour};
 
 /// Bisections and Newton steps of a local solve.
 const MAX_STEPS: u32 = 60;
-/// Relative change of the pressure with which the last step of a local solve ends: the error is about its square.
+/// Relative change of the pressure with which the last step of a local solve ends: the error is about its
+/// square.
 const LAST_CHANGE: f64 = 1e-6;
-/// Pressure flow over entrainment of the own elastic response below which the film of a node is what the fluid carries to it.
+/// Pressure flow over entrainment of the own elastic response below which the film of a node is what the
+/// fluid carries to it.
 const CARRIED: f64 = 3.0;
 
 /// What the linear step foresees for a node.
@@ -49,8 +51,8 @@ pub(super) struct Material {
 pub(super) struct Elimination {
     /// How far the pressure may leave the forecast \[Pa\].
     pub(super) trust: f64,
-    /// Whether nodes whose film is carried to them open together, a streak at a time: each keeps the pressure foreseen, and
-    /// the next linear step, which knows of all, lifts them.
+    /// Whether nodes whose film is carried to them open together, a streak at a time: each keeps the pressure
+    /// foreseen, and the next linear step, which knows of all, lifts them.
     pub(super) opens_together: bool,
 }
 
@@ -69,8 +71,8 @@ impl Material {
     }
 }
 
-/// The own share of a mass balance as a function of own pressure and film, neighbours and the films of the faces over those of
-/// their first nodes held: `M rho(p) h + sum over faces of c a(p, h) (phi(p) - phi_o)`.
+/// The own share of a mass balance as a function of own pressure and film, neighbours and the films of the
+/// faces over those of their first nodes held: `M rho(p) h + sum over faces of c a(p, h) (phi(p) - phi_o)`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Local<'a> {
     lubricant: &'a Lubricant,
@@ -110,9 +112,10 @@ impl<'a> Local<'a> {
 
     /// The state in which the own share is the one foreseen, the film following the own pressure alone.
     ///
-    /// Along one coordinate `v` all states of a node line up: cavitated (`v <= 0`), contact with fluid pressure `v`,
-    /// open with pressure `v` once that exceeds the pressure `touch` at which the film is the contact film, and fluid at
-    /// the limit with plastic depth `(v - limit)` times the self-influence. The share grows along it.
+    /// Along one coordinate `v` all states of a node line up: cavitated (`v <= 0`), contact with fluid
+    /// pressure `v`, open with pressure `v` once that exceeds the pressure `touch` at which the film is the
+    /// contact film, and fluid at the limit with plastic depth `(v - limit)` times the self-influence. The
+    /// share grows along it.
     pub(super) fn eliminate(&self, material: Material, forecast: Forecast) -> NodeState {
         let Material { contact_film, limit, own_influence, elimination } = material;
         let touch = forecast.pressure + (contact_film - forecast.elastic_film) / own_influence;
@@ -149,7 +152,8 @@ impl<'a> Local<'a> {
         }
     }
 
-    /// Whether more fluid is carried to the node than leaves it at the contact film, pressure flow being small.
+    /// Whether more fluid is carried to the node than leaves it at the contact film, pressure flow being
+    /// small.
     fn is_carried_open(&self, material: Material, forecast: Forecast, opening: f64) -> bool {
         let Material { contact_film, limit, own_influence, .. } = material;
         let inside = 0.0..limit;
@@ -161,7 +165,8 @@ impl<'a> Local<'a> {
     }
 }
 
-/// Root of a growing function, zero if it is not negative there; by Newton steps from `start` inside a bracket.
+/// Root of a growing function, zero if it is not negative there; by Newton steps from `start` inside a
+/// bracket.
 fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
     // Most starts are close to the root: zero is looked at only where steps lead there.
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);

@@ -38,16 +38,17 @@ use crate::report::{Residuals, SolveReport, Work};
 
 /// Semismooth Newton solver with approach and load balance inside the system.
 ///
-/// Each step solves the linearised equations of the sides (cavitated, fluid, contact, yielded) that the nodes are on by
-/// GMRES on products of a quarter of the cost of a DC-FFT convolution, and checks them by a whole one. The preconditioner is
-/// triangular: sparse LU of the fluid equations in which films follow their own pressures alone, then the pressures of the
-/// contact nodes by conjugate gradients on blocks of nodes and the inverse convolution, and the load balance as a border.
-/// Then each node's own equations are eliminated, neighbours held as the step foresees them (nonlinear elimination): that decides its
-/// side and follows the viscosity over its orders of magnitude, where a linear step alone makes nodes go round in cycles.
+/// Each step solves the linearised equations of the sides (cavitated, fluid, contact, yielded) that the nodes
+/// are on by GMRES on products of a quarter of the cost of a DC-FFT convolution, and checks them by a whole
+/// one. The preconditioner is triangular: sparse LU of the fluid equations in which films follow their own
+/// pressures alone, then the pressures of the contact nodes by conjugate gradients on blocks of nodes and the
+/// inverse convolution, and the load balance as a border. Then each node's own equations are eliminated,
+/// neighbours held as the step foresees them (nonlinear elimination): that decides its side and follows the
+/// viscosity over its orders of magnitude, where a linear step alone makes nodes go round in cycles.
 ///
 /// A state that carries no pressure is started from the dry contact, which is close to the answer in mixed
-/// lubrication: the asperities already carry their load and the fluid fills what is left. A contact that stalls from there is
-/// followed in time, from the dry contact full of fluid until it rests.
+/// lubrication: the asperities already carry their load and the fluid fills what is left. A contact that
+/// stalls from there is followed in time, from the dry contact full of fluid until it rests.
 #[derive(Debug)]
 pub struct NewtonKrylov {
     fluid_block: fn(&Grid) -> Box<dyn FluidBlock>,

@@ -1,5 +1,5 @@
-//! The preconditioner of the linearised equations: the fluid equations, by sparse LU or what takes its place, then the pressures
-//! of the nodes whose films are given, load balance as a border.
+//! The preconditioner of the linearised equations: the fluid equations, by sparse LU or what takes its place,
+//! then the pressures of the nodes whose films are given, load balance as a border.
 
 use super::contact_distance::ContactDistance;
 use super::fluid_block::FluidBlock;
@@ -12,9 +12,9 @@ use crate::numerics::STENCIL;
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::problem::LubricatedContact;
 
-/// How films and pressures of the fluid go together, by the ratio `R` of pressure flow to the entrainment of the elastic response
-/// of a node. Where it is small, upstream fixes the film and the pressure is what makes it, as in solid contact; where it is
-/// large, pressure flow fixes the pressure.
+/// How films and pressures of the fluid go together, by the ratio `R` of pressure flow to the entrainment of
+/// the elastic response of a node. Where it is small, upstream fixes the film and the pressure is what makes
+/// it, as in solid contact; where it is large, pressure flow fixes the pressure.
 struct Coupling {
     /// `R` below which pressure is found from the film alone and pressure flow left out.
     stiff: f64,
@@ -22,19 +22,21 @@ struct Coupling {
     balanced: f64,
     /// `R` beyond which the film does not enter.
     free: f64,
-    /// Film of a node per own pressure over the self-influence: this times the square root of `R`, between 1 and [`WIDEST`].
-    /// Pressure flow smooths pressures over about that many cells, and wide pressures move films more.
+    /// Film of a node per own pressure over the self-influence: this times the square root of `R`, between 1
+    /// and [`WIDEST`]. Pressure flow smooths pressures over about that many cells, and wide pressures move
+    /// films more.
     width: f64,
 }
 /// Where no solids touch.
 const OPEN: Coupling = Coupling { stiff: 0.0, balanced: 10.0, free: 1000.0, width: 0.4 };
-/// Between solids that touch: they screen the films of the fluid, which follow no pressure from further away than the contact is.
+/// Between solids that touch: they screen the films of the fluid, which follow no pressure from further away
+/// than the contact is.
 const SCREENED: Coupling = Coupling { stiff: 0.1, balanced: 3.0, free: 30.0, width: 0.2 };
 const WIDEST: f32 = 6.0;
 
-/// The fluid equations in which films follow their own pressures alone, solved by a [`FluidBlock`]; where solids touch, then the pressures of
-/// the nodes in contact, and of those whose film the first block has found, under the pressures of all others; load balance
-/// as a border.
+/// The fluid equations in which films follow their own pressures alone, solved by a [`FluidBlock`]; where
+/// solids touch, then the pressures of the nodes in contact, and of those whose film the first block has
+/// found, under the pressures of all others; load balance as a border.
 #[derive(Debug)]
 pub(super) struct BlockPreconditioner {
     stencil: Vec<f32>,
@@ -85,8 +87,8 @@ impl BlockPreconditioner {
         self.given.configure(problem.deformation)
     }
 
-    /// Prepares the fluid block, and gives the mass balances the sizes of its diagonal; false where the block has no finite
-    /// factors.
+    /// Prepares the fluid block, and gives the mass balances the sizes of its diagonal; false where the block
+    /// has no finite factors.
     pub(super) fn prepare(
         &mut self,
         coupled: &Coupled,

@@ -6,19 +6,20 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::coupled::UNPADDED;
 
-/// Share of the inverse convolution that is taken: it holds the films of all other nodes, which in truth give way.
+/// Share of the inverse convolution that is taken: it holds the films of all other nodes, which in truth give
+/// way.
 const YIELDING: f64 = 0.9;
-/// Share of the mean pressure of a block that is taken back from it: the blocks have found that already, and what single nodes
-/// add to it would have to be carried by the whole contact.
+/// Share of the mean pressure of a block that is taken back from it: the blocks have found that already, and
+/// what single nodes add to it would have to be carried by the whole contact.
 const FOUND: f64 = 0.6;
 
 /// Finds the pressures of nodes whose films are given under given pressures of all others.
 ///
-/// Blocks of nodes come first (see [`CoarseFilms`]): they take the wide displacements, of which the inverse convolution,
-/// masked to scattered nodes, makes far too much. It then takes what is left, on the nodes.
+/// Blocks of nodes come first (see [`CoarseFilms`]): they take the wide displacements, of which the inverse
+/// convolution, masked to scattered nodes, makes far too much. It then takes what is left, on the nodes.
 ///
-/// With `w^2` the share of the pressure of a node that its film decides, `w y` is that share, and the equations are
-/// `w K w y = w` times the film: as symmetric as `K`, and whole nodes have the weight one.
+/// With `w^2` the share of the pressure of a node that its film decides, `w y` is that share, and the
+/// equations are `w K w y = w` times the film: as symmetric as `K`, and whole nodes have the weight one.
 #[derive(Debug)]
 pub(super) struct PrescribedDisplacements {
     nodes: Vec<u32>,
@@ -71,9 +72,9 @@ impl PrescribedDisplacements {
         }
     }
 
-    /// Adds to `pressures`, as far as they are known, those that make `films`, in deflections of a node under unit pressure, where
-    /// these are given. Where no solids screen them, the known pressures are no load on these films: they are wide. Returns the
-    /// cost in convolutions.
+    /// Adds to `pressures`, as far as they are known, those that make `films`, in deflections of a node under
+    /// unit pressure, where these are given. Where no solids screen them, the known pressures are no load on
+    /// these films: they are wide. Returns the cost in convolutions.
     pub(super) fn solve(
         &mut self,
         body: &mut dyn DeformationModel,
@@ -88,7 +89,7 @@ impl PrescribedDisplacements {
         let mut coarse = coarse.as_mut().filter(|_| screened);
         if let Some(coarse) = &mut coarse {
             cost += UNPADDED + coarse.add_pressures(nodes, weights, films, pressures);
-            body.displacement_sketch(pressures, scratch)?;
+            body.displacement_periodic(pressures, scratch)?;
             for &k in &*nodes {
                 films[k as usize] -= scratch[k as usize] / own;
             }

@@ -2,8 +2,9 @@
 
 use crate::report::Work;
 
-/// Work without progress after which a solve has stalled, in convolutions: 6 to 8 s on 64 x 64 nodes and one thread. Scenes that converge
-/// late, from an Rq of 13 um or with a pressure-viscosity coefficient of 15 1/Pa between smooth bodies, take 19 000 and 16 000 in all.
+/// Work without progress after which a solve has stalled, in convolutions: 6 to 8 s on 64 x 64 nodes and one
+/// thread. Scenes that converge late, from an Rq of 13 um or with a pressure-viscosity coefficient of 15 1/Pa
+/// between smooth bodies, take 19 000 and 16 000 in all.
 const PATIENCE: f64 = 25_000.0;
 /// Cost of a Newton step beside its convolutions: factorisation, and the sides of all nodes.
 const STEP: f64 = 9.0;
@@ -23,7 +24,8 @@ impl Progress {
         Self { residual: f64::INFINITY, cost: 0.0, ended: false }
     }
 
-    /// Whether the solve has stalled for good at `residual`, after `work` and the `convolutions` that it does not count yet.
+    /// Whether the solve has stalled for good at `residual`, after `work` and the `convolutions` that it does
+    /// not count yet.
     pub(super) fn ends(&mut self, residual: f64, work: &Work, convolutions: f64) -> bool {
         let cost = work.convolutions + convolutions + STEP * work.iterations as f64;
         if residual < PROGRESS * self.residual {

@@ -6,40 +6,47 @@ use crate::error::InputError;
 
 /// How [`NewtonKrylov`](super::NewtonKrylov) goes about a contact.
 ///
-/// The defaults are those that every solve of the crate uses. `cargo run --release --example ablation` switches each off or doubles it in
-/// turn and says what that costs.
+/// The defaults are those that every solve of the crate uses. `cargo run --release --example ablation`
+/// switches each off or doubles it in turn and says what that costs.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct NewtonSettings {
-    /// Tried one after the other while a solve stalls or diverges, each but the first from the dry contact; at least one.
+    /// Tried one after the other while a solve stalls or diverges, each but the first from the dry contact;
+    /// at least one.
     pub attempts: Vec<Attempt>,
-    /// Whether a lubricated contact at speed that stalls in all attempts is followed in time from the dry one.
+    /// Whether a lubricated contact at speed that stalls in all attempts is followed in time from the dry
+    /// one.
     pub follows_time: bool,
     /// Krylov steps within one pass of a linear solve; at least 1.
     pub krylov_steps: usize,
-    /// Passes of a linear solve; at least 1. Each but those that know the elastic response as a whole takes its periodic approximation,
-    /// a quarter of the cost.
+    /// Passes of a linear solve; at least 1. Each but those that know the elastic response as a whole takes
+    /// its periodic approximation, a quarter of the cost.
     pub passes: u32,
-    /// The least residual that is asked of a pass which knows the periodic approximation alone; between 0 and 1.
+    /// The least residual that is asked of a pass which knows the periodic approximation alone; between 0 and
+    /// 1.
     pub periodic_tolerance: f64,
     /// Of the tolerance of a linear solve: the residual that is good enough; at least 1.
     pub enough: f64,
     /// Largest pressure change of one step, in reference pressures; above 0.
     pub largest_change: f64,
-    /// Contact film of a Newton step over that of the step before, down to the one of the problem (film homotopy); between 0 and 1.
+    /// Contact film of a Newton step over that of the step before, down to the one of the problem (film
+    /// homotopy); between 0 and 1.
     pub film_reduction: f64,
-    /// The residual below which the pseudo-transient term falls in proportion to it, and cavitation is that of the problem; above 0. Near
-    /// the solution a step in time holds back the approach, and the whole contact with it.
+    /// The residual below which the pseudo-transient term falls in proportion to it, and cavitation is that
+    /// of the problem; above 0. Near the solution a step in time holds back the approach, and the whole
+    /// contact with it.
     pub near_below: f64,
-    /// Growth of the residual above which a step is taken again at [`shorter`](Self::shorter) length, and how often at most: anywhere,
-    /// below [`Attempt::careful_below`], and after [`patience`](Self::patience) steps without a new best residual.
+    /// Growth of the residual above which a step is taken again at [`shorter`](Self::shorter) length, and how
+    /// often at most: anywhere, below [`Attempt::careful_below`], and after [`patience`](Self::patience)
+    /// steps without a new best residual.
     pub growth: [(f64, u32); 3],
     /// Length of a step that is taken again over the one before; between 0 and 1.
     pub shorter: f64,
-    /// Steps without a new best residual after which the largest trust is halved, the third bound of [`growth`](Self::growth) holds, and
-    /// linear systems are solved to the share [`tighter`](Self::tighter) of their tolerance, down to
-    /// [`periodic_tolerance`](Self::periodic_tolerance); at least 1. What linear systems leave in a
-    /// pocket of one node may be all that decides whether its fluid cavitates, and it then does in every other step.
+    /// Steps without a new best residual after which the largest trust is halved, the third bound of
+    /// [`growth`](Self::growth) holds, and linear systems are solved to the share [`tighter`](Self::tighter)
+    /// of their tolerance, down to [`periodic_tolerance`](Self::periodic_tolerance); at least 1. What linear
+    /// systems leave in a pocket of one node may be all that decides whether its fluid cavitates, and it then
+    /// does in every other step.
     pub patience: u32,
     /// Above 0, at most 1.
     pub tighter: f64,
@@ -53,22 +60,25 @@ pub struct NewtonSettings {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Attempt {
-    /// How far the elimination of a node's own equations may take its pressure from where the linear step puts it, in reference
-    /// pressures; above 0.
+    /// How far the elimination of a node's own equations may take its pressure from where the linear step
+    /// puts it, in reference pressures; above 0.
     pub trust: f64,
-    /// Whether large moves are left to the linear steps, which know of all nodes: the start then parts the bodies by the first contact
-    /// film, which is the work of the first step otherwise, and nodes to which fluid is carried open together.
+    /// Whether large moves are left to the linear steps, which know of all nodes: the start then parts the
+    /// bodies by the first contact film, which is the work of the first step otherwise, and nodes to which
+    /// fluid is carried open together.
     pub gentle: bool,
-    /// Contact film of the first step over that of the problem; at least 1. Solids that part early let the fluid find its way.
+    /// Contact film of the first step over that of the problem; at least 1. Solids that part early let the
+    /// fluid find its way.
     pub first_contact_film: f64,
-    /// Pseudo-transient term of the first step over the entrainment, and its reduction from one step to the next; at least 0, between 0
-    /// and 1. Steps from the dry contact are steps in time of as many passages of a cell as the first goes into one, at first: a
-    /// pocket fills no faster than the fluid gets there.
+    /// Pseudo-transient term of the first step over the entrainment, and its reduction from one step to the
+    /// next; at least 0, between 0 and 1. Steps from the dry contact are steps in time of as many passages of
+    /// a cell as the first goes into one, at first: a pocket fills no faster than the fluid gets there.
     pub pseudo_transient: (f64, f64),
-    /// Share of the films by which all nodes together may change them as they leave what the linear step foresees; above 0. Above it
-    /// the trust of the next step is smaller.
+    /// Share of the films by which all nodes together may change them as they leave what the linear step
+    /// foresees; above 0. Above it the trust of the next step is smaller.
     pub unforeseen: f64,
-    /// The residual below which no step may make it grow by more than the second bound of [`NewtonSettings::growth`]; at least 0.
+    /// The residual below which no step may make it grow by more than the second bound of
+    /// [`NewtonSettings::growth`]; at least 0.
     pub careful_below: f64,
     /// Gap error of the dry start; above 0.
     pub start_tolerance: f64,
@@ -94,7 +104,8 @@ const FIRST: Attempt = Attempt {
     most_steps: 60,
 };
 
-/// Bold and thorough: errors left at single nodes are as large as the contact film, and starts close to it matter.
+/// Bold and thorough: errors left at single nodes are as large as the contact film, and starts close to it
+/// matter.
 pub(super) const THOROUGH: Attempt = Attempt {
     trust: 0.03,
     gentle: true,
@@ -144,7 +155,8 @@ impl Default for NewtonSettings {
 }
 
 impl NewtonSettings {
-    /// Those of steps whose fluid equations are relaxed by lines: mostly they take 20 to 60, some that creep up to 180.
+    /// Those of steps whose fluid equations are relaxed by lines: mostly they take 20 to 60, some that creep
+    /// up to 180.
     pub(in crate::reynolds) fn by_lines(relaxations: usize) -> Self {
         Self {
             attempts: vec![Attempt { most_steps: 200, ..FIRST }],

@@ -14,10 +14,12 @@ use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
 impl Workspace {
-    /// Has the fluid flow through the contact film wherever nodes are to touch, which is the film that they have at a solution.
+    /// Has the fluid flow through the contact film wherever nodes are to touch, which is the film that they
+    /// have at a solution.
     ///
-    /// What the last step did not foresee takes them some nanometres off it. The gap rows mend that; but mobilities go with the
-    /// cube of the film, and flows through those films would drain the pockets whose rims they are.
+    /// What the last step did not foresee takes them some nanometres off it. The gap rows mend that; but
+    /// mobilities go with the cube of the film, and flows through those films would drain the pockets whose
+    /// rims they are.
     pub(super) fn close_contact(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
         let Some(lubricant) = problem.lubricant else { return };
         let contact_film = problem.contact_film();
@@ -27,7 +29,8 @@ impl Workspace {
         self.coupled.flow(problem, lubricant, &state.fluid_pressure, &self.flow_film);
     }
 
-    /// Takes the step, or a shorter one if the residual `before` jumps under it; returns the residuals that it leaves.
+    /// Takes the step, or a shorter one if the residual `before` jumps under it; returns the residuals that
+    /// it leaves.
     pub(super) fn advance_carefully(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -58,11 +61,11 @@ impl Workspace {
         Ok(residuals)
     }
 
-    /// Solves the linearised equations into `self.step`, their residual to `tolerance` of itself; returns the Krylov steps, or
-    /// none where the fluid equations of this state have no finite factors.
+    /// Solves the linearised equations into `self.step`, their residual to `tolerance` of itself; returns the
+    /// Krylov steps, or none where the fluid equations of this state have no finite factors.
     ///
-    /// Krylov's method knows the periodic approximation of the elastic response; what residual that leaves, the whole response tells, and
-    /// where that is too much another pass takes it.
+    /// Krylov's method knows the periodic approximation of the elastic response; what residual that leaves,
+    /// the whole response tells, and where that is too much another pass takes it.
     pub(super) fn linear_step(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -157,8 +160,8 @@ impl Workspace {
         Ok(())
     }
 
-    /// Pressure-weighted root mean square of what the last step did not foresee of the films without plastic depth, over the
-    /// films or the contact film.
+    /// Pressure-weighted root mean square of what the last step did not foresee of the films without plastic
+    /// depth, over the films or the contact film.
     pub(super) fn unforeseen_share(&self, state: &ContactState, contact_film: f64) -> f64 {
         let (mut sum, mut weight) = (0.0, 0.0);
         let films = self.coupled.elastic_film.iter().zip(&self.foreseen).zip(&state.film);

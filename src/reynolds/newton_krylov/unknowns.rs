@@ -10,8 +10,8 @@
 //! | contact that has not yielded | total pressure | gap, which the flow takes as closed |
 //! | | approach | load balance |
 //!
-//! Pressures count in reference pressures, films in deflections of a node under the reference pressure alone; so all numbers
-//! are near one, and single precision will do: a Newton step is solved to a hundredth.
+//! Pressures count in reference pressures, films in deflections of a node under the reference pressure alone;
+//! so all numbers are near one, and single precision will do: a Newton step is solved to a hundredth.
 
 use super::linearisation::Linearisation;
 use crate::error::InputError;
@@ -163,8 +163,8 @@ impl Unknowns {
         self.weights.extend(self.balanced.iter().map(|&k| 1.0 / size(k as usize)));
     }
 
-    /// What the equations lack at `state` under the prescribed changes and those of the vector `x`, which all nodes then have;
-    /// one convolution, none where nothing changes.
+    /// What the equations lack at `state` under the prescribed changes and those of the vector `x`, which all
+    /// nodes then have; one convolution, none where nothing changes.
     pub(super) fn residual(
         &mut self,
         coupled: &mut Coupled,
@@ -214,11 +214,11 @@ impl Unknowns {
     ) -> Result<(), InputError> {
         match response {
             Response::Whole => {
-                problem.deformation.displacement_estimate(&self.pressure, &mut self.elastic)?;
+                problem.deformation.displacement_single(&self.pressure, &mut self.elastic)?;
                 coupled.convolutions += 1.0;
             }
             Response::Periodic => {
-                problem.deformation.displacement_sketch(&self.pressure, &mut self.elastic)?;
+                problem.deformation.displacement_periodic(&self.pressure, &mut self.elastic)?;
                 coupled.convolutions += UNPADDED;
             }
         }

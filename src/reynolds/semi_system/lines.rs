@@ -4,9 +4,10 @@ use crate::grid::Grid;
 use crate::numerics::STENCIL;
 use crate::reynolds::newton_krylov::FluidBlock;
 
-/// Passes over all lines, for each line one up and one down. The pressure of fluid between solids that touch spreads over the whole
-/// contact, line by line: of 57 scenes of the stability map at 64 cells 48 converge with half a pass a line, 51 with one and a half;
-/// a scene of 128 cells that stalls with 100 passes converges with 300.
+/// Passes over all lines, for each line one up and one down. The pressure of fluid between solids that touch
+/// spreads over the whole contact, line by line: of 57 scenes of the stability map at 64 cells 48 converge
+/// with half a pass a line, 51 with one and a half; a scene of 128 cells that stalls with 100 passes
+/// converges with 300.
 const PASSES_PER_LINE: u64 = 2;
 
 /// Passes in which `lines` lines are relaxed; a single one is solved by the first.
@@ -14,13 +15,14 @@ pub(super) fn passes(lines: usize) -> u64 {
     if lines == 1 { 1 } else { PASSES_PER_LINE * lines as u64 }
 }
 
-/// Gauss-Seidel from line to line, up and down by turns; each line is solved at once by the Thomas algorithm, whose factors
-/// serve all passes.
+/// Gauss-Seidel from line to line, up and down by turns; each line is solved at once by the Thomas algorithm,
+/// whose factors serve all passes.
 #[derive(Debug)]
 pub(super) struct LineRelaxation {
     nx: usize,
     rhs: Vec<f32>,
-    /// One over the pivot of each node, and by how much of the change of the node to the east its own is less.
+    /// One over the pivot of each node, and by how much of the change of the node to the east its own is
+    /// less.
     pivot: Vec<f32>,
     above: Vec<f32>,
 }

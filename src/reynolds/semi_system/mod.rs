@@ -13,31 +13,34 @@ use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::error::InputError;
 use crate::report::{SolveReport, Work};
 
-/// Relaxations that a step combines: with one alone, 20 of 29 scenes of the stability map converge in place of 24.
+/// Relaxations that a step combines: with one alone, 20 of 29 scenes of the stability map converge in place
+/// of 24.
 const RELAXATIONS: usize = 2;
 
-/// Line relaxation along x of the semi-system: one matrix that holds pressure flow and entrainment, the latter by the elastic
-/// response of the films, so that its diagonal keeps its weight however thin the film (Ai 1993 and Hu and Zhu 2000 in spirit).
+/// Line relaxation along x of the semi-system: one matrix that holds pressure flow and entrainment, the
+/// latter by the elastic response of the films, so that its diagonal keeps its weight however thin the film
+/// (Ai 1993 and Hu and Zhu 2000 in spirit).
 ///
-/// The unknown of a node is what its side leaves open: pressure, the film that is carried to it, plastic depth, or the fluid pressure
-/// between solids that touch. Each step
+/// The unknown of a node is what its side leaves open: pressure, the film that is carried to it, plastic
+/// depth, or the fluid pressure between solids that touch. Each step
 ///
 /// 1. relaxes the linearised balances by lines, a tridiagonal system each, Gauss-Seidel from line to line;
-/// 2. finds the pressures under solids and under carried films from what these films have to be, by the inverse of
-///    the elastic response, and the approach from the load;
+/// 2. finds the pressures under solids and under carried films from what these films have to be, by the
+///    inverse of the elastic response, and the approach from the load;
 /// 3. combines two such relaxations so that the equations, the elastic response whole, lack the least;
 /// 4. eliminates every node's own equations, which decides its side.
 ///
-/// Linearisation, sides and starts are those of [`NewtonKrylov`]; no matrix is factorised, and a Krylov space of two directions is all
-/// that a step builds up, at two to three times the steps. Starts are steps in time, of a few passages of a cell at first.
+/// Linearisation, sides and starts are those of [`NewtonKrylov`]; no matrix is factorised, and a Krylov space
+/// of two directions is all that a step builds up, at two to three times the steps. Starts are steps in time,
+/// of a few passages of a cell at first.
 ///
-/// In the paper's contact ([`ContactDefinition::Paper`](super::ContactDefinition::Paper)) each sweep takes its pressures at once, with
-/// the three nearest influence coefficients in the matrix, under-relaxed; the approach follows the load error. Two numbers decide
-/// whether that converges:
+/// In the paper's contact ([`ContactDefinition::UnifiedReynolds`](super::ContactDefinition::UnifiedReynolds))
+/// each sweep takes its pressures at once, with the three nearest influence coefficients in the matrix,
+/// under-relaxed; the approach follows the load error. Two numbers decide whether that converges:
 /// - `relaxation`: the share of each new pressure that is taken;
-/// - `stiffness`: factor on the implicit influence coefficients. With 1, the textbook value, highly loaded contacts end
-///   in a limit cycle unless the relaxation is some 0.02: neighbouring lines see each other's deformation one sweep
-///   late. Factors of 4 to 8 damp just the elastic part and leave the answer unchanged.
+/// - `stiffness`: factor on the implicit influence coefficients. With 1, the textbook value, highly loaded
+///   contacts end in a limit cycle unless the relaxation is some 0.02: neighbouring lines see each other's
+///   deformation one sweep late. Factors of 4 to 8 damp just the elastic part and leave the answer unchanged.
 #[derive(Debug)]
 pub struct SemiSystem {
     damping: Damping,

@@ -25,8 +25,8 @@ pub(super) struct Damping {
     pub(super) stiffness: f64,
 }
 
-/// Tridiagonal sweeps that hold the pressure flow and the entrainment, the latter with the three nearest influence coefficients,
-/// under-relaxed; the approach follows the load error.
+/// Tridiagonal sweeps that hold the pressure flow and the entrainment, the latter with the three nearest
+/// influence coefficients, under-relaxed; the approach follows the load error.
 #[derive(Debug)]
 pub(super) struct Sweeps {
     pub(super) coupled: Coupled,
@@ -62,7 +62,8 @@ impl Sweeps {
         }
     }
 
-    /// Sweeps until `stop` or a stall, from a Hertzian pressure where `state` has none; leaves the best state.
+    /// Sweeps until `stop` or a stall, from a Hertzian pressure where `state` has none; leaves the best
+    /// state.
     pub(super) fn solve(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -179,7 +180,8 @@ impl Sweeps {
             let k = j * nx + i;
             let kind = self.coupled.kinds[k];
             if matches!(kind.fluid, Fluid::Boundary | Fluid::Cavitated) {
-                // Pinned inside the line: clipped after it, its neighbours would see a suction that is not there.
+                // Pinned inside the line: clipped after it, its neighbours would see a suction that is not
+                // there.
                 let change = -state.fluid_pressure[k];
                 (self.below[i], self.diagonal[i], self.above[i], self.rhs[i]) = (0.0, 1.0, 0.0, change);
                 continue;
@@ -235,8 +237,9 @@ impl Sweeps {
         }
     }
 
-    /// Moves the bodies together where load is residual. In equilibrium a relative load error `e` needs a change of
-    /// approach of about `e` times the mean elastic displacement; sweeps follow slowly, so a small share is taken.
+    /// Moves the bodies together where load is residual. In equilibrium a relative load error `e` needs a
+    /// change of approach of about `e` times the mean elastic displacement; sweeps follow slowly, so a small
+    /// share is taken.
     fn balance_load(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let carried = state.pressure.iter().sum::<f64>() * self.coupled.fluid.grid.cell_area();
         let residual = (problem.load - carried) / problem.load;

@@ -1,9 +1,9 @@
 //! What the change of a solution from a coarser mesh says of its errors.
 //!
-//! Numbers of a mixed contact do not change evenly with the mesh: asperities touch on one mesh and part on the next, here and
-//! there, and the sum may stay by chance. So the estimates take changes node by node, those of the mean film piece by piece, which do
-//! not cancel.
-//! The factors were set on random contacts and checked on others, see `docs/errors.md`.
+//! Numbers of a mixed contact do not change evenly with the mesh: asperities touch on one mesh and part on
+//! the next, here and there, and the sum may stay by chance. So the estimates take changes node by node,
+//! those of the mean film piece by piece, which do not cancel. The factors were set on random contacts and
+//! checked on others, see `docs/errors.md`.
 
 use super::ErrorEstimate;
 use crate::grid::Grid;
@@ -13,7 +13,8 @@ use crate::sim::solution::ContactSolution;
 
 /// Of the load of the nodes that change sides, what the load ratio may still change by.
 const LOAD: f64 = 0.75;
-/// The same of the load of nodes that part, but whose film changes by more than what is left above the contact film.
+/// The same of the load of nodes that part, but whose film changes by more than what is left above the
+/// contact film.
 const NEARLY: f64 = 0.1;
 /// Area ratio over load ratio, of what changes sides.
 const AREA: f64 = 0.6;

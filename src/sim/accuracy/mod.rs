@@ -14,11 +14,12 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::Work;
 
-/// Estimated errors of a solution, those of films, pressure and friction over their value, those of the two ratios as they are.
+/// Estimated errors of a solution, those of films, pressure and friction over their value, those of the two
+/// ratios as they are.
 ///
-/// The estimates of a smooth contact that picks its mesh come from three meshes and hold the error of the box, which no
-/// mesh shows; all others from one mesh of half the cells, on which the surfaces are the Fourier series of the given ones. How
-/// far they were found to hold is in `docs/errors.md`.
+/// The estimates of a smooth contact that picks its mesh come from three meshes and hold the error of the
+/// box, which no mesh shows; all others from one mesh of half the cells, on which the surfaces are the
+/// Fourier series of the given ones. How far they were found to hold is in `docs/errors.md`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct ErrorEstimate {
@@ -26,8 +27,8 @@ pub struct ErrorEstimate {
     pub central_film: f64,
     /// Of the minimum film; 0 in a smooth dry contact.
     pub minimum_film: f64,
-    /// Of the maximum pressure. A pressure spike at the outlet does not converge on such meshes: where it is, or may still
-    /// become, the maximum, the estimate of a smooth contact says so and is large.
+    /// Of the maximum pressure. A pressure spike at the outlet does not converge on such meshes: where it is,
+    /// or may still become, the maximum, the estimate of a smooth contact says so and is large.
     pub max_pressure: f64,
     /// Of the mean film within two thirds of the Hertz radii.
     pub mean_film: f64,

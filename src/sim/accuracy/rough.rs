@@ -16,12 +16,13 @@ use crate::sim::{SimError, setup};
 const MAX_NODES: usize = 1 << 20;
 /// Fewest cells along a side that have a half.
 const FEWEST: usize = 10;
-/// Cells in the length over which a Gaussian autocorrelation falls to 10 %: the density of waves shorter than two of them is below
-/// 1e-4 of the largest.
+/// Cells in the length over which a Gaussian autocorrelation falls to 10 %: the density of waves shorter than
+/// two of them is below 1e-4 of the largest.
 const CELLS_IN_LENGTH: f64 = 3.0;
 /// Fewest cells in a Hertz half-width that a contact begins with.
 const CELLS_IN_AXIS: f64 = 10.0;
-/// Beyond the Hertz circle the bodies part by `1.2 e^1.5 a^2/R` at the distance `e a`; asperities reach over five times their Rq.
+/// Beyond the Hertz circle the bodies part by `1.2 e^1.5 a^2/R` at the distance `e a`; asperities reach over
+/// five times their Rq.
 const GAP_BEYOND: f64 = 1.2;
 const REACH: f64 = 5.0;
 /// Room between the last asperities that may touch and the edge of the box, in Hertz half-widths.
@@ -45,8 +46,8 @@ pub(super) fn on_own_grid(
     refined(Scene { grid, ..scene.clone() }, accuracy, "grid.accuracy", interrupt)
 }
 
-/// Solves on finer and finer meshes until the largest of the four estimated errors is at most `accuracy`, or the mesh is not
-/// solved, or the next one would be too large. `field` is the key that asks for it.
+/// Solves on finer and finer meshes until the largest of the four estimated errors is at most `accuracy`, or
+/// the mesh is not solved, or the next one would be too large. `field` is the key that asks for it.
 pub(super) fn refined(
     mut scene: Scene,
     accuracy: f64,
@@ -90,7 +91,7 @@ fn is_affordable(scene: &Scene) -> bool {
 
 /// The surfaces of a scene that can be solved on half its cells too.
 fn surfaces(scene: &Scene, field: &str) -> Result<Surfaces, SimError> {
-    if scene.is_lubricated() && scene.solver.contact == ContactDefinition::Paper {
+    if scene.is_lubricated() && scene.solver.contact == ContactDefinition::UnifiedReynolds {
         return Err(SimError::Input(InputError::Conflict {
             field: "solver.contact = \"paper\"".to_owned(),
             reason: format!(
@@ -136,8 +137,8 @@ fn of_cells(grid: GridSpec, count: impl Fn(usize) -> usize) -> GridSpec {
     }
 }
 
-/// The box of the smooth contact, or one that holds all asperities that may touch, with cells that hold the waves of the random
-/// surfaces.
+/// The box of the smooth contact, or one that holds all asperities that may touch, with cells that hold the
+/// waves of the random surfaces.
 fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
     setup::validate(scene)?;
     let hertz = scene.hertz()?;

@@ -1,9 +1,11 @@
-//! A smooth contact to a wanted accuracy: box and mesh by the film's own scale, coarse to fine, with an error estimate.
+//! A smooth contact to a wanted accuracy: box and mesh by the film's own scale, coarse to fine, with an error
+//! estimate.
 //!
-//! Of three meshes whose cells halve, a number changes by `d_2` and then `d_1`. The estimate is 1.5 times the largest of
-//! `|d_1|/3` and `|d_2|/15`, which are the error at second order, and `|d_1| r/(1 - r)` with `r = |d_1/d_2|`, which is that at
-//! the order observed. The box ends at a finite distance `X` before the contact, in Hertz half-widths, which makes a film
-//! `h = H a^2/R` thinner by about `4 H^1.3 X^-3.2` (line contact: 6.5).
+//! Of three meshes whose cells halve, a number changes by `d_2` and then `d_1`. The estimate is 1.5 times the
+//! largest of `|d_1|/3` and `|d_2|/15`, which are the error at second order, and `|d_1| r/(1 - r)` with
+//! `r = |d_1/d_2|`, which is that at the order observed. The box ends at a finite distance `X` before the
+//! contact, in Hertz half-widths, which makes a film `h = H a^2/R` thinner by about `4 H^1.3 X^-3.2` (line
+//! contact: 6.5).
 
 use super::{ErrorEstimate, Spent, change};
 use crate::error::InputError;
@@ -28,10 +30,11 @@ const MULTIPLE: usize = 4;
 const SLOWEST: f64 = 0.8;
 /// The estimate over what the differences say.
 const SAFETY: f64 = 1.5;
-/// How much higher a pressure spike may become on finer meshes, of its height: it grew by up to 0.4 when cells of this size
-/// were halved twice.
+/// How much higher a pressure spike may become on finer meshes, of its height: it grew by up to 0.4 when
+/// cells of this size were halved twice.
 const SPIKE_GROWTH: f64 = 0.5;
-/// Exponent of the viscosity under the Hertz pressure from which spikes are that sharp; milder ones are rounder.
+/// Exponent of the viscosity under the Hertz pressure from which spikes are that sharp; milder ones are
+/// rounder.
 const SHARP: f64 = 10.0;
 /// A spike is a local maximum of the pressure behind this share of the half-width.
 const SPIKE_FROM: f64 = 0.5;
@@ -39,12 +42,13 @@ const SPIKE_FROM: f64 = 0.5;
 const AIM: f64 = 0.3;
 /// Share of the wanted error that the box may make.
 const BOX_SHARE: f64 = 0.5;
-/// A box that ends at the distance `X` before a contact of film `H` (both in Hertz units) makes the film thinner by
-/// `c H^1.3 X^-3.2`: `c` of a line and of a point contact, fitted to boxes of 3 to 12.
+/// A box that ends at the distance `X` before a contact of film `H` (both in Hertz units) makes the film
+/// thinner by `c H^1.3 X^-3.2`: `c` of a line and of a point contact, fitted to boxes of 3 to 12.
 const BOX_CONSTANT: [f64; 2] = [6.5, 4.0];
 const BOX_BY_FILM: f64 = 1.3;
 const BOX_BY_INLET: f64 = -3.2;
-/// The error that a box makes of the minimum film, over that of the central one: at most, measured 0.8 to 1.4.
+/// The error that a box makes of the minimum film, over that of the central one: at most, measured 0.8 to
+/// 1.4.
 const BOX_MINIMUM: f64 = 1.4;
 /// Meshes that are refined once more before what has been reached is handed back.
 const ROUNDS: u32 = 3;
@@ -63,8 +67,8 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// A box that makes the share [`BOX_SHARE`] of the error, and cells whose error of second order, `C h^2` of the film `h R/a^2`, is the share
-    /// [`AIM`] of the accuracy.
+    /// A box that makes the share [`BOX_SHARE`] of the error, and cells whose error of second order, `C h^2`
+    /// of the film `h R/a^2`, is the share [`AIM`] of the accuracy.
     pub(super) fn of(scene: &Scene, hertz: &HertzContact, accuracy: f64) -> Result<Self, InputError> {
         let conditions = scene.conditions(0.0)?;
         let viscosity = setup::viscosity(scene, conditions.bulk_temperature)?;
@@ -87,8 +91,9 @@ impl Plan {
         })
     }
 
-    /// The same for a layer on the disc, with which the contact is as wide as that of its substrate, that of half-spaces of its own
-    /// material, or in between: the box of the wider one, the cells of the narrower one.
+    /// The same for a layer on the disc, with which the contact is as wide as that of its substrate, that of
+    /// half-spaces of its own material, or in between: the box of the wider one, the cells of the narrower
+    /// one.
     fn with_layer(self, scene: &Scene) -> Result<Self, InputError> {
         let Some(layer) = scene.layer()? else { return Ok(self) };
         let [own, substrate] = layer.compliances();
@@ -127,8 +132,8 @@ impl Plan {
     }
 }
 
-/// Solves the single contact of `scene` so that the estimated error of the central film (of the maximum pressure where it
-/// is dry) is at most `accuracy`, or reports the estimate that was reached.
+/// Solves the single contact of `scene` so that the estimated error of the central film (of the maximum
+/// pressure where it is dry) is at most `accuracy`, or reports the estimate that was reached.
 pub(super) fn solve(
     scene: &Scene,
     accuracy: f64,
@@ -161,8 +166,8 @@ pub(super) fn solve(
     }
 }
 
-/// The finest solution, the one before, and the numbers `[central film, minimum film, maximum pressure]` of all converged
-/// meshes, finest last.
+/// The finest solution, the one before, and the numbers `[central film, minimum film, maximum pressure]` of
+/// all converged meshes, finest last.
 struct Meshes {
     finest: ContactSolution,
     middle: Option<ContactSolution>,
@@ -230,7 +235,8 @@ impl Meshes {
     }
 }
 
-/// The highest local maximum of the pressure along the middle row in the outlet half \[Pa\]; zero without one.
+/// The highest local maximum of the pressure along the middle row in the outlet half \[Pa\]; zero without
+/// one.
 fn highest_spike(solution: &ContactSolution) -> f64 {
     let (nx, ny) = (solution.grid.nx(), solution.grid.ny());
     let row = solution.state.pressure.chunks_exact(nx).nth(ny / 2).unwrap_or_default();

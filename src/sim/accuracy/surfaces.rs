@@ -5,8 +5,8 @@ use crate::sim::scene::Scene;
 use crate::sim::{SimError, setup};
 use crate::surface::Heights;
 
-/// Heights of ball and disc on the cells that hold them, and their Fourier series at the nodes of any others of the same box: no
-/// wave is added or left out, so that coarse nodes lie at the same heights as fine ones.
+/// Heights of ball and disc on the cells that hold them, and their Fourier series at the nodes of any others
+/// of the same box: no wave is added or left out, so that coarse nodes lie at the same heights as fine ones.
 #[derive(Debug)]
 pub(super) struct Surfaces {
     bodies: [Heights; 2],
@@ -35,8 +35,8 @@ impl Surfaces {
     }
 }
 
-/// The Fourier series of `body` at the centres of `nx` x `ny` cells. Fewer cells than those that hold it are the middle ones
-/// of three along each axis of a mesh that holds all waves.
+/// The Fourier series of `body` at the centres of `nx` x `ny` cells. Fewer cells than those that hold it are
+/// the middle ones of three along each axis of a mesh that holds all waves.
 fn series_at_nodes(body: &Heights, nx: usize, ny: usize) -> Result<Vec<f64>, SimError> {
     let parts = |cells: usize, holding: usize| if cells < holding { 3 } else { 1 };
     let (along_x, along_y) = (parts(nx, body.nx()), parts(ny, body.ny()));

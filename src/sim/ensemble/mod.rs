@@ -1,8 +1,9 @@
 //! Many histories side by side: sweeps of a parameter, seeds of the roughness.
 //!
-//! [`run`] keeps the records; `run_in` (features `serde` and `npz`) also writes a folder for each member and goes on
-//! where it was stopped. Members are independent: each is computed as if it were alone, and one that fails leaves its error
-//! in its own outcome. With the feature `mpi`, `run_over_ranks` does so over the processes of an MPI program. Outcomes come in the order of the members, whatever the number of threads.
+//! [`run`] keeps the records; `run_in` (features `serde` and `npz`) also writes a folder for each member and
+//! goes on where it was stopped. Members are independent: each is computed as if it were alone, and one that
+//! fails leaves its error in its own outcome. With the feature `mpi`, `run_over_ranks` does so over the
+//! processes of an MPI program. Outcomes come in the order of the members, whatever the number of threads.
 
 #[cfg(feature = "mpi")]
 mod over_ranks;
@@ -90,9 +91,9 @@ pub fn run(members: &[Member], threads: usize) -> Vec<Outcome> {
     })
 }
 
-/// Runs `members` on `threads` threads and writes each into a folder of its name in `folder`, with a checkpoint after each
-/// `every` steps (see [`RunFolder`]). Called again after it was stopped, it goes on from the checkpoints; finished members
-/// are read, not computed.
+/// Runs `members` on `threads` threads and writes each into a folder of its name in `folder`, with a
+/// checkpoint after each `every` steps (see [`RunFolder`]). Called again after it was stopped, it goes on
+/// from the checkpoints; finished members are read, not computed.
 ///
 /// # Errors
 /// A name that is taken, empty or no name of a folder. Everything else is the failure of a member.

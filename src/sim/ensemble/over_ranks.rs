@@ -8,9 +8,10 @@ use super::{Member, Outcome, check_names, run_member, share};
 use crate::error::InputError;
 use crate::sim::{SimError, StepRecord};
 
-/// [`run_in`](super::run_in) over all ranks of `world`, each on `threads` threads: rank `r` of `n` takes the members `r`,
-/// `r + n`, ... Every rank gets all outcomes in the order of the members, the same ones whatever their number; a failure is
-/// [`SimError::Remote`] wherever it happened. Folders need not be shared by the ranks, but then a resumed run needs as many.
+/// [`run_in`](super::run_in) over all ranks of `world`, each on `threads` threads: rank `r` of `n` takes the
+/// members `r`, `r + n`, ... Every rank gets all outcomes in the order of the members, the same ones whatever
+/// their number; a failure is [`SimError::Remote`] wherever it happened. Folders need not be shared by the
+/// ranks, but then a resumed run needs as many.
 ///
 /// Every rank calls this with the same members. A rank that panics ends the program.
 ///

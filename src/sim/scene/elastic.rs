@@ -9,8 +9,8 @@ use crate::error::InputError;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "ElasticTable"))]
 #[non_exhaustive]
 pub struct Elastic {
-    /// `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`, without the layer; infinite where the materials give the moduli
-    /// ([`Scene::equivalent_modulus`]).
+    /// `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`, without the layer; infinite where the materials
+    /// give the moduli ([`Scene::equivalent_modulus`]).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_infinite"))]
     pub equivalent_modulus: f64,
     /// A layer on the disc; none for a half-space.

@@ -12,11 +12,12 @@ use crate::sim::SimError;
 const LONGEST_QUOTE: usize = 80;
 
 impl Scene {
-    /// A scene from TOML text. A number of a key that has a dimension may be text with a [unit](crate::units): `"9.525 mm"`.
+    /// A scene from TOML text. A number of a key that has a dimension may be text with a
+    /// [unit](crate::units): `"9.525 mm"`.
     ///
     /// # Errors
-    /// [`SimError::Scene`] naming the key and the line of what does not fit, [`SimError::Input`] naming a quantity that is none of
-    /// its key.
+    /// [`SimError::Scene`] naming the key and the line of what does not fit, [`SimError::Input`] naming a
+    /// quantity that is none of its key.
     pub fn from_toml(text: &str) -> Result<Self, SimError> {
         let scene = |reason| SimError::Scene { reason };
         let root = DeTable::parse(text).map_err(|error| {

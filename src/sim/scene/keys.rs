@@ -91,7 +91,8 @@ fn dimension(path: &str, line: bool) -> Option<Dimension> {
     Some(if line && found == Force { ForcePerLength } else { found })
 }
 
-/// The scene `text`, whose tables are `root`, with numbers in SI units in place of text with a unit. Lines stay lines.
+/// The scene `text`, whose tables are `root`, with numbers in SI units in place of text with a unit. Lines
+/// stay lines.
 ///
 /// # Errors
 /// Text that is no quantity of its key, which the error names.

@@ -10,35 +10,38 @@ use crate::lubricant::{DoolittleTaitConstants, ImprovedYasutomiConstants};
     serde(try_from = "LubricantTable")
 )]
 pub struct LubricantSpec {
-    /// Viscosity at ambient pressure \[Pa s\], at `temperature` or that of the contact; zero where `viscosity` gives the law.
+    /// Viscosity at ambient pressure \[Pa s\], at `temperature` or that of the contact; zero where
+    /// `viscosity` gives the law.
     pub eta0: f64,
     /// Roelands index; zero where `viscosity` gives the law.
     pub roelands_z: f64,
     /// Roelands reference pressure \[Pa\].
     pub roelands_p0: f64,
-    /// Pressure-viscosity coefficient \[1/Pa\]: the slope of the law is set to it where it is given, else it follows
-    /// from `eta0`, `roelands_z` and `roelands_p0`.
+    /// Pressure-viscosity coefficient \[1/Pa\]: the slope of the law is set to it where it is given, else it
+    /// follows from `eta0`, `roelands_z` and `roelands_p0`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub alpha: Option<f64>,
-    /// Temperature at which `eta0` and `alpha` hold \[K\]; with `roelands_s0` the viscosity follows the bulk temperature.
+    /// Temperature at which `eta0` and `alpha` hold \[K\]; with `roelands_s0` the viscosity follows the bulk
+    /// temperature.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub temperature: Option<f64>,
-    /// Index of temperature in the law of Roelands, see [`ThermalRoelands`](crate::lubricant::ThermalRoelands).
+    /// Index of temperature in the law of Roelands, see
+    /// [`ThermalRoelands`](crate::lubricant::ThermalRoelands).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub roelands_s0: Option<f64>,
     /// Another law of viscosity, in place of that of Roelands.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub viscosity: Option<ViscositySpec>,
-    /// Pressure-viscosity coefficient \[1/Pa\] of the film formulas alone, where the data sheet states another one than the slope
-    /// of the viscosity law; absent: that slope.
+    /// Pressure-viscosity coefficient \[1/Pa\] of the film formulas alone, where the data sheet states
+    /// another one than the slope of the viscosity law; absent: that slope.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub formula_alpha: Option<f64>,
     /// Dowson-Higginson `a` \[1/Pa\].
     pub density_a: f64,
     /// Dowson-Higginson `b` \[1/Pa\].
     pub density_b: f64,
-    /// Film thickness that the inlet edge of the box is supplied with \[m\]; none for a flooded inlet. Needs cavitation that
-    /// conserves mass.
+    /// Film thickness that the inlet edge of the box is supplied with \[m\]; none for a flooded inlet. Needs
+    /// cavitation that conserves mass.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub supplied_film: Option<f64>,
 }
@@ -52,7 +55,8 @@ pub struct LubricantSpec {
 )]
 #[non_exhaustive]
 pub enum ViscositySpec {
-    /// Free volume, with the density of Tait in place of that of Dowson and Higginson: [`DoolittleTait`](crate::lubricant::DoolittleTait).
+    /// Free volume, with the density of Tait in place of that of Dowson and Higginson:
+    /// [`DoolittleTait`](crate::lubricant::DoolittleTait).
     DoolittleTait(DoolittleTaitConstants),
     /// By the distance to the glass transition: [`ImprovedYasutomi`](crate::lubricant::ImprovedYasutomi).
     ImprovedYasutomi(ImprovedYasutomiConstants),

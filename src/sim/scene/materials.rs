@@ -51,7 +51,8 @@ pub struct Material {
 
 /// Materials with known elastic constants.
 ///
-/// Source: ISO 6336-2, Calculation of load capacity of spur and helical gears, elasticity factors of pairs of materials.
+/// Source: ISO 6336-2, Calculation of load capacity of spur and helical gears, elasticity factors of pairs of
+/// materials.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
@@ -134,7 +135,8 @@ impl Materials {
 }
 
 impl Scene {
-    /// `E'` \[Pa\] of the pair: that of the moduli of both materials where they are given, else `elastic.equivalent_modulus`.
+    /// `E'` \[Pa\] of the pair: that of the moduli of both materials where they are given, else
+    /// `elastic.equivalent_modulus`.
     ///
     /// ```
     /// use stribeck::sim::Scene;

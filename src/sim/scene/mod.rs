@@ -36,8 +36,8 @@ use crate::surface::Form;
 
 /// Everything that defines a contact. All SI; every table that is absent is physics that is not modelled.
 ///
-/// With the feature `serde` a scene is read from and written to TOML; unknown keys are errors that name the key.
-/// The keys are the field names; the pages `docs/scene*.md` list them with units and defaults.
+/// With the feature `serde` a scene is read from and written to TOML; unknown keys are errors that name the
+/// key. The keys are the field names; the pages `docs/scene*.md` list them with units and defaults.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Scene {
@@ -140,7 +140,8 @@ impl Motion {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(untagged))]
 pub enum GridSpec {
-    /// Cells that fill a box. A line contact is solved on one row of them: `ny` and `y` are checked and not used.
+    /// Cells that fill a box. A line contact is solved on one row of them: `ny` and `y` are checked and not
+    /// used.
     Cells {
         /// Cells along x.
         nx: usize,
@@ -158,9 +159,10 @@ pub enum GridSpec {
         /// Outer edges along x \[m\]; the flow goes along +x.
         x: [f64; 2],
     },
-    /// Box and cells are picked for an error, which is estimated from coarser grids: of a smooth contact the relative one of
-    /// the central film (dry: of the maximum pressure), of a rough one that of [`SolverSpec::accuracy`]. Single contacts only;
-    /// roughness of Gaussian autocorrelation, whose shortest waves tell the cells to begin with.
+    /// Box and cells are picked for an error, which is estimated from coarser grids: of a smooth contact the
+    /// relative one of the central film (dry: of the maximum pressure), of a rough one that of
+    /// [`SolverSpec::accuracy`]. Single contacts only; roughness of Gaussian autocorrelation, whose shortest
+    /// waves tell the cells to begin with.
     Accuracy {
         /// Largest error.
         accuracy: f64,
@@ -230,9 +232,9 @@ pub struct RandomRoughness {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct FileRoughness {
-    /// Path, relative to the scene file, in any format of [`crate::surface`]. A file without spacings (`.npy` of shape
-    /// (ny, nx)) is taken node by node, heights in metres, positive out of the body; one with spacings is levelled,
-    /// mirror-tiled and resampled to the grid.
+    /// Path, relative to the scene file, in any format of [`crate::surface`]. A file without spacings (`.npy`
+    /// of shape (ny, nx)) is taken node by node, heights in metres, positive out of the body; one with
+    /// spacings is levelled, mirror-tiled and resampled to the grid.
     pub path: PathBuf,
     /// Root mean square height to rescale to \[m\].
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -253,9 +255,11 @@ pub struct SolverSpec {
     pub tolerance: f64,
     /// Largest number of outer iterations.
     pub max_iterations: u64,
-    /// What entrainment carries through faces; none for that of the contact definition, see [`Scene::scheme`].
+    /// What entrainment carries through faces; none for that of the contact definition, see
+    /// [`Scene::scheme`].
     pub scheme: Option<Scheme>,
-    /// Pressure flow through the faces; none for that of the contact definition, see [`Scene::face_mobility`].
+    /// Pressure flow through the faces; none for that of the contact definition, see
+    /// [`Scene::face_mobility`].
     pub face_mobility: Option<FaceMobility>,
     /// What holds where the fluid cavitates.
     pub cavitation: Option<Cavitation>,
@@ -263,11 +267,11 @@ pub struct SolverSpec {
     pub film_cutoff: f64,
     /// What solid contact is.
     pub contact: ContactDefinition,
-    /// Whether errors are estimated by a second solve on half the cells along each side; single contacts on a given grid
-    /// only.
+    /// Whether errors are estimated by a second solve on half the cells along each side; single contacts on a
+    /// given grid only.
     pub estimate: bool,
-    /// Cells of a given grid are halved until the largest of four estimated errors, those of load and area ratio and the relative
-    /// ones of mean film and friction, is at most this; single contacts only.
+    /// Cells of a given grid are halved until the largest of four estimated errors, those of load and area
+    /// ratio and the relative ones of mean film and friction, is at most this; single contacts only.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub accuracy: Option<f64>,
     /// Whether a dry contact may reach the edge of the box.
@@ -315,8 +319,8 @@ pub enum SolverKind {
 }
 
 impl Scene {
-    /// The scene of Azam et al. (2019): steel ball on rough disc, base oil at 80 C, two hours of rubbing, without a
-    /// tribofilm. Autocorrelation, its length and the seeds are choices the paper leaves open.
+    /// The scene of Azam et al. (2019): steel ball on rough disc, base oil at 80 C, two hours of rubbing,
+    /// without a tribofilm. Autocorrelation, its length and the seeds are choices the paper leaves open.
     ///
     /// ```
     /// let scene = stribeck::sim::Scene::azam_2019(128);
@@ -467,21 +471,21 @@ impl Scene {
         self.lubricant.is_some() && self.solver.kind != SolverKind::Dry
     }
 
-    /// What entrainment carries through faces: the scheme named in `solver`, else the default, of first order in the paper's
-    /// contact as published.
+    /// What entrainment carries through faces: the scheme named in `solver`, else the default, of first order
+    /// in the paper's contact as published.
     pub fn scheme(&self) -> Scheme {
         self.solver.scheme.unwrap_or(match self.solver.contact {
             ContactDefinition::Hard => Scheme::default(),
-            ContactDefinition::Paper => Scheme::FirstOrder,
+            ContactDefinition::UnifiedReynolds => Scheme::FirstOrder,
         })
     }
 
-    /// What holds where the fluid cavitates: the condition named in `solver`, else the default, Reynolds' condition in the paper's
-    /// contact as published.
+    /// What holds where the fluid cavitates: the condition named in `solver`, else the default, Reynolds'
+    /// condition in the paper's contact as published.
     pub fn cavitation(&self) -> Cavitation {
         self.solver.cavitation.unwrap_or(match self.solver.contact {
             ContactDefinition::Hard => Cavitation::default(),
-            ContactDefinition::Paper => Cavitation::Reynolds,
+            ContactDefinition::UnifiedReynolds => Cavitation::Reynolds,
         })
     }
 
@@ -490,9 +494,9 @@ impl Scene {
         self.roughness.ball.is_smooth() && self.roughness.disc.is_smooth()
     }
 
-    /// The pressure flow through faces: the one named in `solver`, else that which knows edges of contacts within a cell between rough
-    /// surfaces, that of a film which is linear between nodes between smooth ones, whose inlets are resolved, and arithmetic means in the
-    /// paper's contact as published.
+    /// The pressure flow through faces: the one named in `solver`, else that which knows edges of contacts
+    /// within a cell between rough surfaces, that of a film which is linear between nodes between smooth
+    /// ones, whose inlets are resolved, and arithmetic means in the paper's contact as published.
     pub fn face_mobility(&self) -> FaceMobility {
         self.face_mobility_between(self.is_smooth())
     }
@@ -502,7 +506,7 @@ impl Scene {
         self.solver.face_mobility.unwrap_or(match self.solver.contact {
             ContactDefinition::Hard if smooth => FaceMobility::Wedge,
             ContactDefinition::Hard => FaceMobility::Inlet,
-            ContactDefinition::Paper => FaceMobility::Arithmetic,
+            ContactDefinition::UnifiedReynolds => FaceMobility::Arithmetic,
         })
     }
 }

@@ -33,7 +33,8 @@ pub struct FrictionSpec {
     /// [`FilmFriction`](crate::FilmFriction).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub film_coefficient: Option<f64>,
-    /// Tribofilm of both bodies together \[m\] from which on they count as covered; absent: `tribofilm.maximum_thickness`.
+    /// Tribofilm of both bodies together \[m\] from which on they count as covered; absent:
+    /// `tribofilm.maximum_thickness`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub covering_thickness: Option<f64>,
     /// Largest shear stress that the fluid carries \[Pa\].
@@ -41,7 +42,8 @@ pub struct FrictionSpec {
     /// Eyring stress of the fluid \[Pa\]; absent: Newtonian.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub eyring_stress: Option<f64>,
-    /// Stress \[Pa\] where Carreau's shear thinning sets in; with `carreau_exponent`, in place of `eyring_stress`.
+    /// Stress \[Pa\] where Carreau's shear thinning sets in; with `carreau_exponent`, in place of
+    /// `eyring_stress`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub carreau_stress: Option<f64>,
     /// Exponent of Carreau's shear thinning.
@@ -58,7 +60,8 @@ impl FrictionSpec {
     /// Shear stress law of the fluid.
     ///
     /// # Errors
-    /// A stress, exponent or coefficient out of range, one of Carreau's two constants alone, or with that of Eyring.
+    /// A stress, exponent or coefficient out of range, one of Carreau's two constants alone, or with that of
+    /// Eyring.
     pub fn rheology(&self) -> Result<Rheology, InputError> {
         InputError::require_positive("friction.limiting_shear_stress", self.limiting_shear_stress)?;
         let conflict = |field: &str, reason: &str| {
@@ -159,7 +162,8 @@ pub struct WearSpec {
     pub film_coefficient: f64,
     /// Hardness that divides the coefficient \[Pa\].
     pub hardness: f64,
-    /// Hardness under a tribofilm of full thickness \[Pa\], the divisor falling linearly with the film; absent: constant.
+    /// Hardness under a tribofilm of full thickness \[Pa\], the divisor falling linearly with the film;
+    /// absent: constant.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub film_hardness: Option<f64>,
     /// Whether only solid pressure wears, or all pressure.

@@ -67,8 +67,8 @@ impl Schedules {
     }
 }
 
-/// A quantity as a function of time. Times \[s\] rise from entry to entry, and the first is 0 or earlier; after the last
-/// entry its value stays.
+/// A quantity as a function of time. Times \[s\] rise from entry to entry, and the first is 0 or earlier;
+/// after the last entry its value stays.
 ///
 /// ```
 /// use stribeck::sim::{Scene, Schedule};
@@ -110,8 +110,8 @@ pub enum Schedule {
         /// Values at these times.
         values: Vec<f64>,
     },
-    /// A file of comma-separated values: a line for each time with the time \[s\] and the value, linear in between. Lines
-    /// that begin with `#` and a first line of names are left out.
+    /// A file of comma-separated values: a line for each time with the time \[s\] and the value, linear in
+    /// between. Lines that begin with `#` and a first line of names are left out.
     Table {
         /// The file, relative to the scene file.
         path: PathBuf,

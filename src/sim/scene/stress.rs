@@ -72,7 +72,8 @@ impl StressSpec {
         self.poisson.or(scene.materials.disc.poisson()).unwrap_or(Self::STEEL)
     }
 
-    /// The depths of a contact whose smaller half-width is `half_width` \[m\]: squares of an even spacing, closest at the surface.
+    /// The depths of a contact whose smaller half-width is `half_width` \[m\]: squares of an even spacing,
+    /// closest at the surface.
     pub(in crate::sim) fn depths(&self, half_width: f64) -> Vec<f64> {
         let deepest = self.deepest.unwrap_or(1.5 * half_width);
         (0..self.depths).map(|k| deepest * (k as f64 / (self.depths - 1) as f64).powi(2)).collect()

@@ -1,5 +1,5 @@
-//! What the derived readers are too lenient for. Tables whose keys depend on `kind` are read flat: derived enums would
-//! take stray keys of a unit variant and lose the key of a value that does not fit.
+//! What the derived readers are too lenient for. Tables whose keys depend on `kind` are read flat: derived
+//! enums would take stray keys of a unit variant and lose the key of a value that does not fit.
 
 use std::path::PathBuf;
 

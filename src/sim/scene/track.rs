@@ -46,10 +46,12 @@ pub enum TrackMotion {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Exposure {
-    /// As if the middle of the track never left the contact: for constants that were fitted to the time of a test.
+    /// As if the middle of the track never left the contact: for constants that were fitted to the time of a
+    /// test.
     #[default]
     ContactClock,
-    /// As long as the contact takes to pass, once a round: for constants that were measured on a point of the track.
+    /// As long as the contact takes to pass, once a round: for constants that were measured on a point of the
+    /// track.
     Track,
 }
 

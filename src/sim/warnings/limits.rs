@@ -12,7 +12,8 @@ use crate::sim::timetable::Timetable;
 const LARGEST_SLOPE: f64 = 0.1;
 /// Ellipticities that the formula of Hamrock and Dowson was fitted to.
 const ELLIPTICITIES: [f64; 2] = [1.0, 8.0];
-/// Ratio of two film formulas, one for hard contacts and one for all regimes, from which on the former does not hold.
+/// Ratio of two film formulas, one for hard contacts and one for all regimes, from which on the former does
+/// not hold.
 const APART: f64 = 1.5;
 
 /// Warnings about half-space, parabolas and film formula.

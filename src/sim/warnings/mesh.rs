@@ -12,8 +12,8 @@ use crate::sim::timetable::Timetable;
 const ROOM: f64 = 1.5;
 /// Fewest cells in the shortest wave.
 const CELLS_IN_WAVE: f64 = 3.0;
-/// Share of the mean square height in waves shorter than that which a surface of Gaussian autocorrelation has whose length is
-/// [`CELLS_IN_WAVE`] cells.
+/// Share of the mean square height in waves shorter than that which a surface of Gaussian autocorrelation has
+/// whose length is [`CELLS_IN_WAVE`] cells.
 const SHARE_OF_SHORT_WAVES: f64 = 3e-3;
 
 /// Edges of the box that are too near.

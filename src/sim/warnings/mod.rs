@@ -1,4 +1,5 @@
-//! What is unlikely to be meant, or to hold, in a scene and its solution: said, never silent, never fatal. One function a check.
+//! What is unlikely to be meant, or to hold, in a scene and its solution: said, never silent, never fatal.
+//! One function a check.
 
 mod limits;
 mod mesh;
@@ -53,9 +54,10 @@ impl fmt::Display for Warning {
 }
 
 impl Scene {
-    /// What is unlikely to be meant or to hold in this scene, as far as it is known without solving: values of another unit,
-    /// a box or cells that do not hold the contact, models beyond their limits. What is an error is none of the warnings; roughness from
-    /// files is looked at when it is read. `docs/errors.md` lists the checks.
+    /// What is unlikely to be meant or to hold in this scene, as far as it is known without solving: values
+    /// of another unit, a box or cells that do not hold the contact, models beyond their limits. What is an
+    /// error is none of the warnings; roughness from files is looked at when it is read. `docs/errors.md`
+    /// lists the checks.
     pub fn warnings(&self) -> Vec<Warning> {
         let mut list = plausible::values(self);
         list.extend(limits::of_models(self));

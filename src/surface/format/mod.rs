@@ -37,22 +37,24 @@ const MAX_FILE: u64 = 1 << 31;
 /// | `\x93NUMPY` | npy | an array of shape `(ny, nx)`, taken as heights in metres; no spacing ([`Heights::with_spacing`]) |
 /// | text | delimited numbers, a line for each row | sizes and units where a header gives them, else metres |
 ///
-/// All lengths are converted to metres; [`Heights::unit`] tells the unit of the file. Points that the format marks as
-/// undefined go into the mask; a height that is not finite without being so marked is an error.
+/// All lengths are converted to metres; [`Heights::unit`] tells the unit of the file. Points that the format
+/// marks as undefined go into the mask; a height that is not finite without being so marked is an error.
 ///
-/// Of x3p: surfaces and profiles at equal distances with binary heights (16 or 32 bit integers, 32 or 64 bit floats, `NaN`
-/// undefined), scaled by the increment and offset of the height axis where given, or a list in the XML (up to 16 MiB). The
-/// checksum of the archive (CRC-32) is verified, the MD5 sums of the standard are not. Of sur and plu: the first object or layer. Of sdf: uncompressed. Of al3d: the depth image
-/// (`NaN` undefined). Of npy: versions 1 to 3, integers and floats of any size up to 8 bytes, both byte orders, C and
-/// Fortran order. Profiles (x3p, sur, npy of one dimension) are surfaces of one row. Of text: fields separated by blanks, commas or semicolons, `BAD` or an empty field undefined; headers
-/// in the style of Gwyddion (`Width: 10 um`), SPIP (`x-length`, `z-unit`) and this crate; the first channel.
+/// Of x3p: surfaces and profiles at equal distances with binary heights (16 or 32 bit integers, 32 or 64 bit
+/// floats, `NaN` undefined), scaled by the increment and offset of the height axis where given, or a list in
+/// the XML (up to 16 MiB). The checksum of the archive (CRC-32) is verified, the MD5 sums of the standard are
+/// not. Of sur and plu: the first object or layer. Of sdf: uncompressed. Of al3d: the depth image (`NaN`
+/// undefined). Of npy: versions 1 to 3, integers and floats of any size up to 8 bytes, both byte orders, C
+/// and Fortran order. Profiles (x3p, sur, npy of one dimension) are surfaces of one row. Of text: fields
+/// separated by blanks, commas or semicolons, `BAD` or an empty field undefined; headers in the style of
+/// Gwyddion (`Width: 10 um`), SPIP (`x-length`, `z-unit`) and this crate; the first channel.
 ///
-/// No file, however damaged, should make it panic; memory is taken for points that the file really holds, at most
-/// [`crate::Grid::MAX_NODES`].
+/// No file, however damaged, should make it panic; memory is taken for points that the file really holds, at
+/// most [`crate::Grid::MAX_NODES`].
 ///
 /// # Errors
-/// [`SurfaceError`] with the path and what is wrong: the file cannot be opened, is of no known format, damaged, holds a part
-/// that is not supported, or a height that is not finite.
+/// [`SurfaceError`] with the path and what is wrong: the file cannot be opened, is of no known format,
+/// damaged, holds a part that is not supported, or a height that is not finite.
 ///
 /// ```
 /// use stribeck::surface::{read, write_npy};

@@ -121,10 +121,12 @@ fn parse_number_type(descr: &str) -> Option<NumberType> {
     NumberType::new(kind, letters.as_str().parse().ok()?, big_endian)
 }
 
-/// Writes a field \[m\] of `nx` x `ny` values, x fastest, as an npy array of shape `(ny, nx)`, 64 bit floats in C order.
+/// Writes a field \[m\] of `nx` x `ny` values, x fastest, as an npy array of shape `(ny, nx)`, 64 bit floats
+/// in C order.
 ///
 /// # Errors
-/// [`SurfaceError::Input`] when `field` has not `nx * ny` values, [`SurfaceError::Io`] when the file cannot be written.
+/// [`SurfaceError::Input`] when `field` has not `nx * ny` values, [`SurfaceError::Io`] when the file cannot
+/// be written.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;

@@ -18,7 +18,8 @@ const LAYER: usize = KIND + 72;
 /// Height of a point that was not measured.
 const UNDEFINED: f64 = 1_000_001.0;
 
-/// Whether the file starts with a date of printable letters padded with zeros, and the type is one that exists.
+/// Whether the file starts with a date of printable letters padded with zeros, and the type is one that
+/// exists.
 pub(super) fn recognises(bytes: &[u8]) -> bool {
     let Some(date) = bytes.get(..DATE) else { return false };
     let length = date.iter().take_while(|byte| (0x20..0x7f).contains(*byte)).count();

@@ -348,8 +348,8 @@ pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
     source.finish(Found { nx, ny, spacing, unit, heights, defined: Some(rows.defined) })
 }
 
-/// Writes a surface as text: a header with sizes and units, then one line of heights \[m\] for each row, separated by tabs,
-/// `BAD` where undefined. Programs that read Gwyddion's text export understand it.
+/// Writes a surface as text: a header with sizes and units, then one line of heights \[m\] for each row,
+/// separated by tabs, `BAD` where undefined. Programs that read Gwyddion's text export understand it.
 ///
 /// [`super::read`] gives back the same heights, mask and spacing, bit by bit.
 ///

@@ -281,7 +281,8 @@ const DATA: &str = "bindata/data.bin";
 /// [`super::read`] gives back the same heights, mask and spacing, bit by bit.
 ///
 /// # Errors
-/// [`SurfaceError::NoSpacing`] for a surface without spacing, [`SurfaceError::Io`] when the file cannot be written.
+/// [`SurfaceError::NoSpacing`] for a surface without spacing, [`SurfaceError::Io`] when the file cannot be
+/// written.
 ///
 /// ```
 /// use stribeck::surface::{Heights, read, write_x3p};

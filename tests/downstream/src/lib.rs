@@ -1,4 +1,5 @@
-//! Own laws for a contact: a film that a solution deposits, a soft liner on steel, an oil that stiffens exponentially.
+//! Own laws for a contact: a film that a solution deposits, a soft liner on steel, an oil that stiffens
+//! exponentially.
 
 use stribeck::elastic::{DeformationModel, HalfSpace};
 use stribeck::lubricant::ViscosityLaw;
