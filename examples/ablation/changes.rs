@@ -74,21 +74,21 @@ pub(crate) const CHANGES: &[Change] = &[
     change("unforeseen off", |s| s.attempts.iter_mut().for_each(|attempt| attempt.unforeseen = 1e9)),
     change("careful_below off", |s| s.attempts.iter_mut().for_each(|attempt| attempt.careful_below = 0.0)),
     change("careful_below everywhere", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.careful_below = 1e9)
+        s.attempts.iter_mut().for_each(|attempt| attempt.careful_below = 1e9);
     }),
     change("start_tolerance: 0.1", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance = 0.1)
+        s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance = 0.1);
     }),
     change("start_tolerance: 0.003", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance = 0.003)
+        s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance = 0.003);
     }),
     change("krylov_tolerance: 0.03", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.03)
+        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.03);
     }),
     change("krylov_tolerance: 0.01", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.01)
+        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.01);
     }),
     change("krylov_tolerance: 0.3", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.3)
+        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.3);
     }),
 ];

@@ -67,7 +67,7 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
         match argument {
             Long("quick") => options.quick = true,
             Long("every") => {
-                options.every = parser.value()?.parse_with(|n| n.parse().map(|n: usize| n.max(1)))?
+                options.every = parser.value()?.parse_with(|n| n.parse().map(|n: usize| n.max(1)))?;
             }
             Long("seeds") => options.seeds = parser.value()?.parse()?,
             Long("change") => options.change = parser.value()?.string()?,
