@@ -260,7 +260,6 @@ mod named {
     impl ContactSolution {
         fn numbers(&self) -> Numbers<'_> {
             let (report, contact) = (&self.report, &self.contact);
-            let (residuals, work) = (report.residuals, report.work);
             Numbers {
                 status: report.status.to_string(),
                 solver: report.solver,
@@ -268,17 +267,9 @@ mod named {
                 face_mobility: self.discretisation.map(|(_, face_mobility, _)| face_mobility),
                 cavitation: self.cavitation,
                 contact_definition: self.discretisation.map(|(.., contact)| contact),
-                residual: Residual {
-                    mass: residuals.mass,
-                    load: residuals.load,
-                    complementarity: residuals.complementarity,
-                },
+                residual: self.residual_numbers(),
                 energy_error: report.energy_error,
-                work: Work {
-                    convolutions: work.convolutions,
-                    iterations: work.iterations,
-                    inner_iterations: work.inner_iterations,
-                },
+                work: self.work_numbers(),
                 hertz: self.hertz_numbers(),
                 moes: self.moes.map(|(m, l)| Moes { m, l }),
                 film: self.film_numbers(),
@@ -311,6 +302,24 @@ mod named {
                 },
                 warnings: &self.warnings,
                 version: env!("CARGO_PKG_VERSION"),
+            }
+        }
+
+        fn residual_numbers(&self) -> Residual {
+            let residuals = self.report.residuals;
+            Residual {
+                mass: residuals.mass,
+                load: residuals.load,
+                complementarity: residuals.complementarity,
+            }
+        }
+
+        fn work_numbers(&self) -> Work {
+            let work = self.report.work;
+            Work {
+                convolutions: work.convolutions,
+                iterations: work.iterations,
+                inner_iterations: work.inner_iterations,
             }
         }
 

@@ -84,55 +84,68 @@ impl Texture {
     /// ```
     pub fn generate(&self, grid: &Grid) -> Result<Vec<f64>, InputError> {
         match *self {
-            Self::Dimples { radius, depth, pitch, layout } => {
-                InputError::require_positive("texture.radius", radius)?;
-                InputError::require_positive("texture.depth", depth)?;
-                let (across, along) = (
-                    Repeats::new(grid.size_x(), grid.nx(), pitch)?,
-                    Repeats::new(grid.size_y(), grid.ny(), pitch)?,
-                );
-                let narrow = across.pitch.min(along.pitch);
-                let apart = narrow >= 2.0 * radius;
-                InputError::require(apart, "texture.pitch", narrow, "at least twice the radius, rounded")?;
-                let centres = centres(&across, &along, radius, layout);
-                Ok(field(grid, |x, y| {
-                    let (i, j) = (across.cell(x), along.cell(y));
-                    let (cx, cy) = centres[j * across.count + i];
-                    let square = ((x - cx).powi(2) + (y - cy).powi(2)) / (radius * radius);
-                    depth * (square - 1.0).min(0.0)
-                }))
-            }
-            Self::Grooves { width, depth, pitch, direction } => {
-                InputError::require_positive("texture.width", width)?;
-                InputError::require_positive("texture.depth", depth)?;
-                let groove = |repeats: &Repeats, s: f64| {
-                    let from_middle = s - (repeats.cell(s) as f64 + 0.5) * repeats.pitch;
-                    depth * ((2.0 * from_middle / width).powi(2) - 1.0).min(0.0)
-                };
-                let repeats = |size: f64, nodes: usize| {
-                    let repeats = Repeats::new(size, nodes, pitch)?;
-                    let apart = repeats.pitch > width;
-                    InputError::require(apart, "texture.pitch", repeats.pitch, "above the width, rounded")?;
-                    Ok::<_, InputError>(repeats)
-                };
-                Ok(match direction {
-                    GrooveDirection::AlongX => {
-                        let across = repeats(grid.size_y(), grid.ny())?;
-                        field(grid, |_, y| groove(&across, y))
-                    }
-                    GrooveDirection::AlongY => {
-                        let across = repeats(grid.size_x(), grid.nx())?;
-                        field(grid, |x, _| groove(&across, x))
-                    }
-                    GrooveDirection::Crossed => {
-                        let (across, along) =
-                            (repeats(grid.size_x(), grid.nx())?, repeats(grid.size_y(), grid.ny())?);
-                        field(grid, |x, y| groove(&across, x).min(groove(&along, y)))
-                    }
-                })
-            }
+            Self::Dimples { radius, depth, pitch, layout } => dimples(grid, radius, depth, pitch, layout),
+            Self::Grooves { width, depth, pitch, direction } => grooves(grid, width, depth, pitch, direction),
         }
     }
+}
+
+fn dimples(
+    grid: &Grid,
+    radius: f64,
+    depth: f64,
+    pitch: f64,
+    layout: DimpleLayout,
+) -> Result<Vec<f64>, InputError> {
+    InputError::require_positive("texture.radius", radius)?;
+    InputError::require_positive("texture.depth", depth)?;
+    let (across, along) =
+        (Repeats::new(grid.size_x(), grid.nx(), pitch)?, Repeats::new(grid.size_y(), grid.ny(), pitch)?);
+    let narrow = across.pitch.min(along.pitch);
+    let apart = narrow >= 2.0 * radius;
+    InputError::require(apart, "texture.pitch", narrow, "at least twice the radius, rounded")?;
+    let centres = centres(&across, &along, radius, layout);
+    Ok(field(grid, |x, y| {
+        let (i, j) = (across.cell(x), along.cell(y));
+        let (cx, cy) = centres[j * across.count + i];
+        let square = ((x - cx).powi(2) + (y - cy).powi(2)) / (radius * radius);
+        depth * (square - 1.0).min(0.0)
+    }))
+}
+
+fn grooves(
+    grid: &Grid,
+    width: f64,
+    depth: f64,
+    pitch: f64,
+    direction: GrooveDirection,
+) -> Result<Vec<f64>, InputError> {
+    InputError::require_positive("texture.width", width)?;
+    InputError::require_positive("texture.depth", depth)?;
+    let groove = |repeats: &Repeats, s: f64| {
+        let from_middle = s - (repeats.cell(s) as f64 + 0.5) * repeats.pitch;
+        depth * ((2.0 * from_middle / width).powi(2) - 1.0).min(0.0)
+    };
+    let repeats = |size: f64, nodes: usize| {
+        let repeats = Repeats::new(size, nodes, pitch)?;
+        let apart = repeats.pitch > width;
+        InputError::require(apart, "texture.pitch", repeats.pitch, "above the width, rounded")?;
+        Ok::<_, InputError>(repeats)
+    };
+    Ok(match direction {
+        GrooveDirection::AlongX => {
+            let across = repeats(grid.size_y(), grid.ny())?;
+            field(grid, |_, y| groove(&across, y))
+        }
+        GrooveDirection::AlongY => {
+            let across = repeats(grid.size_x(), grid.nx())?;
+            field(grid, |x, _| groove(&across, x))
+        }
+        GrooveDirection::Crossed => {
+            let (across, along) = (repeats(grid.size_x(), grid.nx())?, repeats(grid.size_y(), grid.ny())?);
+            field(grid, |x, y| groove(&across, x).min(groove(&along, y)))
+        }
+    })
 }
 
 /// Heights from the distances of the nodes to the lower edges of the grid.

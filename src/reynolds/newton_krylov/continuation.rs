@@ -1,7 +1,7 @@
 //! Contacts that stall from every start: reached by following the fluid in time as it fills the dry contact.
 
 use super::Workspace;
-use super::settings::{Attempt, STEADY, THOROUGH};
+use super::settings::{Attempt, STEADILY};
 use crate::report::Status;
 use crate::reynolds::flow::Cavitation;
 use crate::reynolds::problem::{LubricatedContact, Squeeze};
@@ -15,10 +15,9 @@ const LATER: f64 = 10.0;
 /// Time steps after which the way has led nowhere.
 const MAX_TIME_STEPS: usize = 80;
 /// How each contact on the way is solved from the one before.
-const FOLLOWING: Attempt =
-    Attempt { gentle: false, first_contact_film: 1.0, pseudo_transient: STEADY, most_steps: 15, ..THOROUGH };
+const FOLLOWING: Attempt = Attempt { first_contact_film: 1.0, most_steps: 15, ..STEADILY };
 /// How the last one is.
-const ARRIVING: Attempt = Attempt { most_steps: THOROUGH.most_steps, ..FOLLOWING };
+const ARRIVING: Attempt = Attempt { most_steps: STEADILY.most_steps, ..FOLLOWING };
 /// Gap error of the dry contact that it starts from.
 const FULL_START: f64 = 0.03;
 /// Residual to which they are solved at first, and its reduction where the contact rests there and the steady

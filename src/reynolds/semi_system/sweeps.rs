@@ -86,15 +86,7 @@ impl Sweeps {
         damping: Damping,
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
-        let cold = state.pressure.iter().all(|&p| p <= 0.0);
-        if cold {
-            start_from_hertz(problem, state);
-        }
-        self.coupled.configure(problem);
-        self.coupled.evaluate(problem, state)?;
-        if cold {
-            self.open_film(problem, state);
-        }
+        self.begin(problem, state)?;
         let mut best = Residuals { mass: f64::INFINITY, ..Residuals::default() };
         let mut mark = (f64::INFINITY, 0);
         let mut status = Status::MaxIterations;
@@ -129,6 +121,24 @@ impl Sweeps {
         state.clone_from(&self.best);
         self.coupled.evaluate(problem, state)?;
         Ok((status, best))
+    }
+
+    /// Evaluates the state, that of the Hertz contact with an open film where it carries no pressure.
+    fn begin(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+    ) -> Result<(), ReynoldsError> {
+        let cold = state.pressure.iter().all(|&p| p <= 0.0);
+        if cold {
+            start_from_hertz(problem, state);
+        }
+        self.coupled.configure(problem);
+        self.coupled.evaluate(problem, state)?;
+        if cold {
+            self.open_film(problem, state);
+        }
+        Ok(())
     }
 
     /// Moves the bodies until the lowest film under pressure is the reference film.
