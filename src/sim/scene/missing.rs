@@ -2,6 +2,11 @@
 
 use toml::{Table, Value};
 
+const DOOLITTLE_TAIT: [&str; 9] =
+    ["viscosity", "temperature", "b", "r0", "epsilon", "k0_slope", "k00", "beta", "expansion"];
+const IMPROVED_YASUTOMI: [&str; 8] =
+    ["glass_viscosity", "glass_temperature", "a1", "a2", "b1", "b2", "c1", "c2"];
+
 /// Paths of the keys without which the tables of `scene` cannot be read, in the order of the document.
 pub(super) fn keys(scene: &Table) -> Vec<String> {
     let mut missing = Vec::new();
@@ -23,8 +28,20 @@ pub(super) fn keys(scene: &Table) -> Vec<String> {
         },
     );
     look("elastic", &["equivalent_modulus"]);
+    look("elastic.layer", &["thickness", "modulus", "poisson"]);
     look("load", &[]);
-    look("lubricant", &["eta0", "roelands_z"]);
+    match find(scene, "lubricant.viscosity") {
+        None => look("lubricant", &["eta0", "roelands_z"]),
+        Some(viscosity) => look(
+            "lubricant.viscosity",
+            match viscosity.get("law").and_then(Value::as_str) {
+                Some("doolittle_tait") => &DOOLITTLE_TAIT,
+                Some("improved_yasutomi") => &IMPROVED_YASUTOMI,
+                Some(_) => &[],
+                None => &["law"],
+            },
+        ),
+    }
     let given = |key: &str| find(scene, "grid").is_some_and(|grid| grid.contains_key(key));
     let row = kind("form") == Some("cylinder") && !given("ny") && !given("y");
     look(
