@@ -14,7 +14,7 @@ pub(super) struct ElasticResponse {
     /// In single precision, over the self-influence.
     estimate: Convolution<f32>,
     /// The same on the periodic grid.
-    sketch: Convolution<f32>,
+    periodic: Convolution<f32>,
     /// In single precision, times the self-influence.
     inverse: Convolution<f32>,
     own: f64,
@@ -24,13 +24,13 @@ impl ElasticResponse {
     /// The response with displacement `kernel(i, j)` \[m/Pa\] at an offset of `i` columns and `j` rows.
     pub(super) fn new(grid: Grid, kernel: impl Fn(isize, isize) -> f64) -> Self {
         let plan = ConvolutionPlan::new(grid.nx(), grid.ny(), &kernel);
-        let sketch = ConvolutionPlan::periodic(grid.nx(), grid.ny(), &kernel);
+        let periodic = ConvolutionPlan::periodic(grid.nx(), grid.ny(), &kernel);
         let own = kernel(0, 0);
         Self {
             grid,
             estimate: Convolution::new(Arc::new(plan.to_single(1.0 / own))),
-            sketch: Convolution::new(Arc::new(sketch.to_single(1.0 / own))),
-            inverse: Convolution::new(Arc::new(sketch.inverse().to_single(own))),
+            periodic: Convolution::new(Arc::new(periodic.to_single(1.0 / own))),
+            inverse: Convolution::new(Arc::new(periodic.inverse().to_single(own))),
             convolution: Convolution::new(Arc::new(plan)),
             own,
         }
@@ -56,7 +56,7 @@ impl ElasticResponse {
         pressure: &[f64],
         out: &mut [f64],
     ) -> Result<(), InputError> {
-        in_single(&mut self.sketch, self.grid, ("pressure", pressure), self.own, out)
+        in_single(&mut self.periodic, self.grid, ("pressure", pressure), self.own, out)
     }
 
     pub(super) fn pressure_estimate(

@@ -27,7 +27,8 @@ pub(super) fn keys(scene: &Table) -> Vec<String> {
             &["kind", "radius"]
         },
     );
-    look("elastic", &["equivalent_modulus"]);
+    let pair = !scene.contains_key("materials");
+    look("elastic", if pair { &["equivalent_modulus"] } else { &[] });
     look("elastic.layer", &["thickness", "modulus", "poisson"]);
     look("load", &[]);
     match find(scene, "lubricant.viscosity") {
