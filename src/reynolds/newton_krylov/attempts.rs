@@ -20,8 +20,7 @@ impl Workspace {
         stop: &StoppingRule,
     ) -> Result<(Status, Residuals), ReynoldsError> {
         (self.progress, self.work) = (Progress::new(), Work::default());
-        let attempts = self.settings.attempts.clone();
-        let mut status = self.attempts(&attempts, problem, state, stop)?;
+        let mut status = self.all_attempts(problem, state, stop)?;
         let is_stuck = matches!(status, Status::Stalled | Status::Diverged);
         let may_follow = self.settings.follows_time && problem.lubricant.is_some();
         if is_stuck && may_follow && problem.entrainment_speed > 0.0 {
@@ -53,6 +52,19 @@ impl Workspace {
             status = Status::Stalled;
         }
         Ok((status, self.best_residuals))
+    }
+
+    /// The attempts of the settings.
+    pub(super) fn all_attempts(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<Status, ReynoldsError> {
+        let attempts = std::mem::take(&mut self.settings.attempts);
+        let status = self.attempts(&attempts, problem, state, stop);
+        self.settings.attempts = attempts;
+        status
     }
 
     /// One attempt after the other until one does not stall, the first from the state as it is if it carries

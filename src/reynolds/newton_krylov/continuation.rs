@@ -67,8 +67,7 @@ impl Workspace {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<bool, ReynoldsError> {
-        let attempts = self.settings.attempts.clone();
-        match self.attempts(&attempts, problem, state, stop)? {
+        match self.all_attempts(problem, state, stop)? {
             Status::Converged => Ok(true),
             Status::MaxIterations => Ok(false),
             _ => {

@@ -135,7 +135,7 @@ impl Default for NewtonSettings {
             enough: 1.5,
             largest_change: 1.0,
             film_reduction: 0.5,
-            near_below: 10.0,
+            near_below: 100.0,
             growth: [(4.0, 1), (2.0, 3), (1.0, 2)],
             shorter: 0.5,
             patience: 5,
