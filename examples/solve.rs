@@ -91,16 +91,7 @@ fn in_scene(path: &Path, error: &dyn Error) -> String {
 }
 
 fn write_fields(path: &Path, solution: &ContactSolution) -> Result<(), Box<dyn Error>> {
-    let state = &solution.state;
-    let fields: [(&str, &[f64]); 6] = [
-        ("pressure", &state.pressure),
-        ("fluid_pressure", &state.fluid_pressure),
-        ("film", &state.film),
-        ("theta", &state.content),
-        ("gap", &solution.gap),
-        ("plastic_depth", &state.plastic_depth),
-    ];
-    write_npz(path, solution.grid.nx(), solution.grid.ny(), &fields)?;
+    write_npz(path, solution.grid.nx(), solution.grid.ny(), &solution.fields())?;
     Ok(())
 }
 

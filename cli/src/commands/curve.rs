@@ -7,7 +7,6 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
-use stribeck::metrics::height_statistics;
 use stribeck::sim::scene::Scene;
 use stribeck::sim::{ContactSolution, solve_contact};
 use stribeck::units::Dimension;
@@ -42,8 +41,6 @@ pub(crate) struct Options {
 /// A solved speed.
 struct Point {
     speed: f64,
-    /// Film over composite roughness; none between smooth surfaces.
-    lambda: Option<f64>,
     solution: ContactSolution,
 }
 
@@ -113,8 +110,6 @@ fn solve(options: &Options, scene: &Scene, speeds: &[f64]) -> Result<Vec<Point>,
         scene.motion.entrainment_speed = speed;
         scene.schedule.entrainment_speed = None;
         let solution = solve_contact(&scene).map_err(|error| output::in_scene(&options.scene, &error))?;
-        let rq = roughness(&scene, &solution)?;
-        let lambda = (rq > 0.0).then_some(solution.film.mean_central / rq);
         for warning in &solution.warnings {
             if !said.contains(&warning.field) {
                 output::complain("warning", &format!("at {speed:.4e} m/s: {warning}"));
@@ -125,20 +120,11 @@ fn solve(options: &Options, scene: &Scene, speeds: &[f64]) -> Result<Vec<Point>,
         if status != Status::Converged {
             output::complain("warning", &format!("{speed:.4e} m/s is left out of the curve: {status}"));
         }
-        points.push(Point { speed, lambda, solution });
+        points.push(Point { speed, solution });
         bar.inc(1);
     }
     bar.finish_and_clear();
     Ok(points)
-}
-
-/// Composite roughness of the two bodies on the grid that was solved \[m\].
-fn roughness(scene: &Scene, solution: &ContactSolution) -> Result<f64, InputError> {
-    let mut heights = vec![0.0; solution.grid.len()];
-    scene.form.gap_into(&solution.grid, &mut heights)?;
-    heights.iter_mut().zip(&solution.gap).for_each(|(height, gap)| *height -= gap);
-    let smooth = heights.iter().all(|height| height.abs() < 1e-15);
-    if smooth { Ok(0.0) } else { height_statistics(&heights).map(|statistics| statistics.sq) }
 }
 
 fn converged(points: &[Point]) -> impl Iterator<Item = &Point> {
@@ -152,7 +138,7 @@ fn table(points: &[Point]) -> String {
     );
     for point in converged(points) {
         let solution = &point.solution;
-        let lambda = point.lambda.map_or_else(|| "-".to_owned(), |lambda| format!("{lambda:.3}"));
+        let lambda = point.solution.lambda.map_or_else(|| "-".to_owned(), |lambda| format!("{lambda:.3}"));
         text += &format!(
             "{:11.4e} {:9.4} {:14.4} {:9.2} {lambda:>9}\n",
             point.speed,
@@ -170,7 +156,7 @@ fn csv(points: &[Point]) -> Result<String, std::fmt::Error> {
         "entrainment_speed_m_per_s,friction_coefficient,load_ratio,mean_film_m,lambda\n".to_owned();
     for point in converged(points) {
         let solution = &point.solution;
-        let lambda = point.lambda.map_or_else(String::new, |lambda| format!("{lambda:e}"));
+        let lambda = point.solution.lambda.map_or_else(String::new, |lambda| format!("{lambda:e}"));
         writeln!(
             text,
             "{:e},{:e},{:e},{:e},{lambda}",
@@ -189,7 +175,6 @@ fn to_json(points: &[Point], seconds: f64) -> Result<Value, serde_json::Error> {
     for point in points {
         let mut numbers = serde_json::to_value(&point.solution)?;
         numbers["entrainment_speed"] = point.speed.into();
-        numbers["film"]["lambda"] = point.lambda.into();
         list.push(numbers);
     }
     Ok(json!({ "points": list, "seconds": seconds, "version": env!("CARGO_PKG_VERSION") }))
@@ -212,8 +197,8 @@ fn chart(options: &Options, points: &[Point]) -> Chart {
         panel("load on solids", |point| Some(point.solution.contact.load_ratio)),
         panel("film (nm)", |point| Some(1e9 * point.solution.film.mean_central)),
     ];
-    if points.iter().any(|point| point.lambda.is_some()) {
-        panels.push(panel("film / Rq", |point| point.lambda));
+    if points.iter().any(|point| point.solution.lambda.is_some()) {
+        panels.push(panel("film / Rq", |point| point.solution.lambda));
     }
     Chart {
         title: format!("Stribeck curve of {}", output::stem(&options.scene)),

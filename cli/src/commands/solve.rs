@@ -31,7 +31,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let seconds = start.elapsed().as_secs_f64();
     let mut files = Vec::new();
     if let Some(path) = &options.fields {
-        write_npz(path, solution.grid.nx(), solution.grid.ny(), &fields(&solution))?;
+        write_npz(path, solution.grid.nx(), solution.grid.ny(), &solution.fields())?;
         files.push(path.clone());
     }
     if options.output.plot {
@@ -47,18 +47,6 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     }
     output::report_files(&files, options.output.json)?;
     Ok(solution.report.status.into())
-}
-
-fn fields(solution: &ContactSolution) -> [(&'static str, &[f64]); 6] {
-    let state = &solution.state;
-    [
-        ("pressure", &state.pressure),
-        ("fluid_pressure", &state.fluid_pressure),
-        ("film", &state.film),
-        ("theta", &state.content),
-        ("gap", &solution.gap),
-        ("plastic_depth", &state.plastic_depth),
-    ]
 }
 
 fn pictures(options: &Options, solution: &ContactSolution) -> Result<Vec<PathBuf>, Box<dyn Error>> {
