@@ -33,15 +33,15 @@ use steepest_descent::SteepestDescent;
 use stribeck::analytic::FilmConditions;
 use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
-use stribeck::metrics::average_central_film;
+use stribeck::metrics::{average_central_film, friction_coefficient, viscous_shear_into};
 use stribeck::reynolds::{
-    Auto, ContactSolver, ContactState, Dry, LubricatedContact, Multigrid, NewtonKrylov, SemiSystem,
+    Auto, ContactSolver, ContactState, Dry, FaceMobility, LubricatedContact, Multigrid, NewtonKrylov, SemiSystem,
     StoppingRule,
 };
 use stribeck::sim::Scene;
 use stribeck::sim::scene::{GridSpec, Load};
 use stribeck::surface::Form;
-use stribeck::{SolveReport, Status};
+use stribeck::{Grid, SolveReport, Status};
 
 const USAGE: &str = "\
 usage: cargo run --release --example work_precision -- [--quick] [--out DIR]
@@ -57,20 +57,23 @@ const MOST_REPEATS: f64 = 30.0;
 const REFERENCE: f64 = 1e-8;
 /// The solver that is not of the crate.
 const OWN: &str = "steepest_descent";
+/// Newton's method with the other face law that resolves inlets.
+const WEDGE: &str = "newton_krylov, wedge";
 /// Root mean square of the roughness and its longest and shortest wavelength \[m\].
 const RQ: f64 = 100e-9;
 const WAVELENGTHS: (f64, f64) = (100e-6, 25e-6);
 const WAVES: u32 = 60;
 const SIZE: (u32, u32) = (1000, 1560);
 const HEAD: i32 = 64;
-/// Blue, vermilion, green, purple and orange of the palette of Okabe and Ito.
-const COLOURS: [(&str, RGBColor); 6] = [
+/// Black, blue, vermilion, green, purple, orange and sky blue of the palette of Okabe and Ito.
+const COLOURS: [(&str, RGBColor); 7] = [
     ("auto", RGBColor(0, 0, 0)),
     ("multigrid", RGBColor(0, 114, 178)),
     ("newton_krylov", RGBColor(213, 94, 0)),
     ("semi_system", RGBColor(0, 158, 115)),
     ("dry", RGBColor(204, 121, 167)),
     (OWN, RGBColor(230, 159, 0)),
+    (WEDGE, RGBColor(86, 180, 233)),
 ];
 
 /// One contact and what is solved of it.
@@ -124,12 +127,12 @@ const CASES: [Case; 4] = [
     Case {
         name: "mixed",
         title: "mixed, rough",
-        quantities: ["load ratio", "mean film"],
+        quantities: ["load ratio", "friction"],
         scene: |n| Scene::azam_2019(n),
         rough: true,
-        grids: &[32, 64, 128],
-        solvers: &[("newton_krylov", 128), ("semi_system", 64)],
-        reference: 256,
+        grids: &[32, 64, 128, 256],
+        solvers: &[("newton_krylov", 256), (WEDGE, 256), ("semi_system", 64)],
+        reference: 512,
     },
 ];
 
@@ -246,7 +249,7 @@ impl Stopwatch {
 fn solver(name: &str) -> Box<dyn ContactSolver> {
     match name {
         "multigrid" => Box::new(Multigrid::new()),
-        "newton_krylov" => Box::new(NewtonKrylov::new()),
+        "newton_krylov" | WEDGE => Box::new(NewtonKrylov::new()),
         "semi_system" => Box::new(SemiSystem::default()),
         "dry" => Box::new(Dry::new()),
         OWN => Box::new(SteepestDescent),
@@ -306,7 +309,7 @@ fn solve(
         film_cutoff: scene.solver.film_cutoff,
         contact: scene.solver.contact,
         scheme: scene.scheme(),
-        face_mobility: scene.face_mobility(),
+        face_mobility: if name == WEDGE { FaceMobility::Wedge } else { scene.face_mobility() },
         cavitation: scene.cavitation(),
         supplied_film: None,
         shear_thinning: None,
@@ -332,10 +335,30 @@ fn solve(
     let minimum = under_pressure.fold(f64::INFINITY, |least, (h, _)| least.min(*h));
     let values = match case.name {
         "dry_rough" => [touching, mean],
-        "mixed" => [solid / hertz.load, mean],
+        "mixed" => [solid / hertz.load, friction(&scene, problem.lubricant, &grid, &state, hertz.load)?],
         _ => [grid.interpolate(&state.film, 0.0, 0.0)?, minimum],
     };
     Ok((report, seconds, values))
+}
+
+/// Friction coefficient: boundary friction of the solids, shear of the oil where it is under pressure.
+fn friction(
+    scene: &Scene,
+    oil: Option<&Lubricant>,
+    grid: &Grid,
+    state: &ContactState,
+    load: f64,
+) -> Result<f64, Box<dyn Error>> {
+    let viscosity_at = |p: f64| match oil {
+        Some(oil) if p > 0.0 => oil.viscosity().viscosity(p),
+        _ => 0.0,
+    };
+    let viscosity: Vec<f64> = state.fluid_pressure.iter().map(|p| viscosity_at(*p)).collect();
+    let solid: Vec<f64> = (0..grid.len()).map(|k| state.solid_pressure(k)).collect();
+    let sliding = scene.motion.entrainment_speed * scene.motion.slide_roll_ratio;
+    let mut shear = vec![0.0; grid.len()];
+    viscous_shear_into(&viscosity, &state.film, sliding, &scene.friction.rheology()?, &mut shear)?;
+    Ok(friction_coefficient(grid, scene.friction.boundary_coefficient, &solid, &shear, load)?)
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
