@@ -94,6 +94,7 @@ mod report;
 pub mod reynolds;
 mod rubbing;
 pub mod sim;
+mod solver_id;
 pub mod surface;
 #[cfg(feature = "testing")]
 pub mod testing;
@@ -109,6 +110,7 @@ pub use grid::Grid;
 pub use report::{NotConverged, Residuals, SolveReport, Status, Work};
 pub use rubbing::RubbingPoint;
 pub use sim::Warning;
+pub use solver_id::SolverId;
 
 // The programs of the first pages are tested as those above are.
 #[cfg(doctest)]

@@ -5,6 +5,8 @@ use std::ops::AddAssign;
 
 use thiserror::Error;
 
+use crate::solver_id::SolverId;
+
 /// How an iterative solve ended. Everything but [`Status::Converged`] leaves the best state found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
@@ -89,10 +91,11 @@ impl AddAssign for Work {
 
 /// The outcome of one solve of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 #[must_use = "a solve that did not converge is a status, not an error"]
 pub struct SolveReport {
-    /// Name of the solver that produced the final state.
-    pub solver: &'static str,
+    /// The solver that produced the final state.
+    pub solver: SolverId,
     /// How the solve ended.
     pub status: Status,
     /// Residuals of the state that was returned.
@@ -106,6 +109,21 @@ pub struct SolveReport {
 }
 
 impl SolveReport {
+    /// A report without energy error and work.
+    pub fn new(solver: SolverId, status: Status, residuals: Residuals) -> Self {
+        Self { solver, status, residuals, energy_error: None, work: Work::default() }
+    }
+
+    /// The same with an energy error.
+    pub fn with_energy_error(self, energy_error: f64) -> Self {
+        Self { energy_error: Some(energy_error), ..self }
+    }
+
+    /// The same with the work of the whole solve.
+    pub fn with_work(self, work: Work) -> Self {
+        Self { work, ..self }
+    }
+
     /// The report itself if the solve converged.
     ///
     /// # Errors

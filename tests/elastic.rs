@@ -13,7 +13,7 @@ use stribeck::reynolds::{
     ContactSolver, ContactState, Dry, LubricatedContact, ReynoldsError, Scheme, StoppingRule,
 };
 use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
-use stribeck::{Grid, InputError, SolveReport, Status};
+use stribeck::{Grid, InputError, SolveReport, SolverId, Status};
 
 const MODULUS: f64 = 229.67e9;
 const RADIUS: f64 = 9.525e-3;
@@ -682,7 +682,7 @@ fn dry_solver_refuses_what_it_is_not_made_for() {
     let mut lubricated =
         LubricatedContact { lubricant: Some(&oil), entrainment_speed: 0.1, ..scene.problem() };
     let error = Dry::new().solve(&mut lubricated, &mut state, &stop).unwrap_err();
-    assert!(matches!(error, ReynoldsError::WrongSolver { solver: "dry", .. }), "{error}");
+    assert!(matches!(error, ReynoldsError::WrongSolver { solver: SolverId::Dry, .. }), "{error}");
     let gap = vec![0.0; 255];
     let limits: [(&str, Vec<f64>); 2] = [("shape", vec![1e9; 255]), ("value", vec![-1e9; 256])];
     let mut short = LubricatedContact { gap: &gap, ..scene.problem() };

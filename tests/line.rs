@@ -8,7 +8,7 @@ use stribeck::elastic::{DeformationModel, LineHalfSpace};
 use stribeck::sim::scene::{Flash, GridSpec, SolverKind};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, StepRecord, solve_contact};
 use stribeck::surface::Form;
-use stribeck::{Grid, Status};
+use stribeck::{Grid, SolverId, Status};
 
 const RADIUS: f64 = 10e-3;
 const MODULUS: f64 = 230e9;
@@ -223,6 +223,6 @@ fn every_solver_takes_a_row() {
     let newton = solved(&scene);
     scene.solver.kind = SolverKind::SemiSystem;
     let sweeps = solved(&scene);
-    assert_eq!(sweeps.report.solver, "semi_system");
+    assert_eq!(sweeps.report.solver, SolverId::SemiSystem);
     assert!((sweeps.film.central / newton.film.central - 1.0).abs() < 1e-4);
 }

@@ -9,7 +9,7 @@ use stribeck::reynolds::{
 };
 use stribeck::sim::scene::{GridSpec, Load, PlasticSpec, RandomRoughness, Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
-use stribeck::{Status, Work};
+use stribeck::{SolverId, Status, Work};
 
 /// The reference bodies with composite roughness `rq` of correlation length `length`, on a box of 3.6 Hertz
 /// radii.
@@ -243,7 +243,7 @@ fn the_papers_contact_lets_gaps_become_negative() {
     scene.solver.max_iterations = 3000;
     let solution = solve_contact(&scene).unwrap();
     let state = &solution.state;
-    assert_eq!(solution.report.solver, "semi_system");
+    assert_eq!(solution.report.solver, SolverId::SemiSystem);
     assert!(solution.report.residuals.is_finite());
     assert_eq!(solution.report.status, Status::MaxIterations, "{:?}", solution.report);
     assert!((solution.contact.area_ratio - 0.457).abs() < 5e-4, "{}", solution.contact.area_ratio);

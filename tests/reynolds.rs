@@ -1,10 +1,10 @@
 //! The lubricated solvers: known films, agreement between methods, limits, and failures that must stay typed.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
-use stribeck::Status;
 use stribeck::reynolds::{Cavitation, ContactDefinition, FaceMobility, Scheme};
 use stribeck::sim::scene::{Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
+use stribeck::{SolverId, Status};
 
 /// The reference scene without roughness and plastic limit.
 fn smooth(n: usize) -> Scene {
@@ -62,7 +62,7 @@ fn semi_system_and_newton_agree_on_full_films() {
         let newton = solve(&scene);
         scene.solver.kind = SolverKind::SemiSystem;
         let sweeps = solve(&scene);
-        assert_eq!(sweeps.report.solver, "semi_system");
+        assert_eq!(sweeps.report.solver, SolverId::SemiSystem);
         let difference = sweeps.film.central / newton.film.central - 1.0;
         assert!(difference.abs() < 1e-5, "central film differs by {difference:e} at {speed} m/s");
         let difference = sweeps.state.approach / newton.state.approach - 1.0;

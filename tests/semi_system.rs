@@ -1,10 +1,10 @@
 //! The semi-system solver on mixed contacts: the answers of Newton's method, from line relaxations.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
-use stribeck::Status;
 use stribeck::reynolds::{Cavitation, FaceMobility, Scheme};
 use stribeck::sim::scene::{PlasticSpec, RandomRoughness, Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
+use stribeck::{SolverId, Status};
 
 /// The reference scene with composite roughness `rq`, its Gaussian roughness on `length`.
 fn scene(n: usize, speed: f64, rq: f64, length: f64, hardness: Option<f64>) -> Scene {
@@ -33,7 +33,7 @@ fn solve(scene: &Scene, kind: SolverKind) -> ContactSolution {
 fn compare(scene: &Scene) -> [ContactSolution; 2] {
     let both = [SolverKind::NewtonKrylov, SolverKind::SemiSystem].map(|kind| solve(scene, kind));
     let [newton, lines] = &both;
-    assert_eq!(lines.report.solver, "semi_system");
+    assert_eq!(lines.report.solver, SolverId::SemiSystem);
     let fields = |solution: &ContactSolution| {
         [
             ("load ratio", solution.contact.load_ratio, 1.0),

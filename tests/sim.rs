@@ -17,7 +17,7 @@ use stribeck::sim::scene::{Flash, SolverKind};
 use stribeck::sim::{MixedLubricationSim, RunEnd, Scene, Schedule, SimBuilder, SimError, StepRecord};
 use stribeck::surface::AlongTrack;
 use stribeck::wear::{Archard, WearLaw};
-use stribeck::{Grid, InputError, RubbingPoint, SolveReport, Status};
+use stribeck::{Grid, InputError, RubbingPoint, SolveReport, SolverId, Status};
 
 fn scene() -> Scene {
     let mut scene = Scene::azam_2019(48).with_tribofilm();
@@ -142,8 +142,8 @@ impl WearLaw for Melting {
 struct Stubborn(NewtonKrylov);
 
 impl ContactSolver for Stubborn {
-    fn name(&self) -> &'static str {
-        "stubborn"
+    fn id(&self) -> SolverId {
+        SolverId::Custom("stubborn")
     }
 
     fn solve(
@@ -152,9 +152,11 @@ impl ContactSolver for Stubborn {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        let report = self.0.solve(problem, state, stop)?;
-        let status = if problem.load > 50.0 { Status::Stalled } else { report.status };
-        Ok(SolveReport { status, ..report })
+        let mut report = self.0.solve(problem, state, stop)?;
+        if problem.load > 50.0 {
+            report.status = Status::Stalled;
+        }
+        Ok(report)
     }
 }
 

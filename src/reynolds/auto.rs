@@ -7,6 +7,7 @@ use super::{
     ContactSolver, Dry, Multigrid, NewtonKrylov, ReynoldsError, SemiSystem, StoppingRule, check_call,
 };
 use crate::report::{SolveReport, Status};
+use crate::solver_id::SolverId;
 
 /// Newton's method finishes for less what would take multigrid more cycles than these. It goes on from
 /// residuals below this; from larger ones it would start anew.
@@ -19,7 +20,7 @@ const FILM_OVER_CONTACT: f64 = 10.0;
 /// [`Dry`] without a lubricant. [`Multigrid`] where a smooth full film is expected; [`NewtonKrylov`] finishes
 /// what that leaves above the tolerance, and solves all the rest. Where it does not converge although no
 /// solids touch, [`SemiSystem`] tries, which in solid contact would not. The report names the solver whose
-/// state was kept (`"multigrid+newton_krylov"` if the second finished what the first began) and counts the
+/// state was kept ([`SolverId::MultigridThenNewton`] if the second finished what the first began) and counts the
 /// work of all.
 ///
 /// A smooth contact whose film by formula is ten times the contact film and more, but whose solids touch on
@@ -69,8 +70,8 @@ impl Default for Auto {
 }
 
 impl ContactSolver for Auto {
-    fn name(&self) -> &'static str {
-        "auto"
+    fn id(&self) -> SolverId {
+        SolverId::Auto
     }
 
     fn solve(
@@ -151,8 +152,8 @@ impl Auto {
         }
         let mut second = self.newton_then_sweeps(problem, state, stop)?;
         second.work += first.work;
-        if is_near && second.status == Status::Converged && second.solver == self.newton.name() {
-            second.solver = "multigrid+newton_krylov";
+        if is_near && second.status == Status::Converged && second.solver == self.newton.id() {
+            second.solver = SolverId::MultigridThenNewton;
         }
         if first.status == Status::MeshTooCoarse && second.status != Status::Converged {
             second.status = Status::MeshTooCoarse;

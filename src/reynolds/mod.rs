@@ -45,6 +45,7 @@ use thiserror::Error;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::SolveReport;
+use crate::solver_id::SolverId;
 
 /// When a solve ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,8 +86,8 @@ impl StoppingRule {
 /// resumed run is the uninterrupted one. Residuals are those of [`Evaluation`]. Never report
 /// [`Status::Converged`](crate::Status::Converged) with a residual above the tolerance.
 pub trait ContactSolver: Debug + Send {
-    /// Name for reports.
-    fn name(&self) -> &'static str;
+    /// What reports call the solver; [`SolverId::Custom`] outside of the crate.
+    fn id(&self) -> SolverId;
 
     /// Solves `problem` from `state` until `stop`.
     ///
@@ -123,8 +124,8 @@ pub enum ReynoldsError {
     /// The solver is not made for this problem.
     #[error("solver {solver} cannot be used: {reason}")]
     WrongSolver {
-        /// Name of the solver.
-        solver: &'static str,
+        /// The solver.
+        solver: SolverId,
         /// What the problem has that the solver cannot treat.
         reason: &'static str,
     },

@@ -66,7 +66,7 @@ impl MixedLubricationSim {
             ("boundary friction", format!("{:?}", laws.friction)),
             ("viscosity law", format!("{:?}", lubricant.as_ref().map(Lubricant::viscosity))),
             ("density law", format!("{:?}", lubricant.as_ref().map(Lubricant::density))),
-            ("solver", self.contact.solver.name().to_owned()),
+            ("solver", self.contact.solver.id().to_string()),
             // By what it does: buffers may show in `Debug`.
             (
                 "deformation model",

@@ -6,10 +6,10 @@ use super::scene::Motion;
 use crate::error::InputError;
 use crate::report::{Residuals, SolveReport, Status, Work};
 use crate::reynolds::FlowBalance;
+use crate::solver_id::SolverId;
 
-/// Solvers that a line can name.
-const SOLVERS: [&str; 6] =
-    ["newton_krylov", "semi_system", "dry", "auto", "multigrid", "multigrid+newton_krylov"];
+/// What a line calls a solver that is not one of the crate.
+const OTHER: SolverId = SolverId::Custom("other");
 
 /// The numbers of one committed step; all SI. Those of the contact (roughness, film, pressures, friction,
 /// heat) are of one instant, the start of the step, under the conditions that held then: the contact of the
@@ -198,7 +198,7 @@ impl StepRecord {
         let (column, cell) = next()?;
         let attempts = parsed(column, cell)?;
         let (_, name) = next()?;
-        let solver = SOLVERS.into_iter().find(|solver| *solver == name).unwrap_or("other");
+        let solver = name.parse().unwrap_or(OTHER);
         let (column, cell) = next()?;
         let statuses = [
             Status::Converged,
@@ -253,7 +253,10 @@ impl StepRecord {
             minimum_gap,
             flow,
             attempts,
-            report: SolveReport { solver, status, residuals, energy_error, work },
+            report: SolveReport {
+                energy_error,
+                ..SolveReport::new(solver, status, residuals).with_work(work)
+            },
         })
     }
 }

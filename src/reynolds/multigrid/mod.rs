@@ -16,6 +16,7 @@ use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::report::{Residuals, SolveReport, Status, Work};
+use crate::solver_id::SolverId;
 
 /// Cycles without a better residual after which the solve has stalled.
 const PATIENCE: u64 = 3;
@@ -97,7 +98,7 @@ impl Multigrid {
     }
 
     fn wrong(&self, reason: &'static str) -> ReynoldsError {
-        ReynoldsError::WrongSolver { solver: self.name(), reason }
+        ReynoldsError::WrongSolver { solver: self.id(), reason }
     }
 
     fn workspace(
@@ -125,8 +126,8 @@ impl Multigrid {
 }
 
 impl ContactSolver for Multigrid {
-    fn name(&self) -> &'static str {
-        "multigrid"
+    fn id(&self) -> SolverId {
+        SolverId::Multigrid
     }
 
     fn solve(
@@ -142,7 +143,7 @@ impl ContactSolver for Multigrid {
         if grid.ny() == 1 {
             return Err(self.wrong("a line contact has no second axis to coarsen"));
         }
-        let solver = self.name();
+        let solver = self.id();
         let hand_over = self.hand_over;
         let workspace = self.workspace(problem, grid)?;
         let mut work = Work::default();
@@ -150,7 +151,7 @@ impl ContactSolver for Multigrid {
         workspace.coupled.mark_contact(problem, state);
         work.inner_iterations = workspace.hierarchy.sweeps;
         work.convolutions += workspace.hierarchy.convolutions + workspace.coupled.convolutions;
-        Ok(SolveReport { solver, status, residuals, energy_error: None, work })
+        Ok(SolveReport::new(solver, status, residuals).with_work(work))
     }
 }
 

@@ -35,6 +35,7 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::{Gmres, GridLu};
 use crate::report::{Residuals, SolveReport, Work};
+use crate::solver_id::SolverId;
 
 /// Semismooth Newton solver with approach and load balance inside the system.
 ///
@@ -140,8 +141,8 @@ impl NewtonKrylov {
 }
 
 impl ContactSolver for NewtonKrylov {
-    fn name(&self) -> &'static str {
-        "newton_krylov"
+    fn id(&self) -> SolverId {
+        SolverId::NewtonKrylov
     }
 
     fn solve(
@@ -151,15 +152,15 @@ impl ContactSolver for NewtonKrylov {
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
         check_call(problem, state, stop)?;
-        let name = self.name();
+        let solver = self.id();
         if problem.is_paper() {
             let reason = "it needs fluid and solid pressure apart, which the paper's contact does not know";
-            return Err(ReynoldsError::WrongSolver { solver: name, reason });
+            return Err(ReynoldsError::WrongSolver { solver, reason });
         }
         let workspace = self.workspace(problem);
         workspace.preconditioner.configure(problem)?;
         let (status, residuals) = workspace.run(problem, state, stop)?;
         workspace.coupled.mark_contact(problem, state);
-        Ok(SolveReport { solver: name, status, residuals, energy_error: None, work: workspace.work })
+        Ok(SolveReport::new(solver, status, residuals).with_work(workspace.work))
     }
 }

@@ -12,6 +12,7 @@ use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::error::InputError;
 use crate::report::{SolveReport, Work};
+use crate::solver_id::SolverId;
 
 /// Relaxations that a step combines: with one alone, 20 of 29 scenes of the stability map converge in place
 /// of 24.
@@ -84,8 +85,8 @@ impl SemiSystem {
 }
 
 impl ContactSolver for SemiSystem {
-    fn name(&self) -> &'static str {
-        "semi_system"
+    fn id(&self) -> SolverId {
+        SolverId::SemiSystem
     }
 
     fn solve(
@@ -94,7 +95,7 @@ impl ContactSolver for SemiSystem {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        let solver = self.name();
+        let solver = self.id();
         let grid = check_call(problem, state, stop)?;
         if problem.lubricant.is_none() {
             return Err(ReynoldsError::WrongSolver { solver, reason: "the problem has no lubricant" });
@@ -112,6 +113,6 @@ impl ContactSolver for SemiSystem {
         let damping = self.damping;
         let mut work = Work::default();
         let (status, residuals) = sweeps.solve(problem, state, stop, damping, &mut work)?;
-        Ok(SolveReport { solver, status, residuals, energy_error: None, work })
+        Ok(SolveReport::new(solver, status, residuals).with_work(work))
     }
 }
