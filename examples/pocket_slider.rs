@@ -112,7 +112,7 @@ fn to_json(solution: &GivenFilmSolution) -> String {
 }
 
 fn summary(solution: &GivenFilmSolution) -> String {
-    let report = solution.report;
+    let report = &solution.report;
     let [start, end] = pocket_pressures(solution).map(|p| p.unwrap_or(AMBIENT_PRESSURE));
     [
         format!(

@@ -13,7 +13,7 @@ use stribeck::surface::Form;
 
 fn solved(scene: &Scene) -> ContactSolution {
     let solution = solve_contact(scene).unwrap();
-    let _ = solution.report.require_converged().unwrap();
+    solution.report.require_converged().unwrap();
     solution
 }
 
@@ -143,7 +143,7 @@ fn what_is_stored_is_no_imbalance() {
     let mut state = solution.state.clone();
     let rule = StoppingRule { tolerance: 1e-9, ..StoppingRule::default() };
     let report = NewtonKrylov::new().solve(&mut problem, &mut state, &rule).unwrap();
-    let _ = report.require_converged().unwrap();
+    report.require_converged().unwrap();
     let flow = Evaluation::new(solution.grid).flow_balance(&problem, &state).unwrap().unwrap();
     assert!((flow.outflow / flow.inflow - 1.0).abs() > 1e-3, "{flow:?}");
     assert!(flow.imbalance <= report.residuals.mass + 1e-13, "{flow:?}, {report:?}");

@@ -49,7 +49,7 @@ fn ball(moes_load: f64, moes_lubricant: f64, n: usize) -> Scene {
 
 fn converged(scene: &Scene) -> ContactSolution {
     let solution = solve_contact(scene).unwrap();
-    let _ = solution.report.require_converged().unwrap();
+    solution.report.require_converged().unwrap();
     assert!(solution.report.residuals.max() <= scene.solver.tolerance, "{:?}", solution.report);
     solution
 }

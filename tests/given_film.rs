@@ -14,7 +14,7 @@ fn oil(eta: f64, alpha: f64) -> Lubricant {
 
 fn solved(problem: &GivenFilm<'_>) -> GivenFilmSolution {
     let solution = problem.solve().unwrap();
-    let _ = solution.report.require_converged().unwrap();
+    solution.report.require_converged().unwrap();
     assert!(solution.imbalance <= 1e-10, "imbalance {:e}", solution.imbalance);
     let pairs = solution.pressure.iter().zip(&solution.content);
     for (&p, &theta) in pairs {

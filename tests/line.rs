@@ -207,7 +207,7 @@ fn a_history_runs_on_a_row() {
     let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
     let mut records = Vec::new();
     sim.run(3, 60.0, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-        records.push(*record);
+        records.push(record.clone());
         ControlFlow::Continue(())
     })
     .unwrap();

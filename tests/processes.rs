@@ -24,7 +24,7 @@ fn dry(n: usize) -> Scene {
 fn run_until(sim: &mut MixedLubricationSim, end: f64, control: StepControl) -> Vec<StepRecord> {
     let mut records = Vec::new();
     sim.run_until(end, &control, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-        records.push(*record);
+        records.push(record.clone());
         ControlFlow::Continue(())
     })
     .unwrap();
@@ -95,7 +95,7 @@ fn contact_area_is_never_below_that_of_full_yielding() {
         let mut scene = dry(64);
         scene.plastic.as_mut().unwrap().hardness = hardness;
         let solution = solve_contact(&scene).unwrap();
-        let _ = solution.report.require_converged().unwrap();
+        solution.report.require_converged().unwrap();
         let hertz = solution.hertz;
         let touching = solution.state.pressure.iter().filter(|p| **p > 0.0).count() as f64;
         let ratio = touching * solution.grid.cell_area() / (PI * hertz.a_x * hertz.a_y);
@@ -281,7 +281,7 @@ fn friction_is_boundary_on_solids_and_shear_on_fluid() {
     let mut scene = dry(32);
     let mu = |scene: &Scene| {
         let solution = solve_contact(scene).unwrap();
-        let _ = solution.report.require_converged().unwrap();
+        solution.report.require_converged().unwrap();
         solution.friction_coefficient
     };
     assert!((mu(&scene) / 0.115 - 1.0).abs() < 1e-5, "{}", mu(&scene));

@@ -192,7 +192,7 @@ fn folder_of_a_run() {
     let mut files = RunFolder::create(&whole, &sim, 2).unwrap();
     let mut seen = Vec::new();
     sim.run(5, 10.0, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
-        seen.push(*record);
+        seen.push(record.clone());
         stribeck::sim::Observer::after_step(&mut files, sim, record)
     })
     .unwrap();

@@ -16,7 +16,7 @@ fn smooth(n: usize) -> Scene {
 
 fn solve(scene: &Scene) -> ContactSolution {
     let solution = solve_contact(scene).unwrap();
-    let _ = solution.report.require_converged().unwrap();
+    solution.report.require_converged().unwrap();
     assert!(solution.report.residuals.max() <= scene.solver.tolerance, "{:?}", solution.report);
     solution
 }

@@ -29,7 +29,7 @@ fn run(sim: &mut MixedLubricationSim, steps: u64, time_step: f64) -> Vec<StepRec
     let mut records = Vec::new();
     let end = sim
         .run(steps, time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-            records.push(*record);
+            records.push(record.clone());
             ControlFlow::Continue(())
         })
         .unwrap();
@@ -195,7 +195,7 @@ fn laws_of_the_user_take_the_place_of_the_scene() {
     let slow = Archard::new(5.45e-10, 5.45e-10, 1.0, 6e9).unwrap();
     let mut own = MixedLubricationSim::builder(scene()).wear_law(slow).build().unwrap();
     let mut usual = MixedLubricationSim::builder(scene()).build().unwrap();
-    let (own, usual) = (run(&mut own, 1, 10.0)[0], run(&mut usual, 1, 10.0)[0]);
+    let (own, usual) = (&run(&mut own, 1, 10.0)[0], &run(&mut usual, 1, 10.0)[0]);
     assert!(own.mean_wear[1] < 0.02 * usual.mean_wear[1]);
     // The contact of the first step knows nothing of wear.
     assert_eq!(own.max_pressure, usual.max_pressure);

@@ -34,7 +34,7 @@ fn supplied(mut scene: Scene, film: f64) -> Scene {
 
 fn solved(scene: &Scene) -> ContactSolution {
     let solution = solve_contact(scene).unwrap();
-    let _ = solution.report.require_converged().unwrap();
+    solution.report.require_converged().unwrap();
     let flow = solution.flow.unwrap();
     assert!(flow.imbalance <= scene.solver.tolerance, "{flow:?}");
     solution

@@ -36,7 +36,7 @@ fn run(scene: Scene, steps: u64, time_step: f64) -> (MixedLubricationSim, StepRe
     let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
     let mut last = None;
     sim.run(steps, time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-        last = Some(*record);
+        last = Some(record.clone());
         ControlFlow::Continue(())
     })
     .unwrap();

@@ -98,6 +98,9 @@ fn half_space() {
 
 // ---- contact solvers ----
 
+/// The residuals of the steps that a report of a lubricated solve holds.
+const HISTORY: u64 = 1;
+
 /// A rough ball whose Hertzian contact fills half of the box, limited to 3 GPa.
 struct Scene {
     gap: Vec<f64>,
@@ -197,7 +200,7 @@ fn newton_krylov() {
         problem.shear_thinning = thinning;
         for (report, allocations) in solve_again(&mut NewtonKrylov::new(), &mut problem, &stop) {
             assert_eq!(report.status, Status::Converged, "{report:?}");
-            assert_eq!(allocations, 0, "{nx} x {ny}, {thinning:?}");
+            assert_eq!(allocations, HISTORY, "{nx} x {ny}, {thinning:?}");
         }
     }
 }
@@ -219,7 +222,7 @@ fn semi_system() {
             problem.contact = contact;
             for (report, allocations) in solve_again(&mut SemiSystem::default(), &mut problem, &stop) {
                 assert!(is_paper || report.status == Status::Converged, "{report:?}");
-                assert_eq!(allocations, 0, "{nx} x {ny}, {contact:?}");
+                assert_eq!(allocations, HISTORY, "{nx} x {ny}, {contact:?}");
             }
         }
     }
@@ -234,7 +237,7 @@ fn multigrid() {
         let mut problem = scene.problem(Some(&oil));
         problem.shear_thinning = Some(ShearThinning { eyring_stress: 5e6, sliding_speed: 0.25 });
         for (_, allocations) in solve_again(&mut Multigrid::new(), &mut problem, &stop) {
-            assert_eq!(allocations, 0, "{nx} x {ny}");
+            assert_eq!(allocations, HISTORY, "{nx} x {ny}");
         }
     }
 }
@@ -304,7 +307,7 @@ fn a_step_of_the_simulation() {
         assert_eq!(record.report.status, Status::Converged);
         counts.push(allocations);
     }
-    assert_eq!(counts, [0; 10], "allocations in each step");
+    assert_eq!(counts, [HISTORY; 10], "allocations in each step");
 }
 
 /// Roughness between nodes, steps by depth, a film, hardening and heat.

@@ -89,7 +89,7 @@ impl Simulation {
         let control = StepControl { longest: time_step, depth };
         let record = self.act(py, |run| {
             let record = run.sim.step_within(&control)?;
-            run.records.push(record);
+            run.records.push(record.clone());
             Ok::<_, SimError>(record)
         })?;
         record_dict(py, &record)
@@ -107,10 +107,10 @@ impl Simulation {
         let record = self.act(py, |run| {
             let mut first = None;
             run.sim.run_until(end, &control, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-                first = Some(*record);
+                first = Some(record.clone());
                 ControlFlow::Break(())
             })?;
-            run.records.extend(first);
+            run.records.extend(first.clone());
             Ok::<_, SimError>(first)
         })?;
         record.map(|record| record_dict(py, &record)).transpose()

@@ -117,9 +117,7 @@ impl Auto {
         if let Some(given) = &self.paper_start {
             state.clone_from(given);
         }
-        let mut report = self.sweeps.solve(problem, state, stop)?;
-        report.work += open.work;
-        Ok(report)
+        Ok(self.sweeps.solve(problem, state, stop)?.preceded_by(open))
     }
 
     fn lubricated(
@@ -150,12 +148,12 @@ impl Auto {
         if !is_near && let Some(given) = &self.kept {
             state.clone_from(given);
         }
-        let mut second = self.newton_then_sweeps(problem, state, stop)?;
-        second.work += first.work;
+        let too_coarse = first.status == Status::MeshTooCoarse;
+        let mut second = self.newton_then_sweeps(problem, state, stop)?.preceded_by(first);
         if is_near && second.status == Status::Converged && second.solver == self.newton.id() {
             second.solver = SolverId::MultigridThenNewton;
         }
-        if first.status == Status::MeshTooCoarse && second.status != Status::Converged {
+        if too_coarse && second.status != Status::Converged {
             second.status = Status::MeshTooCoarse;
         }
         Ok(second)
@@ -173,13 +171,12 @@ impl Auto {
         }
         let kept = self.kept.get_or_insert_with(|| state.clone());
         kept.clone_from(state);
-        let mut second = self.sweeps.solve(problem, state, stop)?;
-        second.work += first.work;
+        let second = self.sweeps.solve(problem, state, stop)?;
         let off_load = second.residuals.load > first.residuals.load.max(stop.tolerance);
         if second.residuals.max() <= first.residuals.max() && !off_load {
-            return Ok(second);
+            return Ok(second.preceded_by(first));
         }
         state.clone_from(kept);
-        Ok(SolveReport { work: second.work, ..first })
+        Ok(first.followed_by(second))
     }
 }

@@ -14,7 +14,7 @@ const OTHER: SolverId = SolverId::Custom("other");
 /// The numbers of one committed step; all SI. Those of the contact (roughness, film, pressures, friction,
 /// heat) are of one instant, the start of the step, under the conditions that held then: the contact of the
 /// first record is that of time zero. Wear, tribofilm and flattened volume are those at its end.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct StepRecord {
     /// Number of the step, from 0.
     pub step: u64,
@@ -160,7 +160,8 @@ impl StepRecord {
     }
 
     /// The record that [`write_csv`](Self::write_csv) wrote as `line`, every bit of it, but for the name of a
-    /// solver that is not one of the crate: it reads `other`.
+    /// solver that is not one of the crate, which reads `other`, and the way and the residuals of the steps
+    /// of the solve, which a line does not hold.
     ///
     /// # Errors
     /// A cell that is missing, too many or not what its column holds.

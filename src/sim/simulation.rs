@@ -406,7 +406,7 @@ impl MixedLubricationSim {
             self.draws += 1;
             let report = self.solve_at(offsets)?;
             match report.require_converged() {
-                Ok(report) => return Ok((report, offsets, attempt)),
+                Ok(()) => return Ok((report, offsets, attempt)),
                 // A motion that has no other position has no other contact.
                 Err(source) if attempt >= MAX_ATTEMPTS || self.offsets()? == offsets => {
                     return Err(SimError::NotConverged { step: self.step, attempts: attempt, source });
@@ -476,9 +476,9 @@ impl MixedLubricationSim {
             if report.status != Status::Converged || distance <= HARDENING_TOLERANCE {
                 return Ok(report);
             }
-            let work = report.work;
-            report = contact.solve(&fields.gap, Some(&fields.yielding.limit), squeeze, state)?;
-            report.work += work;
+            let before = report;
+            report =
+                contact.solve(&fields.gap, Some(&fields.yielding.limit), squeeze, state)?.preceded_by(before);
         }
         report.status = Status::MaxIterations;
         Ok(report)

@@ -111,6 +111,7 @@ mod named {
     struct Numbers<'a> {
         status: String,
         solver: String,
+        strategy: Option<String>,
         scheme: Option<Scheme>,
         face_mobility: Option<FaceMobility>,
         cavitation: Option<Cavitation>,
@@ -263,6 +264,7 @@ mod named {
             Numbers {
                 status: report.status.to_string(),
                 solver: report.solver.to_string(),
+                strategy: report.strategy.map(|strategy| strategy.to_string()),
                 scheme: self.discretisation.map(|(scheme, ..)| scheme),
                 face_mobility: self.discretisation.map(|(_, face_mobility, _)| face_mobility),
                 cavitation: self.cavitation,

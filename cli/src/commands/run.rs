@@ -220,7 +220,7 @@ impl Observer for Log {
         }
         self.means.see(record);
         if self.plot {
-            self.records.push(*record);
+            self.records.push(record.clone());
             self.last.get_or_insert_with(|| sim.state().clone()).clone_from(sim.state());
         }
         if let Some(Err(error)) = self.csv.as_mut().map(|csv| record.write_csv(csv)) {

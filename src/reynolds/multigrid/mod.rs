@@ -75,6 +75,8 @@ struct Workspace {
     acceleration: Acceleration,
     coupled: Coupled,
     best: ContactState,
+    /// Residuals of the start and after each cycle.
+    history: Vec<Residuals>,
 }
 
 impl Multigrid {
@@ -118,6 +120,7 @@ impl Multigrid {
                     acceleration: Acceleration::new(grid.len()),
                     coupled: Coupled::new(grid),
                     best: ContactState::new(&grid),
+                    history: Vec::new(),
                 })
             }
         };
@@ -151,7 +154,9 @@ impl ContactSolver for Multigrid {
         workspace.coupled.mark_contact(problem, state);
         work.inner_iterations = workspace.hierarchy.sweeps;
         work.convolutions += workspace.hierarchy.convolutions + workspace.coupled.convolutions;
-        Ok(SolveReport::new(solver, status, residuals).with_work(work))
+        Ok(SolveReport::new(solver, status, residuals)
+            .with_work(work)
+            .with_residual_history(workspace.history.clone()))
     }
 }
 
@@ -200,6 +205,7 @@ impl Workspace {
         self.coupled.configure(problem);
         self.hierarchy.configure(problem);
         self.acceleration.forget();
+        self.history.clear();
         if state.pressure.iter().all(|&p| p <= 0.0) {
             self.hierarchy.start(problem, lubricant)?;
         } else {
@@ -212,6 +218,7 @@ impl Workspace {
         for cycle in 0..=stop.max_iterations {
             self.take_over(problem, lubricant, state)?;
             let residuals = self.coupled.residuals(problem, state);
+            self.history.push(residuals);
             if !residuals.is_finite() {
                 status = Status::Diverged;
                 break;

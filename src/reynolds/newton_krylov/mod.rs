@@ -36,6 +36,7 @@ use crate::grid::Grid;
 use crate::numerics::{Gmres, GridLu};
 use crate::report::{Residuals, SolveReport, Work};
 use crate::solver_id::SolverId;
+use crate::strategy::Strategy;
 
 /// Semismooth Newton solver with approach and load balance inside the system.
 ///
@@ -57,6 +58,9 @@ pub struct NewtonKrylov {
     workspace: Option<Box<Workspace>>,
 }
 
+/// Residuals for which there is room at first.
+const HISTORY: usize = 256;
+
 #[derive(Debug)]
 struct Workspace {
     settings: NewtonSettings,
@@ -71,6 +75,11 @@ struct Workspace {
     start: DryStart,
     best: Snapshot,
     best_residuals: Residuals,
+    best_strategy: Strategy,
+    /// What is tried now.
+    strategy: Strategy,
+    /// Residuals of all steps of the solve so far.
+    history: Vec<Residuals>,
     progress: Progress,
     /// Of the solve so far, without the convolutions of the attempt at work.
     work: Work,
@@ -128,6 +137,9 @@ impl NewtonKrylov {
                 start: DryStart::new(grid),
                 best: Snapshot::new(grid),
                 best_residuals: Residuals::default(),
+                best_strategy: Strategy::Attempt(1),
+                strategy: Strategy::Attempt(1),
+                history: Vec::with_capacity(HISTORY),
                 progress: Progress::new(),
                 work: Work::default(),
                 residuals: Residuals::default(),
@@ -161,6 +173,9 @@ impl ContactSolver for NewtonKrylov {
         workspace.preconditioner.configure(problem)?;
         let (status, residuals) = workspace.run(problem, state, stop)?;
         workspace.coupled.mark_contact(problem, state);
-        Ok(SolveReport::new(solver, status, residuals).with_work(workspace.work))
+        Ok(SolveReport::new(solver, status, residuals)
+            .with_work(workspace.work)
+            .with_strategy(workspace.best_strategy)
+            .with_residual_history(workspace.history.clone()))
     }
 }

@@ -106,13 +106,15 @@ impl ContactSolver for SemiSystem {
             // One relaxation more in each step finds what the approach does.
             let inner_iterations = passes(grid.ny()) * (inner_iterations + iterations);
             let work = Work { inner_iterations, ..report.work };
-            return Ok(SolveReport { solver, work, ..report });
+            return Ok(SolveReport { solver, work, strategy: None, ..report });
         }
         let kept = self.sweeps.take().filter(|sweeps| sweeps.coupled.fluid.grid == grid);
         let sweeps = self.sweeps.insert(kept.unwrap_or_else(|| Box::new(Sweeps::new(grid))));
         let damping = self.damping;
         let mut work = Work::default();
         let (status, residuals) = sweeps.solve(problem, state, stop, damping, &mut work)?;
-        Ok(SolveReport::new(solver, status, residuals).with_work(work))
+        Ok(SolveReport::new(solver, status, residuals)
+            .with_work(work)
+            .with_residual_history(sweeps.history.clone()))
     }
 }

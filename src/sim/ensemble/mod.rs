@@ -83,7 +83,7 @@ pub fn run(members: &[Member], threads: usize) -> Vec<Outcome> {
         let mut records = Vec::with_capacity(usize::try_from(member.steps).unwrap_or(0).min(1 << 16));
         let outcome = member.builder().build().and_then(|mut sim| {
             sim.run(member.steps, member.time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-                records.push(*record);
+                records.push(record.clone());
                 ControlFlow::Continue(())
             })
         });
@@ -135,7 +135,7 @@ fn run_member(folder: &Path, member: &Member, every: u64) -> Outcome {
         let left = member.steps.saturating_sub(sim.steps());
         let outcome =
             sim.run(left, member.time_step, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
-                records.push(*record);
+                records.push(record.clone());
                 files.after_step(sim, record)
             });
         // What there is of a history that failed is written all the same.
