@@ -102,6 +102,7 @@ pub mod testing;
 pub mod tribochem;
 pub mod units;
 pub mod wear;
+mod with_fields;
 
 // What every room speaks of.
 pub use boundary::Boundary;

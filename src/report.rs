@@ -42,6 +42,7 @@ impl fmt::Display for Status {
 ///
 /// With `h_m` the pressure-weighted mean film and `a_x`, `a_y` the reference contact half-widths:
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Residuals {
     /// Sum of the absolute mass imbalances of the cells that hold fluid under pressure, of all cells where
     /// cavitation conserves mass, over the mass that the mean film `h_m` carries through the contact width
@@ -72,6 +73,7 @@ impl Residuals {
 
 /// Work done, by cause.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Work {
     /// Elastic convolutions in equivalents of the finest grid: a coarser one counts by its share of nodes, a
     /// pressure estimate, whose transforms need no padding, as a quarter.
@@ -173,7 +175,7 @@ impl SolveReport {
     pub fn require_converged(&self) -> Result<(), NotConverged> {
         match self.status {
             Status::Converged => Ok(()),
-            _ => Err(NotConverged { report: self.clone() }),
+            _ => Err(NotConverged { report: Box::new(self.clone()) }),
         }
     }
 }
@@ -184,7 +186,8 @@ impl SolveReport {
     "{} ended as {} with residuals mass {:.2e}, load {:.2e}, complementarity {:.2e}",
     report.solver, report.status, report.residuals.mass, report.residuals.load, report.residuals.complementarity
 )]
+#[non_exhaustive]
 pub struct NotConverged {
     /// The report of the solve.
-    pub report: SolveReport,
+    pub report: Box<SolveReport>,
 }

@@ -383,29 +383,19 @@ impl Scene {
     }
 
     fn problem(&mut self) -> LubricatedContact<'_> {
-        LubricatedContact {
-            gap: &self.gap,
-            deformation: &mut self.body,
-            lubricant: None,
-            entrainment_speed: 0.0,
-            squeeze: None,
-            load: self.load,
-            pressure_limit: self.limit.as_deref(),
-            film_cutoff: 1e-9,
-            contact: Default::default(),
-            scheme: Scheme::FirstOrder,
-            face_mobility: Default::default(),
-            cavitation: Default::default(),
-            supplied_film: None,
-            shear_thinning: None,
-            reference_half_widths: self.half_widths,
-            reference_pressure: self.reference_pressure,
-            reference_film: 0.0,
-        }
+        LubricatedContact::new(
+            &self.gap,
+            &mut self.body,
+            self.load,
+            self.half_widths,
+            self.reference_pressure,
+        )
+        .with_pressure_limit(self.limit.as_deref())
+        .with_scheme(Scheme::FirstOrder)
     }
 
     fn solve(&mut self, solver: &mut Dry, state: &mut ContactState, max: u64) -> SolveReport {
-        let stop = StoppingRule { tolerance: 1e-9, max_iterations: max };
+        let stop = StoppingRule::new(1e-9, max);
         solver.solve(&mut self.problem(), state, &stop).unwrap()
     }
 
@@ -679,22 +669,22 @@ fn dry_solver_refuses_what_it_is_not_made_for() {
     let (mut scene, _) = Scene::ball(16);
     let mut state = ContactState::new(&scene.grid);
     let stop = StoppingRule::default();
-    let mut lubricated =
-        LubricatedContact { lubricant: Some(&oil), entrainment_speed: 0.1, ..scene.problem() };
+    let mut lubricated = scene.problem().with_lubricant(Some(&oil)).with_entrainment_speed(0.1);
     let error = Dry::new().solve(&mut lubricated, &mut state, &stop).unwrap_err();
     assert!(matches!(error, ReynoldsError::WrongSolver { solver: SolverId::Dry, .. }), "{error}");
     let gap = vec![0.0; 255];
     let limits: [(&str, Vec<f64>); 2] = [("shape", vec![1e9; 255]), ("value", vec![-1e9; 256])];
-    let mut short = LubricatedContact { gap: &gap, ..scene.problem() };
+    let mut short = scene.problem();
+    short.gap = &gap;
     let error = Dry::new().solve(&mut short, &mut state, &stop).unwrap_err();
     assert!(matches!(&error, ReynoldsError::Input(e) if e.to_string().starts_with("gap has 255")), "{error}");
     for (what, limit) in &limits {
-        let mut bad = LubricatedContact { pressure_limit: Some(limit), ..scene.problem() };
+        let mut bad = scene.problem().with_pressure_limit(Some(limit));
         let error = Dry::new().solve(&mut bad, &mut state, &stop).unwrap_err();
         assert!(error.to_string().starts_with("pressure_limit"), "{what}: {error}");
     }
     for (name, load) in [("negative", -1.0), ("none", 0.0), ("not a number", f64::NAN)] {
-        let mut bad = LubricatedContact { load, ..scene.problem() };
+        let mut bad = scene.problem().with_load(load);
         let error = Dry::new().solve(&mut bad, &mut state, &stop).unwrap_err();
         assert!(error.to_string().starts_with("load = "), "{name}: {error}");
     }

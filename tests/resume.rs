@@ -29,7 +29,7 @@ fn scene() -> Scene {
 fn hardening() -> Scene {
     let mut scene = scene();
     scene.plastic =
-        Some(PlasticSpec { hardness: 4e9, film_hardness: Some(2e9), hardening_modulus: Some(1e16) });
+        Some(PlasticSpec::new(4e9).with_film_hardness(Some(2e9)).with_hardening_modulus(Some(1e16)));
     scene
 }
 
@@ -350,7 +350,7 @@ fn scheduled_run_in_a_process_of_its_own() {
     let Some(out) = std::env::var_os(FOLDER) else { return };
     let mut sim = MixedLubricationSim::builder(scheduled()).build().unwrap();
     let (mut files, _) = RunFolder::resume(PathBuf::from(out), &mut sim, 1).unwrap();
-    sim.run_until(200.0, &StepControl { longest: 8.0, depth: 20e-9 }, &mut files).unwrap();
+    sim.run_until(200.0, &StepControl::new(8.0, 20e-9), &mut files).unwrap();
     files.finish(&sim).unwrap();
 }
 
@@ -410,7 +410,7 @@ fn scheduled_history() {
 fn scheduled_runs_that_are_stopped_end_as_uninterrupted_ones() {
     let folder = tempfile::tempdir().unwrap();
     let (whole, parts) = (folder.path().join("whole"), folder.path().join("parts"));
-    let control = StepControl { longest: 40.0, depth: 20e-9 };
+    let control = StepControl::new(40.0, 20e-9);
     let build = || MixedLubricationSim::builder(scheduled()).build().unwrap();
     let mut sim = build();
     let mut files = RunFolder::create(&whole, &sim, 1).unwrap();

@@ -265,7 +265,7 @@ fn running_in_lowers_friction_of_mixed_contacts() {
     // A look at the contact changes nothing.
     assert_eq!((sim.steps(), sim.conditions().load), (0, 20.0));
     assert_eq!(sweep(&mut sim), new);
-    let records = records(&mut sim, 1800.0, &StepControl { longest: 20.0, depth: 5e-9 });
+    let records = records(&mut sim, 1800.0, &StepControl::new(20.0, 5e-9));
     let loads: BTreeSet<u64> = records.iter().map(|record| record.load as u64).collect();
     assert_eq!(loads, BTreeSet::from([20, 40, 60]));
     let worn = sweep(&mut sim);

@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::reynolds::{Cavitation, FaceMobility, Scheme};
-use stribeck::sim::scene::{PlasticSpec, RandomRoughness, Roughness, SolverKind};
+use stribeck::sim::scene::{RandomRoughness, Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::{SolverId, Status};
 
@@ -10,7 +10,7 @@ use stribeck::{SolverId, Status};
 fn scene(n: usize, speed: f64, rq: f64, length: f64, hardness: Option<f64>) -> Scene {
     let mut scene = Scene::azam_2019(n);
     scene.motion.entrainment_speed = speed;
-    scene.plastic = hardness.map(|hardness| PlasticSpec { hardness, ..scene.plastic.unwrap() });
+    scene.plastic = hardness.map(|hardness| scene.plastic.unwrap().with_hardness(hardness));
     let random = |seed| {
         let rq = rq / 2.0_f64.sqrt();
         Roughness::Gaussian(RandomRoughness { rq, length_x: length, length_y: length, seed })

@@ -20,7 +20,7 @@ fn ball() -> Scene {
 fn roller() -> Scene {
     let mut scene = ball();
     scene.form = Form::Cylinder { radius: 0.01 };
-    scene.load = Load { hertz_pressure: Some(0.6e9), force: None };
+    scene.load = Load::hertz_pressure(0.6e9);
     scene.motion.entrainment_speed = 1.0;
     let a = scene.hertz().unwrap().a_x;
     scene.grid = GridSpec::Row { nx: 256, x: [-4.0 * a, 2.0 * a] };

@@ -62,15 +62,13 @@ fn grids() -> impl Iterator<Item = Grid> {
     SHAPES.into_iter().map(|(nx, ny)| Grid::centred(nx, ny, 10e-6, 12e-6).unwrap())
 }
 
-const TOUCHING: RubbingPoint = RubbingPoint {
-    pressure: 1e9,
-    solid_pressure: 1e9,
-    shear_stress: 0.115e9,
-    temperature: 353.15,
-    sliding_speed: 0.005,
-    film_thickness: 0.0,
-    in_contact: true,
-};
+fn touching() -> RubbingPoint {
+    RubbingPoint::new(1e9, 353.15)
+        .with_solid_pressure(1e9)
+        .with_shear_stress(0.115e9)
+        .with_sliding_speed(0.005)
+        .with_in_contact(true)
+}
 
 #[test]
 fn the_counter_counts() {
@@ -132,25 +130,17 @@ impl Scene {
     }
 
     fn problem<'a>(&'a mut self, lubricant: Option<&'a Lubricant>) -> LubricatedContact<'a> {
-        LubricatedContact {
-            gap: &self.gap,
-            deformation: &mut self.body,
-            lubricant,
-            entrainment_speed: 0.5,
-            squeeze: None,
-            load: self.hertz.load,
-            pressure_limit: Some(&self.limit),
-            film_cutoff: 1e-9,
-            contact: Default::default(),
-            scheme: Scheme::FirstOrder,
-            face_mobility: Default::default(),
-            cavitation: Default::default(),
-            supplied_film: None,
-            shear_thinning: None,
-            reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
-            reference_pressure: self.hertz.p_max,
-            reference_film: 0.0,
-        }
+        LubricatedContact::new(
+            &self.gap,
+            &mut self.body,
+            self.hertz.load,
+            (self.hertz.a_x, self.hertz.a_y),
+            self.hertz.p_max,
+        )
+        .with_lubricant(lubricant)
+        .with_entrainment_speed(0.5)
+        .with_pressure_limit(Some(&self.limit))
+        .with_scheme(Scheme::FirstOrder)
     }
 }
 
@@ -174,7 +164,7 @@ fn dry_contact() {
     // The last two have coarser grids.
     for (nx, ny) in SHAPES.into_iter().chain([(40, 36), (67, 33)]) {
         let mut scene = Scene::new(nx, ny, 100e-9);
-        let stop = StoppingRule { tolerance: 1e-9, max_iterations: 500 };
+        let stop = StoppingRule::new(1e-9, 500);
         for (report, allocations) in solve_again(&mut Dry::new(), &mut scene.problem(None), &stop) {
             assert_eq!(report.status, Status::Converged, "{report:?}");
             assert_eq!(allocations, 0, "{nx} x {ny}");
@@ -217,7 +207,7 @@ fn semi_system() {
         for (nx, ny) in [(24, 24), (23, 19), (29, 32)] {
             let mut scene = Scene::new(nx, ny, rq);
             let is_paper = contact == ContactDefinition::UnifiedReynolds;
-            let stop = StoppingRule { tolerance: 1e-6, max_iterations: if is_paper { 50 } else { 20_000 } };
+            let stop = StoppingRule::new(1e-6, if is_paper { 50 } else { 20_000 });
             let mut problem = scene.problem(Some(&oil));
             problem.contact = contact;
             for (report, allocations) in solve_again(&mut SemiSystem::default(), &mut problem, &stop) {
@@ -233,7 +223,7 @@ fn multigrid() {
     let oil = oil();
     for (nx, ny) in [(48, 48), (51, 37)] {
         let mut scene = Scene::new(nx, ny, 0.0);
-        let stop = StoppingRule { tolerance: 1e-6, max_iterations: 5 };
+        let stop = StoppingRule::new(1e-6, 5);
         let mut problem = scene.problem(Some(&oil));
         problem.shear_thinning = Some(ShearThinning { eyring_stress: 5e6, sliding_speed: 0.25 });
         for (_, allocations) in solve_again(&mut Multigrid::new(), &mut problem, &stop) {
@@ -263,7 +253,7 @@ fn tribofilm() {
     let laws: [&dyn FilmGrowthLaw; 2] = [&Ghanbarzadeh::azam_2019(), &Saturating];
     for law in laws {
         let mut film = Tribofilm::bare(law, 1000);
-        let point = |node: usize| RubbingPoint { in_contact: !node.is_multiple_of(3), ..TOUCHING };
+        let point = |node: usize| touching().with_in_contact(!node.is_multiple_of(3));
         let (result, allocations) = counted(|| film.advance(law, 60.0, point));
         assert!(result.is_ok() && allocations == 0, "{law:?}: {allocations}");
         assert!(film.volume(1e-12) > 0.0);
@@ -274,7 +264,8 @@ fn tribofilm() {
 fn wear_depth() {
     let law = Archard::azam_2019();
     let mut wear = WearDepth::new(1000);
-    let (result, allocations) = counted(|| wear.advance(&law, 60.0, |node| (TOUCHING, node as f64 * 1e-10)));
+    let (result, allocations) =
+        counted(|| wear.advance(&law, 60.0, |node| (touching(), node as f64 * 1e-10)));
     assert!(result.is_ok() && allocations == 0, "{allocations}");
 }
 
@@ -322,7 +313,7 @@ fn a_step_of_the_simulation_with_everything() {
     }
     let builder = stribeck::sim::MixedLubricationSim::builder(scene);
     let mut sim = builder.motion(stribeck::surface::Carried).build().unwrap();
-    let control = stribeck::sim::StepControl { longest: 7.0001, depth: 1e-9 };
+    let control = stribeck::sim::StepControl::new(7.0001, 1e-9);
     for _ in 0..10 {
         let _ = sim.step_within(&control).unwrap();
     }

@@ -124,7 +124,7 @@ pub(crate) fn solve(case: &Case, solver: Solver) -> Entry {
         Err(SimError::NotConverged { source, step, .. }) => {
             let remark = format!("at step {step}");
             let verdict = verdict(source.report.status);
-            Entry { report: Some(source.report), ..entry(verdict, remark) }
+            Entry { report: Some(*source.report), ..entry(verdict, remark) }
         }
         Err(error) => entry(Verdict::Refused, error.to_string()),
         Ok(Solved { report, numbers, fault }) => {

@@ -86,7 +86,7 @@ impl Simulation {
     }
 
     fn step<'py>(&self, py: Python<'py>, time_step: f64, depth: f64) -> PyResult<Bound<'py, PyDict>> {
-        let control = StepControl { longest: time_step, depth };
+        let control = StepControl::new(time_step, depth);
         let record = self.act(py, |run| {
             let record = run.sim.step_within(&control)?;
             run.records.push(record.clone());
@@ -103,7 +103,7 @@ impl Simulation {
         time_step: f64,
         depth: f64,
     ) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let control = StepControl { longest: time_step, depth };
+        let control = StepControl::new(time_step, depth);
         let record = self.act(py, |run| {
             let mut first = None;
             run.sim.run_until(end, &control, &mut |_: &MixedLubricationSim, record: &StepRecord| {

@@ -46,9 +46,11 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::SolveReport;
 use crate::solver_id::SolverId;
+use crate::with_fields::with_fields;
 
 /// When a solve ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct StoppingRule {
     /// Bound for each of the three [residuals](crate::Residuals).
     pub tolerance: f64,
@@ -56,14 +58,21 @@ pub struct StoppingRule {
     pub max_iterations: u64,
 }
 
+with_fields!(StoppingRule { with_tolerance tolerance: f64, with_max_iterations max_iterations: u64 });
+
 impl Default for StoppingRule {
     /// Residuals of 1e-6, at most 20 000 iterations.
     fn default() -> Self {
-        Self { tolerance: 1e-6, max_iterations: 20_000 }
+        Self::new(1e-6, 20_000)
     }
 }
 
 impl StoppingRule {
+    /// Residuals of `tolerance`, at most `max_iterations` outer iterations.
+    pub const fn new(tolerance: f64, max_iterations: u64) -> Self {
+        Self { tolerance, max_iterations }
+    }
+
     /// Checks the ranges.
     ///
     /// # Errors

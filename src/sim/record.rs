@@ -15,6 +15,7 @@ const OTHER: SolverId = SolverId::Custom("other");
 /// heat) are of one instant, the start of the step, under the conditions that held then: the contact of the
 /// first record is that of time zero. Wear, tribofilm and flattened volume are those at its end.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct StepRecord {
     /// Number of the step, from 0.
     pub step: u64,

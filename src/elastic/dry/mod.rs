@@ -55,6 +55,7 @@ struct Task<'a> {
 
 /// How a dry solve ended. All of it is of the pressure that is returned.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct DryOutcome {
     /// Mean absolute gap error on contact nodes plus penetration elsewhere, over the pressure-weighted mean
     /// displacement.

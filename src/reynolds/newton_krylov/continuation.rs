@@ -129,7 +129,7 @@ impl Workspace {
             }
             let before = self.work.iterations;
             let squeeze = squeeze_since(&last.mass, time_step, problem.squeeze, &mut carried);
-            let mut moment = problem.with_squeeze(squeeze);
+            let mut moment = problem.squeezed(squeeze);
             match self.attempts(&[FOLLOWING], &mut moment, state, &on_the_way)? {
                 Status::Converged => {
                     last.clone_from(state);
