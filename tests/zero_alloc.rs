@@ -5,7 +5,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use stribeck::analytic::HertzPoint;
-use stribeck::elastic::{DeformationModel, HalfSpace};
+use stribeck::elastic::{DeformationModel, HalfSpace, ResponseApproximations};
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
 use stribeck::reynolds::{
     ContactDefinition, ContactSolver, ContactState, Dry, LubricatedContact, Multigrid, NewtonKrylov, Scheme,

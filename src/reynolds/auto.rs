@@ -106,10 +106,8 @@ impl Auto {
     ) -> Result<SolveReport, ReynoldsError> {
         let given = self.paper_start.get_or_insert_with(|| state.clone());
         given.clone_from(state);
-        problem.contact = ContactDefinition::Hard;
-        let open = self.lubricated(problem, state, stop);
-        problem.contact = ContactDefinition::UnifiedReynolds;
-        let open = open?;
+        let mut hard = problem.copied().with_contact(ContactDefinition::Hard);
+        let open = self.lubricated(&mut hard, state, stop)?;
         let touches = state.in_contact.contains(&true);
         if open.status == Status::Converged && !touches {
             return Ok(open);

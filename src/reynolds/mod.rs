@@ -89,7 +89,7 @@ impl StoppingRule {
 
 /// Solves a [`LubricatedContact`].
 ///
-/// Contract: start from `state` (a state without any pressure asks for a cold start), leave the best state
+/// Contract: leave `problem` as it is, but for what the deformation model remembers; start from `state` (a state without any pressure asks for a cold start), leave the best state
 /// found in it, and report residuals of exactly that state. Buffers may be made at the first solve; later
 /// ones on the same grid do not allocate. What is found depends on problem, state and rule alone, so that a
 /// resumed run is the uninterrupted one. Residuals are those of [`Evaluation`]. Never report

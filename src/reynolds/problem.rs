@@ -205,27 +205,14 @@ impl LubricatedContact<'_> {
         self.contact == ContactDefinition::UnifiedReynolds && self.lubricant.is_some()
     }
 
+    /// The same contact for a solver to change: nothing that it does to it reaches the caller's.
+    pub(super) fn copied(&mut self) -> LubricatedContact<'_> {
+        LubricatedContact { deformation: &mut *self.deformation, ..*self }
+    }
+
     /// The same contact with the squeeze term `squeeze`.
     pub(super) fn squeezed<'b>(&'b mut self, squeeze: Squeeze<'b>) -> LubricatedContact<'b> {
-        LubricatedContact {
-            gap: self.gap,
-            deformation: &mut *self.deformation,
-            lubricant: self.lubricant,
-            entrainment_speed: self.entrainment_speed,
-            squeeze: Some(squeeze),
-            load: self.load,
-            pressure_limit: self.pressure_limit,
-            film_cutoff: self.film_cutoff,
-            contact: self.contact,
-            scheme: self.scheme,
-            face_mobility: self.face_mobility,
-            cavitation: self.cavitation,
-            supplied_film: self.supplied_film,
-            shear_thinning: self.shear_thinning,
-            reference_half_widths: self.reference_half_widths,
-            reference_pressure: self.reference_pressure,
-            reference_film: self.reference_film,
-        }
+        LubricatedContact { squeeze: Some(squeeze), ..self.copied() }
     }
 
     /// Checks shapes and ranges of every field.

@@ -169,6 +169,8 @@ impl ContactSolver for NewtonKrylov {
             let reason = "it needs fluid and solid pressure apart, which the paper's contact does not know";
             return Err(ReynoldsError::WrongSolver { solver, reason });
         }
+        // Films and cavitation are others on the way.
+        let problem = &mut problem.copied();
         let workspace = self.workspace(problem);
         workspace.preconditioner.configure(problem)?;
         let (status, residuals) = workspace.run(problem, state, stop)?;
