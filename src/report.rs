@@ -23,6 +23,9 @@ pub enum Status {
     MeshTooCoarse,
     /// The residuals grew without bound or were no longer finite.
     Diverged,
+    /// A solver from outside of the crate says that it has converged, but the residuals of its state, as the
+    /// crate evaluates them, are above the tolerance.
+    Unconfirmed,
 }
 
 impl fmt::Display for Status {
@@ -33,6 +36,7 @@ impl fmt::Display for Status {
             Self::Stalled => "stalled",
             Self::MeshTooCoarse => "mesh_too_coarse",
             Self::Diverged => "diverged",
+            Self::Unconfirmed => "unconfirmed",
         })
     }
 }

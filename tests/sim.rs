@@ -160,6 +160,46 @@ impl ContactSolver for Stubborn {
     }
 }
 
+/// Says that it has solved what it has not: its pressures carry nine tenths of the load.
+#[derive(Debug)]
+struct Liar(NewtonKrylov);
+
+impl ContactSolver for Liar {
+    fn id(&self) -> SolverId {
+        SolverId::Custom("liar")
+    }
+
+    fn solve(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<SolveReport, ReynoldsError> {
+        let report = self.0.solve(problem, state, stop)?;
+        state.pressure.iter_mut().chain(&mut state.fluid_pressure).for_each(|p| *p *= 0.9);
+        Ok(report)
+    }
+}
+
+#[test]
+fn a_solver_that_lies_changes_nothing() {
+    let mut sim = MixedLubricationSim::builder(scene()).solver(Liar(NewtonKrylov::new())).build().unwrap();
+    let before = sim.bodies().each_ref().map(|body| body.surface().to_vec());
+    match sim.step(10.0) {
+        Err(SimError::NotConverged { source, .. }) => {
+            assert_eq!(source.report.status, Status::Unconfirmed);
+            assert!((source.report.residuals.load - 0.1).abs() < 1e-4, "{source}");
+        }
+        other => panic!("{other:?}"),
+    }
+    let after = sim.bodies().each_ref().map(|body| body.surface().to_vec());
+    assert_eq!((sim.steps(), after), (0, before));
+    let single = MixedLubricationSim::builder(scene()).solver(Liar(NewtonKrylov::new())).solve().unwrap();
+    assert_eq!(single.report.status, Status::Unconfirmed);
+    let honest = MixedLubricationSim::builder(scene()).solver(NewtonKrylov::new()).solve().unwrap();
+    honest.report.require_converged().unwrap();
+}
+
 /// Everything that a checkpoint holds, positions drawn and masses squeezed included, and the conditions of
 /// the contact: a step that fails after its solve leaves them, and so does one whose contact is not solved.
 #[test]

@@ -76,7 +76,9 @@ impl SimBuilder {
         self
     }
 
-    /// Replaces the solver.
+    /// Replaces the solver. A state that it calls converged is evaluated before it counts: where its residuals are
+    /// above twice the tolerance the status is [`Status::Unconfirmed`](crate::Status::Unconfirmed), and nothing is
+    /// done to the bodies.
     #[must_use]
     pub fn solver(mut self, solver: impl ContactSolver + 'static) -> Self {
         self.overrides.solver = Some(Box::new(solver));

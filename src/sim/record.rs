@@ -208,6 +208,7 @@ impl StepRecord {
             Status::Stalled,
             Status::Diverged,
             Status::MeshTooCoarse,
+            Status::Unconfirmed,
         ];
         let status = statuses.into_iter().find(|status| status.to_string() == cell);
         let status = status.ok_or_else(|| unreadable(column, cell))?;
