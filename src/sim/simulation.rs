@@ -116,6 +116,9 @@ pub struct MixedLubricationSim {
     /// The contact before the step in progress.
     before: ContactState,
     warnings: Vec<Warning>,
+    /// What was put in place of parts of the scene.
+    #[cfg(feature = "serde")]
+    pub(super) own_parts: super::identity::OwnParts,
 }
 
 /// Fields of the step in progress, all in the frame of the contact unless a name says otherwise.
@@ -191,6 +194,8 @@ impl MixedLubricationSim {
             draws: 0,
             before: ContactState::new(&grid),
             warnings,
+            #[cfg(feature = "serde")]
+            own_parts: super::identity::OwnParts::default(),
         })
     }
 
