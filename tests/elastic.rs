@@ -240,8 +240,11 @@ impl DeformationModel for Springs {
         self.0
     }
     fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        InputError::require_len("pressure", pressure, self.0.len())?;
-        InputError::require_len("out", out, self.0.len())?;
+        for (field, found) in [("pressure", pressure.len()), ("out", out.len())] {
+            if found != self.0.len() {
+                return Err(InputError::Shape { field: field.to_owned(), expected: self.0.len(), found });
+            }
+        }
         out.copy_from_slice(pressure);
         out.iter_mut().for_each(|u| *u *= 1e-15);
         Ok(())
@@ -278,6 +281,54 @@ fn springs_alone_are_a_body() {
         let peak = state.pressure.iter().copied().fold(0.0, f64::max) * 1e-15 / depth;
         assert!((peak - 1.0).abs() < 0.01, "{peak}, {report:?}");
     }
+}
+
+/// Springs that refuse one displacement.
+#[derive(Debug)]
+struct Refusing {
+    springs: Springs,
+    left: u32,
+}
+
+impl DeformationModel for Refusing {
+    fn grid(&self) -> Grid {
+        self.springs.0
+    }
+    fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        let Some(left) = self.left.checked_sub(1) else {
+            // Once: what comes after must not be what ends the solve.
+            self.left = u32::MAX;
+            return Err(InputError::Conflict { field: "springs".to_owned(), reason: "it broke".to_owned() });
+        };
+        self.left = left;
+        self.springs.displacement(pressure, out)
+    }
+    fn influence(&self, di: usize, dj: usize) -> f64 {
+        self.springs.influence(di, dj)
+    }
+}
+
+#[test]
+fn an_error_of_the_body_ends_the_solve_wherever_it_comes() {
+    let grid = Grid::centred(16, 16, 1e-6, 1e-6).unwrap();
+    let gap: Vec<f64> = grid.nodes().map(|(x, y)| 50.0 * (x * x + y * y)).collect();
+    let oil = Lubricant::new(Barus::new(0.01, 1e-8).unwrap(), Incompressible);
+    let mut solved = 0;
+    for left in 0..400 {
+        let mut body = Refusing { springs: Springs(grid), left };
+        let mut problem = LubricatedContact::new(&gap, &mut body, 2e-3, (4e-6, 4e-6), 1e8)
+            .with_lubricant(Some(&oil))
+            .with_entrainment_speed(0.01);
+        let mut state = ContactState::new(&grid);
+        match NewtonKrylov::new().solve(&mut problem, &mut state, &StoppingRule::default()) {
+            Err(error) => assert_eq!(error.to_string(), "springs: it broke"),
+            Ok(report) => {
+                report.require_converged().unwrap();
+                solved += 1;
+            }
+        }
+    }
+    assert!((1..400).contains(&solved), "{solved}");
 }
 
 // ---- bad input ----
