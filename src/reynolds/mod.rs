@@ -148,10 +148,4 @@ pub enum ReynoldsError {
         /// Where \[m\].
         y: f64,
     },
-    /// Not enough memory for the factorisation.
-    #[error("not enough memory to factorise the fluid equations of {nodes} nodes")]
-    Memory {
-        /// Number of nodes of the grid.
-        nodes: usize,
-    },
 }

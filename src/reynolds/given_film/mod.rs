@@ -115,15 +115,7 @@ impl GivenFilm<'_> {
     /// memory for.
     pub fn solve(&self) -> Result<GivenFilmSolution, ReynoldsError> {
         self.validate()?;
-        let nodes = self.film.grid().len();
-        let mut trial: Vec<u8> = Vec::new();
-        let granted = trial.try_reserve_exact(nodes.saturating_mul(BYTES)).is_ok();
-        // An allocation that nobody looks at would be optimised away.
-        std::hint::black_box(&mut trial);
-        drop(trial);
-        if !granted {
-            return Err(ReynoldsError::Memory { nodes });
-        }
+        self.film.grid().require_memory(BYTES)?;
         Ok(solution::solve(self))
     }
 
