@@ -32,28 +32,16 @@ fn pieces(criterion: &mut Criterion) {
             Roelands::new(0.004, 0.68, 1.96e8).unwrap(),
             DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap(),
         );
-        let mut problem = LubricatedContact {
-            gap: &gap,
-            deformation: &mut body,
-            lubricant: Some(&oil),
-            entrainment_speed: scene.motion.entrainment_speed,
-            squeeze: None,
-            load: hertz.load,
-            pressure_limit: None,
-            film_cutoff: 1e-9,
-            contact: Default::default(),
-            scheme: Scheme::default(),
-            face_mobility: FaceMobility::default(),
-            cavitation: Default::default(),
-            supplied_film: None,
-            shear_thinning: None,
-            reference_half_widths: (hertz.a_x, hertz.a_y),
-            reference_pressure: hertz.p_max,
-            reference_film: 60e-9,
-        };
+        let mut problem =
+            LubricatedContact::new(&gap, &mut body, hertz.load, (hertz.a_x, hertz.a_y), hertz.p_max)
+                .with_lubricant(Some(&oil))
+                .with_entrainment_speed(scene.motion.entrainment_speed)
+                .with_scheme(Scheme::default())
+                .with_face_mobility(FaceMobility::default())
+                .with_reference_film(60e-9);
         let mut start = ContactState::new(&grid);
-        let none = StoppingRule { tolerance: 1e-12, max_iterations: 0 };
-        let once = StoppingRule { max_iterations: 1, ..none };
+        let none = StoppingRule::new(1e-12, 0);
+        let once = none.with_max_iterations(1);
         let _ = Multigrid::new().solve(&mut problem, &mut start, &none).unwrap();
         let solvers: [(&str, Box<dyn ContactSolver>); 3] = [
             ("semi_system_step", Box::new(SemiSystem::default())),

@@ -20,7 +20,7 @@ fn ball(moes_load: f64, n: usize) -> Scene {
     let speed = (10.0 / (2.2e-8 * MODULUS)).powi(4);
     scene.form = Form::Sphere { radius: 1.0 };
     scene.elastic.equivalent_modulus = MODULUS;
-    scene.load = Load { hertz_pressure: None, force: Some(moes_load * speed.powf(0.75) * MODULUS) };
+    scene.load = Load::force(moes_load * speed.powf(0.75) * MODULUS);
     scene.motion.entrainment_speed = 0.5 * speed * MODULUS / 0.04;
     scene.roughness = Default::default();
     scene.plastic = None;
@@ -36,7 +36,8 @@ fn scenes(criterion: &mut Criterion) {
         .warm_up_time(Duration::from_millis(200))
         .measurement_time(Duration::from_millis(1000));
     for n in [128, 256] {
-        let dry = Scene { lubricant: None, ..Scene::azam_2019(n) };
+        let mut dry = Scene::azam_2019(n);
+        dry.lubricant = None;
         for (name, scene) in
             [("full_film", ball(20.0, n)), ("highly_loaded", ball(1000.0, n)), ("dry_rough", dry)]
         {

@@ -21,15 +21,13 @@ fn surfaces() -> Vec<(&'static str, RandomSurface)> {
         let shape = SelfAffine { hurst: 0.8, longest: f64::INFINITY, roll_off, shortest: 0.0, synthesis };
         RandomSurface::new(RandomShape::SelfAffine(shape), 1e-7, 1)
     };
-    let skewed = |surface| RandomSurface {
-        distribution: HeightDistribution::Johnson { skewness: -1.0, kurtosis: 5.0 },
-        ..surface
+    let skewed = |surface: RandomSurface| {
+        surface.with_distribution(HeightDistribution::Johnson { skewness: -1.0, kurtosis: 5.0 })
     };
-    let bounded = |surface| RandomSurface {
-        distribution: HeightDistribution::Johnson { skewness: -0.5, kurtosis: 2.2 },
-        ..surface
+    let bounded = |surface: RandomSurface| {
+        surface.with_distribution(HeightDistribution::Johnson { skewness: -0.5, kurtosis: 2.2 })
     };
-    let open = |surface| RandomSurface { boundary: Boundary::Open, ..surface };
+    let open = |surface: RandomSurface| surface.with_boundary(Boundary::Open);
     let gaussian = correlated(Autocorrelation::Gaussian, 20e-6, 20e-6);
     let exponential = correlated(Autocorrelation::Exponential, 20e-6, 20e-6);
     let noise = self_affine(Synthesis::FilteredNoise, 100e-6);

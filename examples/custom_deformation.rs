@@ -17,8 +17,14 @@ struct Coated {
 
 impl Coated {
     fn new(grid: Grid, modulus: f64, thickness: f64, confined_modulus: f64) -> Result<Self, InputError> {
-        InputError::require_non_negative("coating.thickness", thickness)?;
-        InputError::require_positive("coating.confined_modulus", confined_modulus)?;
+        for (field, value, holds, requirement) in [
+            ("coating.thickness", thickness, thickness >= 0.0, "finite and >= 0"),
+            ("coating.confined_modulus", confined_modulus, confined_modulus > 0.0, "finite and > 0"),
+        ] {
+            if !holds || value.is_infinite() {
+                return Err(InputError::Value { field: field.to_owned(), value, requirement });
+            }
+        }
         let compliance = thickness / confined_modulus;
         Ok(Self { substrate: HalfSpace::new(grid, modulus)?, compliance })
     }

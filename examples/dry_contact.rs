@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             scene.load.force = Some(load);
             scene.plastic = plastic;
             let solution = solve_contact(&scene)?;
-            let _converged = solution.report.require_converged()?;
+            solution.report.require_converged()?;
             let (contact, hertz) = (solution.contact, solution.hertz);
             println!(
                 "{load:9.0} {:14.1} {:14.3} {:18.2} {}",

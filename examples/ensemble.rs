@@ -26,7 +26,7 @@ fn members() -> Vec<Member> {
             scene.solver.tolerance = 1e-3;
             let name = format!("{:.1}_gpa_seed_{seed}", pressure * 1e-9);
             scene.track.seed = seed;
-            members.push(Member { name, scene, steps: 4, time_step: 60.0 });
+            members.push(Member::new(name, scene, 4, 60.0));
         }
     }
     members

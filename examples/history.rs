@@ -110,8 +110,14 @@ fn parse_arguments() -> Result<Option<Arguments>, Box<dyn Error>> {
     let scene = scene.ok_or_else(|| missing("no scene file is given"))?;
     let steps = steps.ok_or_else(|| missing("--steps is missing"))?;
     let time_step = time_step.ok_or_else(|| missing("--time-step is missing"))?;
-    InputError::require(steps > 0, "--steps", 0.0, "at least 1")?;
-    InputError::require_positive("--time-step", time_step)?;
+    let refused =
+        |field: &str, value, requirement| InputError::Value { field: field.to_owned(), value, requirement };
+    if steps == 0 {
+        return Err(refused("--steps", 0.0, "at least 1").into());
+    }
+    if !time_step.is_finite() || time_step <= 0.0 {
+        return Err(refused("--time-step", time_step, "finite and > 0").into());
+    }
     Ok(Some(Arguments { scene, steps, time_step, json, csv }))
 }
 

@@ -56,14 +56,9 @@ fn run() -> Result<Option<Status>, Box<dyn Error>> {
     let grid = Grid::from_edges(arguments.cells, 1, [0.0, LENGTH], [0.0, 1.0])?;
     let film = FilmThickness::from_function(grid, |x, _| film_at(x))?;
     let oil = Lubricant::new(Barus::new(VISCOSITY, 0.0)?, Incompressible);
-    let slider = GivenFilm {
-        film: &film,
-        lubricant: &oil,
-        speeds: [arguments.speed, 0.0],
-        ambient_pressure: AMBIENT_PRESSURE,
-        cavitation_pressure: 0.0,
-        sides: SideEdges::Closed,
-    };
+    let slider = GivenFilm::new(&film, &oil, [arguments.speed, 0.0])
+        .with_ambient_pressure(AMBIENT_PRESSURE)
+        .with_sides(SideEdges::Closed);
     let solution = slider.solve()?;
     let text = if arguments.json { to_json(&solution) } else { summary(&solution) };
     writeln!(io::stdout(), "{text}")?;
@@ -112,7 +107,7 @@ fn to_json(solution: &GivenFilmSolution) -> String {
 }
 
 fn summary(solution: &GivenFilmSolution) -> String {
-    let report = solution.report;
+    let report = &solution.report;
     let [start, end] = pocket_pressures(solution).map(|p| p.unwrap_or(AMBIENT_PRESSURE));
     [
         format!(

@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for speed in [0.25, 0.5, 1.0, 2.0] {
         scene.motion.entrainment_speed = speed;
         let solution = solve_contact(&scene)?;
-        let _converged = solution.report.require_converged()?;
+        solution.report.require_converged()?;
         let formula = FilmConditions {
             entrainment_speed: speed,
             viscosity: oil.viscosity(0.0),

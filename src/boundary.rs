@@ -2,6 +2,7 @@
 
 /// What lies beyond the edges of a surface or a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Boundary {
     /// The field repeats: opposite edges fit together.
     #[default]

@@ -58,7 +58,7 @@ impl InputError {
     ///
     /// # Errors
     /// [`InputError::Value`] naming `field`.
-    pub fn require_positive(field: &str, value: f64) -> Result<(), Self> {
+    pub(crate) fn require_positive(field: &str, value: f64) -> Result<(), Self> {
         Self::require(value.is_finite() && value > 0.0, field, value, "finite and > 0")
     }
 
@@ -66,7 +66,7 @@ impl InputError {
     ///
     /// # Errors
     /// [`InputError::Value`] naming `field`.
-    pub fn require_non_negative(field: &str, value: f64) -> Result<(), Self> {
+    pub(crate) fn require_non_negative(field: &str, value: f64) -> Result<(), Self> {
         Self::require(value.is_finite() && value >= 0.0, field, value, "finite and >= 0")
     }
 
@@ -74,7 +74,12 @@ impl InputError {
     ///
     /// # Errors
     /// [`InputError::Value`] naming `field`.
-    pub fn require(holds: bool, field: &str, value: f64, requirement: &'static str) -> Result<(), Self> {
+    pub(crate) fn require(
+        holds: bool,
+        field: &str,
+        value: f64,
+        requirement: &'static str,
+    ) -> Result<(), Self> {
         if holds { Ok(()) } else { Err(Self::Value { field: field.to_owned(), value, requirement }) }
     }
 
@@ -82,7 +87,7 @@ impl InputError {
     ///
     /// # Errors
     /// [`InputError::Shape`] naming `field`.
-    pub fn require_len<T>(field: &str, values: &[T], expected: usize) -> Result<(), Self> {
+    pub(crate) fn require_len<T>(field: &str, values: &[T], expected: usize) -> Result<(), Self> {
         if values.len() == expected {
             Ok(())
         } else {
@@ -94,7 +99,7 @@ impl InputError {
     ///
     /// # Errors
     /// [`InputError::NotFinite`] naming `field` and the first offending entry.
-    pub fn require_finite(field: &str, values: &[f64]) -> Result<(), Self> {
+    pub(crate) fn require_finite(field: &str, values: &[f64]) -> Result<(), Self> {
         match values.iter().position(|v| !v.is_finite()) {
             None => Ok(()),
             Some(index) => Err(Self::NotFinite { field: field.to_owned(), index, value: values[index] }),

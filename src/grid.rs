@@ -139,4 +139,36 @@ impl Grid {
         Ok((1.0 - fy) * ((1.0 - fx) * at(i0, j0) + fx * at(i1, j0))
             + fy * ((1.0 - fx) * at(i0, j1) + fx * at(i1, j1)))
     }
+
+    /// Error unless the system grants `bytes` of memory for each node at once.
+    pub(crate) fn require_memory(&self, bytes: usize) -> Result<(), InputError> {
+        let bytes = self.len().saturating_mul(bytes);
+        let mut trial: Vec<u8> = Vec::new();
+        let granted = trial.try_reserve_exact(bytes).is_ok();
+        // An allocation that nobody looks at would be optimised away.
+        std::hint::black_box(&mut trial);
+        if granted {
+            return Ok(());
+        }
+        Err(InputError::Conflict {
+            field: format!("grid.nx * grid.ny = {}", self.len()),
+            reason: format!(
+                "a contact on so many nodes needs {:.0} GB of memory, more than there is",
+                bytes as f64 * 1e-9
+            ),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn memory_that_no_machine_has_is_refused() -> Result<(), InputError> {
+        let grid = Grid::centred(8, 8, 1e-6, 1e-6)?;
+        let refused = grid.require_memory(1 << 50);
+        assert!(matches!(&refused, Err(error) if error.to_string().contains("72057594 GB")), "{refused:?}");
+        grid.require_memory(1 << 10)
+    }
 }

@@ -53,10 +53,10 @@
 //! let mut sim = MixedLubricationSim::builder(scene).build()?;
 //! let mut history = Vec::new();
 //! sim.run(4, 60.0, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-//!     history.push(*record);
+//!     history.push(record.clone());
 //!     ControlFlow::Continue(())
 //! })?;
-//! let last = history[3];
+//! let last = &history[3];
 //! assert_eq!(last.time, 240.0);
 //! assert!(last.load_ratio > 0.0 && last.load_ratio < 1.0, "mixed lubrication: solids carry a part of the load");
 //! assert!(last.mean_film[1] > history[0].mean_film[1], "the film grows");
@@ -94,12 +94,15 @@ mod report;
 pub mod reynolds;
 mod rubbing;
 pub mod sim;
+mod solver_id;
+mod strategy;
 pub mod surface;
 #[cfg(feature = "testing")]
 pub mod testing;
 pub mod tribochem;
 pub mod units;
 pub mod wear;
+mod with_fields;
 
 // What every room speaks of.
 pub use boundary::Boundary;
@@ -109,6 +112,8 @@ pub use grid::Grid;
 pub use report::{NotConverged, Residuals, SolveReport, Status, Work};
 pub use rubbing::RubbingPoint;
 pub use sim::Warning;
+pub use solver_id::SolverId;
+pub use strategy::Strategy;
 
 // The programs of the first pages are tested as those above are.
 #[cfg(doctest)]

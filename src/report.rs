@@ -5,6 +5,9 @@ use std::ops::AddAssign;
 
 use thiserror::Error;
 
+use crate::solver_id::SolverId;
+use crate::strategy::Strategy;
+
 /// How an iterative solve ended. Everything but [`Status::Converged`] leaves the best state found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
@@ -20,6 +23,9 @@ pub enum Status {
     MeshTooCoarse,
     /// The residuals grew without bound or were no longer finite.
     Diverged,
+    /// A solver from outside of the crate says that it has converged, but the residuals of its state, as the
+    /// crate evaluates them, are above the tolerance.
+    Unconfirmed,
 }
 
 impl fmt::Display for Status {
@@ -30,6 +36,7 @@ impl fmt::Display for Status {
             Self::Stalled => "stalled",
             Self::MeshTooCoarse => "mesh_too_coarse",
             Self::Diverged => "diverged",
+            Self::Unconfirmed => "unconfirmed",
         })
     }
 }
@@ -39,6 +46,7 @@ impl fmt::Display for Status {
 ///
 /// With `h_m` the pressure-weighted mean film and `a_x`, `a_y` the reference contact half-widths:
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Residuals {
     /// Sum of the absolute mass imbalances of the cells that hold fluid under pressure, of all cells where
     /// cavitation conserves mass, over the mass that the mean film `h_m` carries through the contact width
@@ -69,6 +77,7 @@ impl Residuals {
 
 /// Work done, by cause.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Work {
     /// Elastic convolutions in equivalents of the finest grid: a coarser one counts by its share of nodes, a
     /// pressure estimate, whose transforms need no padding, as a quarter.
@@ -88,11 +97,12 @@ impl AddAssign for Work {
 }
 
 /// The outcome of one solve of a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 #[must_use = "a solve that did not converge is a status, not an error"]
 pub struct SolveReport {
-    /// Name of the solver that produced the final state.
-    pub solver: &'static str,
+    /// The solver that produced the final state.
+    pub solver: SolverId,
     /// How the solve ended.
     pub status: Status,
     /// Residuals of the state that was returned.
@@ -103,28 +113,85 @@ pub struct SolveReport {
     pub energy_error: Option<f64>,
     /// Work of the whole solve, starts and fallbacks included.
     pub work: Work,
+    /// The way that led to the state; none from solvers that know one alone.
+    pub strategy: Option<Strategy>,
+    /// Residuals of each start and after each outer iteration, in order, for plots. On the way to a solution
+    /// they may be those of other equations than the problem's: of thicker contact films, of Reynolds'
+    /// condition, of a contact on the way in time. Where one start is all that a solve needs, the last are
+    /// those of the state. Empty from solvers that do not tell, [`Dry`](crate::reynolds::Dry) among them.
+    pub residual_history: Vec<Residuals>,
 }
 
 impl SolveReport {
-    /// The report itself if the solve converged.
+    /// A report with nothing beside these.
+    pub fn new(solver: SolverId, status: Status, residuals: Residuals) -> Self {
+        Self {
+            solver,
+            status,
+            residuals,
+            energy_error: None,
+            work: Work::default(),
+            strategy: None,
+            residual_history: Vec::new(),
+        }
+    }
+
+    /// The same with an energy error.
+    pub fn with_energy_error(self, energy_error: f64) -> Self {
+        Self { energy_error: Some(energy_error), ..self }
+    }
+
+    /// The same with the work of the whole solve.
+    pub fn with_work(self, work: Work) -> Self {
+        Self { work, ..self }
+    }
+
+    /// The same with the way that led to the state.
+    pub fn with_strategy(self, strategy: Strategy) -> Self {
+        Self { strategy: Some(strategy), ..self }
+    }
+
+    /// The same with the residuals of each start and after each outer iteration.
+    pub fn with_residual_history(self, residual_history: Vec<Residuals>) -> Self {
+        Self { residual_history, ..self }
+    }
+
+    /// Counts in what a solve before this one took.
+    pub(crate) fn preceded_by(mut self, mut first: Self) -> Self {
+        self.work += first.work;
+        first.residual_history.append(&mut self.residual_history);
+        Self { residual_history: first.residual_history, ..self }
+    }
+
+    /// Counts in what a solve after this one took, whose state was not kept.
+    pub(crate) fn followed_by(mut self, second: Self) -> Self {
+        // The sum that `preceded_by` makes, in its order: rounding is the same.
+        let mut work = second.work;
+        work += self.work;
+        self.residual_history.extend(second.residual_history);
+        Self { work, ..self }
+    }
+
+    /// Refuses a solve that did not converge.
     ///
     /// # Errors
-    /// [`NotConverged`] otherwise.
-    pub fn require_converged(self) -> Result<Self, NotConverged> {
+    /// [`NotConverged`], with a copy of the report.
+    pub fn require_converged(&self) -> Result<(), NotConverged> {
         match self.status {
-            Status::Converged => Ok(self),
-            _ => Err(NotConverged { report: self }),
+            Status::Converged => Ok(()),
+            _ => Err(NotConverged { report: Box::new(self.clone()) }),
         }
     }
 }
 
 /// A solve that had to converge did not.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 #[error(
     "{} ended as {} with residuals mass {:.2e}, load {:.2e}, complementarity {:.2e}",
     report.solver, report.status, report.residuals.mass, report.residuals.load, report.residuals.complementarity
 )]
+#[non_exhaustive]
 pub struct NotConverged {
     /// The report of the solve.
-    pub report: SolveReport,
+    pub report: Box<SolveReport>,
 }

@@ -1,7 +1,10 @@
 //! What a surface point feels while it rubs: the input of film growth and wear laws.
 
+use crate::with_fields::with_fields;
+
 /// The state of one surface node during a step, all SI. Laws read from it what they need.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct RubbingPoint {
     /// Total pressure, fluid and solid \[Pa\].
     pub pressure: f64,
@@ -19,7 +22,31 @@ pub struct RubbingPoint {
     pub in_contact: bool,
 }
 
+with_fields!(RubbingPoint {
+    with_pressure pressure: f64,
+    with_solid_pressure solid_pressure: f64,
+    with_shear_stress shear_stress: f64,
+    with_temperature temperature: f64,
+    with_sliding_speed sliding_speed: f64,
+    with_film_thickness film_thickness: f64,
+    with_in_contact in_contact: bool,
+});
+
 impl RubbingPoint {
+    /// A node under the fluid pressure `pressure` \[Pa\] at `temperature` \[K\]: no solid contact, no film, nothing
+    /// slides.
+    pub const fn new(pressure: f64, temperature: f64) -> Self {
+        Self {
+            pressure,
+            solid_pressure: 0.0,
+            shear_stress: 0.0,
+            temperature,
+            sliding_speed: 0.0,
+            film_thickness: 0.0,
+            in_contact: false,
+        }
+    }
+
     /// The state of a point that lies `share` of the way from this node to `other`; the nearer one decides on
     /// contact.
     pub(crate) fn towards(&self, other: &Self, share: f64) -> Self {

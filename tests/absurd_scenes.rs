@@ -145,11 +145,11 @@ fn scenes_that_once_did_not() {
     let mut start = Scene::azam_2019(16);
     start.solver.kind = SolverKind::SemiSystem;
     start.solver.max_iterations = 500;
-    start.plastic = Some(PlasticSpec { hardness: 6e8, film_hardness: None, hardening_modulus: None });
+    start.plastic = Some(PlasticSpec::new(6e8));
     let mut worn = Scene::azam_2019(16);
     worn.lubricant = None;
     worn.solver.edge_contact = true;
-    worn.wear = Some(WearSpec { coefficient: 1e300, film_coefficient: 0.0, ..WearSpec::default() });
+    worn.wear = Some(WearSpec::default().with_coefficient(1e300).with_film_coefficient(0.0));
     for scene in [start, worn] {
         if let Err(reason) = tried(&scene, 11) {
             panic!("{reason}: {scene:?}");
@@ -250,12 +250,8 @@ const KINDS: [SolverKind; 5] = [
 fn absurd_by_hand() -> Vec<(String, Scene)> {
     let mut list: Vec<(String, Scene)> = Vec::new();
     for force in [0.0, 5e-324, 1e-30, 1e-9, 1e6, 1e12, 1e30, 1e300] {
-        list.push((
-            format!("{force:e} N"),
-            changed(|s| s.load = Load { hertz_pressure: None, force: Some(force) }),
-        ));
-        let dry =
-            changed(|s| (s.load, s.lubricant) = (Load { hertz_pressure: None, force: Some(force) }, None));
+        list.push((format!("{force:e} N"), changed(|s| s.load = Load::force(force))));
+        let dry = changed(|s| (s.load, s.lubricant) = (Load::force(force), None));
         list.push((format!("{force:e} N, dry"), dry));
     }
     for (nx, ny) in
@@ -284,7 +280,8 @@ fn absurd_by_hand() -> Vec<(String, Scene)> {
         }
     }
     for hardness in [5e-324, 1.0, 1e8, 3e8, 7.66e8, 7.7e8, 1e300] {
-        let plastic = PlasticSpec { hardness, film_hardness: Some(hardness), hardening_modulus: Some(1e300) };
+        let plastic =
+            PlasticSpec::new(hardness).with_film_hardness(Some(hardness)).with_hardening_modulus(Some(1e300));
         list.push((format!("hardness of {hardness:e} Pa"), changed(|s| s.plastic = Some(plastic))));
         list.push((
             format!("hardness of {hardness:e} Pa, dry"),

@@ -22,21 +22,14 @@ fn contact(moes_load: f64, moes_lubricant: f64, accuracy: f64) -> Scene {
     scene.form = Form::Sphere { radius: RADIUS };
     scene.elastic.equivalent_modulus = MODULUS;
     let force = moes_load * speed_parameter.powf(0.75) * MODULUS * RADIUS * RADIUS;
-    scene.load = Load { hertz_pressure: None, force: Some(force) };
+    scene.load = Load::force(force);
     scene.motion.entrainment_speed = 0.5 * speed_parameter * MODULUS * RADIUS / 0.04;
-    scene.lubricant = Some(LubricantSpec {
-        eta0: 0.04,
-        roelands_z: 0.68,
-        roelands_p0: 1.96e8,
-        alpha: Some(ALPHA),
-        temperature: None,
-        roelands_s0: None,
-        viscosity: None,
-        formula_alpha: None,
-        density_a: 0.34 / 5.9e8,
-        density_b: 1.0 / 5.9e8,
-        supplied_film: None,
-    });
+    scene.lubricant = Some(
+        LubricantSpec::roelands(0.04, 0.68)
+            .with_alpha(Some(ALPHA))
+            .with_density_a(0.34 / 5.9e8)
+            .with_density_b(1.0 / 5.9e8),
+    );
     scene.roughness = Default::default();
     scene.plastic = None;
     scene.grid = GridSpec::Accuracy { accuracy };
@@ -76,7 +69,7 @@ fn dry_contacts_are_estimated_by_their_pressure() {
         ] {
             let mut scene = contact(100.0, 10.0, accuracy);
             scene.form = form;
-            scene.load = Load { hertz_pressure: Some(1e9), force: None };
+            scene.load = Load::hertz_pressure(1e9);
             scene.lubricant = None;
             let solution = solved(&scene);
             let estimate = solution.error_estimate.unwrap();
@@ -93,7 +86,7 @@ fn line_contacts_are_estimated_too() {
     let line = |accuracy| {
         let mut scene = contact(100.0, 10.0, accuracy);
         scene.form = Form::Cylinder { radius: 10e-3 };
-        scene.load = Load { hertz_pressure: Some(0.8e9), force: None };
+        scene.load = Load::hertz_pressure(0.8e9);
         scene.motion.entrainment_speed = 1.0;
         solved(&scene)
     };
@@ -117,7 +110,8 @@ fn what_it_cannot_be_asked_of_is_refused() {
     for accuracy in [0.0, -0.01, 0.2, 1e-9, f64::NAN] {
         named(&contact(20.0, 10.0, accuracy), "between");
     }
-    let rough = Scene { grid: GridSpec::Accuracy { accuracy: 0.01 }, ..Scene::azam_2019(16) };
+    let mut rough = Scene::azam_2019(16);
+    rough.grid = GridSpec::Accuracy { accuracy: 0.01 };
     // A history needs one grid for all of its steps.
     let message = MixedLubricationSim::builder(rough).build().unwrap_err().to_string();
     assert!(message.starts_with("grid.accuracy"), "{message}");
@@ -237,11 +231,13 @@ fn the_surface_of_a_seed_is_refined_by_its_fourier_series() {
         assert!(largest <= accuracy, "{largest}");
     }
     let n = fine.grid.nx();
-    let mut by_file = Scene { roughness: as_files(&given, n, folder.path()), ..rough(n) };
+    let mut by_file = rough(n);
+    by_file.roughness = as_files(&given, n, folder.path());
     by_file.solver.kind = SolverKind::Dry;
     assert_eq!(solved(&by_file).state.pressure, fine.state.pressure);
     // Node-by-node files hold the waves of their own cells.
-    let from_file = Scene { roughness: as_files(&given, 24, folder.path()), ..given.clone() };
+    let mut from_file = given.clone();
+    from_file.roughness = as_files(&given, 24, folder.path());
     let by_file = refined(from_file, 0.01);
     assert_eq!(by_file.grid, fine.grid);
     assert!((by_file.contact.area_ratio - fine.contact.area_ratio).abs() < 1e-9);

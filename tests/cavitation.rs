@@ -13,7 +13,7 @@ use stribeck::surface::Form;
 
 fn solved(scene: &Scene) -> ContactSolution {
     let solution = solve_contact(scene).unwrap();
-    let _ = solution.report.require_converged().unwrap();
+    solution.report.require_converged().unwrap();
     solution
 }
 
@@ -33,25 +33,20 @@ fn problem<'a>(
     oil: &'a Lubricant,
     body: &'a mut HalfSpace,
 ) -> LubricatedContact<'a> {
-    LubricatedContact {
-        gap: &solution.gap,
-        deformation: body,
-        lubricant: Some(oil),
-        entrainment_speed: scene.motion.entrainment_speed,
-        squeeze: None,
-        load: solution.hertz.load,
-        pressure_limit: None,
-        film_cutoff: scene.solver.film_cutoff,
-        contact: scene.solver.contact,
-        scheme: scene.scheme(),
-        face_mobility: scene.face_mobility(),
-        cavitation: scene.cavitation(),
-        supplied_film: None,
-        shear_thinning: None,
-        reference_half_widths: (solution.hertz.a_x, solution.hertz.a_y),
-        reference_pressure: solution.hertz.p_max,
-        reference_film: 0.0,
-    }
+    LubricatedContact::new(
+        &solution.gap,
+        body,
+        solution.hertz.load,
+        (solution.hertz.a_x, solution.hertz.a_y),
+        solution.hertz.p_max,
+    )
+    .with_lubricant(Some(oil))
+    .with_entrainment_speed(scene.motion.entrainment_speed)
+    .with_film_cutoff(scene.solver.film_cutoff)
+    .with_contact(scene.solver.contact)
+    .with_scheme(scene.scheme())
+    .with_face_mobility(scene.face_mobility())
+    .with_cavitation(scene.cavitation())
 }
 
 /// Asserts that a solution is one by its fields alone, and that its flows are those of its fields.
@@ -112,7 +107,7 @@ fn the_mass_residual_bounds_the_imbalance_of_the_box() {
     (smooth.roughness, smooth.plastic) = (Default::default(), None);
     let mut line = smooth.clone();
     line.form = Form::Cylinder { radius: 0.01 };
-    line.load = Load { hertz_pressure: Some(0.6e9), force: None };
+    line.load = Load::hertz_pressure(0.6e9);
     line.grid = GridSpec::Row { nx: 256, x: [-4e-4, 2e-4] };
     scenes.extend([smooth, line]);
     for mut scene in scenes {
@@ -141,9 +136,9 @@ fn what_is_stored_is_no_imbalance() {
     problem.pressure_limit = Some(&limit);
     problem.squeeze = Some(Squeeze { previous_mass: &previous, time_step: 1e-4 });
     let mut state = solution.state.clone();
-    let rule = StoppingRule { tolerance: 1e-9, ..StoppingRule::default() };
+    let rule = StoppingRule::default().with_tolerance(1e-9);
     let report = NewtonKrylov::new().solve(&mut problem, &mut state, &rule).unwrap();
-    let _ = report.require_converged().unwrap();
+    report.require_converged().unwrap();
     let flow = Evaluation::new(solution.grid).flow_balance(&problem, &state).unwrap().unwrap();
     assert!((flow.outflow / flow.inflow - 1.0).abs() > 1e-3, "{flow:?}");
     assert!(flow.imbalance <= report.residuals.mass + 1e-13, "{flow:?}, {report:?}");

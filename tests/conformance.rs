@@ -150,8 +150,11 @@ impl DeformationModel for Winkler {
     }
 
     fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        InputError::require_len("pressure", pressure, self.grid.len())?;
-        InputError::require_len("out", out, self.grid.len())?;
+        for (field, found) in [("pressure", pressure.len()), ("out", out.len())] {
+            if found != self.grid.len() {
+                return Err(InputError::Shape { field: field.to_owned(), expected: self.grid.len(), found });
+            }
+        }
         out.iter_mut().zip(pressure).for_each(|(u, p)| *u = self.compliance * p);
         Ok(())
     }

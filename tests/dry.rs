@@ -58,7 +58,7 @@ fn capped_rough_contact_takes_steps_that_do_not_grow_with_the_grid() {
     for n in [128, 256, 512] {
         for hardness in [6e9, 2e9] {
             let mut scene = dry(n);
-            scene.plastic = Some(PlasticSpec { hardness, film_hardness: None, hardening_modulus: None });
+            scene.plastic = Some(PlasticSpec::new(hardness));
             let solution = solved(&scene);
             let steps = solution.report.work.inner_iterations;
             assert!(steps <= 45, "{n} nodes, {hardness:e} Pa: {steps} steps");
@@ -76,7 +76,7 @@ fn rough_contacts_take_at_most_forty_steps_on_every_grid() {
         for hardness in [None, Some(6e9), Some(2e9)] {
             let mut scene = dry(n);
             scene.solver.tolerance = 1e-8;
-            let spec = |hardness| PlasticSpec { hardness, film_hardness: None, hardening_modulus: None };
+            let spec = |hardness| PlasticSpec::new(hardness);
             scene.plastic = hardness.map(spec);
             let report = solve_contact(&scene).unwrap().report;
             assert_eq!(report.status, Status::Converged, "{report:?}");
@@ -92,7 +92,7 @@ fn a_load_that_the_hardness_cannot_carry_names_the_largest() {
     let mut scene = smooth(64);
     let area = solve_contact(&scene).unwrap().grid.cell_area() * 62.0 * 62.0;
     let hardness = 0.99 * scene.hertz().unwrap().load / area;
-    scene.plastic = Some(PlasticSpec { hardness, film_hardness: None, hardening_modulus: None });
+    scene.plastic = Some(PlasticSpec::new(hardness));
     let message = solve_contact(&scene).unwrap_err().to_string();
     let largest = format!("{:.6e} N", hardness * area);
     assert!(message.contains("plastic.hardness") && message.contains(&largest), "{message}");

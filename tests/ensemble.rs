@@ -10,7 +10,7 @@ fn members(steps: u64) -> Vec<Member> {
         scene.solver.tolerance = 1e-3;
         change(&mut scene);
         scene.track.seed = seed;
-        Member { name: name.to_owned(), scene, steps, time_step: 60.0 }
+        Member::new(name.to_owned(), scene, steps, 60.0)
     };
     vec![
         member("first", 1, |_| {}),

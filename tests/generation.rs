@@ -51,10 +51,8 @@ fn skewness_and_kurtosis_are_met_by_the_mean_over_seeds() {
     for (kind, skewness, kurtosis) in cases {
         let (mut skews, mut kurtoses, mut tenths) = (Vec::new(), Vec::new(), Vec::new());
         for seed in 0..12 {
-            let surface = RandomSurface {
-                distribution: HeightDistribution::Johnson { skewness, kurtosis },
-                ..correlated(kind, 6e-6, 6e-6, seed)
-            };
+            let surface = (correlated(kind, 6e-6, 6e-6, seed))
+                .with_distribution(HeightDistribution::Johnson { skewness, kurtosis });
             let heights = surface.generate(&grid).unwrap();
             let statistics = height_statistics(&heights).unwrap();
             assert_relative_eq!(statistics.sq, RQ, max_relative = 1e-12);
@@ -73,11 +71,9 @@ fn skewness_and_kurtosis_are_met_by_the_mean_over_seeds() {
 fn pairs_of_moments_that_do_not_exist_are_refused_with_the_range() {
     let grid = Grid::centred(16, 16, 1e-6, 1e-6).unwrap();
     let generate = |skewness, kurtosis| {
-        RandomSurface {
-            distribution: HeightDistribution::Johnson { skewness, kurtosis },
-            ..correlated(Autocorrelation::Gaussian, 4e-6, 4e-6, 1)
-        }
-        .generate(&grid)
+        (correlated(Autocorrelation::Gaussian, 4e-6, 4e-6, 1))
+            .with_distribution(HeightDistribution::Johnson { skewness, kurtosis })
+            .generate(&grid)
     };
     let error = generate(-1.0, 1.9).unwrap_err().to_string();
     assert!(error.starts_with("kurtosis = 1.9") && error.contains("= 2.2000 and 100"), "{error}");
@@ -154,12 +150,10 @@ fn ensemble_heights_scatter_about_the_one_asked_for() {
         for boundary in [Boundary::Periodic, Boundary::Open] {
             let squares: Vec<f64> = (0..200)
                 .map(|seed| {
-                    let surface = RandomSurface {
-                        height: HeightScale::Ensemble,
-                        distribution,
-                        boundary,
-                        ..correlated(Autocorrelation::Gaussian, 8e-6, 8e-6, seed)
-                    };
+                    let surface = (correlated(Autocorrelation::Gaussian, 8e-6, 8e-6, seed))
+                        .with_height(HeightScale::Ensemble)
+                        .with_distribution(distribution)
+                        .with_boundary(boundary);
                     let heights = surface.generate(&grid).unwrap();
                     mean(&heights.iter().map(|z| z * z).collect::<Vec<_>>()) / (RQ * RQ)
                 })
@@ -185,7 +179,7 @@ fn edges_of_open_surfaces_do_not_fit_together() {
     ];
     for shape in shapes {
         let jump = |boundary| {
-            let heights = RandomSurface { boundary, ..shape }.generate(&grid).unwrap();
+            let heights = shape.with_boundary(boundary).generate(&grid).unwrap();
             assert_relative_eq!(height_statistics(&heights).unwrap().sq, RQ, max_relative = 1e-12);
             let square = |i: usize, k: usize| {
                 mean(
@@ -200,8 +194,7 @@ fn edges_of_open_surfaces_do_not_fit_together() {
         assert!(jump(Boundary::Open) > 3.0, "{}", jump(Boundary::Open));
     }
     let lone = Grid::centred(64, 1, 1e-6, 1e-6).unwrap();
-    let line =
-        RandomSurface { boundary: Boundary::Open, ..correlated(Autocorrelation::Gaussian, 8e-6, 1e-6, 2) };
+    let line = (correlated(Autocorrelation::Gaussian, 8e-6, 1e-6, 2)).with_boundary(Boundary::Open);
     assert_eq!(line.generate(&lone).unwrap().len(), 64);
 }
 
@@ -221,7 +214,7 @@ fn open_surfaces_of_a_few_nodes_are_made_or_refused() {
             RandomSurface::new(coarse, RQ, 1),
         ];
         for kind in kinds {
-            match (RandomSurface { boundary: Boundary::Open, ..kind }).generate(&grid) {
+            match (kind.with_boundary(Boundary::Open)).generate(&grid) {
                 Ok(heights) => {
                     assert_eq!(heights.len(), nx * ny);
                     let square = mean(&heights.iter().map(|z| z * z).collect::<Vec<_>>());
@@ -236,10 +229,7 @@ fn open_surfaces_of_a_few_nodes_are_made_or_refused() {
     }
     // no wave is left but the constant one
     let long = SelfAffine { roll_off: 1e-3, shortest: 0.9e-3, ..self_affine(0.8, Synthesis::FilteredNoise) };
-    let kind = RandomSurface {
-        boundary: Boundary::Open,
-        ..RandomSurface::new(RandomShape::SelfAffine(long), RQ, 1)
-    };
+    let kind = (RandomSurface::new(RandomShape::SelfAffine(long), RQ, 1)).with_boundary(Boundary::Open);
     let error = kind.generate(&Grid::centred(64, 48, 1e-6, 1e-6).unwrap()).unwrap_err().to_string();
     assert!(error.contains("too few nodes"), "{error}");
 }
@@ -274,8 +264,12 @@ fn open_surfaces_are_the_same_at_their_edges_as_in_their_middle() {
         let (mut products, mut squares) = ([0.0; 6], [0.0; 2]);
         for seed in 0..seeds {
             let (height, boundary) = (HeightScale::Ensemble, Boundary::Open);
-            let heights =
-                RandomSurface { seed: seed.into(), height, boundary, ..kind }.generate(&grid).unwrap();
+            let heights = kind
+                .with_seed(seed.into())
+                .with_height(height)
+                .with_boundary(boundary)
+                .generate(&grid)
+                .unwrap();
             let at = |(i, j): (usize, usize)| heights[j * nx + i] / RQ;
             products.iter_mut().zip(pairs).for_each(|(sum, [a, b])| *sum += at(a) * at(b) / f64::from(seeds));
             squares
@@ -324,10 +318,10 @@ fn every_kind_is_pinned_by_its_seed() {
     let fractal =
         RandomShape::SelfAffine(SelfAffine { roll_off: 20e-6, ..self_affine(0.8, Synthesis::RandomPhase) });
     let kinds = [
-        RandomSurface { distribution: skewed, ..correlated(Autocorrelation::Exponential, 8e-6, 5e-6, 9) },
-        RandomSurface { boundary: Boundary::Open, ..correlated(Autocorrelation::Gaussian, 8e-6, 5e-6, 9) },
+        (correlated(Autocorrelation::Exponential, 8e-6, 5e-6, 9)).with_distribution(skewed),
+        (correlated(Autocorrelation::Gaussian, 8e-6, 5e-6, 9)).with_boundary(Boundary::Open),
         RandomSurface::new(fractal, RQ, 9),
-        RandomSurface { boundary: Boundary::Open, ..RandomSurface::new(fractal, RQ, 9) },
+        (RandomSurface::new(fractal, RQ, 9)).with_boundary(Boundary::Open),
     ];
     let found = kinds.map(|kind| {
         let heights = kind.generate(&grid).unwrap();
@@ -345,8 +339,8 @@ fn threads_change_no_bit() {
     let skewed = HeightDistribution::Johnson { skewness: -1.0, kurtosis: 5.0 };
     let fractal = RandomShape::SelfAffine(self_affine(0.8, Synthesis::RandomPhase));
     let kinds = [
-        RandomSurface { distribution: skewed, ..correlated(Autocorrelation::Exponential, 8e-6, 5e-6, 9) },
-        RandomSurface { boundary: Boundary::Open, ..correlated(Autocorrelation::Gaussian, 8e-6, 5e-6, 9) },
+        (correlated(Autocorrelation::Exponential, 8e-6, 5e-6, 9)).with_distribution(skewed),
+        (correlated(Autocorrelation::Gaussian, 8e-6, 5e-6, 9)).with_boundary(Boundary::Open),
         RandomSurface::new(fractal, RQ, 9),
     ];
     for kind in kinds {

@@ -14,7 +14,7 @@ fn oil(eta: f64, alpha: f64) -> Lubricant {
 
 fn solved(problem: &GivenFilm<'_>) -> GivenFilmSolution {
     let solution = problem.solve().unwrap();
-    let _ = solution.report.require_converged().unwrap();
+    solution.report.require_converged().unwrap();
     assert!(solution.imbalance <= 1e-10, "imbalance {:e}", solution.imbalance);
     let pairs = solution.pressure.iter().zip(&solution.content);
     for (&p, &theta) in pairs {
@@ -67,14 +67,11 @@ impl PocketSlider {
     fn solve(&self, cells: usize) -> GivenFilmSolution {
         let grid = Grid::from_edges(cells, 1, [0.0, Self::LENGTH], [0.0, 1.0]).unwrap();
         let film = FilmThickness::from_function(grid, |x, _| self.film(x)).unwrap();
-        solved(&GivenFilm {
-            film: &film,
-            lubricant: &oil(ETA, 0.0),
-            speeds: [self.speed, 0.0],
-            ambient_pressure: Self::AMBIENT,
-            cavitation_pressure: 0.0,
-            sides: SideEdges::Closed,
-        })
+        solved(
+            &GivenFilm::new(&film, &oil(ETA, 0.0), [self.speed, 0.0])
+                .with_ambient_pressure(Self::AMBIENT)
+                .with_sides(SideEdges::Closed),
+        )
     }
 
     /// Integrals of `1/h^2` and `1/h^3`; films are straight on each part.
@@ -178,14 +175,7 @@ fn pocket_of_finite_width(lubricant: &Lubricant) -> (f64, f64) {
         1.1e-6 - 0.1e-6 * x / length + if in_pocket { 0.4e-6 } else { 0.0 }
     })
     .unwrap();
-    let solution = solved(&GivenFilm {
-        film: &film,
-        lubricant,
-        speeds: [1.0, 0.0],
-        ambient_pressure: 0.0,
-        cavitation_pressure: 0.0,
-        sides: SideEdges::Ambient,
-    });
+    let solution = solved(&GivenFilm::new(&film, lubricant, [1.0, 0.0]));
     let largest = |best: (usize, f64), (k, &p): (usize, &f64)| if p > best.1 { (k, p) } else { best };
     let (k, peak) = solution.pressure.iter().enumerate().fold((0, 0.0), largest);
     (peak, grid.x(k % grid.nx()) / length)
@@ -213,14 +203,7 @@ fn sommerfeld_number(eccentricity: f64, cells: [usize; 2]) -> f64 {
     let film =
         FilmThickness::from_function(grid, |x, _| clearance * (1.0 + eccentricity * (x / radius).cos()))
             .unwrap();
-    let solution = solved(&GivenFilm {
-        film: &film,
-        lubricant: &oil(ETA, 0.0),
-        speeds: [omega * radius, 0.0],
-        ambient_pressure: 0.0,
-        cavitation_pressure: 0.0,
-        sides: SideEdges::Ambient,
-    });
+    let solution = solved(&GivenFilm::new(&film, &oil(ETA, 0.0), [omega * radius, 0.0]));
     let sum = |of: fn(f64) -> f64| {
         let parts = grid.nodes().zip(&solution.pressure).map(|((x, _), p)| p * of(x / radius));
         parts.sum::<f64>() * grid.cell_area()
@@ -247,14 +230,11 @@ fn textured_square(cells: usize) -> GivenFilmSolution {
         if centre(x).abs() < 1.0 / 6.0 && centre(y).abs() < 1.0 / 6.0 { 27e-6 } else { 15e-6 }
     })
     .unwrap();
-    solved(&GivenFilm {
-        film: &film,
-        lubricant: &oil(0.03, 0.0),
-        speeds: [5.0, 0.0],
-        ambient_pressure: 1e5,
-        cavitation_pressure: 3e4,
-        sides: SideEdges::Ambient,
-    })
+    solved(
+        &GivenFilm::new(&film, &oil(0.03, 0.0), [5.0, 0.0])
+            .with_ambient_pressure(1e5)
+            .with_cavitation_pressure(3e4),
+    )
 }
 
 #[test]
@@ -274,14 +254,11 @@ fn edges_that_cut_cells_converge() {
             let centre = |x: f64| (125.0 * x).fract() - 0.5;
             let dimpled = |x: f64, y: f64| if centre(x).hypot(centre(y)) < 0.35 { 27e-6 } else { 15e-6 };
             let film = FilmThickness::from_function(grid, dimpled).unwrap();
-            let _ = solved(&GivenFilm {
-                film: &film,
-                lubricant: &oil(0.03, 0.0),
-                speeds: [speed, 0.0],
-                ambient_pressure: 1e5,
-                cavitation_pressure: 3e4,
-                sides: SideEdges::Ambient,
-            });
+            let _ = solved(
+                &GivenFilm::new(&film, &oil(0.03, 0.0), [speed, 0.0])
+                    .with_ambient_pressure(1e5)
+                    .with_cavitation_pressure(3e4),
+            );
         }
     }
 }
@@ -294,14 +271,7 @@ fn pad(rows: usize, lubricant: &Lubricant, speeds: [f64; 2], turned: bool) -> Gi
         2e-6 - 1e-4 * x
     })
     .unwrap();
-    solved(&GivenFilm {
-        film: &film,
-        lubricant,
-        speeds,
-        ambient_pressure: 0.0,
-        cavitation_pressure: 0.0,
-        sides: SideEdges::Closed,
-    })
+    solved(&GivenFilm::new(&film, lubricant, speeds).with_sides(SideEdges::Closed))
 }
 
 #[test]
@@ -358,14 +328,11 @@ fn films_on_nodes_and_of_functions_agree_where_edges_are_faces() {
     let grid = Grid::from_edges(500, 1, [0.0, PocketSlider::LENGTH], [0.0, 1.0]).unwrap();
     let values: Vec<f64> = grid.nodes().map(|(x, _)| slider.film(x)).collect();
     let film = FilmThickness::from_nodes(grid, &values).unwrap();
-    let found = solved(&GivenFilm {
-        film: &film,
-        lubricant: &oil(ETA, 0.0),
-        speeds: [slider.speed, 0.0],
-        ambient_pressure: PocketSlider::AMBIENT,
-        cavitation_pressure: 0.0,
-        sides: SideEdges::Closed,
-    });
+    let found = solved(
+        &GivenFilm::new(&film, &oil(ETA, 0.0), [slider.speed, 0.0])
+            .with_ambient_pressure(PocketSlider::AMBIENT)
+            .with_sides(SideEdges::Closed),
+    );
     assert!((found.load / slider.solve(500).load - 1.0).abs() < 1e-9);
 }
 
@@ -374,14 +341,7 @@ fn nothing_flows_without_entrainment() {
     let grid = Grid::from_edges(10, 4, [0.0, 1e-2], [0.0, 1e-2]).unwrap();
     let film = FilmThickness::from_nodes(grid, &[1e-6; 40]).unwrap();
     let lubricant = oil(ETA, 0.0);
-    let solution = solved(&GivenFilm {
-        film: &film,
-        lubricant: &lubricant,
-        speeds: [1.0, -1.0],
-        ambient_pressure: 1e5,
-        cavitation_pressure: 0.0,
-        sides: SideEdges::Ambient,
-    });
+    let solution = solved(&GivenFilm::new(&film, &lubricant, [1.0, -1.0]).with_ambient_pressure(1e5));
     assert_eq!(solution.report.status, Status::Converged);
     assert_eq!((solution.inflow, solution.imbalance), (0.0, 0.0));
     assert!((solution.load - 10.0).abs() < 1e-9, "{}", solution.load);
@@ -394,22 +354,11 @@ fn bad_input_names_field_and_value() {
     let grid = Grid::from_edges(10, 1, [0.0, 1e-2], [0.0, 1.0]).unwrap();
     let film = FilmThickness::from_nodes(grid, &[1e-6; 10]).unwrap();
     let lubricant = oil(ETA, 0.0);
-    let good = GivenFilm {
-        film: &film,
-        lubricant: &lubricant,
-        speeds: [1.0, 0.0],
-        ambient_pressure: 1e5,
-        cavitation_pressure: 0.0,
-        sides: SideEdges::Ambient,
-    };
+    let good = GivenFilm::new(&film, &lubricant, [1.0, 0.0]).with_ambient_pressure(1e5);
     let error = |problem: GivenFilm<'_>| problem.solve().unwrap_err().to_string();
-    assert!(error(GivenFilm { speeds: [0.0, f64::NAN], ..good }).starts_with("speeds.1 = NaN"));
-    assert!(
-        error(GivenFilm { ambient_pressure: f64::INFINITY, ..good }).starts_with("ambient_pressure = inf")
-    );
-    assert!(
-        error(GivenFilm { cavitation_pressure: 2e5, ..good }).starts_with("cavitation_pressure = 200000")
-    );
+    assert!(error(good.with_speeds([0.0, f64::NAN])).starts_with("speeds.1 = NaN"));
+    assert!(error(good.with_ambient_pressure(f64::INFINITY)).starts_with("ambient_pressure = inf"));
+    assert!(error(good.with_cavitation_pressure(2e5)).starts_with("cavitation_pressure = 200000"));
     let of = |film: &[f64]| FilmThickness::from_nodes(grid, film).unwrap_err().to_string();
     assert!(of(&[1e-6; 9]).contains("film has 9 values, expected 10"));
     assert!(of(&[0.0; 10]).starts_with("film[0] = 0"));

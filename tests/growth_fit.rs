@@ -11,15 +11,13 @@ use stribeck::tribochem::{
 
 const TRUTH: [f64; 4] = [200e-9, 1.66e-16, 54.32e-9, 4.022e-4];
 const START: [(&str, f64); 4] = [("h_max", 150e-9), ("x_tribo", 1e-16), ("C3", 20e-9), ("C4", 1e-3)];
-const RUBBING: RubbingPoint = RubbingPoint {
-    pressure: 1e9,
-    solid_pressure: 1e9,
-    shear_stress: 1e8,
-    temperature: 353.15,
-    sliding_speed: 0.005,
-    film_thickness: 0.0,
-    in_contact: true,
-};
+fn rubbing() -> RubbingPoint {
+    RubbingPoint::new(1e9, 353.15)
+        .with_solid_pressure(1e9)
+        .with_shear_stress(1e8)
+        .with_sliding_speed(0.005)
+        .with_in_contact(true)
+}
 
 fn ghanbarzadeh(constants: &[f64]) -> Result<Ghanbarzadeh, stribeck::InputError> {
     Ghanbarzadeh::new(constants[0], constants[1], constants[2], constants[3])
@@ -33,14 +31,14 @@ fn measured(points: u32, end: f64, sigma: f64, seed: u64) -> GrowthCurve {
     let times: Vec<f64> = (1..=points).map(|k| end * f64::from(k) / f64::from(points)).collect();
     let films = times.iter().map(|&time| {
         let mut states = [0.0; 2];
-        law.advance(&RUBBING, time, &mut states);
+        law.advance(&rubbing(), time, &mut states);
         law.thickness(&states) + normal.sample(&mut noise)
     });
     GrowthCurve::new(times.clone(), films.collect()).unwrap()
 }
 
 fn fit(curve: &GrowthCurve) -> Result<GrowthFit<Ghanbarzadeh>, FitError> {
-    fit_growth_law(curve, &RUBBING, &START, ghanbarzadeh)
+    fit_growth_law(curve, &rubbing(), &START, ghanbarzadeh)
 }
 
 #[test]
@@ -88,10 +86,10 @@ fn what_the_data_cannot_determine_is_refused() {
     let arrhenius = |c: &[f64]| ThermalArrhenius::new(c[0], c[1], c[2]);
     let start = [("h_max", 150e-9), ("prefactor", 1e8), ("energy", 1.2e-19)];
     let one_temperature =
-        fit_growth_law(&measured(40, 1800.0, 1e-9, 3), &RUBBING, &start, arrhenius).unwrap_err();
+        fit_growth_law(&measured(40, 1800.0, 1e-9, 3), &rubbing(), &start, arrhenius).unwrap_err();
     assert!(matches!(one_temperature, FitError::Undetermined { .. }), "{one_temperature}");
     // A node that does not rub grows nothing.
-    let idle = RubbingPoint { in_contact: false, ..RUBBING };
+    let idle = rubbing().with_in_contact(false);
     let idle = fit_growth_law(&measured(40, 7200.0, 1e-9, 3), &idle, &START, ghanbarzadeh).unwrap_err();
     assert!(matches!(idle, FitError::Undetermined { .. }), "{idle}");
     let few = fit(&measured(4, 7200.0, 0.0, 3)).unwrap_err();
@@ -114,6 +112,6 @@ fn tables_and_starts_that_do_not_fit_are_refused() {
     assert!(error.to_string().contains("no/such/file.csv"), "{error}");
     let curve = measured(40, 7200.0, 1e-9, 3);
     let negative = [("h_max", -1.0), ("x_tribo", 1e-16), ("C3", 20e-9), ("C4", 1e-3)];
-    let error = fit_growth_law(&curve, &RUBBING, &negative, ghanbarzadeh).unwrap_err();
+    let error = fit_growth_law(&curve, &rubbing(), &negative, ghanbarzadeh).unwrap_err();
     assert!(error.to_string().contains("h_max"), "{error}");
 }

@@ -14,15 +14,11 @@ use stribeck::wear::{Archard, SurfaceLedger, WearDepth, WearLaw, WearPressure};
 use stribeck::{Grid, InputError, RubbingPoint};
 
 fn contact(pressure: f64) -> RubbingPoint {
-    RubbingPoint {
-        pressure,
-        solid_pressure: pressure,
-        shear_stress: 0.115 * pressure,
-        temperature: 353.15,
-        sliding_speed: 0.005,
-        film_thickness: 0.0,
-        in_contact: true,
-    }
+    RubbingPoint::new(pressure, 353.15)
+        .with_solid_pressure(pressure)
+        .with_shear_stress(0.115 * pressure)
+        .with_sliding_speed(0.005)
+        .with_in_contact(true)
 }
 
 fn grow(law: &dyn FilmGrowthLaw, time: f64) -> f64 {
@@ -68,7 +64,7 @@ fn ghanbarzadeh_film_is_frozen_while_inactive_and_never_negative() {
     let mut states = [0.0; 2];
     law.advance(&contact(1e9), 600.0, &mut states);
     let before = states;
-    law.advance(&RubbingPoint { in_contact: false, ..contact(1e9) }, 1e6, &mut states);
+    law.advance(&contact(1e9).with_in_contact(false), 1e6, &mut states);
     assert_eq!(states, before);
     let removal_first = Ghanbarzadeh::new(10e-9, 1e-20, 50e-9, 1e-2).unwrap();
     assert_eq!(grow(&removal_first, 100.0), 0.0);
@@ -77,8 +73,7 @@ fn ghanbarzadeh_film_is_frozen_while_inactive_and_never_negative() {
 
 #[test]
 fn activation_chooses_the_nodes() {
-    let lubricated =
-        RubbingPoint { in_contact: false, solid_pressure: 0.0, shear_stress: -1e7, ..contact(1e9) };
+    let lubricated = contact(1e9).with_in_contact(false).with_solid_pressure(0.0).with_shear_stress(-1e7);
     let law = Ghanbarzadeh::azam_2019();
     for (activation, active) in
         [(Activation::SolidContact, false), (Activation::Pressure, true), (Activation::ShearStress, true)]
@@ -210,7 +205,7 @@ proptest! {
         cuts in prop::collection::vec(0.0..2000.0_f64, 1..12), temperature in 250.0..450.0_f64,
     ) {
         let law = Ghanbarzadeh::azam_2019();
-        let at = RubbingPoint { temperature, ..contact(1e9) };
+        let at = contact(1e9).with_temperature(temperature);
         let (mut once, mut often) = ([0.0; 2], [0.0; 2]);
         law.advance(&at, cuts.iter().sum(), &mut once);
         for &cut in &cuts {
@@ -279,11 +274,8 @@ fn film_of_a_body_keeps_its_account() {
     let law = Ghanbarzadeh::azam_2019();
     let mut film = Tribofilm::bare(&law, 3);
     for step in 0..72 {
-        film.advance(&law, 100.0, |node| RubbingPoint {
-            in_contact: node == 0 || (node == 1 && step < 6),
-            ..contact(1e9)
-        })
-        .unwrap();
+        film.advance(&law, 100.0, |node| contact(1e9).with_in_contact(node == 0 || (node == 1 && step < 6)))
+            .unwrap();
     }
     assert!((film.thickness()[0] - grow(&law, 7200.0)).abs() < 1e-20);
     assert!((film.thickness()[1] - grow(&law, 600.0)).abs() < 1e-20);
@@ -571,7 +563,7 @@ fn growing_film_lowers_the_mean_coefficient() {
 
 #[test]
 fn wear_pressure_chooses_the_share() {
-    let at = RubbingPoint { solid_pressure: 0.25e9, ..contact(1e9) };
+    let at = contact(1e9).with_solid_pressure(0.25e9);
     let total = Archard::azam_2019();
     let solid = Archard::azam_2019().with_pressure(WearPressure::Solid);
     assert!((solid.depth_rate(&at, 0.0) / total.depth_rate(&at, 0.0) - 0.25).abs() < 1e-15);
@@ -613,7 +605,7 @@ proptest! {
         steps in prop::collection::vec(0.0..100.0_f64, 1..8),
     ) {
         let law = Archard::azam_2019();
-        let at = RubbingPoint { sliding_speed: speed, ..contact(pressure) };
+        let at = contact(pressure).with_sliding_speed(speed);
         let (thin, thick) = (law.depth_rate(&at, a.min(b)), law.depth_rate(&at, a.max(b)));
         let bare = 5.45e-8 / 6e9 * pressure.max(0.0) * speed;
         prop_assert!(thick <= thin && thin <= bare * (1.0 + 1e-12) && thick >= 0.1 * bare * (1.0 - 1e-12));

@@ -218,14 +218,12 @@ fn coated_ball(ratio: f64, n: usize) -> Scene {
     let mut scene = Scene::azam_2019(n);
     scene.form = Form::Sphere { radius: 1e-3 };
     scene.elastic = Elastic::new(2.0 * 2.1e9 / 0.91);
-    scene.elastic.layer = Some(LayerSpec {
-        thickness: 1e-4,
-        modulus: ratio * 2.1e9,
-        poisson: 0.3,
-        substrate_modulus: Some(2.1e9),
-        substrate_poisson: Some(0.3),
-    });
-    scene.load = Load { hertz_pressure: Some(0.1 * scene.elastic.equivalent_modulus / PI), force: None };
+    scene.elastic.layer = Some(
+        LayerSpec::new(1e-4, ratio * 2.1e9, 0.3)
+            .with_substrate_modulus(Some(2.1e9))
+            .with_substrate_poisson(Some(0.3)),
+    );
+    scene.load = Load::hertz_pressure(0.1 * scene.elastic.equivalent_modulus / PI);
     scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-2e-4, 2e-4], y: [-2e-4, 2e-4] };
     scene.roughness = Default::default();
     scene.lubricant = None;
@@ -282,13 +280,12 @@ fn accuracy_finds_box_and_cells_of_a_coated_ball() {
 /// Steel ball on coated steel in oil.
 fn lubricated(layer: [f64; 3], n: usize) -> Scene {
     let mut scene = Scene::azam_2019(n);
-    let steel = Material { modulus: Some(210e9), poisson_ratio: Some(0.3), ..Material::default() };
+    let steel = Material::default().with_modulus(Some(210e9)).with_poisson_ratio(Some(0.3));
     scene.materials.ball = steel;
     scene.materials.disc = steel;
     scene.elastic = Elastic::default();
     let [thickness, modulus, poisson] = layer;
-    scene.elastic.layer =
-        Some(LayerSpec { thickness, modulus, poisson, substrate_modulus: None, substrate_poisson: None });
+    scene.elastic.layer = Some(LayerSpec::new(thickness, modulus, poisson));
     scene.load.hertz_pressure = Some(0.6e9);
     scene.motion.entrainment_speed = 2.0;
     scene.lubricant.as_mut().unwrap().eta0 = 0.02;
@@ -331,7 +328,7 @@ fn solvers_agree_on_coated_bodies_in_oil() {
 /// MPa^(1/2); a named disc is the substrate of its layer.
 #[test]
 fn named_materials() {
-    let named = |material| Material { material: Some(material), ..Material::default() };
+    let named = |material| Material::default().with_material(Some(material));
     for (disc, factor) in [
         (NamedMaterial::Steel, 189.8),
         (NamedMaterial::CastSteel, 188.9),

@@ -7,17 +7,17 @@ use stribeck::reynolds::{
     Cavitation, ContactDefinition, ContactSolver, Evaluation, FaceMobility, LubricatedContact, NewtonKrylov,
     Scheme, StoppingRule,
 };
-use stribeck::sim::scene::{GridSpec, Load, PlasticSpec, RandomRoughness, Roughness, SolverKind};
+use stribeck::sim::scene::{GridSpec, Load, RandomRoughness, Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
-use stribeck::{Status, Work};
+use stribeck::{SolverId, Status, Work};
 
 /// The reference bodies with composite roughness `rq` of correlation length `length`, on a box of 3.6 Hertz
 /// radii.
 fn scene(n: usize, speed: f64, rq: f64, length: f64, pressure: f64, hardness: Option<f64>) -> Scene {
     let mut scene = Scene::azam_2019(n);
     scene.motion.entrainment_speed = speed;
-    scene.load = Load { hertz_pressure: Some(pressure), force: None };
-    scene.plastic = hardness.map(|hardness| PlasticSpec { hardness, ..scene.plastic.unwrap() });
+    scene.load = Load::hertz_pressure(pressure);
+    scene.plastic = hardness.map(|hardness| scene.plastic.unwrap().with_hardness(hardness));
     let random = |seed| {
         let one = RandomRoughness { rq: rq / 2.0_f64.sqrt(), length_x: length, length_y: length, seed };
         if rq > 0.0 { Roughness::Gaussian(one) } else { Roughness::None }
@@ -153,25 +153,16 @@ fn a_solution_with_fluid_at_the_limit_is_one() {
         DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap(),
     );
     let limits = vec![limit; grid.len()];
-    let mut problem = LubricatedContact {
-        gap: &gap,
-        deformation: &mut HalfSpace::new(grid, scene.elastic.equivalent_modulus).unwrap(),
-        lubricant: Some(&oil),
-        entrainment_speed: scene.motion.entrainment_speed,
-        squeeze: None,
-        load: hertz.load,
-        pressure_limit: Some(&limits),
-        film_cutoff: scene.solver.film_cutoff,
-        contact: ContactDefinition::Hard,
-        scheme: scene.scheme(),
-        face_mobility: scene.face_mobility(),
-        cavitation: Default::default(),
-        supplied_film: None,
-        shear_thinning: None,
-        reference_half_widths: (hertz.a_x, hertz.a_y),
-        reference_pressure: hertz.p_max,
-        reference_film: 0.0,
-    };
+    let mut body = HalfSpace::new(grid, scene.elastic.equivalent_modulus).unwrap();
+    let mut problem =
+        LubricatedContact::new(&gap, &mut body, hertz.load, (hertz.a_x, hertz.a_y), hertz.p_max)
+            .with_lubricant(Some(&oil))
+            .with_entrainment_speed(scene.motion.entrainment_speed)
+            .with_pressure_limit(Some(&limits))
+            .with_film_cutoff(scene.solver.film_cutoff)
+            .with_contact(ContactDefinition::Hard)
+            .with_scheme(scene.scheme())
+            .with_face_mobility(scene.face_mobility());
     let residuals = Evaluation::new(grid).evaluate(&mut problem, &mut state).unwrap();
     assert!(residuals.max() <= 1e-6, "{residuals:?}");
     let report = NewtonKrylov::new().solve(&mut problem, &mut state, &StoppingRule::default()).unwrap();
@@ -243,7 +234,7 @@ fn the_papers_contact_lets_gaps_become_negative() {
     scene.solver.max_iterations = 3000;
     let solution = solve_contact(&scene).unwrap();
     let state = &solution.state;
-    assert_eq!(solution.report.solver, "semi_system");
+    assert_eq!(solution.report.solver, SolverId::SemiSystem);
     assert!(solution.report.residuals.is_finite());
     assert_eq!(solution.report.status, Status::MaxIterations, "{:?}", solution.report);
     assert!((solution.contact.area_ratio - 0.457).abs() < 5e-4, "{}", solution.contact.area_ratio);

@@ -196,14 +196,13 @@ fn a_law_that_fails_leaves_the_simulation_as_before() {
 }
 
 fn points() -> Vec<RubbingPoint> {
-    let point = |k: u32| RubbingPoint {
-        pressure: 1e8 * f64::from(k),
-        solid_pressure: 0.5e8 * f64::from(k),
-        shear_stress: 1e7 * f64::from(k),
-        temperature: 300.0 + f64::from(k),
-        sliding_speed: 0.1,
-        film_thickness: 1e-9,
-        in_contact: !k.is_multiple_of(3),
+    let point = |k: u32| {
+        RubbingPoint::new(1e8 * f64::from(k), 300.0 + f64::from(k))
+            .with_solid_pressure(0.5e8 * f64::from(k))
+            .with_shear_stress(1e7 * f64::from(k))
+            .with_sliding_speed(0.1)
+            .with_film_thickness(1e-9)
+            .with_in_contact(!k.is_multiple_of(3))
     };
     (0..60).map(point).collect()
 }

@@ -24,7 +24,7 @@ fn dry(n: usize) -> Scene {
 fn run_until(sim: &mut MixedLubricationSim, end: f64, control: StepControl) -> Vec<StepRecord> {
     let mut records = Vec::new();
     sim.run_until(end, &control, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-        records.push(*record);
+        records.push(record.clone());
         ControlFlow::Continue(())
     })
     .unwrap();
@@ -36,26 +36,11 @@ fn press(gap: &[f64], body: &mut HalfSpace, load: f64, limit: f64) -> ContactSta
     let grid = body.grid();
     let limit = vec![limit; grid.len()];
     let mut state = ContactState::new(&grid);
-    let mut problem = LubricatedContact {
-        gap,
-        deformation: body,
-        lubricant: None,
-        entrainment_speed: 0.0,
-        squeeze: None,
-        load,
-        pressure_limit: Some(&limit),
-        film_cutoff: 1e-9,
-        contact: Default::default(),
-        scheme: Scheme::default(),
-        face_mobility: FaceMobility::default(),
-        cavitation: Default::default(),
-        supplied_film: None,
-        shear_thinning: None,
-        reference_half_widths: (149.83e-6, 149.83e-6),
-        reference_pressure: 1.15e9,
-        reference_film: 0.0,
-    };
-    let rule = StoppingRule { tolerance: 1e-9, ..StoppingRule::default() };
+    let mut problem = LubricatedContact::new(gap, body, load, (149.83e-6, 149.83e-6), 1.15e9)
+        .with_pressure_limit(Some(&limit))
+        .with_scheme(Scheme::default())
+        .with_face_mobility(FaceMobility::default());
+    let rule = StoppingRule::default().with_tolerance(1e-9);
     let report = Dry::new().solve(&mut problem, &mut state, &rule).unwrap();
     assert_eq!(report.status, Status::Converged, "{report:?}");
     state
@@ -95,7 +80,7 @@ fn contact_area_is_never_below_that_of_full_yielding() {
         let mut scene = dry(64);
         scene.plastic.as_mut().unwrap().hardness = hardness;
         let solution = solve_contact(&scene).unwrap();
-        let _ = solution.report.require_converged().unwrap();
+        solution.report.require_converged().unwrap();
         let hertz = solution.hertz;
         let touching = solution.state.pressure.iter().filter(|p| **p > 0.0).count() as f64;
         let ratio = touching * solution.grid.cell_area() / (PI * hertz.a_x * hertz.a_y);
@@ -144,7 +129,7 @@ fn a_hardening_contact_meets_its_law_and_then_stays_elastic() {
 #[test]
 fn steps_by_depth_keep_to_it_and_add_up() {
     let mut sim = MixedLubricationSim::builder(dry(32).with_tribofilm()).build().unwrap();
-    let control = StepControl { longest: 60.0, depth: 2e-9 };
+    let control = StepControl::new(60.0, 2e-9);
     let (mut wear, mut film) = (vec![0.0; sim.grid().len()], vec![0.0; sim.grid().len()]);
     let mut shortest = f64::INFINITY;
     sim.run_until(300.0, &control, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
@@ -164,11 +149,10 @@ fn steps_by_depth_keep_to_it_and_add_up() {
     assert!(sim.ledger_residual().unwrap() < 1e-20);
     // Without a bound the steps are as long as they may be.
     let mut sim = MixedLubricationSim::builder(dry(32)).build().unwrap();
-    let records = run_until(&mut sim, 150.0, StepControl { longest: 60.0, depth: f64::INFINITY });
+    let records = run_until(&mut sim, 150.0, StepControl::new(60.0, f64::INFINITY));
     let steps: Vec<f64> = records.iter().map(|record| record.time_step).collect();
     assert_eq!(steps, [60.0, 60.0, 30.0]);
-    for control in [StepControl { longest: 60.0, depth: 0.0 }, StepControl { longest: f64::NAN, depth: 1e-9 }]
-    {
+    for control in [StepControl::new(60.0, 0.0), StepControl::new(f64::NAN, 1e-9)] {
         assert!(sim.step_within(&control).is_err(), "{control:?}");
     }
 }
@@ -281,7 +265,7 @@ fn friction_is_boundary_on_solids_and_shear_on_fluid() {
     let mut scene = dry(32);
     let mu = |scene: &Scene| {
         let solution = solve_contact(scene).unwrap();
-        let _ = solution.report.require_converged().unwrap();
+        solution.report.require_converged().unwrap();
         solution.friction_coefficient
     };
     assert!((mu(&scene) / 0.115 - 1.0).abs() < 1e-5, "{}", mu(&scene));

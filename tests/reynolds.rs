@@ -1,10 +1,10 @@
 //! The lubricated solvers: known films, agreement between methods, limits, and failures that must stay typed.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
-use stribeck::Status;
 use stribeck::reynolds::{Cavitation, ContactDefinition, FaceMobility, Scheme};
 use stribeck::sim::scene::{Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
+use stribeck::{SolverId, Status};
 
 /// The reference scene without roughness and plastic limit.
 fn smooth(n: usize) -> Scene {
@@ -16,7 +16,7 @@ fn smooth(n: usize) -> Scene {
 
 fn solve(scene: &Scene) -> ContactSolution {
     let solution = solve_contact(scene).unwrap();
-    let _ = solution.report.require_converged().unwrap();
+    solution.report.require_converged().unwrap();
     assert!(solution.report.residuals.max() <= scene.solver.tolerance, "{:?}", solution.report);
     solution
 }
@@ -62,7 +62,7 @@ fn semi_system_and_newton_agree_on_full_films() {
         let newton = solve(&scene);
         scene.solver.kind = SolverKind::SemiSystem;
         let sweeps = solve(&scene);
-        assert_eq!(sweeps.report.solver, "semi_system");
+        assert_eq!(sweeps.report.solver, SolverId::SemiSystem);
         let difference = sweeps.film.central / newton.film.central - 1.0;
         assert!(difference.abs() < 1e-5, "central film differs by {difference:e} at {speed} m/s");
         let difference = sweeps.state.approach / newton.state.approach - 1.0;
@@ -189,25 +189,12 @@ fn cold_solves_do_not_depend_on_what_the_solver_did_before() {
     );
     let mut body = HalfSpace::new(grid, scene.elastic.equivalent_modulus).unwrap();
     let limit = vec![6e9; grid.len()];
-    let mut problem = LubricatedContact {
-        gap: &reference.gap,
-        deformation: &mut body,
-        lubricant: Some(&oil),
-        entrainment_speed: 0.1,
-        squeeze: None,
-        load: hertz.load,
-        pressure_limit: Some(&limit),
-        film_cutoff: 1e-9,
-        contact: Default::default(),
-        scheme: Scheme::FirstOrder,
-        face_mobility: Default::default(),
-        cavitation: Default::default(),
-        supplied_film: None,
-        shear_thinning: None,
-        reference_half_widths: (hertz.a_x, hertz.a_y),
-        reference_pressure: hertz.p_max,
-        reference_film: 0.0,
-    };
+    let mut problem =
+        LubricatedContact::new(&reference.gap, &mut body, hertz.load, (hertz.a_x, hertz.a_y), hertz.p_max)
+            .with_lubricant(Some(&oil))
+            .with_entrainment_speed(0.1)
+            .with_pressure_limit(Some(&limit))
+            .with_scheme(Scheme::FirstOrder);
     let mut solver = NewtonKrylov::new();
     let mut states = [ContactState::new(&grid), ContactState::new(&grid)];
     for state in &mut states {
@@ -224,11 +211,7 @@ fn cold_solves_do_not_depend_on_what_the_solver_did_before() {
 fn loads_beyond_the_limit_are_refused_with_the_largest_one() {
     let mut scene = Scene::azam_2019(32);
     scene.roughness.ball = Roughness::None;
-    scene.plastic = Some(stribeck::sim::scene::PlasticSpec {
-        hardness: 2e8,
-        film_hardness: None,
-        hardening_modulus: None,
-    });
+    scene.plastic = Some(stribeck::sim::scene::PlasticSpec::new(2e8));
     let error = solve_contact(&scene).unwrap_err().to_string();
     assert!(error.contains("plastic.hardness") && error.contains("less than"), "{error}");
 }

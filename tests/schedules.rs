@@ -22,7 +22,7 @@ fn scene() -> Scene {
 fn records(sim: &mut MixedLubricationSim, end: f64, control: &StepControl) -> Vec<StepRecord> {
     let mut records = Vec::new();
     sim.run_until(end, control, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-        records.push(*record);
+        records.push(record.clone());
         ControlFlow::Continue(())
     })
     .unwrap();
@@ -254,7 +254,7 @@ fn running_in_lowers_friction_of_mixed_contacts() {
             let mut conditions = sim.conditions();
             (conditions.load, conditions.motion.entrainment_speed) = (20.0, speed);
             let solution = sim.solve_under(&conditions).unwrap();
-            let _ = solution.report.require_converged().unwrap();
+            solution.report.require_converged().unwrap();
             assert!((solution.hertz.load / 20.0 - 1.0).abs() < 1e-12);
             let sum = solution.friction_boundary + solution.friction_fluid;
             assert!((sum / solution.friction_coefficient - 1.0).abs() < 1e-14);
@@ -265,7 +265,7 @@ fn running_in_lowers_friction_of_mixed_contacts() {
     // A look at the contact changes nothing.
     assert_eq!((sim.steps(), sim.conditions().load), (0, 20.0));
     assert_eq!(sweep(&mut sim), new);
-    let records = records(&mut sim, 1800.0, &StepControl { longest: 20.0, depth: 5e-9 });
+    let records = records(&mut sim, 1800.0, &StepControl::new(20.0, 5e-9));
     let loads: BTreeSet<u64> = records.iter().map(|record| record.load as u64).collect();
     assert_eq!(loads, BTreeSet::from([20, 40, 60]));
     let worn = sweep(&mut sim);

@@ -1,16 +1,16 @@
 //! The semi-system solver on mixed contacts: the answers of Newton's method, from line relaxations.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
-use stribeck::Status;
 use stribeck::reynolds::{Cavitation, FaceMobility, Scheme};
-use stribeck::sim::scene::{PlasticSpec, RandomRoughness, Roughness, SolverKind};
+use stribeck::sim::scene::{RandomRoughness, Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
+use stribeck::{SolverId, Status};
 
 /// The reference scene with composite roughness `rq`, its Gaussian roughness on `length`.
 fn scene(n: usize, speed: f64, rq: f64, length: f64, hardness: Option<f64>) -> Scene {
     let mut scene = Scene::azam_2019(n);
     scene.motion.entrainment_speed = speed;
-    scene.plastic = hardness.map(|hardness| PlasticSpec { hardness, ..scene.plastic.unwrap() });
+    scene.plastic = hardness.map(|hardness| scene.plastic.unwrap().with_hardness(hardness));
     let random = |seed| {
         let rq = rq / 2.0_f64.sqrt();
         Roughness::Gaussian(RandomRoughness { rq, length_x: length, length_y: length, seed })
@@ -33,7 +33,7 @@ fn solve(scene: &Scene, kind: SolverKind) -> ContactSolution {
 fn compare(scene: &Scene) -> [ContactSolution; 2] {
     let both = [SolverKind::NewtonKrylov, SolverKind::SemiSystem].map(|kind| solve(scene, kind));
     let [newton, lines] = &both;
-    assert_eq!(lines.report.solver, "semi_system");
+    assert_eq!(lines.report.solver, SolverId::SemiSystem);
     let fields = |solution: &ContactSolution| {
         [
             ("load ratio", solution.contact.load_ratio, 1.0),

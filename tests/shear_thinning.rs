@@ -6,7 +6,7 @@ use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
 use stribeck::reynolds::{
     ContactSolver, ContactState, LubricatedContact, NewtonKrylov, ShearThinning, StoppingRule,
 };
-use stribeck::sim::scene::{GridSpec, Load, LubricantSpec, SolverKind};
+use stribeck::sim::scene::{GridSpec, Load, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
 use stribeck::{Grid, InputError, Status};
@@ -17,10 +17,10 @@ fn ball(n: usize) -> Scene {
     scene.roughness = Default::default();
     scene.plastic = None;
     scene.form = Form::Sphere { radius: 10e-3 };
-    scene.load = Load { hertz_pressure: Some(0.5e9), force: None };
+    scene.load = Load::hertz_pressure(0.5e9);
     scene.motion.entrainment_speed = 1.0;
     scene.motion.slide_roll_ratio = 0.5;
-    scene.lubricant = Some(LubricantSpec { eta0: 0.04, alpha: Some(20e-9), ..scene.lubricant.unwrap() });
+    scene.lubricant = Some(scene.lubricant.unwrap().with_eta0(0.04).with_alpha(Some(20e-9)));
     let a = scene.hertz().unwrap().a_x;
     scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-4.5 * a, 1.5 * a], y: [-3.0 * a, 3.0 * a] };
     scene
@@ -169,25 +169,13 @@ fn bad_input_is_named() {
         (ShearThinning { sliding_speed: -0.1, ..good }, "shear_thinning.sliding_speed"),
         (ShearThinning { sliding_speed: f64::INFINITY, ..good }, "shear_thinning.sliding_speed"),
     ] {
-        let mut problem = LubricatedContact {
-            gap: &gap,
-            deformation: &mut HalfSpace::new(grid, 230e9).unwrap(),
-            lubricant: Some(&oil),
-            entrainment_speed: 1.0,
-            squeeze: None,
-            load: 1.0,
-            pressure_limit: None,
-            film_cutoff: 1e-9,
-            contact: Default::default(),
-            scheme: Default::default(),
-            face_mobility: Default::default(),
-            cavitation: Default::default(),
-            supplied_film: None,
-            shear_thinning: Some(thinning),
-            reference_half_widths: (4e-5, 4e-5),
-            reference_pressure: 3e8,
-            reference_film: 1e-7,
-        };
+        let mut body = HalfSpace::new(grid, 230e9).unwrap();
+        let mut problem = LubricatedContact::new(&gap, &mut body, 1.0, (4e-5, 4e-5), 3e8)
+            .with_lubricant(Some(&oil))
+            .with_entrainment_speed(1.0)
+            .with_scheme(Default::default())
+            .with_shear_thinning(Some(thinning))
+            .with_reference_film(1e-7);
         let error = problem.validate().unwrap_err();
         assert!(matches!(&error, InputError::Value { field: named, .. } if named == field), "{error}");
         let mut state = ContactState::new(&grid);

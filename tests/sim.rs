@@ -17,7 +17,7 @@ use stribeck::sim::scene::{Flash, SolverKind};
 use stribeck::sim::{MixedLubricationSim, RunEnd, Scene, Schedule, SimBuilder, SimError, StepRecord};
 use stribeck::surface::AlongTrack;
 use stribeck::wear::{Archard, WearLaw};
-use stribeck::{Grid, InputError, RubbingPoint, SolveReport, Status};
+use stribeck::{Grid, InputError, RubbingPoint, SolveReport, SolverId, Status};
 
 fn scene() -> Scene {
     let mut scene = Scene::azam_2019(48).with_tribofilm();
@@ -29,7 +29,7 @@ fn run(sim: &mut MixedLubricationSim, steps: u64, time_step: f64) -> Vec<StepRec
     let mut records = Vec::new();
     let end = sim
         .run(steps, time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-            records.push(*record);
+            records.push(record.clone());
             ControlFlow::Continue(())
         })
         .unwrap();
@@ -142,8 +142,31 @@ impl WearLaw for Melting {
 struct Stubborn(NewtonKrylov);
 
 impl ContactSolver for Stubborn {
-    fn name(&self) -> &'static str {
-        "stubborn"
+    fn id(&self) -> SolverId {
+        SolverId::Custom("stubborn")
+    }
+
+    fn solve(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<SolveReport, ReynoldsError> {
+        let mut report = self.0.solve(problem, state, stop)?;
+        if problem.load > 50.0 {
+            report.status = Status::Stalled;
+        }
+        Ok(report)
+    }
+}
+
+/// Says that it has solved what it has not: its pressures carry nine tenths of the load.
+#[derive(Debug)]
+struct Liar(NewtonKrylov);
+
+impl ContactSolver for Liar {
+    fn id(&self) -> SolverId {
+        SolverId::Custom("liar")
     }
 
     fn solve(
@@ -153,9 +176,28 @@ impl ContactSolver for Stubborn {
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
         let report = self.0.solve(problem, state, stop)?;
-        let status = if problem.load > 50.0 { Status::Stalled } else { report.status };
-        Ok(SolveReport { status, ..report })
+        state.pressure.iter_mut().chain(&mut state.fluid_pressure).for_each(|p| *p *= 0.9);
+        Ok(report)
     }
+}
+
+#[test]
+fn a_solver_that_lies_changes_nothing() {
+    let mut sim = MixedLubricationSim::builder(scene()).solver(Liar(NewtonKrylov::new())).build().unwrap();
+    let before = sim.bodies().each_ref().map(|body| body.surface().to_vec());
+    match sim.step(10.0) {
+        Err(SimError::NotConverged { source, .. }) => {
+            assert_eq!(source.report.status, Status::Unconfirmed);
+            assert!((source.report.residuals.load - 0.1).abs() < 1e-4, "{source}");
+        }
+        other => panic!("{other:?}"),
+    }
+    let after = sim.bodies().each_ref().map(|body| body.surface().to_vec());
+    assert_eq!((sim.steps(), after), (0, before));
+    let single = MixedLubricationSim::builder(scene()).solver(Liar(NewtonKrylov::new())).solve().unwrap();
+    assert_eq!(single.report.status, Status::Unconfirmed);
+    let honest = MixedLubricationSim::builder(scene()).solver(NewtonKrylov::new()).solve().unwrap();
+    honest.report.require_converged().unwrap();
 }
 
 /// Everything that a checkpoint holds, positions drawn and masses squeezed included, and the conditions of
@@ -193,7 +235,7 @@ fn laws_of_the_user_take_the_place_of_the_scene() {
     let slow = Archard::new(5.45e-10, 5.45e-10, 1.0, 6e9).unwrap();
     let mut own = MixedLubricationSim::builder(scene()).wear_law(slow).build().unwrap();
     let mut usual = MixedLubricationSim::builder(scene()).build().unwrap();
-    let (own, usual) = (run(&mut own, 1, 10.0)[0], run(&mut usual, 1, 10.0)[0]);
+    let (own, usual) = (&run(&mut own, 1, 10.0)[0], &run(&mut usual, 1, 10.0)[0]);
     assert!(own.mean_wear[1] < 0.02 * usual.mean_wear[1]);
     // The contact of the first step knows nothing of wear.
     assert_eq!(own.max_pressure, usual.max_pressure);

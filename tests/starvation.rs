@@ -1,12 +1,12 @@
 //! Contacts whose inlet is supplied with less than fills it.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
-use stribeck::Status;
 use stribeck::lubricant::{DensityLaw, DowsonHigginson};
 use stribeck::reynolds::{Cavitation, Scheme};
 use stribeck::sim::scene::{GridSpec, Load, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
+use stribeck::{SolverId, Status};
 
 /// A smooth ball.
 fn ball() -> Scene {
@@ -20,7 +20,7 @@ fn ball() -> Scene {
 fn roller() -> Scene {
     let mut scene = ball();
     scene.form = Form::Cylinder { radius: 0.01 };
-    scene.load = Load { hertz_pressure: Some(0.6e9), force: None };
+    scene.load = Load::hertz_pressure(0.6e9);
     scene.motion.entrainment_speed = 1.0;
     let a = scene.hertz().unwrap().a_x;
     scene.grid = GridSpec::Row { nx: 256, x: [-4.0 * a, 2.0 * a] };
@@ -34,7 +34,7 @@ fn supplied(mut scene: Scene, film: f64) -> Scene {
 
 fn solved(scene: &Scene) -> ContactSolution {
     let solution = solve_contact(scene).unwrap();
-    let _ = solution.report.require_converged().unwrap();
+    solution.report.require_converged().unwrap();
     let flow = solution.flow.unwrap();
     assert!(flow.imbalance <= scene.solver.tolerance, "{flow:?}");
     solution
@@ -121,7 +121,7 @@ fn solvers_agree_or_end_as_stalled() {
     ] {
         let film = solve(supply, NewtonKrylov).film.central;
         let auto = solve(supply, Auto);
-        assert_eq!(auto.report.solver, "newton_krylov");
+        assert_eq!(auto.report.solver, SolverId::NewtonKrylov);
         assert!((auto.film.central / film - 1.0).abs() < 1e-5, "{:e} and {film:e}", auto.film.central);
         for kind in able {
             let solution = solve(supply, kind);

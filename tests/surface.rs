@@ -5,12 +5,10 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use approx::assert_relative_eq;
-use proptest::prelude::*;
 use stribeck::metrics::height_statistics;
 use stribeck::surface::{
     AlongTrack, AtRest, Autocorrelation, Carried, Form, FourierShift, Heights, Offset, RandomShift,
-    RoughnessMotion, RoughnessSpec, SurfaceError, add_blended, blend_shifted, copy_shifted, generate, read,
-    write_npy,
+    RoughnessMotion, RoughnessSpec, SurfaceError, generate, read, write_npy,
 };
 use stribeck::{Grid, InputError};
 
@@ -234,48 +232,12 @@ fn shifts_by_parts_of_a_cell_keep_what_they_must() {
         let inverse = Offset { columns: nx - 5, rows: ny - 1, fraction: 0.7 };
         fourier.apply(&seen, ny, inverse, &mut back).unwrap();
         assert!(field.iter().zip(&back).all(|(a, b)| (a - b).abs() < 1e-12));
-        // Linear blending there and adding back keep sums and signs.
-        let positive: Vec<f64> = field.iter().map(|v| v.max(0.0)).collect();
-        blend_shifted(&positive, nx, ny, offset, &mut seen).unwrap();
-        back.fill(0.0);
-        add_blended(&seen, nx, ny, offset, &mut back).unwrap();
-        let sums = [&positive, &seen, &back].map(|f| f.iter().sum::<f64>());
-        assert!((sums[0] - sums[1]).abs() < 1e-12 && (sums[0] - sums[2]).abs() < 1e-12, "{sums:?}");
-        assert!(seen.iter().chain(&back).all(|v| *v >= 0.0));
         for fraction in [-0.1, 1.1, f64::NAN] {
             let offset = Offset { fraction, ..offset };
             assert!(fourier.apply(&field, ny, offset, &mut seen).is_err());
-            assert!(blend_shifted(&field, nx, ny, offset, &mut seen).is_err());
-            assert!(add_blended(&field, nx, ny, offset, &mut seen).is_err());
         }
         assert!(fourier.apply(&field[1..], ny, offset, &mut seen).is_err());
     }
-}
-
-proptest! {
-    #[test]
-    fn shifting_follows_its_definition_and_has_an_inverse(nx in 1..9_usize, ny in 1..9_usize, sx in 0..20_usize, sy in 0..20_usize) {
-        let field: Vec<f64> = (0..nx * ny).map(|k| k as f64).collect();
-        let mut seen = vec![0.0; nx * ny];
-        copy_shifted(&field, nx, ny, (sx, sy), &mut seen).unwrap();
-        for j in 0..ny {
-            for i in 0..nx {
-                prop_assert_eq!(&seen[j * nx + i..][..1], &field[(j + sy) % ny * nx + (i + sx) % nx..][..1]);
-            }
-        }
-        let mut back = vec![0.0; nx * ny];
-        add_blended(&seen, nx, ny, Offset { columns: sx, rows: sy, fraction: 0.0 }, &mut back).unwrap();
-        prop_assert_eq!(back, field);
-    }
-}
-
-#[test]
-fn shifting_refuses_fields_of_the_wrong_size() {
-    assert!(copy_shifted(&[0.0; 5], 2, 3, (0, 0), &mut [0.0; 6]).is_err());
-    assert!(copy_shifted(&[0.0; 6], 2, 3, (0, 0), &mut [0.0; 5]).is_err());
-    let offset = Offset { columns: 1, rows: 1, fraction: 0.5 };
-    assert!(add_blended(&[0.0; 6], usize::MAX, 3, offset, &mut [0.0; 6]).is_err());
-    assert!(add_blended(&[], 0, 0, offset, &mut []).is_ok());
 }
 
 // ---------------------------------------------------------------- measured surfaces

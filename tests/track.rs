@@ -36,7 +36,7 @@ fn run(scene: Scene, steps: u64, time_step: f64) -> (MixedLubricationSim, StepRe
     let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
     let mut last = None;
     sim.run(steps, time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-        last = Some(*record);
+        last = Some(record.clone());
         ControlFlow::Continue(())
     })
     .unwrap();
@@ -114,7 +114,7 @@ fn a_body_that_does_not_move_stays_in_the_contact() {
         close(record.mean_wear[1], worn, 1e-5);
         let of_ball = match exposure {
             Exposure::ContactClock => sim.grid().size_x() / (2.0 * sim.hertz().a_x),
-            Exposure::Track => sim.grid().size_x() / (2.0 * std::f64::consts::PI * 9.525e-3),
+            _ => sim.grid().size_x() / (2.0 * std::f64::consts::PI * 9.525e-3),
         };
         close(record.mean_wear[0], worn * of_ball, 1e-5);
         // The disc is worn where the contact is and nowhere else.

@@ -98,25 +98,19 @@ impl Rolling {
     }
 
     fn solve(&mut self, gap: &[f64], squeeze: Option<Squeeze<'_>>, state: &mut ContactState) {
-        let mut problem = LubricatedContact {
+        let mut problem = LubricatedContact::new(
             gap,
-            deformation: &mut *self.body,
-            lubricant: Some(&self.oil),
-            entrainment_speed: self.speed,
-            squeeze,
-            load: self.load,
-            pressure_limit: None,
-            film_cutoff: 1e-9,
-            contact: Default::default(),
-            scheme: Scheme::SecondOrder,
-            face_mobility: FaceMobility::ReducedPressure,
-            cavitation: Default::default(),
-            supplied_film: None,
-            shear_thinning: None,
-            reference_half_widths: (self.half_width, self.half_width),
-            reference_pressure: self.pressure,
-            reference_film: self.reference_film,
-        };
+            &mut *self.body,
+            self.load,
+            (self.half_width, self.half_width),
+            self.pressure,
+        )
+        .with_lubricant(Some(&self.oil))
+        .with_entrainment_speed(self.speed)
+        .with_squeeze(squeeze)
+        .with_scheme(Scheme::SecondOrder)
+        .with_face_mobility(FaceMobility::ReducedPressure)
+        .with_reference_film(self.reference_film);
         let report = self.solver.solve(&mut problem, state, &StoppingRule::default()).unwrap();
         assert_eq!(report.status, Status::Converged, "{report:?}");
     }

@@ -100,5 +100,19 @@ pub(crate) fn quantity(dimension: Dimension, field: &str, text: &str) -> Result<
 /// The value of an option that must be positive.
 pub(crate) fn positive(dimension: Dimension, field: &str, text: &str) -> Result<f64, InputError> {
     let value = quantity(dimension, field, text)?;
-    InputError::require_positive(field, value).map(|()| value)
+    require(value > 0.0, field, value, "finite and > 0")
+}
+
+/// The `value` of `field`, if it is finite and `holds`.
+pub(crate) fn require(
+    holds: bool,
+    field: &str,
+    value: f64,
+    requirement: &'static str,
+) -> Result<f64, InputError> {
+    if holds && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(InputError::Value { field: field.to_owned(), value, requirement })
+    }
 }

@@ -232,7 +232,7 @@ fn solve(job: &Job, settings: &NewtonSettings) -> Cost {
             for _ in 0..job.contacts {
                 let (report, failed) = match sim.step(job.time_step) {
                     Ok(record) => (Some(record.report), false),
-                    Err(stribeck::sim::SimError::NotConverged { source, .. }) => (Some(source.report), true),
+                    Err(stribeck::sim::SimError::NotConverged { source, .. }) => (Some(*source.report), true),
                     Err(_) => (None, true),
                 };
                 cost.convolutions += report.map_or(0.0, |report| report.work.convolutions);

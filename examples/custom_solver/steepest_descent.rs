@@ -2,7 +2,7 @@
 
 use stribeck::reynolds::{ContactSolver, ContactState, Evaluation, LubricatedContact};
 use stribeck::reynolds::{ReynoldsError, StoppingRule};
-use stribeck::{SolveReport, Status, Work};
+use stribeck::{SolveReport, SolverId, Status, Work};
 
 /// Dry elastic contact by steepest descent; pressures that turn negative are cut off, the load is shared out
 /// anew.
@@ -10,8 +10,8 @@ use stribeck::{SolveReport, Status, Work};
 pub(crate) struct SteepestDescent;
 
 impl ContactSolver for SteepestDescent {
-    fn name(&self) -> &'static str {
-        "steepest_descent"
+    fn id(&self) -> SolverId {
+        SolverId::Custom("steepest_descent")
     }
 
     fn solve(
@@ -21,7 +21,7 @@ impl ContactSolver for SteepestDescent {
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
         if problem.lubricant.is_some() {
-            return Err(ReynoldsError::WrongSolver { solver: self.name(), reason: "it is for dry contacts" });
+            return Err(ReynoldsError::WrongSolver { solver: self.id(), reason: "it is for dry contacts" });
         }
         let (grid, mut work) = (problem.grid(), Work::default());
         let (nx, ny, mut evaluation) = (grid.nx(), grid.ny(), Evaluation::new(grid));
@@ -39,7 +39,7 @@ impl ContactSolver for SteepestDescent {
             let converged = residuals.max() <= stop.tolerance;
             if converged || work.iterations == stop.max_iterations {
                 let status = if converged { Status::Converged } else { Status::MaxIterations };
-                return Ok(SolveReport { solver: self.name(), status, residuals, energy_error: None, work });
+                return Ok(SolveReport::new(self.id(), status, residuals).with_work(work));
             }
             work.iterations += 1;
             // The bodies come closer until the gaps under pressure are those of contact on average.

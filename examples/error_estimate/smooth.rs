@@ -62,21 +62,14 @@ fn contact(moes_load: f64, moes_lubricant: f64) -> Scene {
     scene.form = Form::Sphere { radius: RADIUS };
     scene.elastic.equivalent_modulus = MODULUS;
     let force = moes_load * speed_parameter.powf(0.75) * MODULUS * RADIUS * RADIUS;
-    scene.load = Load { hertz_pressure: None, force: Some(force) };
+    scene.load = Load::force(force);
     scene.motion.entrainment_speed = 0.5 * speed_parameter * MODULUS * RADIUS / eta0;
-    scene.lubricant = Some(LubricantSpec {
-        eta0,
-        roelands_z: 0.68,
-        roelands_p0: 1.96e8,
-        alpha: Some(ALPHA),
-        temperature: None,
-        roelands_s0: None,
-        viscosity: None,
-        formula_alpha: None,
-        density_a: 0.34 / 5.9e8,
-        density_b: 1.0 / 5.9e8,
-        supplied_film: None,
-    });
+    scene.lubricant = Some(
+        LubricantSpec::roelands(eta0, 0.68)
+            .with_alpha(Some(ALPHA))
+            .with_density_a(0.34 / 5.9e8)
+            .with_density_b(1.0 / 5.9e8),
+    );
     scene.roughness = Default::default();
     scene.plastic = None;
     scene.wear = None;

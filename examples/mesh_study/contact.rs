@@ -119,7 +119,7 @@ pub(crate) fn solve(job: &Job, folder: &Path) -> Result<Row, Box<dyn Error>> {
     Ok(Row {
         job: *job,
         status: report.status.to_string(),
-        ran: report.solver.to_owned(),
+        ran: report.solver.to_string(),
         residuals: [report.residuals.mass, report.residuals.load, report.residuals.complementarity],
         iterations: report.work.iterations,
         convolutions: report.work.convolutions,

@@ -45,7 +45,7 @@ pub(crate) fn run(
     bar.set_position(sim.steps());
     let left = options.steps.saturating_sub(sim.steps());
     let outcome = sim.run(left, options.time_step, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
-        records.push(*record);
+        records.push(record.clone());
         tick(bar, &title, record);
         folder.after_step(sim, record)
     });

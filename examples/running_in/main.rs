@@ -24,7 +24,7 @@ const END: f64 = 1800.0;
 /// Load of both sweeps \[N\].
 const SWEEP_LOAD: f64 = 20.0;
 /// Longest step \[s\] and largest change of a node in it \[m\].
-const CONTROL: StepControl = StepControl { longest: 20.0, depth: 5e-9 };
+const CONTROL: StepControl = StepControl::new(20.0, 5e-9);
 
 /// Decade of the speed, and friction coefficient, its boundary share, load ratio and lambda at it.
 type Sweep = Vec<(f64, [f64; 4])>;

@@ -123,8 +123,8 @@ pub(crate) fn solve(case: &Case, solver: Solver) -> Entry {
     match solved {
         Err(SimError::NotConverged { source, step, .. }) => {
             let remark = format!("at step {step}");
-            let numbers = [f64::NAN; 3];
-            Entry { report: Some(source.report), numbers, ..entry(verdict(source.report.status), remark) }
+            let verdict = verdict(source.report.status);
+            Entry { report: Some(*source.report), ..entry(verdict, remark) }
         }
         Err(error) => entry(Verdict::Refused, error.to_string()),
         Ok(Solved { report, numbers, fault }) => {

@@ -96,11 +96,7 @@ impl Case {
         scene.grid = GridSpec::Cells { nx: self.nodes, ny: self.nodes, x: [-half, half], y: [-half, half] };
         scene.load.hertz_pressure = Some(self.pressure);
         scene.motion.entrainment_speed = self.speed;
-        scene.plastic = self.hardness.map(|hardness| PlasticSpec {
-            hardness,
-            film_hardness: None,
-            hardening_modulus: None,
-        });
+        scene.plastic = self.hardness.map(PlasticSpec::new);
         let rough = |body: usize| self.roughness(body);
         scene.roughness = RoughnessPair { ball: rough(0), disc: rough(1) };
         scene

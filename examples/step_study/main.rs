@@ -59,7 +59,7 @@ fn end(scene: &Scene, steps: u32) -> Result<Option<StepRecord>, SimError> {
         u64::from(steps),
         END / f64::from(steps),
         &mut |_: &MixedLubricationSim, record: &StepRecord| {
-            last = Some(*record);
+            last = Some(record.clone());
             ControlFlow::Continue(())
         },
     )?;

@@ -118,7 +118,11 @@ const CASES: [Case; 4] = [
         title: "dry, rough",
         quantities: ["contact area", "mean gap"],
         // Elastic: no asperity of these waves reaches the hardness.
-        scene: |n| Scene { lubricant: None, plastic: None, ..Scene::azam_2019(n) },
+        scene: |n| {
+            let mut scene = Scene::azam_2019(n);
+            (scene.lubricant, scene.plastic) = (None, None);
+            scene
+        },
         rough: true,
         grids: &[32, 64, 128, 256, 512],
         solvers: &[("dry", 512), (OWN, 256)],
@@ -195,8 +199,7 @@ fn ball(moes_load: f64, n: usize) -> Scene {
     let speed = (10.0 / (2.2e-8 * MODULUS)).powi(4);
     scene.form = Form::Sphere { radius: RADIUS };
     scene.elastic.equivalent_modulus = MODULUS;
-    scene.load =
-        Load { hertz_pressure: None, force: Some(moes_load * speed.powf(0.75) * MODULUS * RADIUS * RADIUS) };
+    scene.load = Load::force(moes_load * speed.powf(0.75) * MODULUS * RADIUS * RADIUS);
     scene.motion.entrainment_speed = 0.5 * speed * MODULUS * RADIUS / 0.04;
     scene.roughness = Default::default();
     scene.plastic = None;
@@ -298,26 +301,19 @@ fn solve(
         .hamrock_dowson_central()?,
     };
     let limit = scene.plastic.map(|plastic| vec![plastic.hardness; grid.len()]);
-    let mut problem = LubricatedContact {
-        gap: &gap,
-        deformation: &mut body,
-        lubricant: oil.as_ref(),
-        entrainment_speed: scene.motion.entrainment_speed,
-        squeeze: None,
-        load: hertz.load,
-        pressure_limit: limit.as_deref(),
-        film_cutoff: scene.solver.film_cutoff,
-        contact: scene.solver.contact,
-        scheme: scene.scheme(),
-        face_mobility: if name == WEDGE { FaceMobility::Wedge } else { scene.face_mobility() },
-        cavitation: scene.cavitation(),
-        supplied_film: None,
-        shear_thinning: None,
-        reference_half_widths: (hertz.a_x, hertz.a_y),
-        reference_pressure: hertz.p_max,
-        reference_film,
-    };
-    let stop = StoppingRule { tolerance, ..StoppingRule::default() };
+    let face_mobility = if name == WEDGE { FaceMobility::Wedge } else { scene.face_mobility() };
+    let mut problem =
+        LubricatedContact::new(&gap, &mut body, hertz.load, (hertz.a_x, hertz.a_y), hertz.p_max)
+            .with_lubricant(oil.as_ref())
+            .with_entrainment_speed(scene.motion.entrainment_speed)
+            .with_pressure_limit(limit.as_deref())
+            .with_film_cutoff(scene.solver.film_cutoff)
+            .with_contact(scene.solver.contact)
+            .with_scheme(scene.scheme())
+            .with_face_mobility(face_mobility)
+            .with_cavitation(scene.cavitation())
+            .with_reference_film(reference_film);
+    let stop = StoppingRule::default().with_tolerance(tolerance);
     let (start, mut repeats) = (Stopwatch::start(), 0.0);
     let (state, report) = loop {
         let (mut state, mut solver) = (ContactState::new(&grid), solver(name));

@@ -61,10 +61,8 @@ pub(crate) fn rows(quick: bool) -> Result<Vec<Row>, Box<dyn Error>> {
     let exact = history(cells, end, &StepControl::fixed(reference))?;
     println!("steps in time: {} steps of {reference} s, {:?}", exact.steps, exact.values);
     let fixed = LENGTHS.iter().take(count).map(|length| ("fixed", *length, StepControl::fixed(*length)));
-    let bounded = DEPTHS
-        .iter()
-        .take(count)
-        .map(|depth| ("bounded", *depth, StepControl { longest: LENGTHS[0], depth: *depth }));
+    let bounded =
+        DEPTHS.iter().take(count).map(|depth| ("bounded", *depth, StepControl::new(LENGTHS[0], *depth)));
     fixed
         .chain(bounded)
         .map(|(control, bound, step)| {

@@ -134,7 +134,7 @@ impl ForPython for SimError {
             Self::Reynolds(error) => {
                 let (field, value) = match &error {
                     ReynoldsError::WrongSolver { solver, .. } => {
-                        (Some("solver.kind"), solver.into_pyobject(py).ok().map(Bound::into_any))
+                        (Some("solver.kind"), solver.to_string().into_pyobject(py).ok().map(Bound::into_any))
                     }
                     ReynoldsError::EdgeContact { x, y } => {
                         (Some("grid"), (*x, *y).into_pyobject(py).ok().map(Bound::into_any))

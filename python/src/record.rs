@@ -26,7 +26,7 @@ pub(crate) fn work_dict<'py>(py: Python<'py>, report: &SolveReport) -> PyResult<
 pub(crate) fn report_dict<'py>(py: Python<'py>, report: &SolveReport) -> PyResult<Bound<'py, PyDict>> {
     Ok(dictionary!(py, {
         "status": report.status.to_string(),
-        "solver": report.solver,
+        "solver": report.solver.to_string(),
         "residual": residual_dict(py, report)?,
         "energy_error": report.energy_error,
         "work": work_dict(py, report)?,
@@ -84,7 +84,7 @@ pub(crate) fn record_dict<'py>(py: Python<'py>, record: &StepRecord) -> PyResult
         "outflow": record.flow.map_or(f64::NAN, |flow| flow.outflow),
         "flow_imbalance": record.flow.map_or(f64::NAN, |flow| flow.imbalance),
         "attempts": record.attempts,
-        "solver": report.solver,
+        "solver": report.solver.to_string(),
         "status": report.status.to_string(),
         "mass_residual": report.residuals.mass,
         "load_residual": report.residuals.load,

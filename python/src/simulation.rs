@@ -86,10 +86,10 @@ impl Simulation {
     }
 
     fn step<'py>(&self, py: Python<'py>, time_step: f64, depth: f64) -> PyResult<Bound<'py, PyDict>> {
-        let control = StepControl { longest: time_step, depth };
+        let control = StepControl::new(time_step, depth);
         let record = self.act(py, |run| {
             let record = run.sim.step_within(&control)?;
-            run.records.push(record);
+            run.records.push(record.clone());
             Ok::<_, SimError>(record)
         })?;
         record_dict(py, &record)
@@ -103,14 +103,14 @@ impl Simulation {
         time_step: f64,
         depth: f64,
     ) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let control = StepControl { longest: time_step, depth };
+        let control = StepControl::new(time_step, depth);
         let record = self.act(py, |run| {
             let mut first = None;
             run.sim.run_until(end, &control, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-                first = Some(*record);
+                first = Some(record.clone());
                 ControlFlow::Break(())
             })?;
-            run.records.extend(first);
+            run.records.extend(first.clone());
             Ok::<_, SimError>(first)
         })?;
         record.map(|record| record_dict(py, &record)).transpose()

@@ -107,16 +107,15 @@ impl Start<'_> {
         let grid = value(py, scene.0.grid())?;
         let part =
             |name: &str, array| -> PyResult<Vec<f64>> { Ok(on_grid(py, name, array, &grid)?.to_vec()) };
-        Ok(ContactState {
-            pressure: part("start pressure", &self.pressure)?,
-            fluid_pressure: part("start fluid_pressure", &self.fluid_pressure)?,
-            film: part("start film", &self.film)?,
-            content: part("start theta", &self.theta)?,
-            plastic_depth: part("start plastic_depth", &self.plastic_depth)?,
-            in_contact: on_grid(py, "start in_contact", &self.in_contact, &grid)?.to_vec(),
-            approach: self.approach,
-            ..ContactState::new(&grid)
-        })
+        let mut state = ContactState::new(&grid);
+        state.pressure = part("start pressure", &self.pressure)?;
+        state.fluid_pressure = part("start fluid_pressure", &self.fluid_pressure)?;
+        state.film = part("start film", &self.film)?;
+        state.content = part("start theta", &self.theta)?;
+        state.plastic_depth = part("start plastic_depth", &self.plastic_depth)?;
+        state.in_contact = on_grid(py, "start in_contact", &self.in_contact, &grid)?.to_vec();
+        state.approach = self.approach;
+        Ok(state)
     }
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::fmt;
 
 use super::response::ElasticResponse;
-use super::{DeformationModel, NEAR};
+use super::{DeformationModel, NEAR, ResponseApproximations};
 use crate::analytic::rectangle_potential;
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -91,6 +91,21 @@ impl DeformationModel for HalfSpace {
         self.response.displacement(pressure, out)
     }
 
+    fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
+        let body = Self::new(grid, self.equivalent_modulus).ok()?;
+        Some(Box::new(body))
+    }
+
+    fn influence(&self, di: usize, dj: usize) -> f64 {
+        self.near.get(dj).and_then(|row| row.get(di)).copied().unwrap_or(0.0)
+    }
+
+    fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
+        Some(self)
+    }
+}
+
+impl ResponseApproximations for HalfSpace {
     fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         self.response.displacement_single(pressure, out)
     }
@@ -101,14 +116,5 @@ impl DeformationModel for HalfSpace {
 
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         self.response.pressure_estimate(displacement, out)
-    }
-
-    fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
-        let body = Self::new(grid, self.equivalent_modulus).ok()?;
-        Some(Box::new(body))
-    }
-
-    fn influence(&self, di: usize, dj: usize) -> f64 {
-        self.near.get(dj).and_then(|row| row.get(di)).copied().unwrap_or(0.0)
     }
 }

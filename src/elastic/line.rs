@@ -1,7 +1,7 @@
 //! The elastic half-space under line loads, plane strain, by DC-FFT.
 
 use super::response::ElasticResponse;
-use super::{DeformationModel, NEAR};
+use super::{DeformationModel, NEAR, ResponseApproximations};
 use crate::analytic::strip_displacement;
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -79,15 +79,21 @@ impl DeformationModel for LineHalfSpace {
         self.response.displacement(pressure, out)
     }
 
+    fn influence(&self, di: usize, dj: usize) -> f64 {
+        if dj == 0 { self.near.get(di).copied().unwrap_or(0.0) } else { 0.0 }
+    }
+
+    fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
+        Some(self)
+    }
+}
+
+impl ResponseApproximations for LineHalfSpace {
     fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         self.response.displacement_single(pressure, out)
     }
 
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         self.response.pressure_estimate(displacement, out)
-    }
-
-    fn influence(&self, di: usize, dj: usize) -> f64 {
-        if dj == 0 { self.near.get(di).copied().unwrap_or(0.0) } else { 0.0 }
     }
 }

@@ -1,7 +1,7 @@
 //! Elastic deformation of the surfaces under pressure.
 //!
 //! [`DeformationModel`] is what solvers need of a body: the displacement field of a pressure field and the
-//! first influence coefficients. [`HalfSpace`] is the default (Boussinesq half-space, Love's influence
+//! first influence coefficients; [`ResponseApproximations`] are what makes them faster. [`HalfSpace`] is the default (Boussinesq half-space, Love's influence
 //! coefficients, DC-FFT convolution), [`LineHalfSpace`] its plane-strain counterpart for line contacts,
 //! [`LayeredHalfSpace`] either of them with a bonded [`Layer`]; [`direct_displacement`] is the slow direct
 //! sum that it is checked against. [`subsurface_stress`] and [`stress_extremes`] are the stresses below the
@@ -47,21 +47,28 @@ pub trait DeformationModel: Debug + Send {
     /// most [`NEAR`]): line relaxations solve for these implicitly.
     fn influence(&self, di: usize, dj: usize) -> f64;
 
-    /// The same bodies on another grid, for multigrid; none (the default) where the model lives on one grid
-    /// alone: then `Multigrid` refuses it and `Auto` takes Newton's method.
+    /// The same bodies on another grid, for starts on coarser grids and multigrid; none (the default) where the model
+    /// lives on one grid alone: then `Multigrid` refuses it and `Auto` takes Newton's method.
     fn on_grid(&self, _grid: Grid) -> Option<Box<dyn DeformationModel>> {
         None
     }
 
+    /// Cheaper approximations of the response, for solvers to work with; none (the default) where there are
+    /// none: the displacement is then taken in their place, and a division by the self-influence.
+    fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
+        None
+    }
+}
+
+/// Approximations of the response of a [`DeformationModel`] that cost less than its displacement. Solutions do
+/// not depend on them, the work of a solve does.
+pub trait ResponseApproximations {
     /// Overwrites `out` \[m\] with the displacement under `pressure` \[Pa\] to about 1e-6 of its largest
-    /// value: what the products of linear systems need, which are solved to a hundredth. By default
-    /// `displacement`.
+    /// value: what the products of linear systems need, which are solved to a hundredth.
     ///
     /// # Errors
     /// [`InputError::Shape`] when a slice does not fit the grid.
-    fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.displacement(pressure, out)
-    }
+    fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError>;
 
     /// Overwrites `out` \[m\] with the displacement under `pressure` \[Pa\] to some per cent, exact between
     /// near nodes: what linear systems are solved with before `displacement_single` tells how well. The
@@ -76,12 +83,45 @@ pub trait DeformationModel: Debug + Send {
 
     /// Overwrites `out` \[Pa\] with an estimate of the pressure that causes `displacement` \[m\]: the
     /// preconditioner of contact equations. It must be linear, to about 1e-6, and positive; the better it
-    /// inverts `displacement`, the fewer iterations a solve takes. By default a division by the
-    /// self-influence.
+    /// inverts the displacement, the fewer iterations a solve takes.
     ///
     /// # Errors
     /// [`InputError::Shape`] when a slice does not fit the grid.
-    fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+    fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError>;
+}
+
+/// What solvers ask of a model, approximations or not.
+impl dyn DeformationModel + '_ {
+    pub(crate) fn displacement_single(
+        &mut self,
+        pressure: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), InputError> {
+        match self.approximations() {
+            Some(approximations) => approximations.displacement_single(pressure, out),
+            None => self.displacement(pressure, out),
+        }
+    }
+
+    pub(crate) fn displacement_periodic(
+        &mut self,
+        pressure: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), InputError> {
+        match self.approximations() {
+            Some(approximations) => approximations.displacement_periodic(pressure, out),
+            None => self.displacement(pressure, out),
+        }
+    }
+
+    pub(crate) fn pressure_estimate(
+        &mut self,
+        displacement: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), InputError> {
+        if let Some(approximations) = self.approximations() {
+            return approximations.pressure_estimate(displacement, out);
+        }
         InputError::require_len("displacement", displacement, self.grid().len())?;
         InputError::require_len("out", out, self.grid().len())?;
         let stiffness = 1.0 / self.influence(0, 0);

@@ -11,6 +11,7 @@ use crate::numerics::Fft2;
 
 /// Direction of profiles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Axis {
     /// Rows.
     X,

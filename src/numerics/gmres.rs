@@ -6,10 +6,12 @@ const STAGNANT: f64 = 0.02;
 
 /// A linear operator with its preconditioner.
 pub(crate) trait PreconditionedOperator {
+    /// Why a product could not be formed; it ends the solve.
+    type Error;
     /// `out = A x`.
-    fn apply(&mut self, x: &[f32], out: &mut [f32]);
+    fn apply(&mut self, x: &[f32], out: &mut [f32]) -> Result<(), Self::Error>;
     /// `out = M^-1 r`.
-    fn precondition(&mut self, r: &[f32], out: &mut [f32]);
+    fn precondition(&mut self, r: &[f32], out: &mut [f32]) -> Result<(), Self::Error>;
 }
 
 /// Basis and rotations of a GMRES solve (Saad and Schultz 1986, SIAM J. Sci. Stat. Comput. 7, 856-869), the
@@ -54,17 +56,17 @@ impl Gmres {
     }
 
     /// Solves `A x = b` to a residual below `tolerance * |b|`, starting from zero.
-    pub(crate) fn solve(
+    pub(crate) fn solve<O: PreconditionedOperator>(
         &mut self,
-        operator: &mut impl PreconditionedOperator,
+        operator: &mut O,
         b: &[f32],
         tolerance: f64,
         x: &mut [f32],
-    ) -> LinearOutcome {
+    ) -> Result<LinearOutcome, O::Error> {
         x.fill(0.0);
         let norm = f64::from(dot(b, b)).sqrt();
         if norm == 0.0 || !norm.is_finite() {
-            return LinearOutcome { steps: 0 };
+            return Ok(LinearOutcome { steps: 0 });
         }
         scaled(b, 1.0 / norm as f32, &mut self.basis[0]);
         self.residual[..b.len()].copy_from_slice(&self.basis[0][..b.len()]);
@@ -72,7 +74,7 @@ impl Gmres {
         self.rhs[0] = norm;
         let mut steps = 0;
         while steps < self.limit {
-            let next_norm = self.extend(operator, steps, b.len());
+            let next_norm = self.extend(operator, steps, b.len())?;
             let residual = self.rotate(steps, next_norm);
             steps += 1;
             if residual <= tolerance * norm || next_norm == 0.0 || !residual.is_finite() {
@@ -81,16 +83,21 @@ impl Gmres {
             self.follow_residual(steps - 1, b.len());
         }
         self.assemble(steps, x);
-        LinearOutcome { steps: steps as u64 }
+        Ok(LinearOutcome { steps: steps as u64 })
     }
 
     /// One Arnoldi step with vectors of `n` entries; returns the norm of the new direction.
-    fn extend(&mut self, operator: &mut impl PreconditionedOperator, step: usize, n: usize) -> f64 {
+    fn extend<O: PreconditionedOperator>(
+        &mut self,
+        operator: &mut O,
+        step: usize,
+        n: usize,
+    ) -> Result<f64, O::Error> {
         let (known, fresh) = self.basis.split_at_mut(step + 1);
         let (direction, next) = (&mut self.directions[step][..n], &mut fresh[0][..n]);
         let stagnates = step > 0 && self.cosines[step - 1].abs() < STAGNANT;
-        operator.precondition(&(if stagnates { &known[step] } else { &self.residual })[..n], direction);
-        operator.apply(direction, next);
+        operator.precondition(&(if stagnates { &known[step] } else { &self.residual })[..n], direction)?;
+        operator.apply(direction, next)?;
         for (i, v) in known.iter().enumerate() {
             let v = &v[..n];
             let projection = dot(next, v);
@@ -106,7 +113,7 @@ impl Gmres {
                 *n *= inverse;
             }
         }
-        norm
+        Ok(norm)
     }
 
     /// Applies the Givens rotations to column `step`; returns the residual norm.
@@ -183,13 +190,17 @@ mod tests {
     struct Shift;
 
     impl PreconditionedOperator for Shift {
-        fn apply(&mut self, x: &[f32], out: &mut [f32]) {
+        type Error = std::convert::Infallible;
+
+        fn apply(&mut self, x: &[f32], out: &mut [f32]) -> Result<(), Self::Error> {
             out.copy_from_slice(x);
             out.rotate_right(1);
+            Ok(())
         }
 
-        fn precondition(&mut self, r: &[f32], out: &mut [f32]) {
+        fn precondition(&mut self, r: &[f32], out: &mut [f32]) -> Result<(), Self::Error> {
             out.copy_from_slice(r);
+            Ok(())
         }
     }
 
@@ -199,7 +210,7 @@ mod tests {
         let mut b = [0.0; N];
         b[0] = 2.0;
         let mut x = [0.0; N];
-        let outcome = Gmres::new(N, 2 * N).solve(&mut Shift, &b, 1e-6, &mut x);
+        let Ok(outcome) = Gmres::new(N, 2 * N).solve(&mut Shift, &b, 1e-6, &mut x);
         assert_eq!(outcome.steps, N as u64);
         for (k, value) in x.iter().enumerate() {
             let exact = if k == N - 1 { 2.0 } else { 0.0 };

@@ -7,6 +7,7 @@ use super::{
     ContactSolver, Dry, Multigrid, NewtonKrylov, ReynoldsError, SemiSystem, StoppingRule, check_call,
 };
 use crate::report::{SolveReport, Status};
+use crate::solver_id::SolverId;
 
 /// Newton's method finishes for less what would take multigrid more cycles than these. It goes on from
 /// residuals below this; from larger ones it would start anew.
@@ -19,7 +20,7 @@ const FILM_OVER_CONTACT: f64 = 10.0;
 /// [`Dry`] without a lubricant. [`Multigrid`] where a smooth full film is expected; [`NewtonKrylov`] finishes
 /// what that leaves above the tolerance, and solves all the rest. Where it does not converge although no
 /// solids touch, [`SemiSystem`] tries, which in solid contact would not. The report names the solver whose
-/// state was kept (`"multigrid+newton_krylov"` if the second finished what the first began) and counts the
+/// state was kept ([`SolverId::MultigridThenNewton`] if the second finished what the first began) and counts the
 /// work of all.
 ///
 /// A smooth contact whose film by formula is ten times the contact film and more, but whose solids touch on
@@ -69,8 +70,8 @@ impl Default for Auto {
 }
 
 impl ContactSolver for Auto {
-    fn name(&self) -> &'static str {
-        "auto"
+    fn id(&self) -> SolverId {
+        SolverId::Auto
     }
 
     fn solve(
@@ -105,10 +106,8 @@ impl Auto {
     ) -> Result<SolveReport, ReynoldsError> {
         let given = self.paper_start.get_or_insert_with(|| state.clone());
         given.clone_from(state);
-        problem.contact = ContactDefinition::Hard;
-        let open = self.lubricated(problem, state, stop);
-        problem.contact = ContactDefinition::UnifiedReynolds;
-        let open = open?;
+        let mut hard = problem.copied().with_contact(ContactDefinition::Hard);
+        let open = self.lubricated(&mut hard, state, stop)?;
         let touches = state.in_contact.contains(&true);
         if open.status == Status::Converged && !touches {
             return Ok(open);
@@ -116,9 +115,7 @@ impl Auto {
         if let Some(given) = &self.paper_start {
             state.clone_from(given);
         }
-        let mut report = self.sweeps.solve(problem, state, stop)?;
-        report.work += open.work;
-        Ok(report)
+        Ok(self.sweeps.solve(problem, state, stop)?.preceded_by(open))
     }
 
     fn lubricated(
@@ -149,12 +146,12 @@ impl Auto {
         if !is_near && let Some(given) = &self.kept {
             state.clone_from(given);
         }
-        let mut second = self.newton_then_sweeps(problem, state, stop)?;
-        second.work += first.work;
-        if is_near && second.status == Status::Converged && second.solver == self.newton.name() {
-            second.solver = "multigrid+newton_krylov";
+        let too_coarse = first.status == Status::MeshTooCoarse;
+        let mut second = self.newton_then_sweeps(problem, state, stop)?.preceded_by(first);
+        if is_near && second.status == Status::Converged && second.solver == self.newton.id() {
+            second.solver = SolverId::MultigridThenNewton;
         }
-        if first.status == Status::MeshTooCoarse && second.status != Status::Converged {
+        if too_coarse && second.status != Status::Converged {
             second.status = Status::MeshTooCoarse;
         }
         Ok(second)
@@ -172,13 +169,12 @@ impl Auto {
         }
         let kept = self.kept.get_or_insert_with(|| state.clone());
         kept.clone_from(state);
-        let mut second = self.sweeps.solve(problem, state, stop)?;
-        second.work += first.work;
+        let second = self.sweeps.solve(problem, state, stop)?;
         let off_load = second.residuals.load > first.residuals.load.max(stop.tolerance);
         if second.residuals.max() <= first.residuals.max() && !off_load {
-            return Ok(second);
+            return Ok(second.preceded_by(first));
         }
         state.clone_from(kept);
-        Ok(SolveReport { work: second.work, ..first })
+        Ok(first.followed_by(second))
     }
 }

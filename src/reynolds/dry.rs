@@ -7,6 +7,7 @@ use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::elastic::{DryOutcome, DryProblem, DrySolver};
 use crate::grid::Grid;
 use crate::report::{SolveReport, Status, Work};
+use crate::solver_id::SolverId;
 
 /// Reference film over mean dry gap above which a start is fluid.
 const FILM_OVER_GAP: f64 = 2.0;
@@ -136,8 +137,8 @@ fn refuse_edge_contact(grid: &Grid, state: &ContactState) -> Result<(), Reynolds
 }
 
 impl ContactSolver for Dry {
-    fn name(&self) -> &'static str {
-        "dry"
+    fn id(&self) -> SolverId {
+        SolverId::Dry
     }
 
     fn solve(
@@ -149,7 +150,7 @@ impl ContactSolver for Dry {
         let grid = check_call(problem, state, stop)?;
         if problem.lubricant.is_some() {
             return Err(ReynoldsError::WrongSolver {
-                solver: self.name(),
+                solver: self.id(),
                 reason: "the problem has a lubricant",
             });
         }
@@ -183,6 +184,8 @@ impl ContactSolver for Dry {
             iterations: outcome.passes,
             inner_iterations: outcome.steps,
         };
-        Ok(SolveReport { solver: "dry", status, residuals, energy_error: Some(outcome.energy_error), work })
+        Ok(SolveReport::new(self.id(), status, residuals)
+            .with_energy_error(outcome.energy_error)
+            .with_work(work))
     }
 }

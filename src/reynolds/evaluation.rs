@@ -14,16 +14,11 @@ use crate::report::Residuals;
 /// ```
 /// use stribeck::Grid;
 /// use stribeck::elastic::HalfSpace;
-/// use stribeck::reynolds::{ContactState, Evaluation, LubricatedContact, Scheme};
+/// use stribeck::reynolds::{ContactState, Evaluation, LubricatedContact};
 /// let grid = Grid::centred(32, 32, 1e-5, 1e-5)?;
 /// let gap: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / 0.02).collect();
-/// let mut problem = LubricatedContact {
-///     gap: &gap, deformation: &mut HalfSpace::new(grid, 230e9)?, lubricant: None, entrainment_speed: 0.0,
-///     squeeze: None, load: 1.0, pressure_limit: None, film_cutoff: 1e-9, contact: Default::default(),
-///     scheme: Scheme::default(), face_mobility: Default::default(),
-///     cavitation: Default::default(), supplied_film: None, shear_thinning: None,
-///     reference_half_widths: (4e-5, 4e-5), reference_pressure: 3e8, reference_film: 0.0,
-/// };
+/// let mut body = HalfSpace::new(grid, 230e9)?;
+/// let mut problem = LubricatedContact::new(&gap, &mut body, 1.0, (4e-5, 4e-5), 3e8);
 /// // Half of the load on one node.
 /// let mut state = ContactState::new(&grid);
 /// state.pressure[16 * 32 + 16] = 0.5 / grid.cell_area();

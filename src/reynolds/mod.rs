@@ -45,9 +45,12 @@ use thiserror::Error;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::SolveReport;
+use crate::solver_id::SolverId;
+use crate::with_fields::with_fields;
 
 /// When a solve ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct StoppingRule {
     /// Bound for each of the three [residuals](crate::Residuals).
     pub tolerance: f64,
@@ -55,14 +58,21 @@ pub struct StoppingRule {
     pub max_iterations: u64,
 }
 
+with_fields!(StoppingRule { with_tolerance tolerance: f64, with_max_iterations max_iterations: u64 });
+
 impl Default for StoppingRule {
     /// Residuals of 1e-6, at most 20 000 iterations.
     fn default() -> Self {
-        Self { tolerance: 1e-6, max_iterations: 20_000 }
+        Self::new(1e-6, 20_000)
     }
 }
 
 impl StoppingRule {
+    /// Residuals of `tolerance`, at most `max_iterations` outer iterations.
+    pub const fn new(tolerance: f64, max_iterations: u64) -> Self {
+        Self { tolerance, max_iterations }
+    }
+
     /// Checks the ranges.
     ///
     /// # Errors
@@ -79,14 +89,14 @@ impl StoppingRule {
 
 /// Solves a [`LubricatedContact`].
 ///
-/// Contract: start from `state` (a state without any pressure asks for a cold start), leave the best state
+/// Contract: leave `problem` as it is, but for what the deformation model remembers; start from `state` (a state without any pressure asks for a cold start), leave the best state
 /// found in it, and report residuals of exactly that state. Buffers may be made at the first solve; later
 /// ones on the same grid do not allocate. What is found depends on problem, state and rule alone, so that a
 /// resumed run is the uninterrupted one. Residuals are those of [`Evaluation`]. Never report
 /// [`Status::Converged`](crate::Status::Converged) with a residual above the tolerance.
 pub trait ContactSolver: Debug + Send {
-    /// Name for reports.
-    fn name(&self) -> &'static str;
+    /// What reports call the solver; [`SolverId::Custom`] outside of the crate.
+    fn id(&self) -> SolverId;
 
     /// Solves `problem` from `state` until `stop`.
     ///
@@ -123,8 +133,8 @@ pub enum ReynoldsError {
     /// The solver is not made for this problem.
     #[error("solver {solver} cannot be used: {reason}")]
     WrongSolver {
-        /// Name of the solver.
-        solver: &'static str,
+        /// The solver.
+        solver: SolverId,
         /// What the problem has that the solver cannot treat.
         reason: &'static str,
     },
@@ -137,11 +147,5 @@ pub enum ReynoldsError {
         x: f64,
         /// Where \[m\].
         y: f64,
-    },
-    /// Not enough memory for the factorisation.
-    #[error("not enough memory to factorise the fluid equations of {nodes} nodes")]
-    Memory {
-        /// Number of nodes of the grid.
-        nodes: usize,
     },
 }

@@ -5,10 +5,12 @@ use crate::elastic::DeformationModel;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
+use crate::with_fields::with_fields;
 
 /// What solid contact is in a lubricated contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum ContactDefinition {
     /// Fluid and solid pressure apart: solids push where the film is the cut-off, and hold it there.
     #[default]
@@ -95,6 +97,7 @@ impl<'a> Squeeze<'a> {
 /// On a grid with one row this is a line contact: the two ends of the row are its outermost nodes, nothing
 /// flows across it, and loads are those of the length `dy`.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct LubricatedContact<'a> {
     /// Undeformed gap per node \[m\]: form minus the heights of both surfaces.
     pub gap: &'a [f64],
@@ -135,7 +138,58 @@ pub struct LubricatedContact<'a> {
     pub reference_film: f64,
 }
 
+with_fields!(<'a> LubricatedContact<'a> {
+    with_lubricant lubricant: Option<&'a Lubricant>,
+    with_entrainment_speed entrainment_speed: f64,
+    with_squeeze squeeze: Option<Squeeze<'a>>,
+    with_load load: f64,
+    with_pressure_limit pressure_limit: Option<&'a [f64]>,
+    with_film_cutoff film_cutoff: f64,
+    with_contact contact: ContactDefinition,
+    with_scheme scheme: Scheme,
+    with_face_mobility face_mobility: FaceMobility,
+    with_cavitation cavitation: Cavitation,
+    with_supplied_film supplied_film: Option<f64>,
+    with_shear_thinning shear_thinning: Option<ShearThinning>,
+    with_reference_film reference_film: f64,
+});
+
+impl<'a> LubricatedContact<'a> {
+    /// A dry elastic contact; the rest is said by the `with_` methods. `reference_half_widths` \[m\] and
+    /// `reference_pressure` \[Pa\] are usually those of Hertz, `load` is in N.
+    pub fn new(
+        gap: &'a [f64],
+        deformation: &'a mut dyn DeformationModel,
+        load: f64,
+        reference_half_widths: (f64, f64),
+        reference_pressure: f64,
+    ) -> Self {
+        Self {
+            gap,
+            deformation,
+            lubricant: None,
+            entrainment_speed: 0.0,
+            squeeze: None,
+            load,
+            pressure_limit: None,
+            film_cutoff: LubricatedContact::FILM_CUTOFF,
+            contact: ContactDefinition::default(),
+            scheme: Scheme::default(),
+            face_mobility: FaceMobility::default(),
+            cavitation: Cavitation::default(),
+            supplied_film: None,
+            shear_thinning: None,
+            reference_half_widths,
+            reference_pressure,
+            reference_film: 0.0,
+        }
+    }
+}
+
 impl LubricatedContact<'_> {
+    /// Film thickness at which solids touch unless something else is said \[m\].
+    pub const FILM_CUTOFF: f64 = 1e-9;
+
     /// The grid of the problem.
     pub fn grid(&self) -> Grid {
         self.deformation.grid()
@@ -151,27 +205,14 @@ impl LubricatedContact<'_> {
         self.contact == ContactDefinition::UnifiedReynolds && self.lubricant.is_some()
     }
 
+    /// The same contact for a solver to change: nothing that it does to it reaches the caller's.
+    pub(super) fn copied(&mut self) -> LubricatedContact<'_> {
+        LubricatedContact { deformation: &mut *self.deformation, ..*self }
+    }
+
     /// The same contact with the squeeze term `squeeze`.
-    pub(super) fn with_squeeze<'b>(&'b mut self, squeeze: Squeeze<'b>) -> LubricatedContact<'b> {
-        LubricatedContact {
-            gap: self.gap,
-            deformation: &mut *self.deformation,
-            lubricant: self.lubricant,
-            entrainment_speed: self.entrainment_speed,
-            squeeze: Some(squeeze),
-            load: self.load,
-            pressure_limit: self.pressure_limit,
-            film_cutoff: self.film_cutoff,
-            contact: self.contact,
-            scheme: self.scheme,
-            face_mobility: self.face_mobility,
-            cavitation: self.cavitation,
-            supplied_film: self.supplied_film,
-            shear_thinning: self.shear_thinning,
-            reference_half_widths: self.reference_half_widths,
-            reference_pressure: self.reference_pressure,
-            reference_film: self.reference_film,
-        }
+    pub(super) fn squeezed<'b>(&'b mut self, squeeze: Squeeze<'b>) -> LubricatedContact<'b> {
+        LubricatedContact { squeeze: Some(squeeze), ..self.copied() }
     }
 
     /// Checks shapes and ranges of every field.

@@ -6,6 +6,7 @@ use crate::grid::Grid;
 /// Pressures, film and approach of a contact; fields are row-major slices over the grid.
 #[derive(Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct ContactState {
     /// Total pressure, fluid plus solid \[Pa\].
     pub pressure: Vec<f64>,

@@ -28,10 +28,10 @@ pub struct SimBuilder {
     pub(super) scene: Scene,
     pub(super) overrides: Overrides,
     pub(super) plasticity: Option<Box<dyn PlasticityModel>>,
-    growth: Option<Box<dyn FilmGrowthLaw>>,
-    wear: Option<Box<dyn WearLaw>>,
+    pub(super) growth: Option<Box<dyn FilmGrowthLaw>>,
+    pub(super) wear: Option<Box<dyn WearLaw>>,
     pub(super) friction: Option<Box<dyn BoundaryFriction>>,
-    motion: Option<Box<dyn RoughnessMotion>>,
+    pub(super) motion: Option<Box<dyn RoughnessMotion>>,
     squeeze: bool,
     pub(super) heights: [Option<Vec<f64>>; 2],
     pub(super) starts: [Option<BodyStart>; 2],
@@ -76,7 +76,9 @@ impl SimBuilder {
         self
     }
 
-    /// Replaces the solver.
+    /// Replaces the solver. A state that it calls converged is evaluated before it counts: where its residuals are
+    /// above twice the tolerance the status is [`Status::Unconfirmed`](crate::Status::Unconfirmed), and nothing is
+    /// done to the bodies.
     #[must_use]
     pub fn solver(mut self, solver: impl ContactSolver + 'static) -> Self {
         self.overrides.solver = Some(Box::new(solver));
@@ -214,6 +216,8 @@ impl SimBuilder {
     /// A scene or heights that do not fit.
     pub fn build(mut self) -> Result<MixedLubricationSim, SimError> {
         self.scene.schedule.read_tables()?;
+        #[cfg(feature = "serde")]
+        let own_parts = super::identity::OwnParts::of(&self);
         let overrides = std::mem::take(&mut self.overrides);
         let mut contact = ContactModel::new(&self.scene, overrides)?;
         let own_heights = self.own_heights();
@@ -226,14 +230,11 @@ impl SimBuilder {
         let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
         let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion());
         let travel = Travel { motion, squeeze: self.squeeze };
-        Ok(MixedLubricationSim::assemble(
-            (self.scene, timetable, warnings),
-            contact,
-            bodies,
-            laws,
-            heat,
-            travel,
-        )?)
+        let whole = (self.scene, timetable, warnings);
+        let sim = MixedLubricationSim::assemble(whole, contact, bodies, laws, heat, travel)?;
+        #[cfg(feature = "serde")]
+        let sim = sim.with_own_parts(own_parts);
+        Ok(sim)
     }
 
     /// Those of the scene but for roughness that `own_heights` replace, and those of heights that were given

@@ -29,7 +29,7 @@ use crate::wear::WearDepth;
 const IN_MEMORY: &str = "checkpoint in memory";
 const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
 /// Format that this version writes and reads.
-const FORMAT: u32 = 4;
+const FORMAT: u32 = 5;
 /// Bytes before the content.
 const HEADER: usize = 36;
 
@@ -198,9 +198,10 @@ impl MixedLubricationSim {
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
     pub fn checkpoint(&self) -> Result<Vec<u8>, CheckpointError> {
+        let damaged = |reason: String| CheckpointError::Damaged { path: PathBuf::from(IN_MEMORY), reason };
         let [ball, disc] = self.bodies();
         let content = Content {
-            identity: self.identity(),
+            identity: self.identity().map_err(|error| damaged(error.to_string()))?,
             bodies: [BodyPart::of(ball), BodyPart::of(disc)],
             state: Cow::Borrowed(&self.state),
             squeeze_memory: Cow::Borrowed(&self.squeeze_memory),
@@ -208,10 +209,7 @@ impl MixedLubricationSim {
             step: self.step,
             draws: self.draws,
         };
-        let content = postcard::to_stdvec(&content).map_err(|error| CheckpointError::Damaged {
-            path: PathBuf::from(IN_MEMORY),
-            reason: error.to_string(),
-        })?;
+        let content = postcard::to_stdvec(&content).map_err(|error| damaged(error.to_string()))?;
         let mut bytes = Vec::with_capacity(HEADER + content.len());
         bytes.extend_from_slice(MAGIC);
         bytes.extend_from_slice(&FORMAT.to_le_bytes());
@@ -286,7 +284,8 @@ impl MixedLubricationSim {
         let content: Content<'_> =
             postcard::from_bytes(content).map_err(|error| damaged(error.to_string()))?;
         let other = |part: &str| CheckpointError::Other { path: path.to_owned(), part: part.to_owned() };
-        let differences = self.identity().differences(&content.identity);
+        let own = self.identity().map_err(|error| damaged(error.to_string()))?;
+        let differences = own.differences(&content.identity);
         if !differences.iter().all(|part| allowed.contains(&part.as_str())) {
             return Err(other(&differences.join(", ")));
         }

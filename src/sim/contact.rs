@@ -15,11 +15,15 @@ use crate::elastic::{DeformationModel, HalfSpace, LayeredHalfSpace, LineHalfSpac
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
-use crate::report::SolveReport;
+use crate::report::{SolveReport, Status};
 use crate::reynolds::{
     Cavitation, ContactDefinition, ContactSolver, ContactState, Evaluation, FaceMobility, FlowBalance,
-    LubricatedContact, Scheme, ShearThinning, Squeeze, StoppingRule,
+    LubricatedContact, ReynoldsError, Scheme, ShearThinning, Squeeze, StoppingRule,
 };
+
+/// Residuals over the tolerance up to which a solver from outside has converged: films carry the rounding of
+/// another sum.
+const CONFIRMED: f64 = 2.0;
 
 /// Grid, elastic body, lubricant, load and solver of a scene.
 #[derive(Debug)]
@@ -31,6 +35,8 @@ pub(super) struct ContactModel {
     pub(super) deformation: Box<dyn DeformationModel>,
     pub(super) lubricant: Option<Lubricant>,
     pub(super) solver: Box<dyn ContactSolver>,
+    /// Whether the solver is one of the user's, whose states are evaluated before they count.
+    confirms: bool,
     rule: StoppingRule,
     pub(super) scheme: Scheme,
     pub(super) face_mobility: FaceMobility,
@@ -49,7 +55,8 @@ pub(super) struct ContactModel {
     /// Central film by formula, by the pressure-viscosity coefficient that is stated for it; zero without
     /// lubricant \[m\].
     pub(super) stated_film: f64,
-    /// Measures the flow of solutions; none without lubricant.
+    /// Measures the flow of solutions, and evaluates those of solvers from outside; none where there is nothing
+    /// to measure.
     evaluation: Option<Evaluation>,
     /// That of the last one.
     pub(super) flow: Option<FlowBalance>,
@@ -129,13 +136,14 @@ impl ContactModel {
         Ok(Self {
             formulas,
             stated_film,
-            evaluation: lubricant.is_some().then(|| Evaluation::new(grid)),
+            evaluation: (lubricant.is_some() || overrides.solver.is_some()).then(|| Evaluation::new(grid)),
             flow: None,
             grid,
             hertz,
             form_gap,
             deformation,
             lubricant,
+            confirms: overrides.solver.is_some(),
             solver: overrides.solver.map_or_else(|| setup::solver(scene), Ok)?,
             rule: setup::stopping_rule(scene)?,
             scheme: scene.scheme(),
@@ -241,6 +249,10 @@ impl ContactModel {
             heeded.store(false, Ordering::Relaxed);
         }
         let solved = self.solver.solve(&mut problem, state, &self.rule);
+        let solved = match (solved, self.evaluation.as_mut().filter(|_| self.confirms)) {
+            (Ok(report), Some(evaluation)) => confirmed(report, evaluation, &mut problem, state, &self.rule),
+            (solved, _) => solved,
+        };
         if self.heeded.as_ref().is_some_and(|heeded| heeded.load(Ordering::Relaxed)) {
             return Err(SimError::Interrupted);
         }
@@ -251,6 +263,25 @@ impl ContactModel {
         };
         Ok(report)
     }
+}
+
+/// The report of a solver from outside with the residuals that its state has. Films, plastic depths and masses
+/// of the state are then those that follow from its pressures.
+fn confirmed(
+    report: SolveReport,
+    evaluation: &mut Evaluation,
+    problem: &mut LubricatedContact<'_>,
+    state: &mut ContactState,
+    rule: &StoppingRule,
+) -> Result<SolveReport, ReynoldsError> {
+    if report.status != Status::Converged {
+        return Ok(report);
+    }
+    let residuals = evaluation.evaluate(problem, state)?;
+    // No number is no solution either.
+    let holds = residuals.max() <= CONFIRMED * rule.tolerance && residuals.is_finite();
+    let status = if holds { Status::Converged } else { Status::Unconfirmed };
+    Ok(SolveReport { status, residuals, ..report })
 }
 
 /// Solves the single contact of `scene`, surfaces as they are. With an accuracy the contact is solved on

@@ -1,8 +1,12 @@
 //! What tells one simulation from another.
 
+use toml::{Table, Value};
+
+use super::SimError;
+use super::builder::SimBuilder;
+use super::scene::Scene;
 use super::simulation::MixedLubricationSim;
 use crate::elastic::NEAR;
-use crate::lubricant::Lubricant;
 
 /// Parts that act on the bodies from outside: a run may go on under others.
 pub(super) const CONDITIONS: [&str; 11] = [
@@ -18,61 +22,113 @@ pub(super) const CONDITIONS: [&str; 11] = [
     "density law",
     "solver",
 ];
+/// Of the description below.
+const VERSION: u32 = 1;
+/// What a part is called that follows from the scene.
+const OF_SCENE: &str = "of the scene";
 
-/// The scene and what was put in place of its parts, in words.
+/// A run in words: its scene as a scene file, and what was put in place of parts of the scene.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Identity {
+    version: u32,
+    scene: String,
     parts: Vec<(String, String)>,
 }
 
 impl Identity {
     /// The parts in which both differ.
     pub(super) fn differences(&self, other: &Self) -> Vec<String> {
-        let (longer, shorter) =
-            if self.parts.len() >= other.parts.len() { (self, other) } else { (other, self) };
-        let parts = longer.parts.iter().enumerate();
-        let differ = parts.filter(|(k, part)| shorter.parts.get(*k) != Some(*part));
-        differ.map(|(_, (name, _))| name.clone()).collect()
+        if self.version != other.version {
+            return vec!["description".to_owned()];
+        }
+        let (own, others) = (tables(&self.scene), tables(&other.scene));
+        let mut names: Vec<&String> =
+            own.keys().chain(others.keys().filter(|key| !own.contains_key(*key))).collect();
+        names.retain(|key| own.get(*key) != others.get(*key));
+        let of_scene = names.into_iter().map(|key| format!("scene.{key}"));
+        let differ = self.parts.iter().filter(|part| !other.parts.contains(part));
+        of_scene.chain(differ.map(|(name, _)| name.clone())).collect()
+    }
+}
+
+/// The tables of a scene file with all defaults of this version, so that keys which an earlier one did not know
+/// make no difference; the bare text where the scene is none of this version.
+fn tables(scene: &str) -> Table {
+    let full = Scene::from_toml(scene).and_then(|scene| scene.to_toml());
+    let text = full.as_deref().unwrap_or(scene);
+    text.parse().unwrap_or_else(|_| Table::from_iter([("file".to_owned(), Value::from(text))]))
+}
+
+/// What was put in place of parts of the scene, by what `Debug` prints of it.
+#[derive(Debug, Default)]
+pub(super) struct OwnParts(Vec<(&'static str, String)>);
+
+impl OwnParts {
+    /// Those of a builder whose laws have not been taken yet.
+    pub(super) fn of(builder: &SimBuilder) -> Self {
+        let own = &builder.overrides;
+        let words = |part: Option<&dyn std::fmt::Debug>| {
+            part.map_or_else(|| OF_SCENE.to_owned(), |part| format!("{part:?}"))
+        };
+        Self(vec![
+            ("motion", words(builder.motion.as_ref().map(|part| part as _))),
+            ("growth law", words(builder.growth.as_ref().map(|part| part as _))),
+            ("plasticity model", words(builder.plasticity.as_ref().map(|part| part as _))),
+            ("wear law", words(builder.wear.as_ref().map(|part| part as _))),
+            ("boundary friction", words(builder.friction.as_ref().map(|part| part as _))),
+            ("viscosity law", words(own.viscosity.as_ref().map(|part| part as _))),
+            ("density law", words(own.density.as_ref().map(|part| part as _))),
+        ])
     }
 }
 
 impl MixedLubricationSim {
-    /// The scene and the parts in its place by what `Debug` prints of them, which for laws are their
-    /// constants.
-    pub(super) fn identity(&self) -> Identity {
-        let (scene, laws, lubricant) = (&self.scene, &self.laws, &self.contact.lubricant);
-        let parts = [
-            ("scene.form", format!("{:?}", scene.form)),
-            ("scene.elastic", format!("{:?}", scene.elastic)),
-            ("scene.materials", format!("{:?}", scene.materials)),
-            ("scene.load", format!("{:?}", scene.load)),
-            ("scene.motion", format!("{:?}", scene.motion)),
-            ("scene.lubricant", format!("{:?}", scene.lubricant)),
-            ("scene.grid", format!("{:?}", scene.grid)),
-            ("scene.roughness", format!("{:?}", scene.roughness)),
-            ("scene.plastic", format!("{:?}", scene.plastic)),
-            ("scene.friction", format!("{:?}", scene.friction)),
-            ("scene.tribofilm", format!("{:?}", scene.tribofilm)),
-            ("scene.wear", format!("{:?}", scene.wear)),
-            ("scene.track", format!("{:?}", scene.track)),
-            ("scene.thermal", format!("{:?}", scene.thermal)),
-            ("scene.schedule", format!("{:?}", scene.schedule)),
-            ("scene.solver", format!("{:?}", scene.solver)),
-            ("motion", format!("{:?}", self.travel.motion)),
-            ("squeeze", format!("{:?}", self.travel.squeeze)),
-            ("growth law", format!("{:?}", laws.growth)),
-            ("plasticity model", format!("{:?}", laws.plasticity)),
-            ("wear law", format!("{:?}", laws.wear)),
-            ("boundary friction", format!("{:?}", laws.friction)),
-            ("viscosity law", format!("{:?}", lubricant.as_ref().map(Lubricant::viscosity))),
-            ("density law", format!("{:?}", lubricant.as_ref().map(Lubricant::density))),
-            ("solver", self.contact.solver.name().to_owned()),
+    /// The same with parts put in place of those of the scene.
+    pub(super) fn with_own_parts(mut self, own_parts: OwnParts) -> Self {
+        self.own_parts = own_parts;
+        self
+    }
+
+    /// The scene as a file, and the parts in its place.
+    ///
+    /// # Errors
+    /// A scene that no file can hold.
+    pub(super) fn identity(&self) -> Result<Identity, SimError> {
+        let influence = [0, 1, NEAR].map(|di| format!("{:e}", self.contact.deformation.influence(di, 0)));
+        let others = [
+            ("squeeze", self.travel.squeeze.to_string()),
+            ("solver", self.contact.solver.id().to_string()),
             // By what it does: buffers may show in `Debug`.
-            (
-                "deformation model",
-                format!("{:?}", [0, 1, NEAR].map(|di| self.contact.deformation.influence(di, 0))),
-            ),
+            ("deformation model", influence.join(" ")),
         ];
-        Identity { parts: parts.into_iter().map(|(part, words)| (part.to_owned(), words)).collect() }
+        let parts = self.own_parts.0.iter().map(|(name, words)| (*name, words.clone())).chain(others);
+        Ok(Identity {
+            version: VERSION,
+            scene: self.scene.to_toml()?,
+            parts: parts.map(|(name, words)| (name.to_owned(), words)).collect(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn identity(scene: &str) -> Identity {
+        Identity { version: VERSION, scene: scene.to_owned(), parts: Vec::new() }
+    }
+
+    #[test]
+    fn what_a_file_does_not_say_is_the_default() {
+        let full = Scene::azam_2019(32).to_toml().unwrap_or_default();
+        let short = full.replace("max_iterations = 20000\n", "");
+        assert!(short.len() < full.len());
+        assert!(identity(&full).differences(&identity(&short)).is_empty());
+        let other = full.replace("max_iterations = 20000\n", "max_iterations = 7\n");
+        assert_eq!(identity(&full).differences(&identity(&other)), ["scene.solver"]);
+        let later = Identity { version: VERSION + 1, ..identity(&full) };
+        assert_eq!(identity(&full).differences(&later), ["description"]);
+        // Scenes that are none are compared as they stand.
+        assert_eq!(identity("a = 1").differences(&identity("a = 2")), ["scene.a"]);
     }
 }

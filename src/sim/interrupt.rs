@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::elastic::DeformationModel;
+use crate::elastic::{DeformationModel, ResponseApproximations};
 use crate::error::InputError;
 use crate::grid::Grid;
 
@@ -66,15 +66,7 @@ impl DeformationModel for Interruptible {
         Some(Box::new(Self { model, interrupt: self.interrupt.clone(), heeded: Arc::clone(&self.heeded) }))
     }
 
-    fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.model.displacement_single(pressure, out)
-    }
-
-    fn displacement_periodic(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.model.displacement_periodic(pressure, out)
-    }
-
-    fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.model.pressure_estimate(displacement, out)
+    fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
+        self.model.approximations()
     }
 }

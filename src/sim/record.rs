@@ -6,15 +6,16 @@ use super::scene::Motion;
 use crate::error::InputError;
 use crate::report::{Residuals, SolveReport, Status, Work};
 use crate::reynolds::FlowBalance;
+use crate::solver_id::SolverId;
 
-/// Solvers that a line can name.
-const SOLVERS: [&str; 6] =
-    ["newton_krylov", "semi_system", "dry", "auto", "multigrid", "multigrid+newton_krylov"];
+/// What a line calls a solver that is not one of the crate.
+const OTHER: SolverId = SolverId::Custom("other");
 
 /// The numbers of one committed step; all SI. Those of the contact (roughness, film, pressures, friction,
 /// heat) are of one instant, the start of the step, under the conditions that held then: the contact of the
 /// first record is that of time zero. Wear, tribofilm and flattened volume are those at its end.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct StepRecord {
     /// Number of the step, from 0.
     pub step: u64,
@@ -160,7 +161,8 @@ impl StepRecord {
     }
 
     /// The record that [`write_csv`](Self::write_csv) wrote as `line`, every bit of it, but for the name of a
-    /// solver that is not one of the crate: it reads `other`.
+    /// solver that is not one of the crate, which reads `other`, and the way and the residuals of the steps
+    /// of the solve, which a line does not hold.
     ///
     /// # Errors
     /// A cell that is missing, too many or not what its column holds.
@@ -198,7 +200,7 @@ impl StepRecord {
         let (column, cell) = next()?;
         let attempts = parsed(column, cell)?;
         let (_, name) = next()?;
-        let solver = SOLVERS.into_iter().find(|solver| *solver == name).unwrap_or("other");
+        let solver = name.parse().unwrap_or(OTHER);
         let (column, cell) = next()?;
         let statuses = [
             Status::Converged,
@@ -206,6 +208,7 @@ impl StepRecord {
             Status::Stalled,
             Status::Diverged,
             Status::MeshTooCoarse,
+            Status::Unconfirmed,
         ];
         let status = statuses.into_iter().find(|status| status.to_string() == cell);
         let status = status.ok_or_else(|| unreadable(column, cell))?;
@@ -253,7 +256,10 @@ impl StepRecord {
             minimum_gap,
             flow,
             attempts,
-            report: SolveReport { solver, status, residuals, energy_error, work },
+            report: SolveReport {
+                energy_error,
+                ..SolveReport::new(solver, status, residuals).with_work(work)
+            },
         })
     }
 }

@@ -139,21 +139,7 @@ pub(super) fn validate_box(grid: &Grid, hertz: &HertzContact, is_line: bool) -> 
 /// Checks that the system grants the memory of a contact on `grid`: where it runs out later the process is
 /// ended.
 pub(super) fn validate_memory(grid: &Grid, lubricated: bool) -> Result<(), InputError> {
-    let bytes = grid.len().saturating_mul(if lubricated { LUBRICATED_BYTES } else { DRY_BYTES });
-    let mut trial: Vec<u8> = Vec::new();
-    let granted = trial.try_reserve_exact(bytes).is_ok();
-    // An allocation that nobody looks at would be optimised away.
-    std::hint::black_box(&mut trial);
-    if granted {
-        return Ok(());
-    }
-    Err(InputError::Conflict {
-        field: format!("grid.nx * grid.ny = {}", grid.len()),
-        reason: format!(
-            "a contact on so many nodes needs {:.0} GB of memory, more than there is",
-            bytes as f64 * 1e-9
-        ),
-    })
+    grid.require_memory(if lubricated { LUBRICATED_BYTES } else { DRY_BYTES })
 }
 
 /// Checks that solids do not touch at a distance at which the bodies are no paraboloids any more.

@@ -116,6 +116,9 @@ pub struct MixedLubricationSim {
     /// The contact before the step in progress.
     before: ContactState,
     warnings: Vec<Warning>,
+    /// What was put in place of parts of the scene.
+    #[cfg(feature = "serde")]
+    pub(super) own_parts: super::identity::OwnParts,
 }
 
 /// Fields of the step in progress, all in the frame of the contact unless a name says otherwise.
@@ -191,6 +194,8 @@ impl MixedLubricationSim {
             draws: 0,
             before: ContactState::new(&grid),
             warnings,
+            #[cfg(feature = "serde")]
+            own_parts: super::identity::OwnParts::default(),
         })
     }
 
@@ -406,7 +411,7 @@ impl MixedLubricationSim {
             self.draws += 1;
             let report = self.solve_at(offsets)?;
             match report.require_converged() {
-                Ok(report) => return Ok((report, offsets, attempt)),
+                Ok(()) => return Ok((report, offsets, attempt)),
                 // A motion that has no other position has no other contact.
                 Err(source) if attempt >= MAX_ATTEMPTS || self.offsets()? == offsets => {
                     return Err(SimError::NotConverged { step: self.step, attempts: attempt, source });
@@ -476,9 +481,9 @@ impl MixedLubricationSim {
             if report.status != Status::Converged || distance <= HARDENING_TOLERANCE {
                 return Ok(report);
             }
-            let work = report.work;
-            report = contact.solve(&fields.gap, Some(&fields.yielding.limit), squeeze, state)?;
-            report.work += work;
+            let before = report;
+            report =
+                contact.solve(&fields.gap, Some(&fields.yielding.limit), squeeze, state)?.preceded_by(before);
         }
         report.status = Status::MaxIterations;
         Ok(report)

@@ -84,6 +84,7 @@ impl ContactSolution {
 
 /// Film thickness of a solution \[m\].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct FilmNumbers {
     /// At x = y = 0, interpolated between nodes.
     pub central: f64,
@@ -102,6 +103,7 @@ impl FilmNumbers {
 
 /// Pressure and contact of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct ContactNumbers {
     /// Largest pressure, between nodes where the peak is resolved (see [`metrics::peak`]) \[Pa\].
     pub max_pressure: f64,

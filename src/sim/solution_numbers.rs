@@ -110,7 +110,8 @@ mod named {
     #[derive(Serialize)]
     struct Numbers<'a> {
         status: String,
-        solver: &'static str,
+        solver: String,
+        strategy: Option<String>,
         scheme: Option<Scheme>,
         face_mobility: Option<FaceMobility>,
         cavitation: Option<Cavitation>,
@@ -262,7 +263,8 @@ mod named {
             let (report, contact) = (&self.report, &self.contact);
             Numbers {
                 status: report.status.to_string(),
-                solver: report.solver,
+                solver: report.solver.to_string(),
+                strategy: report.strategy.map(|strategy| strategy.to_string()),
                 scheme: self.discretisation.map(|(scheme, ..)| scheme),
                 face_mobility: self.discretisation.map(|(_, face_mobility, _)| face_mobility),
                 cavitation: self.cavitation,

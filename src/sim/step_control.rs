@@ -1,17 +1,19 @@
 //! How long a step may be.
 
 use crate::error::InputError;
+use crate::with_fields::with_fields;
 
 /// Bounds of a step: one contact solve stands for all of it, so the surfaces must not change much within.
 ///
 /// ```
 /// use stribeck::sim::StepControl;
 /// // A minute, less while something wears or grows fast.
-/// StepControl { longest: 60.0, depth: 3e-9 }.validate()?;
-/// assert!(StepControl { longest: 0.0, depth: 3e-9 }.validate().is_err());
+/// StepControl::new(60.0, 3e-9).validate()?;
+/// assert!(StepControl::new(0.0, 3e-9).validate().is_err());
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct StepControl {
     /// Longest step \[s\].
     pub longest: f64,
@@ -20,7 +22,14 @@ pub struct StepControl {
     pub depth: f64,
 }
 
+with_fields!(StepControl { with_longest longest: f64, with_depth depth: f64 });
+
 impl StepControl {
+    /// Steps of at most `longest` \[s\] in which no node changes by more than `depth` \[m\].
+    pub const fn new(longest: f64, depth: f64) -> Self {
+        Self { longest, depth }
+    }
+
     /// Steps of one length \[s\].
     pub fn fixed(time_step: f64) -> Self {
         Self { longest: time_step, depth: f64::INFINITY }

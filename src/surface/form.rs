@@ -19,6 +19,7 @@ use crate::grid::Grid;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(tag = "kind", rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum Form {
     /// A ball on a flat.
     Sphere {

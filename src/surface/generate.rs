@@ -9,6 +9,7 @@ use crate::numerics::map_lines;
 ///
 /// The lengths are where the function has fallen to 10 %, hence the factor `ln 10` (2.3 in the literature).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Autocorrelation {
     /// `Rq^2 exp(-ln(10) s^2)`: smooth slopes; contact results converge with the mesh.
     #[default]

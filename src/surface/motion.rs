@@ -34,14 +34,7 @@ impl Offset {
 ///
 /// # Errors
 /// [`InputError::Shape`] when a slice has not `nx * ny` values.
-///
-/// ```
-/// let mut out = [0.0; 4];
-/// stribeck::surface::copy_shifted(&[1.0, 2.0, 3.0, 4.0], 4, 1, (1, 0), &mut out)?;
-/// assert_eq!(out, [2.0, 3.0, 4.0, 1.0]);
-/// # Ok::<(), stribeck::InputError>(())
-/// ```
-pub fn copy_shifted(
+pub(crate) fn copy_shifted(
     field: &[f64],
     nx: usize,
     ny: usize,
@@ -61,15 +54,7 @@ pub fn copy_shifted(
 ///
 /// # Errors
 /// Slices that have not `nx * ny` values, a fraction outside 0 to 1.
-///
-/// ```
-/// use stribeck::surface::{Offset, add_blended};
-/// let mut field = [0.0; 4];
-/// add_blended(&[2.0, 0.0, 4.0, 1.0], 4, 1, Offset { columns: 1, rows: 0, fraction: 0.25 }, &mut field)?;
-/// assert_eq!(field, [1.75, 1.75, 0.5, 3.0]);
-/// # Ok::<(), stribeck::InputError>(())
-/// ```
-pub fn add_blended(
+pub(crate) fn add_blended(
     values: &[f64],
     nx: usize,
     ny: usize,

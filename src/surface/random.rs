@@ -14,9 +14,11 @@ use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::{RealFft2, both, map_lines};
+use crate::with_fields::with_fields;
 
 /// What the root mean square height of a random surface refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum HeightScale {
     /// Each surface has exactly that height: what the standard parameters of one surface call for. Removes
     /// the mean.
@@ -29,6 +31,7 @@ pub enum HeightScale {
 
 /// What a random surface looks like across the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum RandomShape {
     /// White noise filtered to an autocorrelation function (Hu and Tonder 1992).
     Correlated {
@@ -45,6 +48,7 @@ pub enum RandomShape {
 
 /// Distribution of the heights.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub enum HeightDistribution {
     /// Normal: skewness 0, kurtosis 3.
     #[default]
@@ -71,15 +75,14 @@ pub enum HeightDistribution {
 ///     shortest: 4e-6,
 ///     synthesis: Synthesis::RandomPhase,
 /// };
-/// let surface = RandomSurface {
-///     distribution: HeightDistribution::Johnson { skewness: -1.0, kurtosis: 5.0 },
-///     ..RandomSurface::new(RandomShape::SelfAffine(fractal), 100e-9, 7)
-/// };
+/// let surface = RandomSurface::new(RandomShape::SelfAffine(fractal), 100e-9, 7)
+///     .with_distribution(HeightDistribution::Johnson { skewness: -1.0, kurtosis: 5.0 });
 /// let statistics = height_statistics(&surface.generate(&grid)?)?;
 /// assert!((statistics.sq / 100e-9 - 1.0).abs() < 1e-12 && statistics.ssk < -0.5);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct RandomSurface {
     /// Shape across the plane.
     pub shape: RandomShape,
@@ -94,6 +97,15 @@ pub struct RandomSurface {
     /// Whether opposite edges fit together. An open surface is cut out of a larger periodic one.
     pub boundary: Boundary,
 }
+
+with_fields!(RandomSurface {
+    with_shape shape: RandomShape,
+    with_rq rq: f64,
+    with_seed seed: u64,
+    with_height height: HeightScale,
+    with_distribution distribution: HeightDistribution,
+    with_boundary boundary: Boundary,
+});
 
 impl From<RoughnessSpec> for RandomSurface {
     fn from(spec: RoughnessSpec) -> Self {

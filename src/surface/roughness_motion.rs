@@ -49,6 +49,7 @@ pub trait RoughnessMotion: Debug + Send + Sync {
 
 /// Which places of a body's patch come under the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Visits {
     /// The same ones all the time.
     Stays,

@@ -13,7 +13,7 @@ use crate::error::InputError;
 /// Moves periodic heights along x by any distance through their Fourier series: exact for waves that the grid
 /// resolves; what was smooth stays smooth, and moving back restores the field.
 ///
-/// Use [`blend_shifted`] for fields that must stay positive.
+/// Fields that must stay positive may not: it overshoots.
 ///
 /// ```
 /// use stribeck::surface::{FourierShift, Offset};
@@ -115,15 +115,7 @@ impl FourierShift {
 ///
 /// # Errors
 /// Slices that have not `nx * ny` values, a fraction outside 0 to 1.
-///
-/// ```
-/// use stribeck::surface::{Offset, blend_shifted};
-/// let mut out = [0.0; 4];
-/// blend_shifted(&[1.0, 2.0, 3.0, 4.0], 4, 1, Offset { columns: 1, rows: 0, fraction: 0.25 }, &mut out)?;
-/// assert_eq!(out, [2.25, 3.25, 3.25, 1.25]);
-/// # Ok::<(), stribeck::InputError>(())
-/// ```
-pub fn blend_shifted(
+pub(crate) fn blend_shifted(
     field: &[f64],
     nx: usize,
     ny: usize,
@@ -143,4 +135,59 @@ pub fn blend_shifted(
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+#[expect(clippy::float_cmp, reason = "sums of few short numbers")]
+mod tests {
+    use super::*;
+    use crate::surface::motion::add_blended;
+
+    #[test]
+    fn shifts_follow_their_definitions() -> Result<(), InputError> {
+        let (mut out, mut field) = ([0.0; 4], [0.0; 4]);
+        let quarter = Offset { columns: 1, rows: 0, fraction: 0.25 };
+        blend_shifted(&[1.0, 2.0, 3.0, 4.0], 4, 1, quarter, &mut out)?;
+        assert_eq!(out, [2.25, 3.25, 3.25, 1.25]);
+        add_blended(&[2.0, 0.0, 4.0, 1.0], 4, 1, quarter, &mut field)?;
+        assert_eq!(field, [1.75, 1.75, 0.5, 3.0]);
+        for (nx, ny, sx, sy) in [(1, 1, 3, 5), (4, 3, 1, 2), (5, 7, 11, 13), (8, 2, 7, 0)] {
+            let field: Vec<f64> = (0..nx * ny).map(|k| k as f64).collect();
+            let (mut seen, mut back) = (vec![0.0; nx * ny], vec![0.0; nx * ny]);
+            copy_shifted(&field, nx, ny, (sx, sy), &mut seen)?;
+            let expected = (0..nx * ny).map(|k| ((k / nx + sy) % ny * nx + (k % nx + sx) % nx) as f64);
+            assert_eq!(seen, expected.collect::<Vec<_>>());
+            add_blended(&seen, nx, ny, Offset { columns: sx, rows: sy, fraction: 0.0 }, &mut back)?;
+            assert_eq!(back, field);
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn blending_there_and_adding_back_keeps_sums_and_signs() -> Result<(), InputError> {
+        let (nx, ny) = (15, 3);
+        let field: Vec<f64> = (0..nx * ny).map(|k| (k as f64).sin().max(0.0)).collect();
+        let (mut seen, mut back) = (vec![0.0; nx * ny], vec![0.0; nx * ny]);
+        let offset = Offset { columns: 4, rows: 1, fraction: 0.3 };
+        blend_shifted(&field, nx, ny, offset, &mut seen)?;
+        add_blended(&seen, nx, ny, offset, &mut back)?;
+        let sums = [&field, &seen, &back].map(|f| f.iter().sum::<f64>());
+        assert!((sums[0] - sums[1]).abs() < 1e-12 && (sums[0] - sums[2]).abs() < 1e-12, "{sums:?}");
+        assert!(seen.iter().chain(&back).all(|v| *v >= 0.0));
+        Ok(())
+    }
+
+    #[test]
+    fn what_does_not_fit_is_refused() {
+        assert!(copy_shifted(&[0.0; 5], 2, 3, (0, 0), &mut [0.0; 6]).is_err());
+        assert!(copy_shifted(&[0.0; 6], 2, 3, (0, 0), &mut [0.0; 5]).is_err());
+        let offset = Offset { columns: 1, rows: 1, fraction: 0.5 };
+        assert!(add_blended(&[0.0; 6], usize::MAX, 3, offset, &mut [0.0; 6]).is_err());
+        assert!(add_blended(&[], 0, 0, offset, &mut []).is_ok());
+        for fraction in [-0.1, 1.1, f64::NAN] {
+            let offset = Offset { fraction, ..offset };
+            assert!(blend_shifted(&[0.0; 6], 2, 3, offset, &mut [0.0; 6]).is_err());
+            assert!(add_blended(&[0.0; 6], 2, 3, offset, &mut [0.0; 6]).is_err());
+        }
+    }
 }

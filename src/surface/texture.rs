@@ -18,6 +18,7 @@ use crate::grid::Grid;
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Texture {
     /// Round dimples with the profile `-depth (1 - (r/radius)^2)`.
     Dimples {
@@ -46,6 +47,7 @@ pub enum Texture {
 
 /// Where the centres of dimples are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum DimpleLayout {
     /// On a square lattice.
     Square,
@@ -59,6 +61,7 @@ pub enum DimpleLayout {
 
 /// Direction of grooves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum GrooveDirection {
     /// Along x, the direction of motion.
     AlongX,

@@ -32,7 +32,7 @@ const CUTOFF: f64 = 1e-9;
 /// # Ok::<(), stribeck::testing::Violation>(())
 /// ```
 pub fn contact_solver(solver: &mut dyn ContactSolver, lubricated: bool) -> Result<(), Violation> {
-    let contract = Contract::of(solver.name());
+    let contract = Contract::of(&solver.id().to_string());
     let case = Case::new(lubricated).map_err(|error| contract.broken("the case is valid", error.to_string()));
     let mut case = case?;
     let rule = StoppingRule::default();

@@ -46,6 +46,7 @@ use crate::rubbing::RubbingPoint;
 /// The first broken clause of a contract that was found.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{subject}: {clause}: {finding}")]
+#[non_exhaustive]
 pub struct Violation {
     /// The implementation, as `Debug` prints it.
     pub subject: String,

@@ -138,8 +138,8 @@ fn processes()
 /// box: some are refused, and some do not converge.
 pub fn scenes() -> impl Strategy<Value = Scene> {
     let load = prop_oneof![
-        3 => decades(1e8, 3e9).prop_map(|p| Load { hertz_pressure: Some(p), force: None }),
-        1 => decades(0.1, 1e3).prop_map(|f| Load { hertz_pressure: None, force: Some(f) }),
+        3 => decades(1e8, 3e9).prop_map(Load::hertz_pressure),
+        1 => decades(0.1, 1e3).prop_map(Load::force),
     ];
     let motion = (decades(1e-4, 20.0), -2.0..2.0)
         .prop_map(|(entrainment_speed, slide_roll_ratio)| Motion { entrainment_speed, slide_roll_ratio });
@@ -224,8 +224,8 @@ fn distort(scene: &mut Scene, change: usize, value: f64) {
         1 => scene.form = Form::Ellipsoid { radius_x: value, radius_y: 1e-2 },
         2 => scene.form = Form::Cylinder { radius: value },
         3 => scene.elastic.equivalent_modulus = value,
-        4 => scene.load = Load { hertz_pressure: Some(value), force: None },
-        5 => scene.load = Load { hertz_pressure: None, force: Some(value) },
+        4 => scene.load = Load::hertz_pressure(value),
+        5 => scene.load = Load::force(value),
         6 => scene.load = Load { hertz_pressure: Some(value), force: Some(value) },
         7 => scene.load = Load::default(),
         8 => scene.motion.entrainment_speed = value,

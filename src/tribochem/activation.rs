@@ -7,14 +7,15 @@ use crate::rubbing::RubbingPoint;
 /// ```
 /// use stribeck::RubbingPoint;
 /// use stribeck::tribochem::Activation;
-/// let at = RubbingPoint { pressure: 1e9, solid_pressure: 0.0, shear_stress: 0.0, temperature: 353.15,
-///     sliding_speed: 0.005, film_thickness: 20e-9, in_contact: false };
+/// let at = RubbingPoint::new(1e9, 353.15).with_sliding_speed(0.005)
+///     .with_film_thickness(20e-9);
 /// assert!(!Activation::SolidContact.is_active(&at));
 /// assert!(Activation::Pressure.is_active(&at));
 /// assert!(!Activation::ShearStress.is_active(&at));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum Activation {
     /// The node counts as solid contact (default; boundary films on asperities).
     #[default]

@@ -14,9 +14,9 @@ use crate::rubbing::RubbingPoint;
 /// use stribeck::tribochem::{Ghanbarzadeh, Tribofilm};
 /// let law = Ghanbarzadeh::azam_2019();
 /// let mut film = Tribofilm::bare(&law, 4);
-/// let contact = RubbingPoint { pressure: 1e9, solid_pressure: 1e9, shear_stress: 1e8, temperature: 353.15,
-///     sliding_speed: 0.005, film_thickness: 0.0, in_contact: true };
-/// let open = RubbingPoint { in_contact: false, ..contact };
+/// let contact = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
+/// let open = contact.with_in_contact(false);
 /// film.advance(&law, 600.0, |node| if node < 2 { contact } else { open })?;
 /// assert!((film.thickness()[0] - 92.25e-9).abs() < 0.01e-9);
 /// assert_eq!(film.thickness()[3], 0.0);

@@ -72,6 +72,7 @@ pub enum FitError {
 
 /// One constant as the measurement has it.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct FittedConstant {
     /// Its name.
     pub name: String,
@@ -83,6 +84,7 @@ pub struct FittedConstant {
 
 /// A law with the constants that fit a measurement best.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct GrowthFit<L> {
     /// The law.
     pub law: L,
@@ -108,8 +110,8 @@ pub struct GrowthFit<L> {
 /// ```
 /// use stribeck::RubbingPoint;
 /// use stribeck::tribochem::{FilmGrowthLaw, Ghanbarzadeh, GrowthCurve, fit_growth_law};
-/// let at = RubbingPoint { pressure: 1e9, solid_pressure: 1e9, shear_stress: 1e8, temperature: 353.15,
-///     sliding_speed: 0.005, film_thickness: 0.0, in_contact: true };
+/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
 /// // A film that follows the law, rounded to 0.1 nm.
 /// let truth = Ghanbarzadeh::azam_2019();
 /// let times: Vec<f64> = (1..=60).map(|k| 200.0 * f64::from(k)).collect();

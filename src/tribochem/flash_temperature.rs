@@ -16,6 +16,7 @@ const TOLERANCE: f64 = 1e-4;
 /// What one evaluation of the flash temperature found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
+#[non_exhaustive]
 pub struct FlashReport {
     /// Largest rise \[K\].
     pub maximum: f64,

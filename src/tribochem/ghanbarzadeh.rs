@@ -27,8 +27,8 @@ const PLANCK: f64 = 6.62607015e-34;
 /// use stribeck::RubbingPoint;
 /// use stribeck::tribochem::{FilmGrowthLaw, Ghanbarzadeh};
 /// let law = Ghanbarzadeh::azam_2019();
-/// let at = RubbingPoint { pressure: 1e9, solid_pressure: 1e9, shear_stress: 1e8, temperature: 353.15,
-///     sliding_speed: 0.005, film_thickness: 0.0, in_contact: true };
+/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
 /// let mut states = [0.0; 2];
 /// law.advance(&at, 2947.0, &mut states);
 /// assert!((law.thickness(&states) - 156.82e-9).abs() < 0.01e-9);

@@ -77,8 +77,8 @@ use crate::rubbing::RubbingPoint;
 /// }
 ///
 /// let mut states = [0.0];
-/// let at = RubbingPoint { pressure: 1e9, solid_pressure: 1e9, shear_stress: 1e8, temperature: 353.15,
-///     sliding_speed: 0.005, film_thickness: 0.0, in_contact: true };
+/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
 /// Saturating.advance(&at, 5000.0, &mut states);
 /// assert!((states[0] - 100e-9 * (1.0 - (-5.0_f64).exp())).abs() < 1e-18);
 /// ```

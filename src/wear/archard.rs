@@ -6,6 +6,7 @@ use crate::rubbing::RubbingPoint;
 
 /// Which pressure wears.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum WearPressure {
     /// All of it, fluid and solid (default).
     #[default]
@@ -27,8 +28,8 @@ pub enum WearPressure {
 /// use stribeck::RubbingPoint;
 /// use stribeck::wear::{Archard, WearLaw};
 /// let law = Archard::azam_2019();
-/// let at = RubbingPoint { pressure: 6e9, solid_pressure: 6e9, shear_stress: 0.0, temperature: 353.15,
-///     sliding_speed: 0.005, film_thickness: 0.0, in_contact: true };
+/// let at = RubbingPoint::new(6e9, 353.15).with_solid_pressure(6e9)
+///     .with_sliding_speed(0.005).with_in_contact(true);
 /// assert!((law.depth_rate(&at, 0.0) - 0.2725e-9).abs() < 1e-15);
 /// assert!((law.depth_rate(&at, 200e-9) - 0.02725e-9).abs() < 1e-15);
 /// ```

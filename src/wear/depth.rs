@@ -9,8 +9,8 @@ use crate::rubbing::RubbingPoint;
 /// ```
 /// use stribeck::RubbingPoint;
 /// use stribeck::wear::{Archard, WearDepth};
-/// let at = RubbingPoint { pressure: 1e9, solid_pressure: 1e9, shear_stress: 0.0, temperature: 353.15,
-///     sliding_speed: 0.005, film_thickness: 0.0, in_contact: true };
+/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+///     .with_sliding_speed(0.005).with_in_contact(true);
 /// let mut wear = WearDepth::new(2);
 /// wear.advance(&Archard::azam_2019(), 7200.0, |_| (at, 0.0))?;
 /// assert!((wear.values()[0] - 327e-9).abs() < 1e-12); // 5.45e-8 / 6 GPa x 1 GPa x 36 m

@@ -16,8 +16,8 @@ use crate::rubbing::RubbingPoint;
 /// ```
 /// use stribeck::RubbingPoint;
 /// use stribeck::wear::{Archard, FrictionalEnergy, WearLaw};
-/// let at = RubbingPoint { pressure: 1e9, solid_pressure: 1e9, shear_stress: 1.15e8, temperature: 353.15,
-///     sliding_speed: 0.005, film_thickness: 0.0, in_contact: true };
+/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+///     .with_shear_stress(1.15e8).with_sliding_speed(0.005).with_in_contact(true);
 /// let energy = FrictionalEnergy::new(5.45e-8 / (0.115 * 6e9), 5.45e-9 / (0.115 * 6e9), 200e-9)?;
 /// let archard = Archard::azam_2019();
 /// for film in [0.0, 70e-9, 200e-9] {

@@ -25,6 +25,7 @@ pub struct SurfaceLedger<'a> {
 
 /// Volumes of one body's account \[m^3\].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Volumes {
     /// Worn off.
     pub wear: f64,

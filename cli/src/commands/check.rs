@@ -293,7 +293,7 @@ fn changes(scene: &Scene, sim: &MixedLubricationSim) -> Vec<Part> {
     let why = match scene.thermal.flash {
         Flash::On => format!("thermal.flash is on; estimated rise {rise:.2} K"),
         Flash::Off => format!("thermal.flash is off; estimated rise {rise:.2} K"),
-        Flash::Auto => format!("estimated rise {rise:.2} K, it counts from 1 K on; in a history alone"),
+        _ => format!("estimated rise {rise:.2} K, it counts from 1 K on; in a history alone"),
     };
     let scheduled = !scene.schedule.is_empty();
     let exposed = scene.track.exposure == Exposure::Track;

@@ -87,7 +87,7 @@ fn speeds(options: &Options, scene: &Scene) -> Result<Vec<f64>, Box<dyn Error>> 
     let own = scene.conditions(0.0).map_err(|error| output::in_scene(&options.scene, &error))?;
     let own = own.motion.entrainment_speed;
     if options.from.is_none() || options.to.is_none() {
-        InputError::require_positive("motion.entrainment_speed", own)
+        output::require(own > 0.0, "motion.entrainment_speed", own, "finite and > 0")
             .map_err(|error| output::in_scene(&options.scene, &error))?;
     }
     let (from, to) = (options.from.unwrap_or(own / RANGE), options.to.unwrap_or(own * RANGE));

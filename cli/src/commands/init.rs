@@ -128,7 +128,7 @@ fn answers(options: &Options) -> Result<Answers, Box<dyn Error>> {
         };
         let value = if key == "--roughness" {
             let value = output::quantity(dimension, key, &text)?;
-            InputError::require_non_negative(key, value).map(|()| value)?
+            output::require(value >= 0.0, key, value, "finite and >= 0")?
         } else {
             output::positive(dimension, key, &text)?
         };

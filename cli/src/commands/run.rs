@@ -128,8 +128,8 @@ fn last_entry(sim: &MixedLubricationSim) -> Option<f64> {
     ];
     let last = given.into_iter().flatten().filter_map(|schedule| match schedule {
         Schedule::Steps { times, .. } | Schedule::Ramps { times, .. } => times.last().copied(),
-        // Tables were read when the simulation was built.
-        Schedule::Constant { .. } | Schedule::Table { .. } => None,
+        // Constants have no end, and tables were read when the simulation was built.
+        _ => None,
     });
     last.max_by(f64::total_cmp).filter(|time| *time > 0.0)
 }
@@ -220,7 +220,7 @@ impl Observer for Log {
         }
         self.means.see(record);
         if self.plot {
-            self.records.push(*record);
+            self.records.push(record.clone());
             self.last.get_or_insert_with(|| sim.state().clone()).clone_from(sim.state());
         }
         if let Some(Err(error)) = self.csv.as_mut().map(|csv| record.write_csv(csv)) {

@@ -72,30 +72,21 @@ pub(crate) fn solve(run: Run, start: Option<ContactState>) -> Result<(Row, Conta
     );
     let limit = vec![plastic.hardness; grid.len()];
     let mut deformation = HalfSpace::new(grid, scene.elastic.equivalent_modulus)?;
-    let mut problem = LubricatedContact {
-        gap: &gap,
-        deformation: &mut deformation,
-        lubricant: Some(&lubricant),
-        entrainment_speed: run.speed,
-        squeeze: None,
-        load: hertz.load,
-        pressure_limit: Some(&limit),
-        film_cutoff: scene.solver.film_cutoff,
-        contact: ContactDefinition::Hard,
-        scheme: scene.scheme(),
-        face_mobility: scene.face_mobility(),
-        cavitation: scene.cavitation(),
-        supplied_film: None,
-        shear_thinning: None,
-        reference_half_widths: (hertz.a_x, hertz.a_y),
-        reference_pressure: hertz.p_max,
-        reference_film: 0.0,
-    };
+    let mut problem =
+        LubricatedContact::new(&gap, &mut deformation, hertz.load, (hertz.a_x, hertz.a_y), hertz.p_max)
+            .with_lubricant(Some(&lubricant))
+            .with_entrainment_speed(run.speed)
+            .with_pressure_limit(Some(&limit))
+            .with_film_cutoff(scene.solver.film_cutoff)
+            .with_contact(ContactDefinition::Hard)
+            .with_scheme(scene.scheme())
+            .with_face_mobility(scene.face_mobility())
+            .with_cavitation(scene.cavitation());
     let mut state = start.unwrap_or_else(|| ContactState::new(&grid));
     let report = NewtonKrylov::new().solve(
         &mut problem,
         &mut state,
-        &StoppingRule { max_iterations: MOST_STEPS, ..StoppingRule::default() },
+        &StoppingRule::default().with_max_iterations(MOST_STEPS),
     )?;
     let status = report.status;
     let row = Row {
@@ -173,14 +164,13 @@ pub(crate) fn finer(state: &ContactState, n: usize) -> ContactState {
         };
         nodes().map(value).collect()
     };
-    ContactState {
-        pressure: linear(&state.pressure),
-        fluid_pressure: linear(&state.fluid_pressure),
-        film: linear(&state.film),
-        plastic_depth: linear(&state.plastic_depth),
-        content: linear(&state.content),
-        mass: linear(&state.mass),
-        in_contact: nodes().map(|(i, j)| state.in_contact[j / 2 * n + i / 2]).collect(),
-        approach: state.approach,
-    }
+    let mut finer = state.clone();
+    finer.pressure = linear(&state.pressure);
+    finer.fluid_pressure = linear(&state.fluid_pressure);
+    finer.film = linear(&state.film);
+    finer.plastic_depth = linear(&state.plastic_depth);
+    finer.content = linear(&state.content);
+    finer.mass = linear(&state.mass);
+    finer.in_contact = nodes().map(|(i, j)| state.in_contact[j / 2 * n + i / 2]).collect();
+    finer
 }

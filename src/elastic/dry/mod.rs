@@ -55,6 +55,7 @@ struct Task<'a> {
 
 /// How a dry solve ended. All of it is of the pressure that is returned.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct DryOutcome {
     /// Mean absolute gap error on contact nodes plus penetration elsewhere, over the pressure-weighted mean
     /// displacement.
@@ -88,7 +89,8 @@ pub struct DryOutcome {
 /// J. Optim. 7, 871-887). Polonsky and Keer (1999, Wear 231, 206-219) change sides at every step instead,
 /// which stalls once many nodes sit at the limit.
 ///
-/// The products within a pass are [`DeformationModel::displacement_single`], the gaps that decide are of
+/// The products within a pass are those of
+/// [`ResponseApproximations::displacement_single`](super::ResponseApproximations::displacement_single), the gaps that decide are of
 /// [`DeformationModel::displacement`]. A start whose gap error exceeds 2 % is solved to 0.1 % on half the
 /// cells first, where the model lives on other grids ([`DeformationModel::on_grid`]), down to 16 cells.
 #[derive(Debug)]

@@ -11,7 +11,7 @@ pub use layer::Layer;
 
 use self::images::{Image, images};
 use super::response::ElasticResponse;
-use super::{DeformationModel, NEAR};
+use super::{DeformationModel, NEAR, ResponseApproximations};
 use crate::analytic::{rectangle_potential, strip_potential};
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -166,6 +166,24 @@ impl DeformationModel for LayeredHalfSpace {
         self.response.displacement(pressure, out)
     }
 
+    fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
+        if self.plane_strain {
+            return None;
+        }
+        let body = Self::new(grid, self.equivalent_modulus, self.layer).ok()?;
+        Some(Box::new(body))
+    }
+
+    fn influence(&self, di: usize, dj: usize) -> f64 {
+        self.near.get(dj).and_then(|row| row.get(di)).copied().unwrap_or(0.0)
+    }
+
+    fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
+        Some(self)
+    }
+}
+
+impl ResponseApproximations for LayeredHalfSpace {
     fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         self.response.displacement_single(pressure, out)
     }
@@ -179,17 +197,5 @@ impl DeformationModel for LayeredHalfSpace {
 
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         self.response.pressure_estimate(displacement, out)
-    }
-
-    fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
-        if self.plane_strain {
-            return None;
-        }
-        let body = Self::new(grid, self.equivalent_modulus, self.layer).ok()?;
-        Some(Box::new(body))
-    }
-
-    fn influence(&self, di: usize, dj: usize) -> f64 {
-        self.near.get(dj).and_then(|row| row.get(di)).copied().unwrap_or(0.0)
     }
 }

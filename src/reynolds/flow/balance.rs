@@ -8,6 +8,7 @@
 /// cells add up to it. With Reynolds' condition it is what cavitated cells make out of nothing, and no
 /// residual counts it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct FlowBalance {
     /// What enters \[m^3/s\].
     pub inflow: f64,

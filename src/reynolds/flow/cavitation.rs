@@ -5,6 +5,7 @@ use crate::error::{InputError, legible};
 /// What holds where the fluid pressure is at the cavitation pressure, zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum Cavitation {
     /// Mass is conserved: the gap is filled to the content `theta`, `p_f >= 0`, `0 <= theta <= 1`,
     /// `p_f (1 - theta) = 0`, and `theta rho h` is carried along in place of `rho h` (Elrod and Adams 1974;

@@ -3,6 +3,7 @@
 /// Discretisation of the wedge term `u d(rho h)/dx`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum Scheme {
     /// First-order upwind: the flux through a face is that of the node upstream of it.
     FirstOrder,

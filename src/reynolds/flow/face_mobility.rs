@@ -22,6 +22,7 @@ use super::shear_thinning::ViscosityRatio;
 /// nodes, `Y/(2 h_0^2)` for a film that falls evenly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum FaceMobility {
     /// Arithmetic mean of the mobilities `rho h^3 / (12 eta)` of the two nodes times their pressure
     /// difference: the usual choice.

@@ -13,6 +13,7 @@ pub use solution::GivenFilmSolution;
 use super::ReynoldsError;
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
+use crate::with_fields::with_fields;
 
 /// Sum of the absolute imbalances of all cells, unless rounding leaves more, and imbalance of the box, over
 /// the inflow, at which a solve has converged.
@@ -23,6 +24,7 @@ const BYTES: usize = 1200;
 
 /// What holds at the two edges of the box across y.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum SideEdges {
     /// Ambient pressure, and as much fluid as the film takes.
     #[default]
@@ -58,15 +60,7 @@ pub enum SideEdges {
 /// let grid = Grid::from_edges(200, 1, [0.0, 1e-2], [0.0, 1.0])?;
 /// let film = FilmThickness::from_function(grid, |x, _| 2e-6 - 1e-4 * x)?;
 /// let oil = Lubricant::new(Barus::new(0.01, 0.0)?, Incompressible);
-/// let pad = GivenFilm {
-///     film: &film,
-///     lubricant: &oil,
-///     speeds: [1.0, 0.0],
-///     ambient_pressure: 0.0,
-///     cavitation_pressure: 0.0,
-///     sides: SideEdges::Ambient,
-/// };
-/// let solution = pad.solve()?;
+/// let solution = GivenFilm::new(&film, &oil, [1.0, 0.0]).with_sides(SideEdges::Ambient).solve()?;
 /// assert_eq!(solution.report.status, Status::Converged);
 /// // 6 eta U L^2 / h_1^2 (ln 2 - 2/3) for films of 2 to 1.
 /// let exact = 6.0 * 0.01 * 1e-4 / 1e-12 * (2.0_f64.ln() - 2.0 / 3.0);
@@ -75,6 +69,7 @@ pub enum SideEdges {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
 pub struct GivenFilm<'a> {
     /// The film between the surfaces; it also fixes the grid.
     pub film: &'a FilmThickness,
@@ -90,6 +85,28 @@ pub struct GivenFilm<'a> {
     pub sides: SideEdges,
 }
 
+impl<'a> GivenFilm<'a> {
+    /// A film between surfaces of these `speeds` \[m/s\], all pressures counted from the ambient one, at which the
+    /// fluid cavitates and which holds at all edges.
+    pub const fn new(film: &'a FilmThickness, lubricant: &'a Lubricant, speeds: [f64; 2]) -> Self {
+        Self {
+            film,
+            lubricant,
+            speeds,
+            ambient_pressure: 0.0,
+            cavitation_pressure: 0.0,
+            sides: SideEdges::Ambient,
+        }
+    }
+}
+
+with_fields!(<'a> GivenFilm<'a> {
+    with_speeds speeds: [f64; 2],
+    with_ambient_pressure ambient_pressure: f64,
+    with_cavitation_pressure cavitation_pressure: f64,
+    with_sides sides: SideEdges,
+});
+
 impl GivenFilm<'_> {
     /// Solves by Newton's method with a direct factorisation, from coarser grids to that of the film.
     ///
@@ -98,15 +115,7 @@ impl GivenFilm<'_> {
     /// memory for.
     pub fn solve(&self) -> Result<GivenFilmSolution, ReynoldsError> {
         self.validate()?;
-        let nodes = self.film.grid().len();
-        let mut trial: Vec<u8> = Vec::new();
-        let granted = trial.try_reserve_exact(nodes.saturating_mul(BYTES)).is_ok();
-        // An allocation that nobody looks at would be optimised away.
-        std::hint::black_box(&mut trial);
-        drop(trial);
-        if !granted {
-            return Err(ReynoldsError::Memory { nodes });
-        }
+        self.film.grid().require_memory(BYTES)?;
         Ok(solution::solve(self))
     }
 

@@ -5,6 +5,7 @@ use super::newton::{self, Solved};
 use super::row::{Row, edges, lengths};
 use crate::grid::Grid;
 use crate::report::{Residuals, SolveReport, Status, Work};
+use crate::solver_id::SolverId;
 
 /// Pressure, content, forces and flows of a [`GivenFilm`].
 ///
@@ -136,13 +137,8 @@ fn moving(problem: &GivenFilm<'_>, speed: f64) -> GivenFilmSolution {
 }
 
 fn report(status: Status, mass: f64, iterations: u64, inner_iterations: u64) -> SolveReport {
-    SolveReport {
-        solver: "given_film",
-        status,
-        residuals: Residuals { mass, ..Residuals::default() },
-        energy_error: None,
-        work: Work { iterations, inner_iterations, ..Work::default() },
-    }
+    SolveReport::new(SolverId::GivenFilm, status, Residuals { mass, ..Residuals::default() })
+        .with_work(Work { iterations, inner_iterations, ..Work::default() })
 }
 
 impl GivenFilmSolution {

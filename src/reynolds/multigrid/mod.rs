@@ -16,6 +16,7 @@ use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::report::{Residuals, SolveReport, Status, Work};
+use crate::solver_id::SolverId;
 
 /// Cycles without a better residual after which the solve has stalled.
 const PATIENCE: u64 = 3;
@@ -74,6 +75,8 @@ struct Workspace {
     acceleration: Acceleration,
     coupled: Coupled,
     best: ContactState,
+    /// Residuals of the start and after each cycle.
+    history: Vec<Residuals>,
 }
 
 impl Multigrid {
@@ -97,7 +100,7 @@ impl Multigrid {
     }
 
     fn wrong(&self, reason: &'static str) -> ReynoldsError {
-        ReynoldsError::WrongSolver { solver: self.name(), reason }
+        ReynoldsError::WrongSolver { solver: self.id(), reason }
     }
 
     fn workspace(
@@ -117,6 +120,7 @@ impl Multigrid {
                     acceleration: Acceleration::new(grid.len()),
                     coupled: Coupled::new(grid),
                     best: ContactState::new(&grid),
+                    history: Vec::new(),
                 })
             }
         };
@@ -125,8 +129,8 @@ impl Multigrid {
 }
 
 impl ContactSolver for Multigrid {
-    fn name(&self) -> &'static str {
-        "multigrid"
+    fn id(&self) -> SolverId {
+        SolverId::Multigrid
     }
 
     fn solve(
@@ -142,7 +146,7 @@ impl ContactSolver for Multigrid {
         if grid.ny() == 1 {
             return Err(self.wrong("a line contact has no second axis to coarsen"));
         }
-        let solver = self.name();
+        let solver = self.id();
         let hand_over = self.hand_over;
         let workspace = self.workspace(problem, grid)?;
         let mut work = Work::default();
@@ -150,7 +154,9 @@ impl ContactSolver for Multigrid {
         workspace.coupled.mark_contact(problem, state);
         work.inner_iterations = workspace.hierarchy.sweeps;
         work.convolutions += workspace.hierarchy.convolutions + workspace.coupled.convolutions;
-        Ok(SolveReport { solver, status, residuals, energy_error: None, work })
+        Ok(SolveReport::new(solver, status, residuals)
+            .with_work(work)
+            .with_residual_history(workspace.history.clone()))
     }
 }
 
@@ -199,6 +205,7 @@ impl Workspace {
         self.coupled.configure(problem);
         self.hierarchy.configure(problem);
         self.acceleration.forget();
+        self.history.clear();
         if state.pressure.iter().all(|&p| p <= 0.0) {
             self.hierarchy.start(problem, lubricant)?;
         } else {
@@ -211,6 +218,7 @@ impl Workspace {
         for cycle in 0..=stop.max_iterations {
             self.take_over(problem, lubricant, state)?;
             let residuals = self.coupled.residuals(problem, state);
+            self.history.push(residuals);
             if !residuals.is_finite() {
                 status = Status::Diverged;
                 break;

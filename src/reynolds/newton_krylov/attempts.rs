@@ -9,6 +9,7 @@ use crate::reynolds::flow::Cavitation;
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
+use crate::strategy::Strategy;
 
 impl Workspace {
     /// Solves from the state as it is if it carries pressure; else, and again where that stalls, from the dry
@@ -20,15 +21,18 @@ impl Workspace {
         stop: &StoppingRule,
     ) -> Result<(Status, Residuals), ReynoldsError> {
         (self.progress, self.work) = (Progress::new(), Work::default());
+        self.history.clear();
+        self.strategy = Strategy::Attempt(1);
+        self.best_strategy = self.strategy;
         let mut status = self.all_attempts(problem, state, stop)?;
         let is_stuck = matches!(status, Status::Stalled | Status::Diverged);
         let may_follow = self.settings.follows_time && problem.lubricant.is_some();
         if is_stuck && may_follow && problem.entrainment_speed > 0.0 {
-            let (residuals, best) = (self.best_residuals, self.best.clone());
+            let (residuals, best, strategy) = (self.best_residuals, self.best.clone(), self.best_strategy);
             if self.take_another_way(problem, state, stop)? {
                 status = Status::Converged;
             } else {
-                (self.best_residuals, self.best) = (residuals, best);
+                (self.best_residuals, self.best, self.best_strategy) = (residuals, best, strategy);
                 self.coupled.configure(problem);
             }
         }
@@ -81,6 +85,9 @@ impl Workspace {
         for (index, attempt) in attempts.iter().enumerate() {
             if matches!(status, Status::Converged | Status::MaxIterations) {
                 break;
+            }
+            if let Strategy::Attempt(number) = &mut self.strategy {
+                *number = index + 1;
             }
             let cold = index > 0 || state.pressure.iter().all(|&p| p <= 0.0);
             let film_cutoff = problem.film_cutoff;

@@ -7,6 +7,7 @@ use crate::reynolds::flow::Cavitation;
 use crate::reynolds::problem::{LubricatedContact, Squeeze};
 use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
+use crate::strategy::Strategy;
 
 /// First time step, over the time in which the fluid passes a cell, and the one after which the steady
 /// contact is near; where it is not, it is tried again after steps longer by [`LATER`].
@@ -44,12 +45,14 @@ impl Workspace {
             self.start_full(problem, state)?;
             return self.follow_time(problem, state, stop);
         }
+        self.strategy = Strategy::FromReynolds;
         problem.cavitation = Cavitation::Reynolds;
         state.pressure.fill(0.0);
         let full = self.solve_full(problem, state, stop);
         problem.cavitation = Cavitation::MassConserving;
         if full? {
             let start = state.clone();
+            self.strategy = Strategy::FromReynolds;
             if self.attempts(&[ARRIVING], problem, state, stop)? == Status::Converged {
                 return Ok(true);
             }
@@ -100,6 +103,7 @@ impl Workspace {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<bool, ReynoldsError> {
+        self.strategy = Strategy::InTime;
         self.coupled.configure(problem);
         // All gaps are full.
         self.coupled.fluid.set_cavitation(Cavitation::Reynolds);
@@ -125,7 +129,7 @@ impl Workspace {
             }
             let before = self.work.iterations;
             let squeeze = squeeze_since(&last.mass, time_step, problem.squeeze, &mut carried);
-            let mut moment = problem.with_squeeze(squeeze);
+            let mut moment = problem.squeezed(squeeze);
             match self.attempts(&[FOLLOWING], &mut moment, state, &on_the_way)? {
                 Status::Converged => {
                     last.clone_from(state);

@@ -34,6 +34,7 @@ impl Workspace {
                 self.coupled.refresh(problem, state);
                 self.residuals = self.coupled.residuals(problem, state);
             }
+            self.history.push(self.residuals);
             // Residuals of other equations than those of the problem tell nothing of its solution.
             if !homotopy.is_on(problem) {
                 globalisation.watch(self.residuals.max());
@@ -55,7 +56,7 @@ impl Workspace {
     /// Keeps the state if it is the best so far; the status with which the solve ends here, if it does.
     fn judge(&mut self, state: &ContactState, stop: &StoppingRule) -> Option<Status> {
         if self.residuals.max() < self.best_residuals.max() {
-            self.best_residuals = self.residuals;
+            (self.best_residuals, self.best_strategy) = (self.residuals, self.strategy);
             self.best.keep(&self.coupled, state);
         }
         if self.residuals.max() <= stop.tolerance {

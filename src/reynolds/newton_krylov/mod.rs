@@ -35,6 +35,8 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::{Gmres, GridLu};
 use crate::report::{Residuals, SolveReport, Work};
+use crate::solver_id::SolverId;
+use crate::strategy::Strategy;
 
 /// Semismooth Newton solver with approach and load balance inside the system.
 ///
@@ -56,6 +58,9 @@ pub struct NewtonKrylov {
     workspace: Option<Box<Workspace>>,
 }
 
+/// Residuals for which there is room at first.
+const HISTORY: usize = 256;
+
 #[derive(Debug)]
 struct Workspace {
     settings: NewtonSettings,
@@ -70,6 +75,11 @@ struct Workspace {
     start: DryStart,
     best: Snapshot,
     best_residuals: Residuals,
+    best_strategy: Strategy,
+    /// What is tried now.
+    strategy: Strategy,
+    /// Residuals of all steps of the solve so far.
+    history: Vec<Residuals>,
     progress: Progress,
     /// Of the solve so far, without the convolutions of the attempt at work.
     work: Work,
@@ -127,6 +137,9 @@ impl NewtonKrylov {
                 start: DryStart::new(grid),
                 best: Snapshot::new(grid),
                 best_residuals: Residuals::default(),
+                best_strategy: Strategy::Attempt(1),
+                strategy: Strategy::Attempt(1),
+                history: Vec::with_capacity(HISTORY),
                 progress: Progress::new(),
                 work: Work::default(),
                 residuals: Residuals::default(),
@@ -140,8 +153,8 @@ impl NewtonKrylov {
 }
 
 impl ContactSolver for NewtonKrylov {
-    fn name(&self) -> &'static str {
-        "newton_krylov"
+    fn id(&self) -> SolverId {
+        SolverId::NewtonKrylov
     }
 
     fn solve(
@@ -151,15 +164,20 @@ impl ContactSolver for NewtonKrylov {
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
         check_call(problem, state, stop)?;
-        let name = self.name();
+        let solver = self.id();
         if problem.is_paper() {
             let reason = "it needs fluid and solid pressure apart, which the paper's contact does not know";
-            return Err(ReynoldsError::WrongSolver { solver: name, reason });
+            return Err(ReynoldsError::WrongSolver { solver, reason });
         }
+        // Films and cavitation are others on the way.
+        let problem = &mut problem.copied();
         let workspace = self.workspace(problem);
         workspace.preconditioner.configure(problem)?;
         let (status, residuals) = workspace.run(problem, state, stop)?;
         workspace.coupled.mark_contact(problem, state);
-        Ok(SolveReport { solver: name, status, residuals, energy_error: None, work: workspace.work })
+        Ok(SolveReport::new(solver, status, residuals)
+            .with_work(workspace.work)
+            .with_strategy(workspace.best_strategy)
+            .with_residual_history(workspace.history.clone()))
     }
 }

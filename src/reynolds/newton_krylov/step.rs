@@ -5,6 +5,7 @@ use super::linearisation::Linearisation;
 use super::local::{Elimination, Forecast, Local, Material};
 use super::preconditioner::BlockPreconditioner;
 use super::unknowns::{Response, Unknowns};
+use crate::error::InputError;
 use crate::numerics::PreconditionedOperator;
 use crate::report::Residuals;
 use crate::reynolds::ReynoldsError;
@@ -94,7 +95,7 @@ impl Workspace {
             let least = if response == Response::Periodic { self.settings.periodic_tolerance } else { 0.0 };
             let wanted = (tolerance / left).max(least);
             let mut system = System { unknowns, coupled, problem, linearisation, preconditioner, response };
-            steps += gmres.solve(&mut system, residual, wanted, correction).steps;
+            steps += gmres.solve(&mut system, residual, wanted, correction)?.steps;
             for (step, correction) in step.iter_mut().zip(&*correction) {
                 *step += correction;
             }
@@ -188,15 +189,14 @@ struct System<'a, 'b> {
 }
 
 impl PreconditionedOperator for System<'_, '_> {
-    fn apply(&mut self, x: &[f32], out: &mut [f32]) {
-        // Shapes were checked when the solve began: the product cannot fail.
+    type Error = InputError;
+
+    fn apply(&mut self, x: &[f32], out: &mut [f32]) -> Result<(), InputError> {
         let Self { unknowns, coupled, problem, linearisation, .. } = self;
-        let result = unknowns.product(coupled, problem, linearisation, x, self.response, out);
-        debug_assert!(result.is_ok(), "shapes are checked by the solve");
+        unknowns.product(coupled, problem, linearisation, x, self.response, out)
     }
 
-    fn precondition(&mut self, r: &[f32], out: &mut [f32]) {
-        let result = self.preconditioner.apply(self.unknowns, self.coupled, self.problem, r, out);
-        debug_assert!(result.is_ok(), "shapes are checked by the solve");
+    fn precondition(&mut self, r: &[f32], out: &mut [f32]) -> Result<(), InputError> {
+        self.preconditioner.apply(self.unknowns, self.coupled, self.problem, r, out)
     }
 }

@@ -12,6 +12,7 @@ use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::error::InputError;
 use crate::report::{SolveReport, Work};
+use crate::solver_id::SolverId;
 
 /// Relaxations that a step combines: with one alone, 20 of 29 scenes of the stability map converge in place
 /// of 24.
@@ -84,8 +85,8 @@ impl SemiSystem {
 }
 
 impl ContactSolver for SemiSystem {
-    fn name(&self) -> &'static str {
-        "semi_system"
+    fn id(&self) -> SolverId {
+        SolverId::SemiSystem
     }
 
     fn solve(
@@ -94,7 +95,7 @@ impl ContactSolver for SemiSystem {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        let solver = self.name();
+        let solver = self.id();
         let grid = check_call(problem, state, stop)?;
         if problem.lubricant.is_none() {
             return Err(ReynoldsError::WrongSolver { solver, reason: "the problem has no lubricant" });
@@ -105,13 +106,15 @@ impl ContactSolver for SemiSystem {
             // One relaxation more in each step finds what the approach does.
             let inner_iterations = passes(grid.ny()) * (inner_iterations + iterations);
             let work = Work { inner_iterations, ..report.work };
-            return Ok(SolveReport { solver, work, ..report });
+            return Ok(SolveReport { solver, work, strategy: None, ..report });
         }
         let kept = self.sweeps.take().filter(|sweeps| sweeps.coupled.fluid.grid == grid);
         let sweeps = self.sweeps.insert(kept.unwrap_or_else(|| Box::new(Sweeps::new(grid))));
         let damping = self.damping;
         let mut work = Work::default();
         let (status, residuals) = sweeps.solve(problem, state, stop, damping, &mut work)?;
-        Ok(SolveReport { solver, status, residuals, energy_error: None, work })
+        Ok(SolveReport::new(solver, status, residuals)
+            .with_work(work)
+            .with_residual_history(sweeps.history.clone()))
     }
 }

@@ -30,6 +30,8 @@ pub(super) struct Damping {
 #[derive(Debug)]
 pub(super) struct Sweeps {
     pub(super) coupled: Coupled,
+    /// Residuals of the start and after each sweep.
+    pub(super) history: Vec<Residuals>,
     best: ContactState,
     below: Vec<f64>,
     diagonal: Vec<f64>,
@@ -54,6 +56,7 @@ impl Sweeps {
         let line = || vec![0.0; grid.nx()];
         Self {
             coupled: Coupled::new(grid),
+            history: Vec::new(),
             best: ContactState::new(&grid),
             below: line(),
             diagonal: line(),
@@ -87,11 +90,13 @@ impl Sweeps {
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
         self.begin(problem, state)?;
+        self.history.clear();
         let mut best = Residuals { mass: f64::INFINITY, ..Residuals::default() };
         let mut mark = (f64::INFINITY, 0);
         let mut status = Status::MaxIterations;
         for sweep in 0..=stop.max_iterations {
             let residuals = self.coupled.residuals(problem, state);
+            self.history.push(residuals);
             if !residuals.is_finite() {
                 status = Status::Diverged;
                 break;

@@ -31,6 +31,7 @@ pub use over_ranks::run_over_ranks;
 
 /// One history of an ensemble.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Member {
     /// Name, and of a member that is written the name of its folder.
     pub name: String,
@@ -43,6 +44,13 @@ pub struct Member {
 }
 
 impl Member {
+    /// The history of `scene` in `steps` steps of `time_step` \[s\]; `name` is that of its folder.
+    pub fn new(name: impl Into<String>, scene: Scene, steps: u64, time_step: f64) -> Self {
+        Self { name: name.into(), scene, steps, time_step }
+    }
+}
+
+impl Member {
     fn builder(&self) -> SimBuilder {
         MixedLubricationSim::builder(self.scene.clone())
     }
@@ -50,6 +58,7 @@ impl Member {
 
 /// What became of a member.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Outcome {
     /// The committed steps.
     pub records: Vec<StepRecord>,
@@ -66,7 +75,7 @@ pub struct Outcome {
 ///     .map(|pressure| {
 ///         let mut scene = Scene::azam_2019(32);
 ///         scene.load.hertz_pressure = Some(pressure);
-///         Member { name: format!("{pressure:e}"), scene, steps: 1, time_step: 10.0 }
+///         Member::new(format!("{pressure:e}"), scene, 1, 10.0)
 ///     })
 ///     .into();
 /// let outcomes = ensemble::run(&members, 2);
@@ -83,7 +92,7 @@ pub fn run(members: &[Member], threads: usize) -> Vec<Outcome> {
         let mut records = Vec::with_capacity(usize::try_from(member.steps).unwrap_or(0).min(1 << 16));
         let outcome = member.builder().build().and_then(|mut sim| {
             sim.run(member.steps, member.time_step, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-                records.push(*record);
+                records.push(record.clone());
                 ControlFlow::Continue(())
             })
         });
@@ -135,7 +144,7 @@ fn run_member(folder: &Path, member: &Member, every: u64) -> Outcome {
         let left = member.steps.saturating_sub(sim.steps());
         let outcome =
             sim.run(left, member.time_step, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
-                records.push(*record);
+                records.push(record.clone());
                 files.after_step(sim, record)
             });
         // What there is of a history that failed is written all the same.

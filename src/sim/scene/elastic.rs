@@ -3,6 +3,7 @@
 use super::Scene;
 use crate::elastic::Layer;
 use crate::error::InputError;
+use crate::with_fields::with_fields;
 
 /// Elastic constants of the pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +22,7 @@ pub struct Elastic {
 /// A layer that is bonded to the disc, the substrate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+#[non_exhaustive]
 pub struct LayerSpec {
     /// Thickness \[m\].
     pub thickness: f64,
@@ -35,6 +37,21 @@ pub struct LayerSpec {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub substrate_poisson: Option<f64>,
 }
+
+impl LayerSpec {
+    /// A layer of `thickness` \[m\] with Young's `modulus` \[Pa\] and Poisson's ratio `poisson`.
+    pub const fn new(thickness: f64, modulus: f64, poisson: f64) -> Self {
+        Self { thickness, modulus, poisson, substrate_modulus: None, substrate_poisson: None }
+    }
+}
+
+with_fields!(LayerSpec {
+    with_thickness thickness: f64,
+    with_modulus modulus: f64,
+    with_poisson poisson: f64,
+    with_substrate_modulus substrate_modulus: Option<f64>,
+    with_substrate_poisson substrate_poisson: Option<f64>,
+});
 
 /// What a scene file holds.
 #[cfg(feature = "serde")]

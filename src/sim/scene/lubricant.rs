@@ -1,6 +1,7 @@
 //! The lubricant: viscosity, density and supply.
 
 use crate::lubricant::{DoolittleTaitConstants, ImprovedYasutomiConstants};
+use crate::with_fields::with_fields;
 
 /// Viscosity, of Roelands unless `viscosity` names another law, and Dowson-Higginson density.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -9,6 +10,7 @@ use crate::lubricant::{DoolittleTaitConstants, ImprovedYasutomiConstants};
     derive(serde::Serialize, serde::Deserialize),
     serde(try_from = "LubricantTable")
 )]
+#[non_exhaustive]
 pub struct LubricantSpec {
     /// Viscosity at ambient pressure \[Pa s\], at `temperature` or that of the contact; zero where
     /// `viscosity` gives the law.
@@ -45,6 +47,40 @@ pub struct LubricantSpec {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub supplied_film: Option<f64>,
 }
+
+impl LubricantSpec {
+    /// Roelands' law with the viscosity `eta0` \[Pa s\] at ambient pressure and the exponent `roelands_z`; all else is
+    /// as in scenes that do not say.
+    pub const fn roelands(eta0: f64, roelands_z: f64) -> Self {
+        Self {
+            eta0,
+            roelands_z,
+            roelands_p0: 1.96e8,
+            alpha: None,
+            temperature: None,
+            roelands_s0: None,
+            viscosity: None,
+            formula_alpha: None,
+            density_a: 0.6e-9,
+            density_b: 1.7e-9,
+            supplied_film: None,
+        }
+    }
+}
+
+with_fields!(LubricantSpec {
+    with_eta0 eta0: f64,
+    with_roelands_z roelands_z: f64,
+    with_roelands_p0 roelands_p0: f64,
+    with_alpha alpha: Option<f64>,
+    with_temperature temperature: Option<f64>,
+    with_roelands_s0 roelands_s0: Option<f64>,
+    with_viscosity viscosity: Option<ViscositySpec>,
+    with_formula_alpha formula_alpha: Option<f64>,
+    with_density_a density_a: f64,
+    with_density_b density_b: f64,
+    with_supplied_film supplied_film: Option<f64>,
+});
 
 /// A law of viscosity by pressure and temperature, at the bulk temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -105,18 +141,18 @@ impl TryFrom<LubricantTable> for LubricantSpec {
                 "unknown field `{key}`, `viscosity` gives another law than that of Roelands"
             ));
         }
+        let usual = Self::roelands(needed("eta0", table.eta0)?, needed("roelands_z", table.roelands_z)?);
         Ok(Self {
-            eta0: needed("eta0", table.eta0)?,
-            roelands_z: needed("roelands_z", table.roelands_z)?,
-            roelands_p0: table.roelands_p0.unwrap_or(1.96e8),
+            roelands_p0: table.roelands_p0.unwrap_or(usual.roelands_p0),
             alpha: table.alpha,
             temperature: table.temperature,
             roelands_s0: table.roelands_s0,
             viscosity: table.viscosity,
             formula_alpha: table.formula_alpha,
-            density_a: table.density_a.unwrap_or(0.6e-9),
-            density_b: table.density_b.unwrap_or(1.7e-9),
+            density_a: table.density_a.unwrap_or(usual.density_a),
+            density_b: table.density_b.unwrap_or(usual.density_b),
             supplied_film: table.supplied_film,
+            ..usual
         })
     }
 }

@@ -3,6 +3,7 @@
 use super::Scene;
 use crate::error::InputError;
 use crate::tribochem::ThermalBody;
+use crate::with_fields::with_fields;
 
 /// Names of the bodies in scene files and errors.
 pub(in crate::sim) const BODIES: [&str; 2] = ["ball", "disc"];
@@ -14,6 +15,7 @@ pub(in crate::sim) const BODIES: [&str; 2] = ["ball", "disc"];
     derive(serde::Serialize, serde::Deserialize),
     serde(default, deny_unknown_fields)
 )]
+#[non_exhaustive]
 pub struct Materials {
     /// The ball, body 0.
     pub ball: Material,
@@ -28,6 +30,7 @@ pub struct Materials {
     derive(serde::Serialize, serde::Deserialize),
     serde(default, deny_unknown_fields)
 )]
+#[non_exhaustive]
 pub struct Material {
     /// A material by name, which gives modulus and Poisson's ratio where they are absent.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -48,6 +51,15 @@ pub struct Material {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub diffusivity: Option<f64>,
 }
+
+with_fields!(Material {
+    with_material material: Option<NamedMaterial>,
+    with_modulus modulus: Option<f64>,
+    with_poisson_ratio poisson_ratio: Option<f64>,
+    with_hardness hardness: Option<f64>,
+    with_conductivity conductivity: Option<f64>,
+    with_diffusivity diffusivity: Option<f64>,
+});
 
 /// Materials with known elastic constants.
 ///
@@ -142,7 +154,7 @@ impl Scene {
     /// use stribeck::sim::Scene;
     /// use stribeck::sim::scene::{Elastic, Material};
     /// let mut scene = Scene::azam_2019(32);
-    /// let steel = Material { modulus: Some(209e9), poisson_ratio: Some(0.3), ..Material::default() };
+    /// let steel = Material::default().with_modulus(Some(209e9)).with_poisson_ratio(Some(0.3));
     /// scene.elastic = Elastic::default();
     /// (scene.materials.ball, scene.materials.disc) = (steel, steel);
     /// assert!((scene.equivalent_modulus()? - 229.67e9).abs() < 1e7);

@@ -30,9 +30,10 @@ pub use track::{Exposure, TrackMotion, TrackSpec};
 use crate::analytic::{HertzLine, HertzPoint};
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::reynolds::{Cavitation, ContactDefinition, FaceMobility, Scheme};
+use crate::reynolds::{Cavitation, ContactDefinition, FaceMobility, LubricatedContact, Scheme, StoppingRule};
 use crate::sim::hertz::{HertzContact, LINE_LENGTH};
 use crate::surface::Form;
+use crate::with_fields::with_fields;
 
 /// Everything that defines a contact. All SI; every table that is absent is physics that is not modelled.
 ///
@@ -40,6 +41,7 @@ use crate::surface::Form;
 /// key. The keys are the field names; the pages `docs/scene*.md` list them with units and defaults.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+#[non_exhaustive]
 pub struct Scene {
     /// Shape of the bodies.
     #[cfg_attr(feature = "serde", serde(deserialize_with = "tables::form"))]
@@ -100,6 +102,7 @@ pub struct Scene {
     derive(serde::Serialize, serde::Deserialize),
     serde(default, deny_unknown_fields)
 )]
+#[non_exhaustive]
 pub struct Load {
     /// Maximum Hertz pressure of the smooth contact \[Pa\].
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -109,6 +112,18 @@ pub struct Load {
     pub force: Option<f64>,
 }
 
+impl Load {
+    /// The load under which the smooth contact has this maximum Hertz pressure \[Pa\].
+    pub const fn hertz_pressure(pressure: f64) -> Self {
+        Self { hertz_pressure: Some(pressure), force: None }
+    }
+
+    /// A force \[N\]; of a line contact force per length \[N/m\].
+    pub const fn force(force: f64) -> Self {
+        Self { hertz_pressure: None, force: Some(force) }
+    }
+}
+
 /// Speeds of the surfaces along x.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(
@@ -116,11 +131,19 @@ pub struct Load {
     derive(serde::Serialize, serde::Deserialize),
     serde(default, deny_unknown_fields)
 )]
+#[non_exhaustive]
 pub struct Motion {
     /// Mean of the two surface speeds \[m/s\].
     pub entrainment_speed: f64,
     /// Sliding speed over entrainment speed; the ball is the faster one where it is positive.
     pub slide_roll_ratio: f64,
+}
+
+impl Motion {
+    /// An entrainment speed \[m/s\] and a slide-to-roll ratio.
+    pub const fn new(entrainment_speed: f64, slide_roll_ratio: f64) -> Self {
+        Self { entrainment_speed, slide_roll_ratio }
+    }
 }
 
 impl Motion {
@@ -139,6 +162,7 @@ impl Motion {
 /// The grid, or what is asked of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(untagged))]
+#[non_exhaustive]
 pub enum GridSpec {
     /// Cells that fill a box. A line contact is solved on one row of them: `ny` and `y` are checked and not
     /// used.
@@ -190,6 +214,7 @@ pub struct RoughnessPair {
     derive(serde::Serialize, serde::Deserialize),
     serde(tag = "kind", rename_all = "snake_case", try_from = "tables::RoughnessTable")
 )]
+#[non_exhaustive]
 pub enum Roughness {
     /// Smooth.
     #[default]
@@ -248,6 +273,7 @@ pub struct FileRoughness {
     derive(serde::Serialize, serde::Deserialize),
     serde(default, deny_unknown_fields)
 )]
+#[non_exhaustive]
 pub struct SolverSpec {
     /// Which solver.
     pub kind: SolverKind,
@@ -282,16 +308,33 @@ pub struct SolverSpec {
     pub stiffness: f64,
 }
 
+with_fields!(SolverSpec {
+    with_kind kind: SolverKind,
+    with_tolerance tolerance: f64,
+    with_max_iterations max_iterations: u64,
+    with_scheme scheme: Option<Scheme>,
+    with_face_mobility face_mobility: Option<FaceMobility>,
+    with_cavitation cavitation: Option<Cavitation>,
+    with_film_cutoff film_cutoff: f64,
+    with_contact contact: ContactDefinition,
+    with_estimate estimate: bool,
+    with_accuracy accuracy: Option<f64>,
+    with_edge_contact edge_contact: bool,
+    with_relaxation relaxation: f64,
+    with_stiffness stiffness: f64,
+});
+
 impl Default for SolverSpec {
     fn default() -> Self {
+        let StoppingRule { tolerance, max_iterations } = StoppingRule::default();
         Self {
             kind: SolverKind::Auto,
-            tolerance: 1e-6,
-            max_iterations: 20_000,
+            tolerance,
+            max_iterations,
             scheme: None,
             face_mobility: None,
             cavitation: None,
-            film_cutoff: 1e-9,
+            film_cutoff: LubricatedContact::FILM_CUTOFF,
             contact: ContactDefinition::default(),
             estimate: false,
             accuracy: None,
@@ -305,6 +348,7 @@ impl Default for SolverSpec {
 /// The solvers a scene can name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum SolverKind {
     /// By what the scene holds, with fallback.
     Auto,
@@ -336,7 +380,7 @@ impl Scene {
             form: Form::Sphere { radius: 9.525e-3 },
             elastic: Elastic::new(229.67e9),
             materials: Materials::default(),
-            load: Load { hertz_pressure: Some(1.15e9), force: None },
+            load: Load::hertz_pressure(1.15e9),
             motion: Motion { entrainment_speed: 0.1, slide_roll_ratio: 0.05 },
             lubricant: Some(LubricantSpec {
                 eta0: 0.004,
@@ -407,7 +451,7 @@ impl Scene {
 
     /// The Hertz contact under the `load` \[N\] of a schedule.
     pub(super) fn hertz_under(&self, load: f64) -> Result<HertzContact, InputError> {
-        self.hertz_by(Load { hertz_pressure: None, force: Some(load) })
+        self.hertz_by(Load::force(load))
     }
 
     /// The Hertz contact under the load of the scene, whatever the schedule.

@@ -4,10 +4,12 @@ use crate::error::InputError;
 use crate::lubricant::Rheology;
 use crate::reynolds::ShearThinning;
 use crate::tribochem::Activation;
+use crate::with_fields::with_fields;
 
 /// Pressure limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+#[non_exhaustive]
 pub struct PlasticSpec {
     /// Hardness of the substrate \[Pa\].
     pub hardness: f64,
@@ -19,6 +21,19 @@ pub struct PlasticSpec {
     pub hardening_modulus: Option<f64>,
 }
 
+impl PlasticSpec {
+    /// Elastic and perfectly plastic at `hardness` \[Pa\].
+    pub const fn new(hardness: f64) -> Self {
+        Self { hardness, film_hardness: None, hardening_modulus: None }
+    }
+}
+
+with_fields!(PlasticSpec {
+    with_hardness hardness: f64,
+    with_film_hardness film_hardness: Option<f64>,
+    with_hardening_modulus hardening_modulus: Option<f64>,
+});
+
 /// Friction of solid contact and of the fluid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
@@ -26,6 +41,7 @@ pub struct PlasticSpec {
     derive(serde::Serialize, serde::Deserialize),
     serde(default, deny_unknown_fields)
 )]
+#[non_exhaustive]
 pub struct FrictionSpec {
     /// Boundary friction coefficient of solid contact, of bare surfaces where `film_coefficient` is given.
     pub boundary_coefficient: f64,
@@ -55,6 +71,18 @@ pub struct FrictionSpec {
     /// Whether the flow by pressure has the viscosity under that stress too, or is Newtonian.
     pub eyring_in_reynolds: bool,
 }
+
+with_fields!(FrictionSpec {
+    with_boundary_coefficient boundary_coefficient: f64,
+    with_film_coefficient film_coefficient: Option<f64>,
+    with_covering_thickness covering_thickness: Option<f64>,
+    with_limiting_shear_stress limiting_shear_stress: f64,
+    with_eyring_stress eyring_stress: Option<f64>,
+    with_carreau_stress carreau_stress: Option<f64>,
+    with_carreau_exponent carreau_exponent: Option<f64>,
+    with_limiting_stress_coefficient limiting_stress_coefficient: Option<f64>,
+    with_eyring_in_reynolds eyring_in_reynolds: bool,
+});
 
 impl FrictionSpec {
     /// Shear stress law of the fluid.
@@ -122,6 +150,7 @@ impl Default for FrictionSpec {
     derive(serde::Serialize, serde::Deserialize),
     serde(default, deny_unknown_fields)
 )]
+#[non_exhaustive]
 pub struct TribofilmSpec {
     /// Thickness that growth alone approaches \[m\].
     pub maximum_thickness: f64,
@@ -134,6 +163,14 @@ pub struct TribofilmSpec {
     /// Which nodes grow and lose film.
     pub activation: Activation,
 }
+
+with_fields!(TribofilmSpec {
+    with_maximum_thickness maximum_thickness: f64,
+    with_x_tribo x_tribo: f64,
+    with_removal_limit removal_limit: f64,
+    with_removal_rate removal_rate: f64,
+    with_activation activation: Activation,
+});
 
 impl Default for TribofilmSpec {
     /// The constants of Azam et al. (2019).
@@ -155,6 +192,7 @@ impl Default for TribofilmSpec {
     derive(serde::Serialize, serde::Deserialize),
     serde(default, deny_unknown_fields)
 )]
+#[non_exhaustive]
 pub struct WearSpec {
     /// Dimensionless coefficient of the bare surface.
     pub coefficient: f64,
@@ -169,6 +207,14 @@ pub struct WearSpec {
     /// Whether only solid pressure wears, or all pressure.
     pub solid_pressure_only: bool,
 }
+
+with_fields!(WearSpec {
+    with_coefficient coefficient: f64,
+    with_film_coefficient film_coefficient: f64,
+    with_hardness hardness: f64,
+    with_film_hardness film_hardness: Option<f64>,
+    with_solid_pressure_only solid_pressure_only: bool,
+});
 
 impl Default for WearSpec {
     /// The constants of Azam et al. (2019), all pressure.
@@ -190,6 +236,7 @@ impl Default for WearSpec {
     derive(serde::Serialize, serde::Deserialize),
     serde(default, deny_unknown_fields)
 )]
+#[non_exhaustive]
 pub struct ThermalSpec {
     /// Bulk temperature \[K\].
     pub bulk_temperature: f64,
@@ -201,6 +248,13 @@ pub struct ThermalSpec {
     pub diffusivity: f64,
 }
 
+with_fields!(ThermalSpec {
+    with_bulk_temperature bulk_temperature: f64,
+    with_flash flash: Flash,
+    with_conductivity conductivity: f64,
+    with_diffusivity diffusivity: f64,
+});
+
 impl Default for ThermalSpec {
     fn default() -> Self {
         Self { bulk_temperature: 353.15, flash: Flash::Auto, conductivity: 46.0, diffusivity: 1.27e-5 }
@@ -210,6 +264,7 @@ impl Default for ThermalSpec {
 /// Whether the flash temperature is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum Flash {
     /// Computed where its estimate is 1 K or more.
     #[default]

@@ -13,6 +13,7 @@ use crate::error::InputError;
     derive(serde::Serialize, serde::Deserialize),
     serde(default, deny_unknown_fields)
 )]
+#[non_exhaustive]
 pub struct Schedules {
     /// Normal load \[N\], of a line contact per length \[N/m\].
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -90,6 +91,7 @@ impl Schedules {
     derive(serde::Serialize, serde::Deserialize),
     serde(tag = "kind", rename_all = "snake_case", try_from = "super::tables::ScheduleTable")
 )]
+#[non_exhaustive]
 pub enum Schedule {
     /// One value for all times.
     Constant {

@@ -30,6 +30,7 @@ pub struct TrackSpec {
 /// How the roughness moves from solve to solve; see [`RoughnessMotion`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum TrackMotion {
     /// [`AtRest`].
     AtRest,
@@ -45,6 +46,7 @@ pub enum TrackMotion {
 /// How long a point of the track is in the contact per second of the test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum Exposure {
     /// As if the middle of the track never left the contact: for constants that were fitted to the time of a
     /// test.

@@ -38,7 +38,10 @@ impl Lined {
     /// # Errors
     /// A modulus or a compliance out of range.
     pub fn new(grid: Grid, modulus: f64, compliance: f64) -> Result<Self, InputError> {
-        InputError::require_non_negative("compliance", compliance)?;
+        if !compliance.is_finite() || compliance < 0.0 {
+            let (field, requirement) = ("compliance".to_owned(), "finite and >= 0");
+            return Err(InputError::Value { field, value: compliance, requirement });
+        }
         Ok(Self { substrate: HalfSpace::new(grid, modulus)?, compliance })
     }
 }

@@ -1,0 +1,26 @@
+//! Which way led to a solution.
+
+use std::fmt;
+
+/// The way by which a solver that knows several has found the state of its report.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Strategy {
+    /// One of [`NewtonSettings::attempts`](crate::reynolds::NewtonSettings::attempts), counted from 1.
+    Attempt(usize),
+    /// From the solution with Reynolds' condition to that of cavitation which conserves mass.
+    FromReynolds,
+    /// The fluid followed in time from the dry contact until it rests.
+    InTime,
+}
+
+impl fmt::Display for Strategy {
+    /// `attempt_1`, `from_reynolds`, `in_time`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Attempt(number) => write!(f, "attempt_{number}"),
+            Self::FromReynolds => f.write_str("from_reynolds"),
+            Self::InTime => f.write_str("in_time"),
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! What reports tell: the way to the solution, the residuals of each step.
+#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+use stribeck::reynolds::{Cavitation, ContactDefinition, NewtonKrylov, NewtonSettings};
+use stribeck::sim::scene::SolverKind;
+use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
+use stribeck::{SolveReport, Strategy};
+
+fn smooth(cells: usize) -> Scene {
+    let mut scene = Scene::azam_2019(cells);
+    (scene.roughness, scene.plastic) = (Default::default(), None);
+    scene.motion.entrainment_speed = 1.0;
+    scene
+}
+
+/// One start, whose residuals come first, and those of each step.
+#[test]
+fn a_solve_from_one_start_tells_the_residuals_of_each_step() {
+    for (kind, strategy) in [
+        (SolverKind::NewtonKrylov, Some(Strategy::Attempt(1))),
+        (SolverKind::SemiSystem, None),
+        (SolverKind::Multigrid, None),
+    ] {
+        let mut scene = smooth(48);
+        scene.solver.kind = kind;
+        let report = solve_contact(&scene).unwrap().report;
+        report.require_converged().unwrap();
+        assert_eq!(report.strategy, strategy, "{kind:?}");
+        assert_eq!(report.residual_history.len() as u64, report.work.iterations + 1, "{kind:?}");
+        assert_eq!(report.residual_history.last(), Some(&report.residuals), "{kind:?}");
+        let start = report.residual_history.first().unwrap();
+        assert!(start.max() > 1e3 * scene.solver.tolerance, "{kind:?}: {start:?}");
+    }
+}
+
+/// The sweeps of the paper's contact, cut short: the best state is not the last one by all means.
+#[test]
+fn sweeps_tell_theirs() {
+    let mut scene = Scene::azam_2019(32);
+    scene.solver.contact = ContactDefinition::UnifiedReynolds;
+    scene.solver.kind = SolverKind::SemiSystem;
+    scene.solver.max_iterations = 20;
+    let report = solve_contact(&scene).unwrap().report;
+    assert_eq!(report.residual_history.len(), 21);
+    assert!(report.residual_history.contains(&report.residuals), "{report:?}");
+}
+
+#[test]
+fn a_dry_contact_has_no_history() {
+    let mut scene = smooth(32);
+    scene.lubricant = None;
+    let report = solve_contact(&scene).unwrap().report;
+    report.require_converged().unwrap();
+    assert!(report.residual_history.is_empty() && report.strategy.is_none(), "{report:?}");
+}
+
+fn newton(scene: Scene, change: fn(&mut NewtonSettings)) -> SolveReport {
+    let mut settings = NewtonSettings::default();
+    change(&mut settings);
+    let builder = MixedLubricationSim::builder(scene);
+    let report = builder.solver(NewtonKrylov::with_settings(settings).unwrap()).solve().unwrap().report;
+    report.require_converged().unwrap();
+    assert_eq!(report.residual_history.last(), Some(&report.residuals));
+    assert!(report.residual_history.len() as u64 > report.work.iterations, "each start adds one");
+    report
+}
+
+/// Attempts of one step lead nowhere: the next one does, or the way in time.
+#[test]
+fn the_way_that_led_to_the_solution_is_named() {
+    let second = newton(smooth(32), |settings| settings.attempts[0].most_steps = 1);
+    assert_eq!(second.strategy, Some(Strategy::Attempt(2)));
+    assert_eq!(second.strategy.unwrap().to_string(), "attempt_2");
+    let all_short = |settings: &mut NewtonSettings| {
+        settings.attempts.truncate(1);
+        settings.attempts[0].most_steps = 1;
+    };
+    let mut scene = smooth(32);
+    scene.solver.cavitation = Some(Cavitation::Reynolds);
+    let in_time = newton(scene.clone(), all_short);
+    assert_eq!(in_time.strategy, Some(Strategy::InTime));
+    scene.solver.cavitation = Some(Cavitation::MassConserving);
+    let from_reynolds = newton(scene, all_short);
+    assert_eq!(from_reynolds.strategy, Some(Strategy::FromReynolds));
+}
