@@ -6,7 +6,7 @@ use super::friction::boundary_law;
 use super::heat::Heat;
 use super::interrupt::Interrupt;
 use super::per_body::PerBody;
-use super::scene::{BODIES, PlasticSpec, Roughness, Scene, WearSpec};
+use super::scene::{BODIES, PlasticSpec, Roughness, Scene};
 use super::simulation::{Laws, MixedLubricationSim, Travel};
 use super::start::BodyStart;
 use super::timetable::Timetable;
@@ -20,7 +20,7 @@ use crate::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityMode
 use crate::reynolds::{ContactSolver, ContactState, FaceMobility};
 use crate::surface::RoughnessMotion;
 use crate::tribochem::FilmGrowthLaw;
-use crate::wear::{Archard, WearLaw, WearPressure};
+use crate::wear::WearLaw;
 
 /// Builder of a [`MixedLubricationSim`].
 #[derive(Debug)]
@@ -267,7 +267,7 @@ impl SimBuilder {
         let scene = &self.scene;
         let growth: Option<Box<dyn FilmGrowthLaw>> = match (self.growth.take(), scene.tribofilm) {
             (Some(law), _) => Some(law),
-            (None, Some(spec)) => Some(Box::new(setup::growth_law(&spec)?)),
+            (None, Some(spec)) => Some(spec.law()?),
             (None, None) => None,
         };
         let film_thickness = growth.as_ref().map(|law| law.maximum_thickness());
@@ -280,9 +280,12 @@ impl SimBuilder {
         };
         let wear = match (self.wear.take(), scene.wear) {
             (Some(law), _) => Some(PerBody::same(law)),
-            (None, Some(spec)) => Some(PerBody::by(scene.hardnesses(spec.hardness), |hardness| {
-                wear_law(&WearSpec { hardness, ..spec }, film_thickness)
-            })?),
+            (None, Some(spec)) => match spec.hardness() {
+                None => Some(PerBody::same(spec.law(0.0, film_thickness)?)),
+                Some(common) => Some(PerBody::by(scene.hardnesses(common), |hardness| {
+                    spec.law(hardness, film_thickness)
+                })?),
+            },
             (None, None) => None,
         };
         let friction = match self.friction.take() {
@@ -334,15 +337,4 @@ fn plasticity_model(
         Some(modulus) => Box::new(IsotropicHardening::new(initial, modulus)?),
         None => Box::new(initial),
     })
-}
-
-fn wear_law(spec: &WearSpec, film_thickness: Option<f64>) -> Result<Box<dyn WearLaw>, InputError> {
-    // Without a film the reference thickness is never reached: any positive one will do.
-    let full = film_thickness.unwrap_or(1.0);
-    let mut law = Archard::new(spec.coefficient, spec.film_coefficient, full, spec.hardness)?;
-    if let Some(film_hardness) = spec.film_hardness {
-        law = law.with_film_hardness(film_hardness)?;
-    }
-    let pressure = if spec.solid_pressure_only { WearPressure::Solid } else { WearPressure::Total };
-    Ok(Box::new(law.with_pressure(pressure)))
 }

@@ -233,7 +233,7 @@ impl ContactModel {
             cavitation: self.cavitation,
             supplied_film: self.supplied_film,
             shear_thinning: self.shear_thinning,
-            reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
+            reference_half_widths: self.hertz.half_extents().into(),
             reference_pressure: self.hertz.p_max,
             reference_film,
         };

@@ -17,6 +17,7 @@ use crate::numerics::{RealFft2, both, map_lines};
 
 /// What the root mean square height of a random surface refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum HeightScale {
     /// Each surface has exactly that height: what the standard parameters of one surface call for. Removes
     /// the mean.
