@@ -138,7 +138,7 @@ impl WearLaw for Melting {
 }
 
 /// Gives up above 50 N.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Stubborn(NewtonKrylov);
 
 impl ContactSolver for Stubborn {
@@ -229,7 +229,7 @@ fn heights_and_steps_that_do_not_fit_are_refused() {
 }
 
 /// A body that opens under pressure.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Opening(HalfSpace);
 
 impl DeformationModel for Opening {

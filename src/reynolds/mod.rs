@@ -84,7 +84,7 @@ impl StoppingRule {
 /// ones on the same grid do not allocate. What is found depends on problem, state and rule alone, so that a
 /// resumed run is the uninterrupted one. Residuals are those of [`Evaluation`]. Never report
 /// [`Status::Converged`](crate::Status::Converged) with a residual above the tolerance.
-pub trait ContactSolver: Debug + Send {
+pub trait ContactSolver: Debug + Send + Sync {
     /// Name for reports.
     fn name(&self) -> &'static str;
 

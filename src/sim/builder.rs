@@ -1,5 +1,7 @@
 //! Putting a simulation together: the scene's own laws, or the user's in their place.
 
+use std::sync::Arc;
+
 use super::body::Body;
 use super::contact::{ContactModel, Overrides};
 use super::friction::boundary_law;
@@ -27,11 +29,11 @@ use crate::wear::WearLaw;
 pub struct SimBuilder {
     pub(super) scene: Scene,
     pub(super) overrides: Overrides,
-    pub(super) plasticity: Option<Box<dyn PlasticityModel>>,
-    growth: Option<Box<dyn FilmGrowthLaw>>,
-    wear: Option<Box<dyn WearLaw>>,
-    pub(super) friction: Option<Box<dyn BoundaryFriction>>,
-    motion: Option<Box<dyn RoughnessMotion>>,
+    pub(super) plasticity: Option<Arc<dyn PlasticityModel>>,
+    growth: Option<Arc<dyn FilmGrowthLaw>>,
+    wear: Option<Arc<dyn WearLaw>>,
+    pub(super) friction: Option<Arc<dyn BoundaryFriction>>,
+    motion: Option<Arc<dyn RoughnessMotion>>,
     squeeze: bool,
     pub(super) heights: [Option<Vec<f64>>; 2],
     pub(super) starts: [Option<BodyStart>; 2],
@@ -55,9 +57,10 @@ impl SimBuilder {
         }
     }
 
-    /// Replaces the elastic half-space; the model must live on the grid of the scene ([`Scene::grid`]).
+    /// Replaces the elastic half-space; the model must live on the grid of the scene ([`Scene::grid`]). It is
+    /// copied where the simulation is.
     #[must_use]
-    pub fn deformation(mut self, model: impl DeformationModel + 'static) -> Self {
+    pub fn deformation(mut self, model: impl DeformationModel + Clone + 'static) -> Self {
         self.overrides.deformation = Some(Box::new(model));
         self
     }
@@ -76,9 +79,9 @@ impl SimBuilder {
         self
     }
 
-    /// Replaces the solver.
+    /// Replaces the solver, which is copied where the simulation is.
     #[must_use]
-    pub fn solver(mut self, solver: impl ContactSolver + 'static) -> Self {
+    pub fn solver(mut self, solver: impl ContactSolver + Clone + 'static) -> Self {
         self.overrides.solver = Some(Box::new(solver));
         self
     }
@@ -86,28 +89,28 @@ impl SimBuilder {
     /// Replaces the plasticity model, or brings one into a scene without.
     #[must_use]
     pub fn plasticity(mut self, model: impl PlasticityModel + 'static) -> Self {
-        self.plasticity = Some(Box::new(model));
+        self.plasticity = Some(Arc::new(model));
         self
     }
 
     /// Replaces the growth law of the tribofilm, or brings one into a scene without.
     #[must_use]
     pub fn growth_law(mut self, law: impl FilmGrowthLaw + 'static) -> Self {
-        self.growth = Some(Box::new(law));
+        self.growth = Some(Arc::new(law));
         self
     }
 
     /// Replaces the wear law, or brings one into a scene without.
     #[must_use]
     pub fn wear_law(mut self, law: impl WearLaw + 'static) -> Self {
-        self.wear = Some(Box::new(law));
+        self.wear = Some(Arc::new(law));
         self
     }
 
     /// Replaces the law of friction in solid contact.
     #[must_use]
     pub fn boundary_friction(mut self, law: impl BoundaryFriction + 'static) -> Self {
-        self.friction = Some(Box::new(law));
+        self.friction = Some(Arc::new(law));
         self
     }
 
@@ -130,7 +133,7 @@ impl SimBuilder {
     /// Replaces the motion of the roughness from step to step.
     #[must_use]
     pub fn motion(mut self, motion: impl RoughnessMotion + 'static) -> Self {
-        self.motion = Some(Box::new(motion));
+        self.motion = Some(Arc::new(motion));
         self
     }
 
@@ -224,7 +227,7 @@ impl SimBuilder {
         let warnings = self.warnings(own_heights, &contact, &bodies);
         contact.face_mobility = self.face_mobility(own_heights, &bodies);
         let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
-        let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion());
+        let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion().into());
         let travel = Travel { motion, squeeze: self.squeeze };
         Ok(MixedLubricationSim::assemble(
             (self.scene, timetable, warnings),
@@ -265,9 +268,9 @@ impl SimBuilder {
 
     pub(super) fn laws(&mut self) -> Result<Laws, SimError> {
         let scene = &self.scene;
-        let growth: Option<Box<dyn FilmGrowthLaw>> = match (self.growth.take(), scene.tribofilm) {
+        let growth: Option<Arc<dyn FilmGrowthLaw>> = match (self.growth.take(), scene.tribofilm) {
             (Some(law), _) => Some(law),
-            (None, Some(spec)) => Some(spec.law()?),
+            (None, Some(spec)) => Some(spec.law()?.into()),
             (None, None) => None,
         };
         let film_thickness = growth.as_ref().map(|law| law.maximum_thickness());
@@ -281,7 +284,7 @@ impl SimBuilder {
         let wear = match (self.wear.take(), scene.wear) {
             (Some(law), _) => Some(PerBody::same(law)),
             (None, Some(spec)) => match spec.hardness() {
-                None => Some(PerBody::same(spec.law(0.0, film_thickness)?)),
+                None => Some(PerBody::same(spec.law(0.0, film_thickness)?.into())),
                 Some(common) => Some(PerBody::by(scene.hardnesses(common), |hardness| {
                     spec.law(hardness, film_thickness)
                 })?),
@@ -290,7 +293,7 @@ impl SimBuilder {
         };
         let friction = match self.friction.take() {
             Some(law) => law,
-            None => boundary_law(&scene.friction, film_thickness)?,
+            None => boundary_law(&scene.friction, film_thickness)?.into(),
         };
         Ok(Laws { plasticity, growth, wear, friction })
     }

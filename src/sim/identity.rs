@@ -1,7 +1,7 @@
 //! What tells one simulation from another.
 
 use super::simulation::MixedLubricationSim;
-use crate::elastic::NEAR;
+use crate::elastic::{DeformationModel, NEAR};
 use crate::lubricant::Lubricant;
 
 /// Parts that act on the bodies from outside: a run may go on under others.

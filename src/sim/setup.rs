@@ -3,6 +3,7 @@
 use super::SimError;
 use super::friction::boundary_law;
 use super::hertz::HertzContact;
+use super::owned::OwnedSolver;
 use super::scene::{
     FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind, ViscositySpec,
 };
@@ -13,7 +14,7 @@ use crate::lubricant::{
     ViscosityLaw,
 };
 use crate::metrics::{average_film_in, height_statistics};
-use crate::reynolds::{Auto, ContactSolver, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule};
+use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule};
 use crate::surface::{Autocorrelation, RandomShape, RandomSurface};
 
 /// Memory of a lubricated and of a dry contact per node.
@@ -307,10 +308,10 @@ pub(super) fn density(scene: &Scene, temperature: f64) -> Result<Option<Box<dyn 
 }
 
 /// The solver of the scene.
-pub(super) fn solver(scene: &Scene) -> Result<Box<dyn ContactSolver>, InputError> {
+pub(super) fn solver(scene: &Scene) -> Result<Box<dyn OwnedSolver>, InputError> {
     let edge_contact = scene.solver.edge_contact;
     Ok(match scene.solver.kind {
-        SolverKind::Auto if edge_contact => Box::new(Auto::allowing_edge_contact()) as Box<dyn ContactSolver>,
+        SolverKind::Auto if edge_contact => Box::new(Auto::allowing_edge_contact()) as Box<dyn OwnedSolver>,
         SolverKind::Auto => Box::new(Auto::new()),
         SolverKind::NewtonKrylov => Box::new(NewtonKrylov::new()),
         SolverKind::Multigrid => Box::new(Multigrid::new()),

@@ -76,6 +76,13 @@ struct Workspace {
     best: ContactState,
 }
 
+impl Clone for Multigrid {
+    /// The copy makes buffers of its own at its first solve.
+    fn clone(&self) -> Self {
+        Self { hand_over: self.hand_over, workspace: None }
+    }
+}
+
 impl Multigrid {
     /// A solver; buffers are made at the first solve and kept.
     pub fn new() -> Self {
