@@ -7,6 +7,7 @@ mod scene_text;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
+use stribeck::Grid;
 use stribeck::sim::scene::{FileRoughness, GridSpec, Roughness, SolverKind, TribofilmSpec, WearSpec};
 use stribeck::sim::{Scene, SimError, solve_contact, write_npz};
 use stribeck::surface::{Form, write_npy};
@@ -275,18 +276,20 @@ fn ellipsoid_turned_by_a_right_angle_is_the_same_contact() {
 fn archive_refuses_what_it_cannot_hold() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("fields.npz");
+    let grid = Grid::centred(3, 2, 1e-6, 1e-6).unwrap();
     for fields in [
         [("film", 5), ("gap", 6)],
         [("film", 6), ("film", 6)],
         [("", 6), ("gap", 6)],
         [("a/b", 6), ("gap", 6)],
+        [("x", 6), ("gap", 6)],
     ] {
         let values = fields.map(|(name, n)| (name, vec![0.0; n]));
         let borrowed: Vec<(&str, &[f64])> = values.iter().map(|(name, v)| (*name, v.as_slice())).collect();
-        let error = write_npz(&path, 3, 2, &borrowed).unwrap_err();
+        let error = write_npz(&path, &grid, &borrowed).unwrap_err();
         assert!(matches!(error, SimError::Input(_)), "{error}");
         assert!(error.to_string().contains(fields[0].0), "{error}");
     }
-    let error = write_npz(folder.path(), 1, 1, &[("film", &[0.0])]).unwrap_err();
+    let error = write_npz(folder.path(), &grid, &[("film", &[0.0; 6])]).unwrap_err();
     assert!(matches!(error, SimError::Io { .. }), "{error}");
 }

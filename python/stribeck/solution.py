@@ -77,8 +77,8 @@ class Solution(Numbers):
         raise error
 
     def save_fields(self, path: str | os.PathLike[str]) -> None:
-        """Writes the fields as a NumPy archive."""
-        arrays: dict[str, Any] = self.fields
+        """Writes the fields as a NumPy archive, with the positions ``x`` and ``y`` of the nodes [m]."""
+        arrays: dict[str, Any] = {"x": self.grid.nodes_x, "y": self.grid.nodes_y, **self.fields}
         np.savez_compressed(path, **arrays)
 
     def __reduce__(self) -> tuple[Any, ...]:

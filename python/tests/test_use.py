@@ -62,6 +62,8 @@ def test_fields_are_maps_that_belong_to_python(rough: stribeck.Scene, tmp_path: 
     solution.save_fields(tmp_path / "fields.npz")
     with np.load(tmp_path / "fields.npz") as archive:
         np.testing.assert_array_equal(archive["film"], solution.fields["film"])
+        assert archive["x"].shape == (32,) and archive["y"].shape == (40,)
+        assert archive["x"][-1] == pytest.approx(2.5e-4 - 0.5 * solution.grid.dx)
 
 
 def test_heights_in_memory(rough: stribeck.Scene) -> None:
