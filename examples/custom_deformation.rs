@@ -9,7 +9,7 @@ use stribeck::{Grid, InputError};
 
 /// A coating of thickness `t` and confined modulus `M` on a half-space: `u = K p + (t/M) p`. Valid while the
 /// coating is thin against the contact.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Coated {
     substrate: HalfSpace,
     compliance: f64,

@@ -91,7 +91,7 @@ fn in_scene(path: &Path, error: &dyn Error) -> String {
 }
 
 fn write_fields(path: &Path, solution: &ContactSolution) -> Result<(), Box<dyn Error>> {
-    write_npz(path, solution.grid.nx(), solution.grid.ny(), &solution.fields())?;
+    write_npz(path, &solution.grid, &solution.fields())?;
     Ok(())
 }
 

@@ -41,6 +41,14 @@ pub enum Dimension {
     Conductivity,
     /// In m^2/s.
     Diffusivity,
+    /// In J: barriers of reactions, per molecule.
+    Energy,
+    /// In m^3: activation volumes.
+    Volume,
+    /// In m^3/J: wear per energy of friction.
+    VolumePerEnergy,
+    /// In rad.
+    Angle,
 }
 
 /// How a number in a unit becomes one in SI units.
@@ -86,6 +94,7 @@ const SPEED: Units = &[
     (&["cm/s"], Ten(-2)),
     (&["mm/s"], Ten(-3)),
     (&["um/s"], Ten(-6)),
+    (&["nm/s"], Ten(-9)),
     (&["km/h"], Times(1.0 / 3.6)),
 ];
 const VISCOSITY: Units =
@@ -107,6 +116,16 @@ const TEMPERATURE: Units = &[(&["K"], Ten(0)), (&["degC", "C"], Plus(273.15))];
 const CONDUCTIVITY: Units = &[(&["W/(m K)", "W/m/K", "W/mK"], Ten(0))];
 const DIFFUSIVITY: Units =
     &[(&["m^2/s", "m2/s"], Ten(0)), (&["cm^2/s", "cm2/s"], Ten(-4)), (&["mm^2/s", "mm2/s"], Ten(-6))];
+const ENERGY: Units = &[
+    (&["J"], Ten(0)),
+    (&["eV"], Times(1.602176634e-19)),
+    // Per mole, over Avogadro's number.
+    (&["kJ/mol"], Times(1e3 / 6.02214076e23)),
+];
+const VOLUME: Units = &[(&["m^3", "m3"], Ten(0)), (&["nm^3", "nm3"], Ten(-27)), (&["A^3", "A3"], Ten(-30))];
+const VOLUME_PER_ENERGY: Units =
+    &[(&["m^3/J", "m3/J"], Ten(0)), (&["mm^3/J", "mm3/J"], Ten(-9)), (&["um^3/J", "um3/J"], Ten(-18))];
+const ANGLE: Units = &[(&["rad"], Ten(0)), (&["deg"], Times(std::f64::consts::PI / 180.0))];
 
 impl Dimension {
     /// The name in words.
@@ -125,6 +144,10 @@ impl Dimension {
             Self::Temperature => "temperature",
             Self::Conductivity => "thermal conductivity",
             Self::Diffusivity => "diffusivity",
+            Self::Energy => "energy",
+            Self::Volume => "volume",
+            Self::VolumePerEnergy => "volume per energy",
+            Self::Angle => "angle",
         }
     }
 
@@ -143,6 +166,10 @@ impl Dimension {
             Self::Temperature => TEMPERATURE,
             Self::Conductivity => CONDUCTIVITY,
             Self::Diffusivity => DIFFUSIVITY,
+            Self::Energy => ENERGY,
+            Self::Volume => VOLUME,
+            Self::VolumePerEnergy => VOLUME_PER_ENERGY,
+            Self::Angle => ANGLE,
         }
     }
 
@@ -209,7 +236,11 @@ fn split(text: &str) -> Option<(&str, &str)> {
 /// The spelling of `unit` that the tables have.
 fn plain(unit: &str) -> String {
     let mut plain = unit.replace(['\u{b5}', '\u{3bc}'], "u").replace('\u{b0}', "deg");
-    plain = plain.replace(['*', '\u{b7}'], " ").replace('\u{b2}', "^2").replace("\u{207b}\u{b9}", "^-1");
+    plain = plain
+        .replace(['*', '\u{b7}'], " ")
+        .replace('\u{b2}', "^2")
+        .replace('\u{b3}', "^3")
+        .replace("\u{207b}\u{b9}", "^-1");
     plain.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 

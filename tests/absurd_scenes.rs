@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use stribeck::Status;
-use stribeck::sim::scene::{GridSpec, Load, PlasticSpec, SolverKind, WearSpec};
+use stribeck::sim::scene::{ArchardSpec, GridSpec, Load, PlasticSpec, SolverKind, WearSpec};
 use stribeck::sim::{MixedLubricationSim, Scene, SimError, solve_contact};
 use stribeck::surface::Form;
 use stribeck::testing::{absurd_scenes, pressures, scenes};
@@ -149,7 +149,11 @@ fn scenes_that_once_did_not() {
     let mut worn = Scene::azam_2019(16);
     worn.lubricant = None;
     worn.solver.edge_contact = true;
-    worn.wear = Some(WearSpec::default().with_coefficient(1e300).with_film_coefficient(0.0));
+    worn.wear = Some(WearSpec::Archard(ArchardSpec {
+        coefficient: 1e300,
+        film_coefficient: 0.0,
+        ..ArchardSpec::default()
+    }));
     for scene in [start, worn] {
         if let Err(reason) = tried(&scene, 11) {
             panic!("{reason}: {scene:?}");

@@ -64,7 +64,7 @@ fn dry_contacts_are_estimated_by_their_pressure() {
     for accuracy in [0.1, 0.01, 0.001] {
         for form in [
             Form::Sphere { radius: 10e-3 },
-            Form::Ellipsoid { radius_x: 12e-3, radius_y: 8e-3 },
+            Form::Ellipsoid { radius_x: 12e-3, radius_y: 8e-3, angle: 0.0 },
             Form::Cylinder { radius: 10e-3 },
         ] {
             let mut scene = contact(100.0, 10.0, accuracy);

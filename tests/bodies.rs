@@ -220,15 +220,16 @@ fn starts_that_do_not_fit_are_named() {
 
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("fields.npz");
+    let small = Grid::centred(16, 16, 1e-6, 1e-6).unwrap();
     let read = |name: &str| BodyStart::read_npz(&path, name, grid);
     assert!(read("ball").unwrap_err().to_string().contains("fields.npz"));
     std::fs::write(&path, b"no archive").unwrap();
     assert!(read("ball").unwrap_err().to_string().contains("fields.npz"));
-    write_npz(&path, 16, 16, &[("ball_initial_m", &[0.0; 256])]).unwrap();
+    write_npz(&path, &small, &[("ball_initial_m", &[0.0; 256])]).unwrap();
     let error = read("disc").unwrap_err().to_string();
     assert!(error.contains("disc_initial_m"), "{error}");
     let error = read("ball").unwrap_err().to_string();
     assert!(error.contains("ball_initial_m") && error.contains("16 x 16"), "{error}");
-    write_npz(&path, 32, 32, &[("ball_initial_m", &vec![1e-9; n])]).unwrap();
+    write_npz(&path, &grid, &[("ball_initial_m", &vec![1e-9; n])]).unwrap();
     assert_eq!(read("ball").unwrap(), BodyStart::new(grid, vec![1e-9; n]));
 }

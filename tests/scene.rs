@@ -1,19 +1,26 @@
 //! Scene files: round trip, the documentation, and errors that name the key.
 #![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
 
+#[path = "common/scene_text.rs"]
+mod scene_text;
+
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
+use stribeck::Grid;
 use stribeck::sim::scene::{FileRoughness, GridSpec, Roughness, SolverKind, TribofilmSpec, WearSpec};
 use stribeck::sim::{Scene, SimError, solve_contact, write_npz};
 use stribeck::surface::{Form, write_npy};
 
+use scene_text::{assert_names, dry};
+
 /// What a scene file is, and the tables in the order of the pages.
 const FIRST_PAGE: &str = include_str!("../docs/scene.md");
-const TABLES: [&str; 4] = [
+const TABLES: [&str; 5] = [
     include_str!("../docs/scene_contact.md"),
     include_str!("../docs/scene_bodies.md"),
     include_str!("../docs/scene_fluid.md"),
+    include_str!("../docs/scene_laws.md"),
     include_str!("../docs/scene_history.md"),
 ];
 
@@ -27,28 +34,6 @@ fn first_block(text: &str) -> &str {
 fn documented() -> &'static str {
     let [.., history] = TABLES;
     first_block(history.split_once("## A complete scene").unwrap().1)
-}
-
-/// A dry scene on a small grid, with one line per key and `extra` at the end.
-fn dry(extra: &str) -> String {
-    let head = "[form]\nkind = \"sphere\"\nradius = 9.525e-3\n[elastic]\nequivalent_modulus = 229.67e9\n\
-                [load]\nhertz_pressure = 1.15e9\n[grid]\nnx = 16\nny = 16\n\
-                x = [-0.25e-3, 0.25e-3]\ny = [-0.25e-3, 0.25e-3]\n";
-    format!("{head}{extra}")
-}
-
-fn error_of(text: &str) -> String {
-    let error = Scene::from_toml(text).and_then(|scene| solve_contact(&scene)).unwrap_err();
-    assert!(!matches!(error, SimError::Reynolds(_)), "{error}");
-    error.to_string()
-}
-
-fn assert_names(text: &str, parts: &[&str]) {
-    let message = error_of(text);
-    assert!(!message.contains('\n'), "{message}");
-    for part in parts {
-        assert!(message.contains(part), "`{part}` is not in `{message}`");
-    }
 }
 
 #[test]
@@ -69,7 +54,7 @@ fn smallest_documented_scene_is_solved() {
 #[test]
 fn scenes_survive_the_round_trip() {
     let mut other = Scene::azam_2019(32);
-    other.form = Form::Ellipsoid { radius_x: 1e-2, radius_y: 2e-2 };
+    other.form = Form::Ellipsoid { radius_x: 1e-2, radius_y: 2e-2, angle: 0.0 };
     (other.load.hertz_pressure, other.load.force) = (None, Some(20.0));
     other.roughness.ball = Roughness::None;
     other.roughness.disc = Roughness::File(FileRoughness { path: "disc.npy".into(), rq: Some(1e-8) });
@@ -108,7 +93,10 @@ fn document_lists_every_key() {
         include_str!("../src/lubricant/improved_yasutomi.rs"),
         include_str!("../src/sim/scene/materials.rs"),
         include_str!("../src/sim/scene/schedule.rs"),
+        include_str!("../src/sim/scene/roughness.rs"),
         include_str!("../src/sim/scene/stress.rs"),
+        include_str!("../src/sim/scene/tribofilm.rs"),
+        include_str!("../src/sim/scene/wear.rs"),
         include_str!("../src/surface/form.rs"),
     ]
     .concat();
@@ -288,18 +276,20 @@ fn ellipsoid_turned_by_a_right_angle_is_the_same_contact() {
 fn archive_refuses_what_it_cannot_hold() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("fields.npz");
+    let grid = Grid::centred(3, 2, 1e-6, 1e-6).unwrap();
     for fields in [
         [("film", 5), ("gap", 6)],
         [("film", 6), ("film", 6)],
         [("", 6), ("gap", 6)],
         [("a/b", 6), ("gap", 6)],
+        [("x", 6), ("gap", 6)],
     ] {
         let values = fields.map(|(name, n)| (name, vec![0.0; n]));
         let borrowed: Vec<(&str, &[f64])> = values.iter().map(|(name, v)| (*name, v.as_slice())).collect();
-        let error = write_npz(&path, 3, 2, &borrowed).unwrap_err();
+        let error = write_npz(&path, &grid, &borrowed).unwrap_err();
         assert!(matches!(error, SimError::Input(_)), "{error}");
         assert!(error.to_string().contains(fields[0].0), "{error}");
     }
-    let error = write_npz(folder.path(), 1, 1, &[("film", &[0.0])]).unwrap_err();
+    let error = write_npz(folder.path(), &grid, &[("film", &[0.0; 6])]).unwrap_err();
     assert!(matches!(error, SimError::Io { .. }), "{error}");
 }

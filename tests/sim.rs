@@ -138,7 +138,7 @@ impl WearLaw for Melting {
 }
 
 /// Gives up above 50 N.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Stubborn(NewtonKrylov);
 
 impl ContactSolver for Stubborn {
@@ -161,7 +161,7 @@ impl ContactSolver for Stubborn {
 }
 
 /// Says that it has solved what it has not: its pressures carry nine tenths of the load.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Liar(NewtonKrylov);
 
 impl ContactSolver for Liar {
@@ -271,7 +271,7 @@ fn heights_and_steps_that_do_not_fit_are_refused() {
 }
 
 /// A body that opens under pressure.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Opening(HalfSpace);
 
 impl DeformationModel for Opening {

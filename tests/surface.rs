@@ -18,7 +18,7 @@ use stribeck::{Grid, InputError};
 fn forms_are_parabolas_about_the_origin() {
     let grid = Grid::from_edges(7, 5, [-3e-4, 4e-4], [-2e-4, 3e-4]).unwrap();
     let mut gap = vec![f64::NAN; grid.len()];
-    let form = Form::Ellipsoid { radius_x: 20e-3, radius_y: 10e-3 };
+    let form = Form::Ellipsoid { radius_x: 20e-3, radius_y: 10e-3, angle: 0.0 };
     form.gap_into(&grid, &mut gap).unwrap();
     for (h, (x, y)) in gap.iter().zip(grid.nodes()) {
         assert_relative_eq!(*h, x * x / 40e-3 + y * y / 20e-3, max_relative = 1e-14);
@@ -27,7 +27,7 @@ fn forms_are_parabolas_about_the_origin() {
     let error = Form::Sphere { radius: -1.0 }.gap_into(&grid, &mut gap).unwrap_err();
     assert!(error.to_string().contains("form.radius"), "{error}");
     assert!(form.gap_into(&grid, &mut gap[1..]).is_err());
-    assert!(Form::Ellipsoid { radius_x: 1.0, radius_y: f64::NAN }.validate().is_err());
+    assert!(Form::Ellipsoid { radius_x: 1.0, radius_y: f64::NAN, angle: 0.0 }.validate().is_err());
 }
 
 // ---------------------------------------------------------------- generation

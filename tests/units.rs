@@ -165,6 +165,7 @@ fn every_documented_key_with_a_unit_takes_one() {
         include_str!("../docs/scene_contact.md"),
         include_str!("../docs/scene_bodies.md"),
         include_str!("../docs/scene_fluid.md"),
+        include_str!("../docs/scene_laws.md"),
         include_str!("../docs/scene_history.md"),
     ]
     .concat();
@@ -176,7 +177,7 @@ fn every_documented_key_with_a_unit_takes_one() {
         }
         let cells: Vec<&str> = line.split('|').map(str::trim).collect();
         let (Some(names), Some(unit)) = (cells.get(1), cells.get(3)) else { continue };
-        let physical = unit.starts_with(['m', 'N', 'P', '1', 's', 'K', 'W']) && *unit != "1";
+        let physical = unit.starts_with(['m', 'N', 'P', '1', 's', 'K', 'W', 'J', 'r']) && *unit != "1";
         if !names.starts_with('`') || !physical {
             continue;
         }

@@ -6,7 +6,7 @@ use stribeck::{SolveReport, SolverId, Status, Work};
 
 /// Dry elastic contact by steepest descent; pressures that turn negative are cut off, the load is shared out
 /// anew.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct SteepestDescent;
 
 impl ContactSolver for SteepestDescent {

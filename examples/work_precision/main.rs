@@ -35,8 +35,8 @@ use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
 use stribeck::metrics::{average_central_film, friction_coefficient, viscous_shear_into};
 use stribeck::reynolds::{
-    Auto, ContactSolver, ContactState, Dry, FaceMobility, LubricatedContact, Multigrid, NewtonKrylov, SemiSystem,
-    StoppingRule,
+    Auto, ContactSolver, ContactState, Dry, FaceMobility, LubricatedContact, Multigrid, NewtonKrylov,
+    SemiSystem, StoppingRule,
 };
 use stribeck::sim::Scene;
 use stribeck::sim::scene::{GridSpec, Load};

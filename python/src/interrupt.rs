@@ -10,12 +10,12 @@ use crate::laws::Failure;
 /// Time between two looks for signals.
 const PERIOD: Duration = Duration::from_millis(50);
 
-/// A question whether a signal has raised an exception, which is kept in `failure`; asked again within
+/// A question whether a signal has raised an exception, which is kept; asked again within
 /// [`PERIOD`] it does not look.
-pub(crate) fn on_signal(failure: Failure) -> impl Fn() -> bool + Send + Sync + 'static {
+pub(crate) fn on_signal() -> impl Fn() -> bool + Send + Sync + 'static {
     let looked = Mutex::new(Instant::now());
     move || {
-        if failure.is_set() {
+        if Failure.is_set() {
             return true;
         }
         let Ok(mut looked) = looked.lock() else { return false };
@@ -27,7 +27,7 @@ pub(crate) fn on_signal(failure: Failure) -> impl Fn() -> bool + Send + Sync + '
         match Python::attach(|py| py.check_signals()) {
             Ok(()) => false,
             Err(error) => {
-                failure.keep(error);
+                Failure.keep(error);
                 true
             }
         }

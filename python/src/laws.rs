@@ -1,33 +1,44 @@
 //! Laws written in Python, called on whole fields.
 
+use std::cell::Cell;
 use std::fmt;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use numpy::{PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use stribeck::elastic::{DeformationModel, NEAR, ResponseApproximations};
 use stribeck::tribochem::{FilmGrowthLaw, integrate_rates};
 use stribeck::wear::WearLaw;
-use stribeck::{BoundaryFriction, Grid, RubbingPoint};
+use stribeck::{BoundaryFriction, Grid, InputError, RubbingPoint};
 
 use crate::convert::{dictionary, field};
 use crate::error::raise;
+use crate::solution::{PyDeformation, PyGrowth, PyLaw};
 
-/// The first exception that a law or a signal has raised.
-#[derive(Clone, Default)]
-pub(crate) struct Failure(Arc<Mutex<Option<PyErr>>>);
+thread_local! {
+    static RAISED: Cell<Option<PyErr>> = const { Cell::new(None) };
+}
+
+/// The first exception that a law or a signal has raised on this thread, which is the one that solves: clones
+/// of a simulation share their laws and may step at the same time.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Failure;
 
 impl Failure {
-    pub(crate) fn keep(&self, error: PyErr) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+    pub(crate) fn keep(self, error: PyErr) {
+        RAISED.set(Some(RAISED.take().unwrap_or(error)));
     }
 
-    pub(crate) fn take(&self) -> Option<PyErr> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
+    pub(crate) fn take(self) -> Option<PyErr> {
+        RAISED.take()
     }
 
-    pub(crate) fn is_set(&self) -> bool {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).is_some()
+    pub(crate) fn is_set(self) -> bool {
+        let error = RAISED.take();
+        let is_set = error.is_some();
+        RAISED.set(error);
+        is_set
     }
 }
 
@@ -39,7 +50,6 @@ struct Function {
     identity: String,
     call: Py<PyAny>,
     grid: Grid,
-    failure: Failure,
 }
 
 impl fmt::Debug for Function {
@@ -53,9 +63,9 @@ impl Function {
     /// fails, with the exception kept.
     fn fill<'py>(&self, py: Python<'py>, arguments: Vec<Bound<'py, PyAny>>, out: &mut [f64]) {
         if let Err(error) = self.try_fill(py, arguments, out) {
-            self.failure.keep(error);
+            Failure.keep(error);
         }
-        if self.failure.is_set() {
+        if Failure.is_set() {
             out.fill(f64::NAN);
         }
     }
@@ -153,7 +163,7 @@ impl Growth {
     fn fill(&self, at: &[RubbingPoint], thickness: &[f64], out: &mut [f64]) {
         Python::attach(|py| match (self.function.points(py, at), self.function.array(py, thickness)) {
             (Ok(at), Ok(thickness)) => self.function.fill(py, vec![at, thickness], out),
-            (Err(error), _) | (_, Err(error)) => self.function.failure.keep(error),
+            (Err(error), _) | (_, Err(error)) => Failure.keep(error),
         });
     }
 }
@@ -174,18 +184,18 @@ impl FilmGrowthLaw for Growth {
         Python::attach(|py| {
             let points = match self.function.points(py, at) {
                 Ok(points) => points,
-                Err(error) => return self.function.failure.keep(error),
+                Err(error) => return Failure.keep(error),
             };
             let rates = |thickness: &[f64], out: &mut [f64]| match self.function.array(py, thickness) {
                 Ok(thickness) => self.function.fill(py, vec![points.clone(), thickness], out),
                 Err(error) => {
-                    self.function.failure.keep(error);
+                    Failure.keep(error);
                     out.fill(f64::NAN);
                 }
             };
             integrate_rates(rates, self.maximum_thickness, time_step, states);
         });
-        if self.function.failure.is_set() {
+        if Failure.is_set() {
             states.fill(f64::NAN);
         }
     }
@@ -206,7 +216,7 @@ impl WearLaw for Wear {
         rates.fill(f64::NAN);
         Python::attach(|py| match (self.0.points(py, at), self.0.array(py, film_thickness)) {
             (Ok(at), Ok(film)) => self.0.fill(py, vec![at, film], rates),
-            (Err(error), _) | (_, Err(error)) => self.0.failure.keep(error),
+            (Err(error), _) | (_, Err(error)) => Failure.keep(error),
         });
     }
 }
@@ -233,9 +243,92 @@ impl BoundaryFriction for Friction {
             };
             match arguments() {
                 Ok(arguments) => self.0.fill(py, arguments, out),
-                Err(error) => self.0.failure.keep(error),
+                Err(error) => Failure.keep(error),
             }
         });
+    }
+}
+
+/// A deformation model: `displacement(pressure)` and, where there is one, `pressure_estimate(displacement)`. A
+/// clone shares the functions.
+#[derive(Clone)]
+pub(crate) struct Deformation {
+    displacement: Arc<Function>,
+    estimate: Option<Arc<Function>>,
+    /// By rows and columns of the offset, up to `NEAR`.
+    influences: [[f64; NEAR + 1]; NEAR + 1],
+}
+
+impl fmt::Debug for Deformation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.displacement.fmt(f)
+    }
+}
+
+impl Deformation {
+    /// The influence coefficients are the displacements under 1 Pa on the first node.
+    fn new(py: Python<'_>, displacement: Function, estimate: Option<Function>) -> PyResult<Self> {
+        let grid = displacement.grid;
+        let mut unit = vec![0.0; grid.len()];
+        let mut out = unit.clone();
+        if let Some(first) = unit.first_mut() {
+            *first = 1.0;
+        }
+        displacement.try_fill(py, vec![displacement.array(py, &unit)?], &mut out)?;
+        let mut influences = [[0.0; NEAR + 1]; NEAR + 1];
+        for (row, values) in influences.iter_mut().zip(out.chunks(grid.nx())) {
+            for (influence, value) in row.iter_mut().zip(values) {
+                *influence = *value;
+            }
+        }
+        Ok(Self { displacement: Arc::new(displacement), estimate: estimate.map(Arc::new), influences })
+    }
+}
+
+impl DeformationModel for Deformation {
+    fn grid(&self) -> Grid {
+        self.displacement.grid
+    }
+
+    fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.displacement.field_into(pressure, out)
+    }
+
+    fn influence(&self, di: usize, dj: usize) -> f64 {
+        self.influences.get(dj).and_then(|row| row.get(di)).copied().unwrap_or(0.0)
+    }
+
+    fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
+        if self.estimate.is_some() { Some(self) } else { None }
+    }
+}
+
+impl ResponseApproximations for Deformation {
+    fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.displacement(pressure, out)
+    }
+
+    fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        self.estimate.as_ref().unwrap_or(&self.displacement).field_into(displacement, out)
+    }
+}
+
+impl Function {
+    /// The field that the function makes of another one.
+    fn field_into(&self, field: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        let expected = self.grid.len();
+        if let Some(found) = [field.len(), out.len()].into_iter().find(|found| *found != expected) {
+            return Err(InputError::Shape { field: self.name.to_owned(), expected, found });
+        }
+        Python::attach(|py| match self.array(py, field) {
+            Ok(field) => self.fill(py, vec![field], out),
+            Err(error) => Failure.keep(error),
+        });
+        if Failure.is_set() {
+            let reason = "it raised an exception".to_owned();
+            return Err(InputError::Conflict { field: self.name.to_owned(), reason });
+        }
+        Ok(())
     }
 }
 
@@ -244,28 +337,33 @@ pub(crate) struct Laws {
     pub(crate) growth: Option<Growth>,
     pub(crate) wear: Option<Wear>,
     pub(crate) friction: Option<Friction>,
-    pub(crate) failure: Failure,
+    pub(crate) deformation: Option<Deformation>,
 }
 
 impl Laws {
-    /// Each law is a pair of its identity and its function, the growth law with the largest thickness behind.
+    /// Each law is a pair of its identity and its function, the growth law with the largest thickness behind,
+    /// the deformation model with the function of its estimate.
     pub(crate) fn new(
+        py: Python<'_>,
         grid: Grid,
-        growth: Option<(String, Py<PyAny>, f64)>,
-        wear: Option<(String, Py<PyAny>)>,
-        friction: Option<(String, Py<PyAny>)>,
-    ) -> Self {
-        let failure = Failure::default();
-        let function =
-            |name, (identity, call)| Function { name, identity, call, grid, failure: failure.clone() };
-        Self {
+        growth: Option<PyGrowth>,
+        wear: Option<PyLaw>,
+        friction: Option<PyLaw>,
+        deformation: Option<PyDeformation>,
+    ) -> PyResult<Self> {
+        let function = |name, (identity, call)| Function { name, identity, call, grid };
+        let deformation = deformation.map(|(identity, displacement, estimate)| {
+            let estimate = estimate.map(|call| function("pressure estimate", (identity.clone(), call)));
+            Deformation::new(py, function("deformation model", (identity, displacement)), estimate)
+        });
+        Ok(Self {
             growth: growth.map(|(identity, call, maximum_thickness)| Growth {
                 function: function("growth law", (identity, call)),
                 maximum_thickness,
             }),
             wear: wear.map(|law| Wear(function("wear law", law))),
             friction: friction.map(|law| Friction(function("boundary friction", law))),
-            failure,
-        }
+            deformation: deformation.transpose()?,
+        })
     }
 }

@@ -20,9 +20,9 @@ use crate::start::BodyStart;
 #[pyclass(frozen, module = "stribeck._stribeck")]
 pub(crate) struct Simulation {
     run: Mutex<Run>,
-    failure: Failure,
 }
 
+#[derive(Clone)]
 struct Run {
     sim: MixedLubricationSim,
     /// Those of all steps since the start or the last checkpoint: a signal may come before Python sees one.
@@ -39,13 +39,18 @@ impl Simulation {
         py: Python<'_>,
         act: impl FnOnce(&mut Run) -> Result<T, E> + Send,
     ) -> PyResult<T> {
-        drop(self.failure.take());
+        // That of a law which asks for this, if it has failed.
+        let outer = Failure.take();
         let acted = py.detach(|| match self.run.try_lock() {
             Ok(mut run) => Some(act(&mut run)),
             Err(TryLockError::Poisoned(poisoned)) => Some(act(&mut poisoned.into_inner())),
             Err(TryLockError::WouldBlock) => None,
         });
-        if let Some(error) = self.failure.take() {
+        let raised = Failure.take();
+        if let Some(outer) = outer {
+            Failure.keep(outer);
+        }
+        if let Some(error) = raised {
             return Err(error);
         }
         match acted {
@@ -73,16 +78,16 @@ impl Simulation {
 impl Simulation {
     #[new]
     fn new(py: Python<'_>, scene: &Scene, parts: Parts<'_>, squeeze: bool) -> PyResult<Self> {
-        let (mut builder, failure) = parts.builder(py, scene)?;
+        let mut builder = parts.builder(py, scene)?;
         if squeeze {
             builder = builder.with_squeeze();
         }
         let built = py.detach(|| builder.build());
-        if let Some(error) = failure.take() {
+        if let Some(error) = Failure.take() {
             return Err(error);
         }
         let run = Run { sim: value(py, built)?, records: Vec::new() };
-        Ok(Self { run: Mutex::new(run), failure })
+        Ok(Self { run: Mutex::new(run) })
     }
 
     fn step<'py>(&self, py: Python<'py>, time_step: f64, depth: f64) -> PyResult<Bound<'py, PyDict>> {
@@ -146,15 +151,10 @@ impl Simulation {
         })
     }
 
-    /// Takes over everything that later steps of `other` depend on.
-    fn copy_from(&self, py: Python<'_>, other: &Self) -> PyResult<()> {
-        let (kept, records) =
-            other.act(py, |run| Ok::<_, CheckpointError>((run.sim.checkpoint()?, run.records.clone())))?;
-        self.act(py, |run| {
-            run.sim.restore_checkpoint(&kept)?;
-            run.records = records;
-            Ok::<_, CheckpointError>(())
-        })
+    /// A simulation of its own that stands where this one does.
+    fn fork(&self, py: Python<'_>) -> PyResult<Self> {
+        let run = self.act(py, |run| Ok::<_, SimError>(run.clone()))?;
+        Ok(Self { run: Mutex::new(run) })
     }
 
     fn checkpoint<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, pyo3::types::PyBytes>> {

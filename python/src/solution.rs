@@ -11,7 +11,7 @@ use stribeck::sim::{ContactSolution, MixedLubricationSim, SimBuilder};
 use crate::convert::{field, named, on_grid};
 use crate::error::value;
 use crate::interrupt::on_signal;
-use crate::laws::Laws;
+use crate::laws::{Failure, Laws};
 use crate::scene::{Scene, grid_dict};
 use crate::start::BodyStart;
 
@@ -19,6 +19,8 @@ use crate::start::BodyStart;
 pub(crate) type PyLaw = (String, Py<PyAny>);
 /// The same with the largest thickness of its film \[m\].
 pub(crate) type PyGrowth = (String, Py<PyAny>, f64);
+/// What tells a deformation model from others, its displacement and its estimate of pressures.
+pub(crate) type PyDeformation = (String, Py<PyAny>, Option<Py<PyAny>>);
 type Array<'py> = PyReadonlyArray2<'py, f64>;
 
 /// What may stand in place of the parts of a scene.
@@ -38,19 +40,19 @@ pub(crate) struct Parts<'py> {
     wear: Option<PyLaw>,
     #[pyo3(item)]
     friction: Option<PyLaw>,
+    #[pyo3(item)]
+    deformation: Option<PyDeformation>,
 }
 
 impl Parts<'_> {
-    /// A builder with these parts, and the laws' exceptions.
-    pub(crate) fn builder(
-        self,
-        py: Python<'_>,
-        scene: &Scene,
-    ) -> PyResult<(SimBuilder, crate::laws::Failure)> {
+    /// A builder with these parts.
+    pub(crate) fn builder(self, py: Python<'_>, scene: &Scene) -> PyResult<SimBuilder> {
         let mut builder = MixedLubricationSim::builder(scene.0.clone());
-        let own_law = self.growth.is_some() || self.wear.is_some() || self.friction.is_some();
-        let needs_grid = own_law || self.ball_heights.is_some() || self.disc_heights.is_some();
-        let failure = if needs_grid {
+        let own_part = self.growth.is_some()
+            || self.wear.is_some()
+            || self.friction.is_some()
+            || self.deformation.is_some();
+        if own_part || self.ball_heights.is_some() || self.disc_heights.is_some() {
             let grid = value(py, scene.0.grid())?;
             if let Some(heights) = &self.ball_heights {
                 builder = builder.ball_heights(on_grid(py, "ball heights", heights, &grid)?.to_vec());
@@ -58,7 +60,7 @@ impl Parts<'_> {
             if let Some(heights) = &self.disc_heights {
                 builder = builder.disc_heights(on_grid(py, "disc heights", heights, &grid)?.to_vec());
             }
-            let laws = Laws::new(grid, self.growth, self.wear, self.friction);
+            let laws = Laws::new(py, grid, self.growth, self.wear, self.friction, self.deformation)?;
             if let Some(law) = laws.growth {
                 builder = builder.growth_law(law);
             }
@@ -68,17 +70,17 @@ impl Parts<'_> {
             if let Some(law) = laws.friction {
                 builder = builder.boundary_friction(law);
             }
-            laws.failure
-        } else {
-            crate::laws::Failure::default()
-        };
+            if let Some(model) = laws.deformation {
+                builder = builder.deformation(model);
+            }
+        }
         if let Some(start) = self.ball_start {
             builder = builder.ball_start(start.get().0.clone());
         }
         if let Some(start) = self.disc_start {
             builder = builder.disc_start(start.get().0.clone());
         }
-        Ok((builder.interrupt(on_signal(failure.clone())), failure))
+        Ok(builder.interrupt(on_signal()))
     }
 }
 
@@ -128,14 +130,14 @@ pub(crate) fn solve<'py>(
     parts: Parts<'py>,
     start: Option<Start<'py>>,
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
-    let (mut builder, failure) = parts.builder(py, scene)?;
+    let mut builder = parts.builder(py, scene)?;
     if let Some(start) = start {
         builder = builder.contact_start(start.state(py, scene)?);
     }
     let began = Instant::now();
     let solved = py.detach(|| builder.solve());
     let seconds = began.elapsed().as_secs_f64();
-    if let Some(error) = failure.take() {
+    if let Some(error) = Failure.take() {
         return Err(error);
     }
     let (numbers, fields) = parts_of(py, &value(py, solved)?)?;

@@ -13,6 +13,7 @@ import numpy.typing as npt
 from ._numbers import Numbers, table
 from ._stribeck import BodyStart as _BodyStart, Simulation as _Simulation
 from .errors import StribeckWarning, found, say
+from .laws import growth_triple, pair
 from .scene import Grid, Scene, _SceneGrid, as_scene
 from .solution import Heights, Solution, _array, _optional, parts, with_solver
 
@@ -117,7 +118,7 @@ def BodyStart(  # noqa: N802
 class Simulation:
     """A contact whose surfaces flatten, grow a tribofilm and wear as they rub.
 
-    ``heights``, ``bodies``, ``friction`` and ``solver`` are as in :func:`stribeck.solve`. ``growth`` and ``wear`` are laws in Python in place of those of
+    ``heights``, ``bodies``, ``friction``, ``deformation`` and ``solver`` are as in :func:`stribeck.solve`. ``growth`` and ``wear`` are laws in Python in place of those of
     the scene (:mod:`stribeck.laws`). ``squeeze`` makes the history transient: it is for roughness that moves by less than a cell a step.
 
     A step that fails leaves the simulation as before. Ctrl-C ends a step, within its solve too, and leaves the simulation as before the step.
@@ -132,16 +133,17 @@ class Simulation:
         growth: Any = None,
         wear: Any = None,
         friction: Any = None,
+        deformation: Any = None,
         solver: str | None = None,
         squeeze: bool = False,
-        _aloud: bool = True,
     ) -> None:
         self._scene = with_solver(as_scene(scene), solver)
-        self._laws = {"growth": growth, "wear": wear, "friction": friction}
-        self._squeeze = squeeze
-        self._raw = _Simulation(self._scene._raw, parts(heights, bodies, growth, wear, friction), squeeze)
-        if _aloud:
-            say(self.warnings, 2)
+        own = parts(heights, bodies, friction, deformation) | {
+            "growth": growth_triple(growth),
+            "wear": pair(wear, "depth_rate", "wear law"),
+        }
+        self._raw = _Simulation(self._scene._raw, own, squeeze)
+        say(self.warnings, 2)
 
     @property
     def scene(self) -> Scene:
@@ -277,9 +279,8 @@ class Simulation:
 
     def fork(self) -> Simulation:
         """A simulation of its own that stands where this one does."""
-        initial = [body["initial"] for body in self._raw.bodies()]
-        fork = Simulation(self._scene, heights=(initial[0], initial[1]), squeeze=self._squeeze, _aloud=False, **self._laws)
-        fork._raw.copy_from(self._raw)
+        fork = object.__new__(type(self))
+        fork._scene, fork._raw = self._scene, self._raw.fork()
         return fork
 
     def __copy__(self) -> Simulation:

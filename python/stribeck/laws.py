@@ -14,7 +14,7 @@ from typing import Any, Protocol
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["FrictionLaw", "Growth", "GrowthLaw", "RubbingPoints", "WearLaw"]
+__all__ = ["DeformationModel", "FrictionLaw", "Growth", "GrowthLaw", "RubbingPoints", "WearLaw"]
 
 Field = npt.NDArray[np.float64]
 
@@ -63,6 +63,17 @@ class FrictionLaw(Protocol):
         self, solid_pressure: Field, sliding_speed: float, tribofilm_ball: Field, tribofilm_disc: Field
     ) -> npt.ArrayLike:
         """Friction coefficient, not negative; pressure in Pa, speed in m/s, tribofilms in m."""
+
+
+class DeformationModel(Protocol):
+    """Elastic bodies: the displacement of both surfaces together. A plain function ``displacement(pressure)`` will do.
+
+    It is linear in the pressure, symmetric, the same at all nodes (translation invariant) and positive; solvers rely on all four. It is called
+    on whole fields, some ten to hundred times a solve. A method ``pressure_estimate(displacement)`` may give the pressure [Pa] that causes a
+    displacement, roughly: the better, the fewer iterations; without one each node is taken for itself."""
+
+    def displacement(self, pressure: Field) -> npt.ArrayLike:
+        """Displacement [m], the widening of the gap, under ``pressure`` [Pa]."""
 
 
 @dataclass(frozen=True)
@@ -114,3 +125,9 @@ def growth_triple(law: Any) -> tuple[str, Any, float] | None:
     named = pair(law, "rate", "growth law")
     assert named is not None
     return (*named, thickness)
+
+
+def deformation_triple(model: Any) -> tuple[str, Any, Any] | None:
+    """A deformation model as its identity, its displacement and its estimate of pressures."""
+    named = pair(model, "displacement", "deformation model")
+    return None if named is None else (*named, getattr(model, "pressure_estimate", None))

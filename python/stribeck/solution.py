@@ -12,7 +12,7 @@ import numpy.typing as npt
 from ._numbers import Numbers
 from ._stribeck import BodyStart, solve as _solve
 from .errors import InputError, NotConvergedError, StribeckWarning, found, say
-from .laws import FrictionLaw, growth_triple, pair
+from .laws import DeformationModel, FrictionLaw, deformation_triple, pair
 from .scene import Grid, Scene, as_scene
 
 __all__ = ["Report", "Solution", "solve"]
@@ -77,8 +77,8 @@ class Solution(Numbers):
         raise error
 
     def save_fields(self, path: str | os.PathLike[str]) -> None:
-        """Writes the fields as a NumPy archive."""
-        arrays: dict[str, Any] = self.fields
+        """Writes the fields as a NumPy archive, with the positions ``x`` and ``y`` of the nodes [m]."""
+        arrays: dict[str, Any] = {"x": self.grid.nodes_x, "y": self.grid.nodes_y, **self.fields}
         np.savez_compressed(path, **arrays)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -91,14 +91,15 @@ def solve(
     heights: Heights = None,
     bodies: tuple[BodyStart | None, BodyStart | None] | None = None,
     friction: FrictionLaw | Any = None,
+    deformation: DeformationModel | Any = None,
     solver: str | None = None,
     start: Solution | None = None,
 ) -> Solution:
     """Solves the single contact of ``scene``, surfaces as they are.
 
     ``heights`` [m], positive out of the body, shape ``(ny, nx)`` of the scene's grid: an array for the disc, a pair for ball and disc, or a
-    dictionary with the keys ``ball`` and ``disc``. ``bodies`` are ball and disc of an earlier run. ``friction`` is a law of solid contact
-    (:mod:`stribeck.laws`), ``solver`` the name of a solver in place of that of the scene, ``start`` a solution on the same grid whose pressures
+    dictionary with the keys ``ball`` and ``disc``. ``bodies`` are ball and disc of an earlier run. ``friction`` is a law of solid contact and
+    ``deformation`` a model of the elastic bodies (:mod:`stribeck.laws`), ``solver`` the name of a solver in place of that of the scene, ``start`` a solution on the same grid whose pressures
     are a first guess. Other threads run meanwhile; Ctrl-C ends the solve. What is unlikely to be meant is said as a
     :class:`~stribeck.StribeckWarning` and stands in ``warnings`` of the solution.
 
@@ -109,7 +110,7 @@ def solve(
     first = None
     if start is not None:
         first = {**start.fields, "approach": start["approach"]}
-    numbers, fields = _solve(raw, parts(heights, bodies, None, None, friction), first)
+    numbers, fields = _solve(raw, parts(heights, bodies, friction, deformation) | {"growth": None, "wear": None}, first)
     solution = Solution(numbers, fields)
     say(solution.warnings, 2)
     return solution
@@ -123,9 +124,8 @@ def with_solver(scene: Scene, solver: str | None) -> Scene:
 def parts(
     heights: Heights,
     bodies: tuple[BodyStart | None, BodyStart | None] | None,
-    growth: Any,
-    wear: Any,
     friction: Any,
+    deformation: Any,
 ) -> dict[str, Any]:
     """What stands in place of parts of a scene, as the compiled module takes it."""
     ball, disc = _both(heights)
@@ -135,9 +135,8 @@ def parts(
         "disc_heights": _optional("disc heights", disc),
         "ball_start": ball_start,
         "disc_start": disc_start,
-        "growth": growth_triple(growth),
-        "wear": pair(wear, "depth_rate", "wear law"),
         "friction": pair(friction, "coefficient", "boundary friction"),
+        "deformation": deformation_triple(deformation),
     }
 
 

@@ -217,3 +217,34 @@ def test_ctrl_c_ends_a_run_with_the_state_as_before(rough: stribeck.Scene) -> No
     history = whole.run(simulation.steps + 1, 1.0)
     assert all(same(a, b) for a, b in zip(simulation.history, history[:-1], strict=True))
     assert same(simulation.step(1.0), history[-1])
+
+
+@pytest.mark.parametrize(
+    ("model", "words"),
+    [
+        (lambda pressure: pressure[:, :-1], "shape"),
+        (lambda pressure: float("nan") * pressure, "nan"),
+        (lambda pressure: "soft", "deformation model"),
+        (lambda pressure: 1 / 0, "division by zero"),
+        (3, "neither a function"),
+    ],
+)
+def test_deformation_models_that_fail(rough: stribeck.Scene, model, words: str) -> None:
+    for call in (stribeck.solve, stribeck.Simulation):
+        error = refused(stribeck.LawError, lambda call=call: call(rough, deformation=model), "deformation model")
+        assert words in str(error).lower()
+
+
+def test_a_deformation_model_that_fails_later(rough: stribeck.Scene) -> None:
+    broken = False
+
+    def springs(pressure):
+        if broken:
+            raise ValueError("worn out")
+        return 1e-16 * pressure
+
+    simulation = stribeck.Simulation(rough.replace(solver={"kind": "dry"}), deformation=springs)
+    broken = True
+    assert "worn out" in str(refused(stribeck.LawError, lambda: simulation.step(60.0), "deformation model"))
+    assert simulation.steps == 0
+    refused(stribeck.InputError, lambda: stribeck.solve(rough, deformation=lambda pressure: -1e-15 * pressure), "deformation")

@@ -62,6 +62,8 @@ def test_fields_are_maps_that_belong_to_python(rough: stribeck.Scene, tmp_path: 
     solution.save_fields(tmp_path / "fields.npz")
     with np.load(tmp_path / "fields.npz") as archive:
         np.testing.assert_array_equal(archive["film"], solution.fields["film"])
+        assert archive["x"].shape == (32,) and archive["y"].shape == (40,)
+        assert archive["x"][-1] == pytest.approx(2.5e-4 - 0.5 * solution.grid.dx)
 
 
 def test_heights_in_memory(rough: stribeck.Scene) -> None:
@@ -323,3 +325,73 @@ def test_pictures(rough: stribeck.Scene) -> None:
     axes = plot.history(history, "max_wear_disc")
     assert axes.get_ylabel() == "max wear disc, m" and axes.lines[0].get_xdata().tolist() == [60.0, 120.0]
     plt.close("all")
+
+
+class HalfSpaceByNumpy:
+    """The half-space of the scene by Love's coefficients and NumPy's transform."""
+
+    def __init__(self, scene: stribeck.Scene, modulus: float) -> None:
+        grid = scene.grid
+        nx, ny, dx, dy = grid.nx, grid.ny, grid.dx, grid.dy
+        self.modulus = modulus
+        x = (np.arange(2 * nx) - nx)[None, :] * dx
+        y = (np.arange(2 * ny) - ny)[:, None] * dy
+
+        def corner(x, y):
+            r = np.hypot(x, y)
+            return x * np.log(y + r) + y * np.log(x + r)
+
+        a, b = dx / 2, dy / 2
+        kernel = corner(x + a, y + b) + corner(x - a, y - b) - corner(x + a, y - b) - corner(x - a, y + b)
+        self._spectrum = np.fft.rfft2(np.fft.ifftshift(2.0 / (np.pi * modulus) * kernel))
+
+    def displacement(self, pressure):
+        ny, nx = pressure.shape
+        padded = np.zeros((2 * ny, 2 * nx))
+        padded[:ny, :nx] = pressure
+        return np.fft.irfft2(np.fft.rfft2(padded) * self._spectrum, s=padded.shape)[:ny, :nx]
+
+
+@pytest.mark.parametrize("dry", [True, False])
+def test_deformation_in_python(rough: stribeck.Scene, dry: bool) -> None:
+    scene = rough.replace(solver={"kind": "dry"}) if dry else rough
+    model = HalfSpaceByNumpy(scene, 229.67e9)
+    own, usual = stribeck.solve(scene, deformation=model), stribeck.solve(scene)
+    assert own.status == usual.status == "converged"
+    assert own.pressure.max == pytest.approx(usual.pressure.max, rel=1e-4)
+    assert own.film.mean_central == pytest.approx(usual.film.mean_central, rel=1e-4, abs=1e-12)
+    simulation = stribeck.Simulation(scene, deformation=model)
+    record = simulation.step(60.0)
+    assert record.load_ratio == pytest.approx(stribeck.Simulation(scene).step(60.0).load_ratio, rel=1e-3)
+    fork = simulation.fork()
+    assert same(fork.step(60.0), simulation.step(60.0))
+
+
+def test_forks_fail_alone(rough: stribeck.Scene) -> None:
+    bad = threading.local()
+
+    def wear(at, film):
+        if getattr(bad, "now", False):
+            raise ValueError("only here")
+        return 1e-15
+
+    first = stribeck.Simulation(rough, wear=wear)
+    first.step(60.0)
+    forks = [first.fork(), first.fork()]
+    raised: list[BaseException | None] = [None, None]
+
+    def steps(index: int) -> None:
+        bad.now = index == 1
+        for _ in range(3):
+            try:
+                forks[index].step(60.0)
+            except stribeck.LawError as error:
+                raised[index] = error
+
+    threads = [threading.Thread(target=steps, args=(index,)) for index in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert raised[0] is None and "only here" in str(raised[1])
+    assert [fork.steps for fork in forks] == [4, 1]

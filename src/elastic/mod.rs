@@ -32,7 +32,7 @@ use crate::grid::Grid;
 /// Contract: `displacement` is linear in the pressure, symmetric (the influence of node a on b is that of b
 /// on a), translation invariant and positive; solvers rely on all four. It must not allocate after the first
 /// call.
-pub trait DeformationModel: Debug + Send {
+pub trait DeformationModel: Debug + Send + Sync {
     /// The grid that pressures and displacements live on.
     fn grid(&self) -> Grid;
 

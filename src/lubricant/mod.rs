@@ -14,6 +14,7 @@ mod table;
 mod thermal_roelands;
 
 use std::fmt::Debug;
+use std::sync::Arc;
 
 pub use barus::Barus;
 pub use density::{DowsonHigginson, Incompressible};
@@ -73,11 +74,11 @@ pub trait DensityLaw: Debug + Send + Sync {
     }
 }
 
-/// The two laws that describe a lubricant in the Reynolds equation.
-#[derive(Debug)]
+/// The two laws that describe a lubricant in the Reynolds equation. A clone shares them.
+#[derive(Debug, Clone)]
 pub struct Lubricant {
-    viscosity: Box<dyn ViscosityLaw>,
-    density: Box<dyn DensityLaw>,
+    viscosity: Arc<dyn ViscosityLaw>,
+    density: Arc<dyn DensityLaw>,
     table: FluidTable,
 }
 
@@ -90,18 +91,19 @@ impl Lubricant {
     /// A lubricant from boxed laws.
     pub fn from_boxed(viscosity: Box<dyn ViscosityLaw>, density: Box<dyn DensityLaw>) -> Self {
         let table = FluidTable::new(&*viscosity, &*density);
-        Self { viscosity, density, table }
+        Self { viscosity: viscosity.into(), density: density.into(), table }
     }
 
     /// The lubricant at `temperature` \[K\]; laws that do not know temperature stay as they are.
     #[must_use]
-    pub fn at_temperature(mut self, temperature: f64) -> Self {
+    pub fn at_temperature(self, temperature: f64) -> Self {
         match (self.viscosity.at_temperature(temperature), self.density.at_temperature(temperature)) {
             (None, None) => self,
             (viscosity, density) => {
-                self.viscosity = viscosity.unwrap_or(self.viscosity);
-                self.density = density.unwrap_or(self.density);
-                Self::from_boxed(self.viscosity, self.density)
+                let viscosity = viscosity.map_or(self.viscosity, Arc::from);
+                let density = density.map_or(self.density, Arc::from);
+                let table = FluidTable::new(&*viscosity, &*density);
+                Self { viscosity, density, table }
             }
         }
     }

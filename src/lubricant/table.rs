@@ -30,6 +30,7 @@ pub struct FluidPoint {
 ///
 /// The increments of the reduced pressure come from quadrature of the laws, so that slopes keep their digits
 /// where the reduced pressure saturates.
+#[derive(Clone)]
 pub(super) struct FluidTable {
     reduced: Vec<Cubic>,
     density: Vec<Cubic>,

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use super::film::{normalised_radius_squared, require_semi_axes};
+use super::ellipse::Ellipse;
 use crate::error::InputError;
 use crate::grid::Grid;
 
@@ -60,21 +60,31 @@ pub fn contact_statistics(
     a_x: f64,
     a_y: f64,
 ) -> Result<ContactStatistics, InputError> {
+    statistics_in(grid, in_contact, solid_pressure, load, &Ellipse::upright(a_x, a_y)?)
+}
+
+/// The same of an ellipse that may be turned.
+pub(crate) fn statistics_in(
+    grid: &Grid,
+    in_contact: &[bool],
+    solid_pressure: &[f64],
+    load: f64,
+    ellipse: &Ellipse,
+) -> Result<ContactStatistics, InputError> {
     InputError::require_len("in_contact", in_contact, grid.len())?;
     InputError::require_len("solid_pressure", solid_pressure, grid.len())?;
     InputError::require_finite("solid_pressure", solid_pressure)?;
     InputError::require_positive("load", load)?;
-    require_semi_axes(a_x, a_y)?;
     let (mut all, mut inside, mut pressure) = (Count::default(), Count::default(), 0.0);
     for (k, (x, y)) in grid.nodes().enumerate().filter(|&(k, _)| in_contact[k]) {
         let changes = open_neighbours(grid, in_contact, k);
         all.add(changes);
-        if normalised_radius_squared(x, y, a_x, a_y) <= 1.0 {
+        if ellipse.radius_squared(x, y) <= 1.0 {
             inside.add(changes);
         }
         pressure += solid_pressure[k];
     }
-    let (cell, ellipse) = (grid.cell_area(), PI * a_x * a_y);
+    let (cell, ellipse) = (grid.cell_area(), ellipse.area());
     Ok(ContactStatistics {
         area: all.nodes as f64 * cell,
         area_ratio: inside.nodes as f64 * cell / ellipse,

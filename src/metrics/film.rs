@@ -1,5 +1,6 @@
 //! Film thickness measures.
 
+use super::ellipse::Ellipse;
 use crate::error::InputError;
 use crate::grid::Grid;
 
@@ -25,12 +26,16 @@ pub(crate) const CENTRAL: f64 = 2.0 / 3.0;
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 pub fn average_central_film(grid: &Grid, film: &[f64], a_x: f64, a_y: f64) -> Result<f64, InputError> {
+    average_film_in(grid, film, &Ellipse::upright(a_x, a_y)?)
+}
+
+/// The same of an ellipse that may be turned.
+pub(crate) fn average_film_in(grid: &Grid, film: &[f64], ellipse: &Ellipse) -> Result<f64, InputError> {
     InputError::require_len("film", film, grid.len())?;
     InputError::require_finite("film", film)?;
-    require_semi_axes(a_x, a_y)?;
     let (mut sum, mut count) = (0.0, 0_usize);
     for ((x, y), h) in grid.nodes().zip(film) {
-        if is_central(x, y, a_x, a_y) {
+        if is_central(x, y, ellipse) {
             sum += h.max(0.0);
             count += 1;
         }
@@ -45,19 +50,8 @@ pub fn average_central_film(grid: &Grid, film: &[f64], a_x: f64, a_y: f64) -> Re
 }
 
 /// Whether the point lies in the region of the average film.
-pub(crate) fn is_central(x: f64, y: f64, a_x: f64, a_y: f64) -> bool {
-    normalised_radius_squared(x, y, a_x, a_y) <= CENTRAL * CENTRAL
-}
-
-/// `(x/a_x)^2 + (y/a_y)^2`.
-pub(super) fn normalised_radius_squared(x: f64, y: f64, a_x: f64, a_y: f64) -> f64 {
-    (x / a_x).powi(2) + (y / a_y).powi(2)
-}
-
-/// Error unless both semi-axes are finite and positive.
-pub(super) fn require_semi_axes(a_x: f64, a_y: f64) -> Result<(), InputError> {
-    InputError::require_positive("a_x", a_x)?;
-    InputError::require_positive("a_y", a_y)
+pub(crate) fn is_central(x: f64, y: f64, ellipse: &Ellipse) -> bool {
+    ellipse.radius_squared(x, y) <= CENTRAL * CENTRAL
 }
 
 /// Smallest film \[m\] among the nodes that carry `pressure` > 0; `None` when none does.

@@ -19,6 +19,7 @@
 mod bearing;
 mod contact;
 mod correlation;
+mod ellipse;
 mod film;
 mod friction;
 mod histogram;
@@ -30,9 +31,11 @@ mod roughness;
 mod spectrum;
 
 pub use bearing::{BearingCurve, CoreParameters, VolumeParameters};
+pub(crate) use contact::statistics_in;
 pub use contact::{ContactStatistics, contact_statistics};
 pub use correlation::{AreaCorrelation, SpatialParameters};
-pub(crate) use film::{CENTRAL, is_central};
+pub(crate) use ellipse::Ellipse;
+pub(crate) use film::{CENTRAL, average_film_in, is_central};
 pub use film::{average_central_film, lambda_ratio, minimum_film, minimum_gap};
 pub use friction::{friction_coefficient, viscous_shear_into};
 pub use histogram::{HeightHistogram, height_histogram};

@@ -28,7 +28,7 @@ const FILM_OVER_CONTACT: f64 = 10.0;
 ///
 /// With [`ContactDefinition::UnifiedReynolds`] the hard contact is solved first: where nothing touches it is
 /// the answer, else [`SemiSystem`] starts from the state that was given.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Auto {
     dry: Dry,
     multigrid: Multigrid,

@@ -111,6 +111,13 @@ pub struct Dry {
     workspace: Option<Box<(DryStart, Coupled)>>,
 }
 
+impl Clone for Dry {
+    /// The copy makes buffers of its own at its first solve.
+    fn clone(&self) -> Self {
+        Self { edge_contact: self.edge_contact, workspace: None }
+    }
+}
+
 impl Dry {
     /// A solver; buffers are made at the first solve and kept.
     pub fn new() -> Self {

@@ -32,6 +32,13 @@ pub struct Evaluation {
     coupled: Coupled,
 }
 
+impl Clone for Evaluation {
+    /// New buffers on the same grid.
+    fn clone(&self) -> Self {
+        Self::new(self.coupled.fluid.grid)
+    }
+}
+
 impl Evaluation {
     /// Buffers for contacts on `grid`.
     pub fn new(grid: Grid) -> Self {

@@ -94,7 +94,7 @@ impl StoppingRule {
 /// ones on the same grid do not allocate. What is found depends on problem, state and rule alone, so that a
 /// resumed run is the uninterrupted one. Residuals are those of [`Evaluation`]. Never report
 /// [`Status::Converged`](crate::Status::Converged) with a residual above the tolerance.
-pub trait ContactSolver: Debug + Send {
+pub trait ContactSolver: Debug + Send + Sync {
     /// What reports call the solver; [`SolverId::Custom`] outside of the crate.
     fn id(&self) -> SolverId;
 

@@ -1,12 +1,14 @@
 //! Putting a simulation together: the scene's own laws, or the user's in their place.
 
+use std::sync::Arc;
+
 use super::body::Body;
 use super::contact::{ContactModel, Overrides};
 use super::friction::boundary_law;
 use super::heat::Heat;
 use super::interrupt::Interrupt;
 use super::per_body::PerBody;
-use super::scene::{BODIES, PlasticSpec, Roughness, Scene, WearSpec};
+use super::scene::{BODIES, PlasticSpec, Roughness, Scene};
 use super::simulation::{Laws, MixedLubricationSim, Travel};
 use super::start::BodyStart;
 use super::timetable::Timetable;
@@ -20,18 +22,18 @@ use crate::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityMode
 use crate::reynolds::{ContactSolver, ContactState, FaceMobility};
 use crate::surface::RoughnessMotion;
 use crate::tribochem::FilmGrowthLaw;
-use crate::wear::{Archard, WearLaw, WearPressure};
+use crate::wear::WearLaw;
 
 /// Builder of a [`MixedLubricationSim`].
 #[derive(Debug)]
 pub struct SimBuilder {
     pub(super) scene: Scene,
     pub(super) overrides: Overrides,
-    pub(super) plasticity: Option<Box<dyn PlasticityModel>>,
-    pub(super) growth: Option<Box<dyn FilmGrowthLaw>>,
-    pub(super) wear: Option<Box<dyn WearLaw>>,
-    pub(super) friction: Option<Box<dyn BoundaryFriction>>,
-    pub(super) motion: Option<Box<dyn RoughnessMotion>>,
+    pub(super) plasticity: Option<Arc<dyn PlasticityModel>>,
+    pub(super) growth: Option<Arc<dyn FilmGrowthLaw>>,
+    pub(super) wear: Option<Arc<dyn WearLaw>>,
+    pub(super) friction: Option<Arc<dyn BoundaryFriction>>,
+    pub(super) motion: Option<Arc<dyn RoughnessMotion>>,
     squeeze: bool,
     pub(super) heights: [Option<Vec<f64>>; 2],
     pub(super) starts: [Option<BodyStart>; 2],
@@ -55,9 +57,10 @@ impl SimBuilder {
         }
     }
 
-    /// Replaces the elastic half-space; the model must live on the grid of the scene ([`Scene::grid`]).
+    /// Replaces the elastic half-space; the model must live on the grid of the scene ([`Scene::grid`]). It is
+    /// copied where the simulation is.
     #[must_use]
-    pub fn deformation(mut self, model: impl DeformationModel + 'static) -> Self {
+    pub fn deformation(mut self, model: impl DeformationModel + Clone + 'static) -> Self {
         self.overrides.deformation = Some(Box::new(model));
         self
     }
@@ -76,11 +79,11 @@ impl SimBuilder {
         self
     }
 
-    /// Replaces the solver. A state that it calls converged is evaluated before it counts: where its residuals are
-    /// above twice the tolerance the status is [`Status::Unconfirmed`](crate::Status::Unconfirmed), and nothing is
-    /// done to the bodies.
+    /// Replaces the solver, which is copied where the simulation is. A state that it calls converged is evaluated
+    /// before it counts: where its residuals are above twice the tolerance the status is
+    /// [`Status::Unconfirmed`](crate::Status::Unconfirmed), and nothing is done to the bodies.
     #[must_use]
-    pub fn solver(mut self, solver: impl ContactSolver + 'static) -> Self {
+    pub fn solver(mut self, solver: impl ContactSolver + Clone + 'static) -> Self {
         self.overrides.solver = Some(Box::new(solver));
         self
     }
@@ -88,28 +91,28 @@ impl SimBuilder {
     /// Replaces the plasticity model, or brings one into a scene without.
     #[must_use]
     pub fn plasticity(mut self, model: impl PlasticityModel + 'static) -> Self {
-        self.plasticity = Some(Box::new(model));
+        self.plasticity = Some(Arc::new(model));
         self
     }
 
     /// Replaces the growth law of the tribofilm, or brings one into a scene without.
     #[must_use]
     pub fn growth_law(mut self, law: impl FilmGrowthLaw + 'static) -> Self {
-        self.growth = Some(Box::new(law));
+        self.growth = Some(Arc::new(law));
         self
     }
 
     /// Replaces the wear law, or brings one into a scene without.
     #[must_use]
     pub fn wear_law(mut self, law: impl WearLaw + 'static) -> Self {
-        self.wear = Some(Box::new(law));
+        self.wear = Some(Arc::new(law));
         self
     }
 
     /// Replaces the law of friction in solid contact.
     #[must_use]
     pub fn boundary_friction(mut self, law: impl BoundaryFriction + 'static) -> Self {
-        self.friction = Some(Box::new(law));
+        self.friction = Some(Arc::new(law));
         self
     }
 
@@ -132,7 +135,7 @@ impl SimBuilder {
     /// Replaces the motion of the roughness from step to step.
     #[must_use]
     pub fn motion(mut self, motion: impl RoughnessMotion + 'static) -> Self {
-        self.motion = Some(Box::new(motion));
+        self.motion = Some(Arc::new(motion));
         self
     }
 
@@ -228,7 +231,7 @@ impl SimBuilder {
         let warnings = self.warnings(own_heights, &contact, &bodies);
         contact.face_mobility = self.face_mobility(own_heights, &bodies);
         let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
-        let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion());
+        let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion().into());
         let travel = Travel { motion, squeeze: self.squeeze };
         let whole = (self.scene, timetable, warnings);
         let sim = MixedLubricationSim::assemble(whole, contact, bodies, laws, heat, travel)?;
@@ -266,9 +269,9 @@ impl SimBuilder {
 
     pub(super) fn laws(&mut self) -> Result<Laws, SimError> {
         let scene = &self.scene;
-        let growth: Option<Box<dyn FilmGrowthLaw>> = match (self.growth.take(), scene.tribofilm) {
+        let growth: Option<Arc<dyn FilmGrowthLaw>> = match (self.growth.take(), scene.tribofilm) {
             (Some(law), _) => Some(law),
-            (None, Some(spec)) => Some(Box::new(setup::growth_law(&spec)?)),
+            (None, Some(spec)) => Some(spec.law()?.into()),
             (None, None) => None,
         };
         let film_thickness = growth.as_ref().map(|law| law.maximum_thickness());
@@ -281,14 +284,17 @@ impl SimBuilder {
         };
         let wear = match (self.wear.take(), scene.wear) {
             (Some(law), _) => Some(PerBody::same(law)),
-            (None, Some(spec)) => Some(PerBody::by(scene.hardnesses(spec.hardness), |hardness| {
-                wear_law(&WearSpec { hardness, ..spec }, film_thickness)
-            })?),
+            (None, Some(spec)) => match spec.hardness() {
+                None => Some(PerBody::same(spec.law(0.0, film_thickness)?.into())),
+                Some(common) => Some(PerBody::by(scene.hardnesses(common), |hardness| {
+                    spec.law(hardness, film_thickness)
+                })?),
+            },
             (None, None) => None,
         };
         let friction = match self.friction.take() {
             Some(law) => law,
-            None => boundary_law(&scene.friction, film_thickness)?,
+            None => boundary_law(&scene.friction, film_thickness)?.into(),
         };
         Ok(Laws { plasticity, growth, wear, friction })
     }
@@ -335,15 +341,4 @@ fn plasticity_model(
         Some(modulus) => Box::new(IsotropicHardening::new(initial, modulus)?),
         None => Box::new(initial),
     })
-}
-
-fn wear_law(spec: &WearSpec, film_thickness: Option<f64>) -> Result<Box<dyn WearLaw>, InputError> {
-    // Without a film the reference thickness is never reached: any positive one will do.
-    let full = film_thickness.unwrap_or(1.0);
-    let mut law = Archard::new(spec.coefficient, spec.film_coefficient, full, spec.hardness)?;
-    if let Some(film_hardness) = spec.film_hardness {
-        law = law.with_film_hardness(film_hardness)?;
-    }
-    let pressure = if spec.solid_pressure_only { WearPressure::Solid } else { WearPressure::Total };
-    Ok(Box::new(law.with_pressure(pressure)))
 }

@@ -1,24 +1,24 @@
 //! One quasi-static contact: the pieces that stay fixed while surfaces change, and its solution in numbers.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 use super::builder::SimBuilder;
 use super::formula::{FormulaFilm, formula_film, stated_film};
 use super::hertz::HertzContact;
 use super::interrupt::{Interrupt, Interruptible};
+use super::owned::{OwnedModel, OwnedSolver};
 use super::scene::{Motion, Scene};
 use super::solution::ContactSolution;
 use super::timetable::{Conditions, Timetable};
 use super::{SimError, setup};
-use crate::elastic::{DeformationModel, HalfSpace, LayeredHalfSpace, LineHalfSpace};
+use crate::elastic::{HalfSpace, LayeredHalfSpace, LineHalfSpace};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::report::{SolveReport, Status};
 use crate::reynolds::{
-    Cavitation, ContactDefinition, ContactSolver, ContactState, Evaluation, FaceMobility, FlowBalance,
-    LubricatedContact, ReynoldsError, Scheme, ShearThinning, Squeeze, StoppingRule,
+    Cavitation, ContactDefinition, ContactState, Evaluation, FaceMobility, FlowBalance, LubricatedContact,
+    ReynoldsError, Scheme, ShearThinning, Squeeze, StoppingRule,
 };
 
 /// Residuals over the tolerance up to which a solver from outside has converged: films carry the rounding of
@@ -26,15 +26,15 @@ use crate::reynolds::{
 const CONFIRMED: f64 = 2.0;
 
 /// Grid, elastic body, lubricant, load and solver of a scene.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct ContactModel {
     pub(super) grid: Grid,
     pub(super) hertz: HertzContact,
     /// Gap of the smooth, undeformed bodies \[m\].
     pub(super) form_gap: Vec<f64>,
-    pub(super) deformation: Box<dyn DeformationModel>,
+    pub(super) deformation: Interruptible,
     pub(super) lubricant: Option<Lubricant>,
-    pub(super) solver: Box<dyn ContactSolver>,
+    pub(super) solver: Box<dyn OwnedSolver>,
     /// Whether the solver is one of the user's, whose states are evaluated before they count.
     confirms: bool,
     rule: StoppingRule,
@@ -60,8 +60,6 @@ pub(super) struct ContactModel {
     evaluation: Option<Evaluation>,
     /// That of the last one.
     pub(super) flow: Option<FlowBalance>,
-    /// Set by an interrupt that ended the last solve; none where nothing interrupts.
-    heeded: Option<Arc<AtomicBool>>,
 }
 
 /// What changes of a contact model from step to step.
@@ -79,10 +77,10 @@ pub(super) struct Circumstances {
 /// What a user puts in place of the scene's own parts.
 #[derive(Debug, Default)]
 pub(super) struct Overrides {
-    pub(super) deformation: Option<Box<dyn DeformationModel>>,
+    pub(super) deformation: Option<Box<dyn OwnedModel>>,
     pub(super) viscosity: Option<Box<dyn ViscosityLaw>>,
     pub(super) density: Option<Box<dyn DensityLaw>>,
-    pub(super) solver: Option<Box<dyn ContactSolver>>,
+    pub(super) solver: Option<Box<dyn OwnedSolver>>,
     pub(super) interrupt: Option<Interrupt>,
 }
 
@@ -102,13 +100,7 @@ impl ContactModel {
         let mut form_gap = vec![0.0; grid.len()];
         scene.form.gap_into(&grid, &mut form_gap)?;
         let deformation = checked_deformation(scene, grid, overrides.deformation)?;
-        let (deformation, heeded) = match overrides.interrupt {
-            None => (deformation, None),
-            Some(interrupt) => {
-                let (model, heeded) = Interruptible::new(deformation, interrupt);
-                (Box::new(model) as Box<dyn DeformationModel>, Some(heeded))
-            }
-        };
+        let deformation = Interruptible::new(deformation, overrides.interrupt);
         let missing =
             [("viscosity", overrides.viscosity.is_some()), ("density", overrides.density.is_some())];
         if let (None, Some((law, _))) = (&scene.lubricant, missing.iter().find(|(_, given)| *given)) {
@@ -156,7 +148,6 @@ impl ContactModel {
             motion: conditions.motion,
             load: conditions.load,
             bulk_temperature: conditions.bulk_temperature,
-            heeded,
         })
     }
 
@@ -226,9 +217,10 @@ impl ContactModel {
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
         let reference_film = self.formula_film().min(self.supplied_film.unwrap_or(f64::INFINITY));
+        let heeded = self.deformation.begin();
         let mut problem = LubricatedContact {
             gap,
-            deformation: &mut *self.deformation,
+            deformation: &mut self.deformation,
             lubricant: self.lubricant.as_ref(),
             entrainment_speed: self.motion.entrainment_speed,
             squeeze,
@@ -241,19 +233,16 @@ impl ContactModel {
             cavitation: self.cavitation,
             supplied_film: self.supplied_film,
             shear_thinning: self.shear_thinning,
-            reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
+            reference_half_widths: self.hertz.half_extents().into(),
             reference_pressure: self.hertz.p_max,
             reference_film,
         };
-        if let Some(heeded) = &self.heeded {
-            heeded.store(false, Ordering::Relaxed);
-        }
         let solved = self.solver.solve(&mut problem, state, &self.rule);
         let solved = match (solved, self.evaluation.as_mut().filter(|_| self.confirms)) {
             (Ok(report), Some(evaluation)) => confirmed(report, evaluation, &mut problem, state, &self.rule),
             (solved, _) => solved,
         };
-        if self.heeded.as_ref().is_some_and(|heeded| heeded.load(Ordering::Relaxed)) {
+        if heeded.load(Ordering::Relaxed) {
             return Err(SimError::Interrupted);
         }
         let report = solved?;
@@ -325,8 +314,8 @@ fn validate_loads(scene: &Scene, grid: &Grid, timetable: &Timetable) -> Result<(
 fn checked_deformation(
     scene: &Scene,
     grid: Grid,
-    own: Option<Box<dyn DeformationModel>>,
-) -> Result<Box<dyn DeformationModel>, SimError> {
+    own: Option<Box<dyn OwnedModel>>,
+) -> Result<Box<dyn OwnedModel>, SimError> {
     let own_deformation = own.is_some();
     let deformation = match own {
         Some(model) if model.grid() != grid => {
@@ -355,7 +344,7 @@ fn checked_deformation(
 
 /// The elastic bodies of the scene. Displacements of a line contact count from the distance of the radius, or
 /// the length of the box where that is longer.
-fn half_space(scene: &Scene, grid: Grid) -> Result<Box<dyn DeformationModel>, InputError> {
+fn half_space(scene: &Scene, grid: Grid) -> Result<Box<dyn OwnedModel>, InputError> {
     let modulus = scene.equivalent_modulus()?;
     let reference = scene.form.radii().0.max(grid.size_x());
     Ok(match (scene.layer()?, scene.form.is_line()) {

@@ -55,7 +55,10 @@ pub(super) fn validate(scene: &Scene, timetable: &Timetable, grid: &Grid) -> Res
     scene.track.validate()?;
     let needed = scene.track.exposure == scene::Exposure::Track;
     let [_, largest_load] = timetable.loads();
-    let lengths = [("patch", grid.size_x()), ("contact", 2.0 * scene.hertz_under(largest_load)?.a_x)];
+    let lengths = [
+        ("patch", grid.size_x()),
+        ("contact", 2.0 * scene.hertz_under(largest_load)?.ellipse().half_chord_x()),
+    ];
     let radii = [("ball", scene.track.radius_ball), ("disc", scene.track.radius_disc)];
     for ((body, radius), moves) in radii.into_iter().zip(timetable.moving()) {
         let field = format!("track.radius_{body}");
@@ -90,6 +93,7 @@ pub(super) fn ageing(
     hertz: &HertzContact,
     speeds: [f64; 2],
 ) -> Result<[Ageing; 2], InputError> {
+    let half_chord = hertz.ellipse().half_chord_x();
     let of = |radius: Option<f64>, speed: f64| {
         let visits = motion.visits(speed);
         // How much rarer the contact is met than if it stayed.
@@ -98,17 +102,17 @@ pub(super) fn ageing(
             Visits::Patch if grid.ny() > 1 => {
                 grid.size_x() * grid.size_y() / (std::f64::consts::PI * hertz.a_x * hertz.a_y)
             }
-            Visits::Passing | Visits::Track | Visits::Patch => grid.size_x() / (2.0 * hertz.a_x),
+            Visits::Passing | Visits::Track | Visits::Patch => grid.size_x() / (2.0 * half_chord),
         };
         let share = match (track.exposure, radius) {
-            (scene::Exposure::Track, Some(radius)) if speed != 0.0 => track_duty_factor(hertz.a_x, radius)?,
+            (scene::Exposure::Track, Some(radius)) if speed != 0.0 => track_duty_factor(half_chord, radius)?,
             _ => 1.0,
         };
         // A box within the contact cannot be met more often than always.
         let rate = share * spread.max(1.0);
         let passages = match visits {
             Visits::Stays | Visits::Passing => f64::INFINITY,
-            Visits::Track | Visits::Patch => rate * speed.abs() / (2.0 * hertz.a_x),
+            Visits::Track | Visits::Patch => rate * speed.abs() / (2.0 * half_chord),
         };
         Ok(Ageing { rate, passages })
     };

@@ -4,7 +4,7 @@ use super::hertz::{HertzContact, LINE_LENGTH};
 use super::scene::Scene;
 use super::setup;
 use super::timetable::Conditions;
-use crate::analytic::{FilmConditions, LineFilmConditions};
+use crate::analytic::{FilmConditions, HertzPoint, LineFilmConditions};
 use crate::error::InputError;
 use crate::lubricant::ViscosityLaw;
 
@@ -52,7 +52,7 @@ pub(super) fn formula_film(
     let Some(law) = viscosity else { return Ok(None) };
     let equivalent_modulus = scene.equivalent_modulus()?;
     let (viscosity, pressure_viscosity) = (law.viscosity(0.0), alpha.unwrap_or_else(|| law.log_slope(0.0)));
-    let (radius, load) = (scene.form.radii().0, hertz.load);
+    let ((radius, _), load) = (scene.form.radii_of_entrainment(), hertz.load);
     Ok(Some(if scene.form.is_line() {
         let line = LineFilmConditions {
             entrainment_speed,
@@ -75,7 +75,7 @@ pub(super) fn formula_film(
             equivalent_modulus,
             radius,
             load,
-            ellipticity: hertz.a_y / hertz.a_x,
+            ellipticity: ellipticity(scene, hertz)?,
         };
         FormulaFilm {
             moes: (point.moes_load(), point.moes_lubricant()),
@@ -83,6 +83,18 @@ pub(super) fn formula_film(
             all_regimes: point.moes_central().ok(),
         }
     }))
+}
+
+/// Semi-axis across the entrainment over that along it. Of a turned ellipse that of the contact whose radii
+/// are those of the sections along and across the entrainment, which is how Chittenden, Dowson, Dunn and
+/// Taylor (1985), Proceedings of the Royal Society A 397, 271-294, reduce oblique entrainment.
+pub(super) fn ellipticity(scene: &Scene, hertz: &HertzContact) -> Result<f64, InputError> {
+    if hertz.angle == 0.0 {
+        return Ok(hertz.a_y / hertz.a_x);
+    }
+    let (along, across) = scene.form.radii_of_entrainment();
+    let sections = HertzPoint::from_load(along, across, scene.equivalent_modulus()?, hertz.load)?;
+    Ok(sections.a_y / sections.a_x)
 }
 
 /// Central film by formula, by the coefficient that is stated for it, else the slope of the law; zero without

@@ -40,7 +40,7 @@ pub(super) fn boundary_law(
 
 /// Friction fields of one solved contact. A node in contact that also carries fluid pressure has both shares,
 /// each by its own pressure.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct FrictionFields {
     rheology: Rheology,
     sliding: f64,

@@ -14,7 +14,7 @@ use crate::tribochem::{FlashTemperature, ThermalBody, estimate_rise_under_flux};
 const NEGLIGIBLE_RISE: f64 = 1.0;
 
 /// The heat pass.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Heat {
     /// None where it is left out.
     pub(super) flash: Option<FlashTemperature>,

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::analytic::{HertzLine, HertzPoint};
+use crate::metrics::Ellipse;
 
 /// Length of a line contact that loads, areas and fields refer to \[m\].
 pub(super) const LINE_LENGTH: f64 = 1.0;
@@ -12,10 +13,14 @@ pub(super) const LINE_LENGTH: f64 = 1.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct HertzContact {
-    /// Semi-axis along x; half-width of a line contact \[m\].
+    /// Semi-axis along x, of a turned ellipse along the first axis of its form; half-width of a line contact
+    /// \[m\].
     pub a_x: f64,
-    /// Semi-axis along y; half a metre of a line contact \[m\].
+    /// Semi-axis along y, of a turned ellipse along the second axis of its form; half a metre of a line
+    /// contact \[m\].
     pub a_y: f64,
+    /// Angle from x to the first axis \[rad\].
+    pub angle: f64,
     /// Geometric mean of the semi-axes; half-width of a line contact \[m\].
     pub radius: f64,
     /// Contact area \[m^2\].
@@ -26,10 +31,27 @@ pub struct HertzContact {
     pub load: f64,
 }
 
+impl HertzContact {
+    /// Half the extent of the contact along x and y \[m\].
+    pub fn half_extents(&self) -> [f64; 2] {
+        self.ellipse().half_extents()
+    }
+
+    /// Square of the distance of a point from the middle in Hertz units: 1 on the rim of the contact.
+    pub fn radius_squared(&self, x: f64, y: f64) -> f64 {
+        self.ellipse().radius_squared(x, y)
+    }
+
+    /// The rim of the contact.
+    pub(super) fn ellipse(&self) -> Ellipse {
+        Ellipse::turned(self.a_x, self.a_y, self.angle)
+    }
+}
+
 impl From<HertzPoint> for HertzContact {
     fn from(point: HertzPoint) -> Self {
         let HertzPoint { a_x, a_y, p_max, load, .. } = point;
-        Self { a_x, a_y, radius: (a_x * a_y).sqrt(), area: PI * a_x * a_y, p_max, load }
+        Self { a_x, a_y, angle: 0.0, radius: (a_x * a_y).sqrt(), area: PI * a_x * a_y, p_max, load }
     }
 }
 
@@ -39,6 +61,7 @@ impl From<HertzLine> for HertzContact {
         Self {
             a_x,
             a_y: 0.5 * LINE_LENGTH,
+            angle: 0.0,
             radius: a_x,
             area: 2.0 * a_x * LINE_LENGTH,
             p_max: line.p_max,

@@ -6,7 +6,7 @@ use super::SimError;
 use super::builder::SimBuilder;
 use super::scene::Scene;
 use super::simulation::MixedLubricationSim;
-use crate::elastic::NEAR;
+use crate::elastic::{DeformationModel, NEAR};
 
 /// Parts that act on the bodies from outside: a run may go on under others.
 pub(super) const CONDITIONS: [&str; 11] = [
@@ -60,7 +60,7 @@ fn tables(scene: &str) -> Table {
 }
 
 /// What was put in place of parts of the scene, by what `Debug` prints of it.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, Clone)]
 pub(super) struct OwnParts(Vec<(&'static str, String)>);
 
 impl OwnParts {

@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use super::owned::OwnedModel;
 use crate::elastic::{DeformationModel, ResponseApproximations};
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -25,29 +26,41 @@ impl Interrupt {
 }
 
 /// A deformation model that asks before each displacement, which every solver needs once an iteration, and
-/// refuses it where the solve shall end.
+/// refuses it where the solve shall end; without an interrupt the model as it is.
 #[derive(Debug)]
-pub(super) struct Interruptible {
-    model: Box<dyn DeformationModel>,
-    interrupt: Interrupt,
+pub(super) struct Interruptible<M: ?Sized = dyn OwnedModel> {
+    model: Box<M>,
+    interrupt: Option<Interrupt>,
+    /// Whether a solve was refused its displacement. Shared with the same model on other grids.
     heeded: Arc<AtomicBool>,
 }
 
 impl Interruptible {
-    /// The model that asks `interrupt`, and the flag that it sets when it refuses.
-    pub(super) fn new(model: Box<dyn DeformationModel>, interrupt: Interrupt) -> (Self, Arc<AtomicBool>) {
-        let heeded = Arc::new(AtomicBool::new(false));
-        (Self { model, interrupt, heeded: Arc::clone(&heeded) }, heeded)
+    pub(super) fn new(model: Box<dyn OwnedModel>, interrupt: Option<Interrupt>) -> Self {
+        Self { model, interrupt, heeded: Arc::default() }
+    }
+
+    /// Forgets what was heeded before; the flag that an interrupt of the solve to come sets.
+    pub(super) fn begin(&self) -> Arc<AtomicBool> {
+        self.heeded.store(false, Ordering::Relaxed);
+        Arc::clone(&self.heeded)
     }
 }
 
-impl DeformationModel for Interruptible {
+impl Clone for Interruptible {
+    /// The copy listens to the same interrupt; what it heeds is its own.
+    fn clone(&self) -> Self {
+        Self::new(self.model.clone(), self.interrupt.clone())
+    }
+}
+
+impl<M: DeformationModel + ?Sized> DeformationModel for Interruptible<M> {
     fn grid(&self) -> Grid {
         self.model.grid()
     }
 
     fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        if (self.interrupt.0)() {
+        if self.interrupt.as_ref().is_some_and(|interrupt| (interrupt.0)()) {
             self.heeded.store(true, Ordering::Relaxed);
             return Err(InputError::Conflict {
                 field: "solve".to_owned(),
@@ -63,7 +76,9 @@ impl DeformationModel for Interruptible {
 
     fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
         let model = self.model.on_grid(grid)?;
-        Some(Box::new(Self { model, interrupt: self.interrupt.clone(), heeded: Arc::clone(&self.heeded) }))
+        let Some(interrupt) = &self.interrupt else { return Some(model) };
+        let (interrupt, heeded) = (Some(interrupt.clone()), Arc::clone(&self.heeded));
+        Some(Box::new(Interruptible::<dyn DeformationModel> { model, interrupt, heeded }))
     }
 
     fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {

@@ -24,6 +24,7 @@ mod interrupt;
 #[cfg(feature = "npz")]
 mod npz;
 mod observer;
+mod owned;
 mod per_body;
 mod record;
 #[cfg(all(feature = "serde", feature = "npz"))]

@@ -1,18 +1,27 @@
 //! A law for each body, or one for both.
 
+use std::sync::Arc;
+
 use crate::error::InputError;
 
 /// The laws of ball and disc.
 #[derive(Debug)]
 pub(super) struct PerBody<T: ?Sized> {
-    ball: Box<T>,
+    ball: Arc<T>,
     /// None where it is that of the ball.
-    disc: Option<Box<T>>,
+    disc: Option<Arc<T>>,
+}
+
+impl<T: ?Sized> Clone for PerBody<T> {
+    /// Shares the laws.
+    fn clone(&self) -> Self {
+        Self { ball: Arc::clone(&self.ball), disc: self.disc.clone() }
+    }
 }
 
 impl<T: ?Sized> PerBody<T> {
     /// One law for both bodies.
-    pub(super) fn same(law: Box<T>) -> Self {
+    pub(super) fn same(law: Arc<T>) -> Self {
         Self { ball: law, disc: None }
     }
 
@@ -23,7 +32,7 @@ impl<T: ?Sized> PerBody<T> {
     ) -> Result<Self, InputError> {
         let [ball, disc] = values;
         let other = ball.to_bits() != disc.to_bits();
-        Ok(Self { ball: make(ball)?, disc: if other { Some(make(disc)?) } else { None } })
+        Ok(Self { ball: make(ball)?.into(), disc: if other { Some(make(disc)?.into()) } else { None } })
     }
 
     /// The law of both bodies; none where they differ.

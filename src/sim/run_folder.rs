@@ -214,7 +214,7 @@ impl RunFolder {
         let states = film_states(sim);
         fields.extend(states.iter().map(|(name, state)| (name.as_str(), state.as_slice())));
         let (file, grid) = (self.path.join("fields.npz"), sim.grid());
-        write_npz(whole_file::draft(&file), grid.nx(), grid.ny(), &fields)?;
+        write_npz(whole_file::draft(&file), &grid, &fields)?;
         whole_file::put_in_place(&file).map_err(|source| SimError::Io { path: file, source })
     }
 

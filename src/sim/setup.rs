@@ -3,18 +3,19 @@
 use super::SimError;
 use super::friction::boundary_law;
 use super::hertz::HertzContact;
+use super::owned::OwnedSolver;
 use super::scene::{
-    FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind, TribofilmSpec, ViscositySpec,
+    FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind, ViscositySpec,
 };
 use crate::error::{InputError, legible};
 use crate::grid::Grid;
 use crate::lubricant::{
-    DensityLaw, DoolittleTait, DowsonHigginson, ImprovedYasutomi, Roelands, ThermalRoelands, ViscosityLaw,
+    Barus, DensityLaw, DoolittleTait, DowsonHigginson, ImprovedYasutomi, Roelands, ThermalRoelands,
+    ViscosityLaw,
 };
-use crate::metrics::{average_central_film, height_statistics};
-use crate::reynolds::{Auto, ContactSolver, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule};
-use crate::surface::{Autocorrelation, RoughnessSpec, generate};
-use crate::tribochem::Ghanbarzadeh;
+use crate::metrics::{average_film_in, height_statistics};
+use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule};
+use crate::surface::{Autocorrelation, RandomShape, RandomSurface};
 
 /// Memory of a lubricated and of a dry contact per node.
 const LUBRICATED_BYTES: usize = 2000;
@@ -73,21 +74,11 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
         }
     }
     if let Some(spec) = scene.tribofilm {
-        growth_law(&spec)?;
+        spec.law()?;
     }
     scene.track.validate()?;
     if let Some(wear) = scene.wear {
-        InputError::require_non_negative("wear.coefficient", wear.coefficient)?;
-        InputError::require(
-            (0.0..=wear.coefficient).contains(&wear.film_coefficient),
-            "wear.film_coefficient",
-            wear.film_coefficient,
-            "between 0 and wear.coefficient",
-        )?;
-        InputError::require_positive("wear.hardness", wear.hardness)?;
-        if let Some(film) = wear.film_hardness {
-            InputError::require_positive("wear.film_hardness", film)?;
-        }
+        wear.validate()?;
     }
     InputError::require_positive("solver.film_cutoff", scene.solver.film_cutoff)?;
     SemiSystem::new(scene.solver.relaxation, scene.solver.stiffness)?;
@@ -123,7 +114,7 @@ pub(super) fn validate_box(grid: &Grid, hertz: &HertzContact, is_line: bool) -> 
         }
     }
     let zeros = vec![0.0; grid.len()];
-    average_central_film(grid, &zeros, hertz.a_x, hertz.a_y).map_err(|_| InputError::Conflict {
+    average_film_in(grid, &zeros, &hertz.ellipse()).map_err(|_| InputError::Conflict {
         field: "grid".to_owned(),
         reason: format!(
             "no node lies within two thirds of the Hertz half-widths {:.6e} x {:.6e} m, the cells are {:.6e} x {:.6e} m",
@@ -173,34 +164,27 @@ pub(super) fn validate_hardness(hardness: f64, grid: &Grid, hertz: &HertzContact
 
 /// Heights of one body on the grid \[m\].
 pub(super) fn heights(roughness: &Roughness, grid: &Grid, body: &str) -> Result<Vec<f64>, SimError> {
-    match roughness {
+    let generated = match roughness {
         Roughness::None => Ok(vec![0.0; grid.len()]),
-        Roughness::Gaussian(random) => generated(random, Autocorrelation::Gaussian, grid, body),
-        Roughness::Exponential(random) => generated(random, Autocorrelation::Exponential, grid, body),
-        Roughness::File(file) => measured(file, grid, body),
-    }
+        Roughness::Gaussian(random) => correlated(random, Autocorrelation::Gaussian).generate(grid),
+        Roughness::Exponential(random) => correlated(random, Autocorrelation::Exponential).generate(grid),
+        Roughness::Random(surface) => surface.generate(grid),
+        Roughness::Texture(texture) => texture.generate(grid),
+        Roughness::File(file) => return measured(file, grid, body),
+    };
+    Ok(generated.map_err(|error| of_body(error, body))?)
 }
 
-fn generated(
-    random: &RandomRoughness,
-    shape: Autocorrelation,
-    grid: &Grid,
-    body: &str,
-) -> Result<Vec<f64>, SimError> {
-    let spec = RoughnessSpec {
-        autocorrelation: shape,
-        rq: random.rq,
-        length_x: random.length_x,
-        length_y: random.length_y,
-        seed: random.seed,
-    };
-    Ok(generate(grid, &spec).map_err(|error| of_body(error, body))?)
+fn correlated(random: &RandomRoughness, autocorrelation: Autocorrelation) -> RandomSurface {
+    let RandomRoughness { rq, length_x, length_y, seed } = *random;
+    RandomSurface::new(RandomShape::Correlated { autocorrelation, length_x, length_y }, rq, seed)
 }
 
 /// The error of a roughness with the body's key in front of the field.
 fn of_body(mut error: InputError, body: &str) -> InputError {
     if let InputError::Value { field, .. } | InputError::Conflict { field, .. } = &mut error {
-        *field = field.replacen("roughness.", &format!("roughness.{body}."), 1);
+        let key = field.strip_prefix("roughness.").or(field.strip_prefix("texture.")).unwrap_or(field);
+        *field = format!("roughness.{body}.{key}");
     }
     error
 }
@@ -257,12 +241,6 @@ fn rescale(heights: &mut [f64], rq: f64, body: &str) -> Result<(), InputError> {
     Ok(())
 }
 
-/// The growth law of a scene with a tribofilm.
-pub(super) fn growth_law(spec: &TribofilmSpec) -> Result<Ghanbarzadeh, InputError> {
-    let law = Ghanbarzadeh::new(spec.maximum_thickness, spec.x_tribo, spec.removal_limit, spec.removal_rate)?;
-    Ok(law.with_activation(spec.activation))
-}
-
 /// The viscosity law of the scene at `temperature` \[K\].
 pub(super) fn viscosity(
     scene: &Scene,
@@ -276,6 +254,7 @@ pub(super) fn viscosity(
 /// Checked whether the scene uses it or not.
 fn viscosity_law(spec: &LubricantSpec, temperature: f64) -> Result<Box<dyn ViscosityLaw>, InputError> {
     Ok(match spec.viscosity {
+        Some(ViscositySpec::Barus(constants)) => Box::new(Barus::new(constants.eta0, constants.alpha)?),
         Some(ViscositySpec::DoolittleTait(constants)) => Box::new(DoolittleTait::new(constants)?),
         Some(ViscositySpec::ImprovedYasutomi(constants)) => {
             Box::new(ImprovedYasutomi::new(constants, temperature)?)
@@ -315,10 +294,10 @@ pub(super) fn density(scene: &Scene, temperature: f64) -> Result<Option<Box<dyn 
 }
 
 /// The solver of the scene.
-pub(super) fn solver(scene: &Scene) -> Result<Box<dyn ContactSolver>, InputError> {
+pub(super) fn solver(scene: &Scene) -> Result<Box<dyn OwnedSolver>, InputError> {
     let edge_contact = scene.solver.edge_contact;
     Ok(match scene.solver.kind {
-        SolverKind::Auto if edge_contact => Box::new(Auto::allowing_edge_contact()) as Box<dyn ContactSolver>,
+        SolverKind::Auto if edge_contact => Box::new(Auto::allowing_edge_contact()) as Box<dyn OwnedSolver>,
         SolverKind::Auto => Box::new(Auto::new()),
         SolverKind::NewtonKrylov => Box::new(NewtonKrylov::new()),
         SolverKind::Multigrid => Box::new(Multigrid::new()),

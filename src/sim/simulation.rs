@@ -1,6 +1,7 @@
 //! The history of a contact: solve, grow, wear, flatten, move on.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use super::SimError;
 use super::body::Body;
@@ -21,6 +22,7 @@ use super::timetable::{Conditions, Timetable};
 use super::warnings::{self, Warning};
 use super::yielding::Yielding;
 use crate::boundary_friction::BoundaryFriction;
+use crate::elastic::DeformationModel;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::metrics;
@@ -43,19 +45,19 @@ const PATCH_COMPLIANCE: f64 = 4.0;
 /// Attempts to find the length of a step.
 const MAX_CUTS: usize = 40;
 
-/// The laws of a run; absent ones cost nothing.
-#[derive(Debug)]
+/// The laws of a run, shared by its copies; absent ones cost nothing.
+#[derive(Debug, Clone)]
 pub(super) struct Laws {
     pub(super) plasticity: Option<PerBody<dyn PlasticityModel>>,
-    pub(super) growth: Option<Box<dyn FilmGrowthLaw>>,
+    pub(super) growth: Option<Arc<dyn FilmGrowthLaw>>,
     pub(super) wear: Option<PerBody<dyn WearLaw>>,
-    pub(super) friction: Box<dyn BoundaryFriction>,
+    pub(super) friction: Arc<dyn BoundaryFriction>,
 }
 
 /// How the contact moves on from step to step.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Travel {
-    pub(super) motion: Box<dyn RoughnessMotion>,
+    pub(super) motion: Arc<dyn RoughnessMotion>,
     /// Whether a contact feels the squeeze of the film before it.
     pub(super) squeeze: bool,
 }
@@ -95,7 +97,20 @@ pub enum RunEnd {
 /// assert!(sim.ledger_residual()? < 1e-20);
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
-#[derive(Debug)]
+///
+/// A clone goes its own way from where the original stands, step by step to the last bit as the original would.
+/// Laws are shared, buffers are not; the buffers of the solver are made anew at its first solve.
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
+/// sim.step(60.0)?;
+/// let mut other = sim.clone();
+/// let short = std::thread::spawn(move || other.step(10.0)).join().expect("no panic")?;
+/// assert!(sim.step(60.0)?.mean_wear[1] > short.mean_wear[1]);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
+#[derive(Debug, Clone)]
 pub struct MixedLubricationSim {
     pub(super) scene: Scene,
     timetable: Timetable,
@@ -122,7 +137,7 @@ pub struct MixedLubricationSim {
 }
 
 /// Fields of the step in progress, all in the frame of the contact unless a name says otherwise.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Fields {
     pub(super) gap: Vec<f64>,
     heights: Vec<f64>,

@@ -164,7 +164,7 @@ fn solve_bodies(
         friction.update(&model, &state, laws.friction.as_ref(), &films)?;
     }
     let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
-    let rq = [ball, disc].map(|body| track_rq(&grid, model.hertz.a_y, body.surface()));
+    let rq = [ball, disc].map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
     let stress = if known { StressNumbers::of(scene, &model, &state, &friction)? } else { None };
     Ok(ContactSolution { stress, ..model.solution((report, state), gap, numbers, rq) })
 }

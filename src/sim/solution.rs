@@ -259,12 +259,7 @@ pub(super) fn film_numbers(model: &ContactModel, state: &ContactState) -> Result
     Ok(FilmNumbers {
         central: model.grid.interpolate(&state.film, 0.0, 0.0)?,
         minimum: metrics::minimum_film(&state.film, &state.pressure)?.unwrap_or(0.0),
-        mean_central: metrics::average_central_film(
-            &model.grid,
-            &state.film,
-            model.hertz.a_x,
-            model.hertz.a_y,
-        )?,
+        mean_central: metrics::average_film_in(&model.grid, &state.film, &model.hertz.ellipse())?,
         minimum_gap: metrics::minimum_gap(&state.film)?,
     })
 }
@@ -275,14 +270,9 @@ pub(super) fn contact_numbers(
     solid: &[f64],
     limit: Option<&[f64]>,
 ) -> Result<ContactNumbers, InputError> {
-    let statistics = metrics::contact_statistics(
-        &model.grid,
-        &state.in_contact,
-        solid,
-        model.hertz.load,
-        model.hertz.a_x,
-        model.hertz.a_y,
-    )?;
+    let ellipse = model.hertz.ellipse();
+    let statistics =
+        metrics::statistics_in(&model.grid, &state.in_contact, solid, model.hertz.load, &ellipse)?;
     let ellipse = std::f64::consts::PI * model.hertz.a_x * model.hertz.a_y;
     // Between nodes no more than the node of the largest pressure may carry.
     let top = state.pressure.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1));

@@ -54,8 +54,10 @@ impl MixedLubricationSim {
         let numbers = Numbers::of(contact, state, known.then_some(&fields.friction), limit)?;
         let gap = fields.gap.clone();
         let state = std::mem::replace(state, ContactState::new(&contact.grid));
-        let rq =
-            self.bodies.each_ref().map(|body| track_rq(&contact.grid, contact.hertz.a_y, body.surface()));
+        let rq = self
+            .bodies
+            .each_ref()
+            .map(|body| track_rq(&contact.grid, contact.hertz.half_extents()[1], body.surface()));
         Ok(contact.solution((report, state), gap, numbers, rq))
     }
 }

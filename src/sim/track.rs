@@ -23,7 +23,7 @@ impl MixedLubricationSim {
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
     pub fn mean_on_track(&self, field: &[f64]) -> Result<f64, InputError> {
-        let (grid, half_width) = (self.contact.grid, self.contact.hertz.a_y);
+        let (grid, half_width) = (self.contact.grid, self.contact.hertz.half_extents()[1]);
         InputError::require_len("field", field, grid.len())?;
         let (mut sum, mut width) = (0.0, 0.0);
         for (j, row) in field.chunks_exact(grid.nx()).enumerate() {
@@ -67,13 +67,13 @@ impl MixedLubricationSim {
     /// Root mean square of [`track_roughness`](Self::track_roughness) \[m\].
     pub(super) fn track_rq(&self, heights: &[f64]) -> Result<f64, InputError> {
         InputError::require_len("field", heights, self.contact.grid.len())?;
-        Ok(track_rq(&self.contact.grid, self.contact.hertz.a_y, heights))
+        Ok(track_rq(&self.contact.grid, self.contact.hertz.half_extents()[1], heights))
     }
 
     /// The rows of the track and their means.
     fn track_rows<'a>(&self, field: &'a [f64]) -> Result<impl Iterator<Item = (&'a [f64], f64)>, InputError> {
         InputError::require_len("field", field, self.contact.grid.len())?;
-        Ok(track_rows(&self.contact.grid, self.contact.hertz.a_y, field))
+        Ok(track_rows(&self.contact.grid, self.contact.hertz.half_extents()[1], field))
     }
 }
 

@@ -5,7 +5,7 @@ use crate::error::InputError;
 use crate::plastic::{PlasticityModel, split_depth, split_depth_into};
 
 /// Limits and depths of the contact in progress, in its frame.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Yielding {
     /// Pressure limit of the pair \[Pa\].
     pub(super) limit: Vec<f64>,

@@ -1,12 +1,16 @@
 //! The smooth shape of the contacting bodies.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::error::InputError;
 use crate::grid::Grid;
 
 /// Undeformed gap between the smooth bodies, `x^2/(2 Rx) + y^2/(2 Ry)` (of a cylinder the first term alone):
 /// the parabolic approximation, valid while the contact is small against the radii.
 ///
-/// With two curved bodies the radii are the equivalent ones, `1/R = 1/R1 + 1/R2` in each direction.
+/// With two curved bodies the radii are the equivalent ones, `1/R = 1/R1 + 1/R2` in each direction. An
+/// ellipsoid may be turned by an angle about the normal, so that entrainment, which is along x, meets it
+/// obliquely: x and y in its gap are then its own axes.
 ///
 /// ```
 /// use stribeck::{Grid, surface::Form};
@@ -26,12 +30,15 @@ pub enum Form {
         /// Radius \[m\].
         radius: f64,
     },
-    /// Different curvature along x and y.
+    /// Different curvature along two axes at right angles.
     Ellipsoid {
-        /// Radius of curvature along x \[m\].
+        /// Radius of curvature along the first axis, x unless it is turned \[m\].
         radius_x: f64,
-        /// Radius of curvature along y \[m\].
+        /// Radius of curvature along the second axis, y unless it is turned \[m\].
         radius_y: f64,
+        /// Angle from x to the first axis, positive towards y \[rad\].
+        #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
+        angle: f64,
     },
     /// Parallel cylinders along y: a line contact, solved on one row of nodes.
     Cylinder {
@@ -41,30 +48,57 @@ pub enum Form {
 }
 
 impl Form {
-    /// Checks the radii.
+    /// Checks radii and angle.
     ///
     /// # Errors
-    /// [`InputError::Value`] naming the radius that is not finite and positive.
+    /// [`InputError::Value`] naming the radius that is not finite and positive, or an angle beyond a right
+    /// one.
     pub fn validate(&self) -> Result<(), InputError> {
         match *self {
             Self::Sphere { radius } | Self::Cylinder { radius } => {
                 InputError::require_positive("form.radius", radius)
             }
-            Self::Ellipsoid { radius_x, radius_y } => {
+            Self::Ellipsoid { radius_x, radius_y, angle } => {
                 InputError::require_positive("form.radius_x", radius_x)?;
-                InputError::require_positive("form.radius_y", radius_y)
+                InputError::require_positive("form.radius_y", radius_y)?;
+                let range = "between -pi/2 and pi/2 (plain numbers are in rad; \"30 deg\" is 30 degrees)";
+                InputError::require(angle.abs() <= FRAC_PI_2 * (1.0 + 1e-9), "form.angle", angle, range)
             }
         }
     }
 
-    /// Radii of curvature along x and y \[m\]; infinite along a cylinder.
+    /// Radii of curvature along x and y \[m\], of a turned ellipsoid along its own axes; infinite along a
+    /// cylinder.
     #[must_use]
     pub fn radii(&self) -> (f64, f64) {
         match *self {
             Self::Sphere { radius } => (radius, radius),
             Self::Cylinder { radius } => (radius, f64::INFINITY),
-            Self::Ellipsoid { radius_x, radius_y } => (radius_x, radius_y),
+            Self::Ellipsoid { radius_x, radius_y, .. } => (radius_x, radius_y),
         }
+    }
+
+    /// Angle from x to the first axis \[rad\]; zero but for ellipsoids.
+    #[must_use]
+    pub fn angle(&self) -> f64 {
+        match *self {
+            Self::Ellipsoid { angle, .. } => angle,
+            _ => 0.0,
+        }
+    }
+
+    /// Radii of curvature of the sections along and across the entrainment \[m\],
+    /// `1/R_e = cos^2/R_x + sin^2/R_y` and `1/R_s = sin^2/R_x + cos^2/R_y`: what film formulas take of a
+    /// turned ellipsoid.
+    #[must_use]
+    pub fn radii_of_entrainment(&self) -> (f64, f64) {
+        let (radius_x, radius_y) = self.radii();
+        if self.angle() == 0.0 {
+            return (radius_x, radius_y);
+        }
+        let (sin, cos) = self.angle().sin_cos();
+        let section = |x: f64, y: f64| 1.0 / (x * x / radius_x + y * y / radius_y);
+        (section(cos, sin), section(sin, cos))
     }
 
     /// Whether the contact is a line.
@@ -81,9 +115,16 @@ impl Form {
         self.validate()?;
         InputError::require_len("out", out, grid.len())?;
         let (radius_x, radius_y) = self.radii();
+        let (sin, cos) = self.angle().sin_cos();
         for (gap, (x, y)) in out.iter_mut().zip(grid.nodes()) {
+            let (x, y) = (cos * x + sin * y, cos * y - sin * x);
             *gap = 0.5 * (x * x / radius_x + y * y / radius_y);
         }
         Ok(())
     }
+}
+
+#[cfg(feature = "serde")]
+fn is_zero(angle: &f64) -> bool {
+    *angle == 0.0
 }

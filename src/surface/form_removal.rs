@@ -1,6 +1,6 @@
 //! Removal of form: the plane, polynomial or sphere of least squares.
 
-use faer::{Mat, Side};
+use nalgebra::{DMatrix, SymmetricEigen};
 
 use super::error::SurfaceError;
 use super::measured::Heights;
@@ -15,6 +15,8 @@ const DEGENERATE: f64 = 1e-12;
 const STEPS: usize = 50;
 const HALVINGS: usize = 30;
 const CONVERGED: f64 = 1e-13;
+/// Iterations for the eigenvectors of at most 66 equations, which take some two a vector.
+const SWEEPS: usize = 10_000;
 
 impl Heights {
     /// Subtracts the plane of least squares through the defined points. A direction in which they do not
@@ -58,7 +60,7 @@ impl Heights {
         let along_x: Vec<Vec<f64>> = (0..self.nx).map(|i| legendre(centred(i, self.nx), degree)).collect();
         let along_y: Vec<Vec<f64>> = (0..self.ny).map(|j| legendre(centred(j, self.ny), degree)).collect();
         let share = 1.0 / (self.heights.len() - self.undefined()) as f64;
-        let mut matrix = Mat::<f64>::zeros(terms.len(), terms.len());
+        let mut matrix = DMatrix::<f64>::zeros(terms.len(), terms.len());
         let mut right = vec![0.0; terms.len()];
         let count = degree + 1;
         let (mut products, mut sums) = (vec![0.0; count * count], vec![0.0; count]);
@@ -169,19 +171,19 @@ fn legendre(x: f64, degree: usize) -> Vec<f64> {
 }
 
 /// Solution of least norm of the normal equations, by the eigenvectors of their matrix.
-fn least_squares(matrix: &Mat<f64>, right: &[f64]) -> Result<Vec<f64>, SurfaceError> {
+fn least_squares(matrix: &DMatrix<f64>, right: &[f64]) -> Result<Vec<f64>, SurfaceError> {
     InputError::require_finite("heights, summed over all points", right)?;
-    let eigen = matrix.self_adjoint_eigen(Side::Lower).map_err(|_| InputError::Conflict {
+    let unknown = || InputError::Conflict {
         field: "heights".to_owned(),
         reason: "the form of least squares cannot be found".to_owned(),
-    })?;
-    let largest = (0..right.len()).map(|mode| eigen.S()[mode]).fold(0.0, f64::max);
+    };
+    let eigen = SymmetricEigen::try_new(matrix.clone(), f64::EPSILON, SWEEPS).ok_or_else(unknown)?;
+    let largest = eigen.eigenvalues.max();
     let mut solution = vec![0.0; right.len()];
-    for mode in 0..right.len() {
-        let (value, vector) = (eigen.S()[mode], eigen.U().col(mode));
-        if value > DEGENERATE * largest {
-            let weight = right.iter().enumerate().map(|(row, r)| vector[row] * r).sum::<f64>() / value;
-            solution.iter_mut().enumerate().for_each(|(row, part)| *part += weight * vector[row]);
+    for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+        if *value > DEGENERATE * largest {
+            let weight = right.iter().zip(&vector).map(|(r, v)| v * r).sum::<f64>() / value;
+            solution.iter_mut().zip(&vector).for_each(|(part, v)| *part += weight * v);
         }
     }
     Ok(solution)
@@ -239,8 +241,8 @@ impl Cap {
         Some((height + w, [1.0, slope(p, x), slope(q, y), 0.5 * (w * w + square) / root]))
     }
 
-    fn normal_equations(&self, points: &[(usize, [f64; 3])]) -> Option<(Mat<f64>, [f64; 4])> {
-        let (mut matrix, mut right) = (Mat::<f64>::zeros(4, 4), [0.0; 4]);
+    fn normal_equations(&self, points: &[(usize, [f64; 3])]) -> Option<(DMatrix<f64>, [f64; 4])> {
+        let (mut matrix, mut right) = (DMatrix::<f64>::zeros(4, 4), [0.0; 4]);
         let share = 1.0 / points.len() as f64;
         for (_, [x, y, z]) in points {
             let (sphere, derivatives) = self.at(*x, *y)?;

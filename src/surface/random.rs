@@ -19,6 +19,7 @@ use crate::with_fields::with_fields;
 /// What the root mean square height of a random surface refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum HeightScale {
     /// Each surface has exactly that height: what the standard parameters of one surface call for. Removes
     /// the mean.

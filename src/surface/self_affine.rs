@@ -26,6 +26,7 @@ pub struct SelfAffine {
 /// How modes are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Synthesis {
     /// Amplitude and phase of every mode are random: white noise filtered.
     #[default]

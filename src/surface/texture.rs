@@ -62,6 +62,7 @@ pub enum DimpleLayout {
 /// Direction of grooves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum GrooveDirection {
     /// Along x, the direction of motion.
     AlongX,

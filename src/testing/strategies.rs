@@ -5,9 +5,9 @@ use proptest::prelude::*;
 use crate::grid::Grid;
 use crate::sim::Scene;
 use crate::sim::scene::{
-    Elastic, Flash, FrictionSpec, GridSpec, Load, LubricantSpec, Material, Materials, Motion, PlasticSpec,
-    RandomRoughness, Roughness, RoughnessPair, Schedule, Schedules, SolverKind, SolverSpec, ThermalSpec,
-    TrackSpec, TribofilmSpec, WearSpec,
+    ArchardSpec, Elastic, Flash, FrictionSpec, GhanbarzadehSpec, GridSpec, Load, LubricantSpec, Material,
+    Materials, Motion, PlasticSpec, RandomRoughness, Roughness, RoughnessPair, Schedule, Schedules,
+    SolverKind, SolverSpec, ThermalSpec, TrackSpec, TribofilmSpec, WearSpec,
 };
 use crate::surface::Form;
 use crate::tribochem::Activation;
@@ -37,7 +37,7 @@ fn forms() -> impl Strategy<Value = Form> {
     prop_oneof![
         4 => decades(1e-3, 0.1).prop_map(|radius| Form::Sphere { radius }),
         1 => (decades(1e-3, 0.1), decades(0.2, 5.0))
-            .prop_map(|(radius_x, ratio)| Form::Ellipsoid { radius_x, radius_y: ratio * radius_x }),
+            .prop_map(|(radius_x, ratio)| Form::Ellipsoid { radius_x, radius_y: ratio * radius_x, angle: 0.0 }),
         1 => decades(1e-3, 0.1).prop_map(|radius| Form::Cylinder { radius }),
     ]
 }
@@ -115,15 +115,15 @@ fn processes()
         Just(Activation::Pressure),
         Just(Activation::ShearStress)
     ];
-    let film = (activation, decades(1e-18, 1e-14)).prop_map(|(activation, x_tribo)| TribofilmSpec {
-        activation,
-        x_tribo,
-        ..TribofilmSpec::default()
+    let film = (activation, decades(1e-18, 1e-14)).prop_map(|(activation, x_tribo)| {
+        TribofilmSpec::Ghanbarzadeh(GhanbarzadehSpec { activation, x_tribo, ..GhanbarzadehSpec::default() })
     });
-    let wear = (decades(1e-9, 1e-5), 0.0..1.0).prop_map(|(coefficient, share)| WearSpec {
-        coefficient,
-        film_coefficient: share * coefficient,
-        ..WearSpec::default()
+    let wear = (decades(1e-9, 1e-5), 0.0..1.0).prop_map(|(coefficient, share)| {
+        WearSpec::Archard(ArchardSpec {
+            coefficient,
+            film_coefficient: share * coefficient,
+            ..ArchardSpec::default()
+        })
     });
     let flash = prop_oneof![Just(Flash::Auto), Just(Flash::On), Just(Flash::Off)];
     let thermal = (250.0..500.0, flash).prop_map(|(bulk_temperature, flash)| ThermalSpec {
@@ -221,7 +221,7 @@ fn distort(scene: &mut Scene, change: usize, value: f64) {
     };
     match change {
         0 => scene.form = Form::Sphere { radius: value },
-        1 => scene.form = Form::Ellipsoid { radius_x: value, radius_y: 1e-2 },
+        1 => scene.form = Form::Ellipsoid { radius_x: value, radius_y: 1e-2, angle: 0.0 },
         2 => scene.form = Form::Cylinder { radius: value },
         3 => scene.elastic.equivalent_modulus = value,
         4 => scene.load = Load::hertz_pressure(value),
@@ -287,16 +287,21 @@ fn distort(scene: &mut Scene, change: usize, value: f64) {
             scene.friction =
                 FrictionSpec { limiting_shear_stress: value, eyring_stress: Some(value), ..scene.friction };
         }
-        33 => scene.tribofilm = Some(TribofilmSpec { maximum_thickness: value, ..TribofilmSpec::default() }),
+        33 => {
+            let film = GhanbarzadehSpec { maximum_thickness: value, ..GhanbarzadehSpec::default() };
+            scene.tribofilm = Some(TribofilmSpec::Ghanbarzadeh(film));
+        }
         34 => {
-            scene.tribofilm =
-                Some(TribofilmSpec { x_tribo: value, removal_rate: value, ..TribofilmSpec::default() });
+            let film =
+                GhanbarzadehSpec { x_tribo: value, removal_rate: value, ..GhanbarzadehSpec::default() };
+            scene.tribofilm = Some(TribofilmSpec::Ghanbarzadeh(film));
         }
         35 => {
-            scene.wear = Some(WearSpec { coefficient: value, film_coefficient: 0.0, ..WearSpec::default() });
+            let wear = ArchardSpec { coefficient: value, film_coefficient: 0.0, ..ArchardSpec::default() };
+            scene.wear = Some(WearSpec::Archard(wear));
         }
         36 => {
-            scene.wear = Some(WearSpec { hardness: value, ..WearSpec::default() });
+            scene.wear = Some(WearSpec::Archard(ArchardSpec { hardness: value, ..ArchardSpec::default() }));
             scene.track.radius_ball = Some(value);
         }
         37 => scene.thermal = ThermalSpec { bulk_temperature: value, conductivity: value, ..scene.thermal },

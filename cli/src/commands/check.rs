@@ -94,15 +94,16 @@ impl Expected {
     /// Cells in a Hertz half-width.
     fn cells(&self) -> f64 {
         let grid = self.sim.grid();
-        let across = if grid.ny() > 1 { self.hertz.a_y / grid.dy() } else { f64::INFINITY };
-        (self.hertz.a_x / grid.dx()).min(across)
+        let [half_x, half_y] = self.hertz.half_extents();
+        let across = if grid.ny() > 1 { half_y / grid.dy() } else { f64::INFINITY };
+        (half_x / grid.dx()).min(across)
     }
 
     /// Distance of the edges of the box along x from the middle, in Hertz half-widths.
     fn room(&self) -> [f64; 2] {
         let grid = self.sim.grid();
         let low = grid.x(0) - 0.5 * grid.dx();
-        [-low, low + grid.size_x()].map(|distance| distance / self.hertz.a_x)
+        [-low, low + grid.size_x()].map(|distance| distance / self.hertz.half_extents()[0])
     }
 
     fn memory(&self) -> f64 {
@@ -208,11 +209,12 @@ impl Expected {
 /// Cells on which a scene is looked at that picks its own.
 fn own_grid(scene: &Scene, hertz: &HertzContact) -> GridSpec {
     let edges = |half_width: f64| [-OWN_BOX * half_width, OWN_BOX * half_width];
-    let (n, x) = (OWN_CELLS, edges(hertz.a_x));
+    let [half_x, half_y] = hertz.half_extents();
+    let (n, x) = (OWN_CELLS, edges(half_x));
     if scene.form.is_line() {
         GridSpec::Row { nx: n, x }
     } else {
-        GridSpec::Cells { nx: n, ny: n, x, y: edges(hertz.a_y) }
+        GridSpec::Cells { nx: n, ny: n, x, y: edges(half_y) }
     }
 }
 

@@ -41,8 +41,7 @@ pub(crate) fn maps<'a>(seen: &Seen<'a>) -> Maps<'a> {
         // The patch of the disc, wherever that stands in the contact.
         maps.push(map("tribofilm on the disc (nm)", film, 1e9, round_up(1e9 * thickest), false));
     }
-    let half_widths = (seen.hertz.a_x, seen.hertz.a_y);
-    Maps { title: seen.title.clone(), grid: seen.grid, half_widths, maps }
+    Maps { title: seen.title.clone(), grid: seen.grid, hertz: seen.hertz, maps }
 }
 
 /// Film and pressures along the entrainment, in the row next to the centre.
@@ -85,10 +84,7 @@ pub(crate) fn profile(seen: &Seen<'_>) -> Chart {
 
 /// A film \[m\] that few nodes of the Hertz contact exceed: what lies outside of it is thicker by far.
 fn thick_film(seen: &Seen<'_>) -> f64 {
-    let inside = |(x, y): (f64, f64)| {
-        let across = if seen.grid.ny() > 1 { y / seen.hertz.a_y } else { 0.0 };
-        (x / seen.hertz.a_x).hypot(across) <= 1.0
-    };
+    let inside = |(x, y): (f64, f64)| seen.hertz.radius_squared(x, y) <= 1.0;
     let nodes = seen.grid.nodes().zip(&seen.state.film);
     let mut films: Vec<f64> = nodes.filter(|(at, h)| inside(*at) && h.is_finite()).map(|(_, h)| *h).collect();
     films.sort_unstable_by(f64::total_cmp);

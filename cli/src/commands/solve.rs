@@ -31,7 +31,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let seconds = start.elapsed().as_secs_f64();
     let mut files = Vec::new();
     if let Some(path) = &options.fields {
-        write_npz(path, solution.grid.nx(), solution.grid.ny(), &solution.fields())?;
+        write_npz(path, &solution.grid, &solution.fields())?;
         files.push(path.clone());
     }
     if options.output.plot {

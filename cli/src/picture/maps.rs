@@ -4,6 +4,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use stribeck::Grid;
+use stribeck::sim::HertzContact;
 
 use super::{Drawn, Picture, TEXT_SIZE, TITLE_SIZE, colour, text, tick};
 
@@ -40,8 +41,8 @@ pub(crate) struct Map<'a> {
 pub(crate) struct Maps<'a> {
     pub(crate) title: String,
     pub(crate) grid: Grid,
-    /// Semi-axes of the Hertz contact \[m\].
-    pub(crate) half_widths: (f64, f64),
+    /// Its rim is drawn.
+    pub(crate) hertz: HertzContact,
     pub(crate) maps: Vec<Map<'a>>,
 }
 
@@ -103,9 +104,11 @@ impl Maps<'_> {
             .build_cartesian_2d(x, y)?;
         chart.draw_series(self.rectangles(map))?;
         if map.outline {
-            let (a, b) = (self.half_widths.0 * 1e6, self.half_widths.1 * 1e6);
+            let (a, b) = (self.hertz.a_x * 1e6, self.hertz.a_y * 1e6);
+            let (sin, cos) = self.hertz.angle.sin_cos();
             let ring = (0..=120).map(|k| (f64::from(k) * std::f64::consts::TAU / 120.0).sin_cos());
-            chart.draw_series(LineSeries::new(ring.map(|(s, c)| (a * c, b * s)), WHITE.stroke_width(1)))?;
+            let rim = ring.map(|(s, c)| (cos * a * c - sin * b * s, sin * a * c + cos * b * s));
+            chart.draw_series(LineSeries::new(rim, WHITE.stroke_width(1)))?;
         }
         chart
             .configure_mesh()

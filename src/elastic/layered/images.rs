@@ -6,7 +6,7 @@
 //! closed forms at any ratio of cell, thickness and distance, with no periodic image. In the field theory of
 //! layered media this is the method of discrete images.
 
-use faer::Mat;
+use nalgebra::{DMatrix, DVector, SVD};
 
 use super::Layer;
 use crate::error::InputError;
@@ -23,6 +23,8 @@ const SAMPLES: usize = 400;
 const WEIGHT_OF_ZERO: f64 = 10.0;
 /// Singular values below this share of the largest one are rounding.
 const RANK: f64 = 1e-14;
+/// Iterations for the singular values, which take some two each.
+const SWEEPS: usize = 10_000;
 /// A transform this close to one is that of a half-space.
 const NONE: f64 = 1e-13;
 
@@ -45,25 +47,18 @@ pub(super) fn images(layer: &Layer) -> Result<Vec<Image>, InputError> {
     }
     let depths: Vec<f64> = (0..IMAGES).map(|k| FIRST_DEPTH * RATIO.powi(k as i32)).collect();
     let weight = |x: f64| if x == 0.0 { WEIGHT_OF_ZERO } else { 1.0 } / layer.transform(x);
-    let matrix = Mat::from_fn(waves.len(), IMAGES, |i, k| weight(waves[i]) * (-waves[i] * depths[k]).exp());
-    let decomposition = matrix.thin_svd().map_err(|_| InputError::Conflict {
+    let matrix =
+        DMatrix::from_fn(waves.len(), IMAGES, |i, k| weight(waves[i]) * (-waves[i] * depths[k]).exp());
+    let none = || InputError::Conflict {
         field: "elastic.layer".to_owned(),
         reason: "its response has no images".to_owned(),
-    })?;
-    let (left, values, right) = (decomposition.U(), decomposition.S(), decomposition.V());
-    let mut strengths = vec![0.0; IMAGES];
-    for mode in (0..IMAGES).filter(|&mode| values[mode] > RANK * values[0]) {
-        let share: f64 = waves
-            .iter()
-            .enumerate()
-            .map(|(i, &x)| left[(i, mode)] * weight(x) * (layer.transform(x) - 1.0))
-            .sum();
-        for (k, strength) in strengths.iter_mut().enumerate() {
-            *strength += right[(k, mode)] * share / values[mode];
-        }
-    }
+    };
+    let aim = DVector::from_fn(waves.len(), |i, _| weight(waves[i]) * (layer.transform(waves[i]) - 1.0));
+    let decomposition = SVD::try_new(matrix, true, true, f64::EPSILON, SWEEPS).ok_or_else(none)?;
+    let rank = RANK * decomposition.singular_values.max();
+    let strengths = decomposition.solve(&aim, rank).map_err(|_| none())?;
     let image = |(depth, strength): (f64, f64)| Image { depth: depth * layer.thickness(), strength };
-    Ok(depths.into_iter().zip(strengths).map(image).collect())
+    Ok(depths.into_iter().zip(strengths.iter().copied()).map(image).collect())
 }
 
 #[cfg(test)]

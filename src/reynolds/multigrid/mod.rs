@@ -79,6 +79,13 @@ struct Workspace {
     history: Vec<Residuals>,
 }
 
+impl Clone for Multigrid {
+    /// The copy makes buffers of its own at its first solve.
+    fn clone(&self) -> Self {
+        Self { hand_over: self.hand_over, workspace: None }
+    }
+}
+
 impl Multigrid {
     /// A solver; buffers are made at the first solve and kept.
     pub fn new() -> Self {

@@ -6,7 +6,7 @@ use crate::numerics::GridLu;
 
 /// Solves the fluid equations in which films follow their own pressures alone: a matrix on the five-point
 /// stencil, row `k` at `stencil[5 k..5 k + 5]` in the order centre, east, west, north, south.
-pub(in crate::reynolds) trait FluidBlock: Debug + Send {
+pub(in crate::reynolds) trait FluidBlock: Debug + Send + Sync {
     /// Takes a new matrix; false where it has no finite factors.
     fn prepare(&mut self, stencil: &[f32]) -> bool;
 

@@ -92,6 +92,13 @@ struct Workspace {
     foreseen: Vec<f64>,
 }
 
+impl Clone for NewtonKrylov {
+    /// The same settings; the copy makes buffers of its own at its first solve.
+    fn clone(&self) -> Self {
+        Self::by(self.fluid_block, self.settings.clone())
+    }
+}
+
 impl Default for NewtonKrylov {
     fn default() -> Self {
         Self::by(|grid| Box::new(GridLu::new(grid.nx(), grid.ny())), NewtonSettings::default())

@@ -49,6 +49,13 @@ pub struct SemiSystem {
     sweeps: Option<Box<Sweeps>>,
 }
 
+impl Clone for SemiSystem {
+    /// The copy makes buffers of its own at its first solve.
+    fn clone(&self) -> Self {
+        Self { damping: self.damping, relaxed: self.relaxed.clone(), sweeps: None }
+    }
+}
+
 impl Default for SemiSystem {
     /// Relaxation 0.2, stiffness 6.
     fn default() -> Self {

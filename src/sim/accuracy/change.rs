@@ -112,12 +112,13 @@ impl Change {
 
 /// The piece of the region of the mean film that holds the point `(x, y)`; none outside of it.
 fn piece_at(solution: &ContactSolution, x: f64, y: f64) -> Option<usize> {
-    let (a_x, a_y) = (solution.hertz.a_x, solution.hertz.a_y);
-    let along = |x: f64, a: f64| {
-        let share = 0.5 * (1.0 + x / (CENTRAL * a));
+    let ellipse = solution.hertz.ellipse();
+    let along = |share: f64| {
+        let share = 0.5 * (1.0 + share / CENTRAL);
         ((share * PIECES as f64) as usize).min(PIECES - 1)
     };
-    is_central(x, y, a_x, a_y).then(|| along(y, a_y) * PIECES + along(x, a_x))
+    let [first, second] = ellipse.normalised(x, y);
+    is_central(x, y, &ellipse).then(|| along(second) * PIECES + along(first))
 }
 
 /// Share of the pressure of node `k` that is solid; none without pressure.

@@ -146,14 +146,15 @@ fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
     let plan = Plan::of(scene, &hertz, accuracy)?;
     let depth = GAP_BEYOND * hertz.a_x.powi(2) / scene.form.radii().0;
     let reach = 1.0 + (REACH * rq / depth).powf(2.0 / 3.0) + ROOM;
-    let x = [-plan.inlet.max(reach) * hertz.a_x, plan.outlet.max(reach) * hertz.a_x];
-    let side = plan.side.max(reach) * hertz.a_y;
+    let [half_x, half_y] = hertz.half_extents();
+    let x = [-plan.inlet.max(reach) * half_x, plan.outlet.max(reach) * half_x];
+    let side = plan.side.max(reach) * half_y;
     let y = [-side, side];
     let cells = |[low, high]: [f64; 2], length: f64, axis: f64| {
         ((high - low) / (length / CELLS_IN_LENGTH).min(axis / CELLS_IN_AXIS)).ceil()
     };
     let line = scene.form.is_line();
-    let (nx, ny) = (cells(x, along_x, hertz.a_x), if line { 1.0 } else { cells(y, along_y, hertz.a_y) });
+    let (nx, ny) = (cells(x, along_x, half_x), if line { 1.0 } else { cells(y, along_y, half_y) });
     if nx * ny > MAX_NODES as f64 {
         return Err(SimError::Input(InputError::Conflict {
             field: "grid.accuracy".to_owned(),
@@ -194,6 +195,12 @@ fn waves(scene: &Scene) -> Result<Waves, SimError> {
                 return needs_cells(
                     format!("roughness.{body}.kind = \"exponential\""),
                     "the surface has waves of every length and no finest ones to refine",
+                );
+            }
+            Roughness::Random(_) | Roughness::Texture(_) if !roughness.is_smooth() => {
+                return needs_cells(
+                    format!("roughness.{body}"),
+                    "only normal heights of Gaussian autocorrelation are refined without cells",
                 );
             }
             Roughness::File(file) => {

@@ -110,9 +110,10 @@ impl Plan {
             |length: f64| MULTIPLE * (length / (MULTIPLE as f64 * self.cell)).ceil().max(1.0) as usize;
         let coarser = |n: usize| n >> level;
         let edge = |cells: usize, axis: f64| cells as f64 * self.cell * axis;
+        let [half_x, half_y] = hertz.half_extents();
         let [inlet, outlet, side] = [self.inlet, self.outlet, self.side].map(count);
-        let x = [-edge(inlet, hertz.a_x), edge(outlet, hertz.a_x)];
-        let y = edge(side, hertz.a_y);
+        let x = [-edge(inlet, half_x), edge(outlet, half_x)];
+        let y = edge(side, half_y);
         let rows = if is_line { 1 } else { 2 * side };
         let nodes = (inlet + outlet) as f64 * rows as f64;
         if nodes > MAX_NODES as f64 {

@@ -8,8 +8,8 @@ use toml::de::{DeTable, DeValue};
 use crate::error::InputError;
 use crate::units::Dimension;
 use Dimension::{
-    Conductivity, Diffusivity, Force, ForcePerLength, InversePressure, Length, Pressure, PressurePerLength,
-    Rate, Speed, Temperature, Time, Viscosity,
+    Angle, Conductivity, Diffusivity, Energy, Force, ForcePerLength, InversePressure, Length, Pressure,
+    PressurePerLength, Rate, Speed, Temperature, Time, Viscosity, Volume, VolumePerEnergy,
 };
 
 /// Every key that has a dimension; `*` stands for the name of a body. Loads are per length in a line contact.
@@ -17,6 +17,7 @@ const KEYS: &[(&str, Dimension)] = &[
     ("form.radius", Length),
     ("form.radius_x", Length),
     ("form.radius_y", Length),
+    ("form.angle", Angle),
     ("elastic.equivalent_modulus", Pressure),
     ("elastic.layer.thickness", Length),
     ("elastic.layer.modulus", Pressure),
@@ -36,6 +37,8 @@ const KEYS: &[(&str, Dimension)] = &[
     ("lubricant.density_a", InversePressure),
     ("lubricant.density_b", InversePressure),
     ("lubricant.supplied_film", Length),
+    ("lubricant.viscosity.eta0", Viscosity),
+    ("lubricant.viscosity.alpha", InversePressure),
     ("lubricant.viscosity.viscosity", Viscosity),
     ("lubricant.viscosity.temperature", Temperature),
     ("lubricant.viscosity.k00", Pressure),
@@ -48,6 +51,13 @@ const KEYS: &[(&str, Dimension)] = &[
     ("roughness.*.rq", Length),
     ("roughness.*.length_x", Length),
     ("roughness.*.length_y", Length),
+    ("roughness.*.roll_off", Length),
+    ("roughness.*.longest", Length),
+    ("roughness.*.shortest", Length),
+    ("roughness.*.radius", Length),
+    ("roughness.*.width", Length),
+    ("roughness.*.depth", Length),
+    ("roughness.*.pitch", Length),
     ("plastic.hardness", Pressure),
     ("plastic.film_hardness", Pressure),
     ("plastic.hardening_modulus", PressurePerLength),
@@ -58,8 +68,14 @@ const KEYS: &[(&str, Dimension)] = &[
     ("tribofilm.maximum_thickness", Length),
     ("tribofilm.removal_limit", Length),
     ("tribofilm.removal_rate", Rate),
+    ("tribofilm.prefactor", Rate),
+    ("tribofilm.growth_rate", Speed),
+    ("tribofilm.activation_energy", Energy),
+    ("tribofilm.activation_volume", Volume),
     ("wear.hardness", Pressure),
     ("wear.film_hardness", Pressure),
+    ("wear.volume_per_energy", VolumePerEnergy),
+    ("wear.film_volume_per_energy", VolumePerEnergy),
     ("track.radius_ball", Length),
     ("track.radius_disc", Length),
     ("thermal.bulk_temperature", Temperature),

@@ -91,11 +91,23 @@ with_fields!(LubricantSpec {
 )]
 #[non_exhaustive]
 pub enum ViscositySpec {
+    /// Exponential in the pressure: [`Barus`](crate::lubricant::Barus).
+    Barus(BarusConstants),
     /// Free volume, with the density of Tait in place of that of Dowson and Higginson:
     /// [`DoolittleTait`](crate::lubricant::DoolittleTait).
     DoolittleTait(DoolittleTaitConstants),
     /// By the distance to the glass transition: [`ImprovedYasutomi`](crate::lubricant::ImprovedYasutomi).
     ImprovedYasutomi(ImprovedYasutomiConstants),
+}
+
+/// Constants of [`Barus`](crate::lubricant::Barus).
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+pub struct BarusConstants {
+    /// Viscosity at ambient pressure \[Pa s\].
+    pub eta0: f64,
+    /// Pressure-viscosity coefficient \[1/Pa\].
+    pub alpha: f64,
 }
 
 /// What a scene file holds.

@@ -206,10 +206,12 @@ impl Scene {
                     InputError::require_positive(&format!("materials.{name}.{key}"), value)
                 })?;
             }
-            if let (Some(hardness), None, None) = (body.hardness, &self.plastic, &self.wear) {
+            let by_wear = self.wear.and_then(|wear| wear.hardness());
+            if let (Some(hardness), None, None) = (body.hardness, &self.plastic, by_wear) {
                 return Err(InputError::Conflict {
                     field: format!("materials.{name}.hardness = {hardness:e}"),
-                    reason: "nothing uses it: the scene has neither [plastic] nor [wear]".to_owned(),
+                    reason: "nothing uses it: the scene has neither [plastic] nor [wear] by Archard's law"
+                        .to_owned(),
                 });
             }
         }

@@ -2,6 +2,8 @@
 
 use toml::{Table, Value};
 
+use super::tribofilm::{PROPORTIONAL_REMOVAL, STRESS_ACTIVATED, THERMAL_ARRHENIUS};
+
 const DOOLITTLE_TAIT: [&str; 9] =
     ["viscosity", "temperature", "b", "r0", "epsilon", "k0_slope", "k00", "beta", "expansion"];
 const IMPROVED_YASUTOMI: [&str; 8] =
@@ -36,6 +38,7 @@ pub(super) fn keys(scene: &Table) -> Vec<String> {
         Some(viscosity) => look(
             "lubricant.viscosity",
             match viscosity.get("law").and_then(Value::as_str) {
+                Some("barus") => &["eta0", "alpha"],
                 Some("doolittle_tait") => &DOOLITTLE_TAIT,
                 Some("improved_yasutomi") => &IMPROVED_YASUTOMI,
                 Some(_) => &[],
@@ -60,6 +63,9 @@ pub(super) fn keys(scene: &Table) -> Vec<String> {
             body,
             match kind(body) {
                 Some("gaussian" | "exponential") => &["rq", "length_x", "length_y"],
+                Some("self_affine") => &["rq", "hurst", "roll_off"],
+                Some("dimples") => &["radius", "depth", "pitch"],
+                Some("grooves") => &["width", "depth", "pitch", "direction"],
                 Some("file") => &["path"],
                 Some(_) => &[],
                 None => &["kind"],
@@ -67,6 +73,17 @@ pub(super) fn keys(scene: &Table) -> Vec<String> {
         );
     }
     look("plastic", &["hardness"]);
+    let law = |table: &str| find(scene, table).and_then(|given| given.get("law")).and_then(Value::as_str);
+    look(
+        "tribofilm",
+        match law("tribofilm") {
+            Some("stress_activated") => &STRESS_ACTIVATED,
+            Some("thermal_arrhenius") => &THERMAL_ARRHENIUS,
+            Some("proportional_removal") => &PROPORTIONAL_REMOVAL,
+            _ => &[],
+        },
+    );
+    look("wear", if law("wear") == Some("frictional_energy") { &["volume_per_energy"] } else { &[] });
     missing
 }
 

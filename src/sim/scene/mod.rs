@@ -10,22 +10,32 @@ mod materials;
 #[cfg(feature = "serde")]
 mod missing;
 mod processes;
+mod roughness;
+#[cfg(feature = "serde")]
+mod roughness_table;
 mod schedule;
 mod stress;
 #[cfg(feature = "serde")]
 mod tables;
 mod track;
-
-use std::path::PathBuf;
+mod tribofilm;
+mod wear;
 
 pub use elastic::{Elastic, LayerSpec};
-pub use lubricant::{LubricantSpec, ViscositySpec};
+pub use lubricant::{BarusConstants, LubricantSpec, ViscositySpec};
 pub(super) use materials::BODIES;
 pub use materials::{Material, Materials, NamedMaterial};
-pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec, TribofilmSpec, WearSpec};
+pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec};
+pub(super) use roughness::ShortestWaves;
+pub use roughness::{FileRoughness, RandomRoughness, Roughness, RoughnessPair};
 pub use schedule::{Schedule, Schedules};
 pub use stress::StressSpec;
 pub use track::{Exposure, TrackMotion, TrackSpec};
+pub use tribofilm::{
+    DrivingStress, GhanbarzadehSpec, ProportionalRemovalSpec, StressActivatedSpec, ThermalArrheniusSpec,
+    TribofilmSpec,
+};
+pub use wear::{ArchardSpec, FrictionalEnergySpec, WearSpec};
 
 use crate::analytic::{HertzLine, HertzPoint};
 use crate::error::InputError;
@@ -191,79 +201,6 @@ pub enum GridSpec {
         /// Largest error.
         accuracy: f64,
     },
-}
-
-/// Roughness of ball and disc.
-#[derive(Debug, Clone, PartialEq, Default)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default, deny_unknown_fields)
-)]
-pub struct RoughnessPair {
-    /// The ball, body 0.
-    pub ball: Roughness,
-    /// The disc, body 1.
-    pub disc: Roughness,
-}
-
-/// Roughness of one body.
-#[derive(Debug, Clone, PartialEq, Default)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(tag = "kind", rename_all = "snake_case", try_from = "tables::RoughnessTable")
-)]
-#[non_exhaustive]
-pub enum Roughness {
-    /// Smooth.
-    #[default]
-    None,
-    /// Random, Gaussian autocorrelation.
-    Gaussian(RandomRoughness),
-    /// Random, exponential autocorrelation.
-    Exponential(RandomRoughness),
-    /// A measured surface.
-    File(FileRoughness),
-}
-
-impl Roughness {
-    /// Whether the body has no roughness.
-    pub fn is_smooth(&self) -> bool {
-        match self {
-            Self::None => true,
-            Self::Gaussian(random) | Self::Exponential(random) => random.rq == 0.0,
-            Self::File(_) => false,
-        }
-    }
-}
-
-/// Parameters of random roughness.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct RandomRoughness {
-    /// Root mean square height \[m\].
-    pub rq: f64,
-    /// Length along x where the autocorrelation is 10 % \[m\].
-    pub length_x: f64,
-    /// Length along y where the autocorrelation is 10 % \[m\].
-    pub length_y: f64,
-    /// Seed.
-    #[cfg_attr(feature = "serde", serde(default, with = "tables::seed"))]
-    pub seed: u64,
-}
-
-/// A file of heights.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-pub struct FileRoughness {
-    /// Path, relative to the scene file, in any format of [`crate::surface`]. A file without spacings (`.npy`
-    /// of shape (ny, nx)) is taken node by node, heights in metres, positive out of the body; one with
-    /// spacings is levelled, mirror-tiled and resampled to the grid.
-    pub path: PathBuf,
-    /// Root mean square height to rescale to \[m\].
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub rq: Option<f64>,
 }
 
 /// How the contact problem is solved.
@@ -503,8 +440,9 @@ impl Scene {
                 });
             }
         };
+        let turned = contact.map(|contact| HertzContact { angle: self.form.angle(), ..contact });
         // All inputs are in range, so what is left is a result that is not.
-        contact.map_err(|error| InputError::Conflict {
+        turned.map_err(|error| InputError::Conflict {
             field: format!("{field} = {value:?}"),
             reason: format!("the Hertz contact under it is beyond the range of numbers ({error})"),
         })

@@ -1,9 +1,8 @@
-//! What changes the surfaces: flattening, friction, tribofilm, wear and heat.
+//! Flattening, friction and heat.
 
 use crate::error::InputError;
 use crate::lubricant::Rheology;
 use crate::reynolds::ShearThinning;
-use crate::tribochem::Activation;
 use crate::with_fields::with_fields;
 
 /// Pressure limit.
@@ -139,92 +138,6 @@ impl Default for FrictionSpec {
             carreau_exponent: None,
             limiting_stress_coefficient: None,
             eyring_in_reynolds: false,
-        }
-    }
-}
-
-/// Two-state growth and removal of a tribofilm (see [`crate::tribochem::Ghanbarzadeh`]).
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default, deny_unknown_fields)
-)]
-#[non_exhaustive]
-pub struct TribofilmSpec {
-    /// Thickness that growth alone approaches \[m\].
-    pub maximum_thickness: f64,
-    /// Mechanical activation factor.
-    pub x_tribo: f64,
-    /// Thickness that removal takes in the end \[m\].
-    pub removal_limit: f64,
-    /// Rate of removal \[1/s\].
-    pub removal_rate: f64,
-    /// Which nodes grow and lose film.
-    pub activation: Activation,
-}
-
-with_fields!(TribofilmSpec {
-    with_maximum_thickness maximum_thickness: f64,
-    with_x_tribo x_tribo: f64,
-    with_removal_limit removal_limit: f64,
-    with_removal_rate removal_rate: f64,
-    with_activation activation: Activation,
-});
-
-impl Default for TribofilmSpec {
-    /// The constants of Azam et al. (2019).
-    fn default() -> Self {
-        Self {
-            maximum_thickness: 200e-9,
-            x_tribo: 1.66e-16,
-            removal_limit: 54.32e-9,
-            removal_rate: 4.022e-4,
-            activation: Activation::SolidContact,
-        }
-    }
-}
-
-/// Archard wear with a film-dependent coefficient.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(default, deny_unknown_fields)
-)]
-#[non_exhaustive]
-pub struct WearSpec {
-    /// Dimensionless coefficient of the bare surface.
-    pub coefficient: f64,
-    /// Dimensionless coefficient under a film of full thickness.
-    pub film_coefficient: f64,
-    /// Hardness that divides the coefficient \[Pa\].
-    pub hardness: f64,
-    /// Hardness under a tribofilm of full thickness \[Pa\], the divisor falling linearly with the film;
-    /// absent: constant.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub film_hardness: Option<f64>,
-    /// Whether only solid pressure wears, or all pressure.
-    pub solid_pressure_only: bool,
-}
-
-with_fields!(WearSpec {
-    with_coefficient coefficient: f64,
-    with_film_coefficient film_coefficient: f64,
-    with_hardness hardness: f64,
-    with_film_hardness film_hardness: Option<f64>,
-    with_solid_pressure_only solid_pressure_only: bool,
-});
-
-impl Default for WearSpec {
-    /// The constants of Azam et al. (2019), all pressure.
-    fn default() -> Self {
-        Self {
-            coefficient: 5.45e-8,
-            film_coefficient: 5.45e-9,
-            hardness: 6e9,
-            film_hardness: None,
-            solid_pressure_only: false,
         }
     }
 }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 
-use super::{FileRoughness, GridSpec, RandomRoughness, Roughness, Schedule};
+use super::{GridSpec, Schedule};
 use crate::surface::Form;
 
 #[derive(Deserialize)]
@@ -16,6 +16,7 @@ struct FormTable {
     radius: Option<f64>,
     radius_x: Option<f64>,
     radius_y: Option<f64>,
+    angle: Option<f64>,
 }
 
 #[derive(Deserialize, Clone, Copy)]
@@ -32,18 +33,22 @@ pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D
         ("radius", table.radius.is_some()),
         ("radius_x", table.radius_x.is_some()),
         ("radius_y", table.radius_y.is_some()),
+        ("angle", table.angle.is_some()),
     ];
     match table.kind {
-        FormKind::Sphere => refuse_strays("sphere", &given, &["radius"])
+        FormKind::Sphere => refuse_strays("kind = \"sphere\"", &given, &["radius"])
             .and_then(|()| Ok(Form::Sphere { radius: required("radius", table.radius)? })),
-        FormKind::Cylinder => refuse_strays("cylinder", &given, &["radius"])
+        FormKind::Cylinder => refuse_strays("kind = \"cylinder\"", &given, &["radius"])
             .and_then(|()| Ok(Form::Cylinder { radius: required("radius", table.radius)? })),
-        FormKind::Ellipsoid => refuse_strays("ellipsoid", &given, &["radius_x", "radius_y"]).and_then(|()| {
-            Ok(Form::Ellipsoid {
-                radius_x: required("radius_x", table.radius_x)?,
-                radius_y: required("radius_y", table.radius_y)?,
+        FormKind::Ellipsoid => {
+            refuse_strays("kind = \"ellipsoid\"", &given, &["radius_x", "radius_y", "angle"]).and_then(|()| {
+                Ok(Form::Ellipsoid {
+                    radius_x: required("radius_x", table.radius_x)?,
+                    radius_y: required("radius_y", table.radius_y)?,
+                    angle: table.angle.unwrap_or_default(),
+                })
             })
-        }),
+        }
     }
     .map_err(D::Error::custom)
 }
@@ -86,64 +91,6 @@ impl GridTable {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct RoughnessTable {
-    kind: RoughnessKind,
-    rq: Option<f64>,
-    length_x: Option<f64>,
-    length_y: Option<f64>,
-    #[serde(default, deserialize_with = "seed::optional")]
-    seed: Option<u64>,
-    path: Option<PathBuf>,
-}
-
-#[derive(Deserialize, Clone, Copy)]
-#[serde(rename_all = "snake_case")]
-enum RoughnessKind {
-    None,
-    Gaussian,
-    Exponential,
-    File,
-}
-
-const RANDOM: [&str; 4] = ["rq", "length_x", "length_y", "seed"];
-
-impl TryFrom<RoughnessTable> for Roughness {
-    type Error = String;
-
-    fn try_from(table: RoughnessTable) -> Result<Self, String> {
-        let given = [
-            ("rq", table.rq.is_some()),
-            ("length_x", table.length_x.is_some()),
-            ("length_y", table.length_y.is_some()),
-            ("seed", table.seed.is_some()),
-            ("path", table.path.is_some()),
-        ];
-        let random = |kind| {
-            refuse_strays(kind, &given, &RANDOM)?;
-            Ok::<_, String>(RandomRoughness {
-                rq: required("rq", table.rq)?,
-                length_x: required("length_x", table.length_x)?,
-                length_y: required("length_y", table.length_y)?,
-                seed: table.seed.unwrap_or_default(),
-            })
-        };
-        Ok(match table.kind {
-            RoughnessKind::None => {
-                refuse_strays("none", &given, &[])?;
-                Self::None
-            }
-            RoughnessKind::Gaussian => Self::Gaussian(random("gaussian")?),
-            RoughnessKind::Exponential => Self::Exponential(random("exponential")?),
-            RoughnessKind::File => {
-                refuse_strays("file", &given, &["path", "rq"])?;
-                Self::File(FileRoughness { path: required("path", table.path)?, rq: table.rq })
-            }
-        })
-    }
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
 pub(super) struct ScheduleTable {
     kind: ScheduleKind,
     value: Option<f64>,
@@ -173,25 +120,25 @@ impl TryFrom<ScheduleTable> for Schedule {
         ];
         Ok(match table.kind {
             ScheduleKind::Constant => {
-                refuse_strays("constant", &given, &["value"])?;
+                refuse_strays("kind = \"constant\"", &given, &["value"])?;
                 Self::Constant { value: required("value", table.value)? }
             }
             ScheduleKind::Steps => {
-                refuse_strays("steps", &given, &["times", "values"])?;
+                refuse_strays("kind = \"steps\"", &given, &["times", "values"])?;
                 Self::Steps {
                     times: required("times", table.times)?,
                     values: required("values", table.values)?,
                 }
             }
             ScheduleKind::Ramps => {
-                refuse_strays("ramps", &given, &["times", "values"])?;
+                refuse_strays("kind = \"ramps\"", &given, &["times", "values"])?;
                 Self::Ramps {
                     times: required("times", table.times)?,
                     values: required("values", table.values)?,
                 }
             }
             ScheduleKind::Table => {
-                refuse_strays("table", &given, &["path"])?;
+                refuse_strays("kind = \"table\"", &given, &["path"])?;
                 Self::Table { path: required("path", table.path)? }
             }
         })
@@ -206,17 +153,23 @@ fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 2]>,
         .map_err(|_| D::Error::invalid_length(edges.len(), &"the two outer edges"))
 }
 
-fn refuse_strays(kind: &str, given: &[(&str, bool)], known: &[&str]) -> Result<(), String> {
+/// The key and whether the file has it.
+pub(super) fn given<'a, T>(key: &'a str, value: &Option<T>) -> (&'a str, bool) {
+    (key, value.is_some())
+}
+
+/// Error for a key of `given` that is none of `known`, those of a table with the `tag`.
+pub(super) fn refuse_strays(tag: &str, given: &[(&str, bool)], known: &[&str]) -> Result<(), String> {
     match given.iter().find(|(key, present)| *present && !known.contains(key)) {
         None => Ok(()),
         Some((key, _)) => Err(match known {
-            [] => format!("unknown field `{key}`, kind = \"{kind}\" has no other fields"),
-            _ => format!("unknown field `{key}`, kind = \"{kind}\" has `{}`", known.join("`, `")),
+            [] => format!("unknown field `{key}`, {tag} has no other fields"),
+            _ => format!("unknown field `{key}`, {tag} has `{}`", known.join("`, `")),
         }),
     }
 }
 
-fn required<T>(key: &str, value: Option<T>) -> Result<T, String> {
+pub(super) fn required<T>(key: &str, value: Option<T>) -> Result<T, String> {
     value.ok_or_else(|| format!("missing field `{key}`"))
 }
 
@@ -239,6 +192,16 @@ pub(super) mod seed {
         }
     }
 
+    pub(in super::super) fn serialize_optional<S: Serializer>(
+        seed: &Option<u64>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        match seed {
+            Some(seed) => serialize(seed, serializer),
+            None => serializer.serialize_none(),
+        }
+    }
+
     pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
         match Seed::deserialize(deserializer) {
             Ok(Seed::Number(number)) => Ok(number),
@@ -247,7 +210,9 @@ pub(super) mod seed {
         }
     }
 
-    pub(super) fn optional<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<u64>, D::Error> {
+    pub(in super::super) fn optional<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Option<u64>, D::Error> {
         deserialize(deserializer).map(Some)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Warning, short};
 use crate::error::InputError;
-use crate::sim::formula::formula_film;
+use crate::sim::formula::{ellipticity, formula_film};
 use crate::sim::hertz::HertzContact;
 use crate::sim::scene::Scene;
 use crate::sim::setup;
@@ -53,9 +53,12 @@ fn film_formula(scene: &Scene) -> Result<Option<Warning>, InputError> {
     let (hertz, law) = (scene.hertz()?, setup::viscosity(scene, conditions.bulk_temperature)?);
     let speed = conditions.motion.entrainment_speed;
     let Some(formulas) = formula_film(scene, &hertz, speed, law.as_deref(), None)? else { return Ok(None) };
-    let ellipticity = hertz.a_y / hertz.a_x;
+    let ellipticity = ellipticity(scene, &hertz)?;
     let [narrowest, widest] = ELLIPTICITIES;
-    let message = if !scene.form.is_line() && !(narrowest - 1e-9..=widest).contains(&ellipticity) {
+    let message = if hertz.angle != 0.0 {
+        "the formula is for entrainment along an axis of the ellipse; it takes the sections along and across it"
+            .to_owned()
+    } else if !scene.form.is_line() && !(narrowest - 1e-9..=widest).contains(&ellipticity) {
         format!("the ellipticity of {} is outside the range of the formula, 1 to 8", short(ellipticity))
     } else {
         let apart = |other: &f64| !(1.0 / APART..=APART).contains(&(formulas.central / other));

@@ -5,7 +5,7 @@ use crate::boundary::Boundary;
 use crate::grid::Grid;
 use crate::metrics::{Axis, profile_spectrum};
 use crate::sim::hertz::HertzContact;
-use crate::sim::scene::{BODIES, GridSpec, RandomRoughness, Roughness, Scene};
+use crate::sim::scene::{BODIES, GridSpec, Scene, ShortestWaves};
 use crate::sim::timetable::Timetable;
 
 /// Least distance of an edge from the point of first touch, in Hertz half-widths.
@@ -30,9 +30,10 @@ pub(super) fn boxes(scene: &Scene) -> Vec<Warning> {
 }
 
 fn edges(grid: &Grid, hertz: &HertzContact, is_line: bool) -> Vec<Warning> {
+    let [half_x, half_y] = hertz.half_extents();
     let axes = [
-        ("grid.x", grid.x(0) - 0.5 * grid.dx(), grid.size_x(), hertz.a_x),
-        ("grid.y", grid.y(0) - 0.5 * grid.dy(), grid.size_y(), hertz.a_y),
+        ("grid.x", grid.x(0) - 0.5 * grid.dx(), grid.size_x(), half_x),
+        ("grid.y", grid.y(0) - 0.5 * grid.dy(), grid.size_y(), half_y),
     ];
     let near = |(field, low, size, half_width): (&str, f64, f64, f64)| {
         let edge = if -low < low + size { low } else { low + size };
@@ -56,15 +57,14 @@ fn edges(grid: &Grid, hertz: &HertzContact, is_line: bool) -> Vec<Warning> {
 pub(super) fn known_waves(scene: &Scene) -> Vec<Warning> {
     let Ok(grid) = scene.grid() else { return Vec::new() };
     let bodies = || BODIES.into_iter().zip([&scene.roughness.ball, &scene.roughness.disc]);
-    let shortest = |length: fn(&RandomRoughness) -> f64| {
-        let lengths = bodies().filter_map(|(name, roughness)| match roughness {
-            Roughness::Gaussian(random) if !roughness.is_smooth() => Some((name, length(random))),
+    let shortest = |axis: usize| {
+        let lengths = bodies().filter_map(|(name, roughness)| match roughness.shortest_waves() {
+            ShortestWaves::Of(lengths) if lengths[axis].is_finite() => Some((name, lengths[axis])),
             _ => None,
         });
         lengths.min_by(|a, b| a.1.total_cmp(&b.1))
     };
-    let along_x = shortest(|random| random.length_x);
-    let along_y = shortest(|random| random.length_y).filter(|_| grid.ny() > 1);
+    let (along_x, along_y) = (shortest(0), shortest(1).filter(|_| grid.ny() > 1));
     let mut list: Vec<Warning> = [
         few_cells("grid.nx", (grid.nx(), grid.dx()), along_x),
         few_cells("grid.ny", (grid.ny(), grid.dy()), along_y),
@@ -72,8 +72,7 @@ pub(super) fn known_waves(scene: &Scene) -> Vec<Warning> {
     .into_iter()
     .flatten()
     .collect();
-    let endless = bodies()
-        .find(|(_, roughness)| matches!(roughness, Roughness::Exponential(_)) && !roughness.is_smooth());
+    let endless = bodies().find(|(_, roughness)| roughness.shortest_waves() == ShortestWaves::Endless);
     list.extend(endless.map(|(name, _)| {
         Warning::new(
             "grid.nx",
@@ -82,7 +81,7 @@ pub(super) fn known_waves(scene: &Scene) -> Vec<Warning> {
                 "roughness.{name} has waves down to any length, more than the cells hold: peak pressures and contact area \
                  depend on the cells"
             ),
-            "a Gaussian autocorrelation has shortest waves".to_owned(),
+            "a Gaussian autocorrelation or a shortest wavelength ends them".to_owned(),
         )
     }));
     list

@@ -2,7 +2,10 @@
 
 use super::{Warning, short};
 use crate::metrics::height_statistics;
-use crate::sim::scene::{BODIES, LubricantSpec, Roughness, Scene, Schedule};
+use crate::sim::scene::{
+    BODIES, LubricantSpec, ProportionalRemovalSpec, Scene, Schedule, StressActivatedSpec,
+    ThermalArrheniusSpec, TribofilmSpec, WearSpec,
+};
 
 /// A unit with others that people write in its place: name, factor and offset to the SI one.
 struct Unit {
@@ -19,6 +22,9 @@ const KELVIN: Unit = Unit { name: "K", others: &[("degC", 1.0, 273.15)] };
 const NEWTON: Unit = Unit { name: "N", others: &[("mN", 1e-3, 0.0), ("uN", 1e-6, 0.0)] };
 const DIFFUSIVITY: Unit = Unit { name: "m^2/s", others: &[("mm^2/s", 1e-6, 0.0)] };
 const CONDUCTIVITY: Unit = Unit { name: "W/(m K)", others: &[] };
+const JOULE: Unit =
+    Unit { name: "J", others: &[("eV", 1.602176634e-19, 0.0), ("kJ/mol", 1.66053906717e-21, 0.0)] };
+const VOLUME_PER_ENERGY: Unit = Unit { name: "m^3/J", others: &[("mm^3/J", 1e-9, 0.0)] };
 const PURE: Unit = Unit { name: "", others: &[("%", 0.01, 0.0)] };
 
 /// What a quantity may plausibly be, and what it is like as a rule.
@@ -54,6 +60,9 @@ const FRICTION: Plausible = plausible(0.0, 2.0, 0.1, &PURE);
 const STRESS: Plausible = plausible(1e4, 1e10, 5e7, &PASCAL);
 const TRIBOFILM: Plausible = plausible(1e-10, 1e-5, 1e-7, &METRE);
 const WEAR: Plausible = plausible(0.0, 1.0, 1e-6, &PURE);
+const WEAR_PER_ENERGY: Plausible = plausible(0.0, 1e-9, 1e-16, &VOLUME_PER_ENERGY);
+/// Up to 10 eV.
+const BARRIER: Plausible = plausible(1e-21, 1.6e-18, 1.3e-19, &JOULE);
 const TEMPERATURE: Plausible = plausible(200.0, 1500.0, 350.0, &KELVIN);
 const HEAT_CONDUCTIVITY: Plausible = plausible(0.01, 3000.0, 46.0, &CONDUCTIVITY);
 const HEAT_DIFFUSIVITY: Plausible = plausible(1e-8, 3e-3, 1e-5, &DIFFUSIVITY);
@@ -129,7 +138,7 @@ fn bodies(scene: &Scene) -> Vec<Entry> {
     use crate::surface::Form;
     let mut list = match scene.form {
         Form::Sphere { radius } | Form::Cylinder { radius } => vec![entry("form.radius", radius, RADIUS)],
-        Form::Ellipsoid { radius_x, radius_y } => {
+        Form::Ellipsoid { radius_x, radius_y, .. } => {
             let longer = if radius_x > radius_y { [LONGER_RADIUS, RADIUS] } else { [RADIUS, LONGER_RADIUS] };
             let [along_x, along_y] = longer;
             vec![entry("form.radius_x", radius_x, along_x), entry("form.radius_y", radius_y, along_y)]
@@ -188,13 +197,8 @@ fn oil(oil: &LubricantSpec) -> Vec<Entry> {
 
 fn roughness(scene: &Scene) -> Vec<Entry> {
     let half_width = scene.hertz().map_or(f64::INFINITY, |hertz| hertz.a_x.min(hertz.a_y));
-    let rq = |roughness: &Roughness| match roughness {
-        Roughness::None => None,
-        Roughness::Gaussian(random) | Roughness::Exponential(random) => Some(random.rq),
-        Roughness::File(file) => file.rq,
-    };
     let bodies = BODIES.into_iter().zip([&scene.roughness.ball, &scene.roughness.disc]);
-    bodies.map(|(name, body)| (format!("roughness.{name}.rq"), rq(body), largest_rq(half_width))).collect()
+    bodies.map(|(name, body)| (format!("roughness.{name}.rq"), body.rq(), largest_rq(half_width))).collect()
 }
 
 fn processes(scene: &Scene) -> Vec<Entry> {
@@ -211,13 +215,29 @@ fn processes(scene: &Scene) -> Vec<Entry> {
         list.push(entry("plastic.film_hardness", plastic.film_hardness, HARDNESS));
     }
     if let Some(film) = scene.tribofilm {
-        list.push(entry("tribofilm.maximum_thickness", film.maximum_thickness, TRIBOFILM));
+        list.push(entry("tribofilm.maximum_thickness", film.maximum_thickness(), TRIBOFILM));
+    }
+    if let Some(TribofilmSpec::Ghanbarzadeh(film)) = scene.tribofilm {
         list.push(entry("tribofilm.removal_limit", film.removal_limit, TRIBOFILM));
     }
-    if let Some(wear) = scene.wear {
-        list.push(entry("wear.coefficient", wear.coefficient, WEAR));
-        list.push(entry("wear.hardness", wear.hardness, HARDNESS));
-        list.push(entry("wear.film_hardness", wear.film_hardness, HARDNESS));
+    match scene.tribofilm {
+        Some(TribofilmSpec::StressActivated(StressActivatedSpec { activation_energy, .. }))
+        | Some(TribofilmSpec::ThermalArrhenius(ThermalArrheniusSpec { activation_energy, .. }))
+        | Some(TribofilmSpec::ProportionalRemoval(ProportionalRemovalSpec { activation_energy, .. })) => {
+            list.push(entry("tribofilm.activation_energy", activation_energy, BARRIER));
+        }
+        _ => {}
+    }
+    match scene.wear {
+        None => {}
+        Some(WearSpec::Archard(wear)) => {
+            list.push(entry("wear.coefficient", wear.coefficient, WEAR));
+            list.push(entry("wear.hardness", wear.hardness, HARDNESS));
+            list.push(entry("wear.film_hardness", wear.film_hardness, HARDNESS));
+        }
+        Some(WearSpec::FrictionalEnergy(wear)) => {
+            list.push(entry("wear.volume_per_energy", wear.volume_per_energy, WEAR_PER_ENERGY));
+        }
     }
     list
 }

@@ -26,7 +26,7 @@ impl FilmGrowthLaw for Deposited {
 }
 
 /// Half-space under a liner that is compressed in proportion to the pressure on it.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Lined {
     substrate: HalfSpace,
     compliance: f64,

@@ -1,0 +1,295 @@
+//! Growth of a tribofilm: the laws of the crate by name.
+
+#[cfg(feature = "serde")]
+use super::tables::{given, refuse_strays, required};
+use crate::error::InputError;
+use crate::tribochem::{
+    Activation, FilmGrowthLaw, Ghanbarzadeh, ProportionalRemoval, StressActivated, ThermalArrhenius,
+};
+
+/// Growth of a tribofilm by one of the laws of the crate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "law", rename_all = "snake_case", try_from = "TribofilmTable")
+)]
+#[non_exhaustive]
+pub enum TribofilmSpec {
+    /// Growth and removal in two states: [`Ghanbarzadeh`].
+    Ghanbarzadeh(GhanbarzadehSpec),
+    /// Growth that stress speeds up: [`StressActivated`].
+    StressActivated(StressActivatedSpec),
+    /// Growth by temperature alone: [`ThermalArrhenius`].
+    ThermalArrhenius(ThermalArrheniusSpec),
+    /// Growth by shear stress against removal in proportion to the film: [`ProportionalRemoval`].
+    ProportionalRemoval(ProportionalRemovalSpec),
+}
+
+/// Constants of [`Ghanbarzadeh`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct GhanbarzadehSpec {
+    /// Thickness that growth alone approaches \[m\].
+    pub maximum_thickness: f64,
+    /// Mechanical activation factor.
+    pub x_tribo: f64,
+    /// Thickness that removal takes in the end \[m\].
+    pub removal_limit: f64,
+    /// Rate of removal \[1/s\].
+    pub removal_rate: f64,
+    /// Which nodes grow and lose film.
+    pub activation: Activation,
+}
+
+/// Constants of [`StressActivated`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct StressActivatedSpec {
+    /// Thickness that growth approaches \[m\].
+    pub maximum_thickness: f64,
+    /// Rate constant without barrier \[1/s\].
+    pub prefactor: f64,
+    /// Height of the barrier \[J\].
+    pub activation_energy: f64,
+    /// Volume that the stress acts on \[m^3\].
+    pub activation_volume: f64,
+    /// The stress that lowers the barrier.
+    pub stress: DrivingStress,
+    /// Which nodes grow film.
+    pub activation: Activation,
+}
+
+/// The stress that lowers the barrier of [`StressActivated`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum DrivingStress {
+    /// Shear stress of contact and fluid.
+    Shear,
+    /// Pressure.
+    Normal,
+}
+
+/// Constants of [`ThermalArrhenius`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ThermalArrheniusSpec {
+    /// Thickness that growth approaches \[m\].
+    pub maximum_thickness: f64,
+    /// Rate constant without barrier \[1/s\].
+    pub prefactor: f64,
+    /// Height of the barrier \[J\].
+    pub activation_energy: f64,
+    /// Which nodes grow film.
+    pub activation: Activation,
+}
+
+/// Constants of [`ProportionalRemoval`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ProportionalRemovalSpec {
+    /// Largest thickness \[m\].
+    pub maximum_thickness: f64,
+    /// Rate of growth without barrier \[m/s\].
+    pub growth_rate: f64,
+    /// Height of the barrier \[J\].
+    pub activation_energy: f64,
+    /// Volume that the shear stress acts on \[m^3\].
+    pub activation_volume: f64,
+    /// Rate of removal \[1/s\].
+    pub removal_rate: f64,
+    /// Which nodes grow and lose film.
+    pub activation: Activation,
+}
+
+impl Default for GhanbarzadehSpec {
+    /// The constants of Azam et al. (2019).
+    fn default() -> Self {
+        Self {
+            maximum_thickness: 200e-9,
+            x_tribo: 1.66e-16,
+            removal_limit: 54.32e-9,
+            removal_rate: 4.022e-4,
+            activation: Activation::SolidContact,
+        }
+    }
+}
+
+impl Default for TribofilmSpec {
+    /// The law and the constants of Azam et al. (2019).
+    fn default() -> Self {
+        Self::Ghanbarzadeh(GhanbarzadehSpec::default())
+    }
+}
+
+impl TribofilmSpec {
+    /// Thickness that growth alone approaches, or the largest one \[m\].
+    pub fn maximum_thickness(&self) -> f64 {
+        match self {
+            Self::Ghanbarzadeh(spec) => spec.maximum_thickness,
+            Self::StressActivated(spec) => spec.maximum_thickness,
+            Self::ThermalArrhenius(spec) => spec.maximum_thickness,
+            Self::ProportionalRemoval(spec) => spec.maximum_thickness,
+        }
+    }
+
+    /// The law.
+    ///
+    /// # Errors
+    /// A constant out of range.
+    pub fn law(&self) -> Result<Box<dyn FilmGrowthLaw>, InputError> {
+        Ok(match *self {
+            Self::Ghanbarzadeh(spec) => {
+                let GhanbarzadehSpec { maximum_thickness, x_tribo, removal_limit, removal_rate, activation } =
+                    spec;
+                let law = Ghanbarzadeh::new(maximum_thickness, x_tribo, removal_limit, removal_rate)?;
+                Box::new(law.with_activation(activation))
+            }
+            Self::StressActivated(spec) => {
+                let by = match spec.stress {
+                    DrivingStress::Shear => StressActivated::by_shear_stress,
+                    DrivingStress::Normal => StressActivated::by_normal_stress,
+                };
+                let law = by(
+                    spec.maximum_thickness,
+                    spec.prefactor,
+                    spec.activation_energy,
+                    spec.activation_volume,
+                )?;
+                Box::new(law.with_activation(spec.activation))
+            }
+            Self::ThermalArrhenius(spec) => {
+                let law =
+                    ThermalArrhenius::new(spec.maximum_thickness, spec.prefactor, spec.activation_energy)?;
+                Box::new(law.with_activation(spec.activation))
+            }
+            Self::ProportionalRemoval(spec) => {
+                let law = ProportionalRemoval::new(
+                    spec.maximum_thickness,
+                    spec.growth_rate,
+                    spec.activation_energy,
+                    spec.activation_volume,
+                    spec.removal_rate,
+                )?;
+                Box::new(law.with_activation(spec.activation))
+            }
+        })
+    }
+}
+
+/// What a scene file holds.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TribofilmTable {
+    law: Option<LawName>,
+    maximum_thickness: Option<f64>,
+    x_tribo: Option<f64>,
+    removal_limit: Option<f64>,
+    removal_rate: Option<f64>,
+    prefactor: Option<f64>,
+    growth_rate: Option<f64>,
+    activation_energy: Option<f64>,
+    activation_volume: Option<f64>,
+    stress: Option<DrivingStress>,
+    activation: Option<Activation>,
+}
+
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize, Clone, Copy)]
+#[serde(rename_all = "snake_case")]
+enum LawName {
+    Ghanbarzadeh,
+    StressActivated,
+    ThermalArrhenius,
+    ProportionalRemoval,
+}
+
+#[cfg(feature = "serde")]
+const GHANBARZADEH: [&str; 5] =
+    ["maximum_thickness", "x_tribo", "removal_limit", "removal_rate", "activation"];
+#[cfg(feature = "serde")]
+pub(super) const THERMAL_ARRHENIUS: [&str; 3] = ["maximum_thickness", "prefactor", "activation_energy"];
+#[cfg(feature = "serde")]
+pub(super) const STRESS_ACTIVATED: [&str; 5] =
+    ["maximum_thickness", "prefactor", "activation_energy", "activation_volume", "stress"];
+#[cfg(feature = "serde")]
+pub(super) const PROPORTIONAL_REMOVAL: [&str; 5] =
+    ["maximum_thickness", "growth_rate", "activation_energy", "activation_volume", "removal_rate"];
+
+#[cfg(feature = "serde")]
+impl TryFrom<TribofilmTable> for TribofilmSpec {
+    type Error = String;
+
+    fn try_from(table: TribofilmTable) -> Result<Self, String> {
+        let activation = table.activation;
+        match table.law.unwrap_or(LawName::Ghanbarzadeh) {
+            LawName::Ghanbarzadeh => {
+                table.has("law = \"ghanbarzadeh\"", &GHANBARZADEH)?;
+                let usual = GhanbarzadehSpec::default();
+                Ok(Self::Ghanbarzadeh(GhanbarzadehSpec {
+                    maximum_thickness: table.maximum_thickness.unwrap_or(usual.maximum_thickness),
+                    x_tribo: table.x_tribo.unwrap_or(usual.x_tribo),
+                    removal_limit: table.removal_limit.unwrap_or(usual.removal_limit),
+                    removal_rate: table.removal_rate.unwrap_or(usual.removal_rate),
+                    activation: activation.unwrap_or(usual.activation),
+                }))
+            }
+            LawName::ThermalArrhenius => {
+                table.has("law = \"thermal_arrhenius\"", &THERMAL_ARRHENIUS)?;
+                Ok(Self::ThermalArrhenius(ThermalArrheniusSpec {
+                    maximum_thickness: required("maximum_thickness", table.maximum_thickness)?,
+                    prefactor: required("prefactor", table.prefactor)?,
+                    activation_energy: required("activation_energy", table.activation_energy)?,
+                    activation: activation.unwrap_or(Activation::SolidContact),
+                }))
+            }
+            LawName::StressActivated => {
+                table.has("law = \"stress_activated\"", &STRESS_ACTIVATED)?;
+                let stress = required("stress", table.stress)?;
+                let usual = match stress {
+                    DrivingStress::Shear => Activation::ShearStress,
+                    DrivingStress::Normal => Activation::SolidContact,
+                };
+                Ok(Self::StressActivated(StressActivatedSpec {
+                    maximum_thickness: required("maximum_thickness", table.maximum_thickness)?,
+                    prefactor: required("prefactor", table.prefactor)?,
+                    activation_energy: required("activation_energy", table.activation_energy)?,
+                    activation_volume: required("activation_volume", table.activation_volume)?,
+                    stress,
+                    activation: activation.unwrap_or(usual),
+                }))
+            }
+            LawName::ProportionalRemoval => {
+                table.has("law = \"proportional_removal\"", &PROPORTIONAL_REMOVAL)?;
+                Ok(Self::ProportionalRemoval(ProportionalRemovalSpec {
+                    maximum_thickness: required("maximum_thickness", table.maximum_thickness)?,
+                    growth_rate: required("growth_rate", table.growth_rate)?,
+                    activation_energy: required("activation_energy", table.activation_energy)?,
+                    activation_volume: required("activation_volume", table.activation_volume)?,
+                    removal_rate: required("removal_rate", table.removal_rate)?,
+                    activation: activation.unwrap_or(Activation::ShearStress),
+                }))
+            }
+        }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl TribofilmTable {
+    /// Error for a key that the law does not have.
+    fn has(&self, law: &str, known: &[&str]) -> Result<(), String> {
+        let numbers = [
+            given("maximum_thickness", &self.maximum_thickness),
+            given("x_tribo", &self.x_tribo),
+            given("removal_limit", &self.removal_limit),
+            given("removal_rate", &self.removal_rate),
+            given("prefactor", &self.prefactor),
+            given("growth_rate", &self.growth_rate),
+            given("activation_energy", &self.activation_energy),
+            given("activation_volume", &self.activation_volume),
+            given("stress", &self.stress),
+        ];
+        refuse_strays(law, &numbers, known)
+    }
+}

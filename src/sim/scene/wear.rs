@@ -1,0 +1,191 @@
+//! Wear: the laws of the crate by name.
+
+#[cfg(feature = "serde")]
+use super::tables::{given, refuse_strays, required};
+use crate::error::InputError;
+use crate::wear::{Archard, FrictionalEnergy, WearLaw, WearPressure};
+
+/// Wear by one of the laws of the crate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "law", rename_all = "snake_case", try_from = "WearTable")
+)]
+#[non_exhaustive]
+pub enum WearSpec {
+    /// In proportion to pressure and distance: [`Archard`].
+    Archard(ArchardSpec),
+    /// In proportion to the energy of friction: [`FrictionalEnergy`].
+    FrictionalEnergy(FrictionalEnergySpec),
+}
+
+/// Constants of [`Archard`], with a film-dependent coefficient.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ArchardSpec {
+    /// Dimensionless coefficient of the bare surface.
+    pub coefficient: f64,
+    /// Dimensionless coefficient under a film of full thickness.
+    pub film_coefficient: f64,
+    /// Hardness that divides the coefficient \[Pa\].
+    pub hardness: f64,
+    /// Hardness under a tribofilm of full thickness \[Pa\], the divisor falling linearly with the film;
+    /// absent: constant.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub film_hardness: Option<f64>,
+    /// Whether only solid pressure wears, or all pressure.
+    pub solid_pressure_only: bool,
+}
+
+/// Constants of [`FrictionalEnergy`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FrictionalEnergySpec {
+    /// Volume worn of the bare surface over the energy of friction \[m^3/J\].
+    pub volume_per_energy: f64,
+    /// That under a film of full thickness \[m^3/J\].
+    pub film_volume_per_energy: f64,
+}
+
+impl Default for ArchardSpec {
+    /// The constants of Azam et al. (2019), all pressure.
+    fn default() -> Self {
+        Self {
+            coefficient: 5.45e-8,
+            film_coefficient: 5.45e-9,
+            hardness: 6e9,
+            film_hardness: None,
+            solid_pressure_only: false,
+        }
+    }
+}
+
+impl Default for WearSpec {
+    /// The law and the constants of Azam et al. (2019).
+    fn default() -> Self {
+        Self::Archard(ArchardSpec::default())
+    }
+}
+
+impl WearSpec {
+    /// Hardness that the law divides by \[Pa\]; none for a law without.
+    pub fn hardness(&self) -> Option<f64> {
+        match self {
+            Self::Archard(spec) => Some(spec.hardness),
+            Self::FrictionalEnergy(_) => None,
+        }
+    }
+
+    /// The law of a body of `hardness` \[Pa\], which laws without one pass over, under films whose full
+    /// thickness is `film_thickness` \[m\]; none where there are no films.
+    ///
+    /// # Errors
+    /// A constant out of range.
+    pub fn law(&self, hardness: f64, film_thickness: Option<f64>) -> Result<Box<dyn WearLaw>, InputError> {
+        // Without a film the reference thickness is never reached: any positive one will do.
+        let full = film_thickness.unwrap_or(1.0);
+        Ok(match *self {
+            Self::Archard(spec) => {
+                let mut law = Archard::new(spec.coefficient, spec.film_coefficient, full, hardness)?;
+                if let Some(film_hardness) = spec.film_hardness {
+                    law = law.with_film_hardness(film_hardness)?;
+                }
+                let pressure =
+                    if spec.solid_pressure_only { WearPressure::Solid } else { WearPressure::Total };
+                Box::new(law.with_pressure(pressure))
+            }
+            Self::FrictionalEnergy(spec) => {
+                Box::new(FrictionalEnergy::new(spec.volume_per_energy, spec.film_volume_per_energy, full)?)
+            }
+        })
+    }
+
+    /// Checks the constants.
+    pub(in crate::sim) fn validate(&self) -> Result<(), InputError> {
+        match *self {
+            Self::Archard(spec) => {
+                InputError::require_non_negative("wear.coefficient", spec.coefficient)?;
+                InputError::require(
+                    (0.0..=spec.coefficient).contains(&spec.film_coefficient),
+                    "wear.film_coefficient",
+                    spec.film_coefficient,
+                    "between 0 and wear.coefficient",
+                )?;
+                InputError::require_positive("wear.hardness", spec.hardness)?;
+                match spec.film_hardness {
+                    Some(film) => InputError::require_positive("wear.film_hardness", film),
+                    None => Ok(()),
+                }
+            }
+            Self::FrictionalEnergy(_) => self.law(1.0, None).map(|_| ()),
+        }
+    }
+}
+
+/// What a scene file holds.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WearTable {
+    law: Option<LawName>,
+    coefficient: Option<f64>,
+    film_coefficient: Option<f64>,
+    hardness: Option<f64>,
+    film_hardness: Option<f64>,
+    solid_pressure_only: Option<bool>,
+    volume_per_energy: Option<f64>,
+    film_volume_per_energy: Option<f64>,
+}
+
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize, Clone, Copy)]
+#[serde(rename_all = "snake_case")]
+enum LawName {
+    Archard,
+    FrictionalEnergy,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<WearTable> for WearSpec {
+    type Error = String;
+
+    fn try_from(table: WearTable) -> Result<Self, String> {
+        let keys = [
+            given("coefficient", &table.coefficient),
+            given("film_coefficient", &table.film_coefficient),
+            given("hardness", &table.hardness),
+            given("film_hardness", &table.film_hardness),
+            given("solid_pressure_only", &table.solid_pressure_only),
+            given("volume_per_energy", &table.volume_per_energy),
+            given("film_volume_per_energy", &table.film_volume_per_energy),
+        ];
+        match table.law.unwrap_or(LawName::Archard) {
+            LawName::Archard => {
+                let (known, _) = keys.split_at(5);
+                refuse_strays(
+                    "law = \"archard\"",
+                    &keys,
+                    &known.iter().map(|key| key.0).collect::<Vec<_>>(),
+                )?;
+                let usual = ArchardSpec::default();
+                Ok(Self::Archard(ArchardSpec {
+                    coefficient: table.coefficient.unwrap_or(usual.coefficient),
+                    film_coefficient: table.film_coefficient.unwrap_or(usual.film_coefficient),
+                    hardness: table.hardness.unwrap_or(usual.hardness),
+                    film_hardness: table.film_hardness,
+                    solid_pressure_only: table.solid_pressure_only.unwrap_or(usual.solid_pressure_only),
+                }))
+            }
+            LawName::FrictionalEnergy => {
+                let known = ["volume_per_energy", "film_volume_per_energy"];
+                refuse_strays("law = \"frictional_energy\"", &keys, &known)?;
+                let bare = required("volume_per_energy", table.volume_per_energy)?;
+                Ok(Self::FrictionalEnergy(FrictionalEnergySpec {
+                    volume_per_energy: bare,
+                    film_volume_per_energy: table.film_volume_per_energy.unwrap_or(bare),
+                }))
+            }
+        }
+    }
+}
