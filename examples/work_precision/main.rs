@@ -132,7 +132,7 @@ const CASES: [Case; 4] = [
         name: "mixed",
         title: "mixed, rough",
         quantities: ["load ratio", "friction"],
-        scene: |n| Scene::azam_2019(n),
+        scene: transition,
         rough: true,
         grids: &[32, 64, 128, 256],
         solvers: &[("newton_krylov", 256), (WEDGE, 256), ("semi_system", 64)],
@@ -207,6 +207,13 @@ fn ball(moes_load: f64, n: usize) -> Scene {
         let a = hertz.a_x;
         scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-4.5 * a, 1.5 * a], y: [-3.0 * a, 3.0 * a] };
     }
+    scene
+}
+
+/// The reference contact at a speed at which solids and oil carry about half of the load each.
+fn transition(n: usize) -> Scene {
+    let mut scene = Scene::azam_2019(n);
+    scene.motion.entrainment_speed = 0.02;
     scene
 }
 
