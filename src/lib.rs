@@ -97,6 +97,7 @@ pub mod sim;
 pub mod surface;
 #[cfg(feature = "testing")]
 pub mod testing;
+pub mod thermal;
 pub mod tribochem;
 pub mod units;
 pub mod wear;

@@ -36,6 +36,7 @@ fn contact(moes_load: f64, moes_lubricant: f64, accuracy: f64) -> Scene {
         density_a: 0.34 / 5.9e8,
         density_b: 1.0 / 5.9e8,
         supplied_film: None,
+        thermal: None,
     });
     scene.roughness = Default::default();
     scene.plastic = None;

@@ -39,6 +39,7 @@ fn ball(moes_load: f64, moes_lubricant: f64, n: usize) -> Scene {
         density_a: 0.34 / 5.9e8,
         density_b: 1.0 / 5.9e8,
         supplied_film: None,
+        thermal: None,
     });
     scene.roughness = Default::default();
     scene.plastic = None;
@@ -130,6 +131,7 @@ fn steel_ball_in_thick_oil_converges_on_every_grid() {
             density_a: 0.34 / 5.9e8,
             density_b: 1.0 / 5.9e8,
             supplied_film: None,
+            thermal: None,
         });
         scene.roughness = Default::default();
         scene.plastic = None;

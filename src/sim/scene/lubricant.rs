@@ -1,6 +1,7 @@
 //! The lubricant: viscosity, density and supply.
 
 use crate::lubricant::{DoolittleTaitConstants, ImprovedYasutomiConstants};
+use crate::thermal::FilmThermal;
 
 /// Viscosity, of Roelands unless `viscosity` names another law, and Dowson-Higginson density.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,6 +45,10 @@ pub struct LubricantSpec {
     /// cavitation that conserves mass.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub supplied_film: Option<f64>,
+    /// Thermal properties, with which the film has a temperature of its own; absent: the bulk temperature.
+    /// Single contacts only; needs a viscosity that knows temperature.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub thermal: Option<FilmThermal>,
 }
 
 /// A law of viscosity by pressure and temperature, at the bulk temperature.
@@ -78,6 +83,7 @@ struct LubricantTable {
     density_a: Option<f64>,
     density_b: Option<f64>,
     supplied_film: Option<f64>,
+    thermal: Option<FilmThermal>,
 }
 
 #[cfg(feature = "serde")]
@@ -117,6 +123,7 @@ impl TryFrom<LubricantTable> for LubricantSpec {
             density_a: table.density_a.unwrap_or(0.6e-9),
             density_b: table.density_b.unwrap_or(1.7e-9),
             supplied_film: table.supplied_film,
+            thermal: table.thermal,
         })
     }
 }

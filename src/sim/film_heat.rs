@@ -1,0 +1,178 @@
+//! A contact and the temperature of its film as one converged state.
+
+use super::SimError;
+use super::contact::ContactModel;
+use super::friction::FrictionFields;
+use super::scene::Scene;
+use super::simulation::Laws;
+use super::solution::is_known;
+use crate::error::InputError;
+use crate::metrics;
+use crate::report::{SolveReport, Status};
+use crate::reynolds::ContactState;
+use crate::thermal::{FilmFlow, FilmTemperature, HeatBalance};
+
+/// Solves of the contact at most.
+const MAX_SOLVES: usize = 40;
+/// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat makes.
+const TOLERANCE: f64 = 5e-3;
+/// Share of the way to the new viscosities that is kept at least.
+const LEAST_STEP: f64 = 0.1;
+
+/// Film temperature of a solved contact.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct FilmHeatNumbers {
+    /// Mean temperature across the film at every node \[K\].
+    pub temperature: Vec<f64>,
+    /// Largest temperature of the film \[K\].
+    pub maximum: f64,
+    /// Mean over r <= 2a/3 \[K\].
+    pub mean_central: f64,
+    /// Largest rises of the surfaces of ball and disc above the bulk temperature \[K\].
+    pub surface_rises: [f64; 2],
+    /// Heat of the contact.
+    pub balance: HeatBalance,
+    /// Solves of the contact.
+    pub solves: usize,
+    /// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat
+    /// makes.
+    pub change: f64,
+}
+
+/// What stays the same from solve to solve.
+pub(super) struct Surroundings<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) laws: &'a Laws,
+    pub(super) gap: &'a [f64],
+    pub(super) limit: Option<&'a [f64]>,
+    pub(super) tribofilms: &'a [Vec<f64>; 2],
+}
+
+/// Solves the contact as [`ContactModel::solve`] does and, where the scene asks for the temperature of the
+/// film, again with the viscosities that belong to it, until both agree; overwrites `friction` with the
+/// stresses of the warm film. Where they do not agree within [`MAX_SOLVES`] the status is
+/// [`Status::MaxIterations`].
+pub(super) fn solve(
+    given: &Surroundings<'_>,
+    model: &mut ContactModel,
+    state: &mut ContactState,
+    friction: &mut FrictionFields,
+) -> Result<(SolveReport, Option<FilmHeatNumbers>), SimError> {
+    let report = model.solve(given.gap, given.limit, None, state)?;
+    let properties = given.scene.lubricant.and_then(|lubricant| lubricant.thermal);
+    let known = is_known(state);
+    if known {
+        friction.update(model, state, given.laws.friction.as_ref(), given.tribofilms)?;
+    }
+    let (Some(properties), Some(_), true) = (properties, &model.lubricant, known) else {
+        return Ok((report, None));
+    };
+    let (bodies, speeds) = (given.scene.thermal_bodies(), model.motion.surface_speeds());
+    let temperature = FilmTemperature::new(&model.grid, properties, bodies, speeds)?;
+    Loop { temperature, used: vec![1.0; state.film.len()], step: 1.0 }.run(
+        given,
+        (model, state, friction),
+        report,
+    )
+}
+
+/// The iteration between contact and temperature.
+struct Loop {
+    temperature: FilmTemperature,
+    /// Ratios of viscosity that the contact was solved with.
+    used: Vec<f64>,
+    /// Share of the way to new ones that is gone.
+    step: f64,
+}
+
+impl Loop {
+    fn run(
+        mut self,
+        given: &Surroundings<'_>,
+        (model, state, friction): (&mut ContactModel, &mut ContactState, &mut FrictionFields),
+        mut report: SolveReport,
+    ) -> Result<(SolveReport, Option<FilmHeatNumbers>), SimError> {
+        let (mut solves, mut last) = (1, f64::INFINITY);
+        loop {
+            let balance = self.heat(model, state, friction)?;
+            let change = self.difference();
+            let agree = change <= TOLERANCE && balance.is_converged();
+            let done = agree || solves >= MAX_SOLVES || report.status != Status::Converged;
+            if done {
+                if !agree && report.status == Status::Converged {
+                    report.status = Status::MaxIterations;
+                }
+                friction.shear.copy_from_slice(self.temperature.stress());
+                return Ok((report, Some(self.numbers(model, balance, (solves, change))?)));
+            }
+            // A step that brings nothing is too long.
+            self.step = if change > 0.7 * last { (0.5 * self.step).max(LEAST_STEP) } else { self.step };
+            last = change;
+            for (used, new) in self.used.iter_mut().zip(self.temperature.viscosity_ratios()) {
+                *used *= (new / *used).powf(self.step);
+            }
+            if let Some(lubricant) = &mut model.lubricant {
+                lubricant.set_viscosity_ratios(&self.used)?;
+            }
+            let work = report.work;
+            report = model.solve(given.gap, given.limit, None, state)?;
+            report.work += work;
+            solves += 1;
+            if !is_known(state) {
+                return Ok((report, None));
+            }
+            friction.update(model, state, given.laws.friction.as_ref(), given.tribofilms)?;
+        }
+    }
+
+    /// Temperatures of the contact as it is.
+    fn heat(
+        &mut self,
+        model: &ContactModel,
+        state: &ContactState,
+        friction: &FrictionFields,
+    ) -> Result<HeatBalance, InputError> {
+        let Some(lubricant) = &model.lubricant else {
+            return Err(InputError::Conflict {
+                field: "lubricant.thermal".to_owned(),
+                reason: "the contact is dry".to_owned(),
+            });
+        };
+        self.temperature.update(&FilmFlow {
+            lubricant,
+            rheology: friction.rheology(),
+            pressure: &state.fluid_pressure,
+            film: &state.film,
+            content: &state.content,
+            boundary_heat: &friction.boundary_heat(),
+            speeds: (model.motion.entrainment_speed, model.motion.sliding_speed()),
+            bulk_temperature: model.bulk_temperature,
+        })
+    }
+
+    fn difference(&self) -> f64 {
+        let pairs = self.used.iter().zip(self.temperature.viscosity_ratios());
+        pairs.fold(0.0, |largest, (used, new)| (new / used).ln().abs().max(largest))
+    }
+
+    fn numbers(
+        &self,
+        model: &ContactModel,
+        balance: HeatBalance,
+        (solves, change): (usize, f64),
+    ) -> Result<FilmHeatNumbers, InputError> {
+        let temperature = self.temperature.mean().to_vec();
+        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |largest, value| largest.max(*value));
+        let (a_x, a_y) = (model.hertz.a_x, model.hertz.a_y);
+        Ok(FilmHeatNumbers {
+            maximum: largest(&temperature),
+            mean_central: metrics::average_central_film(&model.grid, &temperature, a_x, a_y)?,
+            surface_rises: self.temperature.surface_rises().map(largest),
+            temperature,
+            balance,
+            solves,
+            change,
+        })
+    }
+}

@@ -1,0 +1,270 @@
+//! The temperature of the film in a contact.
+
+use super::{FilmSection, FilmThermal, SectionSolver};
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::lubricant::{Lubricant, Rheology};
+use crate::tribochem::{FlashTemperature, ThermalBody};
+
+/// Passes over film and surfaces at most.
+const MAX_PASSES: usize = 60;
+/// Change of a surface temperature in the last pass, over the largest rise.
+const TOLERANCE: f64 = 3e-4;
+/// The same where nothing gets warm \[K\].
+const LEAST_CHANGE: f64 = 1e-9;
+
+/// A solved contact as its heat needs it; fields have one value a node.
+#[derive(Debug, Clone, Copy)]
+pub struct FilmFlow<'a> {
+    /// The lubricant, its laws at the bulk temperature.
+    pub lubricant: &'a Lubricant,
+    /// Shear stress of the fluid.
+    pub rheology: &'a Rheology,
+    /// Pressure of the fluid \[Pa\].
+    pub pressure: &'a [f64],
+    /// Film thickness \[m\].
+    pub film: &'a [f64],
+    /// Share of the gap that is filled.
+    pub content: &'a [f64],
+    /// Heat of solid friction \[W/m^2\].
+    pub boundary_heat: &'a [f64],
+    /// Mean speed of the surfaces and sliding speed, neither negative \[m/s\].
+    pub speeds: (f64, f64),
+    /// Temperature of the bodies far from the contact and of the oil that flows in \[K\].
+    pub bulk_temperature: f64,
+}
+
+/// Heat of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct HeatBalance {
+    /// Heat of shear, of flow by pressure, of compression and of solid friction \[W\].
+    pub generated: f64,
+    /// What goes into the two bodies \[W\].
+    pub conducted: [f64; 2],
+    /// What the flow carries out of the box \[W\].
+    pub carried: f64,
+    /// Passes over film and surfaces.
+    pub passes: usize,
+    /// Change of a surface temperature in the last pass, over what is accepted.
+    pub change: f64,
+}
+
+impl HeatBalance {
+    /// Heat that comes from nowhere, over what is generated; zero without any. Film that expansion cools below
+    /// its surfaces takes nothing from them: that is what is left here.
+    pub fn imbalance(&self) -> f64 {
+        let gone = self.conducted[0] + self.conducted[1] + self.carried;
+        if self.generated == 0.0 { 0.0 } else { ((gone - self.generated) / self.generated).abs() }
+    }
+
+    /// Whether film and surfaces agree.
+    pub fn is_converged(&self) -> bool {
+        self.change <= 1.0
+    }
+}
+
+/// Temperatures of film and surfaces in a contact.
+///
+/// A node is a [`FilmSection`]. Sections of a row, from its inlet on, are connected by the heat that the mean
+/// flow carries, `C = rho c u h / dx`, first order upwind; what goes to the surfaces heats them as
+/// [`FlashTemperature::rises_through_film`] has it. Film and surfaces are found in passes, one after the
+/// other, in which the surfaces of a node follow its heat in proportion.
+///
+/// Heat of the flow by pressure is the flow through a face times the drop of pressure over it, half to each of
+/// its nodes; that of compression `T a_V h u dp/dx`. Left out: heat along the film by conduction, and what the
+/// flow by pressure carries beside the entrained one.
+#[derive(Debug, Clone)]
+pub struct FilmTemperature {
+    grid: Grid,
+    properties: FilmThermal,
+    solver: SectionSolver,
+    flash: FlashTemperature,
+    mean: Vec<f64>,
+    stress: Vec<f64>,
+    ratios: Vec<f64>,
+    /// Rises of the surfaces \[K\].
+    rises: [Vec<f64>; 2],
+    new_rises: [Vec<f64>; 2],
+    /// Heat that leaves the film, and with that of solid friction.
+    conducted: Vec<f64>,
+    heat: Vec<f64>,
+    resistance: Vec<f64>,
+    pressure_heat: Vec<f64>,
+    compression: Vec<f64>,
+}
+
+impl FilmTemperature {
+    /// Plans for a contact on `grid` of a fluid between `bodies` whose surfaces move at `speeds` along x
+    /// \[m/s\].
+    ///
+    /// # Errors
+    /// A property out of range, a speed that is not finite.
+    pub fn new(
+        grid: &Grid,
+        properties: FilmThermal,
+        bodies: [ThermalBody; 2],
+        speeds: [f64; 2],
+    ) -> Result<Self, InputError> {
+        properties.validate()?;
+        let zeros = || vec![0.0; grid.len()];
+        Ok(Self {
+            grid: *grid,
+            properties,
+            solver: SectionSolver::new(properties.profile),
+            flash: FlashTemperature::new(grid, bodies, speeds)?,
+            mean: zeros(),
+            stress: zeros(),
+            ratios: vec![1.0; grid.len()],
+            rises: [zeros(), zeros()],
+            new_rises: [zeros(), zeros()],
+            conducted: zeros(),
+            heat: zeros(),
+            resistance: zeros(),
+            pressure_heat: zeros(),
+            compression: zeros(),
+        })
+    }
+
+    /// Mean temperature across the film \[K\].
+    pub fn mean(&self) -> &[f64] {
+        &self.mean
+    }
+
+    /// Shear stress of the film \[Pa\].
+    pub fn stress(&self) -> &[f64] {
+        &self.stress
+    }
+
+    /// Viscosity that the flow by pressure has, over that at the bulk temperature.
+    pub fn viscosity_ratios(&self) -> &[f64] {
+        &self.ratios
+    }
+
+    /// Rises of the two surfaces above the bulk temperature \[K\].
+    pub fn surface_rises(&self) -> [&[f64]; 2] {
+        [&self.rises[0], &self.rises[1]]
+    }
+
+    /// Finds the temperatures of `flow`, from those of the last call. Allocates nothing.
+    ///
+    /// # Errors
+    /// Fields that do not fit the grid or are not finite, a heat of solid friction below zero, a temperature
+    /// that is not finite and positive.
+    pub fn update(&mut self, flow: &FilmFlow<'_>) -> Result<HeatBalance, InputError> {
+        self.check(flow)?;
+        self.find_other_heat(flow);
+        let (mut passes, mut change) = (0, f64::INFINITY);
+        let (mut generated, mut carried) = (0.0, 0.0);
+        while passes < MAX_PASSES && change > 1.0 {
+            (generated, carried) = self.heat_film(flow);
+            for (k, heat) in self.heat.iter_mut().enumerate() {
+                *heat = (self.conducted[k] + flow.boundary_heat[k]).max(0.0);
+            }
+            let [first, second] = &mut self.new_rises;
+            let report = self.flash.rises_through_film(&self.heat, &self.resistance, [first, second])?;
+            let moved = self.rises.iter().flatten().zip(self.new_rises.iter().flatten());
+            let moved = moved.fold(0.0_f64, |largest, (old, new)| largest.max((new - old).abs()));
+            change = moved / (TOLERANCE * report.maximum).max(LEAST_CHANGE);
+            std::mem::swap(&mut self.rises, &mut self.new_rises);
+            passes += 1;
+        }
+        let area = self.grid.cell_area();
+        let conducted = self.flash.fluxes().map(|flux| flux.iter().sum::<f64>() * area);
+        Ok(HeatBalance { generated: generated * area, conducted, carried: carried * area, passes, change })
+    }
+
+    fn check(&self, flow: &FilmFlow<'_>) -> Result<(), InputError> {
+        for (field, values) in [
+            ("pressure", flow.pressure),
+            ("film", flow.film),
+            ("content", flow.content),
+            ("boundary_heat", flow.boundary_heat),
+        ] {
+            InputError::require_len(field, values, self.grid.len())?;
+            InputError::require_finite(field, values)?;
+        }
+        for &heat in flow.boundary_heat {
+            InputError::require_non_negative("boundary_heat", heat)?;
+        }
+        InputError::require_non_negative("speeds.0", flow.speeds.0)?;
+        InputError::require_non_negative("speeds.1", flow.speeds.1)?;
+        InputError::require_positive("bulk_temperature", flow.bulk_temperature)
+    }
+
+    /// Heat of the flow by pressure, and of compression per temperature.
+    fn find_other_heat(&mut self, flow: &FilmFlow<'_>) {
+        let (nx, ny) = (self.grid.nx(), self.grid.ny());
+        let fluidity = 1.0 / (12.0 * flow.lubricant.viscosity().viscosity(0.0));
+        self.pressure_heat.fill(0.0);
+        let film = |k: usize| flow.film[k].max(0.0);
+        let mut add = |k: usize, o: usize, distance: f64| {
+            let (a, b) = (film(k), film(o));
+            let drop = flow.pressure[k] - flow.pressure[o];
+            if drop == 0.0 || a + b == 0.0 {
+                return;
+            }
+            let reduced = |k: usize| flow.lubricant.at(flow.pressure[k]).reduced_pressure;
+            let cube = 2.0 * (a * b) * (a * b) / (a + b);
+            let ratio = 0.5 * (self.ratios[k] + self.ratios[o]);
+            let made = fluidity * cube / ratio * (reduced(k) - reduced(o)) * drop / (distance * distance);
+            self.pressure_heat[k] += 0.5 * made;
+            self.pressure_heat[o] += 0.5 * made;
+        };
+        for j in 0..ny {
+            for k in j * nx..(j + 1) * nx - 1 {
+                add(k, k + 1, self.grid.dx());
+            }
+        }
+        for k in 0..nx * (ny - 1) {
+            add(k, k + nx, self.grid.dy());
+        }
+        let expansion = self.properties.expansivity * flow.speeds.0;
+        for (k, compression) in self.compression.iter_mut().enumerate() {
+            let (before, after) = (k - usize::from(k % nx > 0), k + usize::from(k % nx + 1 < nx));
+            let rise = (flow.pressure[after] - flow.pressure[before]) / (after - before) as f64;
+            *compression = expansion * flow.content[k] * film(k) * rise / self.grid.dx();
+        }
+        for (resistance, film) in self.resistance.iter_mut().zip(flow.film) {
+            *resistance = film.max(0.0) / self.properties.conductivity;
+        }
+    }
+
+    /// Temperatures of the film under the last ones of the surfaces; heat per area that is made and carried
+    /// out, as sums over the nodes.
+    fn heat_film(&mut self, flow: &FilmFlow<'_>) -> (f64, f64) {
+        let nx = self.grid.nx();
+        let (speed, sliding) = flow.speeds;
+        let per_film = self.properties.heat_capacity * speed / self.grid.dx();
+        // As if all nodes were as warm for their heat as the warmest: no node follows more.
+        let hottest = self.rises.iter().flatten().fold(0.0_f64, |largest, rise| largest.max(*rise));
+        let most = hottest / self.heat.iter().fold(f64::MIN_POSITIVE, |largest, heat| largest.max(*heat));
+        let (mut generated, mut carried) = (0.0, 0.0);
+        for k in 0..self.grid.len() {
+            let first = k.is_multiple_of(nx);
+            let upstream = if first { flow.bulk_temperature } else { self.mean[k - 1] };
+            let film = flow.film[k].max(0.0);
+            let rises = [self.rises[0][k], self.rises[1][k]];
+            let mean_rise = 0.5 * (rises[0] + rises[1]);
+            let response = if self.heat[k] > 0.0 { (mean_rise / self.heat[k]).clamp(0.0, most) } else { 0.0 };
+            let other_heat = (self.pressure_heat[k], self.compression[k] * upstream);
+            let heat = self.solver.solve(&FilmSection {
+                viscosity: flow.lubricant.viscosity(),
+                rheology: flow.rheology,
+                conductivity: self.properties.conductivity,
+                pressure: flow.pressure[k],
+                film,
+                sliding,
+                surfaces: rises.map(|rise| flow.bulk_temperature + rise),
+                response: (response, self.conducted[k]),
+                other_heat,
+                carried: (per_film * flow.content[k] * film, upstream),
+            });
+            (self.mean[k], self.stress[k], self.conducted[k]) = (heat.mean, heat.stress, heat.conducted);
+            self.ratios[k] = heat.flow_viscosity / flow.lubricant.viscosity().viscosity(flow.pressure[k]);
+            generated += heat.stress * sliding + other_heat.0 + other_heat.1 + flow.boundary_heat[k];
+            carried += heat.carried;
+        }
+        (generated, carried)
+    }
+}
