@@ -3,6 +3,7 @@
 use super::SimError;
 use super::contact::ContactModel;
 use super::friction::FrictionFields;
+use super::mixing::Mixing;
 use super::scene::Scene;
 use super::simulation::Laws;
 use super::solution::is_known;
@@ -16,8 +17,10 @@ use crate::thermal::{FilmFlow, FilmTemperature, HeatBalance};
 const MAX_SOLVES: usize = 40;
 /// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat makes.
 const TOLERANCE: f64 = 5e-3;
-/// Share of the way to the new viscosities that is kept at least.
-const LEAST_STEP: f64 = 0.1;
+/// Largest logarithm of a ratio of viscosities.
+const LARGEST: f64 = 30.0;
+/// Share of the way to the new viscosities that is gone in a direction of which nothing is known.
+const STEP: f64 = 0.5;
 
 /// Film temperature of a solved contact.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,7 +73,8 @@ pub(super) fn solve(
     };
     let (bodies, speeds) = (given.scene.thermal_bodies(), model.motion.surface_speeds());
     let temperature = FilmTemperature::new(&model.grid, properties, bodies, speeds)?;
-    Loop { temperature, used: vec![1.0; state.film.len()], step: 1.0 }.run(
+    let zeros = vec![0.0; state.film.len()];
+    Loop { temperature, used: zeros.clone(), residual: zeros, mixing: Mixing::default() }.run(
         given,
         (model, state, friction),
         report,
@@ -80,10 +84,11 @@ pub(super) fn solve(
 /// The iteration between contact and temperature.
 struct Loop {
     temperature: FilmTemperature,
-    /// Ratios of viscosity that the contact was solved with.
+    /// Logarithms of the ratios of viscosity that the contact was solved with, and those that its heat makes
+    /// beyond them.
     used: Vec<f64>,
-    /// Share of the way to new ones that is gone.
-    step: f64,
+    residual: Vec<f64>,
+    mixing: Mixing,
 }
 
 impl Loop {
@@ -93,10 +98,10 @@ impl Loop {
         (model, state, friction): (&mut ContactModel, &mut ContactState, &mut FrictionFields),
         mut report: SolveReport,
     ) -> Result<(SolveReport, Option<FilmHeatNumbers>), SimError> {
-        let (mut solves, mut last) = (1, f64::INFINITY);
+        let mut solves = 1;
         loop {
             let balance = self.heat(model, state, friction)?;
-            let change = self.difference();
+            let change = self.compare();
             let agree = change <= TOLERANCE && balance.is_converged();
             let done = agree || solves >= MAX_SOLVES || report.status != Status::Converged;
             if done {
@@ -106,14 +111,14 @@ impl Loop {
                 friction.shear.copy_from_slice(self.temperature.stress());
                 return Ok((report, Some(self.numbers(model, balance, (solves, change))?)));
             }
-            // A step that brings nothing is too long.
-            self.step = if change > 0.7 * last { (0.5 * self.step).max(LEAST_STEP) } else { self.step };
-            last = change;
-            for (used, new) in self.used.iter_mut().zip(self.temperature.viscosity_ratios()) {
-                *used *= (new / *used).powf(self.step);
+            // The first heat is that of the cool film, of which nothing but the way is known.
+            self.mixing.advance(&mut self.used, &self.residual, if solves == 1 { 1.0 } else { STEP });
+            for used in &mut self.used {
+                *used = used.clamp(-LARGEST, LARGEST);
             }
+            let ratios: Vec<f64> = self.used.iter().map(|used| used.exp()).collect();
             if let Some(lubricant) = &mut model.lubricant {
-                lubricant.set_viscosity_ratios(&self.used)?;
+                lubricant.set_viscosity_ratios(&ratios)?;
             }
             let work = report.work;
             report = model.solve(given.gap, given.limit, None, state)?;
@@ -151,9 +156,13 @@ impl Loop {
         })
     }
 
-    fn difference(&self) -> f64 {
+    /// The largest difference of the logarithms of what was used and what the heat makes.
+    fn compare(&mut self) -> f64 {
         let pairs = self.used.iter().zip(self.temperature.viscosity_ratios());
-        pairs.fold(0.0, |largest, (used, new)| (new / used).ln().abs().max(largest))
+        for (residual, (used, new)) in self.residual.iter_mut().zip(pairs) {
+            *residual = new.ln() - used;
+        }
+        self.residual.iter().fold(0.0, |largest, residual| residual.abs().max(largest))
     }
 
     fn numbers(

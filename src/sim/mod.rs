@@ -22,6 +22,7 @@ mod history_means;
 #[cfg(feature = "serde")]
 mod identity;
 mod interrupt;
+mod mixing;
 #[cfg(feature = "npz")]
 mod npz;
 mod observer;

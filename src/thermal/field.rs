@@ -51,11 +51,12 @@ pub struct HeatBalance {
 }
 
 impl HeatBalance {
-    /// Heat that comes from nowhere, over what is generated; zero without any. Film that expansion cools below
-    /// its surfaces takes nothing from them: that is what is left here.
+    /// Heat that comes from nowhere, over what comes and goes; zero without any.
     pub fn imbalance(&self) -> f64 {
-        let gone = self.conducted[0] + self.conducted[1] + self.carried;
-        if self.generated == 0.0 { 0.0 } else { ((gone - self.generated) / self.generated).abs() }
+        let [first, second] = self.conducted;
+        let scale = [self.generated, first, second, self.carried].iter().map(|heat| heat.abs()).sum::<f64>();
+        let gone = first + second + self.carried;
+        if scale == 0.0 { 0.0 } else { (gone - self.generated).abs() / scale }
     }
 
     /// Whether film and surfaces agree.
@@ -67,13 +68,14 @@ impl HeatBalance {
 /// Temperatures of film and surfaces in a contact.
 ///
 /// A node is a [`FilmSection`]. Sections of a row, from its inlet on, are connected by the heat that the mean
-/// flow carries, `C = rho c u h / dx`, first order upwind; what goes to the surfaces heats them as
-/// [`FlashTemperature::rises_through_film`] has it. Film and surfaces are found in passes, one after the
+/// flow carries on, `C = rho c Q / dx` with the flow `Q` through the section along x, what is entrained less
+/// what pressure drives back, first order upwind: in an inlet that is far less than `u h`. What goes to the
+/// surfaces heats them as [`FlashTemperature::rises_through_film`] has it. Film and surfaces are found in passes, one after the
 /// other, in which the surfaces of a node follow its heat in proportion.
 ///
 /// Heat of the flow by pressure is the flow through a face times the drop of pressure over it, half to each of
-/// its nodes; that of compression `T a_V h u dp/dx`. Left out: heat along the film by conduction, and what the
-/// flow by pressure carries beside the entrained one.
+/// its nodes; that of compression `T a_V Q dp/dx`. Left out: heat along the film by conduction, what the flow
+/// across x carries, and that layers of the film move at speeds of their own.
 #[derive(Debug, Clone)]
 pub struct FilmTemperature {
     grid: Grid,
@@ -92,6 +94,8 @@ pub struct FilmTemperature {
     resistance: Vec<f64>,
     pressure_heat: Vec<f64>,
     compression: Vec<f64>,
+    /// Flow through the section along x \[m^2/s\].
+    through: Vec<f64>,
 }
 
 impl FilmTemperature {
@@ -123,6 +127,7 @@ impl FilmTemperature {
             resistance: zeros(),
             pressure_heat: zeros(),
             compression: zeros(),
+            through: zeros(),
         })
     }
 
@@ -159,7 +164,7 @@ impl FilmTemperature {
         while passes < MAX_PASSES && change > 1.0 {
             (generated, carried) = self.heat_film(flow);
             for (k, heat) in self.heat.iter_mut().enumerate() {
-                *heat = (self.conducted[k] + flow.boundary_heat[k]).max(0.0);
+                *heat = self.conducted[k] + flow.boundary_heat[k];
             }
             let [first, second] = &mut self.new_rises;
             let report = self.flash.rises_through_film(&self.heat, &self.resistance, [first, second])?;
@@ -198,32 +203,43 @@ impl FilmTemperature {
         let fluidity = 1.0 / (12.0 * flow.lubricant.viscosity().viscosity(0.0));
         self.pressure_heat.fill(0.0);
         let film = |k: usize| flow.film[k].max(0.0);
+        let speed = flow.speeds.0;
+        for (k, through) in self.through.iter_mut().enumerate() {
+            *through = speed * flow.content[k] * film(k);
+        }
+        // Heat between two nodes; the flow between them.
         let mut add = |k: usize, o: usize, distance: f64| {
             let (a, b) = (film(k), film(o));
             let drop = flow.pressure[k] - flow.pressure[o];
             if drop == 0.0 || a + b == 0.0 {
-                return;
+                return 0.0;
             }
             let reduced = |k: usize| flow.lubricant.at(flow.pressure[k]).reduced_pressure;
             let cube = 2.0 * (a * b) * (a * b) / (a + b);
             let ratio = 0.5 * (self.ratios[k] + self.ratios[o]);
-            let made = fluidity * cube / ratio * (reduced(k) - reduced(o)) * drop / (distance * distance);
+            let driven = fluidity * cube / ratio * (reduced(k) - reduced(o)) / distance;
+            let made = driven * drop / distance;
             self.pressure_heat[k] += 0.5 * made;
             self.pressure_heat[o] += 0.5 * made;
+            driven
         };
         for j in 0..ny {
             for k in j * nx..(j + 1) * nx - 1 {
-                add(k, k + 1, self.grid.dx());
+                let driven = add(k, k + 1, self.grid.dx());
+                self.through[k] += 0.5 * driven;
+                self.through[k + 1] += 0.5 * driven;
             }
         }
         for k in 0..nx * (ny - 1) {
             add(k, k + nx, self.grid.dy());
         }
-        let expansion = self.properties.expansivity * flow.speeds.0;
+        for (through, film) in self.through.iter_mut().zip(flow.film) {
+            *through = through.clamp(0.0, speed * film.max(0.0));
+        }
         for (k, compression) in self.compression.iter_mut().enumerate() {
             let (before, after) = (k - usize::from(k % nx > 0), k + usize::from(k % nx + 1 < nx));
             let rise = (flow.pressure[after] - flow.pressure[before]) / (after - before) as f64;
-            *compression = expansion * flow.content[k] * film(k) * rise / self.grid.dx();
+            *compression = self.properties.expansivity * self.through[k] * rise / self.grid.dx();
         }
         for (resistance, film) in self.resistance.iter_mut().zip(flow.film) {
             *resistance = film.max(0.0) / self.properties.conductivity;
@@ -234,8 +250,8 @@ impl FilmTemperature {
     /// out, as sums over the nodes.
     fn heat_film(&mut self, flow: &FilmFlow<'_>) -> (f64, f64) {
         let nx = self.grid.nx();
-        let (speed, sliding) = flow.speeds;
-        let per_film = self.properties.heat_capacity * speed / self.grid.dx();
+        let sliding = flow.speeds.1;
+        let per_flow = self.properties.heat_capacity / self.grid.dx();
         // As if all nodes were as warm for their heat as the warmest: no node follows more.
         let hottest = self.rises.iter().flatten().fold(0.0_f64, |largest, rise| largest.max(*rise));
         let most = hottest / self.heat.iter().fold(f64::MIN_POSITIVE, |largest, heat| largest.max(*heat));
@@ -258,7 +274,7 @@ impl FilmTemperature {
                 surfaces: rises.map(|rise| flow.bulk_temperature + rise),
                 response: (response, self.conducted[k]),
                 other_heat,
-                carried: (per_film * flow.content[k] * film, upstream),
+                carried: (per_flow * self.through[k], upstream),
             });
             (self.mean[k], self.stress[k], self.conducted[k]) = (heat.mean, heat.stress, heat.conducted);
             self.ratios[k] = heat.flow_viscosity / flow.lubricant.viscosity().viscosity(flow.pressure[k]);

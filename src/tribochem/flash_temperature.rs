@@ -117,7 +117,7 @@ impl FlashTemperature {
     }
 
     /// Overwrites `rises` \[K\], those of both surfaces, under `heat_flux` \[W/m^2\] that a film between them
-    /// gives off, half to each side plus what its `resistance` `h/k` \[K m^2/W\] lets through from the warmer
+    /// gives off, or takes where it is below zero, half to each side plus what its `resistance` `h/k` \[K m^2/W\] lets through from the warmer
     /// surface to the other:
     ///
     /// `q_1 = q/2 + (T_2 - T_1) k/h`, `q_2 = q - q_1`,
@@ -136,9 +136,9 @@ impl FlashTemperature {
         for (field, values) in [("heat_flux", heat_flux), ("resistance", resistance)] {
             InputError::require_len(field, values, self.n_nodes)?;
             InputError::require_finite(field, values)?;
-            for &value in values {
-                InputError::require_non_negative(field, value)?;
-            }
+        }
+        for &value in resistance {
+            InputError::require_non_negative("resistance", value)?;
         }
         let [one, other] = rises;
         InputError::require_len("rises", one, self.n_nodes)?;
@@ -147,10 +147,10 @@ impl FlashTemperature {
         let mut report = self.collect(heat_flux, one, iterations);
         let [first, second] = &self.temperatures;
         report.mismatch = 0.0;
-        for k in (0..self.n_nodes).filter(|k| heat_flux[*k] > 0.0) {
+        for k in 0..self.n_nodes {
             let across = resistance[k] * (self.share[k] - 0.5 * heat_flux[k]);
             report.mismatch = report.mismatch.max((second[k] - first[k] - across).abs());
-            report.maximum = report.maximum.max(first[k]).max(second[k]);
+            report.maximum = report.maximum.max(first[k].abs()).max(second[k].abs());
         }
         one.copy_from_slice(first);
         other.copy_from_slice(second);

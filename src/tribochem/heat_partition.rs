@@ -15,7 +15,7 @@ pub(super) struct Resistance<'a> {
     pub(super) own: f64,
 }
 
-/// Generalised conjugate residual iteration for `S q = b` on the heated nodes, `q` zero elsewhere. The
+/// Generalised conjugate residual iteration for `S q = b` on the heated nodes, with a layer on all, `q` zero elsewhere. The
 /// residual never grows, so stopping early leaves a split that is no worse than the first guess.
 #[derive(Debug, Clone)]
 pub(super) struct SplitSolver {
@@ -50,7 +50,7 @@ impl SplitSolver {
         sum.apply(share, &mut self.residual);
         add_layer(layer, share, &mut self.residual);
         for ((r, &t), &q) in self.residual.iter_mut().zip(target).zip(heated) {
-            *r = if q > 0.0 { t - *r } else { 0.0 };
+            *r = if q > 0.0 || layer.is_some() { t - *r } else { 0.0 };
         }
         for iteration in 0..MAX_ITERATIONS {
             if largest(&self.residual) <= tolerance || !self.improve(sum, (heated, layer), share, iteration) {
@@ -79,7 +79,7 @@ impl SplitSolver {
         sum.apply(&new.search, &mut new.image);
         add_layer(layer, &new.search, &mut new.image);
         for (value, &q) in new.image.iter_mut().zip(heated) {
-            *value = if q > 0.0 { *value } else { 0.0 };
+            *value = if q > 0.0 || layer.is_some() { *value } else { 0.0 };
         }
         for old in older.iter() {
             let weight = -dot(&new.image, &old.image) / old.norm_squared;
