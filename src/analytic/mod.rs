@@ -8,6 +8,7 @@
 //! knows a grid or a solver.
 
 mod film_formulas;
+mod film_heat;
 mod hertz;
 mod hertz_line;
 mod line_film_formulas;
@@ -16,6 +17,7 @@ mod strip;
 mod westergaard;
 
 pub use film_formulas::FilmConditions;
+pub use film_heat::{ShearedLayer, ThermalInlet};
 pub use hertz::{HertzPoint, equivalent_modulus};
 pub use hertz_line::HertzLine;
 pub use line_film_formulas::LineFilmConditions;

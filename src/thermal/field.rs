@@ -207,6 +207,9 @@ impl FilmTemperature {
         for (k, through) in self.through.iter_mut().enumerate() {
             *through = speed * flow.content[k] * film(k);
         }
+        // The flow is that of the viscosities that the contact was solved with.
+        let ratios = flow.lubricant.viscosity_ratios();
+        let ratio = |k: usize| ratios.get(k).copied().unwrap_or(1.0);
         // Heat between two nodes; the flow between them.
         let mut add = |k: usize, o: usize, distance: f64| {
             let (a, b) = (film(k), film(o));
@@ -216,7 +219,7 @@ impl FilmTemperature {
             }
             let reduced = |k: usize| flow.lubricant.at(flow.pressure[k]).reduced_pressure;
             let cube = 2.0 * (a * b) * (a * b) / (a + b);
-            let ratio = 0.5 * (self.ratios[k] + self.ratios[o]);
+            let ratio = 0.5 * (ratio(k) + ratio(o));
             let driven = fluidity * cube / ratio * (reduced(k) - reduced(o)) / distance;
             let made = driven * drop / distance;
             self.pressure_heat[k] += 0.5 * made;
