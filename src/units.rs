@@ -41,6 +41,8 @@ pub enum Dimension {
     Conductivity,
     /// In m^2/s.
     Diffusivity,
+    /// In J/(m^3 K): heat capacity of a volume.
+    HeatCapacity,
 }
 
 /// How a number in a unit becomes one in SI units.
@@ -107,6 +109,8 @@ const TEMPERATURE: Units = &[(&["K"], Ten(0)), (&["degC", "C"], Plus(273.15))];
 const CONDUCTIVITY: Units = &[(&["W/(m K)", "W/m/K", "W/mK"], Ten(0))];
 const DIFFUSIVITY: Units =
     &[(&["m^2/s", "m2/s"], Ten(0)), (&["cm^2/s", "cm2/s"], Ten(-4)), (&["mm^2/s", "mm2/s"], Ten(-6))];
+const HEAT_CAPACITY: Units =
+    &[(&["J/(m^3 K)", "J/m^3/K"], Ten(0)), (&["kJ/(m^3 K)"], Ten(3)), (&["MJ/(m^3 K)"], Ten(6))];
 
 impl Dimension {
     /// The name in words.
@@ -125,6 +129,7 @@ impl Dimension {
             Self::Temperature => "temperature",
             Self::Conductivity => "thermal conductivity",
             Self::Diffusivity => "diffusivity",
+            Self::HeatCapacity => "heat capacity of a volume",
         }
     }
 
@@ -143,6 +148,7 @@ impl Dimension {
             Self::Temperature => TEMPERATURE,
             Self::Conductivity => CONDUCTIVITY,
             Self::Diffusivity => DIFFUSIVITY,
+            Self::HeatCapacity => HEAT_CAPACITY,
         }
     }
 

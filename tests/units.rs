@@ -53,6 +53,7 @@ fn quantities_are_those_in_si_units_to_the_last_bit() {
         (Temperature, "353.15 K", 353.15),
         (Conductivity, "46 W/(m K)", 46.0),
         (Diffusivity, "12.7 mm^2/s", 12.7e-6),
+        (HeatCapacity, "1.7 MJ/(m^3 K)", 1.7e6),
     ];
     for (dimension, text, expected) in table {
         assert_eq!(dimension.parse("key", text).unwrap(), expected, "{text}");
@@ -75,6 +76,7 @@ fn every_unit_that_is_offered_is_taken() {
         Temperature,
         Conductivity,
         Diffusivity,
+        HeatCapacity,
     ];
     for dimension in dimensions {
         let offered: Vec<&str> = dimension.unit_names().collect();

@@ -217,8 +217,9 @@ impl SimBuilder {
         if self.scene.is_lubricated() && self.scene.lubricant.is_some_and(|oil| oil.thermal.is_some()) {
             return Err(SimError::Input(InputError::Conflict {
                 field: "lubricant.thermal".to_owned(),
-                reason: "only a single contact has a film temperature, a history knows the bulk temperature alone"
-                    .to_owned(),
+                reason:
+                    "only a single contact has a film temperature, a history knows the bulk temperature alone"
+                        .to_owned(),
             }));
         }
         let overrides = std::mem::take(&mut self.overrides);

@@ -8,8 +8,8 @@ use toml::de::{DeTable, DeValue};
 use crate::error::InputError;
 use crate::units::Dimension;
 use Dimension::{
-    Conductivity, Diffusivity, Force, ForcePerLength, InversePressure, Length, Pressure, PressurePerLength,
-    Rate, Speed, Temperature, Time, Viscosity,
+    Conductivity, Diffusivity, Force, ForcePerLength, HeatCapacity, InversePressure, Length, Pressure,
+    PressurePerLength, Rate, Speed, Temperature, Time, Viscosity,
 };
 
 /// Every key that has a dimension; `*` stands for the name of a body. Loads are per length in a line contact.
@@ -36,6 +36,8 @@ const KEYS: &[(&str, Dimension)] = &[
     ("lubricant.density_a", InversePressure),
     ("lubricant.density_b", InversePressure),
     ("lubricant.supplied_film", Length),
+    ("lubricant.thermal.conductivity", Conductivity),
+    ("lubricant.thermal.heat_capacity", HeatCapacity),
     ("lubricant.viscosity.viscosity", Viscosity),
     ("lubricant.viscosity.temperature", Temperature),
     ("lubricant.viscosity.k00", Pressure),

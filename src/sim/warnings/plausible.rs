@@ -19,6 +19,8 @@ const KELVIN: Unit = Unit { name: "K", others: &[("degC", 1.0, 273.15)] };
 const NEWTON: Unit = Unit { name: "N", others: &[("mN", 1e-3, 0.0), ("uN", 1e-6, 0.0)] };
 const DIFFUSIVITY: Unit = Unit { name: "m^2/s", others: &[("mm^2/s", 1e-6, 0.0)] };
 const CONDUCTIVITY: Unit = Unit { name: "W/(m K)", others: &[] };
+const HEAT_CAPACITY: Unit =
+    Unit { name: "J/(m^3 K)", others: &[("kJ/(m^3 K)", 1e3, 0.0), ("MJ/(m^3 K)", 1e6, 0.0)] };
 const PURE: Unit = Unit { name: "", others: &[("%", 0.01, 0.0)] };
 
 /// What a quantity may plausibly be, and what it is like as a rule.
@@ -57,6 +59,8 @@ const WEAR: Plausible = plausible(0.0, 1.0, 1e-6, &PURE);
 const TEMPERATURE: Plausible = plausible(200.0, 1500.0, 350.0, &KELVIN);
 const HEAT_CONDUCTIVITY: Plausible = plausible(0.01, 3000.0, 46.0, &CONDUCTIVITY);
 const HEAT_DIFFUSIVITY: Plausible = plausible(1e-8, 3e-3, 1e-5, &DIFFUSIVITY);
+const OIL_CONDUCTIVITY: Plausible = plausible(0.05, 1.0, 0.14, &CONDUCTIVITY);
+const OIL_HEAT_CAPACITY: Plausible = plausible(5e5, 1e7, 1.7e6, &HEAT_CAPACITY);
 const TRACK_RADIUS: Plausible = plausible(1e-6, 10.0, 2e-2, &METRE);
 /// Solids touch at the size of molecules.
 const CONTACT_FILM: Plausible = plausible(1e-11, 1e-7, 1e-9, &METRE);
@@ -183,6 +187,12 @@ fn oil(oil: &LubricantSpec) -> Vec<Entry> {
         entry("lubricant.density_a", oil.density_a, COMPRESSIBILITY),
         entry("lubricant.density_b", oil.density_b, COMPRESSIBILITY),
         entry("lubricant.supplied_film", oil.supplied_film, FILM),
+        entry("lubricant.thermal.conductivity", oil.thermal.map(|heat| heat.conductivity), OIL_CONDUCTIVITY),
+        entry(
+            "lubricant.thermal.heat_capacity",
+            oil.thermal.map(|heat| heat.heat_capacity),
+            OIL_HEAT_CAPACITY,
+        ),
     ]
 }
 
