@@ -112,13 +112,14 @@ fn rise(solution: &ContactSolution) -> f64 {
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let (nodes, steps) = if options.quick { (32, 2) } else { (64, 8) };
-    let mut panels = [("film, nm", Vec::new()), ("friction", Vec::new()), ("rise of film, K", Vec::new())];
+    let mut panels =
+        [("film / isothermal", Vec::new()), ("friction", Vec::new()), ("rise of film, K", Vec::new())];
     let mut legend = Vec::new();
     println!(
         "m/s  S     film nm: isothermal, parabola, collocation; ratio, Gupta   friction: the same three  rise K"
     );
     for (speed, colour) in SPEEDS.into_iter().zip([BLUE, VERMILION, BLACK]) {
-        let mut lines: [Vec<(f64, f64)>; 5] = Default::default();
+        let mut lines: [Vec<(f64, f64)>; 4] = Default::default();
         for step in 0..=steps {
             let ratio = 2.0 * f64::from(step) / f64::from(steps);
             let solved = solve(nodes, speed, ratio)?;
@@ -139,16 +140,16 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
                 rise(&solved[2])
             );
             for (line, y) in
-                lines.iter_mut().zip([film[2], film[0], friction[2], friction[0], rise(&solved[2])])
+                lines.iter_mut().zip([film[2] / film[0], friction[2], friction[0], rise(&solved[2])])
             {
                 line.push((ratio, y));
             }
         }
         legend.push((Pen::strong(colour), format!("{speed} m/s")));
         legend.push((Pen::dashed(colour), format!("{speed} m/s, isothermal")));
-        for (k, points) in lines.into_iter().enumerate() {
-            let pen = if k % 2 == 1 { Pen::dashed(colour) } else { Pen::strong(colour) };
-            panels[k / 2].1.push(Line { pen, points });
+        let pens = [Pen::strong(colour), Pen::strong(colour), Pen::dashed(colour), Pen::strong(colour)];
+        for ((points, pen), panel) in lines.into_iter().zip(pens).zip([0, 1, 1, 2]) {
+            panels[panel].1.push(Line { pen, points });
         }
     }
     let figure = Figure {

@@ -84,7 +84,7 @@ fn heat_of_one_viscosity_is_conducted_exactly() {
         assert!((found.mean - 300.0 - exact).abs() < 1e-9, "{found:?}, {exact}");
         assert!((found.flow_viscosity / 0.1 - 1.0).abs() < 1e-12);
         let found = solver.solve(&FilmSection { carried: (1e6, 299.0), ..plain });
-        let exact = (heat * per_flux / 12.0 - 1e6 * per_flux / 12.0 * -1.0) / (1.0 + 1e6 * per_flux / 12.0);
+        let exact = (heat * per_flux / 12.0 - 1e6 * per_flux / 12.0) / (1.0 + 1e6 * per_flux / 12.0);
         assert!((found.mean - 300.0 - exact).abs() < 1e-9, "{found:?}, {exact}");
         assert!((found.conducted + found.carried - heat).abs() < 1e-9 * heat);
         // Surfaces that follow the heat in proportion.
@@ -121,13 +121,15 @@ fn surfaces_apart_keep_their_own_heat_and_share_it_where_they_touch() {
     let zeros = || vec![0.0; grid.len()];
     let (mut one, mut other, mut common) = (zeros(), zeros(), zeros());
     let expected = flash.rise(&heat, &mut common).unwrap();
-    let report = flash.rises_through_film(&heat, &zeros(), [&mut one, &mut other]).unwrap();
+    // They touch where there is heat.
+    let resistance: Vec<f64> = heat.iter().map(|heat| if *heat > 0.0 { 0.0 } else { 1.0 }).collect();
+    let report = flash.rises_through_film(&heat, &resistance, [&mut one, &mut other]).unwrap();
     for k in (0..grid.len()).filter(|k| heat[*k] > 0.0) {
         assert!((one[k] - common[k]).abs() < 1e-3 * expected.maximum);
     }
     assert!(report.mismatch < 2e-4 * expected.maximum);
     // A thick film: half of the heat to each, and all of it in the end.
-    flash.rises_through_film(&heat, &vec![1.0; grid.len()], [&mut one, &mut other]).unwrap();
+    let _ = flash.rises_through_film(&heat, &vec![1.0; grid.len()], [&mut one, &mut other]).unwrap();
     let [first, second] = flash.fluxes();
     for k in 0..grid.len() {
         assert!((first[k] - 0.5 * heat[k]).abs() < 1e-3 * 1e8);
@@ -158,6 +160,7 @@ fn film_and_friction_fall_and_the_heat_goes_where_it_must() {
     let cool = solve_contact(&scene).unwrap();
     let [parabola, collocation] =
         PROFILES.map(|profile| warm(&scene, FilmThermal::default().with_profile(profile)));
+    let rolling = warm(&smooth(2.0, 0.0), FilmThermal::default()).film_heat.unwrap();
     assert!((parabola.film.central / collocation.film.central - 1.0).abs() < 0.015);
     assert!((parabola.friction_coefficient / collocation.friction_coefficient - 1.0).abs() < 0.04);
     for solution in [parabola, collocation] {
@@ -166,9 +169,10 @@ fn film_and_friction_fall_and_the_heat_goes_where_it_must() {
         assert!(solution.friction_coefficient < 0.85 * cool.friction_coefficient);
         assert!(heat.balance.imbalance() < 1e-9, "{:e}", heat.balance.imbalance());
         assert!(heat.balance.is_converged() && heat.change <= 5e-3);
-        // Nearly all of it is friction.
+        // Beside the heat of rolling it is friction.
         let friction = solution.friction_coefficient * solution.hertz.load * scene.motion.sliding_speed();
-        assert!((heat.balance.generated / friction - 1.0).abs() < 0.02);
+        let share = (heat.balance.generated - rolling.balance.generated) / friction;
+        assert!((share - 1.0).abs() < 0.01, "{share}");
         // The film is warmer than both surfaces, the slower surface warmer than the faster one.
         let [ball, disc] = heat.surface_rises;
         assert!(heat.maximum - BULK > disc && disc > ball && ball > 1.0, "{heat:?}");

@@ -10,7 +10,7 @@ const SI: &str = include_str!("../examples/scenes/rough.toml");
 
 #[test]
 fn quantities_are_those_in_si_units_to_the_last_bit() {
-    let table: [(Dimension, &str, f64); 42] = [
+    let table: [(Dimension, &str, f64); 43] = [
         (Length, "9.525 mm", 9.525e-3),
         (Length, "9.525mm", 9.525e-3),
         (Length, "-250 um", -250e-6),
