@@ -113,7 +113,7 @@ fn rise(solution: &ContactSolution) -> f64 {
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let (nodes, steps) = if options.quick { (32, 2) } else { (64, 8) };
     let mut panels =
-        [("film / isothermal", Vec::new()), ("friction", Vec::new()), ("rise of film, K", Vec::new())];
+        [("loss of film, %", Vec::new()), ("friction", Vec::new()), ("rise of film, K", Vec::new())];
     let mut legend = Vec::new();
     println!(
         "m/s  S     film nm: isothermal, parabola, collocation; ratio, Gupta   friction: the same three  rise K"
@@ -139,9 +139,12 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
                 rise(&solved[1]),
                 rise(&solved[2])
             );
-            for (line, y) in
-                lines.iter_mut().zip([film[2] / film[0], friction[2], friction[0], rise(&solved[2])])
-            {
+            for (line, y) in lines.iter_mut().zip([
+                100.0 * (1.0 - film[2] / film[0]),
+                friction[2],
+                friction[0],
+                rise(&solved[2]),
+            ]) {
                 line.push((ratio, y));
             }
         }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use stribeck::sim::Scene;
 use stribeck::sim::scene::{FileRoughness, GridSpec, PlasticSpec, RandomRoughness, Roughness, RoughnessPair};
+use stribeck::thermal::FilmThermal;
 
 /// Hertz pressure of the reference scene \[Pa\] and half of its box \[m\]; boxes grow with the Hertz radius,
 /// which grows with the pressure.
@@ -70,6 +71,8 @@ pub(crate) struct Case {
     pub(crate) hardness: Option<f64>,
     /// Cells that the mean surface moves on in a step of a transient scene; zero in the others.
     pub(crate) cells: u32,
+    /// Slide-roll ratio of a contact whose film has a temperature of its own; none where it has not.
+    pub(crate) sliding: Option<f64>,
     /// Seed of the ball's roughness; the disc's is [`DISC_SEED`] more.
     pub(crate) seed: u64,
 }
@@ -85,6 +88,7 @@ impl Case {
             pressure: REFERENCE.0,
             hardness: HARDNESSES[1],
             cells: 0,
+            sliding: None,
             seed: 0,
         }
     }
@@ -103,6 +107,13 @@ impl Case {
         });
         let rough = |body: usize| self.roughness(body);
         scene.roughness = RoughnessPair { ball: rough(0), disc: rough(1) };
+        if let (Some(ratio), Some(oil)) = (self.sliding, &mut scene.lubricant) {
+            scene.motion.slide_roll_ratio = ratio;
+            scene.friction.eyring_stress = Some(5e6);
+            scene.thermal.bulk_temperature = 353.15;
+            (oil.temperature, oil.roelands_s0) = (Some(353.15), Some(1.1));
+            oil.thermal = Some(FilmThermal::default());
+        }
         scene
     }
 
@@ -135,6 +146,15 @@ pub(crate) fn cases(quick: bool, seed: u64) -> Vec<Case> {
         case.seed = seed;
     }
     cases
+}
+
+/// Those on 64 x 64 cells and less that are solved at once, an oil that thins as it warms, slide-roll ratios in
+/// turn.
+pub(crate) fn with_film_heat(cases: Vec<Case>) -> Vec<Case> {
+    let fit = cases.into_iter().filter(|case| case.cells == 0 && case.nodes <= 64);
+    fit.zip([0.05, 0.5, 1.0, 2.0].into_iter().cycle())
+        .map(|(case, ratio)| Case { sliding: Some(ratio), ..case })
+        .collect()
 }
 
 fn battery(nodes: usize) -> Vec<Case> {
