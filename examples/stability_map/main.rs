@@ -84,7 +84,7 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let mut cases = scenes::cases(options.quick, options.seed);
     if options.film_heat {
-        cases = scenes::with_film_heat(cases);
+        cases = with_film_heat(cases);
     }
     let jobs: Vec<(&Case, Solver)> = SOLVERS
         .into_iter()
@@ -101,6 +101,15 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     print!("{}", summary(&entries)?);
     println!("table and map are in {}", folder.display());
     Ok(())
+}
+
+/// Those on 64 x 64 cells and less that are solved at once, an oil that thins as it warms, slide-roll ratios in
+/// turn.
+fn with_film_heat(cases: Vec<Case>) -> Vec<Case> {
+    let fit = cases.into_iter().filter(|case| case.cells == 0 && case.nodes <= 64);
+    fit.zip([0.05, 0.5, 1.0, 2.0].into_iter().cycle())
+        .map(|(case, ratio)| Case { sliding: Some(ratio), ..case })
+        .collect()
 }
 
 /// Solves all jobs on two threads; the entries come in the order of the jobs.

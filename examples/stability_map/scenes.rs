@@ -148,15 +148,6 @@ pub(crate) fn cases(quick: bool, seed: u64) -> Vec<Case> {
     cases
 }
 
-/// Those on 64 x 64 cells and less that are solved at once, an oil that thins as it warms, slide-roll ratios in
-/// turn.
-pub(crate) fn with_film_heat(cases: Vec<Case>) -> Vec<Case> {
-    let fit = cases.into_iter().filter(|case| case.cells == 0 && case.nodes <= 64);
-    fit.zip([0.05, 0.5, 1.0, 2.0].into_iter().cycle())
-        .map(|(case, ratio)| Case { sliding: Some(ratio), ..case })
-        .collect()
-}
-
 fn battery(nodes: usize) -> Vec<Case> {
     let mut cases = Vec::new();
     for speed in SPEEDS {
