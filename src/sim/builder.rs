@@ -2,6 +2,7 @@
 
 use super::body::Body;
 use super::contact::{ContactModel, Overrides};
+use super::film_heat;
 use super::friction::boundary_law;
 use super::heat::Heat;
 use super::interrupt::Interrupt;
@@ -214,14 +215,7 @@ impl SimBuilder {
     /// A scene or heights that do not fit.
     pub fn build(mut self) -> Result<MixedLubricationSim, SimError> {
         self.scene.schedule.read_tables()?;
-        if self.scene.is_lubricated() && self.scene.lubricant.is_some_and(|oil| oil.thermal.is_some()) {
-            return Err(SimError::Input(InputError::Conflict {
-                field: "lubricant.thermal".to_owned(),
-                reason:
-                    "only a single contact has a film temperature, a history knows the bulk temperature alone"
-                        .to_owned(),
-            }));
-        }
+        film_heat::refuse_history(&self.scene)?;
         let overrides = std::mem::take(&mut self.overrides);
         let mut contact = ContactModel::new(&self.scene, overrides)?;
         let own_heights = self.own_heights();

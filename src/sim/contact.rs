@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::builder::SimBuilder;
+use super::film_heat;
 use super::formula::{FormulaFilm, formula_film, stated_film};
 use super::hertz::HertzContact;
 use super::interrupt::{Interrupt, Interruptible};
@@ -124,7 +125,7 @@ impl ContactModel {
             _ => None,
         };
         let law = lubricant.as_ref().map(Lubricant::viscosity);
-        setup::validate_film_heat(scene, law)?;
+        film_heat::validate(scene, law)?;
         let formulas = formula_film(scene, &hertz, conditions.motion.entrainment_speed, law, None)?;
         let stated_film = stated_film(scene, &hertz, &conditions, law)?;
         Ok(Self {

@@ -8,6 +8,7 @@ use super::scene::Scene;
 use super::simulation::Laws;
 use super::solution::is_known;
 use crate::error::InputError;
+use crate::lubricant::ViscosityLaw;
 use crate::metrics;
 use crate::report::{SolveReport, Status};
 use crate::reynolds::ContactState;
@@ -41,6 +42,34 @@ pub struct FilmHeatNumbers {
     /// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat
     /// makes.
     pub change: f64,
+}
+
+/// Checks that a film whose temperature is asked for has a viscosity `law` that knows temperature.
+pub(super) fn validate(scene: &Scene, law: Option<&dyn ViscosityLaw>) -> Result<(), InputError> {
+    let asked = scene.lubricant.is_some_and(|lubricant| lubricant.thermal.is_some());
+    match law {
+        Some(law) if asked && law.viscosity_at(0.0, scene.thermal.bulk_temperature).is_none() => {
+            Err(InputError::Conflict {
+                field: "lubricant.thermal".to_owned(),
+                reason: "the viscosity does not know temperature: give lubricant.temperature and lubricant.roelands_s0, or \
+                         another law as lubricant.viscosity"
+                    .to_owned(),
+            })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A history knows the bulk temperature alone.
+pub(super) fn refuse_history(scene: &Scene) -> Result<(), InputError> {
+    if !scene.is_lubricated() || scene.lubricant.is_none_or(|lubricant| lubricant.thermal.is_none()) {
+        return Ok(());
+    }
+    Err(InputError::Conflict {
+        field: "lubricant.thermal".to_owned(),
+        reason: "only a single contact has a film temperature, a history knows the bulk temperature alone"
+            .to_owned(),
+    })
 }
 
 /// What stays the same from solve to solve.

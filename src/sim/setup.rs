@@ -331,22 +331,6 @@ pub(super) fn density(scene: &Scene, temperature: f64) -> Result<Option<Box<dyn 
     Ok(Some(law.at_temperature(temperature).unwrap_or(law)))
 }
 
-/// Checks that a film whose temperature is asked for has a viscosity `law` that knows temperature.
-pub(super) fn validate_film_heat(scene: &Scene, law: Option<&dyn ViscosityLaw>) -> Result<(), InputError> {
-    let asked = scene.lubricant.is_some_and(|lubricant| lubricant.thermal.is_some());
-    match law {
-        Some(law) if asked && law.viscosity_at(0.0, scene.thermal.bulk_temperature).is_none() => {
-            Err(InputError::Conflict {
-                field: "lubricant.thermal".to_owned(),
-                reason: "the viscosity does not know temperature: give lubricant.temperature and lubricant.roelands_s0, or \
-                         another law as lubricant.viscosity"
-                    .to_owned(),
-            })
-        }
-        _ => Ok(()),
-    }
-}
-
 /// The solver of the scene.
 pub(super) fn solver(scene: &Scene) -> Result<Box<dyn ContactSolver>, InputError> {
     let edge_contact = scene.solver.edge_contact;

@@ -34,6 +34,13 @@ pub struct FilmFlow<'a> {
     pub bulk_temperature: f64,
 }
 
+impl FilmFlow<'_> {
+    /// Where a contact as published has an overlap there is no film.
+    fn film_at(&self, k: usize) -> f64 {
+        self.film[k].max(0.0)
+    }
+}
+
 /// Heat of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -197,56 +204,51 @@ impl FilmTemperature {
         InputError::require_positive("bulk_temperature", flow.bulk_temperature)
     }
 
-    /// Heat of the flow by pressure, and of compression per temperature.
+    /// Heat of the flow by pressure, of compression per temperature, and what else does not depend on
+    /// temperature.
     fn find_other_heat(&mut self, flow: &FilmFlow<'_>) {
-        let (nx, ny) = (self.grid.nx(), self.grid.ny());
-        let fluidity = 1.0 / (12.0 * flow.lubricant.viscosity().viscosity(0.0));
+        let (nx, ny, speed) = (self.grid.nx(), self.grid.ny(), flow.speeds.0);
         self.pressure_heat.fill(0.0);
-        let film = |k: usize| flow.film[k].max(0.0);
-        let speed = flow.speeds.0;
         for (k, through) in self.through.iter_mut().enumerate() {
-            *through = speed * flow.content[k] * film(k);
+            *through = speed * flow.content[k] * flow.film_at(k);
         }
-        // The flow is that of the viscosities that the contact was solved with.
-        let ratios = flow.lubricant.viscosity_ratios();
-        let ratio = |k: usize| ratios.get(k).copied().unwrap_or(1.0);
-        // Heat between two nodes; the flow between them.
-        let mut add = |k: usize, o: usize, distance: f64| {
-            let (a, b) = (film(k), film(o));
-            let drop = flow.pressure[k] - flow.pressure[o];
-            if drop == 0.0 || a + b == 0.0 {
-                return 0.0;
-            }
-            let reduced = |k: usize| flow.lubricant.at(flow.pressure[k]).reduced_pressure;
-            let cube = 2.0 * (a * b) * (a * b) / (a + b);
-            let ratio = 0.5 * (ratio(k) + ratio(o));
-            let driven = fluidity * cube / ratio * (reduced(k) - reduced(o)) / distance;
-            let made = driven * drop / distance;
-            self.pressure_heat[k] += 0.5 * made;
-            self.pressure_heat[o] += 0.5 * made;
-            driven
-        };
-        for j in 0..ny {
-            for k in j * nx..(j + 1) * nx - 1 {
-                let driven = add(k, k + 1, self.grid.dx());
+        for first in (0..ny).map(|j| j * nx) {
+            for k in first..first + nx - 1 {
+                let driven = self.drive(flow, [k, k + 1], self.grid.dx());
                 self.through[k] += 0.5 * driven;
                 self.through[k + 1] += 0.5 * driven;
             }
         }
         for k in 0..nx * (ny - 1) {
-            add(k, k + nx, self.grid.dy());
+            self.drive(flow, [k, k + nx], self.grid.dy());
         }
-        for (through, film) in self.through.iter_mut().zip(flow.film) {
-            *through = through.clamp(0.0, speed * film.max(0.0));
-        }
-        for (k, compression) in self.compression.iter_mut().enumerate() {
+        for k in 0..self.grid.len() {
+            let film = flow.film_at(k);
+            self.through[k] = self.through[k].clamp(0.0, speed * film);
+            self.resistance[k] = film / self.properties.conductivity;
             let (before, after) = (k - usize::from(k % nx > 0), k + usize::from(k % nx + 1 < nx));
             let rise = (flow.pressure[after] - flow.pressure[before]) / (after - before) as f64;
-            *compression = self.properties.expansivity * self.through[k] * rise / self.grid.dx();
+            self.compression[k] = self.properties.expansivity * self.through[k] * rise / self.grid.dx();
         }
-        for (resistance, film) in self.resistance.iter_mut().zip(flow.film) {
-            *resistance = film.max(0.0) / self.properties.conductivity;
+    }
+
+    /// Flow by pressure from the first node to the second, whose heat it adds to both \[m^2/s\], with the
+    /// viscosities that the contact was solved with.
+    fn drive(&mut self, flow: &FilmFlow<'_>, [k, o]: [usize; 2], distance: f64) -> f64 {
+        let (a, b) = (flow.film_at(k), flow.film_at(o));
+        let drop = flow.pressure[k] - flow.pressure[o];
+        if drop == 0.0 || a + b == 0.0 {
+            return 0.0;
         }
+        let ratio = |k: usize| flow.lubricant.viscosity_ratios().get(k).copied().unwrap_or(1.0);
+        let viscosity = flow.lubricant.viscosity().viscosity(0.0) * 0.5 * (ratio(k) + ratio(o));
+        let reduced = |k: usize| flow.lubricant.at(flow.pressure[k]).reduced_pressure;
+        let cube = 2.0 * (a * b) * (a * b) / (a + b);
+        let driven = cube / (12.0 * viscosity) * (reduced(k) - reduced(o)) / distance;
+        let made = driven * drop / distance;
+        self.pressure_heat[k] += 0.5 * made;
+        self.pressure_heat[o] += 0.5 * made;
+        driven
     }
 
     /// Temperatures of the film under the last ones of the surfaces; heat per area that is made and carried
@@ -262,7 +264,7 @@ impl FilmTemperature {
         for k in 0..self.grid.len() {
             let first = k.is_multiple_of(nx);
             let upstream = if first { flow.bulk_temperature } else { self.mean[k - 1] };
-            let film = flow.film[k].max(0.0);
+            let film = flow.film_at(k);
             let rises = [self.rises[0][k], self.rises[1][k]];
             let mean_rise = 0.5 * (rises[0] + rises[1]);
             let response = if self.heat[k] > 0.0 { (mean_rise / self.heat[k]).clamp(0.0, most) } else { 0.0 };
