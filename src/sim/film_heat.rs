@@ -207,6 +207,10 @@ impl Loop {
         for k in 0..self.used.len() {
             let (mean, ratio) = (self.temperature.mean()[k], self.temperature.viscosity_ratios()[k]);
             let mut rise = mean - model.bulk_temperature;
+            if ratio.ln() == 0.0 && thinning(model, state, k, rise) == 0.0 {
+                // Any temperature does.
+                rise = self.used[k];
+            }
             // The rise at which the law has the viscosity of the flow; with one viscosity across the film it is
             // that of the mean.
             for _ in 0..REFINEMENTS {
