@@ -8,7 +8,7 @@ use super::scene::Scene;
 use super::simulation::Laws;
 use super::solution::is_known;
 use crate::error::InputError;
-use crate::lubricant::{Lubricant, ViscosityLaw};
+use crate::lubricant::ViscosityLaw;
 use crate::metrics;
 use crate::report::{SolveReport, Status};
 use crate::reynolds::ContactState;
@@ -16,13 +16,10 @@ use crate::thermal::{FilmFlow, FilmTemperature, HeatBalance};
 
 /// Solves of the contact at most.
 const MAX_SOLVES: usize = 40;
-/// Largest difference of temperature at a node between what the contact was solved with and what its heat makes
-/// \[K\].
-const TOLERANCE: f64 = 0.1;
-/// The same over the largest rise of the film, where that is more.
-const SHARE: f64 = 2e-3;
-/// Corrections of the rise that belongs to the viscosity of the flow.
-const REFINEMENTS: usize = 3;
+/// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat makes.
+const TOLERANCE: f64 = 5e-3;
+/// Largest logarithm of a ratio of viscosities.
+const LARGEST: f64 = 30.0;
 /// Share of the way to the new viscosities that is gone in a direction of which nothing is known.
 const STEP: f64 = 0.5;
 
@@ -42,8 +39,8 @@ pub struct FilmHeatNumbers {
     pub balance: HeatBalance,
     /// Solves of the contact.
     pub solves: usize,
-    /// Largest difference of temperature at a node between what the contact was solved with and what its heat
-    /// makes \[K\].
+    /// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat
+    /// makes.
     pub change: f64,
 }
 
@@ -73,14 +70,6 @@ pub(super) fn refuse_history(scene: &Scene) -> Result<(), InputError> {
         reason: "only a single contact has a film temperature, a history knows the bulk temperature alone"
             .to_owned(),
     })
-}
-
-/// Logarithm of the viscosity at node `k` of a film that is `rise` \[K\] above the bulk, over that at the bulk.
-fn thinning(model: &ContactModel, state: &ContactState, k: usize, rise: f64) -> f64 {
-    let Some(law) = model.lubricant.as_ref().map(Lubricant::viscosity) else { return 0.0 };
-    let pressure = state.fluid_pressure[k];
-    let warm = law.viscosity_at(pressure, model.bulk_temperature + rise);
-    warm.map_or(0.0, |warm| (warm / law.viscosity(pressure)).ln())
 }
 
 /// What stays the same from solve to solve.
@@ -124,8 +113,8 @@ pub(super) fn solve(
 /// The iteration between contact and temperature.
 struct Loop {
     temperature: FilmTemperature,
-    /// Rises above the bulk temperature of the viscosities that the contact was solved with, and what its heat
-    /// makes beyond them \[K\].
+    /// Logarithms of the ratios of viscosity that the contact was solved with, and those that its heat makes
+    /// beyond them.
     used: Vec<f64>,
     residual: Vec<f64>,
     mixing: Mixing,
@@ -141,8 +130,8 @@ impl Loop {
         let mut solves = 1;
         loop {
             let balance = self.heat(model, state, friction)?;
-            let change = self.compare(model, state);
-            let agree = change <= self.accepted(model) && balance.is_converged();
+            let change = self.compare();
+            let agree = change <= TOLERANCE && balance.is_converged();
             let done = agree || solves >= MAX_SOLVES || report.status != Status::Converged;
             if done {
                 if !agree && report.status == Status::Converged {
@@ -153,10 +142,10 @@ impl Loop {
             }
             // The first heat is that of the cool film, of which nothing but the way is known.
             self.mixing.advance(&mut self.used, &self.residual, if solves == 1 { 1.0 } else { STEP });
-            let coldest = 0.5 * model.bulk_temperature;
-            self.used.iter_mut().for_each(|used| *used = used.max(-coldest));
-            let nodes = self.used.iter().enumerate();
-            let ratios: Vec<f64> = nodes.map(|(k, used)| thinning(model, state, k, *used).exp()).collect();
+            for used in &mut self.used {
+                *used = used.clamp(-LARGEST, LARGEST);
+            }
+            let ratios: Vec<f64> = self.used.iter().map(|used| used.exp()).collect();
             if let Some(lubricant) = &mut model.lubricant {
                 lubricant.set_viscosity_ratios(&ratios)?;
             }
@@ -196,30 +185,11 @@ impl Loop {
         })
     }
 
-    /// Accepted difference of temperature \[K\].
-    fn accepted(&self, model: &ContactModel) -> f64 {
-        let hottest = self.temperature.mean().iter().fold(0.0_f64, |hottest, at| hottest.max(*at));
-        TOLERANCE.max(SHARE * (hottest - model.bulk_temperature))
-    }
-
-    /// The largest difference of the rises that were used and those that the heat makes \[K\].
-    fn compare(&mut self, model: &ContactModel, state: &ContactState) -> f64 {
-        for k in 0..self.used.len() {
-            let (mean, ratio) = (self.temperature.mean()[k], self.temperature.viscosity_ratios()[k]);
-            let mut rise = mean - model.bulk_temperature;
-            if ratio.ln() == 0.0 && thinning(model, state, k, rise) == 0.0 {
-                // Any temperature does.
-                rise = self.used[k];
-            }
-            // The rise at which the law has the viscosity of the flow; with one viscosity across the film it is
-            // that of the mean.
-            for _ in 0..REFINEMENTS {
-                let at_rise = thinning(model, state, k, rise);
-                if at_rise != 0.0 && ratio.ln() / at_rise > 0.0 {
-                    rise *= ratio.ln() / at_rise;
-                }
-            }
-            self.residual[k] = rise - self.used[k];
+    /// The largest difference of the logarithms of what was used and what the heat makes.
+    fn compare(&mut self) -> f64 {
+        let pairs = self.used.iter().zip(self.temperature.viscosity_ratios());
+        for (residual, (used, new)) in self.residual.iter_mut().zip(pairs) {
+            *residual = new.ln() - used;
         }
         self.residual.iter().fold(0.0, |largest, residual| residual.abs().max(largest))
     }

@@ -9,7 +9,7 @@ use crate::tribochem::{FlashTemperature, ThermalBody};
 /// Passes over film and surfaces at most.
 const MAX_PASSES: usize = 60;
 /// Change of a surface temperature in the last pass, over the largest rise.
-const TOLERANCE: f64 = 1e-4;
+const TOLERANCE: f64 = 3e-4;
 /// The same where nothing gets warm \[K\].
 const LEAST_CHANGE: f64 = 1e-9;
 
