@@ -49,6 +49,8 @@ pub enum Dimension {
     VolumePerEnergy,
     /// In rad.
     Angle,
+    /// In J/(m^3 K): heat capacity of a volume.
+    HeatCapacity,
 }
 
 /// How a number in a unit becomes one in SI units.
@@ -126,6 +128,8 @@ const VOLUME: Units = &[(&["m^3", "m3"], Ten(0)), (&["nm^3", "nm3"], Ten(-27)), 
 const VOLUME_PER_ENERGY: Units =
     &[(&["m^3/J", "m3/J"], Ten(0)), (&["mm^3/J", "mm3/J"], Ten(-9)), (&["um^3/J", "um3/J"], Ten(-18))];
 const ANGLE: Units = &[(&["rad"], Ten(0)), (&["deg"], Times(std::f64::consts::PI / 180.0))];
+const HEAT_CAPACITY: Units =
+    &[(&["J/(m^3 K)", "J/m^3/K"], Ten(0)), (&["kJ/(m^3 K)"], Ten(3)), (&["MJ/(m^3 K)"], Ten(6))];
 
 impl Dimension {
     /// The name in words.
@@ -148,6 +152,7 @@ impl Dimension {
             Self::Volume => "volume",
             Self::VolumePerEnergy => "volume per energy",
             Self::Angle => "angle",
+            Self::HeatCapacity => "heat capacity of a volume",
         }
     }
 
@@ -170,6 +175,7 @@ impl Dimension {
             Self::Volume => VOLUME,
             Self::VolumePerEnergy => VOLUME_PER_ENERGY,
             Self::Angle => ANGLE,
+            Self::HeatCapacity => HEAT_CAPACITY,
         }
     }
 

@@ -89,6 +89,7 @@ fn document_lists_every_key() {
         include_str!("../src/sim/scene/processes.rs"),
         include_str!("../src/sim/scene/elastic.rs"),
         include_str!("../src/sim/scene/lubricant.rs"),
+        include_str!("../src/thermal/properties.rs"),
         include_str!("../src/lubricant/doolittle_tait.rs"),
         include_str!("../src/lubricant/improved_yasutomi.rs"),
         include_str!("../src/sim/scene/materials.rs"),

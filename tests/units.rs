@@ -10,7 +10,7 @@ const SI: &str = include_str!("../examples/scenes/rough.toml");
 
 #[test]
 fn quantities_are_those_in_si_units_to_the_last_bit() {
-    let table: [(Dimension, &str, f64); 42] = [
+    let table: [(Dimension, &str, f64); 43] = [
         (Length, "9.525 mm", 9.525e-3),
         (Length, "9.525mm", 9.525e-3),
         (Length, "-250 um", -250e-6),
@@ -53,6 +53,7 @@ fn quantities_are_those_in_si_units_to_the_last_bit() {
         (Temperature, "353.15 K", 353.15),
         (Conductivity, "46 W/(m K)", 46.0),
         (Diffusivity, "12.7 mm^2/s", 12.7e-6),
+        (HeatCapacity, "1.7 MJ/(m^3 K)", 1.7e6),
     ];
     for (dimension, text, expected) in table {
         assert_eq!(dimension.parse("key", text).unwrap(), expected, "{text}");
@@ -75,6 +76,7 @@ fn every_unit_that_is_offered_is_taken() {
         Temperature,
         Conductivity,
         Diffusivity,
+        HeatCapacity,
     ];
     for dimension in dimensions {
         let offered: Vec<&str> = dimension.unit_names().collect();
@@ -160,7 +162,7 @@ fn schedules_and_line_loads_have_units_too() {
 #[test]
 fn every_documented_key_with_a_unit_takes_one() {
     // Differences of temperature and what is per kelvin.
-    const NUMBERS: [&str; 5] = ["epsilon", "beta", "expansion", "a1", "c2"];
+    const NUMBERS: [&str; 6] = ["epsilon", "beta", "expansion", "expansivity", "a1", "c2"];
     let document = [
         include_str!("../docs/scene_contact.md"),
         include_str!("../docs/scene_bodies.md"),
@@ -182,7 +184,7 @@ fn every_documented_key_with_a_unit_takes_one() {
             continue;
         }
         for name in names.split(", ").map(|name| name.trim_matches('`')) {
-            if section == "lubricant.viscosity" && NUMBERS.contains(&name) {
+            if section.starts_with("lubricant.") && NUMBERS.contains(&name) {
                 continue;
             }
             let key = match name.starts_with("schedule.") {

@@ -6,12 +6,13 @@ use std::cell::Cell;
 
 use stribeck::analytic::HertzPoint;
 use stribeck::elastic::{DeformationModel, HalfSpace, ResponseApproximations};
-use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
+use stribeck::lubricant::{DowsonHigginson, Lubricant, Rheology, Roelands, ThermalRoelands};
 use stribeck::reynolds::{
     ContactDefinition, ContactSolver, ContactState, Dry, LubricatedContact, Multigrid, NewtonKrylov, Scheme,
     SemiSystem, ShearThinning, StoppingRule,
 };
 use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
+use stribeck::thermal::{FilmFlow, FilmTemperature, FilmThermal};
 use stribeck::tribochem::{FilmGrowthLaw, FlashTemperature, Ghanbarzadeh, ThermalBody, Tribofilm};
 use stribeck::wear::{Archard, WearDepth};
 use stribeck::{Grid, RubbingPoint, SolveReport, Status};
@@ -281,6 +282,35 @@ fn flash_temperature() {
         let (report, allocations) = counted(|| flash.rise(&flux, &mut rise));
         let report = report.unwrap();
         assert!(report.maximum > 0.0 && report.iterations > 0, "{report:?}");
+        assert_eq!(allocations, 0, "{grid:?}");
+    }
+}
+
+#[test]
+fn film_temperature() {
+    let law = ThermalRoelands::new(Roelands::new(0.04, 0.6, 1.96e8).unwrap(), 313.15, 1.1).unwrap();
+    let oil = Lubricant::new(law, DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap());
+    for grid in grids() {
+        let bodies = [ThermalBody::STEEL; 2];
+        let properties = FilmThermal::default();
+        let mut temperature = FilmTemperature::new(&grid, properties, bodies, [1.5, 0.5]).unwrap();
+        let pressed = |(x, y): (f64, f64)| if x.hypot(y) < 60e-6 { 5e8 } else { 0.0 };
+        let pressure: Vec<f64> = grid.nodes().map(pressed).collect();
+        let (film, content, solid) = (vec![1e-7; grid.len()], vec![1.0; grid.len()], vec![0.0; grid.len()]);
+        let rheology = Rheology::eyring(5e6).unwrap();
+        let flow = FilmFlow {
+            lubricant: &oil,
+            rheology: &rheology,
+            pressure: &pressure,
+            film: &film,
+            content: &content,
+            boundary_heat: &solid,
+            speeds: (1.0, 1.0),
+            bulk_temperature: 313.15,
+        };
+        let (balance, allocations) = counted(|| temperature.update(&flow));
+        let balance = balance.unwrap();
+        assert!(balance.is_converged() && balance.generated > 0.0, "{balance:?}");
         assert_eq!(allocations, 0, "{grid:?}");
     }
 }

@@ -5,6 +5,7 @@
 //! cargo run --release --example stability_map -- --quick          # a few coarse ones
 //! cargo run --release --example stability_map -- --solver auto    # one solver
 //! cargo run --release --example stability_map -- --seed 2         # other roughness
+//! cargo run --release --example stability_map -- --solver auto --film-heat # films with a temperature of their own
 //! ```
 //!
 //! A solve that calls itself converged is checked from its fields alone: no pressure or gap may be negative,
@@ -31,11 +32,12 @@ use outcome::{Entry, SOLVERS, Solver, Verdict, solve};
 use scenes::{Case, Group};
 
 const USAGE: &str = "\
-usage: cargo run --release --example stability_map -- [--quick] [--solver NAME] [--seed N] [--out DIR]
+usage: cargo run --release --example stability_map -- [--quick] [--solver NAME] [--seed N] [--film-heat] [--out DIR]
 
   --quick        a few coarse scenes
   --solver NAME  auto, newton_krylov, semi_system or paper_contact alone (default: all four)
   --seed N       of the roughness of the ball, the disc's is N + 100 (default 1)
+  --film-heat    the scenes on 64 x 64 cells at once, at slide-roll ratios of 0.05 to 2, with the temperature of the film
   --out DIR      where to write stability.csv and stability.svg (default target/stability_map)
 ";
 const THREADS: usize = 2;
@@ -44,6 +46,7 @@ struct Options {
     quick: bool,
     solver: Option<Solver>,
     seed: u64,
+    film_heat: bool,
     out: PathBuf,
 }
 
@@ -52,8 +55,13 @@ fn main() -> ExitCode {
 }
 
 fn options() -> Result<Option<Options>, lexopt::Error> {
-    let mut options =
-        Options { quick: false, solver: None, seed: 1, out: PathBuf::from("target/stability_map") };
+    let mut options = Options {
+        quick: false,
+        solver: None,
+        seed: 1,
+        film_heat: false,
+        out: PathBuf::from("target/stability_map"),
+    };
     let mut parser = lexopt::Parser::from_env();
     while let Some(argument) = parser.next()? {
         match argument {
@@ -64,6 +72,7 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
                 options.solver = Some(known.ok_or_else(|| format!("no solver is called {name:?}"))?);
             }
             Long("seed") => options.seed = parser.value()?.parse()?,
+            Long("film-heat") => options.film_heat = true,
             Long("out") => options.out = PathBuf::from(parser.value()?),
             Long("help") | Short('h') => return Ok(None),
             other => return Err(other.unexpected()),
@@ -73,7 +82,10 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
-    let cases = scenes::cases(options.quick, options.seed);
+    let mut cases = scenes::cases(options.quick, options.seed);
+    if options.film_heat {
+        cases = with_film_heat(cases);
+    }
     let jobs: Vec<(&Case, Solver)> = SOLVERS
         .into_iter()
         .filter(|solver| options.solver.is_none_or(|only| only == *solver))
@@ -89,6 +101,15 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     print!("{}", summary(&entries)?);
     println!("table and map are in {}", folder.display());
     Ok(())
+}
+
+/// Those on 64 x 64 cells and less that are solved at once, an oil that thins as it warms, slide-roll ratios in
+/// turn.
+fn with_film_heat(cases: Vec<Case>) -> Vec<Case> {
+    let fit = cases.into_iter().filter(|case| case.cells == 0 && case.nodes <= 64);
+    fit.zip([0.05, 0.5, 1.0, 2.0].into_iter().cycle())
+        .map(|(case, ratio)| Case { sliding: Some(ratio), ..case })
+        .collect()
 }
 
 /// Solves all jobs on two threads; the entries come in the order of the jobs.

@@ -216,7 +216,8 @@ pub(crate) fn table(entries: &[Entry]) -> String {
          area_ratio,remark\n",
     );
     for entry in entries {
-        let Case { group, nodes, speed, rq, lengths, pressure, hardness, cells, seed: _ } = &entry.case;
+        let Case { group, nodes, speed, rq, lengths, pressure, hardness, cells, sliding: _, seed: _ } =
+            &entry.case;
         let hardness = hardness.map_or_else(String::new, |value| format!("{value:e}"));
         // Writing to a string cannot fail.
         let _ = write!(

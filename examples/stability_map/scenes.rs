@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use stribeck::sim::Scene;
 use stribeck::sim::scene::{FileRoughness, GridSpec, PlasticSpec, RandomRoughness, Roughness, RoughnessPair};
+use stribeck::thermal::FilmThermal;
 
 /// Hertz pressure of the reference scene \[Pa\] and half of its box \[m\]; boxes grow with the Hertz radius,
 /// which grows with the pressure.
@@ -70,6 +71,8 @@ pub(crate) struct Case {
     pub(crate) hardness: Option<f64>,
     /// Cells that the mean surface moves on in a step of a transient scene; zero in the others.
     pub(crate) cells: u32,
+    /// Slide-roll ratio of a contact whose film has a temperature of its own; none where it has not.
+    pub(crate) sliding: Option<f64>,
     /// Seed of the ball's roughness; the disc's is [`DISC_SEED`] more.
     pub(crate) seed: u64,
 }
@@ -85,6 +88,7 @@ impl Case {
             pressure: REFERENCE.0,
             hardness: HARDNESSES[1],
             cells: 0,
+            sliding: None,
             seed: 0,
         }
     }
@@ -99,6 +103,13 @@ impl Case {
         scene.plastic = self.hardness.map(PlasticSpec::new);
         let rough = |body: usize| self.roughness(body);
         scene.roughness = RoughnessPair { ball: rough(0), disc: rough(1) };
+        if let (Some(ratio), Some(oil)) = (self.sliding, &mut scene.lubricant) {
+            scene.motion.slide_roll_ratio = ratio;
+            scene.friction.eyring_stress = Some(5e6);
+            scene.thermal.bulk_temperature = 353.15;
+            (oil.temperature, oil.roelands_s0) = (Some(353.15), Some(1.1));
+            oil.thermal = Some(FilmThermal::default());
+        }
         scene
     }
 

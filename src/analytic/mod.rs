@@ -4,10 +4,12 @@
 //! of parallel cylinders, [`FilmConditions`] and [`LineFilmConditions`] are the film formulas fitted to full
 //! numerical solutions, [`Westergaard`] is the dry contact of a wavy surface, [`rectangle_potential`] the
 //! integral of 1/r over a rectangle and [`strip_potential`] that of a logarithm over a strip, from which the
-//! displacement of a uniformly loaded cell follows. All of it is plain arithmetic on numbers: nothing here
+//! displacement of a uniformly loaded cell follows, [`ThermalInlet`] and [`ShearedLayer`] are the heat of inlets
+//! and of a sheared film. All of it is plain arithmetic on numbers: nothing here
 //! knows a grid or a solver.
 
 mod film_formulas;
+mod film_heat;
 mod hertz;
 mod hertz_line;
 mod line_film_formulas;
@@ -16,6 +18,7 @@ mod strip;
 mod westergaard;
 
 pub use film_formulas::FilmConditions;
+pub use film_heat::{ShearedLayer, ThermalInlet};
 pub use hertz::{HertzPoint, equivalent_modulus};
 pub use hertz_line::HertzLine;
 pub use line_film_formulas::LineFilmConditions;

@@ -133,6 +133,10 @@ impl ViscosityLaw for DoolittleTait {
     fn at_temperature(&self, temperature: f64) -> Option<Box<dyn ViscosityLaw>> {
         Some(Box::new(self.at(temperature)))
     }
+
+    fn viscosity_at(&self, pressure: f64, temperature: f64) -> Option<f64> {
+        Some(self.at(temperature).viscosity(pressure))
+    }
 }
 
 impl DensityLaw for DoolittleTait {

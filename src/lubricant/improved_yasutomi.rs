@@ -103,4 +103,8 @@ impl ViscosityLaw for ImprovedYasutomi {
     fn at_temperature(&self, temperature: f64) -> Option<Box<dyn ViscosityLaw>> {
         Some(Box::new(Self { temperature, ..*self }))
     }
+
+    fn viscosity_at(&self, pressure: f64, temperature: f64) -> Option<f64> {
+        Some(Self { temperature, ..*self }.viscosity(pressure))
+    }
 }

@@ -26,6 +26,8 @@ pub use table::FluidPoint;
 use table::FluidTable;
 pub use thermal_roelands::ThermalRoelands;
 
+use crate::error::InputError;
+
 /// Viscosity as a function of pressure at the temperature of the contact.
 ///
 /// Contract: for every finite pressure the viscosity is finite and positive, and it does not fall with
@@ -46,6 +48,12 @@ pub trait ViscosityLaw: Debug + Send + Sync {
     /// temperature.
     fn at_temperature(&self, _temperature: f64) -> Option<Box<dyn ViscosityLaw>> {
         None
+    }
+
+    /// Viscosity \[Pa s\] at `pressure` \[Pa\] and `temperature` \[K\]; none for a law that does not know
+    /// temperature. By default that of [`at_temperature`](Self::at_temperature), which boxes a law a call.
+    fn viscosity_at(&self, pressure: f64, temperature: f64) -> Option<f64> {
+        self.at_temperature(temperature).map(|law| law.viscosity(pressure))
     }
 
     /// Fills `viscosity` \[Pa s\] from `pressure` \[Pa\]; slices of one length.
@@ -80,6 +88,7 @@ pub struct Lubricant {
     viscosity: Arc<dyn ViscosityLaw>,
     density: Arc<dyn DensityLaw>,
     table: FluidTable,
+    ratios: Vec<f64>,
 }
 
 impl Lubricant {
@@ -91,10 +100,30 @@ impl Lubricant {
     /// A lubricant from boxed laws.
     pub fn from_boxed(viscosity: Box<dyn ViscosityLaw>, density: Box<dyn DensityLaw>) -> Self {
         let table = FluidTable::new(&*viscosity, &*density);
-        Self { viscosity: viscosity.into(), density: density.into(), table }
+        Self { viscosity: viscosity.into(), density: density.into(), table, ratios: Vec::new() }
     }
 
-    /// The lubricant at `temperature` \[K\]; laws that do not know temperature stay as they are.
+    /// The viscosity of every node of a contact over that of the law, by the temperature of its film; empty where all films have the temperature of the law.
+    pub fn viscosity_ratios(&self) -> &[f64] {
+        &self.ratios
+    }
+
+    /// Takes over the viscosity of every node over that of the law: the flow by pressure counts with it. An
+    /// empty slice for the law alone.
+    ///
+    /// # Errors
+    /// A ratio that is not finite and positive.
+    pub fn set_viscosity_ratios(&mut self, ratios: &[f64]) -> Result<(), InputError> {
+        for &ratio in ratios {
+            InputError::require_positive("viscosity_ratios", ratio)?;
+        }
+        self.ratios.clear();
+        self.ratios.extend_from_slice(ratios);
+        Ok(())
+    }
+
+    /// The lubricant at `temperature` \[K\]; laws that do not know temperature stay as they are. The ratios
+    /// of viscosity are dropped where one does.
     #[must_use]
     pub fn at_temperature(self, temperature: f64) -> Self {
         match (self.viscosity.at_temperature(temperature), self.density.at_temperature(temperature)) {
@@ -103,7 +132,7 @@ impl Lubricant {
                 let viscosity = viscosity.map_or(self.viscosity, Arc::from);
                 let density = density.map_or(self.density, Arc::from);
                 let table = FluidTable::new(&*viscosity, &*density);
-                Self { viscosity, density, table }
+                Self { viscosity, density, table, ratios: Vec::new() }
             }
         }
     }

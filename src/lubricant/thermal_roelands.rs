@@ -60,6 +60,11 @@ impl ThermalRoelands {
         InputError::require_non_negative("lubricant.roelands_s0", slope)?;
         Ok(Self { current: reference.clone(), reference, temperature, slope })
     }
+
+    fn law_at(&self, temperature: f64) -> Roelands {
+        let ratio = (temperature - ORIGIN).max(1.0) / (self.temperature - ORIGIN);
+        self.reference.scaled(ratio.powf(-self.slope))
+    }
 }
 
 impl ViscosityLaw for ThermalRoelands {
@@ -72,8 +77,10 @@ impl ViscosityLaw for ThermalRoelands {
     }
 
     fn at_temperature(&self, temperature: f64) -> Option<Box<dyn ViscosityLaw>> {
-        let ratio = (temperature - ORIGIN).max(1.0) / (self.temperature - ORIGIN);
-        let current = self.reference.scaled(ratio.powf(-self.slope));
-        Some(Box::new(Self { current, ..self.clone() }))
+        Some(Box::new(Self { current: self.law_at(temperature), ..self.clone() }))
+    }
+
+    fn viscosity_at(&self, pressure: f64, temperature: f64) -> Option<f64> {
+        Some(self.law_at(temperature).viscosity(pressure))
     }
 }

@@ -3,6 +3,7 @@
 use std::sync::atomic::Ordering;
 
 use super::builder::SimBuilder;
+use super::film_heat;
 use super::formula::{FormulaFilm, formula_film, stated_film};
 use super::hertz::HertzContact;
 use super::interrupt::{Interrupt, Interruptible};
@@ -49,7 +50,7 @@ pub(super) struct ContactModel {
     /// Load that was asked for; that of the Hertz contact is rounded \[N\].
     load: f64,
     /// That of the lubricant \[K\].
-    bulk_temperature: f64,
+    pub(super) bulk_temperature: f64,
     /// Film formulas of the smooth contact; none without lubricant.
     pub(super) formulas: Option<FormulaFilm>,
     /// Central film by formula, by the pressure-viscosity coefficient that is stated for it; zero without
@@ -123,6 +124,7 @@ impl ContactModel {
             _ => None,
         };
         let law = lubricant.as_ref().map(Lubricant::viscosity);
+        film_heat::validate(scene, law)?;
         let formulas = formula_film(scene, &hertz, conditions.motion.entrainment_speed, law, None)?;
         let stated_film = stated_film(scene, &hertz, &conditions, law)?;
         Ok(Self {

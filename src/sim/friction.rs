@@ -102,6 +102,16 @@ impl FrictionFields {
         if self.sliding > 0.0 { self.boundary[k] * self.solid[k] + self.shear[k] } else { 0.0 }
     }
 
+    /// Shear stress law of the fluid.
+    pub(super) fn rheology(&self) -> &Rheology {
+        &self.rheology
+    }
+
+    /// Heat of solid friction at every node \[W/m^2\].
+    pub(super) fn boundary_heat(&self) -> Vec<f64> {
+        self.boundary.iter().zip(&self.solid).map(|(mu, solid)| mu * solid * self.sliding).collect()
+    }
+
     /// Heat of friction at node `k` \[W/m^2\].
     pub(super) fn heat(&self, k: usize) -> f64 {
         self.stress(k) * self.sliding

@@ -13,6 +13,7 @@ mod course;
 pub mod ensemble;
 mod error;
 mod exposure;
+mod film_heat;
 mod formula;
 mod friction;
 mod heat;
@@ -21,6 +22,7 @@ mod history_means;
 #[cfg(feature = "serde")]
 mod identity;
 mod interrupt;
+mod mixing;
 #[cfg(feature = "npz")]
 mod npz;
 mod observer;
@@ -57,6 +59,7 @@ pub use builder::SimBuilder;
 pub use checkpoint::CheckpointError;
 pub use contact::solve_contact;
 pub use error::SimError;
+pub use film_heat::FilmHeatNumbers;
 pub use formula::FormulaFilm;
 pub use hertz::HertzContact;
 pub use history_means::HistoryMeans;

@@ -63,6 +63,9 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     if let Some(spec) = scene.lubricant {
         viscosity_law(&spec, thermal.bulk_temperature)?;
         DowsonHigginson::new(spec.density_a, spec.density_b)?;
+        if let Some(properties) = spec.thermal {
+            properties.validate()?;
+        }
         if let Some(alpha) = spec.formula_alpha {
             InputError::require_positive("lubricant.formula_alpha", alpha)?;
         }

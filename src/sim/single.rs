@@ -4,6 +4,7 @@
 use super::body::Body;
 use super::builder::SimBuilder;
 use super::contact::ContactModel;
+use super::film_heat::{self, Surroundings};
 use super::friction::FrictionFields;
 use super::interrupt::Interrupt;
 use super::scene::{GridSpec, Scene};
@@ -157,14 +158,12 @@ fn solve_bodies(
             Some(yielding.limit)
         }
     };
-    let report = model.solve(&gap, limit.as_deref(), None, &mut state)?;
     let mut friction = FrictionFields::new(scene, grid.len())?;
+    let given = Surroundings { scene, laws, gap: &gap, limit: limit.as_deref(), tribofilms: &films };
+    let (report, film_heat) = film_heat::solve(&given, &mut model, &mut state, &mut friction)?;
     let known = is_known(&state);
-    if known {
-        friction.update(&model, &state, laws.friction.as_ref(), &films)?;
-    }
     let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
     let rq = [ball, disc].map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
     let stress = if known { StressNumbers::of(scene, &model, &state, &friction)? } else { None };
-    Ok(ContactSolution { stress, ..model.solution((report, state), gap, numbers, rq) })
+    Ok(ContactSolution { stress, film_heat, ..model.solution((report, state), gap, numbers, rq) })
 }

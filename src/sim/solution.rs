@@ -2,6 +2,7 @@
 
 use super::accuracy::ErrorEstimate;
 use super::contact::ContactModel;
+use super::film_heat::FilmHeatNumbers;
 use super::friction::{FrictionFields, FrictionShares};
 use super::hertz::HertzContact;
 use super::scene::Scene;
@@ -41,6 +42,8 @@ pub struct ContactSolution {
     pub error_estimate: Option<ErrorEstimate>,
     /// Stresses below the surface of the disc; none where the scene does not ask for them.
     pub stress: Option<StressNumbers>,
+    /// Temperature of the film; none where the scene does not ask for it.
+    pub film_heat: Option<FilmHeatNumbers>,
     /// Film numbers.
     pub film: FilmNumbers,
     /// Contact numbers.
@@ -68,17 +71,20 @@ pub struct ContactSolution {
 
 impl ContactSolution {
     /// Fields by name, one value a node: `pressure` and `fluid_pressure` \[Pa\], `film` \[m\], `theta` (the
-    /// share of the gap that is filled), `gap` and `plastic_depth` \[m\].
-    pub fn fields(&self) -> [(&'static str, &[f64]); 6] {
+    /// share of the gap that is filled), `gap` and `plastic_depth` \[m\], with [`film_heat`](Self::film_heat)
+    /// `film_temperature` \[K\] too.
+    pub fn fields(&self) -> Vec<(&'static str, &[f64])> {
         let state = &self.state;
-        [
+        let mut fields: Vec<(&'static str, &[f64])> = vec![
             ("pressure", &state.pressure),
             ("fluid_pressure", &state.fluid_pressure),
             ("film", &state.film),
             ("theta", &state.content),
             ("gap", &self.gap),
             ("plastic_depth", &state.plastic_depth),
-        ]
+        ];
+        fields.extend(self.film_heat.iter().map(|heat| ("film_temperature", &*heat.temperature)));
+        fields
     }
 }
 
@@ -251,6 +257,7 @@ impl ContactModel {
             error_estimate: None,
             warnings: Vec::new(),
             stress: None,
+            film_heat: None,
         }
     }
 }

@@ -54,6 +54,7 @@ impl fmt::Display for ContactSolution {
         self.write_flow(f)?;
         writeln!(f, "approach   {:.3} nm", self.state.approach * 1e9)?;
         self.write_errors(f)?;
+        self.write_heat(f)?;
         self.write_stress(f)
     }
 }
@@ -79,6 +80,16 @@ impl ContactSolution {
             estimate.friction_coefficient * 100.0,
             estimate.load_ratio,
             estimate.area_ratio
+        )
+    }
+
+    fn write_heat(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(heat) = &self.film_heat else { return Ok(()) };
+        let [ball, disc] = heat.surface_rises;
+        write!(
+            f,
+            "\nheat       film up to {:.2} K, ball up to {ball:.2} K and disc up to {disc:.2} K above the bulk; {} solves",
+            heat.maximum, heat.solves
         )
     }
 
@@ -129,6 +140,7 @@ mod named {
         flow: Option<Flow>,
         approach: f64,
         stress: Option<Stress>,
+        thermal: Option<Thermal>,
         error_estimate: Option<Errors>,
         grid: Cells,
         warnings: &'a [Warning],
@@ -218,6 +230,18 @@ mod named {
     }
 
     #[derive(Serialize)]
+    struct Thermal {
+        film_temperature_max: f64,
+        film_temperature_mean_central: f64,
+        surface_rise_ball: f64,
+        surface_rise_disc: f64,
+        heat: f64,
+        imbalance: f64,
+        solves: usize,
+        change: f64,
+    }
+
+    #[derive(Serialize)]
     struct Largest {
         stress: f64,
         depth: f64,
@@ -295,6 +319,7 @@ mod named {
                     yield_ratio: stress.yield_ratio,
                     shakedown_ratio: stress.shakedown_ratio,
                 }),
+                thermal: self.thermal_numbers(),
                 error_estimate: self.error_numbers(),
                 grid: Cells {
                     nx: self.grid.nx(),
@@ -358,6 +383,21 @@ mod named {
                 plastic_area: contact.plastic_area,
                 film_cutoff: contact.film_cutoff,
             }
+        }
+
+        fn thermal_numbers(&self) -> Option<Thermal> {
+            let heat = self.film_heat.as_ref()?;
+            let [surface_rise_ball, surface_rise_disc] = heat.surface_rises;
+            Some(Thermal {
+                film_temperature_max: heat.maximum,
+                film_temperature_mean_central: heat.mean_central,
+                surface_rise_ball,
+                surface_rise_disc,
+                heat: heat.balance.generated,
+                imbalance: heat.balance.imbalance(),
+                solves: heat.solves,
+                change: heat.change,
+            })
         }
 
         fn error_numbers(&self) -> Option<Errors> {

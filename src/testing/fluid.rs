@@ -11,7 +11,7 @@ const SLOPE_TOLERANCE: f64 = 1e-3;
 
 /// Checks `law` against the contract of [`ViscosityLaw`]: finite and positive at every pressure, not falling
 /// with it, pressures below zero counting as zero, the logarithmic slope that of the viscosity, whole fields
-/// like single values.
+/// like single values, and the viscosity at a temperature that of the law at it.
 ///
 /// # Errors
 /// The first violation.
@@ -37,6 +37,14 @@ pub fn viscosity_law(law: &dyn ViscosityLaw) -> Result<(), Violation> {
             format!("{filled} and {eta} Pa s at {p} Pa")
         })?;
         lower = eta;
+    }
+    for temperature in [250.0, 350.0, 450.0] {
+        let boxed = law.at_temperature(temperature).map(|law| law.viscosity(3e8));
+        let value = law.viscosity_at(3e8, temperature);
+        let agree = boxed.zip(value).map_or(boxed == value, |(boxed, value)| same(boxed, value));
+        contract.require(agree, "viscosity_at is that of at_temperature", || {
+            format!("{value:?} and {boxed:?} Pa s at {temperature} K")
+        })?;
     }
     let (negative, ambient) = (law.viscosity(-1e8), law.viscosity(0.0));
     contract.require(same(negative, ambient), "pressures below zero count as zero", || {

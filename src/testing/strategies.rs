@@ -68,6 +68,7 @@ fn lubricants() -> impl Strategy<Value = Option<LubricantSpec>> {
             density_a: 0.6e-9,
             density_b: 1.7e-9,
             supplied_film: None,
+            thermal: None,
         });
     prop::option::weighted(0.75, oil)
 }

@@ -7,7 +7,15 @@ const DIRECTIONS: usize = 6;
 /// Iterations at most.
 const MAX_ITERATIONS: usize = 60;
 
-/// Generalised conjugate residual iteration for `S q = b` on the heated nodes, `q` zero elsewhere. The
+/// A layer between the bodies: its resistance to heat at every node \[K m^2/W\], and the rise of the first
+/// body per flux into one cell at its own node, which scales the search.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Resistance<'a> {
+    pub(super) nodes: &'a [f64],
+    pub(super) own: f64,
+}
+
+/// Generalised conjugate residual iteration for `S q = b` on the heated nodes, with a layer on all, `q` zero elsewhere. The
 /// residual never grows, so stopping early leaves a split that is no worse than the first guess.
 #[derive(Debug, Clone)]
 pub(super) struct SplitSolver {
@@ -34,17 +42,18 @@ impl SplitSolver {
     pub(super) fn solve(
         &mut self,
         sum: &mut Convolution,
-        heated: &[f64],
+        (heated, layer): (&[f64], Option<Resistance<'_>>),
         target: &[f64],
         share: &mut [f64],
         tolerance: f64,
     ) -> usize {
         sum.apply(share, &mut self.residual);
+        add_layer(layer, share, &mut self.residual);
         for ((r, &t), &q) in self.residual.iter_mut().zip(target).zip(heated) {
-            *r = if q > 0.0 { t - *r } else { 0.0 };
+            *r = if q > 0.0 || layer.is_some() { t - *r } else { 0.0 };
         }
         for iteration in 0..MAX_ITERATIONS {
-            if largest(&self.residual) <= tolerance || !self.improve(sum, heated, share, iteration) {
+            if largest(&self.residual) <= tolerance || !self.improve(sum, (heated, layer), share, iteration) {
                 return iteration;
             }
         }
@@ -55,16 +64,22 @@ impl SplitSolver {
     fn improve(
         &mut self,
         sum: &mut Convolution,
-        heated: &[f64],
+        (heated, layer): (&[f64], Option<Resistance<'_>>),
         share: &mut [f64],
         iteration: usize,
     ) -> bool {
         let (older, rest) = self.directions.split_at_mut(iteration % DIRECTIONS);
         let Some(new) = rest.first_mut() else { return false };
         new.search.copy_from_slice(&self.residual);
+        if let Some(layer) = layer {
+            for (search, resistance) in new.search.iter_mut().zip(layer.nodes) {
+                *search /= layer.own + resistance;
+            }
+        }
         sum.apply(&new.search, &mut new.image);
+        add_layer(layer, &new.search, &mut new.image);
         for (value, &q) in new.image.iter_mut().zip(heated) {
-            *value = if q > 0.0 { *value } else { 0.0 };
+            *value = if q > 0.0 || layer.is_some() { *value } else { 0.0 };
         }
         for old in older.iter() {
             let weight = -dot(&new.image, &old.image) / old.norm_squared;
@@ -79,6 +94,14 @@ impl SplitSolver {
         add_scaled(share, length, &new.search);
         add_scaled(&mut self.residual, -length, &new.image);
         true
+    }
+}
+
+/// Adds the difference of temperature across the layer under the flux `share` to `rise`.
+fn add_layer(layer: Option<Resistance<'_>>, share: &[f64], rise: &mut [f64]) {
+    let Some(layer) = layer else { return };
+    for ((rise, flux), resistance) in rise.iter_mut().zip(share).zip(layer.nodes) {
+        *rise += resistance * flux;
     }
 }
 

@@ -69,6 +69,10 @@ impl Expected {
         if picks_grid {
             on_grid.grid = own_grid(scene, &hertz);
         }
+        // A history has none; the single contact that `solve` solves has.
+        if let Some(oil) = &mut on_grid.lubricant {
+            oil.thermal = None;
+        }
         let sim = MixedLubricationSim::builder(on_grid).build()?;
         let mut rq = [0.0; 2];
         for (rq, body) in rq.iter_mut().zip(sim.bodies()) {
@@ -238,6 +242,12 @@ fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part>, InputErr
             part("starved inlet", true, "lubricant.supplied_film is given")
         } else {
             part("starved inlet", false, "without lubricant.supplied_film the inlet is flooded")
+        });
+        let warm = scene.lubricant.as_ref().is_some_and(|oil| oil.thermal.is_some());
+        parts.push(if warm {
+            part("film temperature", true, "lubricant.thermal is given")
+        } else {
+            part("film temperature", false, "without [lubricant.thermal] the film has the bulk temperature")
         });
         parts.push(if scene.friction.eyring_stress.is_some() {
             part("shear thinning", true, "friction.eyring_stress is given")

@@ -15,6 +15,9 @@
 //! through a face still grows with the pressure of its node where `ln eta` is linear in pressure, as
 //! `q_end - q <= (dq/dp) / (d ln eta/dp)`.
 //!
+//! Films that are warmer than the law have `eta*/eta` times the ratio of viscosities that the lubricant holds
+//! for the node ([`Lubricant::viscosity_ratios`]); shear thinning then is that of the warmer fluid.
+//!
 //! In `a` the film counts as at least half the contact film, in `m` it counts as it is.
 
 use super::balance::FlowBalance;
@@ -98,7 +101,9 @@ pub(in crate::reynolds) struct Discretisation {
     north: Vec<f64>,
     /// Film in which the fluid at ambient pressure has `x = 1` \[m\]; zero without shear thinning.
     thinning: f64,
-    /// `eta*/eta` of the nodes; empty without shear thinning.
+    /// Viscosity of the nodes over that of the law; empty where they have its temperature.
+    warmth: Vec<f64>,
+    /// `eta*/eta` of the nodes; empty without shear thinning in films that have the temperature of the law.
     ratios: Vec<ViscosityRatio>,
 }
 
@@ -140,6 +145,7 @@ impl Discretisation {
             east: zeros(),
             north: zeros(),
             thinning: 0.0,
+            warmth: Vec::new(),
             ratios: Vec::new(),
         }
     }
@@ -167,11 +173,28 @@ impl Discretisation {
         self.fluidity = ambient.map_or(0.0, |eta| 1.0 / (12.0 * eta));
         let thinning = |(law, eta): (ShearThinning, f64)| law.length(eta);
         self.thinning = problem.shear_thinning.zip(ambient).map_or(0.0, thinning);
-        let thinned = if self.thinning > 0.0 { self.grid.len() } else { 0 };
+        self.warm(problem.lubricant.map_or(&[], Lubricant::viscosity_ratios), &problem.grid());
+        let is_newtonian = self.thinning == 0.0 && self.warmth.is_empty();
+        let thinned = if is_newtonian { 0 } else { self.grid.len() };
         self.ratios.resize(thinned, ViscosityRatio::NEWTONIAN);
         // Coarser grids, whose gaps are not those of the problem, only make corrections.
         if problem.gap.len() == self.grid.len() {
             self.align(problem.gap);
+        }
+    }
+
+    /// Takes over the ratios of viscosity of the nodes of the grid `of` the problem, on a coarser grid those of
+    /// the nodes next to its own.
+    fn warm(&mut self, ratios: &[f64], of: &Grid) {
+        self.warmth.clear();
+        if ratios.len() == self.grid.len() {
+            self.warmth.extend_from_slice(ratios);
+        } else if !ratios.is_empty() {
+            let (nx, ny) = (self.grid.nx(), self.grid.ny());
+            let near = |i: usize, n: usize, fine: usize| ((2 * i + 1) * fine / (2 * n)).min(fine - 1);
+            let nodes = (0..ny).flat_map(|j| (0..nx).map(move |i| (i, j)));
+            let at = |(i, j)| ratios[near(j, ny, of.ny()) * of.nx() + near(i, nx, of.nx())];
+            self.warmth.extend(nodes.map(at));
         }
     }
 
@@ -226,17 +249,19 @@ impl Discretisation {
         }
     }
 
-    /// `eta*/eta` of a node at fluid pressure `p` and film `h`.
-    fn viscosity_ratio(&self, lubricant: &Lubricant, p: f64, h: f64) -> ViscosityRatio {
+    /// `eta*/eta` of node `k` at fluid pressure `p` and film `h`.
+    fn viscosity_ratio(&self, lubricant: &Lubricant, k: usize, p: f64, h: f64) -> ViscosityRatio {
+        let warmth = self.warmth.get(k).copied().unwrap_or(1.0);
         if self.thinning == 0.0 {
-            return ViscosityRatio::NEWTONIAN;
+            return ViscosityRatio::NEWTONIAN.times(warmth);
         }
         let point = lubricant.at(p);
         let floored = h.max(self.film_floor);
         // Density over slope of the reduced pressure is the viscosity over that at ambient pressure.
-        let x = self.thinning / floored * (point.density / point.reduced_slope);
+        let x = warmth * self.thinning / floored * (point.density / point.reduced_slope);
         let by_pressure = point.density_slope / point.density - point.reduced_curvature / point.reduced_slope;
-        ViscosityRatio::new(x, by_pressure, if h > self.film_floor { -1.0 / h } else { 0.0 })
+        let by_film = if h > self.film_floor { -1.0 / h } else { 0.0 };
+        ViscosityRatio::new(x, by_pressure, by_film).times(warmth)
     }
 
     /// Takes over fluid pressure and film of every node, and the masses of the previous time, where there is
@@ -254,7 +279,7 @@ impl Discretisation {
         }
         if !self.ratios.is_empty() {
             for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
-                self.ratios[k] = self.viscosity_ratio(lubricant, p, h);
+                self.ratios[k] = self.viscosity_ratio(lubricant, k, p, h);
             }
         }
         self.update_entrainment();
@@ -594,17 +619,17 @@ impl Discretisation {
         ]
     }
 
-    /// Density, its slope, then flow through all faces of a node at fluid pressure `p` and film `h` and its
+    /// Density, its slope, then flow through all faces of node `k` at fluid pressure and film `(p, h)` and its
     /// derivatives by both.
     pub(in crate::reynolds) fn outflow(
         &self,
         lubricant: &Lubricant,
+        k: usize,
         neighbours: &[HeldNeighbour; 4],
-        p: f64,
-        h: f64,
+        (p, h): (f64, f64),
     ) -> ([f64; 2], [f64; 3]) {
         let node = self.node_flow(lubricant, p, h);
-        let ratio = self.viscosity_ratio(lubricant, p, h);
+        let ratio = self.viscosity_ratio(lubricant, k, p, h);
         ([node.density, node.density_p], self.flow_of(&node, ratio, neighbours))
     }
 
@@ -625,7 +650,7 @@ impl Discretisation {
         for held in neighbours {
             let (first, second) = if held.is_first { (&held.flow, node) } else { (node, &held.flow) };
             let mut face = self.face_mobility.of(self.fluidity, first, second, held.direction);
-            if self.thinning > 0.0 {
+            if !self.ratios.is_empty() {
                 let (first, second) = if held.is_first { (held.ratio, ratio) } else { (ratio, held.ratio) };
                 face = face.thinned(first, second);
             }
@@ -856,7 +881,7 @@ mod tests {
                 let mut fluid = row(face_mobility, thinning);
                 fluid.update(&oil, &pressure, &film, None);
                 let neighbours = fluid.held_neighbours(2);
-                let flow = |p: f64, h: f64| fluid.outflow(&oil, &neighbours, p, h).1;
+                let flow = |p: f64, h: f64| fluid.outflow(&oil, 2, &neighbours, (p, h)).1;
                 let (p, h) = (pressure[2], film[2]);
                 let [value, by_pressure, by_film] = flow(p, h);
                 assert!((fluid.balance(2, None) / value - 1.0).abs() < 1e-13, "{value:e}");
@@ -891,7 +916,7 @@ mod tests {
                     let neighbours = fluid.held_neighbours(2);
                     for step in 0..150 {
                         let p = f64::from(step) * 1e7;
-                        let slope = fluid.outflow(&oil, &neighbours, p, film[0]).1[1];
+                        let slope = fluid.outflow(&oil, 2, &neighbours, (p, film[0])).1[1];
                         assert!(slope > 0.0, "{slope:e} at {p:e}, {other:e}, films {film:?}, {thinning:e}");
                     }
                 }

@@ -64,6 +64,15 @@ pub(super) struct ViscosityRatio {
 impl ViscosityRatio {
     pub(super) const NEWTONIAN: Self = Self { value: 1.0, by_pressure: 0.0, by_film: 0.0 };
 
+    /// The same `factor` times as large.
+    pub(super) fn times(self, factor: f64) -> Self {
+        Self {
+            value: factor * self.value,
+            by_pressure: factor * self.by_pressure,
+            by_film: factor * self.by_film,
+        }
+    }
+
     /// At `x`, of which the logarithmic derivatives are given.
     pub(super) fn new(x: f64, by_pressure: f64, by_film: f64) -> Self {
         let (value, slope) = ratio(x);

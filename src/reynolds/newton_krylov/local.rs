@@ -90,7 +90,7 @@ impl<'a> Local<'a> {
 
     /// Own share at fluid pressure `p` and film `h`, and its derivatives by both.
     fn share(&self, p: f64, h: f64) -> (f64, f64, f64) {
-        let (density, flow) = self.fluid.outflow(self.lubricant, &self.neighbours, p, h);
+        let (density, flow) = self.fluid.outflow(self.lubricant, self.node, &self.neighbours, (p, h));
         self.with_mass(density, flow, h)
     }
 

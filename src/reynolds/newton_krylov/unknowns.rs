@@ -389,11 +389,15 @@ mod tests {
                 FaceMobility::Wedge,
                 FaceMobility::Inlet,
             ] {
-                check_product(scheme, face_mobility, Cavitation::Reynolds, None);
-                check_product(scheme, face_mobility, Cavitation::MassConserving, None);
+                check_product(scheme, face_mobility, Cavitation::Reynolds, (None, false));
+                check_product(scheme, face_mobility, Cavitation::MassConserving, (None, false));
+                check_product(scheme, face_mobility, Cavitation::MassConserving, (None, true));
                 for eyring_stress in [1e5, 1e7] {
                     let thinning = ShearThinning { eyring_stress, sliding_speed: 0.1 };
-                    check_product(scheme, face_mobility, Cavitation::Reynolds, Some(thinning));
+                    for is_warm in [false, true] {
+                        let viscosity = (Some(thinning), is_warm);
+                        check_product(scheme, face_mobility, Cavitation::Reynolds, viscosity);
+                    }
                 }
             }
         }
@@ -403,14 +407,18 @@ mod tests {
         scheme: Scheme,
         face_mobility: FaceMobility,
         cavitation: Cavitation,
-        shear_thinning: Option<ShearThinning>,
+        (shear_thinning, is_warm): (Option<ShearThinning>, bool),
     ) {
         let grid = Grid::centred(N, N, 4e-6, 4e-6).unwrap();
         let mut body = HalfSpace::new(grid, 230e9).unwrap();
-        let oil = Lubricant::new(
+        let mut oil = Lubricant::new(
             Roelands::new(0.04, 0.6, 1.96e8).unwrap(),
             DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap(),
         );
+        if is_warm {
+            let ratios: Vec<f64> = (0..grid.len()).map(|k| 0.6 + 0.3 * (k as f64).sin()).collect();
+            oil.set_viscosity_ratios(&ratios).unwrap();
+        }
         let mut seed = 7;
         let mut displaced = vec![0.0; grid.len()];
         let mut coupled = Coupled::new(grid);

@@ -8,8 +8,8 @@ use toml::de::{DeTable, DeValue};
 use crate::error::InputError;
 use crate::units::Dimension;
 use Dimension::{
-    Angle, Conductivity, Diffusivity, Energy, Force, ForcePerLength, InversePressure, Length, Pressure,
-    PressurePerLength, Rate, Speed, Temperature, Time, Viscosity, Volume, VolumePerEnergy,
+    Angle, Conductivity, Diffusivity, Energy, Force, ForcePerLength, HeatCapacity, InversePressure, Length,
+    Pressure, PressurePerLength, Rate, Speed, Temperature, Time, Viscosity, Volume, VolumePerEnergy,
 };
 
 /// Every key that has a dimension; `*` stands for the name of a body. Loads are per length in a line contact.
@@ -39,6 +39,8 @@ const KEYS: &[(&str, Dimension)] = &[
     ("lubricant.supplied_film", Length),
     ("lubricant.viscosity.eta0", Viscosity),
     ("lubricant.viscosity.alpha", InversePressure),
+    ("lubricant.thermal.conductivity", Conductivity),
+    ("lubricant.thermal.heat_capacity", HeatCapacity),
     ("lubricant.viscosity.viscosity", Viscosity),
     ("lubricant.viscosity.temperature", Temperature),
     ("lubricant.viscosity.k00", Pressure),

@@ -1,6 +1,7 @@
 //! The lubricant: viscosity, density and supply.
 
 use crate::lubricant::{DoolittleTaitConstants, ImprovedYasutomiConstants};
+use crate::thermal::FilmThermal;
 use crate::with_fields::with_fields;
 
 /// Viscosity, of Roelands unless `viscosity` names another law, and Dowson-Higginson density.
@@ -46,6 +47,10 @@ pub struct LubricantSpec {
     /// cavitation that conserves mass.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub supplied_film: Option<f64>,
+    /// Thermal properties, with which the film has a temperature of its own; absent: the bulk temperature.
+    /// Single contacts only; needs a viscosity that knows temperature.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub thermal: Option<FilmThermal>,
 }
 
 impl LubricantSpec {
@@ -64,6 +69,7 @@ impl LubricantSpec {
             density_a: 0.6e-9,
             density_b: 1.7e-9,
             supplied_film: None,
+            thermal: None,
         }
     }
 }
@@ -80,6 +86,7 @@ with_fields!(LubricantSpec {
     with_density_a density_a: f64,
     with_density_b density_b: f64,
     with_supplied_film supplied_film: Option<f64>,
+    with_thermal thermal: Option<FilmThermal>,
 });
 
 /// A law of viscosity by pressure and temperature, at the bulk temperature.
@@ -126,6 +133,7 @@ struct LubricantTable {
     density_a: Option<f64>,
     density_b: Option<f64>,
     supplied_film: Option<f64>,
+    thermal: Option<FilmThermal>,
 }
 
 #[cfg(feature = "serde")]
@@ -164,6 +172,7 @@ impl TryFrom<LubricantTable> for LubricantSpec {
             density_a: table.density_a.unwrap_or(usual.density_a),
             density_b: table.density_b.unwrap_or(usual.density_b),
             supplied_film: table.supplied_film,
+            thermal: table.thermal,
             ..usual
         })
     }

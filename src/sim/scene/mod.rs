@@ -331,6 +331,7 @@ impl Scene {
                 density_a: 0.6e-9,
                 density_b: 1.7e-9,
                 supplied_film: None,
+                thermal: None,
             }),
             grid: GridSpec::Cells { nx: n, ny: n, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] },
             roughness: RoughnessPair { ball: random(20e-9, 1), disc: random(130e-9, 2) },

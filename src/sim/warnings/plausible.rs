@@ -25,6 +25,8 @@ const CONDUCTIVITY: Unit = Unit { name: "W/(m K)", others: &[] };
 const JOULE: Unit =
     Unit { name: "J", others: &[("eV", 1.602176634e-19, 0.0), ("kJ/mol", 1.66053906717e-21, 0.0)] };
 const VOLUME_PER_ENERGY: Unit = Unit { name: "m^3/J", others: &[("mm^3/J", 1e-9, 0.0)] };
+const HEAT_CAPACITY: Unit =
+    Unit { name: "J/(m^3 K)", others: &[("kJ/(m^3 K)", 1e3, 0.0), ("MJ/(m^3 K)", 1e6, 0.0)] };
 const PURE: Unit = Unit { name: "", others: &[("%", 0.01, 0.0)] };
 
 /// What a quantity may plausibly be, and what it is like as a rule.
@@ -66,6 +68,8 @@ const BARRIER: Plausible = plausible(1e-21, 1.6e-18, 1.3e-19, &JOULE);
 const TEMPERATURE: Plausible = plausible(200.0, 1500.0, 350.0, &KELVIN);
 const HEAT_CONDUCTIVITY: Plausible = plausible(0.01, 3000.0, 46.0, &CONDUCTIVITY);
 const HEAT_DIFFUSIVITY: Plausible = plausible(1e-8, 3e-3, 1e-5, &DIFFUSIVITY);
+const OIL_CONDUCTIVITY: Plausible = plausible(0.05, 1.0, 0.14, &CONDUCTIVITY);
+const OIL_HEAT_CAPACITY: Plausible = plausible(5e5, 1e7, 1.7e6, &HEAT_CAPACITY);
 const TRACK_RADIUS: Plausible = plausible(1e-6, 10.0, 2e-2, &METRE);
 /// Solids touch at the size of molecules.
 const CONTACT_FILM: Plausible = plausible(1e-11, 1e-7, 1e-9, &METRE);
@@ -192,6 +196,12 @@ fn oil(oil: &LubricantSpec) -> Vec<Entry> {
         entry("lubricant.density_a", oil.density_a, COMPRESSIBILITY),
         entry("lubricant.density_b", oil.density_b, COMPRESSIBILITY),
         entry("lubricant.supplied_film", oil.supplied_film, FILM),
+        entry("lubricant.thermal.conductivity", oil.thermal.map(|heat| heat.conductivity), OIL_CONDUCTIVITY),
+        entry(
+            "lubricant.thermal.heat_capacity",
+            oil.thermal.map(|heat| heat.heat_capacity),
+            OIL_HEAT_CAPACITY,
+        ),
     ]
 }
 

@@ -7,6 +7,8 @@ use crate::sim::solution::ContactSolution;
 
 /// Largest pressure of a smooth contact over that of Hertz.
 const LARGEST_PRESSURE: f64 = 2.0;
+/// Largest rise of a film above the bulk temperature \[K\].
+const LARGEST_RISE: f64 = 100.0;
 /// Largest estimate of an error that goes without a warning.
 const LARGEST_ERROR: f64 = 0.1;
 
@@ -16,7 +18,24 @@ pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> 
     let smooth = scene.is_smooth() && solution.composite_rq == 0.0;
     let pressure =
         smooth.then(|| excess_pressure(solution.contact.max_pressure, solution.hertz.p_max)).flatten();
-    pressure.into_iter().chain(mesh_errors(scene, solution)).collect()
+    pressure.into_iter().chain(hot_film(scene, solution)).chain(mesh_errors(scene, solution)).collect()
+}
+
+/// A film so warm that no law of viscosity was fitted to it.
+fn hot_film(scene: &Scene, solution: &ContactSolution) -> Option<Warning> {
+    let heat = solution.film_heat.as_ref()?;
+    let rise = heat.maximum - scene.conditions(0.0).ok()?.bulk_temperature;
+    (rise > LARGEST_RISE).then(|| {
+        Warning::new(
+            "thermal.film_temperature_max",
+            heat.maximum,
+            format!(
+                "the film is {} K above the bulk temperature: laws of viscosity by temperature hold over some {LARGEST_RISE} K",
+                short(rise)
+            ),
+            "take film and friction as a guess".to_owned(),
+        )
+    })
 }
 
 /// The largest pressure \[Pa\] of a smooth contact that is far above the one of Hertz.

@@ -1,0 +1,216 @@
+//! A contact and the temperature of its film as one converged state.
+
+use super::SimError;
+use super::contact::ContactModel;
+use super::friction::FrictionFields;
+use super::mixing::Mixing;
+use super::scene::Scene;
+use super::simulation::Laws;
+use super::solution::is_known;
+use crate::error::InputError;
+use crate::lubricant::ViscosityLaw;
+use crate::metrics;
+use crate::report::{SolveReport, Status};
+use crate::reynolds::ContactState;
+use crate::thermal::{FilmFlow, FilmTemperature, HeatBalance};
+
+/// Solves of the contact at most.
+const MAX_SOLVES: usize = 40;
+/// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat makes.
+const TOLERANCE: f64 = 5e-3;
+/// Largest logarithm of a ratio of viscosities.
+const LARGEST: f64 = 30.0;
+/// Share of the way to the new viscosities that is gone in a direction of which nothing is known.
+const STEP: f64 = 0.5;
+
+/// Film temperature of a solved contact.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct FilmHeatNumbers {
+    /// Mean temperature across the film at every node \[K\].
+    pub temperature: Vec<f64>,
+    /// Largest temperature of the film \[K\].
+    pub maximum: f64,
+    /// Mean over r <= 2a/3 \[K\].
+    pub mean_central: f64,
+    /// Largest rises of the surfaces of ball and disc above the bulk temperature \[K\].
+    pub surface_rises: [f64; 2],
+    /// Heat of the contact.
+    pub balance: HeatBalance,
+    /// Solves of the contact.
+    pub solves: usize,
+    /// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat
+    /// makes.
+    pub change: f64,
+}
+
+/// Checks that a film whose temperature is asked for has a viscosity `law` that knows temperature.
+pub(super) fn validate(scene: &Scene, law: Option<&dyn ViscosityLaw>) -> Result<(), InputError> {
+    let asked = scene.lubricant.is_some_and(|lubricant| lubricant.thermal.is_some());
+    match law {
+        Some(law) if asked && law.viscosity_at(0.0, scene.thermal.bulk_temperature).is_none() => {
+            Err(InputError::Conflict {
+                field: "lubricant.thermal".to_owned(),
+                reason: "the viscosity does not know temperature: give lubricant.temperature and lubricant.roelands_s0, or \
+                         another law as lubricant.viscosity"
+                    .to_owned(),
+            })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A history knows the bulk temperature alone.
+pub(super) fn refuse_history(scene: &Scene) -> Result<(), InputError> {
+    if !scene.is_lubricated() || scene.lubricant.is_none_or(|lubricant| lubricant.thermal.is_none()) {
+        return Ok(());
+    }
+    Err(InputError::Conflict {
+        field: "lubricant.thermal".to_owned(),
+        reason: "only a single contact has a film temperature, a history knows the bulk temperature alone"
+            .to_owned(),
+    })
+}
+
+/// What stays the same from solve to solve.
+pub(super) struct Surroundings<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) laws: &'a Laws,
+    pub(super) gap: &'a [f64],
+    pub(super) limit: Option<&'a [f64]>,
+    pub(super) tribofilms: &'a [Vec<f64>; 2],
+}
+
+/// Solves the contact as [`ContactModel::solve`] does and, where the scene asks for the temperature of the
+/// film, again with the viscosities that belong to it, until both agree; overwrites `friction` with the
+/// stresses of the warm film. Where they do not agree within [`MAX_SOLVES`] the status is
+/// [`Status::MaxIterations`].
+pub(super) fn solve(
+    given: &Surroundings<'_>,
+    model: &mut ContactModel,
+    state: &mut ContactState,
+    friction: &mut FrictionFields,
+) -> Result<(SolveReport, Option<FilmHeatNumbers>), SimError> {
+    let report = model.solve(given.gap, given.limit, None, state)?;
+    let properties = given.scene.lubricant.and_then(|lubricant| lubricant.thermal);
+    let known = is_known(state);
+    if known {
+        friction.update(model, state, given.laws.friction.as_ref(), given.tribofilms)?;
+    }
+    let (Some(properties), Some(_), true) = (properties, &model.lubricant, known) else {
+        return Ok((report, None));
+    };
+    let (bodies, speeds) = (given.scene.thermal_bodies(), model.motion.surface_speeds());
+    let temperature = FilmTemperature::new(&model.grid, properties, bodies, speeds)?;
+    let zeros = vec![0.0; state.film.len()];
+    Loop { temperature, used: zeros.clone(), residual: zeros, mixing: Mixing::default() }.run(
+        given,
+        (model, state, friction),
+        report,
+    )
+}
+
+/// The iteration between contact and temperature.
+struct Loop {
+    temperature: FilmTemperature,
+    /// Logarithms of the ratios of viscosity that the contact was solved with, and those that its heat makes
+    /// beyond them.
+    used: Vec<f64>,
+    residual: Vec<f64>,
+    mixing: Mixing,
+}
+
+impl Loop {
+    fn run(
+        mut self,
+        given: &Surroundings<'_>,
+        (model, state, friction): (&mut ContactModel, &mut ContactState, &mut FrictionFields),
+        mut report: SolveReport,
+    ) -> Result<(SolveReport, Option<FilmHeatNumbers>), SimError> {
+        let mut solves = 1;
+        loop {
+            let balance = self.heat(model, state, friction)?;
+            let change = self.compare();
+            let agree = change <= TOLERANCE && balance.is_converged();
+            let done = agree || solves >= MAX_SOLVES || report.status != Status::Converged;
+            if done {
+                if !agree && report.status == Status::Converged {
+                    report.status = Status::MaxIterations;
+                }
+                friction.shear.copy_from_slice(self.temperature.stress());
+                return Ok((report, Some(self.numbers(model, balance, (solves, change))?)));
+            }
+            // The first heat is that of the cool film, of which nothing but the way is known.
+            self.mixing.advance(&mut self.used, &self.residual, if solves == 1 { 1.0 } else { STEP });
+            for used in &mut self.used {
+                *used = used.clamp(-LARGEST, LARGEST);
+            }
+            let ratios: Vec<f64> = self.used.iter().map(|used| used.exp()).collect();
+            if let Some(lubricant) = &mut model.lubricant {
+                lubricant.set_viscosity_ratios(&ratios)?;
+            }
+            let work = report.work;
+            report = model.solve(given.gap, given.limit, None, state)?;
+            report.work += work;
+            solves += 1;
+            if !is_known(state) {
+                return Ok((report, None));
+            }
+            friction.update(model, state, given.laws.friction.as_ref(), given.tribofilms)?;
+        }
+    }
+
+    /// Temperatures of the contact as it is.
+    fn heat(
+        &mut self,
+        model: &ContactModel,
+        state: &ContactState,
+        friction: &FrictionFields,
+    ) -> Result<HeatBalance, InputError> {
+        let Some(lubricant) = &model.lubricant else {
+            return Err(InputError::Conflict {
+                field: "lubricant.thermal".to_owned(),
+                reason: "the contact is dry".to_owned(),
+            });
+        };
+        self.temperature.update(&FilmFlow {
+            lubricant,
+            rheology: friction.rheology(),
+            pressure: &state.fluid_pressure,
+            film: &state.film,
+            content: &state.content,
+            boundary_heat: &friction.boundary_heat(),
+            speeds: (model.motion.entrainment_speed, model.motion.sliding_speed()),
+            bulk_temperature: model.bulk_temperature,
+        })
+    }
+
+    /// The largest difference of the logarithms of what was used and what the heat makes.
+    fn compare(&mut self) -> f64 {
+        let pairs = self.used.iter().zip(self.temperature.viscosity_ratios());
+        for (residual, (used, new)) in self.residual.iter_mut().zip(pairs) {
+            *residual = new.ln() - used;
+        }
+        self.residual.iter().fold(0.0, |largest, residual| residual.abs().max(largest))
+    }
+
+    fn numbers(
+        &self,
+        model: &ContactModel,
+        balance: HeatBalance,
+        (solves, change): (usize, f64),
+    ) -> Result<FilmHeatNumbers, InputError> {
+        let temperature = self.temperature.mean().to_vec();
+        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |largest, value| largest.max(*value));
+        let (a_x, a_y) = (model.hertz.a_x, model.hertz.a_y);
+        Ok(FilmHeatNumbers {
+            maximum: largest(&temperature),
+            mean_central: metrics::average_central_film(&model.grid, &temperature, a_x, a_y)?,
+            surface_rises: self.temperature.surface_rises().map(largest),
+            temperature,
+            balance,
+            solves,
+            change,
+        })
+    }
+}

@@ -1,0 +1,291 @@
+//! The temperature of the film in a contact.
+
+use super::{FilmSection, FilmThermal, SectionSolver};
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::lubricant::{Lubricant, Rheology};
+use crate::tribochem::{FlashTemperature, ThermalBody};
+
+/// Passes over film and surfaces at most.
+const MAX_PASSES: usize = 60;
+/// Change of a surface temperature in the last pass, over the largest rise.
+const TOLERANCE: f64 = 3e-4;
+/// The same where nothing gets warm \[K\].
+const LEAST_CHANGE: f64 = 1e-9;
+
+/// A solved contact as its heat needs it; fields have one value a node.
+#[derive(Debug, Clone, Copy)]
+pub struct FilmFlow<'a> {
+    /// The lubricant, its laws at the bulk temperature.
+    pub lubricant: &'a Lubricant,
+    /// Shear stress of the fluid.
+    pub rheology: &'a Rheology,
+    /// Pressure of the fluid \[Pa\].
+    pub pressure: &'a [f64],
+    /// Film thickness \[m\].
+    pub film: &'a [f64],
+    /// Share of the gap that is filled.
+    pub content: &'a [f64],
+    /// Heat of solid friction \[W/m^2\].
+    pub boundary_heat: &'a [f64],
+    /// Mean speed of the surfaces and sliding speed, neither negative \[m/s\].
+    pub speeds: (f64, f64),
+    /// Temperature of the bodies far from the contact and of the oil that flows in \[K\].
+    pub bulk_temperature: f64,
+}
+
+impl FilmFlow<'_> {
+    /// Where a contact as published has an overlap there is no film.
+    fn film_at(&self, k: usize) -> f64 {
+        self.film[k].max(0.0)
+    }
+}
+
+/// Heat of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct HeatBalance {
+    /// Heat of shear, of flow by pressure, of compression and of solid friction \[W\].
+    pub generated: f64,
+    /// What goes into the two bodies \[W\].
+    pub conducted: [f64; 2],
+    /// What the flow carries out of the box \[W\].
+    pub carried: f64,
+    /// Passes over film and surfaces.
+    pub passes: usize,
+    /// Change of a surface temperature in the last pass, over what is accepted.
+    pub change: f64,
+}
+
+impl HeatBalance {
+    /// Heat that comes from nowhere, over what comes and goes; zero without any.
+    pub fn imbalance(&self) -> f64 {
+        let [first, second] = self.conducted;
+        let scale = [self.generated, first, second, self.carried].iter().map(|heat| heat.abs()).sum::<f64>();
+        let gone = first + second + self.carried;
+        if scale == 0.0 { 0.0 } else { (gone - self.generated).abs() / scale }
+    }
+
+    /// Whether film and surfaces agree.
+    pub fn is_converged(&self) -> bool {
+        self.change <= 1.0
+    }
+}
+
+/// Temperatures of film and surfaces in a contact.
+///
+/// A node is a [`FilmSection`]. Sections of a row, from its inlet on, are connected by the heat that the mean
+/// flow carries on, `C = rho c Q / dx` with the flow `Q` through the section along x, what is entrained less
+/// what pressure drives back, first order upwind: in an inlet that is far less than `u h`. What goes to the
+/// surfaces heats them as [`FlashTemperature::rises_through_film`] has it. Film and surfaces are found in passes, one after the
+/// other, in which the surfaces of a node follow its heat in proportion.
+///
+/// Heat of the flow by pressure is the flow through a face times the drop of pressure over it, half to each of
+/// its nodes; that of compression `T a_V Q dp/dx`. Left out: heat along the film by conduction, what the flow
+/// across x carries, and that layers of the film move at speeds of their own.
+#[derive(Debug, Clone)]
+pub struct FilmTemperature {
+    grid: Grid,
+    properties: FilmThermal,
+    solver: SectionSolver,
+    flash: FlashTemperature,
+    mean: Vec<f64>,
+    stress: Vec<f64>,
+    ratios: Vec<f64>,
+    /// Rises of the surfaces \[K\].
+    rises: [Vec<f64>; 2],
+    new_rises: [Vec<f64>; 2],
+    /// Heat that leaves the film, and with that of solid friction.
+    conducted: Vec<f64>,
+    heat: Vec<f64>,
+    resistance: Vec<f64>,
+    pressure_heat: Vec<f64>,
+    compression: Vec<f64>,
+    /// Flow through the section along x \[m^2/s\].
+    through: Vec<f64>,
+}
+
+impl FilmTemperature {
+    /// Plans for a contact on `grid` of a fluid between `bodies` whose surfaces move at `speeds` along x
+    /// \[m/s\].
+    ///
+    /// # Errors
+    /// A property out of range, a speed that is not finite.
+    pub fn new(
+        grid: &Grid,
+        properties: FilmThermal,
+        bodies: [ThermalBody; 2],
+        speeds: [f64; 2],
+    ) -> Result<Self, InputError> {
+        properties.validate()?;
+        let zeros = || vec![0.0; grid.len()];
+        Ok(Self {
+            grid: *grid,
+            properties,
+            solver: SectionSolver::new(properties.profile),
+            flash: FlashTemperature::new(grid, bodies, speeds)?,
+            mean: zeros(),
+            stress: zeros(),
+            ratios: vec![1.0; grid.len()],
+            rises: [zeros(), zeros()],
+            new_rises: [zeros(), zeros()],
+            conducted: zeros(),
+            heat: zeros(),
+            resistance: zeros(),
+            pressure_heat: zeros(),
+            compression: zeros(),
+            through: zeros(),
+        })
+    }
+
+    /// Mean temperature across the film \[K\].
+    pub fn mean(&self) -> &[f64] {
+        &self.mean
+    }
+
+    /// Shear stress of the film \[Pa\].
+    pub fn stress(&self) -> &[f64] {
+        &self.stress
+    }
+
+    /// Viscosity that the flow by pressure has, over that at the bulk temperature.
+    pub fn viscosity_ratios(&self) -> &[f64] {
+        &self.ratios
+    }
+
+    /// Rises of the two surfaces above the bulk temperature \[K\].
+    pub fn surface_rises(&self) -> [&[f64]; 2] {
+        [&self.rises[0], &self.rises[1]]
+    }
+
+    /// Finds the temperatures of `flow`, from those of the last call. Allocates nothing.
+    ///
+    /// # Errors
+    /// Fields that do not fit the grid or are not finite, a heat of solid friction below zero, a temperature
+    /// that is not finite and positive.
+    pub fn update(&mut self, flow: &FilmFlow<'_>) -> Result<HeatBalance, InputError> {
+        self.check(flow)?;
+        self.find_other_heat(flow);
+        let (mut passes, mut change) = (0, f64::INFINITY);
+        let (mut generated, mut carried) = (0.0, 0.0);
+        while passes < MAX_PASSES && change > 1.0 {
+            (generated, carried) = self.heat_film(flow);
+            for (k, heat) in self.heat.iter_mut().enumerate() {
+                *heat = self.conducted[k] + flow.boundary_heat[k];
+            }
+            let [first, second] = &mut self.new_rises;
+            let report = self.flash.rises_through_film(&self.heat, &self.resistance, [first, second])?;
+            let moved = self.rises.iter().flatten().zip(self.new_rises.iter().flatten());
+            let moved = moved.fold(0.0_f64, |largest, (old, new)| largest.max((new - old).abs()));
+            change = moved / (TOLERANCE * report.maximum).max(LEAST_CHANGE);
+            std::mem::swap(&mut self.rises, &mut self.new_rises);
+            passes += 1;
+        }
+        let area = self.grid.cell_area();
+        let conducted = self.flash.fluxes().map(|flux| flux.iter().sum::<f64>() * area);
+        Ok(HeatBalance { generated: generated * area, conducted, carried: carried * area, passes, change })
+    }
+
+    fn check(&self, flow: &FilmFlow<'_>) -> Result<(), InputError> {
+        for (field, values) in [
+            ("pressure", flow.pressure),
+            ("film", flow.film),
+            ("content", flow.content),
+            ("boundary_heat", flow.boundary_heat),
+        ] {
+            InputError::require_len(field, values, self.grid.len())?;
+            InputError::require_finite(field, values)?;
+        }
+        for &heat in flow.boundary_heat {
+            InputError::require_non_negative("boundary_heat", heat)?;
+        }
+        InputError::require_non_negative("speeds.0", flow.speeds.0)?;
+        InputError::require_non_negative("speeds.1", flow.speeds.1)?;
+        InputError::require_positive("bulk_temperature", flow.bulk_temperature)
+    }
+
+    /// Heat of the flow by pressure, of compression per temperature, and what else does not depend on
+    /// temperature.
+    fn find_other_heat(&mut self, flow: &FilmFlow<'_>) {
+        let (nx, ny, speed) = (self.grid.nx(), self.grid.ny(), flow.speeds.0);
+        self.pressure_heat.fill(0.0);
+        for (k, through) in self.through.iter_mut().enumerate() {
+            *through = speed * flow.content[k] * flow.film_at(k);
+        }
+        for first in (0..ny).map(|j| j * nx) {
+            for k in first..first + nx - 1 {
+                let driven = self.drive(flow, [k, k + 1], self.grid.dx());
+                self.through[k] += 0.5 * driven;
+                self.through[k + 1] += 0.5 * driven;
+            }
+        }
+        for k in 0..nx * (ny - 1) {
+            self.drive(flow, [k, k + nx], self.grid.dy());
+        }
+        for k in 0..self.grid.len() {
+            let film = flow.film_at(k);
+            self.through[k] = self.through[k].clamp(0.0, speed * film);
+            self.resistance[k] = film / self.properties.conductivity;
+            let (before, after) = (k - usize::from(k % nx > 0), k + usize::from(k % nx + 1 < nx));
+            let rise = (flow.pressure[after] - flow.pressure[before]) / (after - before) as f64;
+            self.compression[k] = self.properties.expansivity * self.through[k] * rise / self.grid.dx();
+        }
+    }
+
+    /// Flow by pressure from the first node to the second, whose heat it adds to both \[m^2/s\], with the
+    /// viscosities that the contact was solved with.
+    fn drive(&mut self, flow: &FilmFlow<'_>, [k, o]: [usize; 2], distance: f64) -> f64 {
+        let (a, b) = (flow.film_at(k), flow.film_at(o));
+        let drop = flow.pressure[k] - flow.pressure[o];
+        if drop == 0.0 || a + b == 0.0 {
+            return 0.0;
+        }
+        let ratio = |k: usize| flow.lubricant.viscosity_ratios().get(k).copied().unwrap_or(1.0);
+        let viscosity = flow.lubricant.viscosity().viscosity(0.0) * 0.5 * (ratio(k) + ratio(o));
+        let reduced = |k: usize| flow.lubricant.at(flow.pressure[k]).reduced_pressure;
+        let cube = 2.0 * (a * b) * (a * b) / (a + b);
+        let driven = cube / (12.0 * viscosity) * (reduced(k) - reduced(o)) / distance;
+        let made = driven * drop / distance;
+        self.pressure_heat[k] += 0.5 * made;
+        self.pressure_heat[o] += 0.5 * made;
+        driven
+    }
+
+    /// Temperatures of the film under the last ones of the surfaces; heat per area that is made and carried
+    /// out, as sums over the nodes.
+    fn heat_film(&mut self, flow: &FilmFlow<'_>) -> (f64, f64) {
+        let nx = self.grid.nx();
+        let sliding = flow.speeds.1;
+        let per_flow = self.properties.heat_capacity / self.grid.dx();
+        // As if all nodes were as warm for their heat as the warmest: no node follows more.
+        let hottest = self.rises.iter().flatten().fold(0.0_f64, |largest, rise| largest.max(*rise));
+        let most = hottest / self.heat.iter().fold(f64::MIN_POSITIVE, |largest, heat| largest.max(*heat));
+        let (mut generated, mut carried) = (0.0, 0.0);
+        for k in 0..self.grid.len() {
+            let first = k.is_multiple_of(nx);
+            let upstream = if first { flow.bulk_temperature } else { self.mean[k - 1] };
+            let film = flow.film_at(k);
+            let rises = [self.rises[0][k], self.rises[1][k]];
+            let mean_rise = 0.5 * (rises[0] + rises[1]);
+            let response = if self.heat[k] > 0.0 { (mean_rise / self.heat[k]).clamp(0.0, most) } else { 0.0 };
+            let other_heat = (self.pressure_heat[k], self.compression[k] * upstream);
+            let heat = self.solver.solve(&FilmSection {
+                viscosity: flow.lubricant.viscosity(),
+                rheology: flow.rheology,
+                conductivity: self.properties.conductivity,
+                pressure: flow.pressure[k],
+                film,
+                sliding,
+                surfaces: rises.map(|rise| flow.bulk_temperature + rise),
+                response: (response, self.conducted[k]),
+                other_heat,
+                carried: (per_flow * self.through[k], upstream),
+            });
+            (self.mean[k], self.stress[k], self.conducted[k]) = (heat.mean, heat.stress, heat.conducted);
+            self.ratios[k] = heat.flow_viscosity / flow.lubricant.viscosity().viscosity(flow.pressure[k]);
+            generated += heat.stress * sliding + other_heat.0 + other_heat.1 + flow.boundary_heat[k];
+            carried += heat.carried;
+        }
+        (generated, carried)
+    }
+}

@@ -1,0 +1,67 @@
+//! Thermal properties of a fluid.
+
+use crate::error::InputError;
+
+/// Thermal properties of a lubricant, the same at all pressures and temperatures.
+///
+/// Conductivity of mineral oils is 0.12 to 0.15 W/(m K) at ambient pressure and about twice that at 1 GPa:
+/// give the one under the pressure of the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
+#[non_exhaustive]
+pub struct FilmThermal {
+    /// Thermal conductivity `k` \[W/(m K)\].
+    pub conductivity: f64,
+    /// Heat capacity of a volume `rho c` \[J/(m^3 K)\].
+    pub heat_capacity: f64,
+    /// Thermal expansivity of the volume `a_V` \[1/K\], for heat of compression.
+    pub expansivity: f64,
+    /// How the temperature across the film is found.
+    pub profile: super::FilmProfile,
+}
+
+impl FilmThermal {
+    /// The properties with the parabolic profile.
+    ///
+    /// # Errors
+    /// As of [`validate`](Self::validate).
+    pub fn new(conductivity: f64, heat_capacity: f64, expansivity: f64) -> Result<Self, InputError> {
+        let profile = super::FilmProfile::default();
+        let properties = Self { conductivity, heat_capacity, expansivity, profile };
+        properties.validate().map(|()| properties)
+    }
+
+    /// The same with the `profile`.
+    #[must_use]
+    pub fn with_profile(mut self, profile: super::FilmProfile) -> Self {
+        self.profile = profile;
+        self
+    }
+
+    /// Checks the ranges.
+    ///
+    /// # Errors
+    /// A conductivity that is not finite and positive, a heat capacity or expansivity that is negative or not
+    /// finite.
+    pub fn validate(&self) -> Result<(), InputError> {
+        InputError::require_positive("lubricant.thermal.conductivity", self.conductivity)?;
+        InputError::require_non_negative("lubricant.thermal.heat_capacity", self.heat_capacity)?;
+        InputError::require_non_negative("lubricant.thermal.expansivity", self.expansivity)
+    }
+}
+
+impl Default for FilmThermal {
+    /// A mineral oil at ambient pressure: 0.14 W/(m K), 1.7 MJ/(m^3 K), 6.5e-4 1/K.
+    fn default() -> Self {
+        Self {
+            conductivity: 0.14,
+            heat_capacity: 1.7e6,
+            expansivity: 6.5e-4,
+            profile: super::FilmProfile::default(),
+        }
+    }
+}

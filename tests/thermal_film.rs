@@ -1,0 +1,258 @@
+//! Temperature of the film: sections against exact solutions, contacts against their limits.
+#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+use stribeck::Grid;
+use stribeck::analytic::{ShearedLayer, ThermalInlet};
+use stribeck::lubricant::{Barus, Rheology, ViscosityLaw};
+use stribeck::sim::scene::GridSpec;
+use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, solve_contact};
+use stribeck::surface::Form;
+use stribeck::thermal::{FilmProfile, FilmSection, FilmThermal, SectionSolver};
+use stribeck::tribochem::{FlashTemperature, ThermalBody};
+
+const PROFILES: [FilmProfile; 2] = [FilmProfile::Parabola, FilmProfile::Collocation];
+const BULK: f64 = 313.15;
+
+/// `eta = eta_0 exp[-b (T - 300 K)]` with `b = 0.05 / K`.
+#[derive(Debug, Clone)]
+struct Exponential {
+    viscosity: f64,
+    temperature: f64,
+}
+
+impl ViscosityLaw for Exponential {
+    fn viscosity(&self, _pressure: f64) -> f64 {
+        self.viscosity * (-0.05 * (self.temperature - 300.0)).exp()
+    }
+
+    fn at_temperature(&self, temperature: f64) -> Option<Box<dyn ViscosityLaw>> {
+        Some(Box::new(Self { temperature, ..self.clone() }))
+    }
+}
+
+fn section<'a>(viscosity: &'a dyn ViscosityLaw, rheology: &'a Rheology) -> FilmSection<'a> {
+    FilmSection {
+        viscosity,
+        rheology,
+        conductivity: 0.14,
+        pressure: 0.0,
+        film: 1e-7,
+        sliding: 2.0,
+        surfaces: [300.0; 2],
+        response: (0.0, 0.0),
+        other_heat: (0.0, 0.0),
+        carried: (0.0, 300.0),
+    }
+}
+
+fn smooth(speed: f64, ratio: f64) -> Scene {
+    let mut scene = Scene::azam_2019(48);
+    scene.roughness = Default::default();
+    scene.plastic = None;
+    scene.load.hertz_pressure = Some(0.8e9);
+    (scene.motion.entrainment_speed, scene.motion.slide_roll_ratio) = (speed, ratio);
+    scene.friction.eyring_stress = Some(5e6);
+    scene.thermal.bulk_temperature = BULK;
+    scene.grid = GridSpec::Cells { nx: 48, ny: 48, x: [-0.35e-3, 0.2e-3], y: [-0.22e-3, 0.22e-3] };
+    let oil = scene.lubricant.as_mut().unwrap();
+    (oil.eta0, oil.alpha, oil.formula_alpha) = (0.04, Some(18e-9), None);
+    (oil.temperature, oil.roelands_s0) = (Some(BULK), Some(1.1));
+    scene
+}
+
+fn warm(scene: &Scene, properties: FilmThermal) -> ContactSolution {
+    let mut scene = scene.clone();
+    scene.lubricant.as_mut().unwrap().thermal = Some(properties);
+    let solution = solve_contact(&scene).unwrap();
+    solution.report.require_converged().unwrap();
+    solution
+}
+
+#[test]
+fn heat_of_one_viscosity_is_conducted_exactly() {
+    let (oil, newtonian) = (Barus::new(0.1, 20e-9).unwrap(), Rheology::newtonian());
+    for profile in PROFILES {
+        let solver = SectionSolver::new(profile);
+        let plain = section(&oil, &newtonian);
+        let (heat, per_flux) = (0.1 * 4.0 / 1e-7, 1e-7 / 0.14);
+        // Between surfaces of two temperatures; with heat of pressure and of compression; carried on.
+        let found = solver.solve(&FilmSection { surfaces: [300.0, 310.0], ..plain });
+        assert!((found.mean - 305.0 - heat * per_flux / 12.0).abs() < 1e-9);
+        assert!((found.conducted / heat - 1.0).abs() < 1e-12);
+        let found = solver.solve(&FilmSection { other_heat: (1e6, -2e5), ..plain });
+        let exact = per_flux * ((heat - 2e5) / 12.0 + 1e6 / 20.0);
+        assert!((found.mean - 300.0 - exact).abs() < 1e-9, "{found:?}, {exact}");
+        assert!((found.flow_viscosity / 0.1 - 1.0).abs() < 1e-12);
+        let found = solver.solve(&FilmSection { carried: (1e6, 299.0), ..plain });
+        let exact = (heat * per_flux / 12.0 - 1e6 * per_flux / 12.0) / (1.0 + 1e6 * per_flux / 12.0);
+        assert!((found.mean - 300.0 - exact).abs() < 1e-9, "{found:?}, {exact}");
+        assert!((found.conducted + found.carried - heat).abs() < 1e-9 * heat);
+        // Surfaces that follow the heat in proportion.
+        let found = solver.solve(&FilmSection { response: (2e-6, 0.0), ..plain });
+        assert!((found.mean - 300.0 - heat * (per_flux / 12.0 + 2e-6)).abs() < 1e-9);
+        let still = solver.solve(&FilmSection { sliding: 0.0, ..plain });
+        assert!((still.mean - 300.0).abs() < 1e-12 && still.stress == 0.0 && still.conducted == 0.0);
+    }
+}
+
+/// Nahme's solution: by collocation exactly, by the parabola as long as the film thins evenly.
+#[test]
+fn a_film_that_thins_by_its_own_heat_shears_as_nahme_says() {
+    let newtonian = Rheology::newtonian();
+    for (nahme, even) in [(1e-3, 1e-8), (0.1, 3e-5), (1.0, 2e-3), (8.0, 0.05)] {
+        let viscosity = nahme * 0.14 / (0.05 * 4.0);
+        let law = Exponential { viscosity, temperature: 300.0 };
+        let exact = ShearedLayer::new(nahme).unwrap().stress_ratio();
+        let ratio = |profile| {
+            let found = SectionSolver::new(profile).solve(&section(&law, &newtonian));
+            found.stress / (viscosity * 2.0 / 1e-7)
+        };
+        let [parabola, collocation] = PROFILES.map(ratio);
+        assert!((collocation / exact - 1.0).abs() < 1e-7, "{collocation} and {exact} at {nahme}");
+        assert!((parabola / exact - 1.0).abs() < even, "{parabola} and {exact} at {nahme}");
+    }
+}
+
+#[test]
+fn surfaces_apart_keep_their_own_heat_and_share_it_where_they_touch() {
+    let grid = Grid::centred(24, 24, 1e-5, 1e-5).unwrap();
+    let heat: Vec<f64> = grid.nodes().map(|(x, y)| if x.hypot(y) < 8e-5 { 1e8 } else { 0.0 }).collect();
+    let mut flash = FlashTemperature::new(&grid, [ThermalBody::STEEL; 2], [2.0, 0.5]).unwrap();
+    let zeros = || vec![0.0; grid.len()];
+    let (mut one, mut other, mut common) = (zeros(), zeros(), zeros());
+    let expected = flash.rise(&heat, &mut common).unwrap();
+    // They touch where there is heat.
+    let resistance: Vec<f64> = heat.iter().map(|heat| if *heat > 0.0 { 0.0 } else { 1.0 }).collect();
+    let report = flash.rises_through_film(&heat, &resistance, [&mut one, &mut other]).unwrap();
+    for k in (0..grid.len()).filter(|k| heat[*k] > 0.0) {
+        assert!((one[k] - common[k]).abs() < 1e-3 * expected.maximum);
+    }
+    assert!(report.mismatch < 2e-4 * expected.maximum);
+    // A thick film: half of the heat to each, and all of it in the end.
+    let _ = flash.rises_through_film(&heat, &vec![1.0; grid.len()], [&mut one, &mut other]).unwrap();
+    let [first, second] = flash.fluxes();
+    for k in 0..grid.len() {
+        assert!((first[k] - 0.5 * heat[k]).abs() < 1e-3 * 1e8);
+        assert!((first[k] + second[k] - heat[k]).abs() < 1e-6);
+    }
+    assert!(flash.rises_through_film(&heat, &vec![-1.0; grid.len()], [&mut one, &mut other]).is_err());
+    assert!(flash.rises_through_film(&heat, &[0.0], [&mut one, &mut other]).is_err());
+}
+
+#[test]
+fn slow_contacts_and_oils_that_do_not_thin_are_isothermal() {
+    let slow = smooth(0.005, 0.0);
+    let mut indifferent = smooth(2.0, 1.0);
+    indifferent.lubricant.as_mut().unwrap().roelands_s0 = Some(0.0);
+    for scene in [slow, indifferent] {
+        let (cool, warm) = (solve_contact(&scene).unwrap(), warm(&scene, FilmThermal::default()));
+        assert!((warm.film.central / cool.film.central - 1.0).abs() < 1e-6);
+        assert!((warm.film.minimum / cool.film.minimum - 1.0).abs() < 1e-6);
+        assert!((warm.friction_coefficient - cool.friction_coefficient).abs() < 1e-9);
+        assert_eq!(warm.film_heat.unwrap().solves, 1);
+        assert_eq!(warm.report.work, cool.report.work);
+    }
+}
+
+#[test]
+fn film_and_friction_fall_and_the_heat_goes_where_it_must() {
+    let scene = smooth(2.0, 1.0);
+    let cool = solve_contact(&scene).unwrap();
+    let [parabola, collocation] =
+        PROFILES.map(|profile| warm(&scene, FilmThermal::default().with_profile(profile)));
+    let rolling = warm(&smooth(2.0, 0.0), FilmThermal::default()).film_heat.unwrap();
+    assert!((parabola.film.central / collocation.film.central - 1.0).abs() < 0.015);
+    assert!((parabola.friction_coefficient / collocation.friction_coefficient - 1.0).abs() < 0.04);
+    for solution in [parabola, collocation] {
+        let heat = solution.film_heat.as_ref().unwrap();
+        assert!(solution.film.central < 0.99 * cool.film.central);
+        assert!(solution.friction_coefficient < 0.85 * cool.friction_coefficient);
+        assert!(heat.balance.imbalance() < 1e-9, "{:e}", heat.balance.imbalance());
+        assert!(heat.balance.is_converged() && heat.change <= 5e-3);
+        // Beside the heat of rolling it is friction.
+        let friction = solution.friction_coefficient * solution.hertz.load * scene.motion.sliding_speed();
+        let share = (heat.balance.generated - rolling.balance.generated) / friction;
+        assert!((share - 1.0).abs() < 0.01, "{share}");
+        // The film is warmer than both surfaces, the slower surface warmer than the faster one.
+        let [ball, disc] = heat.surface_rises;
+        assert!(heat.maximum - BULK > disc && disc > ball && ball > 1.0, "{heat:?}");
+        let fields = solution.fields();
+        assert_eq!(fields.last().unwrap().0, "film_temperature");
+    }
+    assert!(cool.film_heat.is_none() && cool.fields().len() == 6);
+}
+
+/// Pure rolling of a line contact: the formula neglects what the flow carries off and takes heavier loads.
+#[test]
+fn inlets_in_pure_rolling_thin_the_film_about_as_the_formula_says() {
+    let mut scene = smooth(5.0, 0.0);
+    scene.form = Form::Cylinder { radius: 0.01 };
+    scene.wear = None;
+    scene.load.hertz_pressure = Some(0.5e9);
+    let ratio = |nx| {
+        let mut scene = scene.clone();
+        scene.grid = GridSpec::Row { nx, x: [-0.4e-3, 0.15e-3] };
+        let cool = solve_contact(&scene).unwrap();
+        warm(&scene, FilmThermal::default()).film.central / cool.film.central
+    };
+    let inlet = ThermalInlet {
+        entrainment_speed: 5.0,
+        viscosity: 0.04,
+        temperature_coefficient: 18e-9 * 1.96e8 / 0.68 * 1.1 / (BULK - 138.0),
+        conductivity: 0.14,
+        pressure_over_modulus: 0.0,
+        slide_roll_ratio: 0.0,
+    };
+    let [coarse, fine] = [128, 256].map(ratio);
+    assert!((coarse - fine).abs() < 3e-3, "{coarse} and {fine}");
+    let expected = inlet.murch_wilson().unwrap();
+    assert!((expected..expected + 0.05).contains(&fine), "{fine} and {expected}");
+}
+
+#[test]
+fn scenes_that_do_not_fit_are_refused_by_name() {
+    let message = |scene: &Scene| solve_contact(scene).unwrap_err().to_string();
+    let mut scene = smooth(1.0, 1.0);
+    scene.lubricant.as_mut().unwrap().thermal = Some(FilmThermal::default());
+    let mut wrong = scene.clone();
+    (wrong.lubricant.as_mut().unwrap().temperature, wrong.lubricant.as_mut().unwrap().roelands_s0) =
+        (None, None);
+    assert!(message(&wrong).contains("lubricant.thermal: the viscosity does not know temperature"));
+    let with = |change: fn(&mut FilmThermal)| {
+        let mut scene = scene.clone();
+        change(scene.lubricant.as_mut().unwrap().thermal.as_mut().unwrap());
+        message(&scene)
+    };
+    assert!(with(|oil| oil.conductivity = 0.0).starts_with("lubricant.thermal.conductivity = 0"));
+    assert!(with(|oil| oil.heat_capacity = -1.0).starts_with("lubricant.thermal.heat_capacity = -1"));
+    assert!(with(|oil| oil.expansivity = f64::NAN).starts_with("lubricant.thermal.expansivity = NaN"));
+    let history = MixedLubricationSim::builder(scene.clone()).build().unwrap_err().to_string();
+    assert!(history.starts_with("lubricant.thermal: only a single contact"), "{history}");
+    // Metres in place of W/(m K).
+    let mut odd = scene;
+    odd.lubricant.as_mut().unwrap().thermal.as_mut().unwrap().conductivity = 140.0;
+    assert_eq!(odd.warnings()[0].field, "lubricant.thermal.conductivity");
+}
+
+#[test]
+fn a_scene_file_has_the_keys_and_the_json_the_numbers() {
+    let mut scene = smooth(2.0, 1.0);
+    scene.lubricant.as_mut().unwrap().thermal = Some(FilmThermal::default());
+    let read = Scene::from_toml(&scene.to_toml().unwrap()).unwrap();
+    assert_eq!(read, scene);
+    let text = scene.to_toml().unwrap();
+    let with_unit = text.replace("heat_capacity = 1700000.0", "heat_capacity = \"1.7 MJ/(m^3 K)\"");
+    assert_ne!(with_unit, text);
+    assert_eq!(Scene::from_toml(&with_unit).unwrap(), scene);
+    let unknown = text.replace("expansivity", "expansion");
+    assert!(Scene::from_toml(&unknown).unwrap_err().to_string().contains("expansion"));
+    let solution = solve_contact(&scene).unwrap();
+    let json = serde_json::to_value(&solution).unwrap();
+    let heat = solution.film_heat.as_ref().unwrap();
+    assert_eq!(json["thermal"]["film_temperature_max"], heat.maximum);
+    assert!(json["thermal"]["imbalance"].as_f64().unwrap() < 1e-9);
+    assert!(solution.to_string().contains("heat       film up to"));
+    scene.lubricant.as_mut().unwrap().thermal = None;
+    let json = serde_json::to_value(solve_contact(&scene).unwrap()).unwrap();
+    assert!(json["thermal"].is_null());
+}
