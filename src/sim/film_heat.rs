@@ -149,9 +149,7 @@ impl Loop {
             if let Some(lubricant) = &mut model.lubricant {
                 lubricant.set_viscosity_ratios(&ratios)?;
             }
-            let work = report.work;
-            report = model.solve(given.gap, given.limit, None, state)?;
-            report.work += work;
+            report = model.solve(given.gap, given.limit, None, state)?.preceded_by(report);
             solves += 1;
             if !is_known(state) {
                 return Ok((report, None));
