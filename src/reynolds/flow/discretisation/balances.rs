@@ -1,0 +1,130 @@
+//! Balances of the cells, and how strongly they resist the pressures of their nodes.
+
+use super::super::balance::FlowBalance;
+use super::super::cavitation::Cavitation;
+use super::{Discretisation, Scheme};
+use crate::reynolds::problem::{inner_rows, interior};
+
+/// First influence coefficients, for implicit relaxation \[m/Pa\].
+#[derive(Debug, Clone, Copy)]
+pub(in crate::reynolds) struct NearField {
+    pub(in crate::reynolds) own: f64,
+    pub(in crate::reynolds) next_x: f64,
+    pub(in crate::reynolds) second_x: f64,
+}
+
+/// Pressure difference over sum below which the secant of a potential is taken as the mean of its slopes.
+const SECANT_SHARE: f64 = 1e-6;
+
+impl Discretisation {
+    /// Flow over pressure difference of the faces to the east and to the north of node `k` \[m/Pa\], at the
+    /// pressures of the last update.
+    pub(in crate::reynolds) fn conductances(&self, k: usize, pressure: &[f64]) -> [f64; 2] {
+        let towards = |o: usize, c: f64, mobility: f64| {
+            let (a, b) = (&self.nodes[k], &self.nodes[o]);
+            let difference = pressure[k] - pressure[o];
+            let slope = if difference.abs() > SECANT_SHARE * (pressure[k] + pressure[o]) {
+                (a.potential - b.potential) / difference
+            } else {
+                0.5 * (a.potential_p + b.potential_p)
+            };
+            c * mobility * slope
+        };
+        [
+            towards(k + 1, self.coefficient_east(k), self.east[k]),
+            towards(k + self.grid.nx(), self.coefficient_north(k), self.north[k]),
+        ]
+    }
+
+    /// Coefficients of `m` at `k`, `k - 1` and `k - 2` in the entrainment term, where it is linear in `m`;
+    /// those of first order of the limited scheme and beside the inlet.
+    #[inline]
+    pub(in crate::reynolds) fn upwind(&self, k: usize) -> [f64; 3] {
+        let w = self.wedge;
+        match self.scheme {
+            Scheme::SecondOrder if k % self.grid.nx() >= 2 => [1.5 * w, -2.0 * w, 0.5 * w],
+            _ => [w, -w, 0.0],
+        }
+    }
+
+    /// `F_k` for an interior node at the last update, its own gap filled.
+    pub(in crate::reynolds) fn balance(&self, k: usize, previous: Option<&[f64]>) -> f64 {
+        self.transport(k, previous) + self.pressure_outflow(k)
+    }
+
+    /// What leaves interior node `k` beyond what enters, its gap filled to its content: zero where the
+    /// content makes it so.
+    pub(in crate::reynolds) fn imbalance(&self, k: usize, previous: Option<&[f64]>) -> f64 {
+        let stored = previous.map_or(0.0, |previous| self.squeeze * (self.held_mass(k) - previous[k]));
+        self.wedge * (self.carried[k] - self.carried[k - 1]) + stored + self.pressure_outflow(k)
+    }
+
+    /// Whether cells that are not filled carry on what they got.
+    pub(in crate::reynolds) fn conserves_mass(&self) -> bool {
+        self.cavitation == Cavitation::MassConserving
+    }
+
+    /// Flows through the edges of the box and growth of the mass in it.
+    pub(in crate::reynolds) fn flow_balance(&self, previous: Option<&[f64]>) -> FlowBalance {
+        let (inflow, outflow) = self.edge_flow();
+        let grown = previous.map_or(0.0, |previous| {
+            interior(&self.grid).map(|k| self.held_mass(k) - previous[k]).sum::<f64>()
+        });
+        FlowBalance::new(inflow, outflow, self.rate * self.grid.cell_area() * self.squeeze * grown)
+    }
+
+    /// Flow into and out of the box through the faces to its outermost nodes \[m^3/s\].
+    pub(in crate::reynolds) fn edge_flow(&self) -> (f64, f64) {
+        let (nx, n) = (self.grid.nx(), self.grid.len());
+        let (mut inflow, mut outflow) = (0.0, 0.0);
+        let mut count = |out: f64| if out > 0.0 { outflow += out } else { inflow -= out };
+        for first in inner_rows(&self.grid).map(|j| j * nx) {
+            let through = |k: usize| {
+                let drop = self.nodes[k].potential - self.nodes[k + 1].potential;
+                self.wedge * self.carried[k] + self.coefficient_east(k) * self.east[k] * drop
+            };
+            count(-through(first));
+            count(through(first + nx - 2));
+        }
+        if self.grid.ny() > 1 {
+            let through = |k: usize| {
+                let drop = self.nodes[k].potential - self.nodes[k + nx].potential;
+                self.coefficient_north(k) * self.north[k] * drop
+            };
+            for i in 1..nx - 1 {
+                count(-through(i));
+                count(through(n - 2 * nx + i));
+            }
+        }
+        let unit = self.rate * self.grid.cell_area();
+        (unit * inflow, unit * outflow)
+    }
+
+    /// Entrainment and squeeze of `F_k`.
+    pub(in crate::reynolds) fn transport(&self, k: usize, previous: Option<&[f64]>) -> f64 {
+        let mut sum = self.wedge * (self.masses[k] + self.beyond[k] - self.carried[k - 1]);
+        if let Some(previous) = previous {
+            sum += self.squeeze * (self.masses[k] - previous[k]);
+        }
+        sum
+    }
+
+    /// Flow through all faces of node `k` per potential, neighbours held.
+    pub(super) fn conductance(&self, k: usize) -> f64 {
+        self.neighbours(k).into_iter().map(|(_, c, mobility)| c * mobility).sum()
+    }
+
+    /// Sum of the coefficients that multiply the own pressure: how strongly `F_k` resists it \[m/Pa\].
+    pub(in crate::reynolds) fn diagonal(&self, k: usize, near: NearField) -> f64 {
+        let faces = self.conductance(k);
+        self.wedge * (self.nodes[k].density * near.own - self.nodes[k - 1].density * near.next_x)
+            + self.squeeze * self.nodes[k].density * near.own
+            + faces * self.nodes[k].potential_p
+    }
+
+    /// Pressure flow through the faces of node `k` over the entrainment and squeeze of its elastic response.
+    pub(in crate::reynolds) fn flow_ratio(&self, k: usize, near: NearField) -> f64 {
+        self.conductance(k) * self.nodes[k].potential_p
+            / ((self.wedge + self.squeeze) * self.nodes[k].density * near.own)
+    }
+}

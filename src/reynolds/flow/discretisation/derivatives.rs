@@ -1,0 +1,137 @@
+//! Derivatives of the balances by pressures and films.
+
+use super::super::entrainment::DensityRise;
+use super::super::face_mobility::{Direction, FaceMobility};
+use super::super::node::NodeFlow;
+use super::{Discretisation, NearField, Scheme};
+
+/// Derivatives of what entrainment carries through a face beyond what its first node holds: by the pressures
+/// of that node and of the one upstream, by the films of that node, of the second of the face and of the one
+/// upstream.
+pub(in crate::reynolds) type BeyondDerivatives = [f64; 5];
+
+/// Weight of the first-order entrainment term in the preconditioner of the second-order one. Their ratio lies
+/// between 1 (smooth fields) and 2 (from node to node).
+const SECOND_ORDER_WEIGHT: f64 = 1.25;
+
+impl Discretisation {
+    /// Derivatives of the flow by pressure through the face to the east of node `k`, its film over that of
+    /// the node and the factor of the inlet held: by both pressures, then by both films.
+    pub(in crate::reynolds) fn east_flow_derivatives(&self, k: usize) -> [f64; 4] {
+        self.flow_derivatives(k, k + 1, self.coefficient_east(k), self.along(k))
+    }
+
+    /// Those of the face to the north.
+    pub(in crate::reynolds) fn north_flow_derivatives(&self, k: usize) -> [f64; 4] {
+        self.flow_derivatives(k, k + self.grid.nx(), self.coefficient_north(k), Direction::Across)
+    }
+
+    #[inline]
+    pub(super) fn flow_derivatives(&self, k: usize, o: usize, c: f64, direction: Direction) -> [f64; 4] {
+        let face = self.face_flow(k, o, direction);
+        let (own, other) = (&self.nodes[k], &self.nodes[o]);
+        let (drop, mobility) = (c * (own.potential - other.potential), c * face.mobility);
+        [
+            mobility * own.potential_p + drop * face.first[0],
+            drop * face.second[0] - mobility * other.potential_p,
+            drop * face.first[1],
+            drop * face.second[1],
+        ]
+    }
+
+    /// Whether anything is carried through faces beyond what their first nodes hold, or their mobility
+    /// depends on the node upstream.
+    pub(in crate::reynolds) fn carries_beyond(&self) -> bool {
+        self.scheme != Scheme::FirstOrder || self.face_mobility == FaceMobility::Inlet
+    }
+
+    /// Derivatives of that through the face to the east of node `k`, with what it adds to the flow by
+    /// pressure.
+    pub(in crate::reynolds) fn beyond_derivatives(&self, k: usize) -> BeyondDerivatives {
+        let nx = self.grid.nx();
+        let column = k % nx;
+        if column + 1 == nx {
+            return [0.0; 5];
+        }
+        // Nothing upstream enters at the inlet.
+        let (up, own, next) = (&self.nodes[k - column.min(1)], &self.nodes[k], &self.nodes[k + 1]);
+        let film = self.face_film(k);
+        let own_film = self.masses[k] / own.density;
+        let by_films = |density: f64| [film.by_own, film.by_next, film.by_up].map(|by| density * by);
+        let (by_densities, by_films) = match self.scheme {
+            Scheme::SecondOrder if column > 0 => {
+                let up_film = self.masses[k - 1] / up.density;
+                ([0.5 * own_film, -0.5 * up_film], [0.5 * own.density, 0.0, -0.5 * up.density])
+            }
+            Scheme::Limited if column > 0 => {
+                let DensityRise { rise, by_density, by_own_film, by_up_film } = self.density_rise(k);
+                let whole = own_film + film.beyond;
+                let [by_own, by_next, by_up] = by_films(own.density + rise);
+                (
+                    [film.beyond + by_density * whole, -by_density * whole],
+                    [by_own + rise + whole * by_own_film, by_next, by_up + whole * by_up_film],
+                )
+            }
+            _ => ([film.beyond, 0.0], by_films(own.density)),
+        };
+        let face = self.face_flow(k, k + 1, self.along(k));
+        // The film of the face over that of the node is `1 + beyond / film`.
+        let mut by_flow = [0.0; 3];
+        if face.by_face_film != 0.0 {
+            let drop = self.coefficient_east(k) * (own.potential - next.potential);
+            let (per_film, per_inlet) = (drop * face.by_face_film / own.film, drop * face.by_inlet);
+            let inlet = self.inlet(k);
+            by_flow = [
+                per_film * (film.by_own - film.beyond / own.film) + per_inlet * inlet.by_own,
+                per_film * film.by_next + per_inlet * inlet.by_next,
+                per_film * film.by_up + per_inlet * inlet.by_up,
+            ];
+        }
+        let slopes = [own.density_p, up.density_p];
+        let films = [own.film_h, next.film_h, up.film_h];
+        let wedge = if self.is_starved(k) { 0.0 } else { self.wedge };
+        std::array::from_fn(|slot| match slot {
+            0..2 => wedge * by_densities[slot] * slopes[slot],
+            _ => (wedge * by_films[slot - 2] + by_flow[slot - 2]) * films[slot - 2],
+        })
+    }
+
+    /// Derivatives of the mass of node `k` by its pressure and by its film.
+    pub(in crate::reynolds) fn mass_derivatives(&self, k: usize) -> [f64; 2] {
+        if self.is_starved(k) {
+            return [0.0; 2];
+        }
+        let NodeFlow { density, density_p, .. } = self.nodes[k];
+        [density_p * self.masses[k] / density, density]
+    }
+
+    /// Coefficients of the masses of a node and of the one upstream in its balance, without what faces carry
+    /// beyond them.
+    pub(in crate::reynolds) fn mass_coefficients(&self) -> [f64; 2] {
+        [self.wedge + self.squeeze + self.pseudo_transient, -self.wedge]
+    }
+
+    /// Those with which a matrix of five points stands in for the balances.
+    pub(in crate::reynolds) fn five_point_mass_coefficients(&self) -> [f64; 2] {
+        let wedge = match self.scheme {
+            Scheme::FirstOrder | Scheme::Limited => self.wedge,
+            Scheme::SecondOrder => SECOND_ORDER_WEIGHT * self.wedge,
+        };
+        [wedge + self.squeeze + self.pseudo_transient, -wedge]
+    }
+
+    /// Coefficients `(below, diagonal, above)` of an implicit step along x at node `k` with mobilities
+    /// frozen, entrainment of first order and the elastic response of the line stiffened by `stiffness`.
+    pub(in crate::reynolds) fn line_row(&self, k: usize, near: NearField, stiffness: f64) -> (f64, f64, f64) {
+        let [east, west, north, south] = self.neighbours(k).map(|(_, c, mobility)| c * mobility);
+        let cross = north + south;
+        let slope = |q: usize| self.nodes[q].potential_p;
+        let (own, up) = (self.nodes[k].density * stiffness, self.nodes[k - 1].density * stiffness);
+        let (w, s) = (self.wedge, self.squeeze);
+        (
+            -west * slope(k - 1) + w * (own * near.next_x - up * near.own) + s * own * near.next_x,
+            (east + west + cross) * slope(k) + w * (own * near.own - up * near.next_x) + s * own * near.own,
+            -east * slope(k + 1) + w * (own * near.next_x - up * near.second_x) + s * own * near.next_x,
+        )
+    }
+}

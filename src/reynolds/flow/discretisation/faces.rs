@@ -1,0 +1,115 @@
+//! Flow through faces: neighbours, films, densities and mobilities.
+
+use super::super::entrainment::{DensityRise, FaceFilm};
+use super::super::face_mobility::{Direction, FaceFlow, FaceMobility};
+use super::super::inlet::Inlet;
+use super::{Discretisation, Scheme};
+
+/// The pressure is ambient at the edge of the box, half a cell beyond the outermost nodes, whose own pressure
+/// counts as ambient: of the difference to the next nodes this share is left.
+const EDGE_SHARE: f64 = 2.0 / 3.0;
+
+impl Discretisation {
+    /// What entrainment carries through faces beyond what their first nodes hold, and the inlets.
+    pub(super) fn update_entrainment(&mut self) {
+        for k in 0..self.nodes.len() {
+            let film = self.face_film(k);
+            self.inlets[k] = self.inlet(k).factor;
+            let own = &self.nodes[k];
+            self.face_films[k] = if film.beyond == 0.0 { 1.0 } else { 1.0 + film.beyond / own.film };
+            self.beyond[k] = match self.scheme {
+                Scheme::FirstOrder => 0.0,
+                Scheme::Limited => {
+                    let rise = self.density_rise(k).rise;
+                    own.density * film.beyond + rise * (self.masses[k] / own.density + film.beyond)
+                }
+                Scheme::SecondOrder if k % self.grid.nx() == 0 => own.density * film.beyond,
+                Scheme::SecondOrder => 0.5 * (self.masses[k] - self.masses[k - 1]),
+            };
+        }
+    }
+
+    /// Density of the face to the east of node `k` beyond that of the node, extrapolated from the nodes
+    /// upstream.
+    #[inline]
+    pub(super) fn density_rise(&self, k: usize) -> DensityRise {
+        if k.is_multiple_of(self.grid.nx()) {
+            return DensityRise::default();
+        }
+        let (own, up) = (&self.nodes[k], &self.nodes[k - 1]);
+        let up_film = if self.face_mobility == FaceMobility::Inlet { up.film } else { own.film };
+        DensityRise::new((own.density, own.film), (up.density, up_film))
+    }
+
+    /// The film of the face to the east of node `k`; that of the node itself of first order.
+    #[inline]
+    pub(super) fn face_film(&self, k: usize) -> FaceFilm {
+        let column = k % self.grid.nx();
+        if self.scheme == Scheme::FirstOrder || column + 1 == self.grid.nx() {
+            return FaceFilm::default();
+        }
+        let (own, next) = (self.nodes[k].film, self.nodes[k + 1].film);
+        if column == 0 {
+            FaceFilm::central(own, next)
+        } else {
+            FaceFilm::limited(self.nodes[k - 1].film, own, next)
+        }
+    }
+
+    /// The inlet at the face to the east of node `k`.
+    #[inline]
+    pub(super) fn inlet(&self, k: usize) -> Inlet {
+        let column = k % self.grid.nx();
+        if self.face_mobility != FaceMobility::Inlet || column == 0 || column + 1 == self.grid.nx() {
+            return Inlet::NONE;
+        }
+        Inlet::new(self.nodes[k - 1].film, self.nodes[k].film, self.nodes[k + 1].film, self.alignments[k])
+    }
+
+    /// The direction of the face to the east of node `k`: nothing distinguishes it from one across where
+    /// nothing is carried.
+    #[inline]
+    pub(super) fn along(&self, k: usize) -> Direction {
+        if self.wedge > 0.0 {
+            Direction::Along(self.face_films[k], self.inlets[k])
+        } else {
+            Direction::Across
+        }
+    }
+
+    /// Mobility of the face between the nodes `a` and `b`.
+    #[inline]
+    pub(super) fn face_flow(&self, a: usize, b: usize, direction: Direction) -> FaceFlow {
+        let flow = self.face_mobility.of(self.fluidity, &self.nodes[a], &self.nodes[b], direction);
+        if self.ratios.is_empty() { flow } else { flow.thinned(self.ratios[a], self.ratios[b]) }
+    }
+
+    /// `c` of the face to the east of node `k`.
+    #[inline]
+    pub(super) fn coefficient_east(&self, k: usize) -> f64 {
+        let column = k % self.grid.nx();
+        let at_edge = column == 0 || column + 2 == self.grid.nx();
+        if at_edge { EDGE_SHARE * self.face_x } else { self.face_x }
+    }
+
+    /// `c` of the face to the north of node `k`.
+    #[inline]
+    pub(super) fn coefficient_north(&self, k: usize) -> f64 {
+        let nx = self.grid.nx();
+        let at_edge = k < nx || k + 2 * nx >= self.grid.len();
+        if at_edge { EDGE_SHARE * self.face_y } else { self.face_y }
+    }
+
+    /// Neighbours of node `k` (east, west, north, south) with coefficients and mobilities of the faces;
+    /// across a line contact they are the node itself.
+    #[inline]
+    pub(super) fn neighbours(&self, k: usize) -> [(usize, f64, f64); 4] {
+        let nx = if self.grid.ny() == 1 { 0 } else { self.grid.nx() };
+        [
+            (k + 1, self.coefficient_east(k), self.east[k]),
+            (k - 1, self.coefficient_east(k - 1), self.east[k - 1]),
+            (k + nx, self.coefficient_north(k), self.north[k]),
+            (k - nx, self.coefficient_north(k - nx), self.north[k - nx]),
+        ]
+    }
+}

@@ -1,0 +1,355 @@
+//! The discrete Reynolds equation, once for all solvers.
+//!
+//! Finite volumes on the cells of the grid. The net outflow of cell `k`, multiplied by `dx / U` with `U` the
+//! entrainment speed (or `dx / dt` if that is larger), is a film thickness \[m\]:
+//!
+//! `F_k = sum over faces of c a_face (phi_k - phi_neighbour) + w (M_east - M_west) + s (m_k - m_previous)`
+//!
+//! with `m = rho/rho_0 h`, `c = 1 / (U dx)` (faces in x) or `dx / (U dy^2)` (faces in y), `w = u / U` and
+//! `s = dx / (U dt)`. `M` is what entrainment carries through a face ([`Scheme`]); `a_face`, a mean of
+//! `h^3 / (12 eta_0)`, and the potential `phi` are those of the [`FaceMobility`].
+//!
+//! With shear thinning the mobility of a face is divided by the mean of `eta*/eta` of its two nodes
+//! ([`ShearThinning`](super::ShearThinning)). Why not a mean of `a eta/eta*`: at steep viscosities the node
+//! of high pressure has nearly all of that and nearly none of the change of `q`. Divided like this the flow
+//! through a face still grows with the pressure of its node where `ln eta` is linear in pressure, as
+//! `q_end - q <= (dq/dp) / (d ln eta/dp)`.
+//!
+//! Films that are warmer than the law have `eta*/eta` times the ratio of viscosities that the lubricant holds
+//! for the node ([`Lubricant::viscosity_ratios`]); shear thinning then is that of the warmer fluid.
+//!
+//! In `a` the film counts as at least half the contact film, in `m` it counts as it is.
+
+mod balances;
+mod derivatives;
+mod faces;
+mod own_share;
+#[cfg(test)]
+mod tests;
+
+pub(in crate::reynolds) use balances::NearField;
+pub(in crate::reynolds) use own_share::HeldNeighbour;
+
+use super::cavitation::Cavitation;
+use super::entrainment::Scheme;
+use super::face_mobility::{Direction, FaceMobility};
+use super::node::NodeFlow;
+use super::shear_thinning::{ShearThinning, ViscosityRatio};
+use crate::grid::Grid;
+use crate::lubricant::Lubricant;
+use crate::reynolds::problem::{LubricatedContact, interior};
+
+/// Quantities of the nodes and faces at the current pressure and film, and the coefficients of the balance.
+#[derive(Debug, Clone)]
+pub(in crate::reynolds) struct Discretisation {
+    pub(in crate::reynolds) grid: Grid,
+    face_mobility: FaceMobility,
+    scheme: Scheme,
+    cavitation: Cavitation,
+    /// What enters a row of cells at most \[m\]; infinite at a flooded inlet.
+    supply: f64,
+    film_floor: f64,
+    /// Film below which pressure moves nothing \[m\]; no such film in hard contact.
+    closed_film: f64,
+    face_x: f64,
+    face_y: f64,
+    wedge: f64,
+    squeeze: f64,
+    /// Squeeze against the masses at which a linear step begins: in the derivatives alone, as it vanishes
+    /// there.
+    pseudo_transient: f64,
+    /// `1 / (12 eta_0)`.
+    fluidity: f64,
+    /// `U / dx` \[1/s\].
+    rate: f64,
+    nodes: Vec<NodeFlow>,
+    /// `m` of the nodes \[m\].
+    masses: Vec<f64>,
+    /// `M` less `m` of the first node, and film over that of the first node, of the faces to the east.
+    beyond: Vec<f64>,
+    face_films: Vec<f64>,
+    /// Factors of the inlets, and squares of the cosines between the flow and the gradient of the undeformed
+    /// gap, at the faces to the east.
+    inlets: Vec<f64>,
+    alignments: Vec<f64>,
+    /// `M` of the faces to the east \[m\], and the share `theta` of the gap that is filled.
+    carried: Vec<f64>,
+    content: Vec<f64>,
+    /// Of nodes that are not filled, what of their inflow they carry on; zero elsewhere.
+    passed: Vec<f64>,
+    /// `a` of the faces to the east and to the north of the nodes.
+    east: Vec<f64>,
+    north: Vec<f64>,
+    /// Film in which the fluid at ambient pressure has `x = 1` \[m\]; zero without shear thinning.
+    thinning: f64,
+    /// Viscosity of the nodes over that of the law; empty where they have its temperature.
+    warmth: Vec<f64>,
+    /// `eta*/eta` of the nodes; empty without shear thinning in films that have the temperature of the law.
+    ratios: Vec<ViscosityRatio>,
+}
+
+impl Discretisation {
+    pub(in crate::reynolds) fn new(grid: Grid) -> Self {
+        let zeros = || vec![0.0; grid.len()];
+        Self {
+            grid,
+            face_mobility: FaceMobility::default(),
+            scheme: Scheme::default(),
+            cavitation: Cavitation::default(),
+            supply: f64::INFINITY,
+            film_floor: 0.0,
+            closed_film: f64::NEG_INFINITY,
+            face_x: 0.0,
+            face_y: 0.0,
+            wedge: 0.0,
+            squeeze: 0.0,
+            pseudo_transient: 0.0,
+            fluidity: 0.0,
+            rate: 1.0,
+            nodes: vec![NodeFlow::default(); grid.len()],
+            masses: zeros(),
+            beyond: zeros(),
+            carried: zeros(),
+            content: vec![1.0; grid.len()],
+            passed: zeros(),
+            face_films: vec![1.0; grid.len()],
+            inlets: vec![1.0; grid.len()],
+            alignments: vec![1.0; grid.len()],
+            east: zeros(),
+            north: zeros(),
+            thinning: 0.0,
+            warmth: Vec::new(),
+            ratios: Vec::new(),
+        }
+    }
+
+    /// Takes speeds, steps and schemes from the problem.
+    pub(in crate::reynolds) fn configure(&mut self, problem: &LubricatedContact<'_>) {
+        let (dx, dy) = (self.grid.dx(), self.grid.dy());
+        let grid_speed = problem.squeeze.map_or(0.0, |s| dx / s.time_step);
+        let speed = problem.entrainment_speed.max(grid_speed);
+        self.face_mobility = problem.face_mobility;
+        self.scheme = problem.scheme;
+        self.cavitation = problem.cavitation;
+        self.supply = problem.supplied_film.unwrap_or(f64::INFINITY);
+        // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor
+        // at the contact film itself would hide from Newton that a node just under it can open.
+        self.film_floor = 0.5 * problem.contact_film();
+        self.closed_film = if problem.is_paper() { problem.contact_film() } else { f64::NEG_INFINITY };
+        self.rate = speed / dx;
+        self.face_x = 1.0 / (speed * dx);
+        self.face_y = if self.grid.ny() == 1 { 0.0 } else { dx / (speed * dy * dy) };
+        self.wedge = problem.entrainment_speed / speed;
+        self.squeeze = grid_speed / speed;
+        self.pseudo_transient = 0.0;
+        let ambient = problem.lubricant.map(|l| l.viscosity().viscosity(0.0));
+        self.fluidity = ambient.map_or(0.0, |eta| 1.0 / (12.0 * eta));
+        let thinning = |(law, eta): (ShearThinning, f64)| law.length(eta);
+        self.thinning = problem.shear_thinning.zip(ambient).map_or(0.0, thinning);
+        self.warm(problem.lubricant.map_or(&[], Lubricant::viscosity_ratios), &problem.grid());
+        let is_newtonian = self.thinning == 0.0 && self.warmth.is_empty();
+        let thinned = if is_newtonian { 0 } else { self.grid.len() };
+        self.ratios.resize(thinned, ViscosityRatio::NEWTONIAN);
+        // Coarser grids, whose gaps are not those of the problem, only make corrections.
+        if problem.gap.len() == self.grid.len() {
+            self.align(problem.gap);
+        }
+    }
+
+    /// Takes over the ratios of viscosity of the nodes of the grid `of` the problem, on a coarser grid those of
+    /// the nodes next to its own.
+    fn warm(&mut self, ratios: &[f64], of: &Grid) {
+        self.warmth.clear();
+        if ratios.len() == self.grid.len() {
+            self.warmth.extend_from_slice(ratios);
+        } else if !ratios.is_empty() {
+            let (nx, ny) = (self.grid.nx(), self.grid.ny());
+            let near = |i: usize, n: usize, fine: usize| ((2 * i + 1) * fine / (2 * n)).min(fine - 1);
+            let nodes = (0..ny).flat_map(|j| (0..nx).map(move |i| (i, j)));
+            let at = |(i, j)| ratios[near(j, ny, of.ny()) * of.nx() + near(i, nx, of.nx())];
+            self.warmth.extend(nodes.map(at));
+        }
+    }
+
+    /// Takes the normals of edges from the undeformed gap.
+    fn align(&mut self, gap: &[f64]) {
+        let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
+        for k in (0..n - 1).filter(|k| k % nx + 1 < nx) {
+            let (above, below) = (if k + nx < n { k + nx } else { k }, if k >= nx { k - nx } else { k });
+            let rows = ((above - below) / nx).max(1) as f64;
+            let along = (gap[k + 1] - gap[k]) / self.grid.dx();
+            let rise = gap[above] + gap[above + 1] - gap[below] - gap[below + 1];
+            let across = if ny == 1 { 0.0 } else { 0.5 * rise / (rows * self.grid.dy()) };
+            let steepness = along * along + across * across;
+            self.alignments[k] = if steepness > 0.0 { along * along / steepness } else { 1.0 };
+        }
+    }
+
+    /// The quantities of a node at fluid pressure `p` and film `h`.
+    #[inline]
+    fn node_flow(&self, lubricant: &Lubricant, p: f64, h: f64) -> NodeFlow {
+        let point = lubricant.at(p);
+        let floored = h.max(self.film_floor);
+        let square = self.fluidity * floored * floored;
+        let is_closed = h < self.closed_film;
+        let (film, cube) = if is_closed { (0.0, 0.0) } else { (floored, square * floored) };
+        let film_h = if h > self.film_floor { 1.0 } else { 0.0 };
+        let cube_h = 3.0 * square * film_h;
+        let (density, density_p) = (point.density, point.density_slope);
+        match self.face_mobility {
+            FaceMobility::Arithmetic => NodeFlow {
+                density,
+                density_p,
+                film,
+                film_h,
+                mobility: cube * point.reduced_slope,
+                mobility_p: cube * point.reduced_curvature,
+                mobility_h: cube_h * point.reduced_slope,
+                potential: p,
+                potential_p: 1.0,
+            },
+            FaceMobility::ReducedPressure | FaceMobility::Wedge | FaceMobility::Inlet => NodeFlow {
+                density,
+                density_p,
+                film,
+                film_h,
+                mobility: cube,
+                mobility_p: 0.0,
+                mobility_h: cube_h,
+                potential: point.reduced_pressure,
+                potential_p: point.reduced_slope,
+            },
+        }
+    }
+
+    /// `eta*/eta` of node `k` at fluid pressure `p` and film `h`.
+    fn viscosity_ratio(&self, lubricant: &Lubricant, k: usize, p: f64, h: f64) -> ViscosityRatio {
+        let warmth = self.warmth.get(k).copied().unwrap_or(1.0);
+        if self.thinning == 0.0 {
+            return ViscosityRatio::NEWTONIAN.times(warmth);
+        }
+        let point = lubricant.at(p);
+        let floored = h.max(self.film_floor);
+        // Density over slope of the reduced pressure is the viscosity over that at ambient pressure.
+        let x = warmth * self.thinning / floored * (point.density / point.reduced_slope);
+        let by_pressure = point.density_slope / point.density - point.reduced_curvature / point.reduced_slope;
+        let by_film = if h > self.film_floor { -1.0 / h } else { 0.0 };
+        ViscosityRatio::new(x, by_pressure, by_film).times(warmth)
+    }
+
+    /// Takes over fluid pressure and film of every node, and the masses of the previous time, where there is
+    /// one.
+    pub(in crate::reynolds) fn update(
+        &mut self,
+        lubricant: &Lubricant,
+        pressure: &[f64],
+        film: &[f64],
+        previous: Option<&[f64]>,
+    ) {
+        for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
+            self.nodes[k] = self.node_flow(lubricant, p, h);
+            self.masses[k] = self.nodes[k].density * h;
+        }
+        if !self.ratios.is_empty() {
+            for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
+                self.ratios[k] = self.viscosity_ratio(lubricant, k, p, h);
+            }
+        }
+        self.update_entrainment();
+        let (nx, n) = (self.grid.nx(), self.grid.len());
+        for k in 0..n - 1 {
+            self.east[k] = self.face_flow(k, k + 1, self.along(k)).mobility;
+        }
+        for k in 0..n - nx {
+            self.north[k] = self.face_flow(k, k + nx, Direction::Across).mobility;
+        }
+        for (carried, (mass, beyond)) in self.carried.iter_mut().zip(self.masses.iter().zip(&self.beyond)) {
+            *carried = mass + beyond;
+        }
+        self.content.fill(1.0);
+        self.passed.fill(0.0);
+        if self.cavitation == Cavitation::MassConserving {
+            self.starve();
+            for k in interior(&self.grid).filter(|k| pressure[*k] <= 0.0) {
+                self.fill(k, previous);
+            }
+        }
+    }
+
+    /// Lets no more than the supply through the faces at the inlet edge.
+    fn starve(&mut self) {
+        for first in (0..self.grid.len()).step_by(self.grid.nx()) {
+            let full = self.carried[first];
+            if full > self.supply {
+                self.content[first] = self.supply / full;
+                self.carried[first] = self.supply;
+            }
+        }
+    }
+
+    /// Whether node `k` is one of the inlet edge that gets less than fills it: what it carries on does not
+    /// depend on its film.
+    #[inline]
+    fn is_starved(&self, k: usize) -> bool {
+        self.content[k] < 1.0 && k.is_multiple_of(self.grid.nx())
+    }
+
+    /// Fills the gap of node `k`, which has no pressure, by what enters it; upstream nodes come first.
+    fn fill(&mut self, k: usize, previous: Option<&[f64]>) {
+        let full = self.wedge * self.carried[k];
+        let whole = full + self.squeeze * self.masses[k];
+        let kept = previous.map_or(0.0, |previous| self.squeeze * previous[k]);
+        let content = (self.wedge * self.carried[k - 1] + kept - self.pressure_outflow(k)) / whole;
+        if whole > 0.0 && content < 1.0 {
+            self.content[k] = content.max(0.0);
+            self.carried[k] *= self.content[k];
+            self.passed[k] = full / (whole + self.pseudo_transient * self.masses[k]);
+        }
+    }
+
+    /// Flow by pressure out of node `k`.
+    fn pressure_outflow(&self, k: usize) -> f64 {
+        let own = self.nodes[k].potential;
+        self.neighbours(k)
+            .into_iter()
+            .map(|(o, c, mobility)| c * mobility * (own - self.nodes[o].potential))
+            .sum()
+    }
+
+    /// What node `k` holds, `theta rho/rho_0 h` \[m\].
+    pub(in crate::reynolds) fn held_mass(&self, k: usize) -> f64 {
+        self.content[k] * self.masses[k]
+    }
+
+    /// The share of the gaps that is filled.
+    pub(in crate::reynolds) fn content(&self) -> &[f64] {
+        &self.content
+    }
+
+    /// What node `k` carries on of a change of its inflow, where it is not filled; zero elsewhere.
+    pub(in crate::reynolds) fn passed(&self, k: usize) -> f64 {
+        self.passed[k]
+    }
+
+    /// Overrides the schemes of the problem until the next [`Self::configure`].
+    pub(in crate::reynolds) fn set_scheme(&mut self, scheme: Scheme, face_mobility: FaceMobility) {
+        self.scheme = scheme;
+        self.face_mobility = face_mobility;
+    }
+
+    /// Overrides the condition of the problem until the next [`Self::configure`].
+    pub(in crate::reynolds) fn set_cavitation(&mut self, cavitation: Cavitation) {
+        self.cavitation = cavitation;
+    }
+
+    /// Makes the next linear steps, until [`Self::configure`], steps in time of `1 / share` passages of a
+    /// cell.
+    pub(in crate::reynolds) fn set_pseudo_transient(&mut self, share: f64) {
+        self.pseudo_transient = share * self.wedge;
+    }
+
+    /// Physical imbalance per `F`: `U / dx` \[1/s\].
+    pub(in crate::reynolds) fn rate(&self) -> f64 {
+        self.rate
+    }
+}

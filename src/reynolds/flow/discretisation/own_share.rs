@@ -1,0 +1,94 @@
+//! The share of a balance that is a node's own, neighbours held.
+
+use super::super::face_mobility::Direction;
+use super::super::node::NodeFlow;
+use super::super::shear_thinning::ViscosityRatio;
+use super::Discretisation;
+use crate::lubricant::Lubricant;
+
+/// A node across a face of coefficient `c`, held.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::reynolds) struct HeldNeighbour {
+    c: f64,
+    flow: NodeFlow,
+    ratio: ViscosityRatio,
+    direction: Direction,
+    /// Whether it is the first node of the face.
+    is_first: bool,
+}
+
+impl Discretisation {
+    /// How strongly `F_k` depends on the own mass: entrainment and squeezes together.
+    pub(in crate::reynolds) fn own_mass(&self, k: usize) -> f64 {
+        self.upwind(k)[0] + self.squeeze + self.pseudo_transient
+    }
+
+    /// The neighbours of a node.
+    #[inline]
+    pub(in crate::reynolds) fn held_neighbours(&self, k: usize) -> [HeldNeighbour; 4] {
+        let [east, west, north, south] = self.neighbours(k);
+        let held = |(o, c, _): (usize, f64, f64), direction: Direction, is_first: bool| HeldNeighbour {
+            c,
+            flow: self.nodes[o],
+            ratio: self.ratios.get(o).copied().unwrap_or(ViscosityRatio::NEWTONIAN),
+            direction,
+            is_first,
+        };
+        [
+            held(east, self.along(k), false),
+            // What flows into a node that is not filled comes back with all it carries on.
+            held((west.0, west.1 * (1.0 - self.passed[k - 1]), west.2), self.along(k - 1), true),
+            held(north, Direction::Across, false),
+            held(south, Direction::Across, true),
+        ]
+    }
+
+    /// Density, its slope, then flow through all faces of node `k` at fluid pressure and film `(p, h)` and its
+    /// derivatives by both.
+    pub(in crate::reynolds) fn outflow(
+        &self,
+        lubricant: &Lubricant,
+        k: usize,
+        neighbours: &[HeldNeighbour; 4],
+        (p, h): (f64, f64),
+    ) -> ([f64; 2], [f64; 3]) {
+        let node = self.node_flow(lubricant, p, h);
+        let ratio = self.viscosity_ratio(lubricant, k, p, h);
+        ([node.density, node.density_p], self.flow_of(&node, ratio, neighbours))
+    }
+
+    /// The same of node `k` as it was at the last update.
+    pub(in crate::reynolds) fn present_outflow(
+        &self,
+        k: usize,
+        neighbours: &[HeldNeighbour; 4],
+    ) -> ([f64; 2], [f64; 3]) {
+        let node = &self.nodes[k];
+        let ratio = self.ratios.get(k).copied().unwrap_or(ViscosityRatio::NEWTONIAN);
+        ([node.density, node.density_p], self.flow_of(node, ratio, neighbours))
+    }
+
+    #[inline]
+    pub(super) fn flow_of(
+        &self,
+        node: &NodeFlow,
+        ratio: ViscosityRatio,
+        neighbours: &[HeldNeighbour; 4],
+    ) -> [f64; 3] {
+        let mut sums = [0.0; 3];
+        for held in neighbours {
+            let (first, second) = if held.is_first { (&held.flow, node) } else { (node, &held.flow) };
+            let mut face = self.face_mobility.of(self.fluidity, first, second, held.direction);
+            if !self.ratios.is_empty() {
+                let (first, second) = if held.is_first { (held.ratio, ratio) } else { (ratio, held.ratio) };
+                face = face.thinned(first, second);
+            }
+            let own = if held.is_first { face.second } else { face.first };
+            let drop = held.c * (node.potential - held.flow.potential);
+            sums[0] += face.mobility * drop;
+            sums[1] += own[0] * drop + held.c * face.mobility * node.potential_p;
+            sums[2] += own[1] * drop;
+        }
+        sums
+    }
+}

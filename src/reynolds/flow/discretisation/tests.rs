@@ -1,0 +1,128 @@
+use super::*;
+use crate::lubricant::{Barus, DowsonHigginson, Incompressible, Roelands};
+
+const FILM: f64 = 4e-8;
+const MOBILITIES: [FaceMobility; 4] =
+    [FaceMobility::Arithmetic, FaceMobility::ReducedPressure, FaceMobility::Wedge, FaceMobility::Inlet];
+
+fn oil() -> Lubricant {
+    Lubricant::new(Roelands::new(0.04, 0.6, 1.96e8).unwrap(), DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap())
+}
+
+/// A row of nodes with the coefficients that fluxes are counted in.
+fn row(face_mobility: FaceMobility, thinning: f64) -> Discretisation {
+    let mut fluid = Discretisation::new(Grid::from_edges(5, 1, [0.0, 5e-5], [-0.5, 0.5]).unwrap());
+    (fluid.face_mobility, fluid.face_x, fluid.fluidity) = (face_mobility, 1.0, 1.0 / (12.0 * 0.04));
+    fluid.thinning = thinning;
+    fluid.ratios = vec![ViscosityRatio::NEWTONIAN; if thinning > 0.0 { 5 } else { 0 }];
+    fluid
+}
+
+#[test]
+fn equal_nodes_flow_by_the_effective_viscosity() {
+    let oil = oil();
+    let law = ShearThinning { eyring_stress: 5e6, sliding_speed: 0.3 };
+    for face_mobility in MOBILITIES {
+        let mut fluid = row(face_mobility, law.length(0.04));
+        for p in [0.0, 1e8, 5e8, 1e9] {
+            fluid.update(&oil, &[p; 5], &[FILM; 5], None);
+            let eta = oil.viscosity().viscosity(p);
+            let effective = eta * law.viscosity_ratio(eta, FILM);
+            let exact = oil.density().ratio(p) * FILM.powi(3) / (12.0 * effective);
+            let found = fluid.east[2] * fluid.nodes[2].potential_p;
+            assert!((found / exact - 1.0).abs() < 1e-4, "{found:e}, {exact:e} at {p:e}, {face_mobility:?}");
+        }
+    }
+}
+
+/// The flow between two pressures through a film of one thickness is `h^3/12` times the integral of
+/// `dp / eta*`.
+#[test]
+fn flow_between_two_pressures_tends_to_the_integral() {
+    let oil = Lubricant::new(Barus::new(0.04, 20e-9).unwrap(), Incompressible);
+    let law = ShearThinning { eyring_stress: 5e6, sliding_speed: 0.3 };
+    let exact = |low: f64, high: f64| {
+        let steps = 10_000;
+        let width = (high - low) / f64::from(steps);
+        let middle = |i: i32| low + (f64::from(i) + 0.5) * width;
+        let sum: f64 = (0..steps)
+            .map(|i| oil.viscosity().viscosity(middle(i)))
+            .map(|eta| 1.0 / (eta * law.viscosity_ratio(eta, FILM)))
+            .sum();
+        FILM.powi(3) / 12.0 * sum * width
+    };
+    for face_mobility in MOBILITIES {
+        let mut fluid = row(face_mobility, law.length(0.04));
+        let mut error = |low: f64, high: f64| {
+            let pressure = [low, low, low, high, high];
+            fluid.update(&oil, &pressure, &[FILM; 5], None);
+            fluid.east[2] * (fluid.nodes[3].potential - fluid.nodes[2].potential) / exact(low, high) - 1.0
+        };
+        for low in [0.0, 3e8, 1e9] {
+            let errors = [5e7, 2.5e7].map(|step| error(low, low + step));
+            // The trapezoidal rule of a Newtonian fluid is wrong by 2.1 % over the smaller step.
+            assert!(errors[1].abs() < 0.021, "{errors:?} from {low:e}, {face_mobility:?}");
+            assert!(errors[1].abs() < 0.3 * errors[0].abs(), "{errors:?} from {low:e}, {face_mobility:?}");
+        }
+        // Steep ones: exponents of the viscosity 10 and 20 apart.
+        for (low, high) in [(0.0, 5e8), (0.0, 1e9), (5e8, 1.5e9)] {
+            let wrong = error(low, high);
+            if face_mobility != FaceMobility::Arithmetic {
+                assert!(wrong.abs() < 1.0, "{wrong} from {low:e} to {high:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn thinned_flow_has_exact_derivatives() {
+    let oil = oil();
+    let pressure = [1e8, 3e8, 5e8, 4.2e8, 2e8];
+    let film = [6e-8, 4e-8, 3e-8, 5e-8, 7e-8];
+    for face_mobility in MOBILITIES {
+        for thinning in [1e-14, 1e-10, 1e-6] {
+            let mut fluid = row(face_mobility, thinning);
+            fluid.update(&oil, &pressure, &film, None);
+            let neighbours = fluid.held_neighbours(2);
+            let flow = |p: f64, h: f64| fluid.outflow(&oil, 2, &neighbours, (p, h)).1;
+            let (p, h) = (pressure[2], film[2]);
+            let [value, by_pressure, by_film] = flow(p, h);
+            assert!((fluid.balance(2, None) / value - 1.0).abs() < 1e-13, "{value:e}");
+            // Steps that stay within one interval of the table.
+            let (dp, dh) = (2e4, 1e-5 * h);
+            let p = p + 1e6;
+            let [_, at_p, _] = flow(p, h);
+            let difference = (flow(p + dp, h)[0] - flow(p - dp, h)[0]) / (2.0 * dp);
+            assert!((difference / at_p - 1.0).abs() < 1e-7, "{difference:e}, {at_p:e}");
+            let difference = (flow(pressure[2], h + dh)[0] - flow(pressure[2], h - dh)[0]) / (2.0 * dh);
+            assert!((difference / by_film - 1.0).abs() < 1e-7, "{difference:e}, {by_film:e}");
+            // The same as the flows through both faces.
+            let (west, east) = (fluid.east_flow_derivatives(1), fluid.east_flow_derivatives(2));
+            for (derivative, slot) in [(by_pressure, 0), (by_film, 2)] {
+                let change = east[slot] - west[slot + 1];
+                assert!((change / derivative - 1.0).abs() < 1e-12, "{change:e}, {derivative:e}");
+            }
+        }
+    }
+}
+
+/// Where the logarithm of the viscosity is linear in pressure, whatever the films.
+#[test]
+fn thinned_flow_grows_with_the_pressure_of_its_node() {
+    let oil = Lubricant::new(Barus::new(0.04, 20e-9).unwrap(), Incompressible);
+    for thinning in [1e-12, 1e-9, 1e-6] {
+        for film in [[1e-9, 1e-7], [1e-7, 1e-9], [3e-8, 3e-8]] {
+            for other in [0.0, 2e8, 1e9] {
+                let mut fluid = row(FaceMobility::ReducedPressure, thinning);
+                let films = [film[1], film[1], film[0], film[1], film[1]];
+                fluid.update(&oil, &[other; 5], &films, None);
+                let neighbours = fluid.held_neighbours(2);
+                for step in 0..150 {
+                    let p = f64::from(step) * 1e7;
+                    let slope = fluid.outflow(&oil, 2, &neighbours, (p, film[0])).1[1];
+                    assert!(slope > 0.0, "{slope:e} at {p:e}, {other:e}, films {film:?}, {thinning:e}");
+                }
+            }
+        }
+    }
+}
