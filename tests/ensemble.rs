@@ -24,9 +24,17 @@ fn members(steps: u64) -> Vec<Member> {
     ]
 }
 
-/// Records and failures in words, which are equal where every bit is.
+/// Records, without what `history.csv` does not hold, and failures in words, which are equal where every bit is.
 fn words(outcomes: &[Outcome]) -> Vec<String> {
-    outcomes.iter().map(|outcome| format!("{outcome:?}")).collect()
+    let in_words = |outcome: &Outcome| {
+        let mut outcome = outcome.clone();
+        for record in &mut outcome.records {
+            record.report.strategy = None;
+            record.report.residual_history.clear();
+        }
+        format!("{outcome:?}")
+    };
+    outcomes.iter().map(in_words).collect()
 }
 
 #[test]

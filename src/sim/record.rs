@@ -77,7 +77,7 @@ pub struct StepRecord {
     pub flow: Option<FlowBalance>,
     /// Positions of the roughness that were tried before the contact converged.
     pub attempts: u32,
-    /// The solve.
+    /// The solve. One that was read from `history.csv` tells neither its strategy nor the residuals of its steps.
     pub report: SolveReport,
 }
 
