@@ -153,9 +153,12 @@ impl RoughnessTable {
         };
         let RandomRoughness { length_x, length_y, .. } = plain;
         let surface = self.random(RandomShape::Correlated { autocorrelation, length_x, length_y })?;
-        let usual = RandomSurface::new(surface.shape, surface.rq, surface.seed);
+        // Whether it is normal, of the height given and periodic: `rq` may be NaN here, which equals nothing.
+        let usual = RandomSurface::new(surface.shape, 0.0, 0);
+        let is_plain = (surface.height, surface.distribution, surface.boundary)
+            == (usual.height, usual.distribution, usual.boundary);
         Ok(match autocorrelation {
-            _ if surface != usual => Roughness::Random(surface),
+            _ if !is_plain => Roughness::Random(surface),
             Autocorrelation::Gaussian => Roughness::Gaussian(plain),
             Autocorrelation::Exponential => Roughness::Exponential(plain),
         })
