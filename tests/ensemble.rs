@@ -27,12 +27,12 @@ fn members(steps: u64) -> Vec<Member> {
 /// Records, without what `history.csv` does not hold, and failures in words, which are equal where every bit is.
 fn words(outcomes: &[Outcome]) -> Vec<String> {
     let in_words = |outcome: &Outcome| {
-        let mut outcome = outcome.clone();
-        for record in &mut outcome.records {
+        let mut records = outcome.records.clone();
+        for record in &mut records {
             record.report.strategy = None;
             record.report.residual_history.clear();
         }
-        format!("{outcome:?}")
+        format!("{records:?} {:?}", outcome.failure)
     };
     outcomes.iter().map(in_words).collect()
 }
