@@ -11,13 +11,14 @@
 mod chart;
 #[path = "command/mod.rs"]
 mod command;
+#[path = "command/quick.rs"]
+mod quick;
 
 use std::error::Error;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use chart::{BLACK, BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
-use lexopt::prelude::*;
+use quick::{Options, options};
 use stribeck::analytic::ThermalInlet;
 use stribeck::sim::scene::GridSpec;
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
@@ -35,27 +36,8 @@ const VISCOSITY: f64 = 0.04;
 const INDEX: f64 = 1.1;
 const PRESSURE: f64 = 0.8e9;
 
-struct Options {
-    quick: bool,
-    out: PathBuf,
-}
-
 fn main() -> ExitCode {
-    command::run("thermal_film", USAGE, options(), run)
-}
-
-fn options() -> Result<Option<Options>, lexopt::Error> {
-    let mut options = Options { quick: false, out: PathBuf::from("target/thermal_film") };
-    let mut parser = lexopt::Parser::from_env();
-    while let Some(argument) = parser.next()? {
-        match argument {
-            Long("quick") => options.quick = true,
-            Long("out") => options.out = PathBuf::from(parser.value()?),
-            Long("help") | Short('h') => return Ok(None),
-            other => return Err(other.unexpected()),
-        }
-    }
-    Ok(Some(options))
+    command::run("thermal_film", USAGE, options("target/thermal_film"), run)
 }
 
 /// A steel ball on a smooth steel disc, 40 mPa s at 40 C, an Eyring fluid with a limiting stress.

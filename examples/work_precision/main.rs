@@ -15,6 +15,8 @@
 
 #[path = "../command/mod.rs"]
 mod command;
+#[path = "../command/quick.rs"]
+mod quick;
 #[path = "../custom_solver/steepest_descent.rs"]
 mod steepest_descent;
 mod stepping;
@@ -22,13 +24,13 @@ mod stepping;
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use lexopt::prelude::*;
 use plotters::coord::Shift;
 use plotters::prelude::*;
+use quick::{Options, options};
 use steepest_descent::SteepestDescent;
 use stribeck::analytic::FilmConditions;
 use stribeck::elastic::HalfSpace;
@@ -140,11 +142,6 @@ const CASES: [Case; 4] = [
     },
 ];
 
-struct Options {
-    quick: bool,
-    out: PathBuf,
-}
-
 /// Lines of one colour.
 struct Series {
     colour: RGBColor,
@@ -172,21 +169,7 @@ impl Row {
 }
 
 fn main() -> ExitCode {
-    command::run("work_precision", USAGE, options(), run)
-}
-
-fn options() -> Result<Option<Options>, lexopt::Error> {
-    let mut options = Options { quick: false, out: PathBuf::from("docs") };
-    let mut parser = lexopt::Parser::from_env();
-    while let Some(argument) = parser.next()? {
-        match argument {
-            Long("quick") => options.quick = true,
-            Long("out") => options.out = PathBuf::from(parser.value()?),
-            Long("help") | Short('h') => return Ok(None),
-            other => return Err(other.unexpected()),
-        }
-    }
-    Ok(Some(options))
+    command::run("work_precision", USAGE, options("docs"), run)
 }
 
 /// A smooth ball by its Moes load parameter, L = 10, in second order; the Moes parameters hold all of it.

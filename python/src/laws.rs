@@ -254,9 +254,16 @@ impl BoundaryFriction for Friction {
 #[derive(Clone)]
 pub(crate) struct Deformation {
     displacement: Arc<Function>,
-    estimate: Option<Arc<Function>>,
+    estimated: Option<Estimated>,
     /// By rows and columns of the offset, up to `NEAR`.
     influences: [[f64; NEAR + 1]; NEAR + 1],
+}
+
+/// What a deformation model with an estimate of pressures offers beside its displacement.
+#[derive(Clone)]
+struct Estimated {
+    displacement: Arc<Function>,
+    estimate: Arc<Function>,
 }
 
 impl fmt::Debug for Deformation {
@@ -281,7 +288,12 @@ impl Deformation {
                 *influence = *value;
             }
         }
-        Ok(Self { displacement: Arc::new(displacement), estimate: estimate.map(Arc::new), influences })
+        let displacement = Arc::new(displacement);
+        let estimated = estimate.map(|estimate| Estimated {
+            displacement: Arc::clone(&displacement),
+            estimate: Arc::new(estimate),
+        });
+        Ok(Self { displacement, estimated, influences })
     }
 }
 
@@ -299,17 +311,17 @@ impl DeformationModel for Deformation {
     }
 
     fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
-        if self.estimate.is_some() { Some(self) } else { None }
+        self.estimated.as_mut().map(|estimated| estimated as _)
     }
 }
 
-impl ResponseApproximations for Deformation {
+impl ResponseApproximations for Estimated {
     fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.displacement(pressure, out)
+        self.displacement.field_into(pressure, out)
     }
 
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.estimate.as_ref().unwrap_or(&self.displacement).field_into(displacement, out)
+        self.estimate.field_into(displacement, out)
     }
 }
 

@@ -200,10 +200,9 @@ impl Loop {
     ) -> Result<FilmHeatNumbers, InputError> {
         let temperature = self.temperature.mean().to_vec();
         let largest = |values: &[f64]| values.iter().fold(0.0_f64, |largest, value| largest.max(*value));
-        let (a_x, a_y) = (model.hertz.a_x, model.hertz.a_y);
         Ok(FilmHeatNumbers {
             maximum: largest(&temperature),
-            mean_central: metrics::average_central_film(&model.grid, &temperature, a_x, a_y)?,
+            mean_central: metrics::average_film_in(&model.grid, &temperature, &model.hertz.ellipse())?,
             surface_rises: self.temperature.surface_rises().map(largest),
             temperature,
             balance,

@@ -147,6 +147,12 @@ enum LawName {
 }
 
 #[cfg(feature = "serde")]
+const ARCHARD: [&str; 5] =
+    ["coefficient", "film_coefficient", "hardness", "film_hardness", "solid_pressure_only"];
+#[cfg(feature = "serde")]
+const FRICTIONAL_ENERGY: [&str; 2] = ["volume_per_energy", "film_volume_per_energy"];
+
+#[cfg(feature = "serde")]
 impl TryFrom<WearTable> for WearSpec {
     type Error = String;
 
@@ -162,12 +168,7 @@ impl TryFrom<WearTable> for WearSpec {
         ];
         match table.law.unwrap_or(LawName::Archard) {
             LawName::Archard => {
-                let (known, _) = keys.split_at(5);
-                refuse_strays(
-                    "law = \"archard\"",
-                    &keys,
-                    &known.iter().map(|key| key.0).collect::<Vec<_>>(),
-                )?;
+                refuse_strays("law = \"archard\"", &keys, &ARCHARD)?;
                 let usual = ArchardSpec::default();
                 Ok(Self::Archard(ArchardSpec {
                     coefficient: table.coefficient.unwrap_or(usual.coefficient),
@@ -178,8 +179,7 @@ impl TryFrom<WearTable> for WearSpec {
                 }))
             }
             LawName::FrictionalEnergy => {
-                let known = ["volume_per_energy", "film_volume_per_energy"];
-                refuse_strays("law = \"frictional_energy\"", &keys, &known)?;
+                refuse_strays("law = \"frictional_energy\"", &keys, &FRICTIONAL_ENERGY)?;
                 let bare = required("volume_per_energy", table.volume_per_energy)?;
                 Ok(Self::FrictionalEnergy(FrictionalEnergySpec {
                     volume_per_energy: bare,
