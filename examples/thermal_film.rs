@@ -1,4 +1,5 @@
-//! Film and friction over the slide-roll ratio with the temperature of the film, beside the isothermal contact.
+//! Film and friction over the slide-roll ratio with the temperature of the film, beside the isothermal
+//! contact.
 //!
 //! ```text
 //! cargo run --release --example thermal_film            # 64 x 64 cells, 27 contacts three times each

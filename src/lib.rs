@@ -67,9 +67,9 @@
 //! # Conventions and limits
 //!
 //! SI units throughout. Fields are row-major slices, node `(i, j)` at `j * nx + i`, x along the entrainment.
-//! Heights point out of their body. Isothermal fluid unless a scene asks for the temperature of its film, smooth far field, parabolic bodies, half-space
-//! elasticity, no subsurface plasticity; contact area and load ratio depend on `h_cut`, and on the grid where
-//! both solids and fluid carry much of the load.
+//! Heights point out of their body. Isothermal fluid unless a scene asks for the temperature of its film,
+//! smooth far field, parabolic bodies, half-space elasticity, no subsurface plasticity; contact area and load
+//! ratio depend on `h_cut`, and on the grid where both solids and fluid carry much of the load.
 //!
 //! # Features
 //!

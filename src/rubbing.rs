@@ -33,8 +33,8 @@ with_fields!(RubbingPoint {
 });
 
 impl RubbingPoint {
-    /// A node under the fluid pressure `pressure` \[Pa\] at `temperature` \[K\]: no solid contact, no film, nothing
-    /// slides.
+    /// A node under the fluid pressure `pressure` \[Pa\] at `temperature` \[K\]: no solid contact, no film,
+    /// nothing slides.
     pub const fn new(pressure: f64, temperature: f64) -> Self {
         Self {
             pressure,

@@ -254,8 +254,8 @@ impl DeformationModel for Springs {
     }
 }
 
-/// A paraboloid pressed into springs by dry contact and in a film too thin to count: `p = (depth - gap)/c` inside,
-/// `depth = sqrt(load c/(pi r))`.
+/// A paraboloid pressed into springs by dry contact and in a film too thin to count: `p = (depth - gap)/c`
+/// inside, `depth = sqrt(load c/(pi r))`.
 #[test]
 fn springs_alone_are_a_body() {
     let (radius, load) = (1e-2, 2.0);

@@ -24,7 +24,8 @@ fn members(steps: u64) -> Vec<Member> {
     ]
 }
 
-/// Records, without what `history.csv` does not hold, and failures in words, which are equal where every bit is.
+/// Records, without what `history.csv` does not hold, and failures in words, which are equal where every bit
+/// is.
 fn words(outcomes: &[Outcome]) -> Vec<String> {
     let in_words = |outcome: &Outcome| {
         let mut records = outcome.records.clone();

@@ -172,7 +172,8 @@ fn generated() -> [(&'static str, Roughness); 6] {
     ]
 }
 
-/// Each kind is the surface of the crate with the same numbers, in the file, in the solve and after a round trip.
+/// Each kind is the surface of the crate with the same numbers, in the file, in the solve and after a round
+/// trip.
 #[test]
 fn generated_surfaces_are_taken_by_name() {
     for (keys, roughness) in generated() {
@@ -261,7 +262,8 @@ fn dry_contact_turns_with_the_ellipse() {
     }
 }
 
-/// A turn by a right angle exchanges the radii; one by the other sign is the mirror image; a circle stays as it is.
+/// A turn by a right angle exchanges the radii; one by the other sign is the mirror image; a circle stays as
+/// it is.
 #[test]
 fn film_turns_with_the_ellipse() {
     let solved = |scene: &Scene| {

@@ -103,8 +103,8 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Those on 64 x 64 cells and less that are solved at once, an oil that thins as it warms, slide-roll ratios in
-/// turn.
+/// Those on 64 x 64 cells and less that are solved at once, an oil that thins as it warms, slide-roll ratios
+/// in turn.
 fn with_film_heat(cases: Vec<Case>) -> Vec<Case> {
     let fit = cases.into_iter().filter(|case| case.cells == 0 && case.nodes <= 64);
     fit.zip([0.05, 0.5, 1.0, 2.0].into_iter().cycle())

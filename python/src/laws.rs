@@ -249,8 +249,8 @@ impl BoundaryFriction for Friction {
     }
 }
 
-/// A deformation model: `displacement(pressure)` and, where there is one, `pressure_estimate(displacement)`. A
-/// clone shares the functions.
+/// A deformation model: `displacement(pressure)` and, where there is one, `pressure_estimate(displacement)`.
+/// A clone shares the functions.
 #[derive(Clone)]
 pub(crate) struct Deformation {
     displacement: Arc<Function>,

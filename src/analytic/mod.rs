@@ -4,9 +4,9 @@
 //! of parallel cylinders, [`FilmConditions`] and [`LineFilmConditions`] are the film formulas fitted to full
 //! numerical solutions, [`Westergaard`] is the dry contact of a wavy surface, [`rectangle_potential`] the
 //! integral of 1/r over a rectangle and [`strip_potential`] that of a logarithm over a strip, from which the
-//! displacement of a uniformly loaded cell follows, [`ThermalInlet`] and [`ShearedLayer`] are the heat of inlets
-//! and of a sheared film. All of it is plain arithmetic on numbers: nothing here
-//! knows a grid or a solver.
+//! displacement of a uniformly loaded cell follows, [`ThermalInlet`] and [`ShearedLayer`] are the heat of
+//! inlets and of a sheared film. All of it is plain arithmetic on numbers: nothing here knows a grid or a
+//! solver.
 
 mod film_formulas;
 mod film_heat;

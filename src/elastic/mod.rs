@@ -1,11 +1,11 @@
 //! Elastic deformation of the surfaces under pressure.
 //!
 //! [`DeformationModel`] is what solvers need of a body: the displacement field of a pressure field and the
-//! first influence coefficients; [`ResponseApproximations`] are what makes them faster. [`HalfSpace`] is the default (Boussinesq half-space, Love's influence
-//! coefficients, DC-FFT convolution), [`LineHalfSpace`] its plane-strain counterpart for line contacts,
-//! [`LayeredHalfSpace`] either of them with a bonded [`Layer`]; [`direct_displacement`] is the slow direct
-//! sum that it is checked against. [`subsurface_stress`] and [`stress_extremes`] are the stresses below the
-//! surface.
+//! first influence coefficients; [`ResponseApproximations`] are what makes them faster. [`HalfSpace`] is the
+//! default (Boussinesq half-space, Love's influence coefficients, DC-FFT convolution), [`LineHalfSpace`] its
+//! plane-strain counterpart for line contacts, [`LayeredHalfSpace`] either of them with a bonded [`Layer`];
+//! [`direct_displacement`] is the slow direct sum that it is checked against. [`subsurface_stress`] and
+//! [`stress_extremes`] are the stresses below the surface.
 
 mod direct;
 mod dry;
@@ -47,8 +47,8 @@ pub trait DeformationModel: Debug + Send + Sync {
     /// most [`NEAR`]): line relaxations solve for these implicitly.
     fn influence(&self, di: usize, dj: usize) -> f64;
 
-    /// The same bodies on another grid, for starts on coarser grids and multigrid; none (the default) where the model
-    /// lives on one grid alone: then `Multigrid` refuses it and `Auto` takes Newton's method.
+    /// The same bodies on another grid, for starts on coarser grids and multigrid; none (the default) where
+    /// the model lives on one grid alone: then `Multigrid` refuses it and `Auto` takes Newton's method.
     fn on_grid(&self, _grid: Grid) -> Option<Box<dyn DeformationModel>> {
         None
     }
@@ -60,8 +60,8 @@ pub trait DeformationModel: Debug + Send + Sync {
     }
 }
 
-/// Approximations of the response of a [`DeformationModel`] that cost less than its displacement. Solutions do
-/// not depend on them, the work of a solve does.
+/// Approximations of the response of a [`DeformationModel`] that cost less than its displacement. Solutions
+/// do not depend on them, the work of a solve does.
 pub trait ResponseApproximations {
     /// Overwrites `out` \[m\] with the displacement under `pressure` \[Pa\] to about 1e-6 of its largest
     /// value: what the products of linear systems need, which are solved to a hundredth.

@@ -103,7 +103,8 @@ impl Lubricant {
         Self { viscosity: viscosity.into(), density: density.into(), table, ratios: Vec::new() }
     }
 
-    /// The viscosity of every node of a contact over that of the law, by the temperature of its film; empty where all films have the temperature of the law.
+    /// The viscosity of every node of a contact over that of the law, by the temperature of its film; empty
+    /// where all films have the temperature of the law.
     pub fn viscosity_ratios(&self) -> &[f64] {
         &self.ratios
     }

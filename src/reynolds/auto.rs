@@ -20,8 +20,8 @@ const FILM_OVER_CONTACT: f64 = 10.0;
 /// [`Dry`] without a lubricant. [`Multigrid`] where a smooth full film is expected; [`NewtonKrylov`] finishes
 /// what that leaves above the tolerance, and solves all the rest. Where it does not converge although no
 /// solids touch, [`SemiSystem`] tries, which in solid contact would not. The report names the solver whose
-/// state was kept ([`SolverId::MultigridThenNewton`] if the second finished what the first began) and counts the
-/// work of all.
+/// state was kept ([`SolverId::MultigridThenNewton`] if the second finished what the first began) and counts
+/// the work of all.
 ///
 /// A smooth contact whose film by formula is ten times the contact film and more, but whose solids touch on
 /// this mesh, ends as [`Status::MeshTooCoarse`].

@@ -89,10 +89,11 @@ impl StoppingRule {
 
 /// Solves a [`LubricatedContact`].
 ///
-/// Contract: leave `problem` as it is, but for what the deformation model remembers; start from `state` (a state without any pressure asks for a cold start), leave the best state
-/// found in it, and report residuals of exactly that state. Buffers may be made at the first solve; later
-/// ones on the same grid do not allocate. What is found depends on problem, state and rule alone, so that a
-/// resumed run is the uninterrupted one. Residuals are those of [`Evaluation`]. Never report
+/// Contract: leave `problem` as it is, but for what the deformation model remembers; start from `state` (a
+/// state without any pressure asks for a cold start), leave the best state found in it, and report residuals
+/// of exactly that state. Buffers may be made at the first solve; later ones on the same grid do not
+/// allocate. What is found depends on problem, state and rule alone, so that a resumed run is the
+/// uninterrupted one. Residuals are those of [`Evaluation`]. Never report
 /// [`Status::Converged`](crate::Status::Converged) with a residual above the tolerance.
 pub trait ContactSolver: Debug + Send + Sync {
     /// What reports call the solver; [`SolverId::Custom`] outside of the crate.

@@ -56,8 +56,8 @@ pub(super) struct ContactModel {
     /// Central film by formula, by the pressure-viscosity coefficient that is stated for it; zero without
     /// lubricant \[m\].
     pub(super) stated_film: f64,
-    /// Measures the flow of solutions, and evaluates those of solvers from outside; none where there is nothing
-    /// to measure.
+    /// Measures the flow of solutions, and evaluates those of solvers from outside; none where there is
+    /// nothing to measure.
     evaluation: Option<Evaluation>,
     /// That of the last one.
     pub(super) flow: Option<FlowBalance>,
@@ -256,8 +256,8 @@ impl ContactModel {
     }
 }
 
-/// The report of a solver from outside with the residuals that its state has. Films, plastic depths and masses
-/// of the state are then those that follow from its pressures.
+/// The report of a solver from outside with the residuals that its state has. Films, plastic depths and
+/// masses of the state are then those that follow from its pressures.
 fn confirmed(
     report: SolveReport,
     evaluation: &mut Evaluation,

@@ -51,8 +51,8 @@ impl Identity {
     }
 }
 
-/// The tables of a scene file with all defaults of this version, so that keys which an earlier one did not know
-/// make no difference; the bare text where the scene is none of this version.
+/// The tables of a scene file with all defaults of this version, so that keys which an earlier one did not
+/// know make no difference; the bare text where the scene is none of this version.
 fn tables(scene: &str) -> Table {
     let full = Scene::from_toml(scene).and_then(|scene| scene.to_toml());
     let text = full.as_deref().unwrap_or(scene);

@@ -20,9 +20,9 @@ const CHUNK: usize = 1024;
 /// Magic, version and length of the dictionary.
 const PREFIX: usize = 10;
 
-/// Writes `fields` on `grid`, x fastest, as a deflated `NumPy` archive: `numpy.load(path)["film"]` is the array
-/// of shape `(ny, nx)`, 64 bit floats in C order, of the field named `film`; `x` and `y` are the positions of
-/// the nodes \[m\], of the shapes `(nx,)` and `(ny,)`.
+/// Writes `fields` on `grid`, x fastest, as a deflated `NumPy` archive: `numpy.load(path)["film"]` is the
+/// array of shape `(ny, nx)`, 64 bit floats in C order, of the field named `film`; `x` and `y` are the
+/// positions of the nodes \[m\], of the shapes `(nx,)` and `(ny,)`.
 ///
 /// # Errors
 /// [`SimError::Input`] naming the field that has not a value a node or whose name is empty, taken (`x` and

@@ -98,8 +98,8 @@ pub enum RunEnd {
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 ///
-/// A clone goes its own way from where the original stands, step by step to the last bit as the original would.
-/// Laws are shared, buffers are not; the buffers of the solver are made anew at its first solve.
+/// A clone goes its own way from where the original stands, step by step to the last bit as the original
+/// would. Laws are shared, buffers are not; the buffers of the solver are made anew at its first solve.
 ///
 /// ```
 /// use stribeck::sim::{MixedLubricationSim, Scene};

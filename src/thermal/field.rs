@@ -77,12 +77,12 @@ impl HeatBalance {
 /// A node is a [`FilmSection`]. Sections of a row, from its inlet on, are connected by the heat that the mean
 /// flow carries on, `C = rho c Q / dx` with the flow `Q` through the section along x, what is entrained less
 /// what pressure drives back, first order upwind: in an inlet that is far less than `u h`. What goes to the
-/// surfaces heats them as [`FlashTemperature::rises_through_film`] has it. Film and surfaces are found in passes, one after the
-/// other, in which the surfaces of a node follow its heat in proportion.
+/// surfaces heats them as [`FlashTemperature::rises_through_film`] has it. Film and surfaces are found in
+/// passes, one after the other, in which the surfaces of a node follow its heat in proportion.
 ///
-/// Heat of the flow by pressure is the flow through a face times the drop of pressure over it, half to each of
-/// its nodes; that of compression `T a_V Q dp/dx`. Left out: heat along the film by conduction, what the flow
-/// across x carries, and that layers of the film move at speeds of their own.
+/// Heat of the flow by pressure is the flow through a face times the drop of pressure over it, half to each
+/// of its nodes; that of compression `T a_V Q dp/dx`. Left out: heat along the film by conduction, what the
+/// flow across x carries, and that layers of the film move at speeds of their own.
 #[derive(Debug, Clone)]
 pub struct FilmTemperature {
     grid: Grid,

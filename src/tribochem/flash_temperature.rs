@@ -118,13 +118,13 @@ impl FlashTemperature {
     }
 
     /// Overwrites `rises` \[K\], those of both surfaces, under `heat_flux` \[W/m^2\] that a film between them
-    /// gives off, or takes where it is below zero, half to each side plus what its `resistance` `h/k` \[K m^2/W\] lets through from the warmer
-    /// surface to the other:
+    /// gives off, or takes where it is below zero, half to each side plus what its `resistance` `h/k`
+    /// \[K m^2/W\] lets through from the warmer surface to the other:
     ///
     /// `q_1 = q/2 + (T_2 - T_1) k/h`, `q_2 = q - q_1`,
     ///
-    /// so that without resistance both have one temperature. The mismatch of the report is what is left of the
-    /// first equation, as a temperature. Allocates nothing.
+    /// so that without resistance both have one temperature. The mismatch of the report is what is left of
+    /// the first equation, as a temperature. Allocates nothing.
     ///
     /// # Errors
     /// As of [`rise`](Self::rise); a resistance that is negative or not finite.

@@ -15,8 +15,9 @@ pub(super) struct Resistance<'a> {
     pub(super) own: f64,
 }
 
-/// Generalised conjugate residual iteration for `S q = b` on the heated nodes, with a layer on all, `q` zero elsewhere. The
-/// residual never grows, so stopping early leaves a split that is no worse than the first guess.
+/// Generalised conjugate residual iteration for `S q = b` on the heated nodes, with a layer on all, `q` zero
+/// elsewhere. The residual never grows, so stopping early leaves a split that is no worse than the first
+/// guess.
 #[derive(Debug, Clone)]
 pub(super) struct SplitSolver {
     residual: Vec<f64>,

@@ -90,9 +90,10 @@ pub struct DryOutcome {
 /// which stalls once many nodes sit at the limit.
 ///
 /// The products within a pass are those of
-/// [`ResponseApproximations::displacement_single`](super::ResponseApproximations::displacement_single), the gaps that decide are of
-/// [`DeformationModel::displacement`]. A start whose gap error exceeds 2 % is solved to 0.1 % on half the
-/// cells first, where the model lives on other grids ([`DeformationModel::on_grid`]), down to 16 cells.
+/// [`ResponseApproximations::displacement_single`](super::ResponseApproximations::displacement_single), the
+/// gaps that decide are of [`DeformationModel::displacement`]. A start whose gap error exceeds 2 % is solved
+/// to 0.1 % on half the cells first, where the model lives on other grids ([`DeformationModel::on_grid`]),
+/// down to 16 cells.
 #[derive(Debug)]
 pub struct DrySolver {
     side: Vec<Side>,

@@ -86,8 +86,8 @@ pub struct GivenFilm<'a> {
 }
 
 impl<'a> GivenFilm<'a> {
-    /// A film between surfaces of these `speeds` \[m/s\], all pressures counted from the ambient one, at which the
-    /// fluid cavitates and which holds at all edges.
+    /// A film between surfaces of these `speeds` \[m/s\], all pressures counted from the ambient one, at
+    /// which the fluid cavitates and which holds at all edges.
     pub const fn new(film: &'a FilmThickness, lubricant: &'a Lubricant, speeds: [f64; 2]) -> Self {
         Self {
             film,

@@ -54,8 +54,8 @@ pub struct LubricantSpec {
 }
 
 impl LubricantSpec {
-    /// Roelands' law with the viscosity `eta0` \[Pa s\] at ambient pressure and the exponent `roelands_z`; all else is
-    /// as in scenes that do not say.
+    /// Roelands' law with the viscosity `eta0` \[Pa s\] at ambient pressure and the exponent `roelands_z`;
+    /// all else is as in scenes that do not say.
     pub const fn roelands(eta0: f64, roelands_z: f64) -> Self {
         Self {
             eta0,
