@@ -184,6 +184,21 @@ fn film_and_friction_fall_and_the_heat_goes_where_it_must() {
 
 /// Pure rolling of a line contact: the formula neglects what the flow carries off and takes heavier loads.
 #[test]
+fn the_mean_temperature_is_that_of_the_contact_turned_or_not() {
+    for angle in [0.0, 0.5] {
+        let mut scene = smooth(1.0, 1.0);
+        scene.form = Form::Ellipsoid { radius_x: 6e-3, radius_y: 15e-3, angle };
+        let solution = warm(&scene, FilmThermal::default());
+        let heat = solution.film_heat.as_ref().unwrap();
+        let central = |(x, y): (f64, f64)| solution.hertz.radius_squared(x, y).sqrt() <= 2.0 / 3.0;
+        let nodes = solution.grid.nodes().zip(&heat.temperature).filter(|(node, _)| central(*node));
+        let (sum, n) = nodes.fold((0.0, 0.0), |(sum, n), (_, temperature)| (sum + temperature, n + 1.0));
+        assert!((heat.mean_central - sum / n).abs() < 1e-9, "{angle} rad: {}", heat.mean_central);
+        assert!(heat.mean_central > BULK + 5.0, "{angle} rad: {}", heat.mean_central);
+    }
+}
+
+#[test]
 fn inlets_in_pure_rolling_thin_the_film_about_as_the_formula_says() {
     let mut scene = smooth(5.0, 0.0);
     scene.form = Form::Cylinder { radius: 0.01 };
