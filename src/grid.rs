@@ -62,6 +62,11 @@ impl Grid {
         Ok(Self { nx, ny, dx, dy, x0: x[0] + 0.5 * dx, y0: y[0] + 0.5 * dy })
     }
 
+    /// The first `nx` x `ny` cells.
+    pub(crate) fn corner(&self, nx: usize, ny: usize) -> Self {
+        Self { nx, ny, ..*self }
+    }
+
     fn check(nx: usize, ny: usize) -> Result<(), InputError> {
         InputError::require(nx > 0, "grid.nx", nx as f64, "at least 1")?;
         InputError::require(ny > 0, "grid.ny", ny as f64, "at least 1")?;

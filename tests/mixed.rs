@@ -125,17 +125,20 @@ fn the_rims_of_pockets_hold() {
     }
 }
 
-/// Linear systems to 10 % may send the fluid of a pocket of one node in and out of cavitation, step by step.
-/// Solved better where that happens, and by steps under which no residual grows, they end it within the first
-/// attempt of 60 steps (187 without the latter).
+/// Linear systems to 30 % may send the fluid of a pocket of one node in and out of cavitation, step by step.
+/// Solved better where that happens, and by steps under which no residual grows, they end it: 139 steps with
+/// Reynolds' condition, 102 with the default flow.
 #[test]
 fn pockets_do_not_go_round_in_cycles() {
-    let mut scene = scene(64, 0.1, 300e-9, 10e-6, 2e9, Some(2e9));
-    scene.solver.scheme = Some(Scheme::FirstOrder);
-    scene.solver.face_mobility = Some(FaceMobility::ReducedPressure);
-    scene.solver.cavitation = Some(Cavitation::Reynolds);
-    let report = solve_soundly(&scene, "pockets").report;
-    assert!(report.work.iterations <= 60, "{report:?}");
+    let rough = scene(64, 0.1, 300e-9, 10e-6, 2e9, Some(2e9));
+    let mut simple = rough.clone();
+    simple.solver.scheme = Some(Scheme::FirstOrder);
+    simple.solver.face_mobility = Some(FaceMobility::ReducedPressure);
+    simple.solver.cavitation = Some(Cavitation::Reynolds);
+    for scene in [rough, simple] {
+        let report = solve_soundly(&scene, "pockets").report;
+        assert!(report.work.iterations <= 170, "{report:?}");
+    }
 }
 
 /// The plastic depth of fluid at the limit does not follow from the pressures: a start keeps it.

@@ -14,16 +14,6 @@ const fn change(name: &'static str, apply: fn(&mut NewtonSettings)) -> Change {
 
 pub(crate) const CHANGES: &[Change] = &[
     change("no attempt but the first", |s| s.attempts.truncate(1)),
-    change("without attempt 2", |s| {
-        s.attempts.remove(1);
-    }),
-    change("without attempt 3", |s| {
-        s.attempts.remove(2);
-    }),
-    change("without attempt 4", |s| {
-        s.attempts.remove(3);
-    }),
-    change("without attempts 3 and 4", |s| s.attempts.truncate(2)),
     change("no way in time", |s| s.follows_time = false),
     change("krylov_steps x 0.5", |s| s.krylov_steps /= 2),
     change("krylov_steps x 2", |s| s.krylov_steps *= 2),
@@ -86,7 +76,18 @@ pub(crate) const CHANGES: &[Change] = &[
     change("krylov_tolerance: 0.01", |s| {
         s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.01);
     }),
-    change("krylov_tolerance: 0.3", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.3);
+    change("krylov_tolerance: 0.1", |s| {
+        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.1);
     }),
+    change("pockets off", |s| s.pockets.steps = 0),
+    change("pockets.steps x 0.5", |s| s.pockets.steps /= 2),
+    change("pockets.steps x 2", |s| s.pockets.steps *= 2),
+    change("pockets.side x 0.5", |s| s.pockets.side /= 2),
+    change("pockets.side x 2", |s| s.pockets.side *= 2),
+    change("pockets.free x 0.3", |s| s.pockets.free *= 0.3),
+    change("pockets.free x 3", |s| s.pockets.free *= 3.0),
+    change("pockets.share: 0.8", |s| s.pockets.share = 0.8),
+    change("pockets.share: 0.95", |s| s.pockets.share = 0.95),
+    change("pockets.most_nodes x 0.5", |s| s.pockets.most_nodes *= 0.5),
+    change("pockets.most_nodes x 2", |s| s.pockets.most_nodes *= 2.0),
 ];

@@ -36,7 +36,7 @@ pub use evaluation::Evaluation;
 pub use flow::{Cavitation, FaceMobility, FlowBalance, Scheme, ShearThinning};
 pub use given_film::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
 pub use multigrid::Multigrid;
-pub use newton_krylov::{Attempt, NewtonKrylov, NewtonSettings};
+pub use newton_krylov::{Attempt, NewtonKrylov, NewtonSettings, PocketSettings};
 pub use problem::{ContactDefinition, LubricatedContact, Squeeze};
 pub use semi_system::SemiSystem;
 pub use state::ContactState;

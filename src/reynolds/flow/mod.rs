@@ -11,7 +11,7 @@ mod shear_thinning;
 
 pub use balance::FlowBalance;
 pub use cavitation::Cavitation;
-pub(super) use discretisation::{Discretisation, HeldNeighbour, NearField};
+pub(super) use discretisation::{Discretisation, HeldNeighbour, MARGIN, NearField};
 pub use entrainment::Scheme;
 pub use face_mobility::FaceMobility;
 pub use shear_thinning::ShearThinning;

@@ -12,6 +12,10 @@ pub(in crate::reynolds) trait FluidBlock: Debug + Send + Sync {
 
     /// Puts the solution, or an estimate of it, in the place of the right-hand side.
     fn solve(&mut self, stencil: &[f32], rhs: &mut [f32]);
+
+    /// Size of a row of this diagonal in the norm that Krylov's method lessens. What an estimate leaves grows
+    /// with the diagonal, and would hide all other rows.
+    fn row_size(&self, diagonal: f32) -> f32;
 }
 
 impl FluidBlock for GridLu {
@@ -21,5 +25,10 @@ impl FluidBlock for GridLu {
 
     fn solve(&mut self, _stencil: &[f32], rhs: &mut [f32]) {
         Self::solve(self, rhs);
+    }
+
+    /// All rows count alike: divided by their large diagonals, those of pockets would hardly do.
+    fn row_size(&self, _diagonal: f32) -> f32 {
+        1.0
     }
 }

@@ -22,7 +22,7 @@ pub(super) struct Forecast {
     pub(super) elastic_film: f64,
     /// Plastic depth of a node whose fluid is at the limit \[m\].
     pub(super) depth: f64,
-    /// Own share of the mass balance (see [`Local::share`]) \[m\].
+    /// Own share of the mass balance (see [`Local::foreseen_share`]) \[m\].
     pub(super) share: f64,
 }
 
@@ -94,10 +94,12 @@ impl<'a> Local<'a> {
         self.with_mass(density, flow, h)
     }
 
-    /// The same at the last update of the fluid, where the film was `h`.
-    pub(super) fn present_share(&self, h: f64) -> (f64, f64, f64) {
+    /// The own share where the present film is `film`, own pressure and film change by `changes`, and the
+    /// whole balance is left at `imbalance`.
+    pub(super) fn foreseen_share(&self, film: f64, changes: [f64; 2], imbalance: f64) -> f64 {
         let (density, flow) = self.fluid.present_outflow(self.node, &self.neighbours);
-        self.with_mass(density, flow, h)
+        let (share, by_pressure, by_film) = self.with_mass(density, flow, film);
+        share + (by_pressure * changes[0] + by_film * changes[1]) - imbalance
     }
 
     #[inline]

@@ -10,6 +10,7 @@ mod homotopy;
 mod iteration;
 mod linearisation;
 mod local;
+mod pockets;
 mod preconditioner;
 mod prescribed_displacements;
 mod progress;
@@ -17,12 +18,14 @@ mod settings;
 mod snapshot;
 mod step;
 mod unknowns;
+mod window;
 
 pub(super) use fluid_block::FluidBlock;
 use linearisation::Linearisation;
+use pockets::Pockets;
 use preconditioner::BlockPreconditioner;
 use progress::Progress;
-pub use settings::{Attempt, NewtonSettings};
+pub use settings::{Attempt, NewtonSettings, PocketSettings};
 use snapshot::Snapshot;
 use unknowns::Unknowns;
 
@@ -90,6 +93,7 @@ struct Workspace {
     flow_film: Vec<f64>,
     /// Films that the last step foresaw.
     foreseen: Vec<f64>,
+    pockets: Pockets,
 }
 
 impl Clone for NewtonKrylov {
@@ -153,6 +157,7 @@ impl NewtonKrylov {
                 before: Snapshot::new(grid),
                 flow_film: vec![0.0; grid.len()],
                 foreseen: vec![0.0; grid.len()],
+                pockets: Pockets::new(grid, self.settings.pockets),
             })
         });
         self.workspace.insert(workspace)

@@ -87,8 +87,8 @@ impl BlockPreconditioner {
         self.given.configure(problem.deformation)
     }
 
-    /// Prepares the fluid block, and gives the mass balances the sizes of its diagonal; false where the block
-    /// has no finite factors.
+    /// Prepares the fluid block, and gives the mass balances the sizes of its rows; false where the block has
+    /// no finite factors.
     pub(super) fn prepare(
         &mut self,
         coupled: &Coupled,
@@ -116,7 +116,7 @@ impl BlockPreconditioner {
             let row = linearisation.stencil_row(k, &self.moves, &self.response, &self.linked);
             self.stencil[STENCIL * k..][..STENCIL].copy_from_slice(&row);
         }
-        unknowns.set_row_sizes(|k| self.stencil[STENCIL * k].abs().max(1.0));
+        unknowns.set_row_sizes(|k| self.fluid_block.row_size(self.stencil[STENCIL * k]));
         self.fluid_block.prepare(&self.stencil)
     }
 

@@ -54,6 +54,29 @@ pub struct NewtonSettings {
     pub trust_change: (f64, f64),
     /// Least trust in reference pressures; above 0.
     pub least_trust: f64,
+    /// What is done about pockets between the steps.
+    pub pockets: PocketSettings,
+}
+
+/// How the fluid of pockets, whose films their own pressures hardly move, is solved for within each Newton
+/// step of a contact that conserves mass: by Newton's method on small windows around the nodes that lack
+/// most, all around held (nonlinear elimination). Which of their nodes cavitate is then settled without
+/// convolutions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct PocketSettings {
+    /// Newton steps in a window; 0 leaves pockets to the steps of the whole.
+    pub steps: u32,
+    /// Cells along each side of a window; at least 8.
+    pub side: usize,
+    /// Pressure flow over entrainment of the own elastic response above which the film of a node counts as
+    /// one that its pressure hardly moves; above 0.
+    pub free: f64,
+    /// Share of what all pockets lack that the nodes lack around which windows are laid; between 0 and 1.
+    pub share: f64,
+    /// Share of the nodes of the grid above which those nodes are too many: what is lacking so widely is
+    /// the work of linear steps; between 0 and 1.
+    pub most_nodes: f64,
 }
 
 /// One attempt of a solve by [`NewtonKrylov`](super::NewtonKrylov).
@@ -82,11 +105,14 @@ pub struct Attempt {
     pub careful_below: f64,
     /// Gap error of the dry start; above 0.
     pub start_tolerance: f64,
-    /// Reduction of the linear residual, rows scaled to pressures, in each Newton step; between 0 and 1.
+    /// Reduction of the linear residual in each Newton step; between 0 and 1.
     pub krylov_tolerance: f64,
     /// Newton steps after which the attempt has stalled; at least 1.
     pub most_steps: u64,
 }
+
+/// Cells along a window that has some that are not held.
+const LEAST_SIDE: usize = 8;
 
 /// No pseudo-transient term.
 pub(super) const STEADY: (f64, f64) = (0.0, 0.0);
@@ -100,12 +126,11 @@ const FIRST: Attempt = Attempt {
     unforeseen: 0.3,
     careful_below: 30.0,
     start_tolerance: 0.03,
-    krylov_tolerance: 0.1,
+    krylov_tolerance: 0.3,
     most_steps: 60,
 };
 
-/// Without a step in time, and linear systems solved well: errors left at single nodes are as large as the contact
-/// film, and starts close to it matter.
+/// Without a step in time, and linear systems solved well: a start that is close.
 pub(super) const STEADILY: Attempt = Attempt {
     trust: 0.03,
     gentle: false,
@@ -120,12 +145,7 @@ pub(super) const STEADILY: Attempt = Attempt {
 
 impl Default for NewtonSettings {
     fn default() -> Self {
-        let attempts = vec![
-            FIRST,
-            Attempt { pseudo_transient: (3.0, 0.94), most_steps: 160, ..FIRST },
-            STEADILY,
-            Attempt { trust: 0.01, first_contact_film: 100.0, krylov_tolerance: 0.001, ..STEADILY },
-        ];
+        let attempts = vec![FIRST, Attempt { pseudo_transient: (3.0, 0.94), most_steps: 160, ..FIRST }];
         Self {
             attempts,
             follows_time: true,
@@ -142,16 +162,18 @@ impl Default for NewtonSettings {
             tighter: 0.2,
             trust_change: (0.3, 2.0),
             least_trust: 0.001,
+            pockets: PocketSettings::default(),
         }
     }
 }
 
 impl NewtonSettings {
     /// Those of steps whose fluid equations are relaxed by lines: mostly they take 20 to 60, some that creep
-    /// up to 180.
+    /// up to 180. Pockets are left to the lines: between steps that leave them more, they would not rest.
     pub(in crate::reynolds) fn by_lines(relaxations: usize) -> Self {
         Self {
-            attempts: vec![Attempt { most_steps: 200, ..FIRST }],
+            attempts: vec![Attempt { most_steps: 200, krylov_tolerance: 0.1, ..FIRST }],
+            pockets: PocketSettings { steps: 0, ..PocketSettings::default() },
             follows_time: false,
             krylov_steps: relaxations,
             passes: 1,
@@ -195,10 +217,27 @@ impl NewtonSettings {
         InputError::require_positive("newton.largest_change", self.largest_change)?;
         InputError::require_positive("newton.near_below", self.near_below)?;
         InputError::require_positive("newton.least_trust", self.least_trust)?;
+        self.pockets.validate()?;
         self.attempts
             .iter()
             .enumerate()
             .try_for_each(|(index, attempt)| attempt.validate(&format!("newton.attempts[{index}]")))
+    }
+}
+
+impl Default for PocketSettings {
+    fn default() -> Self {
+        Self { steps: 4, side: 20, free: 30.0, share: 0.9, most_nodes: 0.02 }
+    }
+}
+
+impl PocketSettings {
+    fn validate(&self) -> Result<(), InputError> {
+        let side = self.side as f64;
+        InputError::require(self.side >= LEAST_SIDE, "newton.pockets.side", side, "at least 8")?;
+        InputError::require_positive("newton.pockets.free", self.free)?;
+        require_share("newton.pockets.share", self.share)?;
+        require_share("newton.pockets.most_nodes", self.most_nodes)
     }
 }
 
@@ -257,7 +296,9 @@ mod tests {
         assert_eq!(field(|s| s.growth[2].0 = 0.5), "newton.growth[2]");
         assert_eq!(field(|s| s.near_below = -1.0), "newton.near_below");
         assert_eq!(field(|s| s.attempts[1].trust = 0.0), "newton.attempts[1].trust");
-        assert_eq!(field(|s| s.attempts[3].krylov_tolerance = 1.0), "newton.attempts[3].krylov_tolerance");
+        assert_eq!(field(|s| s.pockets.side = 7), "newton.pockets.side");
+        assert_eq!(field(|s| s.pockets.share = 1.5), "newton.pockets.share");
+        assert_eq!(field(|s| s.attempts[1].krylov_tolerance = 1.0), "newton.attempts[1].krylov_tolerance");
         assert_eq!(
             field(|s| s.attempts[0].pseudo_transient.1 = 1.0),
             "newton.attempts[0].pseudo_transient[1]"

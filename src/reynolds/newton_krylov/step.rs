@@ -141,23 +141,24 @@ impl Workspace {
             let node = match problem.lubricant {
                 Some(lubricant) if kind.fluid != Fluid::Boundary => {
                     let local = Local::new(&coupled.fluid, lubricant, k);
-                    let (share, by_pressure, by_film) = local.present_share(self.flow_film[k]);
                     let imbalance =
                         if kind.has_balance() { 0.0 } else { coupled.balance[k] + length * change.balance };
-                    let own_change = by_pressure * change.fluid_pressure + by_film * change.film;
-                    let share = share + length * own_change - imbalance;
+                    let changes = [length * change.fluid_pressure, length * change.film];
+                    let share = local.foreseen_share(self.flow_film[k], changes, imbalance);
                     local.eliminate(material, Forecast { pressure, elastic_film, depth, share })
                 }
                 _ => material.eliminate_dry(kind.fluid, pressure, elastic_film),
             };
             self.foreseen[k] = elastic_film;
+            self.pockets.pressure[k] = pressure;
             coupled.kinds[k] = node.kind;
             state.pressure[k] = node.pressure;
             state.fluid_pressure[k] = node.fluid_pressure;
             state.plastic_depth[k] = node.depth;
         }
         state.approach += length * unknowns.approach(step);
-        coupled.evaluate(problem, state)?;
+        self.eliminate_pockets(problem, state, elimination);
+        self.coupled.evaluate(problem, state)?;
         Ok(())
     }
 

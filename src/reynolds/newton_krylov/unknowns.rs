@@ -43,7 +43,7 @@ pub(super) struct Unknowns {
     yielded: Vec<u32>,
     /// Changes of total and fluid pressure that the sides of nodes prescribe \[Pa\].
     pinned: Vec<(u32, [f64; 2])>,
-    /// One over the diagonals of the mass balances.
+    /// One over the sizes of the mass balances.
     weights: Vec<f32>,
     /// The reference pressure \[Pa\] and the deflection of a node under it \[m\].
     pressure_unit: f64,

@@ -86,6 +86,10 @@ impl FluidBlock for LineRelaxation {
             }
         }
     }
+
+    fn row_size(&self, diagonal: f32) -> f32 {
+        diagonal.abs().max(1.0)
+    }
 }
 
 #[cfg(test)]

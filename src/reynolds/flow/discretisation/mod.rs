@@ -26,9 +26,11 @@ mod faces;
 mod own_share;
 #[cfg(test)]
 mod tests;
+mod window;
 
 pub(in crate::reynolds) use balances::NearField;
 pub(in crate::reynolds) use own_share::HeldNeighbour;
+pub(in crate::reynolds) use window::MARGIN;
 
 use super::cavitation::Cavitation;
 use super::entrainment::Scheme;
@@ -246,6 +248,22 @@ impl Discretisation {
         film: &[f64],
         previous: Option<&[f64]>,
     ) {
+        self.update_faces(lubricant, pressure, film);
+        for (carried, (mass, beyond)) in self.carried.iter_mut().zip(self.masses.iter().zip(&self.beyond)) {
+            *carried = mass + beyond;
+        }
+        self.content.fill(1.0);
+        self.passed.fill(0.0);
+        if self.cavitation == Cavitation::MassConserving {
+            self.starve();
+            for k in interior(&self.grid).filter(|k| pressure[*k] <= 0.0) {
+                self.fill(k, previous);
+            }
+        }
+    }
+
+    /// Nodes, faces, and what entrainment carries beyond the nodes.
+    fn update_faces(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
         for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
             self.nodes[k] = self.node_flow(lubricant, p, h);
             self.masses[k] = self.nodes[k].density * h;
@@ -262,17 +280,6 @@ impl Discretisation {
         }
         for k in 0..n - nx {
             self.north[k] = self.face_flow(k, k + nx, Direction::Across).mobility;
-        }
-        for (carried, (mass, beyond)) in self.carried.iter_mut().zip(self.masses.iter().zip(&self.beyond)) {
-            *carried = mass + beyond;
-        }
-        self.content.fill(1.0);
-        self.passed.fill(0.0);
-        if self.cavitation == Cavitation::MassConserving {
-            self.starve();
-            for k in interior(&self.grid).filter(|k| pressure[*k] <= 0.0) {
-                self.fill(k, previous);
-            }
         }
     }
 

@@ -126,3 +126,57 @@ fn thinned_flow_grows_with_the_pressure_of_its_node() {
         }
     }
 }
+
+/// Pressures of a few cells, a third of them none, and films of a nanometre to a tenth of a micrometre.
+fn rough_state(grid: &Grid) -> (Vec<f64>, Vec<f64>) {
+    let wave = |k: usize, a: f64| (a * k as f64).sin();
+    let pressure = (0..grid.len()).map(|k| 3e8 * (0.4 + wave(k, 1.7) * wave(k, 0.31)).max(0.0)).collect();
+    let film = (0..grid.len()).map(|k| 1e-8 * 10f64.powf(wave(k, 2.3))).collect();
+    (pressure, film)
+}
+
+#[test]
+fn balances_in_a_window_are_those_of_the_whole() {
+    let oil = oil();
+    let grid = Grid::from_edges(30, 20, [0.0, 3e-5], [0.0, 2e-5]).unwrap();
+    let (pressure, film) = rough_state(&grid);
+    let previous: Vec<f64> = film.iter().map(|h| 1.1 * h).collect();
+    for face_mobility in MOBILITIES {
+        for scheme in [Scheme::FirstOrder, Scheme::SecondOrder, Scheme::Limited] {
+            let mut whole = Discretisation::new(grid);
+            (whole.face_mobility, whole.scheme, whole.cavitation) =
+                (face_mobility, scheme, Cavitation::MassConserving);
+            (whole.face_x, whole.face_y, whole.fluidity) = (3e4, 2e4, 1.0 / (12.0 * 0.04));
+            (whole.wedge, whole.squeeze, whole.rate) = (1.0, 0.2, 1e5);
+            whole.align(&film);
+            whole.update(&oil, &pressure, &film, Some(&previous));
+            let (first, nx, ny) = (2 * grid.nx() + 5, 20, 16);
+            let there = |q: usize| first + q % nx + q / nx * grid.nx();
+            let here = |values: &[f64]| (0..nx * ny).map(|q| values[there(q)]).collect::<Vec<_>>();
+            let mut window = Discretisation::new(grid.corner(nx, ny));
+            window.look_at(&whole, first);
+            let previous_here = here(&previous);
+            window.update_window(&oil, &here(&pressure), &here(&film), Some(&previous_here));
+            let mut unfilled = 0;
+            let is_core = |q: &usize| {
+                let (i, j) = (q % nx, q / nx);
+                (MARGIN..nx - MARGIN).contains(&i) && (MARGIN..ny - MARGIN).contains(&j)
+            };
+            for q in (0..nx * ny).filter(is_core) {
+                let k = there(q);
+                let pairs = [
+                    (window.balance(q, Some(&previous_here)), whole.balance(k, Some(&previous))),
+                    (window.imbalance(q, Some(&previous_here)), whole.imbalance(k, Some(&previous))),
+                ];
+                for (found, exact) in pairs {
+                    assert!(
+                        (found - exact).abs() <= 1e-12 * film[k] + 1e-14 * exact.abs(),
+                        "{found:e}, {exact:e} at {q}, {face_mobility:?}, {scheme:?}"
+                    );
+                }
+                unfilled += usize::from(whole.content[k] < 1.0);
+            }
+            assert!(unfilled > 3, "{unfilled} cells are not filled, {face_mobility:?}, {scheme:?}");
+        }
+    }
+}

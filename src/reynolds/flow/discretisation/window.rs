@@ -1,0 +1,67 @@
+//! A window on the flow: the same equations on a few cells, all around them held.
+
+use super::super::cavitation::Cavitation;
+use super::Discretisation;
+use crate::lubricant::Lubricant;
+use crate::reynolds::problem::interior;
+
+/// Nodes along each edge of a window whose balances want more than the window holds.
+pub(in crate::reynolds) const MARGIN: usize = 3;
+
+/// What is carried through the faces of so many columns at the western edge is that of the whole.
+const HELD_COLUMNS: usize = 2;
+
+impl Discretisation {
+    /// Becomes a window on `whole` whose node 0 is the node `first` there.
+    pub(in crate::reynolds) fn look_at(&mut self, whole: &Self, first: usize) {
+        self.face_mobility = whole.face_mobility;
+        self.scheme = whole.scheme;
+        self.cavitation = whole.cavitation;
+        self.film_floor = whole.film_floor;
+        self.closed_film = whole.closed_film;
+        (self.face_x, self.face_y) = (whole.face_x, whole.face_y);
+        (self.wedge, self.squeeze) = (whole.wedge, whole.squeeze);
+        self.pseudo_transient = whole.pseudo_transient;
+        (self.fluidity, self.rate) = (whole.fluidity, whole.rate);
+        self.thinning = whole.thinning;
+        self.warmth.clear();
+        self.ratios.resize(
+            if whole.ratios.is_empty() { 0 } else { self.grid.len() },
+            super::ViscosityRatio::NEWTONIAN,
+        );
+        let (nx, stride) = (self.grid.nx(), whole.grid.nx());
+        for j in 0..self.grid.ny() {
+            let there = first + j * stride..first + j * stride + nx;
+            let here = j * nx..(j + 1) * nx;
+            self.alignments[here.clone()].copy_from_slice(&whole.alignments[there.clone()]);
+            if !whole.warmth.is_empty() {
+                self.warmth.extend_from_slice(&whole.warmth[there.clone()]);
+            }
+            for (here, there) in here.zip(there).take(HELD_COLUMNS) {
+                (self.carried[here], self.content[here]) = (whole.carried[there], whole.content[there]);
+            }
+        }
+    }
+
+    /// Takes over fluid pressure and film of every node of a window.
+    pub(in crate::reynolds) fn update_window(
+        &mut self,
+        lubricant: &Lubricant,
+        pressure: &[f64],
+        film: &[f64],
+        previous: Option<&[f64]>,
+    ) {
+        self.update_faces(lubricant, pressure, film);
+        let nx = self.grid.nx();
+        self.passed.fill(0.0);
+        for k in (0..self.grid.len()).filter(|k| k % nx >= HELD_COLUMNS) {
+            self.carried[k] = self.masses[k] + self.beyond[k];
+            self.content[k] = 1.0;
+        }
+        if self.cavitation == Cavitation::MassConserving {
+            for k in interior(&self.grid).filter(|k| k % nx >= HELD_COLUMNS && pressure[*k] <= 0.0) {
+                self.fill(k, previous);
+            }
+        }
+    }
+}
