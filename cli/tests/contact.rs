@@ -87,6 +87,22 @@ fn bad_input_ends_with_2() {
     assert_refused(&["curve", text(&dry)], &["lubricant: a Stribeck curve needs an oil"]);
 }
 
+/// An oil whose viscosity does not know temperature has no film temperature.
+#[test]
+fn check_refuses_what_solve_refuses() {
+    let folder = tempfile::tempdir().unwrap();
+    let warm = "[lubricant.thermal]\n[grid]";
+    for (from, to) in [("[grid]", warm), ("hardness = 6e9", "hardness = 1e6"), ("nx = 32", "nx = 3")] {
+        let scene = rough(folder.path(), &[(from, to)]);
+        let [check, solve] = ["check", "solve"].map(|command| {
+            let output = stribeck(&[command, text(&scene)]);
+            assert_eq!(output.status.code(), Some(2), "{output:?}");
+            error_of(&output).lines().find(|line| line.starts_with("error: ")).map(str::to_owned)
+        });
+        assert!(check.is_some() && check == solve, "{check:?} {solve:?}");
+    }
+}
+
 #[test]
 fn check_tells_what_to_expect() {
     let folder = tempfile::tempdir().unwrap();

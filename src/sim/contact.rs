@@ -209,18 +209,16 @@ impl ContactModel {
         self.formulas.map_or(0.0, |formulas| formulas.central)
     }
 
-    /// Solves the contact with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`,
-    /// from `state`.
-    pub(super) fn solve(
-        &mut self,
-        gap: &[f64],
-        limit: Option<&[f64]>,
-        squeeze: Option<Squeeze<'_>>,
-        state: &mut ContactState,
-    ) -> Result<SolveReport, SimError> {
+    /// The contact with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`, what
+    /// solves it and what measures it.
+    fn problem<'a>(
+        &'a mut self,
+        gap: &'a [f64],
+        limit: Option<&'a [f64]>,
+        squeeze: Option<Squeeze<'a>>,
+    ) -> (LubricatedContact<'a>, &'a mut dyn OwnedSolver, Option<&'a mut Evaluation>) {
         let reference_film = self.formula_film().min(self.supplied_film.unwrap_or(f64::INFINITY));
-        let heeded = self.deformation.begin();
-        let mut problem = LubricatedContact {
+        let problem = LubricatedContact {
             gap,
             deformation: &mut self.deformation,
             lubricant: self.lubricant.as_ref(),
@@ -239,16 +237,42 @@ impl ContactModel {
             reference_pressure: self.hertz.p_max,
             reference_film,
         };
-        let solved = self.solver.solve(&mut problem, state, &self.rule);
-        let solved = match (solved, self.evaluation.as_mut().filter(|_| self.confirms)) {
-            (Ok(report), Some(evaluation)) => confirmed(report, evaluation, &mut problem, state, &self.rule),
+        (problem, self.solver.as_mut(), self.evaluation.as_mut())
+    }
+
+    /// Refuses what [`ContactModel::solve`] refuses before the first iteration.
+    pub(super) fn check(
+        &mut self,
+        gap: &[f64],
+        limit: Option<&[f64]>,
+        state: &ContactState,
+    ) -> Result<(), ReynoldsError> {
+        let rule = self.rule;
+        let (problem, solver, _) = self.problem(gap, limit, None);
+        solver.check(&problem, state, &rule)
+    }
+
+    /// Solves the contact with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`,
+    /// from `state`.
+    pub(super) fn solve(
+        &mut self,
+        gap: &[f64],
+        limit: Option<&[f64]>,
+        squeeze: Option<Squeeze<'_>>,
+        state: &mut ContactState,
+    ) -> Result<SolveReport, SimError> {
+        let (heeded, rule, confirms) = (self.deformation.begin(), self.rule, self.confirms);
+        let (mut problem, solver, mut evaluation) = self.problem(gap, limit, squeeze);
+        let solved = solver.solve(&mut problem, state, &rule);
+        let solved = match (solved, evaluation.as_mut().filter(|_| confirms)) {
+            (Ok(report), Some(evaluation)) => confirmed(report, evaluation, &mut problem, state, &rule),
             (solved, _) => solved,
         };
         if heeded.load(Ordering::Relaxed) {
             return Err(SimError::Interrupted);
         }
         let report = solved?;
-        self.flow = match &mut self.evaluation {
+        self.flow = match evaluation {
             Some(evaluation) => evaluation.flow_balance(&problem, state)?,
             None => None,
         };
