@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use stribeck::sim::scene::{FileRoughness, GridSpec, Roughness};
-use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
+use stribeck::sim::{MixedLubricationSim, Scene, Schedule, solve_contact};
 use stribeck::surface::write_npy;
 
 /// A scene without mistakes: rough, in oil, of a few cells.
@@ -236,6 +236,22 @@ fn files_that_are_no_scenes_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let error = Scene::load(folder.path()).unwrap_err().to_string();
     assert!(error.contains(folder.path().to_str().unwrap()), "{error}");
+    // Large ones are refused before they are read.
+    for large in ["large.toml", "large.csv"] {
+        std::fs::File::create(folder.path().join(large)).unwrap().set_len(17_000_000).unwrap();
+    }
+    let size = ["the file has 17000000 bytes", "at most 16777216"];
+    let error = Scene::load(folder.path().join("large.toml")).unwrap_err().to_string();
+    assert_named("large", &error, &[size[0], size[1], "large.toml"]);
+    let mut scheduled = Scene::from_toml(GOOD).unwrap();
+    scheduled.schedule.load = Some(Schedule::Table { path: folder.path().join("large.csv") });
+    let error = solve_contact(&scheduled).unwrap_err().to_string();
+    assert_named("large table", &error, &[size[0], size[1], "schedule.load.path", "large.csv"]);
+    #[cfg(unix)]
+    {
+        let error = Scene::load("/dev/zero").unwrap_err().to_string();
+        assert_named("no end", &error, &["/dev/zero", "more than 16777216 bytes"]);
+    }
     let error = Scene::load(folder.path().join("none.toml")).unwrap_err().to_string();
     assert!(error.contains("none.toml"), "{error}");
 }

@@ -3,22 +3,25 @@
 use super::smooth::Plan;
 use super::surfaces::Surfaces;
 use super::{ErrorEstimate, Spent, change};
+use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::report::Status;
 use crate::reynolds::ContactDefinition;
 use crate::sim::interrupt::Interrupt;
-use crate::sim::scene::{GridSpec, Roughness, Scene};
+use crate::sim::scene::{GridSpec, Roughness, Scene, ShortestWaves};
 use crate::sim::single::{Prepared, prepare_heights};
 use crate::sim::solution::ContactSolution;
 use crate::sim::warnings::Warning;
 use crate::sim::{SimError, setup};
+use crate::surface::HeightDistribution;
 
 /// Meshes of more nodes are not tried.
 const MAX_NODES: usize = 1 << 20;
 /// Fewest cells along a side that have a half.
 const FEWEST: usize = 10;
-/// Cells in the length over which a Gaussian autocorrelation falls to 10 %: the density of waves shorter than
-/// two of them is below 1e-4 of the largest.
+/// Cells in the length over which a Gaussian autocorrelation falls to 10 %, and in the shortest wave of a
+/// self-affine surface: of the former the density of waves shorter than two of them is below 1e-4 of the
+/// largest.
 const CELLS_IN_LENGTH: f64 = 3.0;
 /// Fewest cells in a Hertz half-width that a contact begins with.
 const CELLS_IN_AXIS: f64 = 10.0;
@@ -177,7 +180,7 @@ pub(super) fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, S
 
 /// The random surfaces of both bodies.
 struct Waves {
-    /// The shortest lengths along x and y of the autocorrelations \[m\].
+    /// The shortest lengths along x and y of the autocorrelations, or waves \[m\].
     lengths: [f64; 2],
     /// Root mean square of the heights of both \[m\].
     rq: f64,
@@ -191,35 +194,54 @@ fn waves(scene: &Scene) -> Result<Waves, SimError> {
     };
     let (mut lengths, mut square) = ([f64::INFINITY; 2], 0.0);
     for (roughness, body) in [(&scene.roughness.ball, "ball"), (&scene.roughness.disc, "disc")] {
-        match roughness {
-            Roughness::Gaussian(random) if !roughness.is_smooth() => {
-                InputError::require_non_negative(&format!("roughness.{body}.rq"), random.rq)?;
-                square += random.rq.powi(2);
-                let given = [("length_x", random.length_x), ("length_y", random.length_y)];
-                for (shortest, (name, length)) in lengths.iter_mut().zip(given) {
-                    InputError::require_positive(&format!("roughness.{body}.{name}"), length)?;
-                    *shortest = shortest.min(length);
+        if roughness.is_smooth() {
+            continue;
+        }
+        let normal = match roughness {
+            Roughness::Random(surface) => {
+                surface.distribution == HeightDistribution::Normal && surface.boundary == Boundary::Periodic
+            }
+            Roughness::Texture(_) => false,
+            _ => true,
+        };
+        let key = |name: &str| format!("roughness.{body}.{name}");
+        match (roughness, roughness.shortest_waves()) {
+            _ if !normal => {
+                return needs_cells(
+                    format!("roughness.{body}"),
+                    "only normal heights that are periodic are refined without cells",
+                );
+            }
+            (_, ShortestWaves::Of(shortest)) => {
+                let rq = roughness.rq().unwrap_or(0.0);
+                InputError::require_non_negative(&key("rq"), rq)?;
+                square += rq.powi(2);
+                let of_length = matches!(roughness, Roughness::Gaussian(_));
+                let names = if of_length { ["length_x", "length_y"] } else { ["shortest"; 2] };
+                for (axis, least) in lengths.iter_mut().enumerate() {
+                    InputError::require_positive(&key(names[axis]), shortest[axis])?;
+                    *least = least.min(shortest[axis]);
                 }
             }
-            Roughness::Exponential(_) if !roughness.is_smooth() => {
+            (Roughness::Random(_), ShortestWaves::Endless) => {
+                return needs_cells(
+                    key("shortest"),
+                    "without it the surface has waves of every length and no finest ones to refine",
+                );
+            }
+            (_, ShortestWaves::Endless) => {
                 return needs_cells(
                     format!("roughness.{body}.kind = \"exponential\""),
                     "the surface has waves of every length and no finest ones to refine",
                 );
             }
-            Roughness::Random(_) | Roughness::Texture(_) if !roughness.is_smooth() => {
-                return needs_cells(
-                    format!("roughness.{body}"),
-                    "only normal heights of Gaussian autocorrelation are refined without cells",
-                );
-            }
-            Roughness::File(file) => {
+            (Roughness::File(file), _) => {
                 return needs_cells(
                     format!("roughness.{body}.path = {}", file.path.display()),
                     "the box that the heights belong to is not known",
                 );
             }
-            _ => {}
+            (_, ShortestWaves::Unknown) => {}
         }
     }
     Ok(Waves { lengths, rq: square.sqrt() })
