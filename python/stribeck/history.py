@@ -13,7 +13,6 @@ import numpy.typing as npt
 from ._numbers import Numbers, table
 from ._stribeck import BodyStart as _BodyStart, Simulation as _Simulation
 from .errors import StribeckWarning, found, say
-from .laws import growth_triple, pair
 from .scene import Grid, Scene, _SceneGrid, as_scene
 from .solution import Heights, Solution, _array, _optional, parts, with_solver
 
@@ -118,8 +117,8 @@ def BodyStart(  # noqa: N802
 class Simulation:
     """A contact whose surfaces flatten, grow a tribofilm and wear as they rub.
 
-    ``heights``, ``bodies``, ``friction``, ``deformation`` and ``solver`` are as in :func:`stribeck.solve`. ``growth`` and ``wear`` are laws in Python in place of those of
-    the scene (:mod:`stribeck.laws`). ``squeeze`` makes the history transient: it is for roughness that moves by less than a cell a step.
+    ``heights``, ``bodies``, ``friction``, ``deformation``, ``viscosity``, ``density``, ``plasticity`` and ``solver`` are as in :func:`stribeck.solve`. ``growth``, ``wear`` and
+    ``motion``, that of the roughness from step to step, are laws in Python in place of those of the scene (:mod:`stribeck.laws`). ``squeeze`` makes the history transient: it is for roughness that moves by less than a cell a step.
 
     A step that fails leaves the simulation as before. Ctrl-C ends a step, within its solve too, and leaves the simulation as before the step.
     """
@@ -134,15 +133,26 @@ class Simulation:
         wear: Any = None,
         friction: Any = None,
         deformation: Any = None,
-        solver: str | None = None,
+        viscosity: Any = None,
+        density: Any = None,
+        plasticity: Any = None,
+        motion: Any = None,
+        solver: Any = None,
         squeeze: bool = False,
     ) -> None:
         self._scene = with_solver(as_scene(scene), solver)
-        own = parts(heights, bodies, friction, deformation) | {
-            "growth": growth_triple(growth),
-            "wear": pair(wear, "depth_rate", "wear law"),
+        laws = {
+            "growth": growth,
+            "wear": wear,
+            "friction": friction,
+            "deformation": deformation,
+            "viscosity": viscosity,
+            "density": density,
+            "plasticity": plasticity,
+            "motion": motion,
+            "solver": solver,
         }
-        self._raw = _Simulation(self._scene._raw, own, squeeze)
+        self._raw = _Simulation(self._scene._raw, parts(heights, bodies, laws), squeeze)
         say(self.warnings, 2)
 
     @property

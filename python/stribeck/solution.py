@@ -12,7 +12,7 @@ import numpy.typing as npt
 from ._numbers import Numbers
 from ._stribeck import BodyStart, solve as _solve
 from .errors import InputError, NotConvergedError, StribeckWarning, found, say
-from .laws import DeformationModel, FrictionLaw, deformation_triple, pair
+from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw, compiled
 from .scene import Grid, Scene, as_scene
 
 __all__ = ["Report", "Solution", "solve"]
@@ -92,15 +92,19 @@ def solve(
     bodies: tuple[BodyStart | None, BodyStart | None] | None = None,
     friction: FrictionLaw | Any = None,
     deformation: DeformationModel | Any = None,
-    solver: str | None = None,
+    viscosity: ViscosityLaw | Any = None,
+    density: DensityLaw | Any = None,
+    plasticity: PlasticityModel | Any = None,
+    solver: str | ContactSolver | Any = None,
     start: Solution | None = None,
 ) -> Solution:
     """Solves the single contact of ``scene``, surfaces as they are.
 
     ``heights`` [m], positive out of the body, shape ``(ny, nx)`` of the scene's grid: an array for the disc, a pair for ball and disc, or a
-    dictionary with the keys ``ball`` and ``disc``. ``bodies`` are ball and disc of an earlier run. ``friction`` is a law of solid contact and
-    ``deformation`` a model of the elastic bodies (:mod:`stribeck.laws`), ``solver`` the name of a solver in place of that of the scene, ``start`` a solution on the same grid whose pressures
-    are a first guess. Other threads run meanwhile; Ctrl-C ends the solve. What is unlikely to be meant is said as a
+    dictionary with the keys ``ball`` and ``disc``. ``bodies`` are ball and disc of an earlier run. ``friction`` is a law of solid contact,
+    ``deformation`` a model of the elastic bodies, ``viscosity`` and ``density`` are laws of the lubricant, ``plasticity`` is the largest pressure of the
+    bodies (:mod:`stribeck.laws`). ``solver`` is the name of a solver in place of that of the scene, or one in Python, ``start`` a solution on the same
+    grid whose pressures are a first guess. Other threads run meanwhile; Ctrl-C ends the solve. What is unlikely to be meant is said as a
     :class:`~stribeck.StribeckWarning` and stands in ``warnings`` of the solution.
 
     Not converging is a status, see :meth:`Solution.require_converged`. Raises :class:`~stribeck.InputError` with ``field`` and ``value``
@@ -110,22 +114,29 @@ def solve(
     first = None
     if start is not None:
         first = {**start.fields, "approach": start["approach"]}
-    numbers, fields = _solve(raw, parts(heights, bodies, friction, deformation) | {"growth": None, "wear": None}, first)
+    laws = {
+        "friction": friction,
+        "deformation": deformation,
+        "viscosity": viscosity,
+        "density": density,
+        "plasticity": plasticity,
+        "solver": solver,
+    }
+    numbers, fields = _solve(raw, parts(heights, bodies, laws), first)
     solution = Solution(numbers, fields)
     say(solution.warnings, 2)
     return solution
 
 
-def with_solver(scene: Scene, solver: str | None) -> Scene:
-    """The scene with the solver of this name."""
-    return scene if solver is None else scene.replace(solver={"kind": solver})
+def with_solver(scene: Scene, solver: Any) -> Scene:
+    """The scene with the solver of this name, if it is one."""
+    return scene.replace(solver={"kind": solver}) if isinstance(solver, str) else scene
 
 
 def parts(
     heights: Heights,
     bodies: tuple[BodyStart | None, BodyStart | None] | None,
-    friction: Any,
-    deformation: Any,
+    laws: dict[str, Any],
 ) -> dict[str, Any]:
     """What stands in place of parts of a scene, as the compiled module takes it."""
     ball, disc = _both(heights)
@@ -135,8 +146,7 @@ def parts(
         "disc_heights": _optional("disc heights", disc),
         "ball_start": ball_start,
         "disc_start": disc_start,
-        "friction": pair(friction, "coefficient", "boundary friction"),
-        "deformation": deformation_triple(deformation),
+        "laws": compiled(laws),
     }
 
 

@@ -1,20 +1,28 @@
 //! Laws written in Python, called on whole fields.
 
+mod deformation;
+mod fluid;
+mod given;
+mod rubbing;
+mod solver;
+mod surface;
+
 use std::cell::Cell;
 use std::fmt;
-use std::sync::Arc;
 
+use deformation::Deformation;
+use fluid::{Density, Viscosity};
+pub(crate) use given::PyLaws;
 use numpy::{PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
-use stribeck::elastic::{DeformationModel, NEAR, ResponseApproximations};
-use stribeck::tribochem::{FilmGrowthLaw, integrate_rates};
-use stribeck::wear::WearLaw;
-use stribeck::{BoundaryFriction, Grid, InputError, RubbingPoint};
+use rubbing::{Friction, Growth, Wear};
+pub(crate) use solver::Problem;
+use solver::Solver;
+use stribeck::{Grid, InputError};
+use surface::{Motion, Plasticity};
 
-use crate::convert::{dictionary, field};
+use crate::convert::field;
 use crate::error::raise;
-use crate::solution::{PyDeformation, PyGrowth, PyLaw};
 
 thread_local! {
     static RAISED: Cell<Option<PyErr>> = const { Cell::new(None) };
@@ -42,6 +50,9 @@ impl Failure {
     }
 }
 
+/// A law in Python: what tells it from others, and its function.
+type PyLaw = (String, Py<PyAny>);
+
 /// A function of Python that gives a field.
 struct Function {
     /// What messages call it.
@@ -59,6 +70,10 @@ impl fmt::Debug for Function {
 }
 
 impl Function {
+    fn new(name: &'static str, (identity, call): PyLaw, grid: Grid) -> Self {
+        Self { name, identity, call, grid }
+    }
+
     /// Calls with the arguments that `arguments` makes and writes what is returned into `out`; NaN where that
     /// fails, with the exception kept.
     fn fill<'py>(&self, py: Python<'py>, arguments: Vec<Bound<'py, PyAny>>, out: &mut [f64]) {
@@ -76,24 +91,33 @@ impl Function {
         arguments: Vec<Bound<'py, PyAny>>,
         out: &mut [f64],
     ) -> PyResult<()> {
+        let returned = self.call(py, arguments)?;
+        self.take(&returned, "returned", out)
+    }
+
+    /// What the function returns.
+    fn call<'py>(&self, py: Python<'py>, arguments: Vec<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
         let arguments = pyo3::types::PyTuple::new(py, arguments)?;
-        let returned = self.call.bind(py).call1(arguments).map_err(|error| self.raised(py, error))?;
+        self.call.bind(py).call1(arguments).map_err(|error| self.raised(py, error))
+    }
+
+    /// Writes a field of finite numbers, or one number for all, into `out`; `did` says what the function did
+    /// with it.
+    fn take(&self, given: &Bound<'_, PyAny>, did: &str, out: &mut [f64]) -> PyResult<()> {
+        let py = given.py();
         let numpy = py.import("numpy")?;
-        let array = numpy.call_method1("asarray", (&returned, "float64"));
+        let array = numpy.call_method1("asarray", (given, "float64"));
         let array = array.map_err(|_| {
-            let kind = returned.get_type().to_string();
-            self.refused(
-                py,
-                &format!("returned a value of the type {kind}, expected numbers"),
-                returned.clone(),
-            )
+            let kind = given.get_type().to_string();
+            let message = format!("{did} a value of the type {kind}, expected numbers");
+            self.refused(py, &message, given.clone())
         })?;
         let expected =
             if out.len() == self.grid.len() { vec![self.grid.ny(), self.grid.nx()] } else { vec![out.len()] };
         let array = array.cast_into::<PyArrayDyn<f64>>()?;
         if array.ndim() > 0 && array.shape() != expected {
             let shape = array.getattr("shape")?;
-            let message = format!("returned an array of the shape {shape}, expected {expected:?}");
+            let message = format!("{did} an array of the shape {shape}, expected {expected:?}");
             return Err(self.refused(py, &message, shape));
         }
         let array = numpy.call_method1("broadcast_to", (array, expected))?;
@@ -102,10 +126,26 @@ impl Function {
         let values = values.as_slice()?;
         if let Some(bad) = values.iter().find(|value| !value.is_finite()) {
             let value = bad.into_pyobject(py)?.into_any();
-            return Err(self.refused(py, &format!("returned {bad}, every value must be finite"), value));
+            return Err(self.refused(py, &format!("{did} {bad}, every value must be finite"), value));
         }
         out.copy_from_slice(values);
         Ok(())
+    }
+
+    /// The same for laws that cannot fail: NaN where it does, with the exception kept.
+    fn fill_by<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: impl FnOnce() -> PyResult<Vec<Bound<'py, PyAny>>>,
+        out: &mut [f64],
+    ) {
+        match arguments() {
+            Ok(arguments) => self.fill(py, arguments, out),
+            Err(error) => {
+                Failure.keep(error);
+                out.fill(f64::NAN);
+            }
+        }
     }
 
     fn refused(&self, py: Python<'_>, what: &str, value: Bound<'_, PyAny>) -> PyErr {
@@ -129,200 +169,6 @@ impl Function {
         }
         Ok(numpy::PyArray1::from_slice(py, values).into_any())
     }
-
-    /// The states of the nodes, as the laws see them.
-    fn points<'py>(&self, py: Python<'py>, at: &[RubbingPoint]) -> PyResult<Bound<'py, PyAny>> {
-        let part = |get: fn(&RubbingPoint) -> f64| self.array(py, &at.iter().map(get).collect::<Vec<_>>());
-        let in_contact: Vec<bool> = at.iter().map(|at| at.in_contact).collect();
-        let in_contact = if at.len() == self.grid.len() {
-            field(py, &self.grid, &in_contact)?.into_any()
-        } else {
-            numpy::PyArray1::from_slice(py, &in_contact).into_any()
-        };
-        let parts: Bound<'py, PyDict> = dictionary!(py, {
-            "pressure": part(|at| at.pressure)?,
-            "solid_pressure": part(|at| at.solid_pressure)?,
-            "shear_stress": part(|at| at.shear_stress)?,
-            "temperature": part(|at| at.temperature)?,
-            "sliding_speed": part(|at| at.sliding_speed)?,
-            "film_thickness": part(|at| at.film_thickness)?,
-            "in_contact": in_contact,
-        });
-        py.import("stribeck.laws")?.getattr("RubbingPoints")?.call((), Some(&parts))
-    }
-}
-
-/// A growth law: `rate(at, thickness)`.
-#[derive(Debug)]
-pub(crate) struct Growth {
-    function: Function,
-    maximum_thickness: f64,
-}
-
-impl Growth {
-    fn fill(&self, at: &[RubbingPoint], thickness: &[f64], out: &mut [f64]) {
-        Python::attach(|py| match (self.function.points(py, at), self.function.array(py, thickness)) {
-            (Ok(at), Ok(thickness)) => self.function.fill(py, vec![at, thickness], out),
-            (Err(error), _) | (_, Err(error)) => Failure.keep(error),
-        });
-    }
-}
-
-impl FilmGrowthLaw for Growth {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
-        let mut rate = [f64::NAN];
-        self.fill(std::slice::from_ref(at), &[thickness], &mut rate);
-        rate[0]
-    }
-
-    fn maximum_thickness(&self) -> f64 {
-        self.maximum_thickness
-    }
-
-    fn advance_all(&self, at: &[RubbingPoint], time_step: f64, states: &mut [f64]) {
-        // Attached once, and the conditions handed over once, for all rates of the step.
-        Python::attach(|py| {
-            let points = match self.function.points(py, at) {
-                Ok(points) => points,
-                Err(error) => return Failure.keep(error),
-            };
-            let rates = |thickness: &[f64], out: &mut [f64]| match self.function.array(py, thickness) {
-                Ok(thickness) => self.function.fill(py, vec![points.clone(), thickness], out),
-                Err(error) => {
-                    Failure.keep(error);
-                    out.fill(f64::NAN);
-                }
-            };
-            integrate_rates(rates, self.maximum_thickness, time_step, states);
-        });
-        if Failure.is_set() {
-            states.fill(f64::NAN);
-        }
-    }
-}
-
-/// A wear law: `depth_rate(at, film_thickness)`.
-#[derive(Debug)]
-pub(crate) struct Wear(Function);
-
-impl WearLaw for Wear {
-    fn depth_rate(&self, at: &RubbingPoint, film_thickness: f64) -> f64 {
-        let mut rate = [f64::NAN];
-        self.depth_rates(std::slice::from_ref(at), &[film_thickness], &mut rate);
-        rate[0]
-    }
-
-    fn depth_rates(&self, at: &[RubbingPoint], film_thickness: &[f64], rates: &mut [f64]) {
-        rates.fill(f64::NAN);
-        Python::attach(|py| match (self.0.points(py, at), self.0.array(py, film_thickness)) {
-            (Ok(at), Ok(film)) => self.0.fill(py, vec![at, film], rates),
-            (Err(error), _) | (_, Err(error)) => Failure.keep(error),
-        });
-    }
-}
-
-/// A law of boundary friction: `coefficient(solid_pressure, sliding_speed, tribofilm_ball, tribofilm_disc)`.
-#[derive(Debug)]
-pub(crate) struct Friction(Function);
-
-impl BoundaryFriction for Friction {
-    fn coefficient(&self, solid_pressure: f64, sliding_speed: f64, tribofilm: [f64; 2]) -> f64 {
-        let mut out = [f64::NAN];
-        let [ball, disc] = tribofilm;
-        self.coefficients(&[solid_pressure], sliding_speed, [&[ball], &[disc]], &mut out);
-        out[0]
-    }
-
-    fn coefficients(&self, solid: &[f64], sliding_speed: f64, tribofilm: [&[f64]; 2], out: &mut [f64]) {
-        out.fill(f64::NAN);
-        Python::attach(|py| {
-            let arguments = || -> PyResult<Vec<Bound<'_, PyAny>>> {
-                let speed = sliding_speed.into_pyobject(py)?.into_any();
-                let [ball, disc] = tribofilm;
-                Ok(vec![self.0.array(py, solid)?, speed, self.0.array(py, ball)?, self.0.array(py, disc)?])
-            };
-            match arguments() {
-                Ok(arguments) => self.0.fill(py, arguments, out),
-                Err(error) => Failure.keep(error),
-            }
-        });
-    }
-}
-
-/// A deformation model: `displacement(pressure)` and, where there is one, `pressure_estimate(displacement)`.
-/// A clone shares the functions.
-#[derive(Clone)]
-pub(crate) struct Deformation {
-    displacement: Arc<Function>,
-    estimated: Option<Estimated>,
-    /// By rows and columns of the offset, up to `NEAR`.
-    influences: [[f64; NEAR + 1]; NEAR + 1],
-}
-
-/// What a deformation model with an estimate of pressures offers beside its displacement.
-#[derive(Clone)]
-struct Estimated {
-    displacement: Arc<Function>,
-    estimate: Arc<Function>,
-}
-
-impl fmt::Debug for Deformation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.displacement.fmt(f)
-    }
-}
-
-impl Deformation {
-    /// The influence coefficients are the displacements under 1 Pa on the first node.
-    fn new(py: Python<'_>, displacement: Function, estimate: Option<Function>) -> PyResult<Self> {
-        let grid = displacement.grid;
-        let mut unit = vec![0.0; grid.len()];
-        let mut out = unit.clone();
-        if let Some(first) = unit.first_mut() {
-            *first = 1.0;
-        }
-        displacement.try_fill(py, vec![displacement.array(py, &unit)?], &mut out)?;
-        let mut influences = [[0.0; NEAR + 1]; NEAR + 1];
-        for (row, values) in influences.iter_mut().zip(out.chunks(grid.nx())) {
-            for (influence, value) in row.iter_mut().zip(values) {
-                *influence = *value;
-            }
-        }
-        let displacement = Arc::new(displacement);
-        let estimated = estimate.map(|estimate| Estimated {
-            displacement: Arc::clone(&displacement),
-            estimate: Arc::new(estimate),
-        });
-        Ok(Self { displacement, estimated, influences })
-    }
-}
-
-impl DeformationModel for Deformation {
-    fn grid(&self) -> Grid {
-        self.displacement.grid
-    }
-
-    fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.displacement.field_into(pressure, out)
-    }
-
-    fn influence(&self, di: usize, dj: usize) -> f64 {
-        self.influences.get(dj).and_then(|row| row.get(di)).copied().unwrap_or(0.0)
-    }
-
-    fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
-        self.estimated.as_mut().map(|estimated| estimated as _)
-    }
-}
-
-impl ResponseApproximations for Estimated {
-    fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.displacement.field_into(pressure, out)
-    }
-
-    fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
-        self.estimate.field_into(displacement, out)
-    }
 }
 
 impl Function {
@@ -341,41 +187,5 @@ impl Function {
             return Err(InputError::Conflict { field: self.name.to_owned(), reason });
         }
         Ok(())
-    }
-}
-
-/// Laws of one simulation or solve.
-pub(crate) struct Laws {
-    pub(crate) growth: Option<Growth>,
-    pub(crate) wear: Option<Wear>,
-    pub(crate) friction: Option<Friction>,
-    pub(crate) deformation: Option<Deformation>,
-}
-
-impl Laws {
-    /// Each law is a pair of its identity and its function, the growth law with the largest thickness behind,
-    /// the deformation model with the function of its estimate.
-    pub(crate) fn new(
-        py: Python<'_>,
-        grid: Grid,
-        growth: Option<PyGrowth>,
-        wear: Option<PyLaw>,
-        friction: Option<PyLaw>,
-        deformation: Option<PyDeformation>,
-    ) -> PyResult<Self> {
-        let function = |name, (identity, call)| Function { name, identity, call, grid };
-        let deformation = deformation.map(|(identity, displacement, estimate)| {
-            let estimate = estimate.map(|call| function("pressure estimate", (identity.clone(), call)));
-            Deformation::new(py, function("deformation model", (identity, displacement)), estimate)
-        });
-        Ok(Self {
-            growth: growth.map(|(identity, call, maximum_thickness)| Growth {
-                function: function("growth law", (identity, call)),
-                maximum_thickness,
-            }),
-            wear: wear.map(|law| Wear(function("wear law", law))),
-            friction: friction.map(|law| Friction(function("boundary friction", law))),
-            deformation: deformation.transpose()?,
-        })
     }
 }
