@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, overload
@@ -12,7 +13,7 @@ import numpy.typing as npt
 
 from ._numbers import Numbers, table
 from ._stribeck import BodyStart as _BodyStart, Simulation as _Simulation
-from .errors import StribeckWarning, found, say
+from .errors import InputError, StribeckWarning, found, function, number, say
 from .scene import Grid, Scene, _SceneGrid, as_scene
 from .solution import Heights, Solution, _array, _optional, parts, with_solver
 
@@ -218,7 +219,7 @@ class Simulation:
 
     def step(self, time_step: float, *, depth: float = math.inf) -> Record:
         """Takes one step of ``time_step`` [s], shorter where a node would wear or grow by more than ``depth`` [m]."""
-        return Record(self._raw.step(time_step, depth))
+        return Record(self._raw.step(number("time_step", time_step, "s"), number("step.depth", depth, "m")))
 
     def run(
         self,
@@ -229,8 +230,11 @@ class Simulation:
         callback: Callable[[Simulation, Record], object] | None = None,
     ) -> History:
         """Takes ``steps`` steps. ``callback(simulation, record)`` sees each and ends the run by returning True or raising StopIteration."""
+        if isinstance(steps, bool) or not hasattr(steps, "__index__") or operator.index(steps) < 0:
+            raise InputError(f"steps = {steps!r}: must be a whole number from 0", field="steps", value=steps)
+        function("callback", callback)
         history = History()
-        for _ in range(steps):
+        for _ in range(operator.index(steps)):
             if self._seen(history, self.step(time_step, depth=depth), callback):
                 break
         return history
@@ -244,6 +248,8 @@ class Simulation:
         callback: Callable[[Simulation, Record], object] | None = None,
     ) -> History:
         """Steps until the time ``end`` [s], none longer than ``time_step`` or across an entry of the scene's schedule."""
+        function("callback", callback)
+        end, time_step, depth = number("end", end, "s"), number("time_step", time_step, "s"), number("step.depth", depth, "m")
         history = History()
         while (numbers := self._raw.step_towards(end, time_step, depth)) is not None:
             if self._seen(history, Record(numbers), callback):
@@ -268,7 +274,14 @@ class Simulation:
         bulk_temperature: float | None = None,
     ) -> Solution:
         """Solves the contact of the bodies as they stand under other conditions; nothing is changed by it."""
-        return Solution(*self._raw.solve_under(load, entrainment_speed, slide_roll_ratio, bulk_temperature))
+        given = {
+            "load": (load, "N"),
+            "entrainment_speed": (entrainment_speed, "m/s"),
+            "slide_roll_ratio": (slide_roll_ratio, "1"),
+            "bulk_temperature": (bulk_temperature, "K"),
+        }
+        numbers = [None if value is None else number(name, value, unit) for name, (value, unit) in given.items()]
+        return Solution(*self._raw.solve_under(*numbers))
 
     def mean_on_track(self, field: npt.NDArray[np.float64]) -> float:
         """Mean of a field of a body over the width of the track."""

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from ._numbers import Numbers
 from ._stribeck import BodyStart, solve as _solve
-from .errors import InputError, NotConvergedError, StribeckWarning, found, say
+from .errors import InputError, NotConvergedError, StribeckWarning, found, instance, say
 from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw, compiled
 from .scene import Grid, Scene, as_scene
 
@@ -113,6 +113,7 @@ def solve(
     raw = with_solver(as_scene(scene), solver)._raw
     first = None
     if start is not None:
+        instance("start", start, Solution, "a solution on the same grid")
         first = {**start.fields, "approach": start["approach"]}
     laws = {
         "friction": friction,
@@ -140,7 +141,10 @@ def parts(
 ) -> dict[str, Any]:
     """What stands in place of parts of a scene, as the compiled module takes it."""
     ball, disc = _both(heights)
-    ball_start, disc_start = bodies if bodies is not None else (None, None)
+    ball_start, disc_start = _two("bodies", bodies) if bodies is not None else (None, None)
+    for name, body in (("ball", ball_start), ("disc", disc_start)):
+        if body is not None:
+            instance(f"bodies ({name})", body, BodyStart, "a BodyStart, as Simulation.starts() gives them")
     return {
         "ball_heights": _optional("ball heights", ball),
         "disc_heights": _optional("disc heights", disc),
@@ -158,11 +162,17 @@ def _both(heights: Heights) -> tuple[Any, Any]:
         if stray:
             raise InputError(f"heights: unknown body {sorted(stray)[0]!r}", field="heights", value=sorted(stray)[0])
         return heights.get("ball"), heights.get("disc")
-    if isinstance(heights, tuple):
-        if len(heights) != 2:
-            raise InputError(f"heights: {len(heights)} bodies, expected ball and disc", field="heights", value=len(heights))
-        return heights
-    return None, heights
+    return _two("heights", heights) if isinstance(heights, tuple) else (None, heights)
+
+
+def _two(name: str, bodies: Any) -> tuple[Any, Any]:
+    """Something of ball and disc."""
+    if not isinstance(bodies, tuple | list):
+        raise InputError(f"{name} = {bodies!r}: must be a pair, that of the ball and that of the disc", field=name, value=bodies)
+    if len(bodies) != 2:
+        raise InputError(f"{name}: {len(bodies)} bodies, expected ball and disc", field=name, value=len(bodies))
+    ball, disc = bodies
+    return ball, disc
 
 
 def _optional(name: str, values: Any) -> npt.NDArray[np.float64] | None:
@@ -171,6 +181,8 @@ def _optional(name: str, values: Any) -> npt.NDArray[np.float64] | None:
 
 def _array(name: str, values: Any) -> npt.NDArray[np.float64]:
     try:
+        if np.iscomplexobj(values):
+            raise TypeError("complex numbers")
         array = np.ascontiguousarray(values, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise InputError(f"{name}: not an array of numbers ({error})", field=name, value=values) from None
