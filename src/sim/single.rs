@@ -89,7 +89,8 @@ impl SimBuilder {
                         .to_owned(),
                 }));
             }
-            return Ok(Begun::Meshes(Meshes::new(&self.scene, self.overrides.interrupt.as_ref())?));
+            let meshes = Meshes::new(&self.scene, self.overrides.interrupt.as_ref())?;
+            return Ok(Begun::Meshes(Box::new(meshes)));
         }
         let start = self.contact_start.take();
         let own_heights = self.own_heights();
@@ -176,7 +177,7 @@ pub(super) fn prepare_heights(
 /// A contact of which nothing is solved yet and all that can be refused has been.
 enum Begun {
     Mesh(Box<Prepared>),
-    Meshes(Meshes),
+    Meshes(Box<Meshes>),
 }
 
 /// The contact of two bodies as they stand, on one mesh, before its first iteration.
