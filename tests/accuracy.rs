@@ -3,13 +3,16 @@
 
 use std::path::Path;
 
-use stribeck::Status;
 use stribeck::reynolds::ContactDefinition;
 use stribeck::sim::scene::{
     FileRoughness, GridSpec, Load, LubricantSpec, RandomRoughness, Roughness, RoughnessPair, SolverKind,
 };
 use stribeck::sim::{ContactSolution, ErrorEstimate, MixedLubricationSim, Scene, solve_contact};
-use stribeck::surface::{Autocorrelation, Form, Heights, RoughnessSpec, generate, write_npy};
+use stribeck::surface::{
+    Autocorrelation, Form, HeightDistribution, Heights, RandomShape, RandomSurface, RoughnessSpec,
+    SelfAffine, Synthesis, generate, write_npy,
+};
+use stribeck::{Boundary, Status};
 
 const RADIUS: f64 = 1.0;
 const MODULUS: f64 = 226e9;
@@ -252,6 +255,47 @@ fn a_random_surface_picks_its_own_cells() {
     let largest = four_estimates(&solution.error_estimate.unwrap()).into_iter().fold(0.0, f64::max);
     assert!(largest <= 0.05, "{largest}");
     assert!(solution.grid.dx() <= 10e-6 / 3.0, "{}", solution.grid.dx());
+}
+
+/// A self-affine surface with a shortest wave is a finite Fourier series.
+#[test]
+fn a_self_affine_surface_picks_its_own_cells() {
+    let shape = |shortest| {
+        RandomShape::SelfAffine(SelfAffine {
+            hurst: 0.8,
+            longest: f64::INFINITY,
+            roll_off: 40e-6,
+            shortest,
+            synthesis: Synthesis::FilteredNoise,
+        })
+    };
+    let mut scene = rough(16);
+    scene.solver.kind = SolverKind::Dry;
+    scene.grid = GridSpec::Accuracy { accuracy: 0.05 };
+    let surface = RandomSurface::new(shape(12e-6), 100e-9, 3);
+    scene.roughness = RoughnessPair { ball: Roughness::None, disc: Roughness::Random(surface) };
+    let solution = solved(&scene);
+    let largest = four_estimates(&solution.error_estimate.unwrap()).into_iter().fold(0.0, f64::max);
+    assert!(largest <= 0.05, "{largest}");
+    assert!(solution.grid.dx() <= 4e-6, "{}", solution.grid.dx());
+    let of_mesh = |field: &str| field.starts_with("error_estimate.");
+    assert!(solution.warnings.iter().all(|warning| of_mesh(&warning.field)), "{:?}", solution.warnings);
+    // The heights of the first mesh are kept: the height asked for is that of all meshes.
+    assert!((solution.composite_rq / 100e-9 - 1.0).abs() < 0.3, "{}", solution.composite_rq);
+    let message = |surface: RandomSurface| {
+        let mut scene = scene.clone();
+        scene.roughness.disc = Roughness::Random(surface);
+        solve_contact(&scene).unwrap_err().to_string()
+    };
+    let endless = message(surface.with_shape(shape(0.0)));
+    assert!(endless.starts_with("roughness.disc.shortest") && endless.contains("nx"), "{endless}");
+    for other in [
+        surface.with_boundary(Boundary::Open),
+        surface.with_distribution(HeightDistribution::Johnson { skewness: -1.0, kurtosis: 5.0 }),
+    ] {
+        let text = message(other);
+        assert!(text.starts_with("roughness.disc: ") && text.contains("nx"), "{text}");
+    }
 }
 
 #[test]

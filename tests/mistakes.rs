@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use stribeck::sim::scene::{FileRoughness, GridSpec, Roughness};
-use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
+use stribeck::sim::{MixedLubricationSim, Scene, Schedule, solve_contact};
 use stribeck::surface::write_npy;
 
 /// A scene without mistakes: rough, in oil, of a few cells.
@@ -160,6 +160,57 @@ fn mistakes_in_scene_files_are_named() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
+/// What a check says, and what a solve says: no error is none of both.
+fn assert_refused_by_both(name: &str, scene: &Scene) -> Option<String> {
+    let check = MixedLubricationSim::builder(scene.clone()).check();
+    let solve = solve_contact(scene);
+    let [checked, solved] = [check.err(), solve.err()].map(|error| error.map(|error| error.to_string()));
+    assert_eq!(checked, solved, "{name}");
+    checked
+}
+
+#[test]
+fn what_a_solve_refuses_a_check_refuses() {
+    let mut refused = 0;
+    for (from, to, _) in MISTAKES {
+        if let Ok(scene) = Scene::from_toml(&GOOD.replacen(from, to, 1)) {
+            refused += usize::from(assert_refused_by_both(to, &scene).is_some());
+        }
+    }
+    assert!(refused >= 15, "{refused}");
+    // What solvers are not made for, what needs a law that is not there, and meshes that do not fit.
+    let oil = "[lubricant]\neta0 = 0.004\nroelands_z = 0.68\n";
+    let kind = |kind: &str| GOOD.replacen("[solver]", &format!("[solver]\nkind = \"{kind}\""), 1);
+    let estimate = GOOD.replacen("[solver]", "[solver]\nestimate = true", 1);
+    for (good, from, to, word) in [
+        (GOOD, "[solver]", "[lubricant.thermal]\n[solver]", "lubricant.thermal"),
+        (GOOD, "hardness = 6e9", "hardness = 1e8", "plastic.hardness"),
+        (&kind("newton_krylov"), "[solver]", "[solver]\ncontact = \"paper\"", "paper"),
+        (&kind("semi_system"), oil, "", "lubricant"),
+        (&kind("multigrid"), oil, "", "lubricant"),
+        (&estimate, "[solver]", "[solver]\ncontact = \"paper\"", "solver.estimate"),
+        (&estimate, "nx = 24", "nx = 8", "solver.estimate"),
+    ] {
+        let text = good.replacen(from, to, 1);
+        assert_ne!(text, good, "{from}");
+        let error = assert_refused_by_both(to, &Scene::from_toml(&text).unwrap()).unwrap_or_default();
+        assert!(error.contains(word), "{to}: {error}");
+    }
+    let (before, after) = GOOD.split_once("[grid]").unwrap();
+    let (_, after) = after.split_once("[roughness.disc]").unwrap();
+    let picked = format!("{before}[grid]\naccuracy = 1e-2\n[roughness.disc]{after}");
+    for (from, to, word) in [
+        ("\"gaussian\"", "\"exponential\"", "roughness.disc.kind"),
+        ("length_x = 64e-6", "length_x = 1e-8", "grid.accuracy"),
+        ("accuracy = 1e-2", "accuracy = 1e-6", "grid.accuracy = 1e-6"),
+    ] {
+        let text = picked.replacen(from, to, 1);
+        assert_ne!(text, picked, "{from}");
+        let error = assert_refused_by_both(to, &Scene::from_toml(&text).unwrap()).unwrap_or_default();
+        assert!(error.contains(word), "{to}: {error}");
+    }
+}
+
 #[test]
 fn all_missing_keys_are_named_at_once() {
     let keys = ["radius = 9.525e-3", "eta0 = 0.004", "ny = 24", "rq = 130e-9", "hardness = 6e9"];
@@ -185,6 +236,22 @@ fn files_that_are_no_scenes_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let error = Scene::load(folder.path()).unwrap_err().to_string();
     assert!(error.contains(folder.path().to_str().unwrap()), "{error}");
+    // Large ones are refused before they are read.
+    for large in ["large.toml", "large.csv"] {
+        std::fs::File::create(folder.path().join(large)).unwrap().set_len(17_000_000).unwrap();
+    }
+    let size = ["the file has 17000000 bytes", "at most 16777216"];
+    let error = Scene::load(folder.path().join("large.toml")).unwrap_err().to_string();
+    assert_named("large", &error, &[size[0], size[1], "large.toml"]);
+    let mut scheduled = Scene::from_toml(GOOD).unwrap();
+    scheduled.schedule.load = Some(Schedule::Table { path: folder.path().join("large.csv") });
+    let error = solve_contact(&scheduled).unwrap_err().to_string();
+    assert_named("large table", &error, &[size[0], size[1], "schedule.load.path", "large.csv"]);
+    #[cfg(unix)]
+    {
+        let error = Scene::load("/dev/zero").unwrap_err().to_string();
+        assert_named("no end", &error, &["/dev/zero", "more than 16777216 bytes"]);
+    }
     let error = Scene::load(folder.path().join("none.toml")).unwrap_err().to_string();
     assert!(error.contains("none.toml"), "{error}");
 }

@@ -1,12 +1,15 @@
 //! Viscosity by pressure and temperature, shear stress by rate and pressure, and scenes that use them.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use stribeck::lubricant::{
     DensityLaw, DoolittleTait, DoolittleTaitConstants, ImprovedYasutomi, ImprovedYasutomiConstants, Rheology,
     Roelands, ThermalRoelands, ViscosityLaw,
 };
 use stribeck::sim::scene::{Flash, Schedule, ViscositySpec};
-use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
+use stribeck::sim::{MixedLubricationSim, Scene, SimError, solve_contact};
 use stribeck::testing::{density_law, viscosity_law};
 
 const FREE_VOLUME: DoolittleTaitConstants = DoolittleTaitConstants {
@@ -231,6 +234,30 @@ fn histories_follow_the_bulk_temperature() {
     assert!((following[0] / constant[0] - 1.0).abs() < 1e-6, "{following:?} {constant:?}");
     assert!(following[1] < 0.5 * following[0], "{following:?}");
     assert!((following[2] / following[0] - 1.0).abs() < 1e-3, "{following:?}");
+}
+
+/// A step that fails leaves the oil at its temperature, and the next one takes it to that of its time.
+#[test]
+fn a_failed_step_leaves_the_oil_as_it_was() {
+    let mut scene = scene();
+    scene.thermal.flash = Flash::Off;
+    let oil = scene.lubricant.as_mut().unwrap();
+    (oil.temperature, oil.roelands_s0) = (Some(313.15), Some(1.2));
+    scene.schedule.bulk_temperature =
+        Some(Schedule::Steps { times: vec![0.0, 10.0], values: vec![313.15, 363.15] });
+    let stop = Arc::new(AtomicBool::new(false));
+    let asked = Arc::clone(&stop);
+    let builder =
+        MixedLubricationSim::builder(scene.clone()).interrupt(move || asked.load(Ordering::Relaxed));
+    let mut sim = builder.build().unwrap();
+    let mut whole = MixedLubricationSim::builder(scene).build().unwrap();
+    assert_eq!(sim.step(10.0).unwrap(), whole.step(10.0).unwrap());
+    stop.store(true, Ordering::Relaxed);
+    assert!(matches!(sim.step(10.0), Err(SimError::Interrupted)));
+    stop.store(false, Ordering::Relaxed);
+    let (again, expected) = (sim.step(10.0).unwrap(), whole.step(10.0).unwrap());
+    assert!(expected.formula_lambda.is_finite());
+    assert_eq!(again, expected);
 }
 
 #[test]

@@ -87,6 +87,22 @@ fn bad_input_ends_with_2() {
     assert_refused(&["curve", text(&dry)], &["lubricant: a Stribeck curve needs an oil"]);
 }
 
+/// An oil whose viscosity does not know temperature has no film temperature.
+#[test]
+fn check_refuses_what_solve_refuses() {
+    let folder = tempfile::tempdir().unwrap();
+    let warm = "[lubricant.thermal]\n[grid]";
+    for (from, to) in [("[grid]", warm), ("hardness = 6e9", "hardness = 1e6"), ("nx = 32", "nx = 3")] {
+        let scene = rough(folder.path(), &[(from, to)]);
+        let [check, solve] = ["check", "solve"].map(|command| {
+            let output = stribeck(&[command, text(&scene)]);
+            assert_eq!(output.status.code(), Some(2), "{output:?}");
+            error_of(&output).lines().find(|line| line.starts_with("error: ")).map(str::to_owned)
+        });
+        assert!(check.is_some() && check == solve, "{check:?} {solve:?}");
+    }
+}
+
 #[test]
 fn check_tells_what_to_expect() {
     let folder = tempfile::tempdir().unwrap();
@@ -151,6 +167,19 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     let grid = Scene::load(&path).unwrap().grid().unwrap();
     assert!(grid.nx() > grid.ny() && (grid.dx() / grid.dy() - 1.0).abs() < 1e-3, "{grid:?}");
     std::fs::remove_file(&path).unwrap();
+    // A very thick one a wider box, and one that a ball swims on is refused.
+    let thick =
+        ["init", text(&path), "--roughness", "0", "--load", "5", "--speed", "2", "--eta0", "400 mPa s"];
+    let output = stribeck(&thick);
+    assert!(output.status.success(), "{output:?}");
+    let scene = Scene::load(&path).unwrap();
+    let (grid, hertz) = (scene.grid().unwrap(), scene.hertz().unwrap());
+    assert!(-grid.x(0) > 8.0 * hertz.a_x && grid.nx() < 300, "{grid:?}");
+    let solution = solve_contact(&scene).unwrap();
+    assert!(solution.report.require_converged().is_ok(), "{:?}", solution.report);
+    std::fs::remove_file(&path).unwrap();
+    let swims = ["init", text(&path), "--load", "1", "--speed", "10", "--eta0", "100 mPa s"];
+    assert_refused(&swims, &["--speed = 10", "more load"]);
     let length = ["init", text(&path), "--length", "1 um", "--force"];
     assert_refused(&length, &["--length = 1 um", "--cells"]);
     let unit = ["init", text(&path), "--load", "5 kg"];

@@ -22,6 +22,7 @@ fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<scene::Cells>()?;
     module.add_class::<scene::Scene>()?;
+    module.add_class::<laws::Problem>()?;
     module.add_class::<simulation::Simulation>()?;
     module.add_class::<start::BodyStart>()?;
     module.add_class::<surface::Surface>()?;

@@ -11,16 +11,10 @@ use stribeck::sim::{ContactSolution, MixedLubricationSim, SimBuilder};
 use crate::convert::{field, named, on_grid};
 use crate::error::value;
 use crate::interrupt::on_signal;
-use crate::laws::{Failure, Laws};
+use crate::laws::{Failure, PyLaws};
 use crate::scene::{Scene, grid_dict};
 use crate::start::BodyStart;
 
-/// A law in Python: what tells it from others, and its function.
-pub(crate) type PyLaw = (String, Py<PyAny>);
-/// The same with the largest thickness of its film \[m\].
-pub(crate) type PyGrowth = (String, Py<PyAny>, f64);
-/// What tells a deformation model from others, its displacement and its estimate of pressures.
-pub(crate) type PyDeformation = (String, Py<PyAny>, Option<Py<PyAny>>);
 type Array<'py> = PyReadonlyArray2<'py, f64>;
 
 /// What may stand in place of the parts of a scene.
@@ -35,24 +29,14 @@ pub(crate) struct Parts<'py> {
     #[pyo3(item)]
     disc_start: Option<Py<BodyStart>>,
     #[pyo3(item)]
-    growth: Option<PyGrowth>,
-    #[pyo3(item)]
-    wear: Option<PyLaw>,
-    #[pyo3(item)]
-    friction: Option<PyLaw>,
-    #[pyo3(item)]
-    deformation: Option<PyDeformation>,
+    laws: PyLaws,
 }
 
 impl Parts<'_> {
     /// A builder with these parts.
     pub(crate) fn builder(self, py: Python<'_>, scene: &Scene) -> PyResult<SimBuilder> {
         let mut builder = MixedLubricationSim::builder(scene.0.clone());
-        let own_part = self.growth.is_some()
-            || self.wear.is_some()
-            || self.friction.is_some()
-            || self.deformation.is_some();
-        if own_part || self.ball_heights.is_some() || self.disc_heights.is_some() {
+        if self.ball_heights.is_some() || self.disc_heights.is_some() {
             let grid = value(py, scene.0.grid())?;
             if let Some(heights) = &self.ball_heights {
                 builder = builder.ball_heights(on_grid(py, "ball heights", heights, &grid)?.to_vec());
@@ -60,19 +44,11 @@ impl Parts<'_> {
             if let Some(heights) = &self.disc_heights {
                 builder = builder.disc_heights(on_grid(py, "disc heights", heights, &grid)?.to_vec());
             }
-            let laws = Laws::new(py, grid, self.growth, self.wear, self.friction, self.deformation)?;
-            if let Some(law) = laws.growth {
-                builder = builder.growth_law(law);
-            }
-            if let Some(law) = laws.wear {
-                builder = builder.wear_law(law);
-            }
-            if let Some(law) = laws.friction {
-                builder = builder.boundary_friction(law);
-            }
-            if let Some(model) = laws.deformation {
-                builder = builder.deformation(model);
-            }
+        }
+        if self.laws.any() {
+            let grid = value(py, scene.0.grid())?;
+            let temperature = scene.0.thermal.bulk_temperature;
+            builder = self.laws.put_into(py, builder, &grid, temperature)?;
         }
         if let Some(start) = self.ball_start {
             builder = builder.ball_start(start.get().0.clone());

@@ -101,3 +101,25 @@ def say(items: list[StribeckWarning], depth: int) -> None:
     """Says each warning through the ``warnings`` of Python, as of the caller ``depth`` calls up."""
     for item in items:
         warnings.warn(item, stacklevel=depth + 1)
+
+
+def number(field: str, value: Any, unit: str) -> float:
+    """The value as a number; text with a unit is for scenes alone."""
+    try:
+        if isinstance(value, str | bytes):
+            raise TypeError
+        return float(value)
+    except (TypeError, ValueError):
+        raise InputError(f"{field} = {value!r}: must be a number in {unit}", field=field, value=value) from None
+
+
+def instance(field: str, value: Any, kind: type | tuple[type, ...], words: str) -> None:
+    """Refuses what is none of ``kind``, which ``words`` name."""
+    if not isinstance(value, kind):
+        raise InputError(f"{field} = {value!r}: must be {words}", field=field, value=value)
+
+
+def function(field: str, value: Any) -> None:
+    """Refuses what can be called by nobody."""
+    if value is not None and not callable(value):
+        raise InputError(f"{field} = {value!r}: must be a function", field=field, value=value)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, overload
@@ -12,8 +13,7 @@ import numpy.typing as npt
 
 from ._numbers import Numbers, table
 from ._stribeck import BodyStart as _BodyStart, Simulation as _Simulation
-from .errors import StribeckWarning, found, say
-from .laws import growth_triple, pair
+from .errors import InputError, StribeckWarning, found, function, number, say
 from .scene import Grid, Scene, _SceneGrid, as_scene
 from .solution import Heights, Solution, _array, _optional, parts, with_solver
 
@@ -118,8 +118,8 @@ def BodyStart(  # noqa: N802
 class Simulation:
     """A contact whose surfaces flatten, grow a tribofilm and wear as they rub.
 
-    ``heights``, ``bodies``, ``friction``, ``deformation`` and ``solver`` are as in :func:`stribeck.solve`. ``growth`` and ``wear`` are laws in Python in place of those of
-    the scene (:mod:`stribeck.laws`). ``squeeze`` makes the history transient: it is for roughness that moves by less than a cell a step.
+    ``heights``, ``bodies``, ``friction``, ``deformation``, ``viscosity``, ``density``, ``plasticity`` and ``solver`` are as in :func:`stribeck.solve`. ``growth``, ``wear`` and
+    ``motion``, that of the roughness from step to step, are laws in Python in place of those of the scene (:mod:`stribeck.laws`). ``squeeze`` makes the history transient: it is for roughness that moves by less than a cell a step.
 
     A step that fails leaves the simulation as before. Ctrl-C ends a step, within its solve too, and leaves the simulation as before the step.
     """
@@ -134,15 +134,26 @@ class Simulation:
         wear: Any = None,
         friction: Any = None,
         deformation: Any = None,
-        solver: str | None = None,
+        viscosity: Any = None,
+        density: Any = None,
+        plasticity: Any = None,
+        motion: Any = None,
+        solver: Any = None,
         squeeze: bool = False,
     ) -> None:
         self._scene = with_solver(as_scene(scene), solver)
-        own = parts(heights, bodies, friction, deformation) | {
-            "growth": growth_triple(growth),
-            "wear": pair(wear, "depth_rate", "wear law"),
+        laws = {
+            "growth": growth,
+            "wear": wear,
+            "friction": friction,
+            "deformation": deformation,
+            "viscosity": viscosity,
+            "density": density,
+            "plasticity": plasticity,
+            "motion": motion,
+            "solver": solver,
         }
-        self._raw = _Simulation(self._scene._raw, own, squeeze)
+        self._raw = _Simulation(self._scene._raw, parts(heights, bodies, laws), squeeze)
         say(self.warnings, 2)
 
     @property
@@ -208,7 +219,7 @@ class Simulation:
 
     def step(self, time_step: float, *, depth: float = math.inf) -> Record:
         """Takes one step of ``time_step`` [s], shorter where a node would wear or grow by more than ``depth`` [m]."""
-        return Record(self._raw.step(time_step, depth))
+        return Record(self._raw.step(number("time_step", time_step, "s"), number("step.depth", depth, "m")))
 
     def run(
         self,
@@ -219,8 +230,11 @@ class Simulation:
         callback: Callable[[Simulation, Record], object] | None = None,
     ) -> History:
         """Takes ``steps`` steps. ``callback(simulation, record)`` sees each and ends the run by returning True or raising StopIteration."""
+        if isinstance(steps, bool) or not hasattr(steps, "__index__") or operator.index(steps) < 0:
+            raise InputError(f"steps = {steps!r}: must be a whole number from 0", field="steps", value=steps)
+        function("callback", callback)
         history = History()
-        for _ in range(steps):
+        for _ in range(operator.index(steps)):
             if self._seen(history, self.step(time_step, depth=depth), callback):
                 break
         return history
@@ -234,6 +248,8 @@ class Simulation:
         callback: Callable[[Simulation, Record], object] | None = None,
     ) -> History:
         """Steps until the time ``end`` [s], none longer than ``time_step`` or across an entry of the scene's schedule."""
+        function("callback", callback)
+        end, time_step, depth = number("end", end, "s"), number("time_step", time_step, "s"), number("step.depth", depth, "m")
         history = History()
         while (numbers := self._raw.step_towards(end, time_step, depth)) is not None:
             if self._seen(history, Record(numbers), callback):
@@ -258,7 +274,14 @@ class Simulation:
         bulk_temperature: float | None = None,
     ) -> Solution:
         """Solves the contact of the bodies as they stand under other conditions; nothing is changed by it."""
-        return Solution(*self._raw.solve_under(load, entrainment_speed, slide_roll_ratio, bulk_temperature))
+        given = {
+            "load": (load, "N"),
+            "entrainment_speed": (entrainment_speed, "m/s"),
+            "slide_roll_ratio": (slide_roll_ratio, "1"),
+            "bulk_temperature": (bulk_temperature, "K"),
+        }
+        numbers = [None if value is None else number(name, value, unit) for name, (value, unit) in given.items()]
+        return Solution(*self._raw.solve_under(*numbers))
 
     def mean_on_track(self, field: npt.NDArray[np.float64]) -> float:
         """Mean of a field of a body over the width of the track."""

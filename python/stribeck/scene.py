@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from ._numbers import Numbers
 from ._stribeck import Cells, Scene as _Scene
-from .errors import SceneError, StribeckWarning, found
+from .errors import SceneError, StribeckWarning, found, instance
 
 __all__ = ["Grid", "Scene"]
 
@@ -95,6 +95,7 @@ class Scene:
         elif isinstance(source, str) and ("\n" in source or "=" in source):
             self._raw = _Scene.from_toml(source)
         else:
+            instance("scene", source, (str, os.PathLike), "a path, a text, a dictionary or a scene")
             self._raw = _Scene.load(os.fspath(source))
         if tables:
             self._raw = self.replace(**tables)._raw

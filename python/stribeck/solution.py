@@ -11,8 +11,8 @@ import numpy.typing as npt
 
 from ._numbers import Numbers
 from ._stribeck import BodyStart, solve as _solve
-from .errors import InputError, NotConvergedError, StribeckWarning, found, say
-from .laws import DeformationModel, FrictionLaw, deformation_triple, pair
+from .errors import InputError, NotConvergedError, StribeckWarning, found, instance, say
+from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw, compiled
 from .scene import Grid, Scene, as_scene
 
 __all__ = ["Report", "Solution", "solve"]
@@ -92,15 +92,19 @@ def solve(
     bodies: tuple[BodyStart | None, BodyStart | None] | None = None,
     friction: FrictionLaw | Any = None,
     deformation: DeformationModel | Any = None,
-    solver: str | None = None,
+    viscosity: ViscosityLaw | Any = None,
+    density: DensityLaw | Any = None,
+    plasticity: PlasticityModel | Any = None,
+    solver: str | ContactSolver | Any = None,
     start: Solution | None = None,
 ) -> Solution:
     """Solves the single contact of ``scene``, surfaces as they are.
 
     ``heights`` [m], positive out of the body, shape ``(ny, nx)`` of the scene's grid: an array for the disc, a pair for ball and disc, or a
-    dictionary with the keys ``ball`` and ``disc``. ``bodies`` are ball and disc of an earlier run. ``friction`` is a law of solid contact and
-    ``deformation`` a model of the elastic bodies (:mod:`stribeck.laws`), ``solver`` the name of a solver in place of that of the scene, ``start`` a solution on the same grid whose pressures
-    are a first guess. Other threads run meanwhile; Ctrl-C ends the solve. What is unlikely to be meant is said as a
+    dictionary with the keys ``ball`` and ``disc``. ``bodies`` are ball and disc of an earlier run. ``friction`` is a law of solid contact,
+    ``deformation`` a model of the elastic bodies, ``viscosity`` and ``density`` are laws of the lubricant, ``plasticity`` is the largest pressure of the
+    bodies (:mod:`stribeck.laws`). ``solver`` is the name of a solver in place of that of the scene, or one in Python, ``start`` a solution on the same
+    grid whose pressures are a first guess. Other threads run meanwhile; Ctrl-C ends the solve. What is unlikely to be meant is said as a
     :class:`~stribeck.StribeckWarning` and stands in ``warnings`` of the solution.
 
     Not converging is a status, see :meth:`Solution.require_converged`. Raises :class:`~stribeck.InputError` with ``field`` and ``value``
@@ -109,34 +113,44 @@ def solve(
     raw = with_solver(as_scene(scene), solver)._raw
     first = None
     if start is not None:
+        instance("start", start, Solution, "a solution on the same grid")
         first = {**start.fields, "approach": start["approach"]}
-    numbers, fields = _solve(raw, parts(heights, bodies, friction, deformation) | {"growth": None, "wear": None}, first)
+    laws = {
+        "friction": friction,
+        "deformation": deformation,
+        "viscosity": viscosity,
+        "density": density,
+        "plasticity": plasticity,
+        "solver": solver,
+    }
+    numbers, fields = _solve(raw, parts(heights, bodies, laws), first)
     solution = Solution(numbers, fields)
     say(solution.warnings, 2)
     return solution
 
 
-def with_solver(scene: Scene, solver: str | None) -> Scene:
-    """The scene with the solver of this name."""
-    return scene if solver is None else scene.replace(solver={"kind": solver})
+def with_solver(scene: Scene, solver: Any) -> Scene:
+    """The scene with the solver of this name, if it is one."""
+    return scene.replace(solver={"kind": solver}) if isinstance(solver, str) else scene
 
 
 def parts(
     heights: Heights,
     bodies: tuple[BodyStart | None, BodyStart | None] | None,
-    friction: Any,
-    deformation: Any,
+    laws: dict[str, Any],
 ) -> dict[str, Any]:
     """What stands in place of parts of a scene, as the compiled module takes it."""
     ball, disc = _both(heights)
-    ball_start, disc_start = bodies if bodies is not None else (None, None)
+    ball_start, disc_start = _two("bodies", bodies) if bodies is not None else (None, None)
+    for name, body in (("ball", ball_start), ("disc", disc_start)):
+        if body is not None:
+            instance(f"bodies ({name})", body, BodyStart, "a BodyStart, as Simulation.starts() gives them")
     return {
         "ball_heights": _optional("ball heights", ball),
         "disc_heights": _optional("disc heights", disc),
         "ball_start": ball_start,
         "disc_start": disc_start,
-        "friction": pair(friction, "coefficient", "boundary friction"),
-        "deformation": deformation_triple(deformation),
+        "laws": compiled(laws),
     }
 
 
@@ -148,11 +162,17 @@ def _both(heights: Heights) -> tuple[Any, Any]:
         if stray:
             raise InputError(f"heights: unknown body {sorted(stray)[0]!r}", field="heights", value=sorted(stray)[0])
         return heights.get("ball"), heights.get("disc")
-    if isinstance(heights, tuple):
-        if len(heights) != 2:
-            raise InputError(f"heights: {len(heights)} bodies, expected ball and disc", field="heights", value=len(heights))
-        return heights
-    return None, heights
+    return _two("heights", heights) if isinstance(heights, tuple) else (None, heights)
+
+
+def _two(name: str, bodies: Any) -> tuple[Any, Any]:
+    """Something of ball and disc."""
+    if not isinstance(bodies, tuple | list):
+        raise InputError(f"{name} = {bodies!r}: must be a pair, that of the ball and that of the disc", field=name, value=bodies)
+    if len(bodies) != 2:
+        raise InputError(f"{name}: {len(bodies)} bodies, expected ball and disc", field=name, value=len(bodies))
+    ball, disc = bodies
+    return ball, disc
 
 
 def _optional(name: str, values: Any) -> npt.NDArray[np.float64] | None:
@@ -161,6 +181,8 @@ def _optional(name: str, values: Any) -> npt.NDArray[np.float64] | None:
 
 def _array(name: str, values: Any) -> npt.NDArray[np.float64]:
     try:
+        if np.iscomplexobj(values):
+            raise TypeError("complex numbers")
         array = np.ascontiguousarray(values, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise InputError(f"{name}: not an array of numbers ({error})", field=name, value=values) from None

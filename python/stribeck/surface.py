@@ -156,7 +156,7 @@ def generate(
     ``self_affine``: ``hurst``, ``roll_off``, ``shortest`` and ``longest`` [m]. Of all: ``skewness`` and ``kurtosis``, ``boundary`` ("periodic" or "open")
     and ``exact_rq`` (True: this very surface has ``rq``; False: the mean over seeds).
     """
-    from .errors import InputError
+    from .errors import InputError, number
 
     length = options.pop("length", None)
     if length is not None:
@@ -165,7 +165,7 @@ def generate(
     for name in options:
         if name not in known:
             raise InputError(f"{name}: no option of a random surface, which are {', '.join(sorted(known))}", field=name)
-    return _generate(grid._cells, kind, rq, seed, options)
+    return _generate(grid._cells, kind, number("roughness.rq", rq, "m"), seed, options)
 
 
 def dimples(grid: Grid, *, radius: float, depth: float, pitch: float, seed: int | None = None) -> Field:

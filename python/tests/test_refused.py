@@ -81,6 +81,67 @@ def test_heights_that_do_not_fit(rough: stribeck.Scene) -> None:
         rough, bodies=(stribeck.BodyStart(rough, flat, wear=-1.0 - flat), None)), "ball start wear[0]")
 
 
+def test_calls_name_their_argument(rough: stribeck.Scene) -> None:
+    dry = rough.replace(lubricant=None)
+    simulation = stribeck.Simulation(dry)
+    flat = np.zeros((32, 32))
+    for field, value, call in [
+        ("scene", 3, lambda: stribeck.solve(3)),
+        ("start", 3, lambda: stribeck.solve(dry, start=3)),
+        ("bodies", 3, lambda: stribeck.solve(dry, bodies=3)),
+        ("bodies", 1, lambda: stribeck.solve(dry, bodies=(None,))),
+        ("bodies (disc)", "new", lambda: stribeck.solve(dry, bodies=(None, "new"))),
+        ("disc heights", None, lambda: stribeck.solve(dry, heights=1j * flat)),
+        ("disc heights", (0, 0), lambda: stribeck.solve(dry, heights=np.zeros((0, 0)))),
+        ("solver.kind", "oracle", lambda: stribeck.solve(dry, solver="oracle")),
+        ("time_step", "60 s", lambda: simulation.step("60 s")),
+        ("time_step", None, lambda: simulation.run(2, None)),
+        ("time_step", -3.0, lambda: simulation.run(2, -3.0)),
+        ("steps", -1, lambda: simulation.run(-1, 60.0)),
+        ("steps", "many", lambda: simulation.run("many", 60.0)),
+        ("steps", 1.5, lambda: simulation.run(1.5, 60.0)),
+        ("steps", True, lambda: simulation.run(True, 60.0)),
+        ("callback", 3, lambda: simulation.run(2, 60.0, callback=3)),
+        ("callback", "stop", lambda: simulation.run_until(60.0, 60.0, callback="stop")),
+        ("end", "1 min", lambda: simulation.run_until("1 min", 60.0)),
+        ("end", float("inf"), lambda: simulation.run_until(float("inf"), 60.0)),
+        ("step.depth", "1 nm", lambda: simulation.step(60.0, depth="1 nm")),
+        ("step.depth", -1.0, lambda: simulation.step(60.0, depth=-1.0)),
+        ("load", "50 N", lambda: simulation.solve_under(load="50 N")),
+        ("conditions.load", -1.0, lambda: simulation.solve_under(load=-1.0)),
+        ("roughness.rq", "1 nm", lambda: stribeck.surface.generate(dry.grid, "1 nm", length=6e-5)),
+        ("roughness.rq", -1e-9, lambda: stribeck.surface.generate(dry.grid, -1e-9, length=6e-5)),
+    ]:
+        error = refused(stribeck.InputError, call, field)
+        if value is not None:
+            assert error.value == value, error
+    assert simulation.steps == 0
+
+
+def test_callbacks_and_laws_that_end_the_program(rough: stribeck.Scene) -> None:
+    dry = rough.replace(lubricant=None)
+    simulation = stribeck.Simulation(dry)
+    with pytest.raises(TypeError):
+        simulation.run(2, 60.0, callback=lambda: None)
+    assert simulation.steps == 1
+    with pytest.raises(SystemExit):
+        stribeck.solve(dry, friction=lambda *_: exit(3))
+    # What is closed when it is asked for.
+    file = open(os.devnull)  # noqa: SIM115
+    file.close()
+    error = refused(stribeck.LawError, lambda: stribeck.solve(dry, friction=lambda *_: file.read()), "boundary friction")
+    assert isinstance(error.__cause__, ValueError) and "closed file" in str(error)
+    error = refused(stribeck.LawError, lambda: stribeck.solve(dry, friction=lambda *_: next(iter(()))), "boundary friction")
+    assert isinstance(error.__cause__, StopIteration)
+
+
+def test_large_files_are_refused(tmp_path: Path) -> None:
+    with open(tmp_path / "large.toml", "wb") as large:
+        large.truncate(20_000_000)
+    error = refused(stribeck.FileError, lambda: stribeck.solve(tmp_path / "large.toml"), "path")
+    assert "20000000 bytes" in str(error) and error.value.endswith("large.toml")
+
+
 def test_solves_that_do_not_converge_say_so(rough: stribeck.Scene) -> None:
     short = rough.replace(solver={"max_iterations": 2})
     solution = stribeck.solve(short)

@@ -75,6 +75,20 @@ pub trait DensityLaw: Debug + Send + Sync {
     /// Slope of the ratio \[1/Pa\] at `pressure` \[Pa\].
     fn slope(&self, pressure: f64) -> f64;
 
+    /// Fills `ratio` from `pressure` \[Pa\]; slices of one length.
+    fn fill(&self, pressure: &[f64], ratio: &mut [f64]) {
+        for (ratio, &p) in ratio.iter_mut().zip(pressure) {
+            *ratio = self.ratio(p);
+        }
+    }
+
+    /// Fills `slope` \[1/Pa\] from `pressure` \[Pa\]; slices of one length.
+    fn fill_slopes(&self, pressure: &[f64], slope: &mut [f64]) {
+        for (slope, &p) in slope.iter_mut().zip(pressure) {
+            *slope = self.slope(p);
+        }
+    }
+
     /// The law at `temperature` \[K\], above zero; none (the default) for a law that does not know
     /// temperature.
     fn at_temperature(&self, _temperature: f64) -> Option<Box<dyn DensityLaw>> {

@@ -80,24 +80,37 @@ impl std::fmt::Debug for FluidTable {
 
 impl FluidTable {
     pub(super) fn new(viscosity: &dyn ViscosityLaw, density: &dyn DensityLaw) -> Self {
-        let ambient = viscosity.viscosity(0.0);
-        let slope = |p: f64| density.ratio(p) * ambient / viscosity.viscosity(p);
+        let filled = |pressure: &[f64], fill: &dyn Fn(&[f64], &mut [f64])| {
+            let mut values = vec![0.0; pressure.len()];
+            fill(pressure, &mut values);
+            values
+        };
+        let start = |i: usize| i as f64 * INTERVAL;
+        let nodes: Vec<f64> = (0..=INTERVALS).map(start).collect();
+        let within: Vec<f64> =
+            (0..INTERVALS).flat_map(|i| ABSCISSAS.map(|t| start(i) + t * INTERVAL)).collect();
+        let ratios = filled(&nodes, &|p, out| density.fill(p, out));
+        let ratio_slopes = filled(&nodes, &|p, out| density.fill_slopes(p, out));
+        let viscosities = filled(&nodes, &|p, out| viscosity.fill(p, out));
+        let ambient = viscosities[0];
+        let reduced_slopes = |ratios: &[f64], viscosities: &[f64]| -> Vec<f64> {
+            ratios.iter().zip(viscosities).map(|(ratio, eta)| ratio * ambient / eta).collect()
+        };
+        let at_nodes = reduced_slopes(&ratios, &viscosities);
+        let inside = reduced_slopes(
+            &filled(&within, &|p, out| density.fill(p, out)),
+            &filled(&within, &|p, out| viscosity.fill(p, out)),
+        );
         let mut table = Self { reduced: Vec::new(), density: Vec::new() };
-        let (mut reduced, mut start) = (0.0, slope(0.0));
-        for i in 0..INTERVALS {
-            let p = i as f64 * INTERVAL;
-            let end = slope(p + INTERVAL);
-            let mean: f64 = ABSCISSAS.iter().zip(WEIGHTS).map(|(t, w)| w * slope(p + t * INTERVAL)).sum();
-            table.reduced.push(Cubic::hermite(reduced, mean * INTERVAL, start * INTERVAL, end * INTERVAL));
-            let (low, high) = (density.ratio(p), density.ratio(p + INTERVAL));
-            table.density.push(Cubic::hermite(
-                low,
-                high - low,
-                density.slope(p) * INTERVAL,
-                density.slope(p + INTERVAL) * INTERVAL,
-            ));
+        let mut reduced = 0.0;
+        for (i, inside) in inside.chunks_exact(ABSCISSAS.len()).enumerate() {
+            let mean: f64 = inside.iter().zip(WEIGHTS).map(|(slope, w)| w * slope).sum();
+            let ends = |values: &[f64]| (values[i] * INTERVAL, values[i + 1] * INTERVAL);
+            let (first, last) = ends(&at_nodes);
+            table.reduced.push(Cubic::hermite(reduced, mean * INTERVAL, first, last));
+            let (first, last) = ends(&ratio_slopes);
+            table.density.push(Cubic::hermite(ratios[i], ratios[i + 1] - ratios[i], first, last));
             reduced += mean * INTERVAL;
-            start = end;
         }
         let tails = (table.reduced[INTERVALS - 1].tail(), table.density[INTERVALS - 1].tail());
         table.reduced.push(tails.0);

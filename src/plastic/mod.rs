@@ -27,6 +27,14 @@ pub trait PlasticityModel: Debug + Send + Sync {
     /// been flattened by `plastic_depth` \[m\].
     fn pressure_limit(&self, film_thickness: f64, plastic_depth: f64) -> f64;
 
+    /// Fills `out` \[Pa\] with the limits of the nodes of one body; slices of one length.
+    fn pressure_limits(&self, film_thickness: &[f64], plastic_depth: &[f64], out: &mut [f64]) {
+        let nodes = film_thickness.iter().zip(plastic_depth);
+        for (limit, (film, depth)) in out.iter_mut().zip(nodes) {
+            *limit = self.pressure_limit(*film, *depth);
+        }
+    }
+
     /// Whether the limit depends on the plastic depth: a simulation then finds limit and depth of a step
     /// together.
     fn hardens(&self) -> bool {

@@ -74,6 +74,20 @@ impl ContactSolver for Auto {
         SolverId::Auto
     }
 
+    fn check(
+        &self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+        stop: &StoppingRule,
+    ) -> Result<(), ReynoldsError> {
+        // What a lubricated problem is not solved by, another solver takes over.
+        if problem.lubricant.is_none() {
+            self.dry.check(problem, state, stop)
+        } else {
+            check_call(problem, state, stop)
+        }
+    }
+
     fn solve(
         &mut self,
         problem: &mut LubricatedContact<'_>,

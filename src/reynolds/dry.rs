@@ -148,19 +148,28 @@ impl ContactSolver for Dry {
         SolverId::Dry
     }
 
+    fn check(
+        &self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+        stop: &StoppingRule,
+    ) -> Result<(), ReynoldsError> {
+        check_call(problem, state, stop)?;
+        if problem.lubricant.is_some() {
+            let reason = "the problem has a lubricant";
+            return Err(ReynoldsError::WrongSolver { solver: self.id(), reason });
+        }
+        Ok(())
+    }
+
     fn solve(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        let grid = check_call(problem, state, stop)?;
-        if problem.lubricant.is_some() {
-            return Err(ReynoldsError::WrongSolver {
-                solver: self.id(),
-                reason: "the problem has a lubricant",
-            });
-        }
+        self.check(problem, state, stop)?;
+        let grid = problem.grid();
         let kept = self.workspace.take().filter(|w| w.1.fluid.grid == grid);
         let workspace = kept.unwrap_or_else(|| Box::new((DryStart::new(grid), Coupled::new(grid))));
         let (start, coupled) = &mut **self.workspace.insert(workspace);

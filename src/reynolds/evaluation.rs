@@ -71,7 +71,8 @@ impl Evaluation {
         problem: &LubricatedContact<'_>,
         state: &ContactState,
     ) -> Result<(), ReynoldsError> {
-        let grid = check_call(problem, state, &StoppingRule::default())?;
+        check_call(problem, state, &StoppingRule::default())?;
+        let grid = problem.grid();
         if grid != self.coupled.fluid.grid {
             self.coupled = Coupled::new(grid);
         }

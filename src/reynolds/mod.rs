@@ -43,7 +43,6 @@ pub use state::ContactState;
 use thiserror::Error;
 
 use crate::error::InputError;
-use crate::grid::Grid;
 use crate::report::SolveReport;
 use crate::solver_id::SolverId;
 use crate::with_fields::with_fields;
@@ -99,6 +98,21 @@ pub trait ContactSolver: Debug + Send + Sync {
     /// What reports call the solver; [`SolverId::Custom`] outside of the crate.
     fn id(&self) -> SolverId;
 
+    /// Refuses what [`solve`](Self::solve) would refuse before its first iteration, with the same error;
+    /// nothing is solved. The default checks problem, state and rule. A solver that is not made for every
+    /// problem says so here too.
+    ///
+    /// # Errors
+    /// As of [`solve`](Self::solve).
+    fn check(
+        &self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+        stop: &StoppingRule,
+    ) -> Result<(), ReynoldsError> {
+        check_call(problem, state, stop)
+    }
+
     /// Solves `problem` from `state` until `stop`.
     ///
     /// # Errors
@@ -111,17 +125,15 @@ pub trait ContactSolver: Debug + Send + Sync {
     ) -> Result<SolveReport, ReynoldsError>;
 }
 
-/// What every solver checks before it starts; the grid of the problem.
+/// What every solver checks before it starts.
 fn check_call(
     problem: &LubricatedContact<'_>,
     state: &ContactState,
     stop: &StoppingRule,
-) -> Result<Grid, InputError> {
+) -> Result<(), ReynoldsError> {
     problem.validate()?;
-    let grid = problem.grid();
-    state.validate(&grid)?;
-    stop.validate()?;
-    Ok(grid)
+    state.validate(&problem.grid())?;
+    Ok(stop.validate()?)
 }
 
 /// Why a solve could not be attempted.

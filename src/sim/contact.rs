@@ -11,7 +11,7 @@ use super::owned::{OwnedModel, OwnedSolver};
 use super::scene::{Motion, Scene};
 use super::solution::ContactSolution;
 use super::timetable::{Conditions, Timetable};
-use super::{SimError, setup};
+use super::{SimError, own_laws, setup};
 use crate::elastic::{HalfSpace, LayeredHalfSpace, LineHalfSpace};
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -72,6 +72,7 @@ pub(super) struct Circumstances {
     stated_film: f64,
     load: f64,
     shear_thinning: Option<ShearThinning>,
+    bulk_temperature: f64,
     flow: Option<FlowBalance>,
 }
 
@@ -113,11 +114,19 @@ impl ContactModel {
         let temperature = conditions.bulk_temperature;
         let viscosity = match overrides.viscosity {
             None => setup::viscosity(scene, temperature)?,
-            Some(law) => Some(law.at_temperature(temperature).unwrap_or(law)),
+            Some(law) => {
+                let law = law.at_temperature(temperature).unwrap_or(law);
+                own_laws::require_viscosity(&*law)?;
+                Some(law)
+            }
         };
         let density = match overrides.density {
             None => setup::density(scene, temperature)?,
-            Some(law) => Some(law.at_temperature(temperature).unwrap_or(law)),
+            Some(law) => {
+                let law = law.at_temperature(temperature).unwrap_or(law);
+                own_laws::require_density(&*law)?;
+                Some(law)
+            }
         };
         let lubricant = match (scene.is_lubricated(), viscosity, density) {
             (true, Some(viscosity), Some(density)) => Some(Lubricant::from_boxed(viscosity, density)),
@@ -166,18 +175,23 @@ impl ContactModel {
         if same && !warmed {
             return Ok(());
         }
-        if warmed {
-            self.lubricant = self.lubricant.take().map(|lubricant| lubricant.at_temperature(temperature));
-        }
+        self.warm_to(temperature);
         let (hertz, motion) = (self.hertz_under(scene, conditions.load)?, conditions.motion);
         let law = self.lubricant.as_ref().map(Lubricant::viscosity);
         let formulas = formula_film(scene, &hertz, motion.entrainment_speed, law, None)?;
         let stated_film = stated_film(scene, &hertz, conditions, law)?;
         let shear_thinning = scene.friction.shear_thinning(motion.sliding_speed())?;
         (self.hertz, self.motion, self.formulas, self.stated_film) = (hertz, motion, formulas, stated_film);
-        (self.load, self.shear_thinning, self.bulk_temperature) =
-            (conditions.load, shear_thinning, temperature);
+        (self.load, self.shear_thinning) = (conditions.load, shear_thinning);
         Ok(())
+    }
+
+    /// Takes the lubricant to a bulk `temperature` \[K\].
+    fn warm_to(&mut self, temperature: f64) {
+        if temperature.to_bits() != self.bulk_temperature.to_bits() {
+            self.lubricant = self.lubricant.take().map(|lubricant| lubricant.at_temperature(temperature));
+            self.bulk_temperature = temperature;
+        }
     }
 
     /// What [`ContactModel::put_under`] and [`ContactModel::solve`] change.
@@ -189,6 +203,7 @@ impl ContactModel {
             stated_film: self.stated_film,
             load: self.load,
             shear_thinning: self.shear_thinning,
+            bulk_temperature: self.bulk_temperature,
             flow: self.flow,
         }
     }
@@ -201,6 +216,7 @@ impl ContactModel {
         self.stated_film = before.stated_film;
         self.load = before.load;
         self.shear_thinning = before.shear_thinning;
+        self.warm_to(before.bulk_temperature);
         self.flow = before.flow;
     }
 
@@ -209,18 +225,16 @@ impl ContactModel {
         self.formulas.map_or(0.0, |formulas| formulas.central)
     }
 
-    /// Solves the contact with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`,
-    /// from `state`.
-    pub(super) fn solve(
-        &mut self,
-        gap: &[f64],
-        limit: Option<&[f64]>,
-        squeeze: Option<Squeeze<'_>>,
-        state: &mut ContactState,
-    ) -> Result<SolveReport, SimError> {
+    /// The contact with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`, what
+    /// solves it and what measures it.
+    fn problem<'a>(
+        &'a mut self,
+        gap: &'a [f64],
+        limit: Option<&'a [f64]>,
+        squeeze: Option<Squeeze<'a>>,
+    ) -> (LubricatedContact<'a>, &'a mut dyn OwnedSolver, Option<&'a mut Evaluation>) {
         let reference_film = self.formula_film().min(self.supplied_film.unwrap_or(f64::INFINITY));
-        let heeded = self.deformation.begin();
-        let mut problem = LubricatedContact {
+        let problem = LubricatedContact {
             gap,
             deformation: &mut self.deformation,
             lubricant: self.lubricant.as_ref(),
@@ -239,16 +253,42 @@ impl ContactModel {
             reference_pressure: self.hertz.p_max,
             reference_film,
         };
-        let solved = self.solver.solve(&mut problem, state, &self.rule);
-        let solved = match (solved, self.evaluation.as_mut().filter(|_| self.confirms)) {
-            (Ok(report), Some(evaluation)) => confirmed(report, evaluation, &mut problem, state, &self.rule),
+        (problem, self.solver.as_mut(), self.evaluation.as_mut())
+    }
+
+    /// Refuses what [`ContactModel::solve`] refuses before the first iteration.
+    pub(super) fn check(
+        &mut self,
+        gap: &[f64],
+        limit: Option<&[f64]>,
+        state: &ContactState,
+    ) -> Result<(), ReynoldsError> {
+        let rule = self.rule;
+        let (problem, solver, _) = self.problem(gap, limit, None);
+        solver.check(&problem, state, &rule)
+    }
+
+    /// Solves the contact with the undeformed gap `gap`, pressure limit `limit` and squeeze term `squeeze`,
+    /// from `state`.
+    pub(super) fn solve(
+        &mut self,
+        gap: &[f64],
+        limit: Option<&[f64]>,
+        squeeze: Option<Squeeze<'_>>,
+        state: &mut ContactState,
+    ) -> Result<SolveReport, SimError> {
+        let (heeded, rule, confirms) = (self.deformation.begin(), self.rule, self.confirms);
+        let (mut problem, solver, mut evaluation) = self.problem(gap, limit, squeeze);
+        let solved = solver.solve(&mut problem, state, &rule);
+        let solved = match (solved, evaluation.as_mut().filter(|_| confirms)) {
+            (Ok(report), Some(evaluation)) => confirmed(report, evaluation, &mut problem, state, &rule),
             (solved, _) => solved,
         };
         if heeded.load(Ordering::Relaxed) {
             return Err(SimError::Interrupted);
         }
         let report = solved?;
-        self.flow = match &mut self.evaluation {
+        self.flow = match evaluation {
             Some(evaluation) => evaluation.flow_balance(&problem, state)?,
             None => None,
         };

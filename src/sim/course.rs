@@ -3,12 +3,11 @@
 use std::path::Path;
 
 use super::scene::Schedule;
+use super::text_file;
 use crate::error::InputError;
 
 /// A time that is short of an entry by less than this share of it has reached it: sums of steps are rounded.
 const ROUNDING: f64 = 1e-9;
-/// Larger files are refused.
-const MAX_FILE: u64 = 1 << 26;
 
 /// A quantity as a function of time, valid at every time from 0 on.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,11 +107,7 @@ pub(super) fn read_table(path: &Path, field: &str) -> Result<(Vec<f64>, Vec<f64>
         field: format!("{field}.path"),
         reason: format!("{}: {reason}", path.display()),
     };
-    let size = std::fs::metadata(path).map_err(|error| unusable(error.to_string()))?.len();
-    if size > MAX_FILE {
-        return Err(unusable(format!("{size} bytes, more than a table of times and values has")));
-    }
-    let text = std::fs::read_to_string(path).map_err(|error| unusable(error.to_string()))?;
+    let text = text_file::read(path).map_err(|error| unusable(error.to_string()))?;
     let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
     let mut lines = lines.filter(|(_, line)| !line.trim().is_empty() && !line.trim().starts_with('#'));
     let (mut times, mut values) = (Vec::new(), Vec::new());

@@ -74,34 +74,42 @@ pub(super) fn refuse_history(scene: &Scene) -> Result<(), InputError> {
 
 /// What stays the same from solve to solve.
 pub(super) struct Surroundings<'a> {
-    pub(super) scene: &'a Scene,
     pub(super) laws: &'a Laws,
     pub(super) gap: &'a [f64],
     pub(super) limit: Option<&'a [f64]>,
     pub(super) tribofilms: &'a [Vec<f64>; 2],
 }
 
-/// Solves the contact as [`ContactModel::solve`] does and, where the scene asks for the temperature of the
-/// film, again with the viscosities that belong to it, until both agree; overwrites `friction` with the
-/// stresses of the warm film. Where they do not agree within [`MAX_SOLVES`] the status is
+/// What finds the temperature of the film; none where the scene does not ask for it.
+pub(super) fn temperature(
+    scene: &Scene,
+    model: &ContactModel,
+) -> Result<Option<FilmTemperature>, InputError> {
+    let Some(properties) = scene.lubricant.and_then(|lubricant| lubricant.thermal) else { return Ok(None) };
+    if model.lubricant.is_none() {
+        return Ok(None);
+    }
+    let (bodies, speeds) = (scene.thermal_bodies(), model.motion.surface_speeds());
+    FilmTemperature::new(&model.grid, properties, bodies, speeds).map(Some)
+}
+
+/// Solves the contact as [`ContactModel::solve`] does and, with a `temperature` of the film, again with the
+/// viscosities that belong to it, until both agree; overwrites `friction` with the stresses of the warm film.
+/// Where they do not agree within [`MAX_SOLVES`] the status is
 /// [`Status::MaxIterations`].
 pub(super) fn solve(
     given: &Surroundings<'_>,
+    temperature: Option<FilmTemperature>,
     model: &mut ContactModel,
     state: &mut ContactState,
     friction: &mut FrictionFields,
 ) -> Result<(SolveReport, Option<FilmHeatNumbers>), SimError> {
     let report = model.solve(given.gap, given.limit, None, state)?;
-    let properties = given.scene.lubricant.and_then(|lubricant| lubricant.thermal);
     let known = is_known(state);
     if known {
         friction.update(model, state, given.laws.friction.as_ref(), given.tribofilms)?;
     }
-    let (Some(properties), Some(_), true) = (properties, &model.lubricant, known) else {
-        return Ok((report, None));
-    };
-    let (bodies, speeds) = (given.scene.thermal_bodies(), model.motion.surface_speeds());
-    let temperature = FilmTemperature::new(&model.grid, properties, bodies, speeds)?;
+    let (Some(temperature), true) = (temperature, known) else { return Ok((report, None)) };
     let zeros = vec![0.0; state.film.len()];
     Loop { temperature, used: zeros.clone(), residual: zeros, mixing: Mixing::default() }.run(
         given,

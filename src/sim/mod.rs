@@ -26,6 +26,7 @@ mod mixing;
 #[cfg(feature = "npz")]
 mod npz;
 mod observer;
+mod own_laws;
 mod owned;
 mod per_body;
 mod record;
@@ -43,6 +44,7 @@ mod start;
 #[cfg(all(feature = "formats", feature = "npz"))]
 mod start_file;
 mod step_control;
+mod text_file;
 mod timetable;
 mod track;
 #[cfg(feature = "vtk")]

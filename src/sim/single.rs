@@ -1,6 +1,7 @@
 //! Single contacts through the builder of simulations: one path for scenes, heights in memory, own parts and
 //! finer meshes.
 
+use super::accuracy::Meshes;
 use super::body::Body;
 use super::builder::SimBuilder;
 use super::contact::ContactModel;
@@ -11,11 +12,13 @@ use super::scene::{GridSpec, Scene};
 use super::simulation::Laws;
 use super::solution::{ContactSolution, Numbers, StressNumbers, is_known};
 use super::track::track_rq;
+use super::warnings::Warning;
 use super::yielding::Yielding;
-use super::{SimError, accuracy, setup, warnings};
+use super::{SimError, setup, warnings};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::ContactState;
+use crate::thermal::FilmTemperature;
 
 impl SimBuilder {
     /// Solves the single contact of the bodies as they stand, in the first position of their roughness and at
@@ -40,9 +43,45 @@ impl SimBuilder {
     /// assert!(again.report.work.iterations < first.report.work.iterations);
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
-    pub fn solve(mut self) -> Result<ContactSolution, SimError> {
+    pub fn solve(self) -> Result<ContactSolution, SimError> {
         let scene = self.scene.clone();
-        let mut solution = if needs_meshes(&scene) {
+        let mut solution = match self.begin()? {
+            Begun::Mesh(contact) => contact.solve()?,
+            Begun::Meshes(meshes) => meshes.solve()?,
+        };
+        let found = warnings::after_solve(&scene, &solution);
+        solution.warnings.extend(found);
+        Ok(solution)
+    }
+
+    /// Goes as far as [`solve`](Self::solve) does before the first iteration of its solver, and solves
+    /// nothing. Returns the warnings that are known by then.
+    ///
+    /// # Errors
+    /// What [`solve`](Self::solve) refuses before its first iteration, with the same error.
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut scene = Scene::azam_2019(32);
+    /// let warnings = MixedLubricationSim::builder(scene.clone()).check()?;
+    /// assert_eq!(warnings, scene.warnings());
+    /// scene.plastic.as_mut().unwrap().hardness = 1e6; // carries less than the load
+    /// let [checked, solved] =
+    ///     [MixedLubricationSim::builder(scene.clone()).check().err(), MixedLubricationSim::builder(scene).solve().err()]
+    ///         .map(|error| error.map(|error| error.to_string()));
+    /// assert!(checked.is_some() && checked == solved);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn check(self) -> Result<Vec<Warning>, SimError> {
+        Ok(match self.begin()? {
+            Begun::Mesh(contact) => contact.warnings,
+            Begun::Meshes(meshes) => meshes.into_warnings(),
+        })
+    }
+
+    /// Everything that can be refused is refused here.
+    fn begin(mut self) -> Result<Begun, SimError> {
+        if needs_meshes(&self.scene) {
             if let Some(part) = self.own_part() {
                 return Err(SimError::Input(InputError::Conflict {
                     field: part.to_owned(),
@@ -50,24 +89,22 @@ impl SimBuilder {
                         .to_owned(),
                 }));
             }
-            accuracy::solve(&scene, self.overrides.interrupt.as_ref())?
-        } else {
-            let start = self.contact_start.take();
-            let own_heights = self.own_heights();
-            self.solve_from(own_heights, |grid| Ok(start.unwrap_or_else(|| ContactState::new(grid))))?
-        };
-        let found = warnings::after_solve(&scene, &solution);
-        solution.warnings.extend(found);
-        Ok(solution)
+            let meshes = Meshes::new(&self.scene, self.overrides.interrupt.as_ref())?;
+            return Ok(Begun::Meshes(Box::new(meshes)));
+        }
+        let start = self.contact_start.take();
+        let own_heights = self.own_heights();
+        let start = |grid: &Grid| Ok(start.unwrap_or_else(|| ContactState::new(grid)));
+        Ok(Begun::Mesh(Box::new(self.prepare(own_heights, start)?)))
     }
 
-    /// The same on the grid of the scene alone, from what `start` makes; `own_heights` are in place of those
-    /// of the scene.
-    pub(super) fn solve_from(
+    /// The contact on the grid of the scene alone, from what `start` makes; `own_heights` are in place of
+    /// those of the scene.
+    pub(super) fn prepare(
         mut self,
         own_heights: [bool; 2],
         start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
-    ) -> Result<ContactSolution, SimError> {
+    ) -> Result<Prepared, SimError> {
         self.scene.schedule.read_tables()?;
         let overrides = std::mem::take(&mut self.overrides);
         let mut contact = ContactModel::new(&self.scene, overrides)?;
@@ -80,8 +117,9 @@ impl SimBuilder {
         let warnings = self.warnings(own_heights, &contact, &bodies);
         contact.face_mobility = self.face_mobility(own_heights, &bodies);
         let state = start(&contact.grid)?;
-        let solution = solve_bodies(&self.scene, contact, &bodies, &laws, state)?;
-        Ok(ContactSolution { warnings, ..solution })
+        let mut prepared = Prepared::new(self.scene, contact, bodies, laws, state)?;
+        prepared.warnings = warnings;
+        Ok(prepared)
     }
 
     /// The first part that was put in place of one of the scene.
@@ -113,57 +151,95 @@ fn needs_meshes(scene: &Scene) -> bool {
     asked || matches!(scene.grid, GridSpec::Accuracy { .. })
 }
 
-/// Solves the contact on the grid of the scene from the state that `start` makes.
-pub(super) fn solve_on_grid(
+/// The contact on the grid of the scene from the state that `start` makes.
+pub(super) fn prepare_on_grid(
     scene: &Scene,
     interrupt: Option<&Interrupt>,
     start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
-) -> Result<ContactSolution, SimError> {
+) -> Result<Prepared, SimError> {
     let mut builder = SimBuilder::new(scene.clone());
     builder.overrides.interrupt = interrupt.cloned();
-    builder.solve_from([false; 2], start)
+    builder.prepare([false; 2], start)
 }
 
 /// The same with the heights of ball and disc on this grid given \[m\].
-pub(super) fn solve_heights(
+pub(super) fn prepare_heights(
     scene: &Scene,
     interrupt: Option<&Interrupt>,
     [ball, disc]: [Vec<f64>; 2],
-) -> Result<ContactSolution, SimError> {
+) -> Result<Prepared, SimError> {
     let mut builder = SimBuilder::new(scene.clone()).ball_heights(ball).disc_heights(disc);
     builder.overrides.interrupt = interrupt.cloned();
     // They are those of the scene on another mesh.
-    builder.solve_from([false; 2], |grid| Ok(ContactState::new(grid)))
+    builder.prepare([false; 2], |grid| Ok(ContactState::new(grid)))
 }
 
-/// Solves the contact of `bodies` as they stand from `state`.
-fn solve_bodies(
-    scene: &Scene,
-    mut model: ContactModel,
-    bodies: &[Body; 2],
-    laws: &Laws,
-    mut state: ContactState,
-) -> Result<ContactSolution, SimError> {
-    let grid = model.grid;
-    let [ball, disc] = bodies;
-    let heights = ball.surface().iter().zip(disc.surface());
-    let gap: Vec<f64> = model.form_gap.iter().zip(heights).map(|(form, (b, d))| form - b - d).collect();
-    let films = [ball, disc].map(|body| body.film_thickness().to_vec());
-    let limit = match &laws.plasticity {
-        None => None,
-        Some(plasticity) => {
-            let depths = [ball, disc].map(|body| body.plastic_depth().to_vec());
-            let mut yielding = Yielding::new(grid.len());
-            yielding.start(plasticity, &films, &depths)?;
-            Some(yielding.limit)
-        }
-    };
-    let mut friction = FrictionFields::new(scene, grid.len())?;
-    let given = Surroundings { scene, laws, gap: &gap, limit: limit.as_deref(), tribofilms: &films };
-    let (report, film_heat) = film_heat::solve(&given, &mut model, &mut state, &mut friction)?;
-    let known = is_known(&state);
-    let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
-    let rq = [ball, disc].map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
-    let stress = if known { StressNumbers::of(scene, &model, &state, &friction)? } else { None };
-    Ok(ContactSolution { stress, film_heat, ..model.solution((report, state), gap, numbers, rq) })
+/// A contact of which nothing is solved yet and all that can be refused has been.
+enum Begun {
+    Mesh(Box<Prepared>),
+    Meshes(Box<Meshes>),
+}
+
+/// The contact of two bodies as they stand, on one mesh, before its first iteration.
+pub(super) struct Prepared {
+    scene: Scene,
+    model: ContactModel,
+    laws: Laws,
+    state: ContactState,
+    /// Undeformed gap \[m\].
+    gap: Vec<f64>,
+    /// Largest pressure per node \[Pa\]; none in an elastic contact.
+    limit: Option<Vec<f64>>,
+    /// Tribofilms of ball and disc \[m\].
+    tribofilms: [Vec<f64>; 2],
+    friction: FrictionFields,
+    /// Of the film; none where it has the bulk temperature.
+    temperature: Option<FilmTemperature>,
+    /// Root mean square heights of ball and disc on the track \[m\].
+    rq: [f64; 2],
+    pub(super) warnings: Vec<Warning>,
+}
+
+impl Prepared {
+    /// Everything that a solve refuses before its first iteration is refused here.
+    fn new(
+        scene: Scene,
+        mut model: ContactModel,
+        bodies: [Body; 2],
+        laws: Laws,
+        state: ContactState,
+    ) -> Result<Self, SimError> {
+        let grid = model.grid;
+        let [ball, disc] = &bodies;
+        let heights = ball.surface().iter().zip(disc.surface());
+        let gap: Vec<f64> = model.form_gap.iter().zip(heights).map(|(form, (b, d))| form - b - d).collect();
+        let tribofilms = [ball, disc].map(|body| body.film_thickness().to_vec());
+        let limit = match &laws.plasticity {
+            None => None,
+            Some(plasticity) => {
+                let depths = [ball, disc].map(|body| body.plastic_depth().to_vec());
+                let mut yielding = Yielding::new(grid.len());
+                yielding.start(plasticity, &tribofilms, &depths)?;
+                Some(yielding.limit)
+            }
+        };
+        let friction = FrictionFields::new(&scene, grid.len())?;
+        let temperature = film_heat::temperature(&scene, &model)?;
+        let rq = [ball, disc].map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
+        model.check(&gap, limit.as_deref(), &state)?;
+        let warnings = Vec::new();
+        Ok(Self { scene, model, laws, state, gap, limit, tribofilms, friction, temperature, rq, warnings })
+    }
+
+    pub(super) fn solve(self) -> Result<ContactSolution, SimError> {
+        let Self { scene, mut model, laws, mut state, gap, limit, tribofilms, mut friction, .. } = self;
+        let given = Surroundings { laws: &laws, gap: &gap, limit: limit.as_deref(), tribofilms: &tribofilms };
+        let (report, film_heat) =
+            film_heat::solve(&given, self.temperature, &mut model, &mut state, &mut friction)?;
+        let known = is_known(&state);
+        let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
+        let stress = if known { StressNumbers::of(&scene, &model, &state, &friction)? } else { None };
+        let solution = model.solution((report, state), gap, numbers, self.rq);
+        Ok(ContactSolution { stress, film_heat, warnings: self.warnings, ..solution })
+    }
 }

@@ -10,6 +10,8 @@ pub(super) struct Yielding {
     /// Pressure limit of the pair \[Pa\].
     pub(super) limit: Vec<f64>,
     body_limits: [Vec<f64>; 2],
+    /// Limits of the bodies once they have given way \[Pa\].
+    hardened: [Vec<f64>; 2],
     /// What each body gives way \[m\].
     pub(super) split: [Vec<f64>; 2],
 }
@@ -17,7 +19,8 @@ pub(super) struct Yielding {
 impl Yielding {
     pub(super) fn new(n: usize) -> Self {
         let zeros = || vec![0.0; n];
-        Self { limit: zeros(), body_limits: [zeros(), zeros()], split: [zeros(), zeros()] }
+        let pair = || [zeros(), zeros()];
+        Self { limit: zeros(), body_limits: pair(), hardened: pair(), split: pair() }
     }
 
     /// Limits of the bodies as they lie opposite each other with `films` and `depths` \[m\].
@@ -28,9 +31,9 @@ impl Yielding {
         depths: &[Vec<f64>; 2],
     ) -> Result<(), InputError> {
         for (body, model) in models.each().into_iter().enumerate() {
-            let nodes = films[body].iter().zip(&depths[body]);
-            for (limit, (film, depth)) in self.body_limits[body].iter_mut().zip(nodes) {
-                *limit = model.pressure_limit(*film, *depth);
+            model.pressure_limits(&films[body], &depths[body], &mut self.body_limits[body]);
+            for &limit in &self.body_limits[body] {
+                InputError::require(limit > 0.0, "pressure limit of the law", limit, "above 0")?;
             }
         }
         let Some(model) = models.common() else {
@@ -54,12 +57,18 @@ impl Yielding {
         compliance: f64,
     ) -> f64 {
         let mut largest = 0.0_f64;
-        let each = models.each();
+        for k in 0..plastic.len() {
+            let split = split_depth(plastic[k], [self.body_limits[0][k], self.body_limits[1][k]]);
+            for body in 0..2 {
+                self.split[body][k] = depths[body][k] + split[body];
+            }
+        }
+        for (body, model) in models.each().into_iter().enumerate() {
+            model.pressure_limits(&films[body], &self.split[body], &mut self.hardened[body]);
+        }
         for (k, limit) in self.limit.iter_mut().enumerate() {
             let softer = self.body_limits[0][k].min(self.body_limits[1][k]);
-            let split = split_depth(plastic[k], [self.body_limits[0][k], self.body_limits[1][k]]);
-            let [first, second] =
-                [0, 1].map(|body| each[body].pressure_limit(films[body][k], depths[body][k] + split[body]));
+            let (first, second) = (self.hardened[0][k], self.hardened[1][k]);
             let distance = first.min(second) - *limit;
             largest = largest.max(distance.abs() / *limit);
             let slope =

@@ -54,7 +54,8 @@ pub fn viscosity_law(law: &dyn ViscosityLaw) -> Result<(), Violation> {
 }
 
 /// Checks `law` against the contract of [`DensityLaw`]: the ratio is finite, 1 at ambient pressure, not
-/// falling with pressure, pressures below zero counting as zero, the slope that of the ratio.
+/// falling with pressure, pressures below zero counting as zero, the slope that of the ratio,
+/// whole fields like single values.
 ///
 /// # Errors
 /// The first violation.
@@ -69,9 +70,17 @@ pub fn density_law(law: &dyn DensityLaw) -> Result<(), Violation> {
     contract.require(close(ambient, 1.0, 1.0, 1e-12), "the ratio is 1 at ambient pressure", || {
         format!("{ambient}")
     })?;
+    let (mut ratios, mut ratio_slopes) = (PRESSURES, PRESSURES);
+    law.fill(&PRESSURES, &mut ratios);
+    law.fill_slopes(&PRESSURES, &mut ratio_slopes);
     let mut lower = 0.0;
-    for p in PRESSURES {
+    for (p, filled) in PRESSURES.into_iter().zip(ratios.into_iter().zip(ratio_slopes)) {
         let ratio = law.ratio(p);
+        contract.require(
+            same(filled.0, ratio) && same(filled.1, law.slope(p)),
+            "fields are filled with the same values",
+            || format!("{filled:?}, {ratio} and {} 1/Pa at {p} Pa", law.slope(p)),
+        )?;
         contract.require(
             ratio.is_finite() && ratio >= lower,
             "density does not fall with pressure",

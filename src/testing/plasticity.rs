@@ -33,6 +33,14 @@ pub fn plasticity_model(model: &dyn PlasticityModel) -> Result<(), Violation> {
             lower = limit;
         }
     }
+    let mut filled = DEPTHS;
+    model.pressure_limits(&FILMS, &DEPTHS, &mut filled);
+    for (k, limit) in filled.into_iter().enumerate() {
+        let single = model.pressure_limit(FILMS[k], DEPTHS[k]);
+        contract.require(same(limit, single), "fields are filled with the same values", || {
+            format!("{limit} and {single} Pa")
+        })?;
+    }
     let mut backwards = (FILMS, DEPTHS);
     backwards.0.reverse();
     backwards.1.reverse();

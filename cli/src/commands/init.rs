@@ -14,8 +14,11 @@ use crate::output::{self, Outcome};
 
 /// Half a side of the box in Hertz half-widths.
 const BOX: f64 = 1.7;
-/// Longest inlet in half-widths: longer ones take more cells than a first scene should.
+/// Longest inlet in half-widths on cells of the usual size: longer ones take wider cells, which thicker films
+/// allow.
 const LONGEST_INLET: f64 = 6.0;
+/// Longest inlet over the radius: further out a ball is no paraboloid.
+const LARGEST_SLOPE: f64 = 0.3;
 /// Cells in the length of the roughness: where it is not given, and at least.
 const CELLS_IN_LENGTH: f64 = 4.0;
 const FEWEST_IN_LENGTH: f64 = 3.0;
@@ -167,11 +170,20 @@ fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>>
     let bodies = bodies(answers)?;
     let trial = Scene::from_toml(&format!("{bodies}{}", grid([1.0; 2], [16; 2])))?;
     let half_width = trial.hertz()?.a_x;
-    let half_side = rounded(BOX * half_width);
     let smooth = answers.roughness.value == 0.0;
     let cells = options.cells.unwrap_or(if smooth { 128 } else { 64 });
-    let cell = 2.0 * half_side / f64::from(cells);
     let inlet = half_width * flooded_inlet(&trial, half_width)?;
+    if inlet > LARGEST_SLOPE * answers.radius.value {
+        return Err(format!(
+            "--speed = {}: the oil carries the ball on a film that fills an inlet of {} mm, more than {LARGEST_SLOPE} of the radius; less \
+             speed or viscosity, or more load",
+            answers.speed.text,
+            plain(1e3 * inlet)
+        )
+        .into());
+    }
+    let half_side = rounded(BOX * half_width.max(inlet / LONGEST_INLET));
+    let cell = 2.0 * half_side / f64::from(cells);
     let more = ((inlet - half_side) / cell).ceil().max(0.0);
     let mut text =
         format!("{bodies}{}", grid([half_side + more * cell, half_side], [cells + more as u32, cells]));
@@ -181,13 +193,13 @@ fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>>
     Ok(text)
 }
 
-/// Distance of the inlet edge from the middle, in half-widths, from which on the oil floods the contact, as
-/// far as the box reaches: `1 + 3.06 ((R/a)^2 H)^0.58` with the film `H` by formula over the radius (Hamrock
-/// and Dowson 1977, starvation).
+/// Distance of the inlet edge from the middle, in half-widths, from which on the oil floods the contact:
+/// `1 + 3.06 ((R/a)^2 H)^0.58` with the film `H` by formula over the radius (Hamrock and Dowson 1977,
+/// starvation).
 fn flooded_inlet(scene: &Scene, half_width: f64) -> Result<f64, InputError> {
     let (radius, _) = scene.form.radii();
-    let film = scene.formula_film()?.map_or(0.0, |formula| formula.central);
-    Ok((1.0 + 3.06 * (radius * film / (half_width * half_width)).powf(0.58)).clamp(BOX, LONGEST_INLET))
+    let film = scene.formula_film()?.map_or(0.0, |formula| formula.all_regimes.unwrap_or(formula.central));
+    Ok((1.0 + 3.06 * (radius * film / (half_width * half_width)).powf(0.58)).max(BOX))
 }
 
 /// All of the scene that does not depend on the size of the contact.

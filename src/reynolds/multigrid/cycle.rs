@@ -73,13 +73,17 @@ pub(super) struct Hierarchy {
 }
 
 impl Hierarchy {
+    /// Whether a model knows the bodies on the coarsest of its grids.
+    pub(super) fn has_bodies(body: &dyn DeformationModel) -> bool {
+        match grids(body.grid()).as_slice() {
+            [coarsest, _, ..] => body.on_grid(*coarsest).is_some(),
+            _ => true,
+        }
+    }
+
     /// Grids for a body; none where the model lives on one grid alone.
     pub(super) fn new(body: &dyn DeformationModel) -> Option<Self> {
-        let mut grids = vec![body.grid()];
-        while let Some(next) = grids.last().and_then(coarser) {
-            grids.push(next);
-        }
-        grids.reverse();
+        let grids = grids(body.grid());
         let coarse = grids.len() - 1;
         let bodies = grids[..coarse].iter().map(|grid| body.on_grid(*grid)).collect::<Option<Vec<_>>>()?;
         let mut levels: Vec<Level> = grids.iter().map(|grid| Level::new(*grid)).collect();
@@ -446,6 +450,16 @@ fn expected_film(problem: &LubricatedContact<'_>) -> f64 {
 fn pair(levels: &mut [Level], l: usize) -> (&mut Level, &mut Level) {
     let (coarse, fine) = levels.split_at_mut(l + 1);
     (&mut coarse[l], &mut fine[0])
+}
+
+/// The grids over the box of `finest`, coarsest first.
+fn grids(finest: Grid) -> Vec<Grid> {
+    let mut grids = vec![finest];
+    while let Some(next) = grids.last().and_then(coarser) {
+        grids.push(next);
+    }
+    grids.reverse();
+    grids
 }
 
 /// The grid of half the nodes along both axes over the same box; none below [`SMALLEST`].

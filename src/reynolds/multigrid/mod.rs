@@ -38,6 +38,7 @@ const ROUGHNESS: f64 = 0.1;
 const LIMIT_OVER_REFERENCE: f64 = 1.2;
 /// Nodes along each axis below which there is nothing to coarsen.
 const SMALLEST_GRID: usize = 32;
+const ONE_GRID: &str = "the deformation model lives on one grid alone";
 
 /// Full multigrid in the manner of Lubrecht, Venner and Brandt: W cycles of the full approximation scheme,
 /// hybrid line relaxation, the approach balanced on the coarsest grid alone.
@@ -106,6 +107,20 @@ impl Multigrid {
             && expects_full_film(problem, EXPECTED_OVER_CONTACT)
     }
 
+    /// Refuses what no hierarchy of grids changes; the lubricant of the problem.
+    fn checked<'a>(
+        &self,
+        problem: &LubricatedContact<'a>,
+        state: &ContactState,
+        stop: &StoppingRule,
+    ) -> Result<&'a Lubricant, ReynoldsError> {
+        check_call(problem, state, stop)?;
+        if problem.grid().ny() == 1 {
+            return Err(self.wrong("a line contact has no second axis to coarsen"));
+        }
+        problem.lubricant.ok_or_else(|| self.wrong("the problem has no lubricant"))
+    }
+
     fn wrong(&self, reason: &'static str) -> ReynoldsError {
         ReynoldsError::WrongSolver { solver: self.id(), reason }
     }
@@ -120,7 +135,7 @@ impl Multigrid {
             Some(workspace) => workspace,
             None => {
                 let Some(hierarchy) = Hierarchy::new(&*problem.deformation) else {
-                    return Err(self.wrong("the deformation model lives on one grid alone"));
+                    return Err(self.wrong(ONE_GRID));
                 };
                 Box::new(Workspace {
                     hierarchy,
@@ -140,20 +155,24 @@ impl ContactSolver for Multigrid {
         SolverId::Multigrid
     }
 
+    fn check(
+        &self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+        stop: &StoppingRule,
+    ) -> Result<(), ReynoldsError> {
+        self.checked(problem, state, stop)?;
+        if Hierarchy::has_bodies(&*problem.deformation) { Ok(()) } else { Err(self.wrong(ONE_GRID)) }
+    }
+
     fn solve(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        let grid = check_call(problem, state, stop)?;
-        let Some(lubricant) = problem.lubricant else {
-            return Err(self.wrong("the problem has no lubricant"));
-        };
-        if grid.ny() == 1 {
-            return Err(self.wrong("a line contact has no second axis to coarsen"));
-        }
-        let solver = self.id();
+        let lubricant = self.checked(problem, state, stop)?;
+        let (solver, grid) = (self.id(), problem.grid());
         let hand_over = self.hand_over;
         let workspace = self.workspace(problem, grid)?;
         let mut work = Work::default();

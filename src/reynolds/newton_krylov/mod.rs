@@ -169,25 +169,34 @@ impl ContactSolver for NewtonKrylov {
         SolverId::NewtonKrylov
     }
 
+    fn check(
+        &self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+        stop: &StoppingRule,
+    ) -> Result<(), ReynoldsError> {
+        check_call(problem, state, stop)?;
+        if problem.is_paper() {
+            let reason = "it needs fluid and solid pressure apart, which the paper's contact does not know";
+            return Err(ReynoldsError::WrongSolver { solver: self.id(), reason });
+        }
+        Ok(())
+    }
+
     fn solve(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        check_call(problem, state, stop)?;
-        let solver = self.id();
-        if problem.is_paper() {
-            let reason = "it needs fluid and solid pressure apart, which the paper's contact does not know";
-            return Err(ReynoldsError::WrongSolver { solver, reason });
-        }
+        self.check(problem, state, stop)?;
         // Films and cavitation are others on the way.
         let problem = &mut problem.copied();
         let workspace = self.workspace(problem);
         workspace.preconditioner.configure(problem)?;
         let (status, residuals) = workspace.run(problem, state, stop)?;
         workspace.coupled.mark_contact(problem, state);
-        Ok(SolveReport::new(solver, status, residuals)
+        Ok(SolveReport::new(SolverId::NewtonKrylov, status, residuals)
             .with_work(workspace.work)
             .with_strategy(workspace.best_strategy)
             .with_residual_history(workspace.history.clone()))

@@ -96,17 +96,28 @@ impl ContactSolver for SemiSystem {
         SolverId::SemiSystem
     }
 
+    fn check(
+        &self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+        stop: &StoppingRule,
+    ) -> Result<(), ReynoldsError> {
+        check_call(problem, state, stop)?;
+        if problem.lubricant.is_none() {
+            let reason = "the problem has no lubricant";
+            return Err(ReynoldsError::WrongSolver { solver: self.id(), reason });
+        }
+        Ok(())
+    }
+
     fn solve(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        let solver = self.id();
-        let grid = check_call(problem, state, stop)?;
-        if problem.lubricant.is_none() {
-            return Err(ReynoldsError::WrongSolver { solver, reason: "the problem has no lubricant" });
-        }
+        self.check(problem, state, stop)?;
+        let (solver, grid) = (self.id(), problem.grid());
         if !problem.is_paper() {
             let report = self.relaxed.solve(problem, state, stop)?;
             let Work { iterations, inner_iterations, .. } = report.work;

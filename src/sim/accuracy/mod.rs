@@ -10,6 +10,7 @@ use super::interrupt::Interrupt;
 use super::scene::{GridSpec, Scene};
 use super::setup;
 use super::solution::ContactSolution;
+use super::warnings::Warning;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::Work;
@@ -40,27 +41,55 @@ pub struct ErrorEstimate {
     pub friction_coefficient: f64,
 }
 
-/// Solves the single contact of `scene` on meshes of its own choice and estimates its errors.
-///
-/// # Errors
-/// A scene that does not fit, an accuracy out of range, surfaces that are not known on other meshes.
-pub(super) fn solve(scene: &Scene, interrupt: Option<&Interrupt>) -> Result<ContactSolution, SimError> {
-    let smooth = scene.is_smooth();
-    match (scene.grid, scene.solver.accuracy) {
-        (GridSpec::Accuracy { .. }, Some(_)) => Err(SimError::Input(InputError::Conflict {
-            field: "solver.accuracy".to_owned(),
-            reason: "it is for given cells, grid.accuracy stands in its place".to_owned(),
-        })),
-        (GridSpec::Accuracy { accuracy }, None) => {
-            setup::validate_accuracy("grid.accuracy", accuracy)?;
-            if smooth {
-                smooth::solve(scene, accuracy, interrupt)
-            } else {
-                rough::on_own_grid(scene, accuracy, interrupt)
+/// The meshes of one contact, of which nothing is solved yet.
+pub(super) enum Meshes {
+    Smooth(smooth::Picked),
+    Rough(rough::Halving),
+}
+
+impl Meshes {
+    /// Those of the single contact of `scene`. Everything that a solve refuses before its first iteration is
+    /// refused here.
+    ///
+    /// # Errors
+    /// A scene that does not fit, an accuracy out of range, surfaces that are not known on other meshes.
+    pub(super) fn new(scene: &Scene, interrupt: Option<&Interrupt>) -> Result<Self, SimError> {
+        let (accuracy, field) = match (scene.grid, scene.solver.accuracy) {
+            (GridSpec::Accuracy { .. }, Some(_)) => {
+                return Err(SimError::Input(InputError::Conflict {
+                    field: "solver.accuracy".to_owned(),
+                    reason: "it is for given cells, grid.accuracy stands in its place".to_owned(),
+                }));
             }
+            (GridSpec::Accuracy { accuracy }, None) => {
+                setup::validate_accuracy("grid.accuracy", accuracy)?;
+                if scene.is_smooth() {
+                    return Ok(Self::Smooth(smooth::Picked::new(scene, accuracy, interrupt)?));
+                }
+                let grid = rough::cells_of_waves(scene, accuracy)?;
+                let scene = Scene { grid, ..scene.clone() };
+                return Ok(Self::Rough(rough::Halving::new(scene, accuracy, "grid.accuracy", interrupt)?));
+            }
+            (_, Some(accuracy)) => (accuracy, "solver.accuracy"),
+            (_, None) => (f64::INFINITY, "solver.estimate"),
+        };
+        Ok(Self::Rough(rough::Halving::new(scene.clone(), accuracy, field, interrupt)?))
+    }
+
+    /// Solves on one mesh after the other and estimates the errors of the last.
+    pub(super) fn solve(self) -> Result<ContactSolution, SimError> {
+        match self {
+            Self::Smooth(meshes) => meshes.solve(),
+            Self::Rough(meshes) => meshes.solve(),
         }
-        (_, Some(accuracy)) => rough::refined(scene.clone(), accuracy, "solver.accuracy", interrupt),
-        (_, None) => rough::on_given_grid(scene, interrupt),
+    }
+
+    /// What is known without solving.
+    pub(super) fn into_warnings(self) -> Vec<Warning> {
+        match self {
+            Self::Smooth(meshes) => meshes.warnings,
+            Self::Rough(meshes) => meshes.warnings,
+        }
     }
 }
 

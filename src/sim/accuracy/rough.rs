@@ -3,21 +3,25 @@
 use super::smooth::Plan;
 use super::surfaces::Surfaces;
 use super::{ErrorEstimate, Spent, change};
+use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::report::Status;
 use crate::reynolds::ContactDefinition;
 use crate::sim::interrupt::Interrupt;
-use crate::sim::scene::{GridSpec, Roughness, Scene};
-use crate::sim::single::solve_heights;
+use crate::sim::scene::{GridSpec, Roughness, Scene, ShortestWaves};
+use crate::sim::single::{Prepared, prepare_heights};
 use crate::sim::solution::ContactSolution;
+use crate::sim::warnings::Warning;
 use crate::sim::{SimError, setup};
+use crate::surface::HeightDistribution;
 
 /// Meshes of more nodes are not tried.
 const MAX_NODES: usize = 1 << 20;
 /// Fewest cells along a side that have a half.
 const FEWEST: usize = 10;
-/// Cells in the length over which a Gaussian autocorrelation falls to 10 %: the density of waves shorter than
-/// two of them is below 1e-4 of the largest.
+/// Cells in the length over which a Gaussian autocorrelation falls to 10 %, and in the shortest wave of a
+/// self-affine surface: of the former the density of waves shorter than two of them is below 1e-4 of the
+/// largest.
 const CELLS_IN_LENGTH: f64 = 3.0;
 /// Fewest cells in a Hertz half-width that a contact begins with.
 const CELLS_IN_AXIS: f64 = 10.0;
@@ -28,52 +32,61 @@ const REACH: f64 = 5.0;
 /// Room between the last asperities that may touch and the edge of the box, in Hertz half-widths.
 const ROOM: f64 = 0.3;
 
-/// Solves on the grid of `scene` and on half its cells, and estimates the errors of the former.
-pub(super) fn on_given_grid(
-    scene: &Scene,
-    interrupt: Option<&Interrupt>,
-) -> Result<ContactSolution, SimError> {
-    refined(scene.clone(), f64::INFINITY, "solver.estimate", interrupt)
+/// A contact on half the cells of its scene, on these, and on finer and finer ones.
+pub(in crate::sim) struct Halving {
+    scene: Scene,
+    accuracy: f64,
+    field: &'static str,
+    surfaces: Surfaces,
+    interrupt: Option<Interrupt>,
+    pub(super) warnings: Vec<Warning>,
 }
 
-/// Solves on finer and finer meshes, the first of which holds the waves of the random surfaces.
-pub(super) fn on_own_grid(
-    scene: &Scene,
-    accuracy: f64,
-    interrupt: Option<&Interrupt>,
-) -> Result<ContactSolution, SimError> {
-    let grid = cells_of_waves(scene, accuracy)?;
-    refined(Scene { grid, ..scene.clone() }, accuracy, "grid.accuracy", interrupt)
-}
+impl Halving {
+    /// Both first meshes of `scene`, whose `field` asks for the `accuracy`, infinity where any will do.
+    pub(super) fn new(
+        scene: Scene,
+        accuracy: f64,
+        field: &'static str,
+        interrupt: Option<&Interrupt>,
+    ) -> Result<Self, SimError> {
+        let (surfaces, warnings) = (surfaces(&scene, field)?, Vec::new());
+        let meshes = Self { scene, accuracy, field, surfaces, interrupt: interrupt.cloned(), warnings };
+        meshes.on_half()?;
+        let warnings = meshes.on(&meshes.scene)?.warnings;
+        Ok(Self { warnings, ..meshes })
+    }
 
-/// Solves on finer and finer meshes until the largest of the four estimated errors is at most `accuracy`, or
-/// the mesh is not solved, or the next one would be too large. `field` is the key that asks for it.
-pub(super) fn refined(
-    mut scene: Scene,
-    accuracy: f64,
-    field: &str,
-    interrupt: Option<&Interrupt>,
-) -> Result<ContactSolution, SimError> {
-    let surfaces = surfaces(&scene, field)?;
-    let solved = |scene: &Scene| -> Result<ContactSolution, SimError> {
-        solve_heights(scene, interrupt, surfaces.on(&scene.grid()?)?)
-    };
-    let halved = Scene { grid: of_cells(scene.grid, |n| n.div_ceil(2)), ..scene.clone() };
-    let mut coarse = solved(&halved).map_err(|error| on_half(error, field))?;
-    let mut work = Spent::default();
-    work.add(&coarse);
-    loop {
-        let mut solution = solved(&scene)?;
-        work.add(&solution);
-        solution.error_estimate = change::estimate(&coarse, &solution);
-        let error = solution.error_estimate.map_or(f64::INFINITY, |estimate| largest(&estimate));
-        let finer = Scene { grid: of_cells(scene.grid, |n| 2 * n), ..scene.clone() };
-        let unsolved = solution.report.status != Status::Converged;
-        if error <= accuracy || unsolved || !is_affordable(&finer) {
-            solution.report.work = work.on(&solution.grid);
-            return Ok(solution);
+    fn on(&self, scene: &Scene) -> Result<Prepared, SimError> {
+        prepare_heights(scene, self.interrupt.as_ref(), self.surfaces.on(&scene.grid()?)?)
+    }
+
+    /// The contact on half the cells.
+    fn on_half(&self) -> Result<Prepared, SimError> {
+        let halved = Scene { grid: of_cells(self.scene.grid, |n| n.div_ceil(2)), ..self.scene.clone() };
+        self.on(&halved).map_err(|error| on_half(error, self.field))
+    }
+
+    /// Solves until the largest of the four estimated errors is at most the accuracy, or a mesh is not
+    /// solved, or the next one would be too large.
+    pub(super) fn solve(self) -> Result<ContactSolution, SimError> {
+        let mut coarse = self.on_half()?.solve().map_err(|error| on_half(error, self.field))?;
+        let mut scene = self.scene.clone();
+        let mut work = Spent::default();
+        work.add(&coarse);
+        loop {
+            let mut solution = self.on(&scene)?.solve()?;
+            work.add(&solution);
+            solution.error_estimate = change::estimate(&coarse, &solution);
+            let error = solution.error_estimate.map_or(f64::INFINITY, |estimate| largest(&estimate));
+            let finer = Scene { grid: of_cells(scene.grid, |n| 2 * n), ..scene.clone() };
+            let unsolved = solution.report.status != Status::Converged;
+            if error <= self.accuracy || unsolved || !is_affordable(&finer) {
+                solution.report.work = work.on(&solution.grid);
+                return Ok(solution);
+            }
+            (coarse, scene) = (solution, finer);
         }
-        (coarse, scene) = (solution, finer);
     }
 }
 
@@ -139,7 +152,7 @@ fn of_cells(grid: GridSpec, count: impl Fn(usize) -> usize) -> GridSpec {
 
 /// The box of the smooth contact, or one that holds all asperities that may touch, with cells that hold the
 /// waves of the random surfaces.
-fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
+pub(super) fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
     setup::validate(scene)?;
     let hertz = scene.hertz()?;
     let Waves { lengths: [along_x, along_y], rq } = waves(scene)?;
@@ -167,7 +180,7 @@ fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
 
 /// The random surfaces of both bodies.
 struct Waves {
-    /// The shortest lengths along x and y of the autocorrelations \[m\].
+    /// The shortest lengths along x and y of the autocorrelations, or waves \[m\].
     lengths: [f64; 2],
     /// Root mean square of the heights of both \[m\].
     rq: f64,
@@ -181,35 +194,54 @@ fn waves(scene: &Scene) -> Result<Waves, SimError> {
     };
     let (mut lengths, mut square) = ([f64::INFINITY; 2], 0.0);
     for (roughness, body) in [(&scene.roughness.ball, "ball"), (&scene.roughness.disc, "disc")] {
-        match roughness {
-            Roughness::Gaussian(random) if !roughness.is_smooth() => {
-                InputError::require_non_negative(&format!("roughness.{body}.rq"), random.rq)?;
-                square += random.rq.powi(2);
-                let given = [("length_x", random.length_x), ("length_y", random.length_y)];
-                for (shortest, (name, length)) in lengths.iter_mut().zip(given) {
-                    InputError::require_positive(&format!("roughness.{body}.{name}"), length)?;
-                    *shortest = shortest.min(length);
+        if roughness.is_smooth() {
+            continue;
+        }
+        let normal = match roughness {
+            Roughness::Random(surface) => {
+                surface.distribution == HeightDistribution::Normal && surface.boundary == Boundary::Periodic
+            }
+            Roughness::Texture(_) => false,
+            _ => true,
+        };
+        let key = |name: &str| format!("roughness.{body}.{name}");
+        match (roughness, roughness.shortest_waves()) {
+            _ if !normal => {
+                return needs_cells(
+                    format!("roughness.{body}"),
+                    "only normal heights that are periodic are refined without cells",
+                );
+            }
+            (_, ShortestWaves::Of(shortest)) => {
+                let rq = roughness.rq().unwrap_or(0.0);
+                InputError::require_non_negative(&key("rq"), rq)?;
+                square += rq.powi(2);
+                let of_length = matches!(roughness, Roughness::Gaussian(_));
+                let names = if of_length { ["length_x", "length_y"] } else { ["shortest"; 2] };
+                for (axis, least) in lengths.iter_mut().enumerate() {
+                    InputError::require_positive(&key(names[axis]), shortest[axis])?;
+                    *least = least.min(shortest[axis]);
                 }
             }
-            Roughness::Exponential(_) if !roughness.is_smooth() => {
+            (Roughness::Random(_), ShortestWaves::Endless) => {
+                return needs_cells(
+                    key("shortest"),
+                    "without it the surface has waves of every length and no finest ones to refine",
+                );
+            }
+            (_, ShortestWaves::Endless) => {
                 return needs_cells(
                     format!("roughness.{body}.kind = \"exponential\""),
                     "the surface has waves of every length and no finest ones to refine",
                 );
             }
-            Roughness::Random(_) | Roughness::Texture(_) if !roughness.is_smooth() => {
-                return needs_cells(
-                    format!("roughness.{body}"),
-                    "only normal heights of Gaussian autocorrelation are refined without cells",
-                );
-            }
-            Roughness::File(file) => {
+            (Roughness::File(file), _) => {
                 return needs_cells(
                     format!("roughness.{body}.path = {}", file.path.display()),
                     "the box that the heights belong to is not known",
                 );
             }
-            _ => {}
+            (_, ShortestWaves::Unknown) => {}
         }
     }
     Ok(Waves { lengths, rq: square.sqrt() })

@@ -16,8 +16,9 @@ use crate::sim::formula::formula_film;
 use crate::sim::hertz::HertzContact;
 use crate::sim::interrupt::Interrupt;
 use crate::sim::scene::{GridSpec, Scene};
-use crate::sim::single::solve_on_grid;
+use crate::sim::single::prepare_on_grid;
 use crate::sim::solution::ContactSolution;
+use crate::sim::warnings::Warning;
 use crate::sim::{SimError, setup};
 
 /// Ratio of the cells of one mesh to those of the next finer one.
@@ -133,37 +134,61 @@ impl Plan {
     }
 }
 
-/// Solves the single contact of `scene` so that the estimated error of the central film (of the maximum
-/// pressure where it is dry) is at most `accuracy`, or reports the estimate that was reached.
-pub(super) fn solve(
-    scene: &Scene,
+/// A smooth contact in a box and on meshes that are picked for an accuracy.
+pub(in crate::sim) struct Picked {
+    scene: Scene,
+    hertz: HertzContact,
     accuracy: f64,
-    interrupt: Option<&Interrupt>,
-) -> Result<ContactSolution, SimError> {
-    setup::validate(scene)?;
-    let hertz = scene.hertz()?;
-    let mut scene = scene.clone();
-    let mut plan = Plan::of(&scene, &hertz, accuracy)?.with_layer(&scene)?;
-    let temperature = scene.conditions(0.0)?.bulk_temperature;
-    let exponent = setup::viscosity(&scene, temperature)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.p_max);
-    let growth = SPIKE_GROWTH * (exponent / SHARP).min(1.0).powi(2);
-    let mut work = Spent::default();
-    let mut round = 0;
-    loop {
-        round += 1;
-        let meshes = Meshes::solve((&mut scene, interrupt), &hertz, &plan, &mut work)?;
-        let (mut solution, estimate) = meshes.estimate(scene.is_lubricated(), plan.box_error, growth);
-        let reached = estimate
-            .map_or(f64::INFINITY, |e| if scene.is_lubricated() { e.central_film } else { e.max_pressure });
-        let mesh = (reached - plan.box_error) / (accuracy - plan.box_error);
-        let finer = Plan { cell: plan.cell * (0.8 / mesh).sqrt().clamp(0.5, 0.9), ..plan };
-        let affordable = finer.cells(&hertz, 0, scene.form.is_line()).is_ok();
-        if reached <= accuracy || round == ROUNDS || !affordable {
-            solution.report.work = work.on(&solution.grid);
-            solution.error_estimate = estimate;
-            return Ok(solution);
+    plan: Plan,
+    spike_growth: f64,
+    interrupt: Option<Interrupt>,
+    pub(super) warnings: Vec<Warning>,
+}
+
+impl Picked {
+    /// The first meshes of `scene`.
+    pub(super) fn new(scene: &Scene, accuracy: f64, interrupt: Option<&Interrupt>) -> Result<Self, SimError> {
+        setup::validate(scene)?;
+        let hertz = scene.hertz()?;
+        let plan = Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?;
+        let temperature = scene.conditions(0.0)?.bulk_temperature;
+        let exponent =
+            setup::viscosity(scene, temperature)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.p_max);
+        let spike_growth = SPIKE_GROWTH * (exponent / SHARP).min(1.0).powi(2);
+        let on = |level| -> Result<Scene, InputError> {
+            Ok(Scene { grid: plan.cells(&hertz, level, scene.form.is_line())?, ..scene.clone() })
+        };
+        let coarsest = prepare_on_grid(&on(LEVELS - 1)?, interrupt, |grid| Ok(ContactState::new(grid)))?;
+        // Finer meshes differ in what they need.
+        setup::validate_memory(&on(0)?.grid()?, scene.is_lubricated())?;
+        let (scene, interrupt, warnings) = (scene.clone(), interrupt.cloned(), coarsest.warnings);
+        Ok(Self { scene, hertz, accuracy, plan, spike_growth, interrupt, warnings })
+    }
+
+    /// Solves so that the estimated error of the central film (of the maximum pressure where it is dry) is at
+    /// most the accuracy, or reports the estimate that was reached.
+    pub(super) fn solve(self) -> Result<ContactSolution, SimError> {
+        let Self { mut scene, hertz, accuracy, mut plan, spike_growth, interrupt, .. } = self;
+        let mut work = Spent::default();
+        let mut round = 0;
+        loop {
+            round += 1;
+            let meshes = Meshes::solve((&mut scene, interrupt.as_ref()), &hertz, &plan, &mut work)?;
+            let (mut solution, estimate) =
+                meshes.estimate(scene.is_lubricated(), plan.box_error, spike_growth);
+            let reached = estimate.map_or(f64::INFINITY, |e| {
+                if scene.is_lubricated() { e.central_film } else { e.max_pressure }
+            });
+            let mesh = (reached - plan.box_error) / (accuracy - plan.box_error);
+            let finer = Plan { cell: plan.cell * (0.8 / mesh).sqrt().clamp(0.5, 0.9), ..plan };
+            let affordable = finer.cells(&hertz, 0, scene.form.is_line()).is_ok();
+            if reached <= accuracy || round == ROUNDS || !affordable {
+                solution.report.work = work.on(&solution.grid);
+                solution.error_estimate = estimate;
+                return Ok(solution);
+            }
+            plan = finer;
         }
-        plan = finer;
     }
 }
 
@@ -186,10 +211,11 @@ impl Meshes {
         let (mut middle, mut previous): (Option<ContactSolution>, Option<ContactSolution>) = (None, None);
         for level in (0..LEVELS).rev() {
             scene.grid = plan.cells(hertz, level, scene.form.is_line())?;
-            let solution = solve_on_grid(scene, interrupt, |grid| match &previous {
+            let contact = prepare_on_grid(scene, interrupt, |grid| match &previous {
                 Some(coarse) if coarse.report.status == Status::Converged => prolonged(coarse, grid),
                 _ => Ok(ContactState::new(grid)),
             })?;
+            let solution = contact.solve()?;
             work.add(&solution);
             if solution.report.status == Status::Converged {
                 numbers.push([solution.film.central, solution.film.minimum, solution.contact.max_pressure]);

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use toml::de::DeTable;
 
 use super::{Roughness, Scene, keys, missing};
-use crate::sim::SimError;
+use crate::sim::{SimError, text_file};
 
 /// Characters of a line that a syntax error quotes.
 const LONGEST_QUOTE: usize = 80;
@@ -48,11 +48,10 @@ impl Scene {
     /// Reads a scene file; paths of other files in it are taken relative to its folder.
     ///
     /// # Errors
-    /// [`SimError::Io`] when the file cannot be read, [`SimError::Scene`] when it does not fit.
+    /// [`SimError::Io`] when the file cannot be read or has more than 16 MB, [`SimError::Scene`] when it does not fit.
     pub fn load(path: impl AsRef<Path>) -> Result<Self, SimError> {
         let path = path.as_ref();
-        let text =
-            std::fs::read_to_string(path).map_err(|source| SimError::Io { path: path.to_owned(), source })?;
+        let text = text_file::read(path).map_err(|source| SimError::Io { path: path.to_owned(), source })?;
         let mut scene = Self::from_toml(&text)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         for roughness in [&mut scene.roughness.ball, &mut scene.roughness.disc] {

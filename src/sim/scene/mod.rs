@@ -195,8 +195,8 @@ pub enum GridSpec {
     },
     /// Box and cells are picked for an error, which is estimated from coarser grids: of a smooth contact the
     /// relative one of the central film (dry: of the maximum pressure), of a rough one that of
-    /// [`SolverSpec::accuracy`]. Single contacts only; roughness of Gaussian autocorrelation, whose shortest
-    /// waves tell the cells to begin with.
+    /// [`SolverSpec::accuracy`]. Single contacts only; normal heights with shortest waves (Gaussian
+    /// autocorrelation, self-affine down to one), which tell the cells to begin with.
     Accuracy {
         /// Largest error.
         accuracy: f64,

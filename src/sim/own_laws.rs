@@ -1,0 +1,42 @@
+//! What a law of the user's must hold before a contact is built on it.
+
+use crate::error::InputError;
+use crate::lubricant::{DensityLaw, ViscosityLaw};
+
+/// Pressures that laws of a lubricant are asked at, up to the end of its table.
+const PRESSURES: usize = 128;
+const STEP: f64 = 1.6e8;
+/// What rounding may take from a value that does not fall.
+const ROUNDING: f64 = 1e-12;
+
+/// Checks that viscosities are positive and do not fall with pressure.
+pub(super) fn require_viscosity(law: &dyn ViscosityLaw) -> Result<(), InputError> {
+    let field = "viscosity of the law";
+    require(field, "finite, above 0 and not falling with pressure", |p, out| law.fill(p, out))
+}
+
+/// Checks that densities are those of the fluid without pressure at first and do not fall.
+pub(super) fn require_density(law: &dyn DensityLaw) -> Result<(), InputError> {
+    let field = "density ratio of the law";
+    let ambient = law.ratio(0.0);
+    let is_one = (ambient - 1.0).abs() <= 1e-9;
+    InputError::require(is_one, field, ambient, "1 without pressure")?;
+    require(field, "finite and not falling with pressure", |p, out| law.fill(p, out))
+}
+
+fn require(
+    field: &str,
+    requirement: &'static str,
+    fill: impl Fn(&[f64], &mut [f64]),
+) -> Result<(), InputError> {
+    let pressures: Vec<f64> = (0..=PRESSURES).map(|i| i as f64 * STEP).collect();
+    let mut values = vec![f64::NAN; pressures.len()];
+    fill(&pressures, &mut values);
+    let mut least = 0.0;
+    for &value in &values {
+        let holds = value.is_finite() && value > 0.0 && value >= (1.0 - ROUNDING) * least;
+        InputError::require(holds, field, value, requirement)?;
+        least = value;
+    }
+    Ok(())
+}
