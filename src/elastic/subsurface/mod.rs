@@ -1,7 +1,7 @@
 //! Stresses below the surface under solved pressures and tractions.
 
 mod corners;
-mod extremes;
+pub(super) mod extremes;
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -37,7 +37,7 @@ impl StressField {
         Self { xx, yy, zz, xy, xz, yz }
     }
 
-    fn components(&mut self) -> [&mut Vec<f64>; COMPONENTS] {
+    pub(super) fn components(&mut self) -> [&mut Vec<f64>; COMPONENTS] {
         [&mut self.xx, &mut self.yy, &mut self.zz, &mut self.xy, &mut self.xz, &mut self.yz]
     }
 
