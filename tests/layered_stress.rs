@@ -1,5 +1,5 @@
-//! Stresses in and below a bonded layer: half-spaces as limits, equilibrium, continuity at the bond, box and cells,
-//! errors.
+//! Stresses in and below a bonded layer: half-spaces as limits, equilibrium, continuity at the bond, box and
+//! cells, errors.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::Grid;

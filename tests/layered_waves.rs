@@ -31,10 +31,10 @@ fn solve<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> [f64; N] {
     b
 }
 
-/// Airy's function and its first two derivatives at the depth `x` over the wave number, below a layer of `d` over
-/// it or in it, under unit pressure and under a unit first derivative at the surface; and the first derivative of
-/// the function of shear across the wave under a unit one. All from the conditions at surface and bond, six and
-/// three at a time.
+/// Airy's function and its first two derivatives at the depth `x` over the wave number, below a layer of `d`
+/// over it or in it, under unit pressure and under a unit first derivative at the surface; and the first
+/// derivative of the function of shear across the wave under a unit one. All from the conditions at surface
+/// and bond, six and three at a time.
 fn wave([[g1, v1], [g2, v2]]: Materials, d: f64, x: f64) -> ([[f64; 3]; 2], f64) {
     let falling = |x: f64| {
         [

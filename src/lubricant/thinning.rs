@@ -7,9 +7,9 @@
 /// |---|---|---|---|---|
 /// | none | `eta g` | 1 | 1 | |
 /// | Eyring | `S asinh(x)` | `asinh(x)/x` | `(1 + x^2)^(-1/2)` | `S > 0` |
-/// | Carreau | `S x (1 + x^2)^m`, `m = (n - 1)/2` | `(1 + x^2)^m` | `(1 + x^2)^(m - 1) (1 + n x^2)` | `S > 0`, `0 < n <= 1` |
+/// | Carreau | `S x (1 + x^2)^m` | `(1 + x^2)^m` | `(1 + x^2)^(m - 1) (1 + n x^2)` | `S > 0`, `0 < n <= 1` |
 ///
-/// Tangents are at most the secants, and both are at most one.
+/// with `m = (n - 1)/2`. Tangents are at most the secants, and both are at most one.
 ///
 /// Sources: Eyring (1936), Journal of Chemical Physics 4, 283-291; Carreau (1972), Transactions of the
 /// Society of Rheology 16, 99-127, whose time is `eta/S` here.

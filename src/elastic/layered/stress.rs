@@ -13,15 +13,15 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::{Fft2, RealFft2, fast_length, map_lines};
 
-/// Stresses \[Pa\] in a [`Layer`] that is bonded to a half-space, and in that substrate, under a pressure and a
-/// traction along +x on the surface, both constant in each cell of a grid.
+/// Stresses \[Pa\] in a [`Layer`] that is bonded to a half-space, and in that substrate, under a pressure and
+/// a traction along +x on the surface, both constant in each cell of a grid.
 ///
 /// They are the stresses of a half-space ([`subsurface_stress`]) with Poisson's ratio of layer or substrate,
 /// plus what the bond adds, wave by wave. For a layer of the material of the substrate that is nothing, and
 /// loads at the surface and the equality of `zz`, `xz` and `yz` on both sides of the bond are exact. What the
-/// bond adds is that of the loads repeated at twice the length of the grid (a row: eight times), less what the images add below the
-/// middle of a load. Waves shorter than two cells are left out of it, which reach the bond of a layer of
-/// thickness `h` with `exp(-pi h/dx)`. A grid of one row is in plane strain.
+/// bond adds is that of the loads repeated at twice the length of the grid (a row: eight times), less what
+/// the images add below the middle of a load. Waves shorter than two cells are left out of it, which reach
+/// the bond of a layer of thickness `h` with `exp(-pi h/dx)`. A grid of one row is in plane strain.
 ///
 /// Cost of a depth: that of [`subsurface_stress`] and six transforms of twice the grid.
 ///
@@ -226,8 +226,8 @@ fn amplitudes(
     loads
 }
 
-/// Lengths of a row from load to image: stresses of lines fall as the square of the distance, those of points as
-/// the cube.
+/// Lengths of a row from load to image: stresses of lines fall as the square of the distance, those of points
+/// as the cube.
 const LINE_LENGTHS: usize = 8;
 /// How much closer the waves of a fine lattice are than those of the period.
 const FINE: usize = 8;
@@ -235,9 +235,10 @@ const FINE: usize = 8;
 const WINDOW: f64 = 4.0;
 const END: usize = 22;
 
-/// Amplitudes of the mean stresses under a mean pressure and a mean traction of one that leave the stresses below
-/// a load without those of its images: with them the sum over the waves of the period is that over a lattice so
-/// fine that the images are far away. A smooth window keeps the long waves, which alone reach the images.
+/// Amplitudes of the mean stresses under a mean pressure and a mean traction of one that leave the stresses
+/// below a load without those of its images: with them the sum over the waves of the period is that over a
+/// lattice so fine that the images are far away. A smooth window keeps the long waves, which alone reach the
+/// images.
 fn mean(
     grid: &Grid,
     [nx, ny]: [usize; 2],

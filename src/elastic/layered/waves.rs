@@ -1,13 +1,13 @@
 //! What a layer adds to the stresses of a half-space under loads of one wave vector.
 //!
-//! With `q` the wave number, `x = q z`, `d = q h`, and loads `exp(i q l)` along the direction `l` of the wave,
-//! plane strain in `l` and `z` has Airy's function `f(x)/q^2`:
+//! With `q` the wave number, `x = q z`, `d = q h`, and loads `exp(i q l)` along the direction `l` of the
+//! wave, plane strain in `l` and `z` has Airy's function `f(x)/q^2`:
 //!
 //! `ll = f''`, `zz = -f`, `lz = -i f'`, `2 G q u_l = -i U`, `2 G q u_z = W`,
 //! `U = (1 - v) f'' + v f`, `W = (1 - v) f''' - (2 - v) f'`.
 //!
-//! A half-space has `f_0 = (1 + x) exp(-x)` under unit pressure and `x exp(-x)` under `f'(0) = 1`, a shear along
-//! `l`. In the layer `f = f_0 + g`, in the substrate `f = f_0 + k` with
+//! A half-space has `f_0 = (1 + x) exp(-x)` under unit pressure and `x exp(-x)` under `f'(0) = 1`, a shear
+//! along `l`. In the layer `f = f_0 + g`, in the substrate `f = f_0 + k` with
 //!
 //! `g = A x sinh x + B (sinh x - x cosh x)`, `k = [g(d) + (g(d) + g'(d)) (x - d)] exp(d - x)`:
 //!
@@ -23,8 +23,8 @@ use super::Layer;
 /// A function of `x = q z` and its three derivatives.
 type Derivatives = [f64; 4];
 
-/// `g` or `k` under unit pressure and under unit `f'(0)`, with derivatives, and `v` less that of the half-space
-/// with its derivative.
+/// `g` or `k` under unit pressure and under unit `f'(0)`, with derivatives, and `v` less that of the
+/// half-space with its derivative.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Added {
     pub(super) pressure: Derivatives,
@@ -44,7 +44,8 @@ impl Added {
 }
 
 impl Layer {
-    /// What the layer adds at the depth `z` \[m\] of `body` to the half-space, at the wave number `q` \[1/m\].
+    /// What the layer adds at the depth `z` \[m\] of `body` to the half-space, at the wave number `q`
+    /// \[1/m\].
     pub(super) fn added(&self, q: f64, z: f64, body: Body) -> Added {
         let d = q * self.thickness();
         if (-d).exp() == 0.0 {
@@ -185,7 +186,8 @@ mod tests {
         }
     }
 
-    /// The surface moves as Burmister's transform says, and loads do the same work on each other's displacements.
+    /// The surface moves as Burmister's transform says, and loads do the same work on each other's
+    /// displacements.
     #[test]
     fn surface_displacements_are_known_and_reciprocal() {
         for layer in layers() {

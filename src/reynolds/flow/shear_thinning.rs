@@ -46,8 +46,8 @@ pub struct ShearThinning {
 }
 
 impl ShearThinning {
-    /// One effective viscosity in all directions. `sliding_speed` is the difference of the surface speeds, not
-    /// negative \[m/s\]; without any the fluid is Newtonian.
+    /// One effective viscosity in all directions. `sliding_speed` is the difference of the surface speeds,
+    /// not negative \[m/s\]; without any the fluid is Newtonian.
     ///
     /// # Errors
     /// A speed that is not finite or negative.
@@ -62,8 +62,8 @@ impl ShearThinning {
         Self { is_directional: true, ..self }
     }
 
-    /// Viscosity along and across the sliding direction over the Newtonian `viscosity` \[Pa s\], in (0, 1], in
-    /// a film \[m\]; both arguments positive.
+    /// Viscosity along and across the sliding direction over the Newtonian `viscosity` \[Pa s\], in (0, 1],
+    /// in a film \[m\]; both arguments positive.
     pub fn viscosity_ratios(&self, viscosity: f64, film: f64) -> [f64; 2] {
         let ratios = self.node_ratios(self.length(viscosity) / film, [0.0; 2]);
         [ratios.along.value, ratios.across.value]

@@ -20,7 +20,8 @@ pub struct StressSpec {
     /// Poisson's ratio of the disc; none for that of `materials.disc`, or 0.3. Not with a layer.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub poisson: Option<f64>,
-    /// Tensile yield strength of the disc \[Pa\], below a layer that of the substrate, which the stresses are put in relation to.
+    /// Tensile yield strength of the disc \[Pa\], below a layer that of the substrate, which the stresses are
+    /// put in relation to.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub yield_strength: Option<f64>,
 }

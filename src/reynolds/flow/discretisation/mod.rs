@@ -10,9 +10,9 @@
 //! `h^3 / (12 eta_0)`, and the potential `phi` are those of the [`FaceMobility`].
 //!
 //! With shear thinning the mobility of a face is divided by the mean of `eta*/eta` of its two nodes along the
-//! face ([`ShearThinning`](super::ShearThinning)). Why not a mean of `a eta/eta*`: at steep viscosities the node
-//! of high pressure has nearly all of that and nearly none of the change of `q`. Divided like this the flow
-//! through a face still grows with the pressure of its node where `ln eta` is linear in pressure, as
+//! face ([`ShearThinning`](super::ShearThinning)). Why not a mean of `a eta/eta*`: at steep viscosities the
+//! node of high pressure has nearly all of that and nearly none of the change of `q`. Divided like this the
+//! flow through a face still grows with the pressure of its node where `ln eta` is linear in pressure, as
 //! `q_end - q <= (dq/dp) / (d ln eta/dp)`, while `eta*/eta` falls no faster than `1/eta`.
 //!
 //! Films that are warmer than the law have `eta*/eta` times the ratio of viscosities that the lubricant holds

@@ -16,8 +16,8 @@ fn laws() -> impl Iterator<Item = ShearThinning> {
     laws.flat_map(|law| [law, law.directional()])
 }
 
-/// A row of nodes with the coefficients that fluxes are counted in, whose fluid has `x = 1` at ambient pressure
-/// in a film of `length`.
+/// A row of nodes with the coefficients that fluxes are counted in, whose fluid has `x = 1` at ambient
+/// pressure in a film of `length`.
 fn row(face_mobility: FaceMobility, law: ShearThinning, length: f64) -> Discretisation {
     let mut fluid = Discretisation::new(Grid::from_edges(5, 1, [0.0, 5e-5], [-0.5, 0.5]).unwrap());
     (fluid.face_mobility, fluid.face_x, fluid.fluidity) = (face_mobility, 1.0, 1.0 / (12.0 * 0.04));
