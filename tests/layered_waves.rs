@@ -31,11 +31,14 @@ fn solve<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> [f64; N] {
     b
 }
 
+/// Airy's function with two derivatives under both loads, and the derivative of shear across the wave.
+type Functions = ([[f64; 3]; 2], f64);
+
 /// Airy's function and its first two derivatives at the depth `x` over the wave number, below a layer of `d`
 /// over it or in it, under unit pressure and under a unit first derivative at the surface; and the first
 /// derivative of the function of shear across the wave under a unit one. All from the conditions at surface
 /// and bond, six and three at a time.
-fn wave([[g1, v1], [g2, v2]]: Materials, d: f64, x: f64) -> ([[f64; 3]; 2], f64) {
+fn wave([[g1, v1], [g2, v2]]: Materials, d: f64, x: f64) -> Functions {
     let falling = |x: f64| {
         [
             [1.0, -1.0, 1.0, -1.0].map(|s| s * (-x).exp()),
@@ -103,7 +106,7 @@ fn the_axis_of_a_coated_hertz_contact_is_the_integral_over_waves() {
                 let share = if below { 1.0 + 1e-12 } else { 1.0 };
                 // Of Hertz' pressure, times q/(2 pi).
                 let spectrum = |q: f64| (q.sin() - q * q.cos()) / (q * q);
-                let over_waves = |value: fn(f64, ([[f64; 3]; 2], f64)) -> f64| {
+                let over_waves = |value: fn(f64, Functions) -> f64| {
                     integral(60.0, 12_000, |q| {
                         spectrum(q) * value(v, wave(materials, q * thickness, q * z * share))
                     })
