@@ -1,15 +1,12 @@
-//! Eyring shear thinning of the flow by pressure.
+//! Shear thinning of the flow by pressure.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
-use stribeck::elastic::HalfSpace;
-use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
-use stribeck::reynolds::{
-    ContactSolver, ContactState, LubricatedContact, NewtonKrylov, ShearThinning, StoppingRule,
-};
-use stribeck::sim::scene::{GridSpec, Load, SolverKind};
+use stribeck::lubricant::Rheology;
+use stribeck::reynolds::ShearThinning;
+use stribeck::sim::scene::{FlowThinning, FrictionSpec, GridSpec, Load, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
-use stribeck::{Grid, InputError, Status};
+use stribeck::{InputError, Status};
 
 /// A steel ball at 0.5 GPa in a thick oil, sliding at half of the entrainment speed: a full film.
 fn ball(n: usize) -> Scene {
@@ -26,12 +23,24 @@ fn ball(n: usize) -> Scene {
     scene
 }
 
-/// The same with shear thinning at `stress` \[Pa\].
+/// The same with the effective viscosity of Eyring's fluid at `stress` \[Pa\].
 fn thinned(scene: &Scene, stress: f64) -> Scene {
+    with_flow(scene, FlowThinning::Effective, |friction| friction.eyring_stress = Some(stress))
+}
+
+/// The same with the fluid that `rheology` makes, thinned in the flow too.
+fn with_flow(scene: &Scene, flow: FlowThinning, rheology: impl Fn(&mut FrictionSpec)) -> Scene {
     let mut scene = scene.clone();
-    (scene.friction.eyring_stress, scene.friction.eyring_in_reynolds) = (Some(stress), true);
+    rheology(&mut scene.friction);
+    scene.friction.flow_thinning = Some(flow);
     scene
 }
+
+fn carreau(exponent: f64) -> impl Fn(&mut FrictionSpec) {
+    move |friction| (friction.carreau_stress, friction.carreau_exponent) = (Some(5e6), Some(exponent))
+}
+
+const FLOWS: [FlowThinning; 2] = [FlowThinning::Effective, FlowThinning::Directional];
 
 fn solve(scene: &Scene) -> ContactSolution {
     let solution = solve_contact(scene).unwrap();
@@ -86,20 +95,57 @@ fn films_fall_with_the_eyring_stress() {
 
 #[test]
 fn solvers_agree() {
-    let mut scene = Scene::azam_2019(64);
-    scene.roughness = Default::default();
-    scene.plastic = None;
-    scene.motion.entrainment_speed = 10.0;
-    scene.motion.slide_roll_ratio = 0.5;
-    let scene = thinned(&scene, 5e6);
-    let films = [SolverKind::NewtonKrylov, SolverKind::Multigrid, SolverKind::SemiSystem].map(|kind| {
-        let mut scene = scene.clone();
-        scene.solver.kind = kind;
-        solve(&scene).film.central
-    });
-    for film in films {
-        assert!((film / films[0] - 1.0).abs() < 1e-5, "{films:?}");
+    let mut smooth = Scene::azam_2019(64);
+    smooth.roughness = Default::default();
+    smooth.plastic = None;
+    smooth.motion.entrainment_speed = 10.0;
+    smooth.motion.slide_roll_ratio = 0.5;
+    let eyring = |friction: &mut FrictionSpec| friction.eyring_stress = Some(5e6);
+    for flow in FLOWS {
+        for scene in [with_flow(&smooth, flow, eyring), with_flow(&smooth, flow, carreau(0.5))] {
+            let films =
+                [SolverKind::NewtonKrylov, SolverKind::Multigrid, SolverKind::SemiSystem].map(|kind| {
+                    let mut scene = scene.clone();
+                    scene.solver.kind = kind;
+                    solve(&scene).film.central
+                });
+            for film in films {
+                assert!((film / films[0] - 1.0).abs() < 1e-5, "{films:?}, {flow:?}");
+            }
+        }
     }
+}
+
+/// With an exponent of one, and without sliding, every flow is Newtonian to the last bit.
+#[test]
+fn newtonian_limits_are_exact() {
+    let scene = ball(32);
+    let newtonian = solve(&scene);
+    for flow in FLOWS {
+        assert_eq!(solve(&with_flow(&scene, flow, carreau(1.0))).state, newtonian.state, "{flow:?}");
+        let mut rolling = with_flow(&scene, flow, carreau(0.3));
+        rolling.motion.slide_roll_ratio = 0.0;
+        assert_eq!(solve(&rolling).state, newtonian.state, "{flow:?}");
+        let hardly = with_flow(&scene, flow, |friction| friction.eyring_stress = Some(1e15));
+        let film = solve(&hardly).film.central / newtonian.film.central;
+        assert!((film - 1.0).abs() < 1e-9, "{film}, {flow:?}");
+    }
+}
+
+/// Where sliding thins the oil of the inlet, less viscosity along the flow lets more of it back out; where it
+/// does not, the film is that of the effective viscosity.
+#[test]
+fn directional_films_are_thinner_where_the_inlet_is_thinned() {
+    let ratio = |stress: f64| {
+        let eyring = |friction: &mut FrictionSpec| friction.eyring_stress = Some(stress);
+        let [effective, directional] =
+            FLOWS.map(|flow| solve(&with_flow(&ball(64), flow, eyring)).film.central);
+        println!("{stress:e} Pa: directional {:.4} of effective", directional / effective);
+        directional / effective
+    };
+    assert!((ratio(1e7) - 1.0).abs() < 1e-3);
+    let [mild, strong, strongest] = [1e6, 5e5, 2e5].map(ratio);
+    assert!(1.0 > mild && mild > strong && strong > strongest, "{mild}, {strong}, {strongest}");
 }
 
 #[test]
@@ -131,10 +177,11 @@ fn rough_scenes_converge() {
         for ratio in [0.05, 0.5] {
             scene.motion.slide_roll_ratio = ratio;
             let newtonian = solve(&scene);
-            for stress in [1e7, 2e6] {
-                let eyring = solve(&thinned(&scene, stress));
+            for (stress, flow) in [1e7, 2e6].into_iter().flat_map(|stress| FLOWS.map(|flow| (stress, flow))) {
+                let scene = with_flow(&scene, flow, |friction| friction.eyring_stress = Some(stress));
+                let eyring = solve(&scene);
                 println!(
-                    "seed {seed}, slide-roll {ratio}, {stress:e} Pa: load ratio {:.4} after {:.4}, {} after {} steps",
+                    "seed {seed}, slide-roll {ratio}, {stress:e} Pa, {flow:?}: load ratio {:.4} after {:.4}, {} after {} steps",
                     eyring.contact.load_ratio,
                     newtonian.contact.load_ratio,
                     eyring.report.work.iterations,
@@ -148,38 +195,23 @@ fn rough_scenes_converge() {
 
 #[test]
 fn bad_input_is_named() {
-    let mut scene = ball(32);
-    scene.friction.eyring_in_reynolds = true;
-    let error = solve_contact(&scene).unwrap_err().to_string();
-    assert!(error.contains("friction.eyring_in_reynolds") && error.contains("eyring_stress"), "{error}");
-    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let error = solve_contact(&thinned(&scene, bad)).unwrap_err().to_string();
-        assert!(error.contains("friction.eyring_stress"), "{error}");
+    for flow in FLOWS {
+        let error = solve_contact(&with_flow(&ball(32), flow, |_| ())).unwrap_err().to_string();
+        assert!(error.contains("friction.flow_thinning") && error.contains("eyring_stress"), "{error}");
+        for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let eyring = |friction: &mut FrictionSpec| friction.eyring_stress = Some(bad);
+            let error = solve_contact(&with_flow(&ball(32), flow, eyring)).unwrap_err().to_string();
+            assert!(error.contains("friction.eyring_stress"), "{error}");
+        }
+        for bad in [0.0, 1.1, f64::NAN] {
+            let error = solve_contact(&with_flow(&ball(32), flow, carreau(bad))).unwrap_err().to_string();
+            assert!(error.contains("friction.carreau_exponent"), "{error}");
+        }
     }
-    let grid = Grid::centred(16, 16, 2e-5, 2e-5).unwrap();
-    let gap: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / 0.02).collect();
-    let oil = Lubricant::new(
-        Roelands::new(0.04, 0.6, 1.96e8).unwrap(),
-        DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap(),
-    );
-    let good = ShearThinning { eyring_stress: 5e6, sliding_speed: 0.1 };
-    for (thinning, field) in [
-        (ShearThinning { eyring_stress: 0.0, ..good }, "shear_thinning.eyring_stress"),
-        (ShearThinning { eyring_stress: f64::NAN, ..good }, "shear_thinning.eyring_stress"),
-        (ShearThinning { sliding_speed: -0.1, ..good }, "shear_thinning.sliding_speed"),
-        (ShearThinning { sliding_speed: f64::INFINITY, ..good }, "shear_thinning.sliding_speed"),
-    ] {
-        let mut body = HalfSpace::new(grid, 230e9).unwrap();
-        let mut problem = LubricatedContact::new(&gap, &mut body, 1.0, (4e-5, 4e-5), 3e8)
-            .with_lubricant(Some(&oil))
-            .with_entrainment_speed(1.0)
-            .with_scheme(Default::default())
-            .with_shear_thinning(Some(thinning))
-            .with_reference_film(1e-7);
-        let error = problem.validate().unwrap_err();
+    for bad in [-0.1, f64::INFINITY, f64::NAN] {
+        let error = ShearThinning::new(Rheology::eyring(5e6).unwrap(), bad).unwrap_err();
+        let field = "shear_thinning.sliding_speed";
         assert!(matches!(&error, InputError::Value { field: named, .. } if named == field), "{error}");
-        let mut state = ContactState::new(&grid);
-        assert!(NewtonKrylov::new().solve(&mut problem, &mut state, &StoppingRule::default()).is_err());
     }
 }
 
@@ -187,12 +219,22 @@ fn bad_input_is_named() {
 /// none.
 #[test]
 fn absurd_values_end_in_finite_numbers() {
-    for (stress, ratio) in [(1e-300, 0.5), (1e300, 0.5), (1e-3, 2.0), (5e6, 1e-300)] {
-        let mut scene = thinned(&ball(32), stress);
-        scene.motion.slide_roll_ratio = ratio;
-        scene.solver.max_iterations = 30;
-        let solution = solve_contact(&scene).unwrap();
-        assert!(solution.state.pressure.iter().all(|p| p.is_finite()), "{stress:e}: {:?}", solution.report);
-        assert!(solution.state.film.iter().all(|h| h.is_finite()), "{stress:e}: {:?}", solution.report);
+    let values = [(1e-300, 0.5), (1e300, 0.5), (1e-3, 2.0), (5e6, 1e-300)];
+    for ((stress, ratio), flow) in values.into_iter().flat_map(|value| FLOWS.map(|flow| (value, flow))) {
+        let eyring = |friction: &mut FrictionSpec| friction.eyring_stress = Some(stress);
+        let steep = |friction: &mut FrictionSpec| {
+            (friction.carreau_stress, friction.carreau_exponent) = (Some(stress), Some(1e-300));
+        };
+        for mut scene in [with_flow(&ball(32), flow, eyring), with_flow(&ball(32), flow, steep)] {
+            scene.motion.slide_roll_ratio = ratio;
+            scene.solver.max_iterations = 30;
+            let solution = solve_contact(&scene).unwrap();
+            assert!(
+                solution.state.pressure.iter().all(|p| p.is_finite()),
+                "{stress:e}: {:?}",
+                solution.report
+            );
+            assert!(solution.state.film.iter().all(|h| h.is_finite()), "{stress:e}: {:?}", solution.report);
+        }
     }
 }

@@ -225,6 +225,30 @@ fn scenes_end_with_stresses_that_they_ask_for() {
     assert!(without.stress.is_none());
 }
 
+/// A layer of the material of the disc leaves its stresses as they are; a stiff one is stressed more.
+#[test]
+fn scenes_with_a_layer_end_with_its_stresses() {
+    let mut scene = scene(64);
+    scene.motion.slide_roll_ratio = 0.0;
+    let bare = solved(&scene).stress.unwrap();
+    assert!(bare.layer.is_none());
+    let half_width = scene.hertz().unwrap().a_x;
+    let mut coated = |modulus: f64| {
+        let layer = LayerSpec::new(0.1 * half_width, modulus, 0.3);
+        let layer = layer.with_substrate_modulus(Some(210e9)).with_substrate_poisson(Some(0.3));
+        scene.elastic.layer = Some(layer);
+        solved(&scene).stress.unwrap()
+    };
+    let (same, stiff) = (coated(210e9), coated(420e9));
+    let (found, known) = (same.largest.von_mises, bare.largest.von_mises);
+    assert!((found.stress / known.stress - 1.0).abs() < 1e-3, "{found:?} {known:?}");
+    let [same, stiff] = [same, stiff].map(|stress| stress.layer.unwrap());
+    assert!(same.von_mises.stress < known.stress, "{same:?} {known:?}");
+    assert!(stiff.bond_shear.stress > same.bond_shear.stress, "{same:?} {stiff:?}");
+    assert!(same.bond_shear.stress > 0.0 && (same.bond_shear.depth / half_width - 0.1).abs() < 1e-12);
+    assert!(same.bond_tension.stress < 0.01 * same.bond_shear.stress, "{same:?}");
+}
+
 #[test]
 fn errors_name_field_and_value() {
     let grid = Grid::centred(6, 6, 1.0, 1.0).unwrap();
@@ -262,5 +286,9 @@ fn errors_name_field_and_value() {
     solved(&both);
     let layer = LayerSpec::new(1e-6, 1e11, 0.3);
     both.elastic.layer = Some(layer);
-    assert!(solve_contact(&both).unwrap_err().to_string().contains("elastic.layer"));
+    assert!(solved(&both).stress.unwrap().layer.is_some());
+    let mut twice = scene(16);
+    twice.elastic.layer = Some(layer.with_substrate_modulus(Some(210e9)).with_substrate_poisson(Some(0.3)));
+    twice.stress.as_mut().unwrap().poisson = Some(0.3);
+    assert!(solve_contact(&twice).unwrap_err().to_string().contains("elastic.layer"));
 }

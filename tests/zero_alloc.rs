@@ -181,7 +181,7 @@ fn oil() -> Lubricant {
 #[test]
 fn newton_krylov() {
     let oil = oil();
-    let eyring = ShearThinning { eyring_stress: 5e6, sliding_speed: 0.25 };
+    let eyring = ShearThinning::new(Rheology::eyring(5e6).unwrap(), 0.25).unwrap();
     for (nx, ny, thinning) in
         [(24, 24, None), (23, 19, None), (29, 32, None), (24, 24, Some(eyring)), (23, 19, Some(eyring))]
     {
@@ -226,7 +226,7 @@ fn multigrid() {
         let mut scene = Scene::new(nx, ny, 0.0);
         let stop = StoppingRule::new(1e-6, 5);
         let mut problem = scene.problem(Some(&oil));
-        problem.shear_thinning = Some(ShearThinning { eyring_stress: 5e6, sliding_speed: 0.25 });
+        problem.shear_thinning = Some(ShearThinning::new(Rheology::eyring(5e6).unwrap(), 0.25).unwrap());
         for (_, allocations) in solve_again(&mut Multigrid::new(), &mut problem, &stop) {
             assert_eq!(allocations, HISTORY, "{nx} x {ny}");
         }

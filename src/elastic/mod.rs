@@ -5,7 +5,7 @@
 //! default (Boussinesq half-space, Love's influence coefficients, DC-FFT convolution), [`LineHalfSpace`] its
 //! plane-strain counterpart for line contacts, [`LayeredHalfSpace`] either of them with a bonded [`Layer`];
 //! [`direct_displacement`] is the slow direct sum that it is checked against. [`subsurface_stress`] and
-//! [`stress_extremes`] are the stresses below the surface.
+//! [`stress_extremes`] are the stresses below the surface, [`LayeredStress`] those in and below a layer.
 
 mod direct;
 mod dry;
@@ -20,7 +20,7 @@ use std::fmt::Debug;
 pub use direct::direct_displacement;
 pub use dry::{DryOutcome, DryProblem, DrySolver};
 pub use half_space::HalfSpace;
-pub use layered::{Layer, LayeredHalfSpace};
+pub use layered::{Layer, LayerStressExtremes, LayeredHalfSpace, LayeredStress, LayeredStressExtremes};
 pub use line::LineHalfSpace;
 pub use subsurface::{Extreme, StressExtremes, StressField, stress_extremes, subsurface_stress};
 

@@ -12,6 +12,7 @@ mod rheology;
 mod roelands;
 mod table;
 mod thermal_roelands;
+mod thinning;
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -25,6 +26,7 @@ pub use roelands::Roelands;
 pub use table::FluidPoint;
 use table::FluidTable;
 pub use thermal_roelands::ThermalRoelands;
+pub(crate) use thinning::Thinning;
 
 use crate::error::InputError;
 

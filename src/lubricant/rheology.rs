@@ -1,5 +1,6 @@
 //! Shear stress of the lubricant as a function of its viscosity and shear rate.
 
+use super::thinning::Thinning;
 use crate::error::InputError;
 
 /// Newtonian, `tau = eta g`, of Eyring, `tau = tau_E asinh(eta g / tau_E)`, or of Carreau,
@@ -29,13 +30,6 @@ pub struct Rheology {
     limit: f64,
     /// The largest stress over the pressure.
     share: f64,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Thinning {
-    None,
-    Eyring { stress: f64 },
-    Carreau { stress: f64, exponent: f64 },
 }
 
 impl Rheology {
@@ -103,15 +97,11 @@ impl Rheology {
     /// Shear stress \[Pa\] of a fluid of `viscosity` \[Pa s\] at `shear_rate` \[1/s\], both not negative,
     /// whatever its pressure: see [`Rheology::limit`].
     pub fn shear_stress(&self, viscosity: f64, shear_rate: f64) -> f64 {
-        let newtonian = viscosity * shear_rate;
-        let stress = match self.thinning {
-            Thinning::None => newtonian,
-            Thinning::Eyring { stress } => stress * (newtonian / stress).asinh(),
-            Thinning::Carreau { stress, exponent } => {
-                let ratio = newtonian / stress;
-                newtonian * (0.5 * (exponent - 1.0) * (ratio * ratio).ln_1p()).exp()
-            }
-        };
-        stress.min(self.limit)
+        self.thinning.stress(viscosity * shear_rate).min(self.limit)
+    }
+
+    /// The law without its limit.
+    pub(crate) fn thinning(&self) -> Thinning {
+        self.thinning
     }
 }

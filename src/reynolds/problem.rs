@@ -256,9 +256,6 @@ impl LubricatedContact<'_> {
             InputError::require_len("squeeze.previous_mass", squeeze.previous_mass, grid.len())?;
             InputError::require_finite("squeeze.previous_mass", squeeze.previous_mass)?;
         }
-        if let Some(thinning) = self.shear_thinning {
-            thinning.validate()?;
-        }
         self.validate_limit(&grid)
     }
 

@@ -7,7 +7,7 @@ use super::friction::{FrictionFields, FrictionShares};
 use super::hertz::HertzContact;
 use super::scene::Scene;
 use super::warnings::Warning;
-use crate::elastic::{StressExtremes, stress_extremes};
+use crate::elastic::{LayerStressExtremes, LayeredStress, StressExtremes, stress_extremes};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::metrics;
@@ -149,8 +149,10 @@ impl ContactNumbers {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct StressNumbers {
-    /// Largest stress of von Mises and largest orthogonal shear stress.
+    /// Largest stress of von Mises and largest orthogonal shear stress, below a layer those of the substrate.
     pub largest: StressExtremes,
+    /// Those of the layer and of its bond; none without a layer.
+    pub layer: Option<LayerStressExtremes>,
     /// Largest stress of von Mises over the yield strength; none without one.
     pub yield_ratio: Option<f64>,
     /// Largest orthogonal shear stress over the yield stress in shear, `yield strength / sqrt 3`: the load is
@@ -174,11 +176,18 @@ impl StressNumbers {
         let traction: Option<Vec<f64>> =
             sliding.then(|| (0..state.pressure.len()).map(|k| direction * friction.stress(k)).collect());
         let depths = spec.depths(model.hertz.a_x.min(model.hertz.a_y));
-        let poisson = spec.poisson(scene);
-        let largest = stress_extremes(&model.grid, poisson, &depths, &state.pressure, traction.as_deref())?;
+        let (grid, pressure, traction) = (&model.grid, &state.pressure, traction.as_deref());
+        let (largest, layer) = match scene.layer()? {
+            None => (stress_extremes(grid, spec.poisson(scene), &depths, pressure, traction)?, None),
+            Some(layer) => {
+                let both = LayeredStress::new(grid, layer, pressure, traction)?.extremes(&depths)?;
+                (both.substrate, Some(both.layer))
+            }
+        };
         let over = |stress: f64, share: f64| spec.yield_strength.map(|strength| stress / (share * strength));
         Ok(Some(Self {
             largest,
+            layer,
             yield_ratio: over(largest.von_mises.stress, 1.0),
             shakedown_ratio: over(largest.orthogonal_shear.stress, 1.0 / 3.0_f64.sqrt()),
         }))

@@ -103,6 +103,15 @@ impl ContactSolution {
             mises.depth * 1e6,
             shear.stress * 1e-9,
             shear.depth * 1e6
+        )?;
+        let Some(layer) = stress.layer else { return Ok(()) };
+        write!(
+            f,
+            "\nlayer      von Mises {:.4} GPa at {:.2} um, bond: shear {:.4} GPa, tension {:.4} GPa",
+            layer.von_mises.stress * 1e-9,
+            layer.von_mises.depth * 1e6,
+            layer.bond_shear.stress * 1e-9,
+            layer.bond_tension.stress * 1e-9
         )
     }
 }
@@ -227,6 +236,14 @@ mod named {
         orthogonal_shear: Largest,
         yield_ratio: Option<f64>,
         shakedown_ratio: Option<f64>,
+        layer: Option<LayerStress>,
+    }
+
+    #[derive(Serialize)]
+    struct LayerStress {
+        von_mises: Largest,
+        bond_shear: Largest,
+        bond_tension: Largest,
     }
 
     #[derive(Serialize)]
@@ -318,6 +335,11 @@ mod named {
                     orthogonal_shear: Largest::of(&stress.largest.orthogonal_shear),
                     yield_ratio: stress.yield_ratio,
                     shakedown_ratio: stress.shakedown_ratio,
+                    layer: stress.layer.map(|layer| LayerStress {
+                        von_mises: Largest::of(&layer.von_mises),
+                        bond_shear: Largest::of(&layer.bond_shear),
+                        bond_tension: Largest::of(&layer.bond_tension),
+                    }),
                 }),
                 thermal: self.thermal_numbers(),
                 error_estimate: self.error_numbers(),

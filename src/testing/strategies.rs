@@ -5,8 +5,8 @@ use proptest::prelude::*;
 use crate::grid::Grid;
 use crate::sim::Scene;
 use crate::sim::scene::{
-    ArchardSpec, Elastic, Flash, FrictionSpec, GhanbarzadehSpec, GridSpec, Load, LubricantSpec, Material,
-    Materials, Motion, PlasticSpec, RandomRoughness, Roughness, RoughnessPair, Schedule, Schedules,
+    ArchardSpec, Elastic, Flash, FlowThinning, FrictionSpec, GhanbarzadehSpec, GridSpec, Load, LubricantSpec,
+    Material, Materials, Motion, PlasticSpec, RandomRoughness, Roughness, RoughnessPair, Schedule, Schedules,
     SolverKind, SolverSpec, ThermalSpec, TrackSpec, TribofilmSpec, WearSpec,
 };
 use crate::surface::Form;
@@ -144,11 +144,13 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
     ];
     let motion = (decades(1e-4, 20.0), -2.0..2.0)
         .prop_map(|(entrainment_speed, slide_roll_ratio)| Motion { entrainment_speed, slide_roll_ratio });
-    let friction = (0.0..0.3, prop::option::of((decades(1e6, 1e8), any::<bool>()))).prop_map(
+    let flow_thinning =
+        prop_oneof![Just(None), Just(Some(FlowThinning::Effective)), Just(Some(FlowThinning::Directional))];
+    let friction = (0.0..0.3, prop::option::of((decades(1e6, 1e8), flow_thinning))).prop_map(
         |(boundary_coefficient, eyring)| FrictionSpec {
             boundary_coefficient,
             eyring_stress: eyring.map(|e| e.0),
-            eyring_in_reynolds: eyring.is_some_and(|e| e.1),
+            flow_thinning: eyring.and_then(|e| e.1),
             ..FrictionSpec::default()
         },
     );

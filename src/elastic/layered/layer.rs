@@ -30,6 +30,10 @@ pub struct Layer {
     thickness: f64,
     /// `(1 - v^2)/E` of layer and substrate \[1/Pa\].
     compliances: [f64; 2],
+    /// Poisson's ratios of layer and substrate.
+    pub(super) poissons: [f64; 2],
+    /// Shear modulus of the layer over that of the substrate.
+    pub(super) moduli: f64,
     k: f64,
     l: f64,
 }
@@ -67,6 +71,8 @@ impl Layer {
                 (1.0 - poisson * poisson) / modulus,
                 (1.0 - substrate_poisson * substrate_poisson) / substrate_modulus,
             ],
+            poissons: [poisson, substrate_poisson],
+            moduli: m,
             k: (m - 1.0) / (m + 3.0 - 4.0 * poisson),
             l: 1.0 - 4.0 * (1.0 - poisson) / (1.0 + m * (3.0 - 4.0 * substrate_poisson)),
         })

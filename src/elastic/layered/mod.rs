@@ -3,11 +3,14 @@
 mod buried;
 mod images;
 mod layer;
+mod stress;
+mod waves;
 
 use std::f64::consts::PI;
 use std::fmt;
 
 pub use layer::Layer;
+pub use stress::{LayerStressExtremes, LayeredStress, LayeredStressExtremes};
 
 use self::images::{Image, images};
 use super::response::ElasticResponse;

@@ -53,10 +53,7 @@ pub fn stress_extremes(
     pressure: &[f64],
     traction: Option<&[f64]>,
 ) -> Result<StressExtremes, InputError> {
-    if depths.is_empty() || depths.windows(2).any(|pair| pair[0] >= pair[1]) {
-        let reason = "there must be one at least, and they must increase".to_owned();
-        return Err(InputError::Conflict { field: "depths".to_owned(), reason });
-    }
+    require_increasing(depths)?;
     let (mut mises, mut shear) = (Vec::new(), Vec::new());
     for &depth in depths {
         let field = subsurface_stress(grid, poisson, depth, pressure, traction)?;
@@ -66,17 +63,25 @@ pub fn stress_extremes(
     Ok(StressExtremes { von_mises: over(grid, depths, &mises), orthogonal_shear: over(grid, depths, &shear) })
 }
 
-fn orthogonal(field: &StressField) -> impl Iterator<Item = f64> + '_ {
+pub(in crate::elastic) fn require_increasing(depths: &[f64]) -> Result<(), InputError> {
+    if !depths.is_empty() && depths.windows(2).all(|pair| pair[0] < pair[1]) {
+        return Ok(());
+    }
+    let reason = "there must be one at least, and they must increase".to_owned();
+    Err(InputError::Conflict { field: "depths".to_owned(), reason })
+}
+
+pub(in crate::elastic) fn orthogonal(field: &StressField) -> impl Iterator<Item = f64> + '_ {
     field.xz.iter().map(|stress| stress.abs())
 }
 
 /// Node and value of the largest.
-fn largest(values: impl Iterator<Item = f64>) -> (usize, f64) {
+pub(in crate::elastic) fn largest(values: impl Iterator<Item = f64>) -> (usize, f64) {
     values.enumerate().fold((0, 0.0), |best, (k, value)| if value > best.1 { (k, value) } else { best })
 }
 
 /// The largest of the values at each depth, at the peak of the parabola through it and its neighbours.
-fn over(grid: &Grid, depths: &[f64], values: &[(usize, f64)]) -> Extreme {
+pub(in crate::elastic) fn over(grid: &Grid, depths: &[f64], values: &[(usize, f64)]) -> Extreme {
     let (k, (node, stress)) = values
         .iter()
         .enumerate()

@@ -1,7 +1,7 @@
 //! Stresses below the surface under solved pressures and tractions.
 
 mod corners;
-mod extremes;
+pub(super) mod extremes;
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -37,7 +37,7 @@ impl StressField {
         Self { xx, yy, zz, xy, xz, yz }
     }
 
-    fn components(&mut self) -> [&mut Vec<f64>; COMPONENTS] {
+    pub(super) fn components(&mut self) -> [&mut Vec<f64>; COMPONENTS] {
         [&mut self.xx, &mut self.yy, &mut self.zz, &mut self.xy, &mut self.xz, &mut self.yz]
     }
 
@@ -58,8 +58,9 @@ impl StressField {
 ///
 /// The stresses under a uniformly loaded rectangle are closed forms, summed as convolutions through FFTs of
 /// twice the grid: no periodic images. At depth zero they are those just below the surface. Under a line
-/// contact (a row of cells one metre wide) they are those of plane strain to `(b/0.5 m)^2` at the distance
-/// `b`. Cost: twelve convolutions and the transforms of their kernels, six without traction.
+/// contact (a row of cells one metre wide) they are those of plane strain to `4 (1 - 2 v) b/pi` of the
+/// pressure, with its half-width `b` in metres. Cost: twelve convolutions and the transforms of their
+/// kernels, six without traction.
 ///
 /// Sources: Love, A. E. H. (1929), Philosophical Transactions of the Royal Society A 228, 377-420 (pressure);
 /// Johnson, K. L. (1985), Contact Mechanics, section 3.6 (point traction).

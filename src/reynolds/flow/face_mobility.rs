@@ -52,6 +52,8 @@ pub(super) enum Direction {
     /// From the first node to the second along +x: the film of the face over that of the first, and the
     /// factor of the inlet.
     Along(f64, f64),
+    /// The same where nothing is carried: its mobility is that of one across.
+    AlongAtRest,
     Across,
 }
 
@@ -186,14 +188,14 @@ mod tests {
                     (
                         by_face,
                         match direction {
-                            Direction::Across => 0.0,
+                            Direction::AlongAtRest | Direction::Across => 0.0,
                             Direction::Along(f, i) => slope(&|d| wedge(a, b, Direction::Along(f + d, i))[0]),
                         },
                     ),
                     (
                         by_inlet,
                         match direction {
-                            Direction::Across => 0.0,
+                            Direction::AlongAtRest | Direction::Across => 0.0,
                             Direction::Along(f, i) => slope(&|d| wedge(a, b, Direction::Along(f, i + d))[0]),
                         },
                     ),

@@ -1,59 +1,92 @@
-//! Viscosity of a sliding Eyring fluid in the flow by pressure.
+//! Viscosities of a sliding fluid in the flow by pressure.
 
+use super::face_mobility::Direction;
 use crate::error::InputError;
+use crate::lubricant::{Rheology, Thinning};
 
-/// Largest Newtonian over Eyring stress that is told apart from larger ones.
-const LARGEST: f64 = 1e100;
-
-/// Shear thinning of the flow by pressure, by the sliding of the surfaces.
+/// Shear thinning of the flow by pressure, by the sliding of the surfaces along x.
 ///
-/// Sliding at `u_s` shears a film of thickness `h` by the stress `tau_E asinh(x)`, `x = eta u_s / (h tau_E)`,
-/// in place of the Newtonian `eta u_s / h`. The flow by pressure takes the viscosity that is left,
+/// Sliding at `u_s` shears a film of thickness `h` at the rate `g = u_s/h` by the stress `tau(eta g)` of a
+/// [`Rheology`], Eyring's or Carreau's. The flow by pressure takes the viscosity that is left of the
+/// Newtonian `eta`:
 ///
-/// `eta* = eta asinh(x) / x`,
+/// | flow | along the sliding direction | across it |
+/// |---|---|---|
+/// | effective ([`ShearThinning::new`]) | `tau/g` | `tau/g` |
+/// | directional ([`ShearThinning::directional`]) | `d tau/dg` | `tau/g` |
 ///
-/// in all directions alike. It holds where sliding shears the film far more than the pressure flow does. Of a
-/// small change of shear along the sliding direction the resistance is the lower
-/// `d tau / d rate = eta / sqrt(1 + x^2)`; that difference of directions is left out. A limiting stress does
-/// not enter.
+/// What a small pressure gradient adds to the shear of sliding changes the rate along the sliding direction,
+/// where the tangent of the law resists it, but across that direction only turns the stress: the secant
+/// resists it, as in every generalised Newtonian fluid. `directional` is exact where sliding shears the film
+/// far more than the pressure flow does; in `effective` the flow along is too small. The limiting stress of
+/// the rheology does not enter.
+///
+/// Directional flow of Carreau's fluid with an exponent below 1/3: what flows through a face need not grow
+/// with the pressure of its node everywhere, and solvers may stall.
+///
+/// Sources: Ehret, Dowson and Taylor (1998), Proceedings of the Royal Society A 454, 763-787; Greenwood
+/// (2000), Proceedings of the Institution of Mechanical Engineers J 214, 29-41.
 ///
 /// ```
+/// use stribeck::lubricant::Rheology;
 /// use stribeck::reynolds::ShearThinning;
-/// let oil = ShearThinning { eyring_stress: 5e6, sliding_speed: 0.5 };
+/// let oil = ShearThinning::new(Rheology::eyring(5e6)?, 0.5)?;
 /// // 10 Pa s over 100 nm: the Newtonian stress would be ten Eyring stresses.
-/// assert!((oil.viscosity_ratio(10.0, 1e-7) - 10.0_f64.asinh() / 10.0).abs() < 1e-15);
-/// assert!((oil.viscosity_ratio(1e-6, 1e-7) - 1.0).abs() < 1e-12);
+/// let secant = 10.0_f64.asinh() / 10.0;
+/// assert_eq!(oil.viscosity_ratios(10.0, 1e-7), [secant, secant]);
+/// let [along, across] = oil.directional().viscosity_ratios(10.0, 1e-7);
+/// assert!((along - 101.0_f64.powf(-0.5)).abs() < 1e-15 && across == secant);
+/// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShearThinning {
-    /// Eyring stress `tau_E` \[Pa\].
-    pub eyring_stress: f64,
-    /// Difference of the surface speeds, not negative \[m/s\]; without any the fluid is Newtonian.
-    pub sliding_speed: f64,
+    law: Thinning,
+    sliding_speed: f64,
+    is_directional: bool,
 }
 
 impl ShearThinning {
-    /// Checks the ranges.
+    /// One effective viscosity in all directions. `sliding_speed` is the difference of the surface speeds,
+    /// not negative \[m/s\]; without any the fluid is Newtonian.
     ///
     /// # Errors
-    /// A stress that is not finite and positive, a speed that is not finite or negative.
-    pub fn validate(&self) -> Result<(), InputError> {
-        InputError::require_positive("shear_thinning.eyring_stress", self.eyring_stress)?;
-        InputError::require_non_negative("shear_thinning.sliding_speed", self.sliding_speed)
+    /// A speed that is not finite or negative.
+    pub fn new(rheology: Rheology, sliding_speed: f64) -> Result<Self, InputError> {
+        InputError::require_non_negative("shear_thinning.sliding_speed", sliding_speed)?;
+        Ok(Self { law: rheology.thinning(), sliding_speed, is_directional: false })
     }
 
-    /// `eta* / eta`, in (0, 1], of a fluid of `viscosity` \[Pa s\] in a film \[m\], both positive.
-    pub fn viscosity_ratio(&self, viscosity: f64, film: f64) -> f64 {
-        ratio(self.length(viscosity) / film).0
+    /// The same with another viscosity along the sliding direction than across it.
+    #[must_use]
+    pub fn directional(self) -> Self {
+        Self { is_directional: true, ..self }
     }
 
-    /// The film in which a fluid of `viscosity` \[Pa s\] has `x = 1` \[m\].
+    /// Viscosity along and across the sliding direction over the Newtonian `viscosity` \[Pa s\], in (0, 1],
+    /// in a film \[m\]; both arguments positive.
+    pub fn viscosity_ratios(&self, viscosity: f64, film: f64) -> [f64; 2] {
+        let ratios = self.node_ratios(self.length(viscosity) / film, [0.0; 2]);
+        [ratios.along.value, ratios.across.value]
+    }
+
+    /// The film in which a fluid of `viscosity` \[Pa s\] has `x = eta u_s/(h S) = 1` \[m\], `S` the stress
+    /// where thinning sets in; zero for a Newtonian one.
     pub(super) fn length(&self, viscosity: f64) -> f64 {
-        viscosity * self.sliding_speed / self.eyring_stress
+        viscosity * self.sliding_speed / self.law.onset()
+    }
+
+    /// The ratios at `x`, whose logarithmic derivatives by pressure and by film are given.
+    pub(super) fn node_ratios(&self, x: f64, derivatives: [f64; 2]) -> NodeRatios {
+        let ratio = |(value, slope): (f64, f64)| {
+            let [by_pressure, by_film] = derivatives.map(|by| if slope == 0.0 { 0.0 } else { slope * by });
+            ViscosityRatio { value, by_pressure, by_film }
+        };
+        let across = ratio(self.law.secant(x));
+        NodeRatios { along: if self.is_directional { ratio(self.law.tangent(x)) } else { across }, across }
     }
 }
 
-/// `eta* / eta` of one node with its derivatives by pressure and film.
+/// A viscosity of one node over that of the law, with its derivatives by pressure and film.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ViscosityRatio {
     pub(super) value: f64,
@@ -62,53 +95,40 @@ pub(super) struct ViscosityRatio {
 }
 
 impl ViscosityRatio {
-    pub(super) const NEWTONIAN: Self = Self { value: 1.0, by_pressure: 0.0, by_film: 0.0 };
+    const NEWTONIAN: Self = Self { value: 1.0, by_pressure: 0.0, by_film: 0.0 };
 
     /// The same `factor` times as large.
-    pub(super) fn times(self, factor: f64) -> Self {
+    fn times(self, factor: f64) -> Self {
         Self {
             value: factor * self.value,
             by_pressure: factor * self.by_pressure,
             by_film: factor * self.by_film,
         }
     }
-
-    /// At `x`, of which the logarithmic derivatives are given.
-    pub(super) fn new(x: f64, by_pressure: f64, by_film: f64) -> Self {
-        let (value, slope) = ratio(x);
-        let change = |by: f64| if slope == 0.0 { 0.0 } else { slope * by };
-        Self { value, by_pressure: change(by_pressure), by_film: change(by_film) }
-    }
 }
 
-/// `asinh(x) / x` and `x` times its slope, for `x` from zero on.
-fn ratio(x: f64) -> (f64, f64) {
-    if x < f64::MIN_POSITIVE {
-        return (1.0, 0.0);
-    }
-    let bounded = x.min(LARGEST);
-    let value = bounded.asinh() / bounded;
-    (value, if x < LARGEST { 1.0 / x.hypot(1.0) - value } else { 0.0 })
+/// The ratios of one node along and across the sliding direction.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NodeRatios {
+    along: ViscosityRatio,
+    across: ViscosityRatio,
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+impl NodeRatios {
+    pub(super) const NEWTONIAN: Self =
+        Self { along: ViscosityRatio::NEWTONIAN, across: ViscosityRatio::NEWTONIAN };
 
-    #[test]
-    fn the_ratio_is_that_of_asinh_with_its_slope() {
-        for x in [1e-300, 1e-9, 1e-3, 0.3, 1.0, 7.0, 1e3, 1e9, 1e90] {
-            let (value, slope) = ratio(x);
-            assert!(value > 0.0 && value <= 1.0 + f64::EPSILON, "{value} at {x:e}");
-            // tau / tau_E = x eta*/eta turned round.
-            if (1e-3..1e2).contains(&x) {
-                assert!(((value * x).sinh() / x - 1.0).abs() < 1e-12, "{value} at {x:e}");
-            }
-            let step = 1e-5;
-            let difference = (ratio(x * (1.0 + step)).0 - ratio(x * (1.0 - step)).0) / (2.0 * step);
-            assert!((difference - slope).abs() < 1e-9, "{difference:e} and {slope:e} at {x:e}");
+    /// The same `factor` times as large.
+    pub(super) fn times(self, factor: f64) -> Self {
+        Self { along: self.along.times(factor), across: self.across.times(factor) }
+    }
+
+    /// That of the flow through a face.
+    #[inline]
+    pub(super) fn of(&self, direction: Direction) -> ViscosityRatio {
+        match direction {
+            Direction::Along(..) | Direction::AlongAtRest => self.along,
+            Direction::Across => self.across,
         }
-        assert_eq!(ratio(0.0), (1.0, 0.0));
-        assert_eq!(ratio(f64::INFINITY), (ratio(LARGEST).0, 0.0));
     }
 }

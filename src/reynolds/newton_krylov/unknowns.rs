@@ -350,7 +350,7 @@ fn push_all(nodes: &mut Vec<u32>, kinds: &[Kind], wanted: impl Fn(Kind) -> bool)
 mod tests {
     use super::*;
     use crate::elastic::{DeformationModel, HalfSpace};
-    use crate::lubricant::{DowsonHigginson, Lubricant, Roelands};
+    use crate::lubricant::{DowsonHigginson, Lubricant, Rheology, Roelands};
     use crate::reynolds::problem::interior;
     use crate::reynolds::{Cavitation, FaceMobility, Scheme, ShearThinning};
 
@@ -392,10 +392,13 @@ mod tests {
                 check_product(scheme, face_mobility, Cavitation::Reynolds, (None, false));
                 check_product(scheme, face_mobility, Cavitation::MassConserving, (None, false));
                 check_product(scheme, face_mobility, Cavitation::MassConserving, (None, true));
-                for eyring_stress in [1e5, 1e7] {
-                    let thinning = ShearThinning { eyring_stress, sliding_speed: 0.1 };
+                let laws = [Rheology::eyring(1e5), Rheology::eyring(1e7), Rheology::carreau(1e6, 0.5)];
+                for law in laws {
+                    let thinning = ShearThinning::new(law.unwrap(), 0.1).unwrap();
                     for is_warm in [false, true] {
                         let viscosity = (Some(thinning), is_warm);
+                        check_product(scheme, face_mobility, Cavitation::Reynolds, viscosity);
+                        let viscosity = (Some(thinning.directional()), is_warm);
                         check_product(scheme, face_mobility, Cavitation::Reynolds, viscosity);
                     }
                 }

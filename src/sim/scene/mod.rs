@@ -25,7 +25,7 @@ pub use elastic::{Elastic, LayerSpec};
 pub use lubricant::{BarusConstants, LubricantSpec, ViscositySpec};
 pub(super) use materials::BODIES;
 pub use materials::{Material, Materials, NamedMaterial};
-pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec};
+pub use processes::{Flash, FlowThinning, FrictionSpec, PlasticSpec, ThermalSpec};
 pub(super) use roughness::ShortestWaves;
 pub use roughness::{FileRoughness, RandomRoughness, Roughness, RoughnessPair};
 pub use schedule::{Schedule, Schedules};

@@ -67,8 +67,9 @@ pub struct FrictionSpec {
     /// Largest shear stress that the fluid carries over its pressure, in place of `limiting_shear_stress`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub limiting_stress_coefficient: Option<f64>,
-    /// Whether the flow by pressure has the viscosity under that stress too, or is Newtonian.
-    pub eyring_in_reynolds: bool,
+    /// Viscosity that sliding leaves the flow by pressure; absent: that of the Newtonian fluid.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub flow_thinning: Option<FlowThinning>,
 }
 
 with_fields!(FrictionSpec {
@@ -80,7 +81,7 @@ with_fields!(FrictionSpec {
     with_carreau_stress carreau_stress: Option<f64>,
     with_carreau_exponent carreau_exponent: Option<f64>,
     with_limiting_stress_coefficient limiting_stress_coefficient: Option<f64>,
-    with_eyring_in_reynolds eyring_in_reynolds: bool,
+    with_flow_thinning flow_thinning: Option<FlowThinning>,
 });
 
 impl FrictionSpec {
@@ -113,17 +114,35 @@ impl FrictionSpec {
     /// Shear thinning of the flow by pressure at `sliding_speed` \[m/s\]; none where it is not asked for.
     ///
     /// # Errors
-    /// No stress where it is asked for.
+    /// A speed below zero; a Newtonian fluid where thinning is asked for; what [`FrictionSpec::rheology`]
+    /// refuses.
     pub fn shear_thinning(&self, sliding_speed: f64) -> Result<Option<ShearThinning>, InputError> {
-        match (self.eyring_in_reynolds, self.eyring_stress) {
-            (false, _) => Ok(None),
-            (true, Some(eyring_stress)) => Ok(Some(ShearThinning { eyring_stress, sliding_speed })),
-            (true, None) => Err(InputError::Conflict {
-                field: "friction.eyring_in_reynolds".to_owned(),
-                reason: "friction.eyring_stress is missing".to_owned(),
-            }),
+        let Some(flow) = self.flow_thinning else { return Ok(None) };
+        if self.eyring_stress.is_none() && self.carreau_stress.is_none() {
+            return Err(InputError::Conflict {
+                field: "friction.flow_thinning".to_owned(),
+                reason: "the fluid is Newtonian: friction.eyring_stress is missing, or carreau_stress and \
+                         carreau_exponent"
+                    .to_owned(),
+            });
         }
+        let effective = ShearThinning::new(self.rheology()?, sliding_speed)?;
+        Ok(Some(match flow {
+            FlowThinning::Effective => effective,
+            FlowThinning::Directional => effective.directional(),
+        }))
     }
+}
+
+/// Viscosity that sliding leaves the flow by pressure, see [`ShearThinning`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
+pub enum FlowThinning {
+    /// The effective viscosity of the sliding film in all directions.
+    Effective,
+    /// Along the sliding direction the tangent of the stress by the rate, across it the effective viscosity.
+    Directional,
 }
 
 impl Default for FrictionSpec {
@@ -137,7 +156,7 @@ impl Default for FrictionSpec {
             carreau_stress: None,
             carreau_exponent: None,
             limiting_stress_coefficient: None,
-            eyring_in_reynolds: false,
+            flow_thinning: None,
         }
     }
 }

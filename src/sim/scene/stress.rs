@@ -17,10 +17,11 @@ pub struct StressSpec {
     /// The deepest of them \[m\]; none for 1.5 of the smaller Hertz half-width.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub deepest: Option<f64>,
-    /// Poisson's ratio of the disc; none for that of `materials.disc`, or 0.3.
+    /// Poisson's ratio of the disc; none for that of `materials.disc`, or 0.3. Not with a layer.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub poisson: Option<f64>,
-    /// Tensile yield strength of the disc \[Pa\], which the stresses are put in relation to.
+    /// Tensile yield strength of the disc \[Pa\], below a layer that of the substrate, which the stresses are
+    /// put in relation to.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub yield_strength: Option<f64>,
 }
@@ -57,12 +58,12 @@ impl StressSpec {
         let conflict = |reason: &str| {
             Err(InputError::Conflict { field: "stress".to_owned(), reason: reason.to_owned() })
         };
-        if scene.elastic.layer.is_some() {
-            return conflict("the stresses are those of a half-space, but elastic.layer is given");
-        }
-        match (self.poisson, scene.materials.disc.poisson()) {
-            (Some(_), Some(_)) => {
+        match (self.poisson, scene.materials.disc.poisson(), scene.elastic.layer) {
+            (Some(_), Some(_), _) => {
                 conflict("poisson and materials.disc.poisson_ratio are given; give one of both")
+            }
+            (Some(_), None, Some(_)) => {
+                conflict("poisson is given, but elastic.layer has the ratios of layer and disc")
             }
             _ => Ok(()),
         }

@@ -66,14 +66,13 @@ impl Discretisation {
         Inlet::new(self.nodes[k - 1].film, self.nodes[k].film, self.nodes[k + 1].film, self.alignments[k])
     }
 
-    /// The direction of the face to the east of node `k`: nothing distinguishes it from one across where
-    /// nothing is carried.
+    /// The direction of the face to the east of node `k`.
     #[inline]
     pub(super) fn along(&self, k: usize) -> Direction {
         if self.wedge > 0.0 {
             Direction::Along(self.face_films[k], self.inlets[k])
         } else {
-            Direction::Across
+            Direction::AlongAtRest
         }
     }
 
@@ -81,7 +80,10 @@ impl Discretisation {
     #[inline]
     pub(super) fn face_flow(&self, a: usize, b: usize, direction: Direction) -> FaceFlow {
         let flow = self.face_mobility.of(self.fluidity, &self.nodes[a], &self.nodes[b], direction);
-        if self.ratios.is_empty() { flow } else { flow.thinned(self.ratios[a], self.ratios[b]) }
+        if self.ratios.is_empty() {
+            return flow;
+        }
+        flow.thinned(self.ratios[a].of(direction), self.ratios[b].of(direction))
     }
 
     /// `c` of the face to the east of node `k`.

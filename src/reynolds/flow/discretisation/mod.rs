@@ -9,11 +9,11 @@
 //! `s = dx / (U dt)`. `M` is what entrainment carries through a face ([`Scheme`]); `a_face`, a mean of
 //! `h^3 / (12 eta_0)`, and the potential `phi` are those of the [`FaceMobility`].
 //!
-//! With shear thinning the mobility of a face is divided by the mean of `eta*/eta` of its two nodes
-//! ([`ShearThinning`](super::ShearThinning)). Why not a mean of `a eta/eta*`: at steep viscosities the node
-//! of high pressure has nearly all of that and nearly none of the change of `q`. Divided like this the flow
-//! through a face still grows with the pressure of its node where `ln eta` is linear in pressure, as
-//! `q_end - q <= (dq/dp) / (d ln eta/dp)`.
+//! With shear thinning the mobility of a face is divided by the mean of `eta*/eta` of its two nodes along the
+//! face ([`ShearThinning`](super::ShearThinning)). Why not a mean of `a eta/eta*`: at steep viscosities the
+//! node of high pressure has nearly all of that and nearly none of the change of `q`. Divided like this the
+//! flow through a face still grows with the pressure of its node where `ln eta` is linear in pressure, as
+//! `q_end - q <= (dq/dp) / (d ln eta/dp)`, while `eta*/eta` falls no faster than `1/eta`.
 //!
 //! Films that are warmer than the law have `eta*/eta` times the ratio of viscosities that the lubricant holds
 //! for the node ([`Lubricant::viscosity_ratios`]); shear thinning then is that of the warmer fluid.
@@ -36,7 +36,7 @@ use super::cavitation::Cavitation;
 use super::entrainment::Scheme;
 use super::face_mobility::{Direction, FaceMobility};
 use super::node::NodeFlow;
-use super::shear_thinning::{ShearThinning, ViscosityRatio};
+use super::shear_thinning::{NodeRatios, ShearThinning};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::reynolds::problem::{LubricatedContact, interior};
@@ -82,12 +82,13 @@ pub(in crate::reynolds) struct Discretisation {
     /// `a` of the faces to the east and to the north of the nodes.
     east: Vec<f64>,
     north: Vec<f64>,
-    /// Film in which the fluid at ambient pressure has `x = 1` \[m\]; zero without shear thinning.
-    thinning: f64,
+    /// Shear thinning and the film in which the fluid at ambient pressure has `x = 1` \[m\]; none where it
+    /// is Newtonian.
+    thinning: Option<(ShearThinning, f64)>,
     /// Viscosity of the nodes over that of the law; empty where they have its temperature.
     warmth: Vec<f64>,
     /// `eta*/eta` of the nodes; empty without shear thinning in films that have the temperature of the law.
-    ratios: Vec<ViscosityRatio>,
+    ratios: Vec<NodeRatios>,
 }
 
 impl Discretisation {
@@ -119,7 +120,7 @@ impl Discretisation {
             alignments: vec![1.0; grid.len()],
             east: zeros(),
             north: zeros(),
-            thinning: 0.0,
+            thinning: None,
             warmth: Vec::new(),
             ratios: Vec::new(),
         }
@@ -146,12 +147,12 @@ impl Discretisation {
         self.pseudo_transient = 0.0;
         let ambient = problem.lubricant.map(|l| l.viscosity().viscosity(0.0));
         self.fluidity = ambient.map_or(0.0, |eta| 1.0 / (12.0 * eta));
-        let thinning = |(law, eta): (ShearThinning, f64)| law.length(eta);
-        self.thinning = problem.shear_thinning.zip(ambient).map_or(0.0, thinning);
+        let thinning = problem.shear_thinning.zip(ambient).map(|(law, eta)| (law, law.length(eta)));
+        self.thinning = thinning.filter(|(_, length)| *length > 0.0);
         self.warm(problem.lubricant.map_or(&[], Lubricant::viscosity_ratios), &problem.grid());
-        let is_newtonian = self.thinning == 0.0 && self.warmth.is_empty();
+        let is_newtonian = self.thinning.is_none() && self.warmth.is_empty();
         let thinned = if is_newtonian { 0 } else { self.grid.len() };
-        self.ratios.resize(thinned, ViscosityRatio::NEWTONIAN);
+        self.ratios.resize(thinned, NodeRatios::NEWTONIAN);
         // Coarser grids, whose gaps are not those of the problem, only make corrections.
         if problem.gap.len() == self.grid.len() {
             self.align(problem.gap);
@@ -225,18 +226,16 @@ impl Discretisation {
     }
 
     /// `eta*/eta` of node `k` at fluid pressure `p` and film `h`.
-    fn viscosity_ratio(&self, lubricant: &Lubricant, k: usize, p: f64, h: f64) -> ViscosityRatio {
+    fn viscosity_ratios(&self, lubricant: &Lubricant, k: usize, p: f64, h: f64) -> NodeRatios {
         let warmth = self.warmth.get(k).copied().unwrap_or(1.0);
-        if self.thinning == 0.0 {
-            return ViscosityRatio::NEWTONIAN.times(warmth);
-        }
+        let Some((law, length)) = self.thinning else { return NodeRatios::NEWTONIAN.times(warmth) };
         let point = lubricant.at(p);
         let floored = h.max(self.film_floor);
         // Density over slope of the reduced pressure is the viscosity over that at ambient pressure.
-        let x = warmth * self.thinning / floored * (point.density / point.reduced_slope);
+        let x = warmth * length / floored * (point.density / point.reduced_slope);
         let by_pressure = point.density_slope / point.density - point.reduced_curvature / point.reduced_slope;
         let by_film = if h > self.film_floor { -1.0 / h } else { 0.0 };
-        ViscosityRatio::new(x, by_pressure, by_film).times(warmth)
+        law.node_ratios(x, [by_pressure, by_film]).times(warmth)
     }
 
     /// Takes over fluid pressure and film of every node, and the masses of the previous time, where there is
@@ -270,7 +269,7 @@ impl Discretisation {
         }
         if !self.ratios.is_empty() {
             for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
-                self.ratios[k] = self.viscosity_ratio(lubricant, k, p, h);
+                self.ratios[k] = self.viscosity_ratios(lubricant, k, p, h);
             }
         }
         self.update_entrainment();

@@ -2,7 +2,7 @@
 
 use super::super::face_mobility::Direction;
 use super::super::node::NodeFlow;
-use super::super::shear_thinning::ViscosityRatio;
+use super::super::shear_thinning::{NodeRatios, ViscosityRatio};
 use super::Discretisation;
 use crate::lubricant::Lubricant;
 
@@ -30,7 +30,7 @@ impl Discretisation {
         let held = |(o, c, _): (usize, f64, f64), direction: Direction, is_first: bool| HeldNeighbour {
             c,
             flow: self.nodes[o],
-            ratio: self.ratios.get(o).copied().unwrap_or(ViscosityRatio::NEWTONIAN),
+            ratio: self.ratios.get(o).unwrap_or(&NodeRatios::NEWTONIAN).of(direction),
             direction,
             is_first,
         };
@@ -53,8 +53,8 @@ impl Discretisation {
         (p, h): (f64, f64),
     ) -> ([f64; 2], [f64; 3]) {
         let node = self.node_flow(lubricant, p, h);
-        let ratio = self.viscosity_ratio(lubricant, k, p, h);
-        ([node.density, node.density_p], self.flow_of(&node, ratio, neighbours))
+        let ratios = self.viscosity_ratios(lubricant, k, p, h);
+        ([node.density, node.density_p], self.flow_of(&node, &ratios, neighbours))
     }
 
     /// The same of node `k` as it was at the last update.
@@ -64,15 +64,15 @@ impl Discretisation {
         neighbours: &[HeldNeighbour; 4],
     ) -> ([f64; 2], [f64; 3]) {
         let node = &self.nodes[k];
-        let ratio = self.ratios.get(k).copied().unwrap_or(ViscosityRatio::NEWTONIAN);
-        ([node.density, node.density_p], self.flow_of(node, ratio, neighbours))
+        let ratios = self.ratios.get(k).unwrap_or(&NodeRatios::NEWTONIAN);
+        ([node.density, node.density_p], self.flow_of(node, ratios, neighbours))
     }
 
     #[inline]
     pub(super) fn flow_of(
         &self,
         node: &NodeFlow,
-        ratio: ViscosityRatio,
+        ratios: &NodeRatios,
         neighbours: &[HeldNeighbour; 4],
     ) -> [f64; 3] {
         let mut sums = [0.0; 3];
@@ -80,6 +80,7 @@ impl Discretisation {
             let (first, second) = if held.is_first { (&held.flow, node) } else { (node, &held.flow) };
             let mut face = self.face_mobility.of(self.fluidity, first, second, held.direction);
             if !self.ratios.is_empty() {
+                let ratio = ratios.of(held.direction);
                 let (first, second) = if held.is_first { (held.ratio, ratio) } else { (ratio, held.ratio) };
                 face = face.thinned(first, second);
             }
