@@ -8,9 +8,11 @@ use super::film_heat;
 use super::friction::boundary_law;
 use super::heat::Heat;
 use super::interrupt::Interrupt;
+use super::laws::Laws;
 use super::per_body::PerBody;
+use super::placement::Travel;
 use super::scene::{BODIES, PlasticSpec, Roughness, Scene};
-use super::simulation::{Laws, MixedLubricationSim, Travel};
+use super::simulation::MixedLubricationSim;
 use super::start::BodyStart;
 use super::timetable::Timetable;
 use super::warnings::{self, Warning};
@@ -39,6 +41,13 @@ pub struct SimBuilder {
     pub(super) heights: [Option<Vec<f64>>; 2],
     pub(super) starts: [Option<BodyStart>; 2],
     pub(super) contact_start: Option<ContactState>,
+}
+
+impl MixedLubricationSim {
+    /// A builder that makes the simulation of `scene`.
+    pub fn builder(scene: Scene) -> SimBuilder {
+        SimBuilder::new(scene)
+    }
 }
 
 impl SimBuilder {
@@ -80,8 +89,8 @@ impl SimBuilder {
         self
     }
 
-    /// Replaces the solver, which is copied where the simulation is. A state that it calls converged is evaluated
-    /// before it counts: where its residuals are above twice the tolerance the status is
+    /// Replaces the solver, which is copied where the simulation is. A state that it calls converged is
+    /// evaluated before it counts: where its residuals are above twice the tolerance the status is
     /// [`Status::Unconfirmed`](crate::Status::Unconfirmed), and nothing is done to the bodies.
     #[must_use]
     pub fn solver(mut self, solver: impl ContactSolver + Clone + 'static) -> Self {

@@ -2,9 +2,9 @@
 
 use super::contact::ContactModel;
 use super::formula::formula_film;
-use super::friction::mean_fluid_stress;
+use super::friction::{FrictionFields, mean_fluid_stress};
+use super::laws::Laws;
 use super::scene::{Flash, Scene};
-use super::simulation::Laws;
 use super::timetable::{Conditions, Timetable};
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -22,6 +22,9 @@ pub(super) struct Heat {
     pub(super) estimate: f64,
     bodies: [ThermalBody; 2],
     speeds: [f64; 2],
+    /// Heat of friction at every node of the contact \[W/m^2\].
+    sources: Vec<f64>,
+    rise: Vec<f64>,
 }
 
 impl Heat {
@@ -45,7 +48,23 @@ impl Heat {
         };
         let speeds = timetable.at(0.0).motion.surface_speeds();
         let flash = if wanted { Some(FlashTemperature::new(&contact.grid, bodies, speeds)?) } else { None };
-        Ok(Self { flash, estimate, bodies, speeds })
+        let zeros = || vec![0.0; contact.grid.len()];
+        Ok(Self { flash, estimate, bodies, speeds, sources: zeros(), rise: zeros() })
+    }
+
+    /// Flash temperature rise under the heat of `friction`; returns the largest \[K\], none where it is not
+    /// modelled.
+    pub(super) fn rub(&mut self, friction: &FrictionFields) -> Result<Option<f64>, InputError> {
+        let Some(flash) = &mut self.flash else { return Ok(None) };
+        for (k, source) in self.sources.iter_mut().enumerate() {
+            *source = friction.heat(k);
+        }
+        Ok(Some(flash.rise(&self.sources, &mut self.rise)?.maximum))
+    }
+
+    /// Flash temperature rise at every node of the contact \[K\]; zeros where it is not modelled.
+    pub(super) fn rise(&self) -> &[f64] {
+        &self.rise
     }
 
     /// Plans anew where the surfaces move at other `speeds` \[m/s\] than before.

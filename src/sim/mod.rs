@@ -4,6 +4,7 @@
 //! history. Every law can be replaced through the [builder](SimBuilder); an [`Observer`] sees every step.
 
 mod accuracy;
+mod asked;
 mod body;
 mod builder;
 #[cfg(feature = "serde")]
@@ -22,15 +23,19 @@ mod history_means;
 #[cfg(feature = "serde")]
 mod identity;
 mod interrupt;
+mod laws;
 mod mixing;
 #[cfg(feature = "npz")]
 mod npz;
 mod observer;
 mod owned;
+mod passage;
 mod per_body;
+mod placement;
 mod record;
 #[cfg(all(feature = "serde", feature = "npz"))]
 mod run_folder;
+mod runs;
 pub mod scene;
 mod setup;
 mod simulation;
@@ -71,8 +76,9 @@ pub use observer::Observer;
 pub use record::StepRecord;
 #[cfg(all(feature = "serde", feature = "npz"))]
 pub use run_folder::RunFolder;
+pub use runs::RunEnd;
 pub use scene::{Scene, Schedule};
-pub use simulation::{MixedLubricationSim, RunEnd};
+pub use simulation::MixedLubricationSim;
 pub use solution::{ContactNumbers, ContactSolution, FilmNumbers, StressNumbers};
 pub use start::BodyStart;
 pub use step_control::StepControl;

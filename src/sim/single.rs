@@ -7,8 +7,9 @@ use super::contact::ContactModel;
 use super::film_heat::{self, Surroundings};
 use super::friction::FrictionFields;
 use super::interrupt::Interrupt;
+use super::laws::Laws;
+use super::placement::Placement;
 use super::scene::{GridSpec, Scene};
-use super::simulation::Laws;
 use super::solution::{ContactSolution, Numbers, StressNumbers, is_known};
 use super::track::track_rq;
 use super::yielding::Yielding;
@@ -16,6 +17,7 @@ use super::{SimError, accuracy, setup, warnings};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::ContactState;
+use crate::surface::Offset;
 
 impl SimBuilder {
     /// Solves the single contact of the bodies as they stand, in the first position of their roughness and at
@@ -29,15 +31,14 @@ impl SimBuilder {
     /// the report.
     ///
     /// ```
-    /// use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
-    /// let scene = Scene::azam_2019(32);
-    /// let first = solve_contact(&scene)?;
-    /// // The same surfaces from memory, and a start that is the solution.
-    /// let heights = |k: usize| MixedLubricationSim::builder(scene.clone()).build().map(|sim| sim.bodies()[k].surface().to_vec());
-    /// let builder = MixedLubricationSim::builder(scene.clone()).ball_heights(heights(0)?).disc_heights(heights(1)?);
-    /// let again = builder.contact_start(first.state.clone()).solve()?;
-    /// assert!((again.film.central / first.film.central - 1.0).abs() < 1e-3);
-    /// assert!(again.report.work.iterations < first.report.work.iterations);
+    /// use stribeck::sim::{MixedLubricationSim, Scene, solve_contact}; let scene = Scene::azam_2019(32); let
+    /// first = solve_contact(&scene)?; // The same surfaces from memory, and a start that is the solution.
+    /// let heights = |k: usize| MixedLubricationSim::builder(scene.clone()).build().map(|sim|
+    /// sim.bodies()[k].surface().to_vec()); let builder =
+    /// MixedLubricationSim::builder(scene.clone()).ball_heights(heights(0)?).disc_heights(heights(1)?); let
+    /// again = builder.contact_start(first.state.clone()).solve()?; assert!((again.film.central /
+    /// first.film.central - 1.0).abs() < 1e-3); assert!(again.report.work.iterations <
+    /// first.report.work.iterations);
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
     pub fn solve(mut self) -> Result<ContactSolution, SimError> {
@@ -146,13 +147,12 @@ fn solve_bodies(
 ) -> Result<ContactSolution, SimError> {
     let grid = model.grid;
     let [ball, disc] = bodies;
-    let heights = ball.surface().iter().zip(disc.surface());
-    let gap: Vec<f64> = model.form_gap.iter().zip(heights).map(|(form, (b, d))| form - b - d).collect();
-    let films = [ball, disc].map(|body| body.film_thickness().to_vec());
+    let mut placement = Placement::new(grid);
+    placement.place(bodies, &model.form_gap, [Offset::default(); 2])?;
+    let Placement { gap, films, depths, .. } = placement;
     let limit = match &laws.plasticity {
         None => None,
         Some(plasticity) => {
-            let depths = [ball, disc].map(|body| body.plastic_depth().to_vec());
             let mut yielding = Yielding::new(grid.len());
             yielding.start(plasticity, &films, &depths)?;
             Some(yielding.limit)
