@@ -3,6 +3,7 @@
 use super::smooth::Plan;
 use super::surfaces::Surfaces;
 use super::{ErrorEstimate, Spent, change};
+use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::report::Status;
 use crate::reynolds::ContactDefinition;
@@ -11,6 +12,7 @@ use crate::sim::scene::{GridSpec, Roughness, Scene};
 use crate::sim::single::solve_heights;
 use crate::sim::solution::ContactSolution;
 use crate::sim::{SimError, setup};
+use crate::surface::{Autocorrelation, HeightDistribution, HeightScale, RandomShape, RandomSurface};
 
 /// Meshes of more nodes are not tried.
 const MAX_NODES: usize = 1 << 20;
@@ -182,16 +184,27 @@ fn waves(scene: &Scene) -> Result<Waves, SimError> {
     let (mut lengths, mut square) = ([f64::INFINITY; 2], 0.0);
     for (roughness, body) in [(&scene.roughness.ball, "ball"), (&scene.roughness.disc, "disc")] {
         match roughness {
-            Roughness::Gaussian(random) if !roughness.is_smooth() => {
-                InputError::require_non_negative(&format!("roughness.{body}.rq"), random.rq)?;
-                square += random.rq.powi(2);
-                let given = [("length_x", random.length_x), ("length_y", random.length_y)];
+            Roughness::Random(RandomSurface {
+                shape:
+                    RandomShape::Correlated { autocorrelation: Autocorrelation::Gaussian, length_x, length_y },
+                rq,
+                height: HeightScale::Exact,
+                distribution: HeightDistribution::Normal,
+                boundary: Boundary::Periodic,
+                ..
+            }) if !roughness.is_smooth() => {
+                InputError::require_non_negative(&format!("roughness.{body}.rq"), *rq)?;
+                square += rq.powi(2);
+                let given = [("length_x", *length_x), ("length_y", *length_y)];
                 for (shortest, (name, length)) in lengths.iter_mut().zip(given) {
                     InputError::require_positive(&format!("roughness.{body}.{name}"), length)?;
                     *shortest = shortest.min(length);
                 }
             }
-            Roughness::Exponential(_) if !roughness.is_smooth() => {
+            Roughness::Random(RandomSurface {
+                shape: RandomShape::Correlated { autocorrelation: Autocorrelation::Exponential, .. },
+                ..
+            }) if !roughness.is_smooth() => {
                 return needs_cells(
                     format!("roughness.{body}.kind = \"exponential\""),
                     "the surface has waves of every length and no finest ones to refine",

@@ -34,7 +34,7 @@ pub use materials::{Material, Materials, NamedMaterial};
 pub use motion::Motion;
 pub use processes::{Flash, FrictionSpec, PlasticSpec, ThermalSpec};
 pub(super) use roughness::ShortestWaves;
-pub use roughness::{FileRoughness, RandomRoughness, Roughness, RoughnessPair};
+pub use roughness::{FileRoughness, Roughness, RoughnessPair};
 pub use schedule::{Schedule, Schedules};
 pub use solver::{SolverKind, SolverSpec};
 pub use stress::StressSpec;
@@ -119,8 +119,7 @@ impl Scene {
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn azam_2019(n: usize) -> Self {
-        let random =
-            |rq, seed| Roughness::Gaussian(RandomRoughness { rq, length_x: 10e-6, length_y: 10e-6, seed });
+        let random = |rq, seed| Roughness::gaussian(rq, 10e-6, seed);
         Self {
             form: Form::Sphere { radius: 9.525e-3 },
             elastic: Elastic::new(229.67e9),
