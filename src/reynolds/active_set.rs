@@ -5,7 +5,7 @@
 //!
 //! | pair | one side | other side |
 //! |---|---|---|
-//! | fluid | `F = 0` (active) | `p_f = 0`, `F >= 0` (cavitated) |
+//! | fluid | `F = 0` (active) | `p_f = 0`, `F >= 0` of a full cell (cavitated) |
 //! | solid | `h = h_c`, `p >= p_f` (contact) | `p = p_f`, `h >= h_c` (open) |
 //!
 //! A pressure limit adds a third state to each: the pressure is the limit and a plastic depth opens the film

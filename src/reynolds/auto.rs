@@ -7,7 +7,7 @@
 //! all else ─────────────────> NewtonKrylov ──not converged, nothing touches──> SemiSystem
 //! ```
 //!
-//! The fallbacks keep the state whose residuals are smaller.
+//! Sweeps after Newton's method count only where they leave smaller residuals.
 
 use super::multigrid::{HandOver, expects_full_film};
 use super::problem::{ContactDefinition, LubricatedContact};

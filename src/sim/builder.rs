@@ -1,4 +1,8 @@
 //! Putting a simulation together: the scene's own laws, or the user's in their place.
+//!
+//! Every law of the scene can be replaced before [`build`](SimBuilder::build) or
+//! [`solve`](SimBuilder::solve), which check all of it: nothing is made before. Replaced parts make a run
+//! another one for checkpoints, which compare them by what `Debug` prints.
 
 use std::sync::Arc;
 
@@ -30,16 +34,23 @@ use crate::wear::WearLaw;
 /// Builder of a [`MixedLubricationSim`].
 #[derive(Debug)]
 pub struct SimBuilder {
+    /// The scene, which what follows takes precedence over.
     pub(super) scene: Scene,
+    /// Parts of the contact that were given.
     pub(super) overrides: Overrides,
+    /// Laws that were given; none for those of the scene.
     pub(super) plasticity: Option<Arc<dyn PlasticityModel>>,
     pub(super) growth: Option<Arc<dyn FilmGrowthLaw>>,
     pub(super) wear: Option<Arc<dyn WearLaw>>,
     pub(super) friction: Option<Arc<dyn BoundaryFriction>>,
     pub(super) motion: Option<Arc<dyn RoughnessMotion>>,
+    /// Whether contacts feel the squeeze of those before.
     squeeze: bool,
+    /// Heights of ball and disc that were given \[m\].
     pub(super) heights: [Option<Vec<f64>>; 2],
+    /// Bodies from earlier runs.
     pub(super) starts: [Option<BodyStart>; 2],
+    /// Pressures that a single contact starts from.
     pub(super) contact_start: Option<ContactState>,
 }
 
@@ -51,6 +62,7 @@ impl MixedLubricationSim {
 }
 
 impl SimBuilder {
+    /// A builder that replaces nothing.
     pub(super) fn new(scene: Scene) -> Self {
         Self {
             scene,
@@ -278,6 +290,8 @@ impl SimBuilder {
         warnings
     }
 
+    /// The laws that were given, else those that the scene names, each for the hardness of its body. The
+    /// thickness of a full tribofilm goes to the laws that depend on the film.
     pub(super) fn laws(&mut self) -> Result<Laws, SimError> {
         let scene = &self.scene;
         let growth: Option<Arc<dyn FilmGrowthLaw>> = match (self.growth.take(), scene.tribofilm) {
@@ -310,6 +324,8 @@ impl SimBuilder {
         Ok(Laws { plasticity, growth, wear, friction })
     }
 
+    /// Ball (0) or disc (1): a body of an earlier run, or new with heights that were given, generated or
+    /// read.
     pub(super) fn body(
         &mut self,
         index: usize,
@@ -340,6 +356,8 @@ impl SimBuilder {
     }
 }
 
+/// The plasticity model of one body: a hardness, linear in the thickness of a tribofilm that is softer, and
+/// growing with the plastic depth where a modulus is given.
 fn plasticity_model(
     spec: &PlasticSpec,
     film_thickness: Option<f64>,

@@ -1,4 +1,9 @@
 //! The heat pass of a history: whether it is worth its time, and its plan for the speeds that hold.
+//!
+//! Heat of friction goes into both bodies as moving sources ([`FlashTemperature`]); the rise adds to the bulk
+//! temperature that the laws of growth see. It does not act back on the oil. Where the smooth contact would
+//! get warmer by less than 1 K under all conditions of the schedule, the pass is left out unless the scene
+//! asks for it.
 
 use super::contact::ContactModel;
 use super::formula::formula_film;
@@ -20,10 +25,13 @@ pub(super) struct Heat {
     pub(super) flash: Option<FlashTemperature>,
     /// Estimate of the largest rise under the conditions at the entries of the schedule \[K\].
     pub(super) estimate: f64,
+    /// Conductivity and diffusivity of ball and disc.
     bodies: [ThermalBody; 2],
+    /// Speeds that the plan is made for \[m/s\].
     speeds: [f64; 2],
     /// Heat of friction at every node of the contact \[W/m^2\].
     sources: Vec<f64>,
+    /// Flash temperature rise at every node \[K\].
     rise: Vec<f64>,
 }
 

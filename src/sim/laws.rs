@@ -1,4 +1,7 @@
 //! The laws of a run.
+//!
+//! Made by the builder, from the scene or given by the user, and never changed: they have no memory, so that
+//! what a step does depends on its contact and its bodies alone.
 
 use std::sync::Arc;
 

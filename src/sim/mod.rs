@@ -2,6 +2,25 @@
 //!
 //! A [`Scene`] describes it, [`solve_contact`] solves its single contact, [`MixedLubricationSim`] runs its
 //! history. Every law can be replaced through the [builder](SimBuilder); an [`Observer`] sees every step.
+//!
+//! ```text
+//! Scene ── SimBuilder ──┬── solve ──> ContactSolution: one contact, surfaces as they are
+//!                       └── build ──> MixedLubricationSim ── step ──> StepRecord, Observer
+//! ```
+//!
+//! | look for | in |
+//! |---|---|
+//! | what a scene file holds | [`scene`] |
+//! | one step of a history and its order | [`MixedLubricationSim`] |
+//! | steps as long as wear allows, many steps | [`StepControl`], [`MixedLubricationSim::run_until`] |
+//! | the numbers of a step and of a contact | [`StepRecord`], [`ContactSolution`] |
+//! | bodies that have been through another run | [`BodyStart`] |
+//! | many histories side by side | [`ensemble`] |
+//! | how far the mesh is from the limit | [`ErrorEstimate`] |
+//!
+//! Errors are [`SimError`]; what is unlikely to be meant, but can be computed, is a [`Warning`]. It rests on
+//! all other rooms and none of them knows of it. All numbers are SI, all fields row-major slices over
+//! [`Scene::grid`].
 
 mod accuracy;
 mod asked;

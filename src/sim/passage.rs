@@ -1,5 +1,8 @@
 //! What a solved contact does to the bodies under it: it flattens them, wears them and grows their
 //! tribofilms.
+//!
+//! Pressures, stresses and temperatures are those of the contact as it was solved; a step leaves them as they
+//! are while the surfaces change. How long the nodes of each body feel them is in `exposure`.
 
 use super::SimError;
 use super::body::Body;
@@ -17,8 +20,11 @@ use crate::tribochem::Tribofilm;
 /// A solved contact as the nodes of the bodies feel it, in the frame of the contact.
 #[derive(Debug)]
 pub(super) struct Passage<'a> {
+    /// The grid of the contact and of both bodies.
     pub(super) grid: &'a Grid,
+    /// Pressures and film.
     pub(super) state: &'a ContactState,
+    /// Shear on the surfaces and the pressure of the solids.
     pub(super) friction: &'a FrictionFields,
     /// Flash temperature rise \[K\].
     pub(super) rise: &'a [f64],
@@ -62,12 +68,16 @@ impl Passage<'_> {
 /// Buffers on the nodes of a body.
 #[derive(Debug, Clone)]
 pub(super) struct Marks {
+    /// Plastic depth that the step leaves \[m\].
     print: Vec<f64>,
+    /// What each node feels.
     points: Vec<RubbingPoint>,
+    /// Rates of wear while they are applied \[m/s\].
     wear_rates: Vec<f64>,
 }
 
 impl Marks {
+    /// Buffers for bodies of so many nodes.
     pub(super) fn new(nodes: usize) -> Self {
         Self { print: vec![0.0; nodes], points: Vec::with_capacity(nodes), wear_rates: vec![0.0; nodes] }
     }

@@ -1,4 +1,8 @@
 //! How both bodies lie opposite each other: where the roughness stands, and the fields of the contact there.
+//!
+//! Both bodies are periodic patches of the size of the grid. An [`Offset`] says by how many cells and what
+//! fraction of one a patch is shifted against the contact; the gap of the undeformed bodies is `form - ball -
+//! disc` with the heights of both where they then are.
 
 use std::sync::Arc;
 
@@ -13,6 +17,7 @@ pub(super) type Offsets = [Offset; 2];
 /// How the contact moves on from step to step.
 #[derive(Debug, Clone)]
 pub(super) struct Travel {
+    /// Where the roughness goes.
     pub(super) motion: Arc<dyn RoughnessMotion>,
     /// Whether a contact feels the squeeze of the film before it.
     pub(super) squeeze: bool,
@@ -43,7 +48,9 @@ impl Travel {
 #[derive(Debug, Clone)]
 pub(super) struct Placement {
     grid: Grid,
+    /// Shifts heights by less than a cell.
     between_nodes: FourierShift,
+    /// Heights of the body that is being placed \[m\].
     heights: Vec<f64>,
     /// Distance of the undeformed bodies: form less the heights of both \[m\].
     pub(super) gap: Vec<f64>,
@@ -54,6 +61,7 @@ pub(super) struct Placement {
 }
 
 impl Placement {
+    /// Fields of zeros on `grid`.
     pub(super) fn new(grid: Grid) -> Self {
         let zeros = || vec![0.0; grid.len()];
         let pair = || [zeros(), zeros()];

@@ -1,4 +1,7 @@
 //! Many steps in a row, seen by an observer.
+//!
+//! A fixed number of steps of one length, or steps that are as long as wear and growth allow up to a time.
+//! Each step is committed before the observer sees it; what stops a run early leaves the steps before it.
 
 use std::ops::ControlFlow;
 

@@ -1,4 +1,14 @@
 //! The history of a contact: solve, grow, wear, flatten, move on.
+//!
+//! One step, in this order:
+//!
+//! 1. conditions: load, speeds and temperature at the start of the step; 2. solve: the bodies at the next
+//! position of the roughness, at further ones where that does not converge; 3. rub: friction, heat and flash
+//! temperature under the solved pressures; 4. commit: flattening, half of the film growth, wear, the other
+//! half; a shorter step where a node changes by more than it may; 5. record, and the masses that the squeeze
+//! of the next contact refers to.
+//!
+//! Bodies change in 4 alone, and only after 2 has converged; an error puts everything back.
 
 use super::SimError;
 use super::body::Body;
@@ -65,16 +75,27 @@ const MAX_CUTS: usize = 40;
 /// ```
 #[derive(Debug, Clone)]
 pub struct MixedLubricationSim {
+    /// The scene that it was built from.
     pub(super) scene: Scene,
+    /// Conditions over time.
     pub(super) timetable: Timetable,
+    /// The contact problem with its solver.
     pub(super) contact: ContactModel,
+    /// What flattens, wears, grows and rubs.
     pub(super) laws: Laws,
+    /// Flash temperature of the contact in progress.
     pub(super) heat: Heat,
+    /// Motion of the roughness and squeeze.
     pub(super) travel: Travel,
+    /// Ball and disc after the last step.
     pub(super) bodies: [Body; 2],
+    /// Solution of the last step.
     pub(super) state: ContactState,
+    /// Masses of the last two contacts.
     pub(super) squeeze_memory: SqueezeMemory,
+    /// Time that has passed \[s\].
     pub(super) time: f64,
+    /// Steps that were committed.
     pub(super) step: u64,
     /// Positions of the roughness that were tried; with the seed the state of the random numbers.
     pub(super) draws: u64,
@@ -85,9 +106,11 @@ pub struct MixedLubricationSim {
     marks: Marks,
     /// Mass that the squeeze refers to.
     squeezed: Vec<f64>,
+    /// The bodies before the step in progress.
     pub(super) backup: [Body; 2],
     /// The contact before the step in progress.
     before: ContactState,
+    /// What was found unlikely so far.
     pub(super) warnings: Vec<Warning>,
     /// What was put in place of parts of the scene.
     #[cfg(feature = "serde")]

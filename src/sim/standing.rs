@@ -42,6 +42,7 @@ impl MixedLubricationSim {
         solved
     }
 
+    /// Solves and measures the contact under `conditions`; the caller puts back what it changes.
     fn solve_standing(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
         self.contact.put_under(&self.scene, conditions)?;
         let report = self.solve_at([Offset::default(); 2])?;
@@ -63,6 +64,8 @@ impl MixedLubricationSim {
 }
 
 impl Conditions {
+    /// Error for a load or a temperature that is not positive, a speed that is negative, or zero where it
+    /// drags a film along.
     fn validate(&self, lubricated: bool) -> Result<(), InputError> {
         InputError::require_positive("conditions.load", self.load)?;
         let (speed, ratio) = (self.motion.entrainment_speed, self.motion.slide_roll_ratio);

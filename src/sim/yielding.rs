@@ -1,4 +1,8 @@
 //! The pressure limit of a contact and the depth that yielding leaves on each body.
+//!
+//! A node of the contact carries at most the smaller of the limits of both bodies there, which depend on
+//! their tribofilms and on how far they were flattened. Where the limit grows with the depth that this
+//! contact adds, limit and depth are found by turns.
 
 use super::SimError;
 use super::contact::ContactModel;
@@ -22,12 +26,14 @@ const PATCH_COMPLIANCE: f64 = 4.0;
 pub(super) struct Yielding {
     /// Pressure limit of the pair \[Pa\].
     pub(super) limit: Vec<f64>,
+    /// Limits of ball and disc at the start \[Pa\].
     body_limits: [Vec<f64>; 2],
     /// What each body gives way \[m\].
     pub(super) split: [Vec<f64>; 2],
 }
 
 impl Yielding {
+    /// Fields of zeros for `n` nodes.
     pub(super) fn new(n: usize) -> Self {
         let zeros = || vec![0.0; n];
         Self { limit: zeros(), body_limits: [zeros(), zeros()], split: [zeros(), zeros()] }

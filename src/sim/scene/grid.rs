@@ -1,4 +1,7 @@
 //! The grid of a scene.
+//!
+//! Cells of one size fill a box; nodes are their centres. Whether the box holds the contact is checked where a
+//! contact is made.
 
 use super::Scene;
 use crate::error::InputError;

@@ -1,4 +1,7 @@
 //! The load of a scene and the Hertz contact under it.
+//!
+//! A load is a force or the Hertz pressure that the smooth bodies would have under it. The Hertz contact
+//! gives boxes, starts and scales of everything else.
 
 use super::Scene;
 use crate::analytic::{HertzLine, HertzPoint};

@@ -1,4 +1,10 @@
 //! The physical description of a contact and its history: what a scene file holds.
+//!
+//! One file a table. A table is a plain struct of SI numbers with the reader of its part of the file beside
+//! it; what it means in the contact is made elsewhere (`setup`, `builder`). Readers refuse keys that nobody
+//! reads; ranges are checked where a scene is used, with the key in front of the value.
+//!
+//! [`Scene::azam_2019`] is a complete scene to start from.
 
 mod elastic;
 #[cfg(feature = "serde")]

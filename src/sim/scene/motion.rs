@@ -1,4 +1,7 @@
 //! Speeds of the surfaces.
+//!
+//! With the speeds `u1` of the ball and `u2` of the disc along x, the entrainment speed is `(u1 + u2)/2` and
+//! the slide-roll ratio `(u1 - u2)` over it.
 
 /// Speeds of the surfaces along x.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -1,4 +1,7 @@
 //! The table `solver` of a scene, and what holds where it leaves a choice open.
+//!
+//! Schemes that are not named follow from the contact definition and, for the flow by pressure, from whether
+//! the bodies are rough.
 
 use super::Scene;
 use crate::reynolds::{Cavitation, ContactDefinition, FaceMobility, LubricatedContact, Scheme, StoppingRule};
