@@ -2,10 +2,11 @@
 //!
 //! From the pressures `p` and the approach `delta` follow, in this order:
 //!
-//! 1. the elastic film `gap + K p - delta`, by one convolution (`evaluate`); 2. plastic depths and the film
-//! with them (`apply_plastic_depth`); 3. mobilities, contents and the net outflow `F` of every cell
-//! (`refresh`); 4. which condition holds at each node (`classify`), which 2 and 3 may be done anew for
-//! (`update`); 5. mass, load and complementarity residuals (`residuals`), which do not ask for 4.
+//! 1. the elastic film `gap + K p - delta`, by one convolution (`evaluate`);
+//! 2. plastic depths and the film with them (`apply_plastic_depth`);
+//! 3. mobilities, contents and the net outflow `F` of every cell (`refresh`);
+//! 4. which condition holds at each node (`classify`), for which 2 and 3 may be done anew (`update`);
+//! 5. mass, load and complementarity residuals (`residuals`), which do not ask for 4.
 //!
 //! All solvers, and [`Evaluation`](super::Evaluation) for those of others, measure a state by this alone. `F`
 //! is over entrainment speed and cell size: a film thickness.

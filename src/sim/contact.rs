@@ -105,8 +105,9 @@ pub(super) struct Overrides {
 impl ContactModel {
     /// The contact of `scene` at the start of its schedule, with `overrides` in place of its parts.
     ///
-    /// # Errors A scene out of range; a grid that does not hold the contact; a pressure limit that does not
-    /// carry the smallest or the largest load; parts that do not fit the scene.
+    /// # Errors
+    /// A scene out of range; a grid that does not hold the contact; a pressure limit that does not carry the
+    /// smallest or the largest load; parts that do not fit the scene.
     pub(super) fn new(scene: &Scene, overrides: Overrides) -> Result<Self, SimError> {
         setup::validate(scene)?;
         let grid = scene.grid()?;

@@ -2,11 +2,12 @@
 //!
 //! One step, in this order:
 //!
-//! 1. conditions: load, speeds and temperature at the start of the step; 2. solve: the bodies at the next
-//! position of the roughness, at further ones where that does not converge; 3. rub: friction, heat and flash
-//! temperature under the solved pressures; 4. commit: flattening, half of the film growth, wear, the other
-//! half; a shorter step where a node changes by more than it may; 5. record, and the masses that the squeeze
-//! of the next contact refers to.
+//! 1. conditions: load, speeds and temperature at the start of the step;
+//! 2. solve: the bodies at the next position of the roughness, at further ones where that does not converge;
+//! 3. rub: friction, heat and flash temperature under the solved pressures;
+//! 4. commit: flattening, half of the film growth, wear, the other half; a shorter step where a node changes by
+//!    more than it may;
+//! 5. record, and the masses that the squeeze of the next contact refers to.
 //!
 //! Bodies change in 4 alone, and only after 2 has converged; an error puts everything back.
 

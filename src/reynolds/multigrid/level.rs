@@ -1,9 +1,9 @@
 //! One grid of the hierarchy: its equations and fields.
 //!
-//! With the net outflow `F` of a cell, the equations of a level are `F(p, h) = source` where `p > 0` and `F
-//! >= source` where `p = 0`, with the film `h = gap - approach + K p` and the load as the sum of `p dx dy`.
-//! On the finest grid `source` is zero and `gap` that of the problem; on coarser ones both hold what makes
-//! the solution of the finer grid a solution here (full approximation scheme), so that pressures, not their
+//! With the net outflow `F` of a cell, the equations of a level are `F(p, h) = source` where `p > 0`, at least
+//! `source` where `p = 0`, with the film `h = gap - approach + K p` and the load as the sum of `p dx dy`. On
+//! the finest grid `source` is zero and `gap` that of the problem; on coarser ones both hold what makes the
+//! solution of the finer grid a solution here (full approximation scheme), so that pressures, not their
 //! corrections, are what every grid solves for.
 //!
 //! All fields are row-major on the grid of the level. The outermost ring of nodes has no pressure.
