@@ -313,6 +313,12 @@ impl MixedLubricationSim {
         Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
     }
 
+    /// Means of a field of both bodies over the width of the track.
+    fn means_on_track(&self, field: fn(&Body) -> &[f64]) -> Result<[f64; 2], InputError> {
+        let [ball, disc] = &self.bodies;
+        Ok([self.mean_on_track(field(ball))?, self.mean_on_track(field(disc))?])
+    }
+
     /// The record of the step of length `time_step` that the bodies have just taken, whose contact was solved
     /// under `conditions` on surfaces of roughness `rq`.
     fn record(
@@ -330,12 +336,7 @@ impl MixedLubricationSim {
         let composite_rq = metrics::composite_rq(rq[0], rq[1]);
         let over_rq = |film: f64| if composite_rq > 0.0 { film / composite_rq } else { 0.0 };
         let carrying = state.pressure.iter().filter(|p| **p > 0.0).count().max(1);
-        let mean = |field: &[f64]| field.iter().sum::<f64>() / field.len() as f64;
-        let largest = |field: &[f64]| field.iter().copied().fold(0.0, f64::max);
         let [ball, disc] = &self.bodies;
-        let on_track = |field: fn(&Body) -> &[f64]| -> Result<[f64; 2], InputError> {
-            Ok([self.mean_on_track(field(ball))?, self.mean_on_track(field(disc))?])
-        };
         let area = self.contact.grid.cell_area();
         Ok(StepRecord {
             step: self.step,
@@ -353,8 +354,8 @@ impl MixedLubricationSim {
             mean_wear: [ball, disc].map(|body| mean(body.wear_depth())),
             max_wear: [ball, disc].map(|body| largest(body.wear_depth())),
             mean_film: [ball, disc].map(|body| mean(body.film_thickness())),
-            track_wear: on_track(Body::wear_depth)?,
-            track_film: on_track(Body::film_thickness)?,
+            track_wear: self.means_on_track(Body::wear_depth)?,
+            track_film: self.means_on_track(Body::film_thickness)?,
             plastic_volume: ball.volumes(area)?.plastic + disc.volumes(area)?.plastic,
             flash_rise,
             friction_coefficient: friction.coefficient,
@@ -369,4 +370,14 @@ impl MixedLubricationSim {
             report,
         })
     }
+}
+
+/// Mean of a field over the patch.
+fn mean(field: &[f64]) -> f64 {
+    field.iter().sum::<f64>() / field.len() as f64
+}
+
+/// Largest value of a field, zero at least.
+fn largest(field: &[f64]) -> f64 {
+    field.iter().copied().fold(0.0, f64::max)
 }

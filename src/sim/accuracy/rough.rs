@@ -175,6 +175,16 @@ struct Waves {
     rq: f64,
 }
 
+/// Whether a surface has normal heights of Gaussian autocorrelation, all as by default.
+fn is_smoothly_correlated(surface: &RandomSurface) -> bool {
+    let gaussian = Autocorrelation::Gaussian;
+    matches!(surface.shape, RandomShape::Correlated { autocorrelation, .. } if autocorrelation == gaussian)
+        && surface.height == HeightScale::Exact
+        && surface.distribution == HeightDistribution::Normal
+        && surface.boundary == Boundary::Periodic
+}
+
+/// The shortest waves and the heights of the surfaces that can be refined; others are refused.
 fn waves(scene: &Scene) -> Result<Waves, SimError> {
     let needs_cells = |field: String, reason: &str| {
         let reason =
@@ -184,19 +194,13 @@ fn waves(scene: &Scene) -> Result<Waves, SimError> {
     let (mut lengths, mut square) = ([f64::INFINITY; 2], 0.0);
     for (roughness, body) in [(&scene.roughness.ball, "ball"), (&scene.roughness.disc, "disc")] {
         match roughness {
-            Roughness::Random(RandomSurface {
-                shape:
-                    RandomShape::Correlated { autocorrelation: Autocorrelation::Gaussian, length_x, length_y },
-                rq,
-                height: HeightScale::Exact,
-                distribution: HeightDistribution::Normal,
-                boundary: Boundary::Periodic,
-                ..
-            }) if !roughness.is_smooth() => {
-                InputError::require_non_negative(&format!("roughness.{body}.rq"), *rq)?;
-                square += rq.powi(2);
-                let given = [("length_x", *length_x), ("length_y", *length_y)];
-                for (shortest, (name, length)) in lengths.iter_mut().zip(given) {
+            Roughness::Random(surface) if !roughness.is_smooth() && is_smoothly_correlated(surface) => {
+                InputError::require_non_negative(&format!("roughness.{body}.rq"), surface.rq)?;
+                square += surface.rq.powi(2);
+                let RandomShape::Correlated { length_x, length_y, .. } = surface.shape else { continue };
+                for (shortest, (name, length)) in
+                    lengths.iter_mut().zip([("length_x", length_x), ("length_y", length_y)])
+                {
                     InputError::require_positive(&format!("roughness.{body}.{name}"), length)?;
                     *shortest = shortest.min(length);
                 }
