@@ -8,7 +8,7 @@ use rayon::ThreadPoolBuilder;
 use stribeck::Grid;
 use stribeck::analytic::HertzPoint;
 use stribeck::elastic::{DeformationModel, HalfSpace};
-use stribeck::sim::scene::{RandomRoughness, Roughness};
+use stribeck::sim::scene::Roughness;
 use stribeck::sim::{Scene, solve_contact};
 
 fn displacement(c: &mut Criterion) {
@@ -36,8 +36,7 @@ fn contact(c: &mut Criterion) {
         let mut scene = Scene::azam_2019(n);
         scene.lubricant = None;
         for (roughness, seed) in [(&mut scene.roughness.ball, 1), (&mut scene.roughness.disc, 2)] {
-            let random = RandomRoughness { rq: 50e-9, length_x: 10e-6, length_y: 10e-6, seed };
-            *roughness = Roughness::Gaussian(random);
+            *roughness = Roughness::gaussian(50e-9, 10e-6, seed);
         }
         group.sample_size(10);
         for threads in [1, 2] {

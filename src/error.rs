@@ -54,6 +54,18 @@ pub(crate) fn legible(value: f64) -> String {
 }
 
 impl InputError {
+    /// The error with the `path` of what holds the field before its name: `conductivity` of the part
+    /// `lubricant.thermal` is `lubricant.thermal.conductivity`.
+    pub(crate) fn within(mut self, path: &str) -> Self {
+        let (Self::Value { field, .. }
+        | Self::Shape { field, .. }
+        | Self::NotFinite { field, .. }
+        | Self::Conflict { field, .. }) = &mut self;
+        field.insert(0, '.');
+        field.insert_str(0, path);
+        self
+    }
+
     /// Error unless `value` is finite and above zero.
     ///
     /// # Errors

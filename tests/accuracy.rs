@@ -5,12 +5,12 @@ use std::path::Path;
 
 use stribeck::reynolds::ContactDefinition;
 use stribeck::sim::scene::{
-    FileRoughness, GridSpec, Load, LubricantSpec, RandomRoughness, Roughness, RoughnessPair, SolverKind,
+    FileRoughness, GridSpec, Load, LubricantSpec, Roughness, RoughnessPair, SolverKind,
 };
 use stribeck::sim::{ContactSolution, ErrorEstimate, MixedLubricationSim, Scene, solve_contact};
 use stribeck::surface::{
     Autocorrelation, Form, HeightDistribution, Heights, RandomShape, RandomSurface, RoughnessSpec,
-    SelfAffine, Synthesis, generate, write_npy,
+    SelfAffine, Synthesis, write_npy,
 };
 use stribeck::{Boundary, Status};
 
@@ -161,15 +161,8 @@ fn rough(n: usize) -> Scene {
 fn as_files(of: &Scene, n: usize, folder: &Path) -> RoughnessPair {
     let grid = of.grid().unwrap();
     let file = |roughness: &Roughness, name: &str| {
-        let Roughness::Gaussian(random) = roughness else { panic!("not a random surface") };
-        let spec = RoughnessSpec {
-            autocorrelation: Autocorrelation::Gaussian,
-            rq: random.rq,
-            length_x: random.length_x,
-            length_y: random.length_y,
-            seed: random.seed,
-        };
-        let heights = generate(&grid, &spec).unwrap();
+        let Roughness::Random(random) = roughness else { panic!("not a random surface") };
+        let heights = random.generate(&grid).unwrap();
         let surface = Heights::new(grid.nx(), grid.ny(), None, heights, None).unwrap();
         let path = folder.join(name);
         write_npy(&path, n, n, surface.resample_fourier(n, n).unwrap().heights()).unwrap();
@@ -303,14 +296,16 @@ fn surfaces_and_grids_without_an_estimate_are_refused() {
     let message = |scene: &Scene| solve_contact(scene).unwrap_err().to_string();
     let mut scene = rough(16);
     scene.grid = GridSpec::Accuracy { accuracy: 0.05 };
-    let random = RandomRoughness { rq: 1e-7, length_x: 1e-5, length_y: 1e-5, seed: 1 };
-    scene.roughness.disc = Roughness::Exponential(random);
+    let autocorrelation = Autocorrelation::Exponential;
+    let random = RoughnessSpec { autocorrelation, rq: 1e-7, length_x: 1e-5, length_y: 1e-5, seed: 1 };
+    scene.roughness.disc = random.into();
     let text = message(&scene);
     assert!(text.starts_with("roughness.disc.kind = \"exponential\"") && text.contains("nx"), "{text}");
     scene.roughness.disc = Roughness::File(FileRoughness { path: "disc.npy".into(), rq: None });
     let text = message(&scene);
     assert!(text.starts_with("roughness.disc.path = disc.npy") && text.contains("nx"), "{text}");
-    scene.roughness.disc = Roughness::Gaussian(RandomRoughness { length_x: 1e-9, ..random });
+    scene.roughness.disc =
+        RoughnessSpec { autocorrelation: Autocorrelation::Gaussian, length_x: 1e-9, ..random }.into();
     assert!(message(&scene).contains("nodes"), "{}", message(&scene));
     let mut few = rough(9);
     few.solver.estimate = true;

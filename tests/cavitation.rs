@@ -97,7 +97,7 @@ fn the_mass_residual_bounds_the_imbalance_of_the_box() {
         .map(|(speed, seed)| {
             let mut scene = Scene::azam_2019(48);
             scene.motion.entrainment_speed = speed;
-            if let Roughness::Gaussian(random) = &mut scene.roughness.disc {
+            if let Roughness::Random(random) = &mut scene.roughness.disc {
                 random.seed = seed;
             }
             scene

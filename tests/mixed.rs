@@ -7,7 +7,7 @@ use stribeck::reynolds::{
     Cavitation, ContactDefinition, ContactSolver, Evaluation, FaceMobility, LubricatedContact, NewtonKrylov,
     Scheme, StoppingRule,
 };
-use stribeck::sim::scene::{GridSpec, Load, RandomRoughness, Roughness, SolverKind};
+use stribeck::sim::scene::{GridSpec, Load, Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::{SolverId, Status, Work};
 
@@ -19,8 +19,7 @@ fn scene(n: usize, speed: f64, rq: f64, length: f64, pressure: f64, hardness: Op
     scene.load = Load::hertz_pressure(pressure);
     scene.plastic = hardness.map(|hardness| scene.plastic.unwrap().with_hardness(hardness));
     let random = |seed| {
-        let one = RandomRoughness { rq: rq / 2.0_f64.sqrt(), length_x: length, length_y: length, seed };
-        if rq > 0.0 { Roughness::Gaussian(one) } else { Roughness::None }
+        if rq > 0.0 { Roughness::gaussian(rq / 2.0_f64.sqrt(), length, seed) } else { Roughness::None }
     };
     scene.roughness.ball = random(1);
     scene.roughness.disc = random(2);
@@ -178,8 +177,7 @@ fn a_solution_with_fluid_at_the_limit_is_one() {
 fn contacts_that_stall_from_the_dry_one_are_reached() {
     for (seed, hardness) in [(1, None), (1, Some(6e9)), (2, None), (6, None)] {
         let mut scene = scene(64, 0.01, 0.0, 10e-6, 2e9, hardness);
-        let random =
-            |rq, seed| Roughness::Gaussian(RandomRoughness { rq, length_x: 10e-6, length_y: 10e-6, seed });
+        let random = |rq, seed| Roughness::gaussian(rq, 10e-6, seed);
         (scene.roughness.ball, scene.roughness.disc) =
             (random(19.768e-9, seed), random(128.489e-9, 100 + seed));
         let half = 0.25e-3 * 2.0 / 1.15;

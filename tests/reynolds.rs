@@ -91,7 +91,7 @@ fn rough_scenes_converge() {
             let mut scene = Scene::azam_2019(64);
             scene.plastic.as_mut().unwrap().hardness = hardness;
             for (body, offset) in [(&mut scene.roughness.ball, 0), (&mut scene.roughness.disc, 50)] {
-                if let Roughness::Gaussian(random) = body {
+                if let Roughness::Random(random) = body {
                     random.seed = seed + offset;
                 }
             }

@@ -190,10 +190,16 @@ fn generated_surfaces_are_taken_by_name() {
         assert!(sim.bodies()[1].initial() == heights, "{keys}");
         assert!(sim.bodies()[1].initial().iter().any(|height| *height != 0.0), "{keys}");
     }
-    // Without choices a random surface is what it was called before there were any.
+    // What is stated as it is by default is the default.
     let plain = "kind = \"gaussian\"\nrq = 5e-8\nlength_x = 4e-5\nlength_y = 6e-5\nheight = \"exact\"\nboundary = \"periodic\"\n";
     let scene = Scene::from_toml(&dry(&format!("{DISC}{plain}"))).unwrap();
-    assert!(matches!(scene.roughness.disc, Roughness::Gaussian(_)));
+    let shape = RandomShape::Correlated {
+        autocorrelation: Autocorrelation::Gaussian,
+        length_x: 4e-5,
+        length_y: 6e-5,
+    };
+    assert_eq!(scene.roughness.disc, Roughness::Random(RandomSurface::new(shape, 5e-8, 0)));
+    assert!(scene.to_toml().unwrap().contains("kind = \"gaussian\""));
 }
 
 #[test]

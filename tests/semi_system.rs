@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::reynolds::{Cavitation, FaceMobility, Scheme};
-use stribeck::sim::scene::{RandomRoughness, Roughness, SolverKind};
+use stribeck::sim::scene::{Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::{SolverId, Status};
 
@@ -11,10 +11,7 @@ fn scene(n: usize, speed: f64, rq: f64, length: f64, hardness: Option<f64>) -> S
     let mut scene = Scene::azam_2019(n);
     scene.motion.entrainment_speed = speed;
     scene.plastic = hardness.map(|hardness| scene.plastic.unwrap().with_hardness(hardness));
-    let random = |seed| {
-        let rq = rq / 2.0_f64.sqrt();
-        Roughness::Gaussian(RandomRoughness { rq, length_x: length, length_y: length, seed })
-    };
+    let random = |seed| Roughness::gaussian(rq / 2.0_f64.sqrt(), length, seed);
     scene.roughness.ball = random(1);
     scene.roughness.disc = random(2);
     scene

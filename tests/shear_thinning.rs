@@ -170,7 +170,7 @@ fn rough_scenes_converge() {
     for seed in 1..=4 {
         let mut scene = Scene::azam_2019(64);
         for (body, offset) in [(&mut scene.roughness.ball, 0), (&mut scene.roughness.disc, 50)] {
-            if let stribeck::sim::scene::Roughness::Gaussian(random) = body {
+            if let stribeck::sim::scene::Roughness::Random(random) = body {
                 random.seed = seed + offset;
             }
         }

@@ -25,8 +25,8 @@ fn rough(columns: usize, rows: usize) -> Scene {
     let mut scene = smooth(columns, rows);
     scene.roughness = Scene::azam_2019(32).roughness;
     for body in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
-        if let Roughness::Gaussian(random) = body {
-            (random.length_x, random.length_y) = (40e-6, 40e-6);
+        if let Roughness::Random(random) = body {
+            *body = Roughness::gaussian(random.rq, 40e-6, random.seed);
         }
     }
     scene

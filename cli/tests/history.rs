@@ -15,8 +15,8 @@ fn scene() -> Scene {
     scene.solver.kind = SolverKind::Dry;
     // Waves that these cells hold: without a warning the messages are errors alone.
     for roughness in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
-        if let Roughness::Gaussian(random) = roughness {
-            (random.length_x, random.length_y) = (70e-6, 70e-6);
+        if let Roughness::Random(random) = roughness {
+            *roughness = Roughness::gaussian(random.rq, 70e-6, random.seed);
         }
     }
     scene

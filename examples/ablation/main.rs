@@ -30,7 +30,7 @@ use changes::{CHANGES, Change};
 use lexopt::prelude::*;
 use scenes::Group;
 use stribeck::reynolds::{NewtonKrylov, NewtonSettings};
-use stribeck::sim::scene::{RandomRoughness, Roughness};
+use stribeck::sim::scene::Roughness;
 use stribeck::sim::{MixedLubricationSim, Scene};
 use stribeck::surface::Carried;
 
@@ -148,9 +148,7 @@ fn reference(quick: bool) -> Vec<Job> {
     for pair in 0..pairs {
         for variant in 0..3 {
             let mut scene = Scene::azam_2019(cells);
-            let rough = |rq, seed| {
-                Roughness::Gaussian(RandomRoughness { rq, length_x: 10e-6, length_y: 10e-6, seed })
-            };
+            let rough = |rq, seed| Roughness::gaussian(rq, 10e-6, seed);
             scene.roughness.ball = rough(20e-9, 2 * pair + 1);
             scene.roughness.disc = rough(130e-9, 2 * pair + 2);
             if let Some(plastic) = &mut scene.plastic {

@@ -37,7 +37,7 @@ fn scene(options: &Options) -> Scene {
     let disc_seed = options.seed.wrapping_mul(2);
     let seeds = [disc_seed.wrapping_sub(1), disc_seed];
     for (roughness, value) in [&mut scene.roughness.ball, &mut scene.roughness.disc].into_iter().zip(seeds) {
-        if let Roughness::Gaussian(random) | Roughness::Exponential(random) = roughness {
+        if let Roughness::Random(random) = roughness {
             random.seed = value;
         }
     }

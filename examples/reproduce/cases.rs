@@ -93,7 +93,7 @@ impl Case {
         scene.grid = GridSpec::Cells { nx: self.cells, ny: self.cells, x: [-half, half], y: [-half, half] };
         for (body, seed) in [(&mut scene.roughness.ball, 2 * seed - 1), (&mut scene.roughness.disc, 2 * seed)]
         {
-            if let Roughness::Gaussian(random) = body {
+            if let Roughness::Random(random) = body {
                 random.seed = seed;
             }
         }

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
 use stribeck::Grid;
-use stribeck::sim::scene::{RandomRoughness, Roughness};
+use stribeck::sim::scene::Roughness;
 use stribeck::sim::{MixedLubricationSim, SimError};
-use stribeck::surface::{Autocorrelation, Heights, RoughnessSpec, generate};
+use stribeck::surface::Heights;
 
 use crate::cases::{CASES, Case, TEST_TIME};
 use crate::history;
@@ -43,12 +43,10 @@ impl Run {
     fn heights(&self, roughness: &Roughness) -> Result<Vec<f64>, SimError> {
         let (n, half) = (self.case.surface_cells, 0.5 * self.case.side);
         let grid = Grid::from_edges(n, n, [-half, half], [-half, half])?;
-        let Roughness::Gaussian(RandomRoughness { rq, length_x, length_y, seed }) = *roughness else {
+        let Roughness::Random(random) = roughness else {
             return Ok(vec![0.0; self.case.cells * self.case.cells]);
         };
-        let autocorrelation = Autocorrelation::Gaussian;
-        let spec = RoughnessSpec { autocorrelation, rq, length_x, length_y, seed };
-        let surface = Heights::new(n, n, Some([grid.dx(), grid.dy()]), generate(&grid, &spec)?, None)?;
+        let surface = Heights::new(n, n, Some([grid.dx(), grid.dy()]), random.generate(&grid)?, None)?;
         Ok(surface.resample_fourier(self.case.cells, self.case.cells)?.heights().to_vec())
     }
 }

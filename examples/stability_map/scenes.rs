@@ -4,7 +4,8 @@ use std::fmt;
 use std::path::PathBuf;
 
 use stribeck::sim::Scene;
-use stribeck::sim::scene::{FileRoughness, GridSpec, PlasticSpec, RandomRoughness, Roughness, RoughnessPair};
+use stribeck::sim::scene::{FileRoughness, GridSpec, PlasticSpec, Roughness, RoughnessPair};
+use stribeck::surface::{Autocorrelation, RoughnessSpec};
 use stribeck::thermal::FilmThermal;
 
 /// Hertz pressure of the reference scene \[Pa\] and half of its box \[m\]; boxes grow with the Hertz radius,
@@ -116,16 +117,18 @@ impl Case {
     fn roughness(&self, body: usize) -> Roughness {
         let rq = self.rq * SHARES[body];
         let [length_x, length_y] = self.lengths;
-        let random =
-            RandomRoughness { rq, length_x, length_y, seed: self.seed.wrapping_add(DISC_SEED * body as u64) };
+        let seed = self.seed.wrapping_add(DISC_SEED * body as u64);
+        let random = |autocorrelation| {
+            Roughness::from(RoughnessSpec { autocorrelation, rq, length_x, length_y, seed })
+        };
         match self.group {
             _ if self.rq <= 0.0 => Roughness::None,
-            Group::Exponential => Roughness::Exponential(random),
+            Group::Exponential => random(Autocorrelation::Exponential),
             Group::Measured if body == 1 => Roughness::File(FileRoughness {
                 path: PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/surfaces/cut.txt"),
                 rq: Some(rq),
             }),
-            _ => Roughness::Gaussian(random),
+            _ => random(Autocorrelation::Gaussian),
         }
     }
 }

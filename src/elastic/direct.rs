@@ -1,4 +1,7 @@
 //! The direct sum: slow, obvious, the oracle of the convolution.
+//!
+//! It shares the influence coefficients with the half-space and nothing of the transforms: what both agree on
+//! to rounding is the convolution.
 
 use super::half_space::influence_table;
 use crate::error::InputError;

@@ -1,4 +1,7 @@
 //! The elastic half-space by DC-FFT.
+//!
+//! Exact for a pressure that is constant in each cell: the error of a smooth pressure field is that of the
+//! cells. `K` falls as `1/r`, so that every node counts for every other one.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -33,8 +36,11 @@ use crate::grid::Grid;
 /// ```
 #[derive(Clone)]
 pub struct HalfSpace {
+    /// `E'` \[Pa\].
     equivalent_modulus: f64,
+    /// Influence coefficients by rows and columns of offset \[m/Pa\].
     near: [[f64; NEAR + 1]; NEAR + 1],
+    /// Convolution with all of them.
     response: ElasticResponse,
 }
 

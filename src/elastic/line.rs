@@ -1,4 +1,7 @@
 //! The elastic half-space under line loads, plane strain, by DC-FFT.
+//!
+//! One row of the grid stands for a contact of any length; forces are those of one metre. `K` falls as a
+//! logarithm and has no limit far away, hence the reference distance.
 
 use super::response::ElasticResponse;
 use super::{DeformationModel, NEAR, ResponseApproximations};
@@ -35,7 +38,9 @@ use crate::grid::Grid;
 /// ```
 #[derive(Debug, Clone)]
 pub struct LineHalfSpace {
+    /// Influence coefficients by columns of offset \[m/Pa\].
     near: [f64; NEAR + 1],
+    /// Convolution with all of them.
     response: ElasticResponse,
 }
 

@@ -1,4 +1,9 @@
 //! A translation-invariant elastic response on a grid: convolution and its estimated inverse, shapes checked.
+//!
+//! Beside the exact product in double precision there are three cheaper operators in single precision, scaled
+//! by the self-influence so that their numbers are of the size of pressures: the same product, that on the
+//! periodic grid at a quarter of the cost, and the inverse of the latter, which estimates pressures of
+//! displacements.
 
 use std::sync::Arc;
 
@@ -9,7 +14,9 @@ use crate::numerics::{Convolution, ConvolutionPlan};
 /// What the half-spaces share. Cloning shares the plans.
 #[derive(Debug, Clone)]
 pub(super) struct ElasticResponse {
+    /// The grid of pressures and displacements.
     pub(super) grid: Grid,
+    /// The exact product.
     convolution: Convolution,
     /// In single precision, over the self-influence.
     estimate: Convolution<f32>,
@@ -17,6 +24,7 @@ pub(super) struct ElasticResponse {
     periodic: Convolution<f32>,
     /// In single precision, times the self-influence.
     inverse: Convolution<f32>,
+    /// Self-influence `K(0, 0)` \[m/Pa\].
     own: f64,
 }
 
@@ -36,6 +44,7 @@ impl ElasticResponse {
         }
     }
 
+    /// `out = K p`.
     pub(super) fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         InputError::require_len("pressure", pressure, self.grid.len())?;
         InputError::require_len("out", out, self.grid.len())?;
@@ -43,6 +52,7 @@ impl ElasticResponse {
         Ok(())
     }
 
+    /// `out = K p` in single precision.
     pub(super) fn displacement_single(
         &mut self,
         pressure: &[f64],
@@ -51,6 +61,7 @@ impl ElasticResponse {
         in_single(&mut self.estimate, self.grid, ("pressure", pressure), self.own, out)
     }
 
+    /// `out = K p` on the periodic grid, in single precision.
     pub(super) fn displacement_periodic(
         &mut self,
         pressure: &[f64],
@@ -59,6 +70,8 @@ impl ElasticResponse {
         in_single(&mut self.periodic, self.grid, ("pressure", pressure), self.own, out)
     }
 
+    /// Pressures that a displacement needs on the periodic grid: the spectrum of the kernel inverted by its
+    /// modulus.
     pub(super) fn pressure_estimate(
         &mut self,
         displacement: &[f64],

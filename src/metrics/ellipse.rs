@@ -7,8 +7,11 @@ use crate::error::InputError;
 /// An ellipse about the origin, its axes turned by an angle from x and y.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Ellipse {
+    /// Along its own axes \[m\].
     semi_axes: [f64; 2],
+    /// Sine of the angle that the first is turned against x.
     sin: f64,
+    /// Cosine of it.
     cos: f64,
 }
 
@@ -41,6 +44,7 @@ impl Ellipse {
         along.powi(2) + across.powi(2)
     }
 
+    /// `pi a b` \[m^2\].
     pub(super) fn area(&self) -> f64 {
         PI * self.semi_axes[0] * self.semi_axes[1]
     }

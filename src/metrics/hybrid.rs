@@ -77,13 +77,17 @@ fn excess(squared: f64) -> f64 {
     squared / ((1.0 + squared).sqrt() + 1.0)
 }
 
+/// A mean of what is defined.
 #[derive(Default)]
 struct Mean {
+    /// Sum of the values.
     sum: f64,
+    /// Number of the values.
     count: usize,
 }
 
 impl Mean {
+    /// Counts one more value.
     fn add(&mut self, value: f64) {
         self.sum += value;
         self.count += 1;

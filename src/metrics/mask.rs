@@ -27,6 +27,7 @@ impl<'a> Mask<'a> {
         Ok(mask)
     }
 
+    /// Whether value `k` counts.
     pub(super) fn has(&self, k: usize) -> bool {
         self.defined.is_none_or(|flags| flags[k])
     }

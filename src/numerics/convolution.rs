@@ -1,5 +1,13 @@
 //! Discrete convolution of fields on a grid through FFTs of the zero-padded (doubled) size, so that no
 //! periodic image reaches the result (DC-FFT: Liu, Wang and Liu 2000, Wear 243, 101-111).
+//!
+//! With a kernel `K` on the offsets of an `nx` x `ny` grid the result is `out[j, i] = sum K(i - k, j - l)
+//! f[l, k]` over all nodes. Fields are padded with zeros to the next fast length from `2 n - 1` on along each
+//! axis, transformed along rows and then columns, multiplied by the spectrum of the kernel, which holds the
+//! factor `1/(px py)` of the inverse, and transformed back. It costs `O(n log n)` and agrees with the direct
+//! sum to rounding.
+//!
+//! Rows and columns are held padded a few at a time: memory is that of the fields, not of the doubled grid.
 
 use std::fmt;
 use std::sync::Arc;
@@ -13,7 +21,9 @@ use super::transpose::{BLOCK, transpose};
 
 /// A number that transforms are done in; fields are always of double precision.
 pub(crate) trait Precision: FftNum + Default {
+    /// The nearest number of this precision.
     fn rounded(value: f64) -> Self;
+    /// The same number in double precision.
     fn wide(self) -> f64;
 }
 
@@ -61,6 +71,7 @@ pub(crate) struct ConvolutionPlan<T: Precision = f64> {
 enum Spectrum<T> {
     /// Of a kernel that mirrors itself along both axes: real, the first half of each column.
     Symmetric(Vec<T>),
+    /// Of any other kernel: whole columns.
     General(Vec<Complex<T>>),
 }
 
@@ -85,6 +96,7 @@ impl Spectrum<f64> {
         }
     }
 
+    /// The same spectrum with `each` applied to real and imaginary parts.
     fn map<U: Precision>(&self, each: impl Fn(f64) -> U) -> Spectrum<U> {
         match self {
             Self::Symmetric(values) => Spectrum::Symmetric(values.iter().map(|&value| each(value)).collect()),
@@ -94,6 +106,7 @@ impl Spectrum<f64> {
         }
     }
 
+    /// Puts `factor / |K|` in place of each value `K`; a value of zero counts as the smallest normal number.
     fn reciprocal(&mut self, factor: f64) {
         let reciprocal = |modulus: f64| factor / modulus.max(f64::MIN_POSITIVE);
         match self {
@@ -183,6 +196,8 @@ impl ConvolutionPlan {
         plan
     }
 
+    /// Plan on a padded grid of at least `least` values along each axis; a single row needs no padding
+    /// across.
     fn padded(nx: usize, ny: usize, least: [usize; 2], kernel: impl Fn(isize, isize) -> f64) -> Self {
         let padded_y = if ny == 1 { 1 } else { fast_length(least[1]) };
         let mut plan = Self::transforms([nx, ny], [fast_length(least[0]), padded_y]);
@@ -190,6 +205,7 @@ impl ConvolutionPlan {
         plan
     }
 
+    /// Transform of the kernel, wrapped around the padded grid, times `1/(px py)`, column by column.
     fn kernel_spectrum(&self, kernel: impl Fn(isize, isize) -> f64) -> Vec<Complex<f64>> {
         let (half, px, py) = (self.half(), self.padded_x, self.padded_y);
         let mut lane = Convolution::lane(self);
@@ -237,15 +253,18 @@ impl<T: Precision> ConvolutionPlan<T> {
         }
     }
 
+    /// Values of the spectrum of a real row of `px` values: `px/2 + 1`.
     fn half(&self) -> usize {
         self.padded_x / 2 + 1
     }
 
+    /// Spectrum of a padded row.
     fn forward_row(&self, row: &mut [T], out: &mut [Complex<T>], scratch: &mut [Complex<T>]) {
         let result = self.rows_forward.process_with_scratch(row, out, scratch);
         debug_assert!(result.is_ok(), "buffers are sized by the plan");
     }
 
+    /// Row of a spectrum, `px` times as large as the one it is the spectrum of.
     fn inverse_row(&self, spectrum: &mut [Complex<T>], out: &mut [T], scratch: &mut [Complex<T>]) {
         // The imaginary parts of the first and last entry vanish up to rounding; realfft insists on zero.
         let last = self.half() - 1;
@@ -262,20 +281,25 @@ pub(crate) struct Convolution<T: Precision = f64> {
     work: Buffers<T>,
 }
 
+/// What a convolution writes to, made once.
 struct Buffers<T> {
+    /// Spectra of the rows, row by row.
     rows: Vec<Complex<T>>,
     /// Column by column, without the padding.
     columns: Vec<Complex<T>>,
+    /// One for each piece of the lines that are shared among threads.
     lanes: Vec<Lane<T>>,
 }
 
 /// What one thread needs.
 struct Lane<T> {
+    /// A padded row.
     row: Vec<T>,
     /// Spectra of a block of rows.
     spectra: Vec<Complex<T>>,
     /// A block of padded columns, which stay in the cache from the rows to the product and back.
     padded: Vec<Complex<T>>,
+    /// Work space of the transforms, the largest that any of them asks for.
     scratch: Vec<Complex<T>>,
 }
 
@@ -292,11 +316,13 @@ impl<T: Precision> fmt::Debug for Convolution<T> {
 }
 
 impl<T: Precision> Convolution<T> {
+    /// Buffers for `plan`.
     pub(crate) fn new(plan: Arc<ConvolutionPlan<T>>) -> Self {
         let work = Self::buffers(&plan);
         Self { plan, work }
     }
 
+    /// Buffers of a plan, all zero.
     fn buffers(plan: &ConvolutionPlan<T>) -> Buffers<T> {
         Buffers {
             rows: vec![Complex::default(); plan.half() * plan.ny],
@@ -305,6 +331,7 @@ impl<T: Precision> Convolution<T> {
         }
     }
 
+    /// Buffers of one thread.
     fn lane(plan: &ConvolutionPlan<T>) -> Lane<T> {
         let scratch = plan
             .rows_forward

@@ -1,4 +1,7 @@
 //! Fourier transforms of periodic fields.
+//!
+//! Complex fields of `nx` x `ny` values, row-major: `F[l, k] = sum f[j, i] exp(-+ 2 pi i (k i/nx + l j/ny))`,
+//! the upper sign forward. Both directions one after the other multiply a field by `nx ny`.
 
 use std::sync::Arc;
 
@@ -16,6 +19,7 @@ pub(crate) struct Fft2 {
 }
 
 impl Fft2 {
+    /// Transforms for one shape; plans are made where they are first needed.
     pub(crate) fn new(nx: usize, ny: usize) -> Self {
         Self { nx, ny, planner: FftPlanner::new() }
     }
@@ -43,6 +47,7 @@ struct Columns {
 }
 
 impl Columns {
+    /// Room for blocks of columns of `ny` values.
     fn new(planner: &mut FftPlanner<f64>, nx: usize, ny: usize, direction: FftDirection) -> Self {
         let plan = planner.plan_fft(ny, direction);
         let scratch = vec![Complex64::default(); plan.get_inplace_scratch_len()];
@@ -61,6 +66,7 @@ impl Columns {
         }
     }
 
+    /// Transforms the columns that were taken.
     fn transform(&mut self) {
         self.plan.process_with_scratch(&mut self.values, &mut self.scratch);
     }

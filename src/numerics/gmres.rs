@@ -1,4 +1,8 @@
 //! Restart-free flexible GMRES in single precision, with buffers that are kept.
+//!
+//! After `k` steps the solution is `x = Z y` with the `y` that makes `|b - A Z y|` least, over the directions
+//! `Z` that the preconditioner gave so far. The norm of the residual falls from step to step and is known
+//! without forming the residual. Vectors and their products are in single precision, rotations in double.
 
 /// Cosine of the rotation of a step below which it has left the residual as it was: its norm has fallen by
 /// half the square.
@@ -21,20 +25,27 @@ pub(crate) trait PreconditionedOperator {
 /// it acts on the basis.
 #[derive(Debug, Clone)]
 pub(crate) struct Gmres {
+    /// Orthonormal vectors `V`, one more than steps.
     basis: Vec<Vec<f32>>,
+    /// What the preconditioner made of them, `Z`: `A Z = V H`.
     directions: Vec<Vec<f32>>,
+    /// `H`, made triangular by the rotations, row-major, `limit` columns.
     hessenberg: Vec<f64>,
+    /// Givens rotations, one a step.
     cosines: Vec<f64>,
     sines: Vec<f64>,
+    /// Right-hand side of the triangular system; its last entry is the norm of the residual.
     rhs: Vec<f64>,
     /// The residual over its norm.
     residual: Vec<f32>,
+    /// Largest number of steps.
     limit: usize,
 }
 
 /// How a linear solve ended.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LinearOutcome {
+    /// Steps that were taken, a product each.
     pub(crate) steps: u64,
 }
 
@@ -163,6 +174,7 @@ impl Gmres {
     }
 }
 
+/// `out = factor a`.
 fn scaled(a: &[f32], factor: f32, out: &mut [f32]) {
     for (o, a) in out.iter_mut().zip(a) {
         *o = factor * a;

@@ -1,5 +1,8 @@
 //! Lines of a field shared among threads. Without the feature `parallel`, and on small fields, there is one
 //! lane.
+//!
+//! A lane is a piece of the lines with buffers of its own. Which thread works on which lane is open; what
+//! happens to a line is not. As no sum runs over lanes, results are those of one thread to the last bit.
 
 /// Nodes of a field from which threads are worth their overhead.
 #[cfg(feature = "parallel")]
@@ -42,6 +45,7 @@ pub(crate) fn map_lines<T: Send>(field: &mut [T], length: usize, work: impl Fn(u
     });
 }
 
+/// Halves lanes and lines in proportion until one lane is left, and works on both halves side by side.
 fn split<T: Send, L: Send>(
     lanes: &mut [L],
     first: usize,

@@ -1,5 +1,19 @@
 //! Numerical tools shared by the rooms above: convolution on the doubled grid, periodic transforms, sparse
 //! LU, tridiagonal elimination, GMRES, vectors.
+//!
+//! All of it is private and knows nothing of contacts: fields are row-major slices, `k = j nx + i`, and only
+//! the rooms above give them units.
+//!
+//! | look for | in |
+//! |---|---|
+//! | displacements `u = K p` of a field of pressures | `convolution` |
+//! | spectra of periodic complex and real fields | `fft`, `real_fft` |
+//! | the factorised part of Newton's preconditioner | `grid_lu`, `tridiagonal` |
+//! | the linear solve of a Newton step | `gmres` |
+//! | what runs on several threads | `lanes` |
+//!
+//! Callers check lengths; here they are taken for granted. Results do not depend on the number of threads:
+//! these share lines, never a sum.
 
 mod convolution;
 mod fft;

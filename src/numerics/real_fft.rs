@@ -1,4 +1,7 @@
 //! Fourier transforms of real periodic fields.
+//!
+//! The spectrum of a real field mirrors itself, `F[-l, -k] = conj F[l, k]`, so that `nx/2 + 1` columns hold
+//! all of it. Nothing is normalised: both directions one after the other multiply a field by `nx ny`.
 
 use std::sync::Arc;
 
@@ -29,6 +32,7 @@ struct Lane {
 }
 
 impl RealFft2 {
+    /// Plans for one shape.
     pub(crate) fn new(nx: usize, ny: usize) -> Self {
         let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
         Self {
@@ -46,6 +50,7 @@ impl RealFft2 {
         self.nx / 2 + 1
     }
 
+    /// Buffers for the threads that share lines of a field of this shape.
     fn lanes(&self) -> Vec<Lane> {
         let scratch = self
             .rows_forward
@@ -172,11 +177,13 @@ impl RealFft2 {
         rows
     }
 
+    /// Spectrum of the row in the lane.
     fn forward_row(&self, lane: &mut Lane, out: &mut [Complex64]) {
         let result = self.rows_forward.process_with_scratch(&mut lane.row, out, &mut lane.scratch);
         debug_assert!(result.is_ok(), "lengths fit");
     }
 
+    /// Row of a spectrum, `nx` times as large as the one it is the spectrum of.
     fn inverse_row(&self, spectrum: &mut [Complex64], out: &mut [f64], scratch: &mut [Complex64]) {
         // these are real but for rounding
         spectrum[0].im = 0.0;

@@ -1,4 +1,15 @@
 //! Which of the complementary equations holds at a node.
+//!
+//! Two complementarity pairs hold at each node, with the net outflow `F`, the fluid pressure `p_f`, the solid
+//! pressure `p - p_f`, the film `h` and the contact film `h_c`:
+//!
+//! | pair | one side | other side |
+//! |---|---|---|
+//! | fluid | `F = 0` (active) | `p_f = 0`, `F >= 0` of a full cell (cavitated) |
+//! | solid | `h = h_c`, `p >= p_f` (contact) | `p = p_f`, `h >= h_c` (open) |
+//!
+//! A pressure limit adds a third state to each: the pressure is the limit and a plastic depth opens the film
+//! by what the equation needs. The set is found anew from each state, by [`Sample::classify`].
 
 /// The fluid side of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,11 +38,14 @@ pub(super) enum Solid {
 /// The side of both complementarity conditions a node is on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Kind {
+    /// Which condition of the fluid is the equality.
     pub(super) fluid: Fluid,
+    /// Which condition of the solids is the equality.
     pub(super) solid: Solid,
 }
 
 impl Kind {
+    /// A node of the outermost ring before its solid side is known.
     pub(super) const BOUNDARY: Self = Self { fluid: Fluid::Boundary, solid: Solid::Open };
 
     /// Whether the fluid pressure of the node is an unknown.
@@ -58,11 +72,15 @@ impl Kind {
 /// What decides the side of a node.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sample {
+    /// Total pressure \[Pa\].
     pub(super) pressure: f64,
+    /// Fluid pressure \[Pa\].
     pub(super) fluid_pressure: f64,
     /// Film without the plastic depth of this solve.
     pub(super) elastic_film: f64,
+    /// Film at which solids touch \[m\].
     pub(super) contact_film: f64,
+    /// Pressure limit of the node \[Pa\].
     pub(super) limit: f64,
     /// Pressure change that a relaxation of the mass balance asks for, `-F / diagonal`.
     pub(super) fluid_push: f64,

@@ -1,4 +1,13 @@
 //! Picks the solver by what the scene holds.
+//!
+//! ```text
+//! no lubricant ─────────────> Dry
+//! paper's contact ──────────> hard contact first; SemiSystem where anything touches
+//! smooth full film ─────────> Multigrid ──not converged──> NewtonKrylov
+//! all else ─────────────────> NewtonKrylov ──not converged, nothing touches──> SemiSystem
+//! ```
+//!
+//! Sweeps after Newton's method count only where they leave smaller residuals.
 
 use super::multigrid::{HandOver, expects_full_film};
 use super::problem::{ContactDefinition, LubricatedContact};
@@ -34,6 +43,7 @@ pub struct Auto {
     multigrid: Multigrid,
     newton: NewtonKrylov,
     sweeps: SemiSystem,
+    /// State to go back to where a solver has made nothing of it.
     kept: Option<ContactState>,
     /// State that a solve with the paper's contact was given.
     paper_start: Option<ContactState>,
@@ -51,6 +61,7 @@ impl Auto {
         Self::with_dry(Dry::allowing_edge_contact())
     }
 
+    /// All solvers with their defaults beside this `dry` one.
     fn with_dry(dry: Dry) -> Self {
         Self {
             dry,
@@ -132,6 +143,7 @@ impl Auto {
         Ok(self.sweeps.solve(problem, state, stop)?.preceded_by(open))
     }
 
+    /// The hard contact: multigrid where it suits, Newton's method after it or in its place.
     fn lubricated(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -171,6 +183,7 @@ impl Auto {
         Ok(second)
     }
 
+    /// Newton's method, then sweeps where it did not converge and nothing touches; the better state is kept.
     fn newton_then_sweeps(
         &mut self,
         problem: &mut LubricatedContact<'_>,

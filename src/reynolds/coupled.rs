@@ -1,4 +1,15 @@
 //! The coupled state: what follows from pressures and approach, and how far it is from a solution.
+//!
+//! From the pressures `p` and the approach `delta` follow, in this order:
+//!
+//! 1. the elastic film `gap + K p - delta`, by one convolution (`evaluate`);
+//! 2. plastic depths and the film with them (`apply_plastic_depth`);
+//! 3. mobilities, contents and the net outflow `F` of every cell (`refresh`);
+//! 4. which condition holds at each node (`classify`), for which 2 and 3 may be done anew (`update`);
+//! 5. mass, load and complementarity residuals (`residuals`), which do not ask for 4.
+//!
+//! All solvers, and [`Evaluation`](super::Evaluation) for those of others, measure a state by this alone. `F`
+//! is over entrainment speed and cell size: a film thickness.
 
 use super::active_set::{Fluid, Kind, Sample, Solid};
 use super::flow::{Discretisation, NearField};
@@ -20,18 +31,22 @@ pub(super) const UNPADDED: f64 = 0.25;
 /// Elastic film, mass balances and node kinds that belong to a [`ContactState`].
 #[derive(Debug, Clone)]
 pub(super) struct Coupled {
+    /// Nodes and faces of the fluid.
     pub(super) fluid: Discretisation,
     /// Film without the plastic depth of this solve \[m\].
     pub(super) elastic_film: Vec<f64>,
     /// `F` of every interior node \[m\].
     pub(super) balance: Vec<f64>,
+    /// Which condition holds at each node.
     pub(super) kinds: Vec<Kind>,
+    /// Influence coefficients of the node itself and of the next two along x \[m/Pa\].
     pub(super) near: NearField,
     /// In equivalents of one on the padded grid.
     pub(super) convolutions: f64,
 }
 
 impl Coupled {
+    /// Buffers for `grid`; all interior nodes are without pressure.
     pub(super) fn new(grid: Grid) -> Self {
         let mut kinds = vec![Kind::BOUNDARY; grid.len()];
         for k in interior(&grid) {
@@ -47,6 +62,7 @@ impl Coupled {
         }
     }
 
+    /// Takes over the schemes and the elastic response of `problem`, and forgets sides and counts.
     pub(super) fn configure(&mut self, problem: &LubricatedContact<'_>) {
         let influence = |di, dj| problem.deformation.influence(di, dj);
         self.near = NearField { own: influence(0, 0), next_x: influence(1, 0), second_x: influence(2, 0) };

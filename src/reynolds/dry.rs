@@ -1,4 +1,9 @@
 //! Dry contact: as a solver of its own and as the start of the lubricated ones.
+//!
+//! The solver is that of `elastic`; here it gets the gap, the load and the pressure limit of a lubricated
+//! problem and writes a `ContactState`. As a start of a lubricated solve it puts the bodies apart by the
+//! contact film, or, where the expected film is more than twice the mean dry gap, by that film with all of
+//! the pressure in the fluid.
 
 use super::coupled::Coupled;
 use super::problem::{LubricatedContact, interior};
@@ -20,11 +25,14 @@ const START_PASSES: u64 = 40;
 /// The dry contact of a problem, whatever its lubricant, written into a state.
 #[derive(Debug)]
 pub(super) struct DryStart {
+    /// Active-set conjugate gradients.
     solver: DrySolver,
+    /// Nodes that may carry nothing: none.
     excluded: Vec<bool>,
 }
 
 impl DryStart {
+    /// Buffers for `grid`.
     pub(super) fn new(grid: Grid) -> Self {
         Self { solver: DrySolver::new(grid.len()), excluded: vec![false; grid.len()] }
     }
@@ -107,7 +115,9 @@ pub(super) fn hertzian_on(grid: &Grid, problem: &LubricatedContact<'_>, pressure
 /// that reaches the edge of the box: the bodies would touch beyond it, and what they carry there is residual.
 #[derive(Debug, Default)]
 pub struct Dry {
+    /// Whether a contact that reaches the edge of the box is taken as it is.
     edge_contact: bool,
+    /// Buffers, made at the first solve.
     workspace: Option<Box<(DryStart, Coupled)>>,
 }
 

@@ -29,6 +29,7 @@ use crate::report::Residuals;
 /// ```
 #[derive(Debug)]
 pub struct Evaluation {
+    /// What the solvers of the crate measure states with.
     coupled: Coupled,
 }
 

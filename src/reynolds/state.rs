@@ -1,4 +1,8 @@
 //! The solution of a contact, and what a restart needs.
+//!
+//! A solve starts from the pressures and the approach of the state that it is given and overwrites all of it.
+//! `film`, `plastic_depth`, `content`, `mass` and `in_contact` follow from pressures and problem: of a
+//! converged state they are what the equations make of them, to the tolerance.
 
 use crate::error::InputError;
 use crate::grid::Grid;

@@ -1,4 +1,7 @@
 //! One body: its surface on its own nodes, and where every nanometre of it went.
+//!
+//! Wear, plastic depth and tribofilm of a body are kept apart, on the nodes of the body, which move through
+//! the contact; the surface follows from them. Nothing else of a body is remembered from step to step.
 
 use super::SimError;
 use crate::error::InputError;
@@ -12,11 +15,17 @@ use crate::wear::{SurfaceLedger, Volumes, WearDepth};
 /// At every moment `surface = initial - wear - plastic + film`, node by node.
 #[derive(Debug)]
 pub struct Body {
+    /// Heights at the start \[m\].
     initial: Vec<f64>,
+    /// Worn depth, which only grows.
     pub(super) wear: WearDepth,
+    /// Flattened depth, which only grows.
     pub(super) plastic: PlasticDepth,
+    /// The tribofilm with the states of its law; none without a law.
     pub(super) film: Option<Tribofilm>,
+    /// Zeros in place of the thickness where there is none.
     pub(super) no_film: Vec<f64>,
+    /// Heights now, brought up to date by `rebuild` \[m\].
     pub(super) surface: Vec<f64>,
 }
 
@@ -44,6 +53,7 @@ impl Clone for Body {
 }
 
 impl Body {
+    /// A body without wear and plastic depth, bare of the film of `law`.
     pub(super) fn new(initial: Vec<f64>, law: Option<&dyn FilmGrowthLaw>) -> Self {
         let n = initial.len();
         Self {

@@ -1,4 +1,8 @@
 //! Putting a simulation together: the scene's own laws, or the user's in their place.
+//!
+//! Every law of the scene can be replaced before [`build`](SimBuilder::build) or
+//! [`solve`](SimBuilder::solve), which check all of it: nothing is made before. Replaced parts make a run
+//! another one for checkpoints, which compare them by what `Debug` prints.
 
 use std::sync::Arc;
 
@@ -8,9 +12,11 @@ use super::film_heat;
 use super::friction::boundary_law;
 use super::heat::Heat;
 use super::interrupt::Interrupt;
+use super::laws::Laws;
 use super::per_body::PerBody;
+use super::placement::Travel;
 use super::scene::{BODIES, PlasticSpec, Roughness, Scene};
-use super::simulation::{Laws, MixedLubricationSim, Travel};
+use super::simulation::MixedLubricationSim;
 use super::start::BodyStart;
 use super::timetable::Timetable;
 use super::warnings::{self, Warning};
@@ -28,20 +34,35 @@ use crate::wear::WearLaw;
 /// Builder of a [`MixedLubricationSim`].
 #[derive(Debug)]
 pub struct SimBuilder {
+    /// The scene, which what follows takes precedence over.
     pub(super) scene: Scene,
+    /// Parts of the contact that were given.
     pub(super) overrides: Overrides,
+    /// Laws that were given; none for those of the scene.
     pub(super) plasticity: Option<Arc<dyn PlasticityModel>>,
     pub(super) growth: Option<Arc<dyn FilmGrowthLaw>>,
     pub(super) wear: Option<Arc<dyn WearLaw>>,
     pub(super) friction: Option<Arc<dyn BoundaryFriction>>,
     pub(super) motion: Option<Arc<dyn RoughnessMotion>>,
+    /// Whether contacts feel the squeeze of those before.
     squeeze: bool,
+    /// Heights of ball and disc that were given \[m\].
     pub(super) heights: [Option<Vec<f64>>; 2],
+    /// Bodies from earlier runs.
     pub(super) starts: [Option<BodyStart>; 2],
+    /// Pressures that a single contact starts from.
     pub(super) contact_start: Option<ContactState>,
 }
 
+impl MixedLubricationSim {
+    /// A builder that makes the simulation of `scene`.
+    pub fn builder(scene: Scene) -> SimBuilder {
+        SimBuilder::new(scene)
+    }
+}
+
 impl SimBuilder {
+    /// A builder that replaces nothing.
     pub(super) fn new(scene: Scene) -> Self {
         Self {
             scene,
@@ -80,8 +101,8 @@ impl SimBuilder {
         self
     }
 
-    /// Replaces the solver, which is copied where the simulation is. A state that it calls converged is evaluated
-    /// before it counts: where its residuals are above twice the tolerance the status is
+    /// Replaces the solver, which is copied where the simulation is. A state that it calls converged is
+    /// evaluated before it counts: where its residuals are above twice the tolerance the status is
     /// [`Status::Unconfirmed`](crate::Status::Unconfirmed), and nothing is done to the bodies.
     #[must_use]
     pub fn solver(mut self, solver: impl ContactSolver + Clone + 'static) -> Self {
@@ -269,6 +290,8 @@ impl SimBuilder {
         warnings
     }
 
+    /// The laws that were given, else those that the scene names, each for the hardness of its body. The
+    /// thickness of a full tribofilm goes to the laws that depend on the film.
     pub(super) fn laws(&mut self) -> Result<Laws, SimError> {
         let scene = &self.scene;
         let growth: Option<Arc<dyn FilmGrowthLaw>> = match (self.growth.take(), scene.tribofilm) {
@@ -301,6 +324,8 @@ impl SimBuilder {
         Ok(Laws { plasticity, growth, wear, friction })
     }
 
+    /// Ball (0) or disc (1): a body of an earlier run, or new with heights that were given, generated or
+    /// read.
     pub(super) fn body(
         &mut self,
         index: usize,
@@ -331,6 +356,8 @@ impl SimBuilder {
     }
 }
 
+/// The plasticity model of one body: a hardness, linear in the thickness of a tribofilm that is softer, and
+/// growing with the plastic depth where a modulus is given.
 fn plasticity_model(
     spec: &PlasticSpec,
     film_thickness: Option<f64>,

@@ -27,6 +27,7 @@ use crate::wear::WearDepth;
 
 /// What errors call a checkpoint that is no file.
 const IN_MEMORY: &str = "checkpoint in memory";
+/// What a file starts with.
 const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
 /// Format that this version writes and reads.
 const FORMAT: u32 = 5;
@@ -82,10 +83,15 @@ pub enum CheckpointError {
 /// What is kept of a body.
 #[derive(Serialize, Deserialize)]
 struct BodyPart<'a> {
+    /// Heights at the start, which must be those of the simulation that resumes.
     initial: Cow<'a, [f64]>,
+    /// Heights at the time of the checkpoint.
     surface: Cow<'a, [f64]>,
+    /// Worn depth.
     wear: Cow<'a, [f64]>,
+    /// Plastic depth.
     plastic: Cow<'a, [f64]>,
+    /// The tribofilm, where there is one.
     film: Option<FilmPart<'a>>,
 }
 
@@ -98,16 +104,24 @@ struct FilmPart<'a> {
 /// Everything that later steps depend on, and what tells one run from another.
 #[derive(Serialize, Deserialize)]
 struct Content<'a> {
+    /// What the simulation was built from.
     identity: Identity,
+    /// Ball and disc.
     bodies: [BodyPart<'a>; 2],
+    /// Solution of the last step, which the next one starts from where there is squeeze.
     state: Cow<'a, ContactState>,
+    /// Masses of the last two contacts.
     squeeze_memory: Cow<'a, SqueezeMemory>,
+    /// Time that has passed \[s\].
     time: f64,
+    /// Steps that were committed.
     step: u64,
+    /// Positions of the roughness that were tried.
     draws: u64,
 }
 
 impl<'a> BodyPart<'a> {
+    /// What is kept of a body.
     fn of(body: &'a Body) -> Self {
         Self {
             initial: body.initial().into(),
@@ -319,10 +333,12 @@ impl MixedLubricationSim {
     }
 }
 
+/// The bytes of a file.
 fn read(path: &Path) -> Result<Vec<u8>, CheckpointError> {
     std::fs::read(path).map_err(|source| CheckpointError::Io { path: path.to_owned(), source })
 }
 
+/// Whether two fields agree to the last bit.
 fn same_bits(a: &[f64], b: &[f64]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
 }

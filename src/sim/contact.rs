@@ -1,4 +1,8 @@
 //! One quasi-static contact: the pieces that stay fixed while surfaces change, and its solution in numbers.
+//!
+//! The solver, the elastic bodies and the oil are made once; load, speeds and temperature change from step to
+//! step by [`ContactModel::put_under`]. [`ContactModel::solve`] changes nothing but the state that it is
+//! given and the flow of the box.
 
 use std::sync::atomic::Ordering;
 
@@ -30,21 +34,29 @@ const CONFIRMED: f64 = 2.0;
 #[derive(Debug, Clone)]
 pub(super) struct ContactModel {
     pub(super) grid: Grid,
+    /// Hertz contact of the smooth bodies under the load.
     pub(super) hertz: HertzContact,
     /// Gap of the smooth, undeformed bodies \[m\].
     pub(super) form_gap: Vec<f64>,
+    /// Elastic bodies, asked once an iteration whether the solve is to end.
     pub(super) deformation: Interruptible,
+    /// The oil at its bulk temperature; none for a dry contact.
     pub(super) lubricant: Option<Lubricant>,
+    /// The solver of the scene, or that of the user.
     pub(super) solver: Box<dyn OwnedSolver>,
     /// Whether the solver is one of the user's, whose states are evaluated before they count.
     confirms: bool,
+    /// Tolerance and largest number of iterations.
     rule: StoppingRule,
     pub(super) scheme: Scheme,
     pub(super) face_mobility: FaceMobility,
     pub(super) cavitation: Cavitation,
+    /// Film that the inlet gets \[m\]; none where it is flooded.
     supplied_film: Option<f64>,
     shear_thinning: Option<ShearThinning>,
+    /// Film at which solids touch \[m\].
     pub(super) film_cutoff: f64,
+    /// What solid contact is.
     pub(super) contact: ContactDefinition,
     pub(super) motion: Motion,
     /// Load that was asked for; that of the Hertz contact is rounded \[N\].
@@ -79,14 +91,24 @@ pub(super) struct Circumstances {
 /// What a user puts in place of the scene's own parts.
 #[derive(Debug, Default)]
 pub(super) struct Overrides {
+    /// Elastic bodies in place of the half-space.
     pub(super) deformation: Option<Box<dyn OwnedModel>>,
+    /// Viscosity law in place of that of the scene.
     pub(super) viscosity: Option<Box<dyn ViscosityLaw>>,
+    /// Density law in place of that of the scene.
     pub(super) density: Option<Box<dyn DensityLaw>>,
+    /// Solver in place of that of the scene; what it calls converged is evaluated before it counts.
     pub(super) solver: Option<Box<dyn OwnedSolver>>,
+    /// What may end a solve early.
     pub(super) interrupt: Option<Interrupt>,
 }
 
 impl ContactModel {
+    /// The contact of `scene` at the start of its schedule, with `overrides` in place of its parts.
+    ///
+    /// # Errors
+    /// A scene out of range; a grid that does not hold the contact; a pressure limit that does not carry the
+    /// smallest or the largest load; parts that do not fit the scene.
     pub(super) fn new(scene: &Scene, overrides: Overrides) -> Result<Self, SimError> {
         setup::validate(scene)?;
         let grid = scene.grid()?;

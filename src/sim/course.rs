@@ -12,8 +12,11 @@ const ROUNDING: f64 = 1e-9;
 /// A quantity as a function of time, valid at every time from 0 on.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Course {
+    /// Whether values hold until the next time, or lines lead to the next value.
     jumps: bool,
+    /// Ascending times \[s\].
     times: Vec<f64>,
+    /// A value for each time.
     values: Vec<f64>,
 }
 

@@ -3,9 +3,9 @@
 use super::SimError;
 use super::contact::ContactModel;
 use super::friction::FrictionFields;
+use super::laws::Laws;
 use super::mixing::Mixing;
 use super::scene::Scene;
-use super::simulation::Laws;
 use super::solution::is_known;
 use crate::error::InputError;
 use crate::lubricant::ViscosityLaw;

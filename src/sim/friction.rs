@@ -1,4 +1,9 @@
 //! Shear in a solved contact: boundary friction under the solid pressure, shear of the fluid under its own.
+//!
+//! At a node of solid contact the boundary law gives a coefficient of the solid pressure there; everywhere
+//! the fluid has the stress that its rheology gives at the rate `sliding/film` and the viscosity under its
+//! pressure, at most the limiting stress. Both act on both surfaces, and their work `stress * sliding` is the
+//! heat.
 
 use super::contact::ContactModel;
 use super::scene::{FrictionSpec, Scene};
@@ -23,6 +28,7 @@ pub(super) struct FrictionShares {
 }
 
 impl FrictionShares {
+    /// Of a contact whose state is not known.
     pub(super) const UNKNOWN: Self = Self { coefficient: f64::NAN, boundary: f64::NAN, fluid: f64::NAN };
 }
 
@@ -42,18 +48,21 @@ pub(super) fn boundary_law(
 /// each by its own pressure.
 #[derive(Debug, Clone)]
 pub(super) struct FrictionFields {
+    /// Shear stress law of the fluid.
     rheology: Rheology,
     sliding: f64,
     /// Pressure that solid contact carries \[Pa\].
     pub(super) solid: Vec<f64>,
     /// Friction coefficient of solid contact.
     boundary: Vec<f64>,
+    /// Viscosity at the fluid pressure \[Pa s\].
     viscosity: Vec<f64>,
     /// Shear stress of the fluid \[Pa\].
     pub(super) shear: Vec<f64>,
 }
 
 impl FrictionFields {
+    /// Fields of zeros for `n` nodes with the rheology of the scene.
     pub(super) fn new(scene: &Scene, n: usize) -> Result<Self, InputError> {
         let zeros = || vec![0.0; n];
         Ok(Self {

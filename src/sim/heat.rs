@@ -1,10 +1,15 @@
 //! The heat pass of a history: whether it is worth its time, and its plan for the speeds that hold.
+//!
+//! Heat of friction goes into both bodies as moving sources ([`FlashTemperature`]); the rise adds to the bulk
+//! temperature that the laws of growth see. It does not act back on the oil. Where the smooth contact would
+//! get warmer by less than 1 K under all conditions of the schedule, the pass is left out unless the scene
+//! asks for it.
 
 use super::contact::ContactModel;
 use super::formula::formula_film;
-use super::friction::mean_fluid_stress;
+use super::friction::{FrictionFields, mean_fluid_stress};
+use super::laws::Laws;
 use super::scene::{Flash, Scene};
-use super::simulation::Laws;
 use super::timetable::{Conditions, Timetable};
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -20,8 +25,14 @@ pub(super) struct Heat {
     pub(super) flash: Option<FlashTemperature>,
     /// Estimate of the largest rise under the conditions at the entries of the schedule \[K\].
     pub(super) estimate: f64,
+    /// Conductivity and diffusivity of ball and disc.
     bodies: [ThermalBody; 2],
+    /// Speeds that the plan is made for \[m/s\].
     speeds: [f64; 2],
+    /// Heat of friction at every node of the contact \[W/m^2\].
+    sources: Vec<f64>,
+    /// Flash temperature rise at every node \[K\].
+    rise: Vec<f64>,
 }
 
 impl Heat {
@@ -45,7 +56,23 @@ impl Heat {
         };
         let speeds = timetable.at(0.0).motion.surface_speeds();
         let flash = if wanted { Some(FlashTemperature::new(&contact.grid, bodies, speeds)?) } else { None };
-        Ok(Self { flash, estimate, bodies, speeds })
+        let zeros = || vec![0.0; contact.grid.len()];
+        Ok(Self { flash, estimate, bodies, speeds, sources: zeros(), rise: zeros() })
+    }
+
+    /// Flash temperature rise under the heat of `friction`; returns the largest \[K\], none where it is not
+    /// modelled.
+    pub(super) fn rub(&mut self, friction: &FrictionFields) -> Result<Option<f64>, InputError> {
+        let Some(flash) = &mut self.flash else { return Ok(None) };
+        for (k, source) in self.sources.iter_mut().enumerate() {
+            *source = friction.heat(k);
+        }
+        Ok(Some(flash.rise(&self.sources, &mut self.rise)?.maximum))
+    }
+
+    /// Flash temperature rise at every node of the contact \[K\]; zeros where it is not modelled.
+    pub(super) fn rise(&self) -> &[f64] {
+        &self.rise
     }
 
     /// Plans anew where the surfaces move at other `speeds` \[m/s\] than before.

@@ -2,8 +2,28 @@
 //!
 //! A [`Scene`] describes it, [`solve_contact`] solves its single contact, [`MixedLubricationSim`] runs its
 //! history. Every law can be replaced through the [builder](SimBuilder); an [`Observer`] sees every step.
+//!
+//! ```text
+//! Scene ── SimBuilder ──┬── solve ──> ContactSolution: one contact, surfaces as they are
+//!                       └── build ──> MixedLubricationSim ── step ──> StepRecord, Observer
+//! ```
+//!
+//! | look for | in |
+//! |---|---|
+//! | what a scene file holds | [`scene`] |
+//! | one step of a history and its order | [`MixedLubricationSim`] |
+//! | steps as long as wear allows, many steps | [`StepControl`], [`MixedLubricationSim::run_until`] |
+//! | the numbers of a step and of a contact | [`StepRecord`], [`ContactSolution`] |
+//! | bodies that have been through another run | [`BodyStart`] |
+//! | many histories side by side | [`ensemble`] |
+//! | how far the mesh is from the limit | [`ErrorEstimate`] |
+//!
+//! Errors are [`SimError`]; what is unlikely to be meant, but can be computed, is a [`Warning`]. It rests on
+//! all other rooms and none of them knows of it. All numbers are SI, all fields row-major slices over
+//! [`Scene::grid`].
 
 mod accuracy;
+mod asked;
 mod body;
 mod builder;
 #[cfg(feature = "serde")]
@@ -22,16 +42,20 @@ mod history_means;
 #[cfg(feature = "serde")]
 mod identity;
 mod interrupt;
+mod laws;
 mod mixing;
 #[cfg(feature = "npz")]
 mod npz;
 mod observer;
 mod own_laws;
 mod owned;
+mod passage;
 mod per_body;
+mod placement;
 mod record;
 #[cfg(all(feature = "serde", feature = "npz"))]
 mod run_folder;
+mod runs;
 pub mod scene;
 mod setup;
 mod simulation;
@@ -73,8 +97,9 @@ pub use observer::Observer;
 pub use record::StepRecord;
 #[cfg(all(feature = "serde", feature = "npz"))]
 pub use run_folder::RunFolder;
+pub use runs::RunEnd;
 pub use scene::{Scene, Schedule};
-pub use simulation::{MixedLubricationSim, RunEnd};
+pub use simulation::MixedLubricationSim;
 pub use solution::{ContactNumbers, ContactSolution, FilmNumbers, StressNumbers};
 pub use start::BodyStart;
 pub use step_control::StepControl;

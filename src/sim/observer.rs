@@ -1,4 +1,7 @@
 //! Watching a run.
+//!
+//! Files, progress bars and conditions to stop are observers; the run itself writes nothing. An observer sees
+//! the simulation after the step and cannot change it.
 
 use std::ops::ControlFlow;
 

@@ -1,10 +1,14 @@
 //! Parts of a simulation that work on buffers of their own and are copied with it.
+//!
+//! A clone of a simulation needs deformation model and solver of its own, which trait objects do not give.
+//! What a builder takes is `Clone`, so that these traits are implemented for all of it.
 
 use crate::elastic::DeformationModel;
 use crate::reynolds::ContactSolver;
 
 /// A deformation model that can be copied.
 pub(super) trait OwnedModel: DeformationModel {
+    /// A copy with buffers of its own.
     fn copied(&self) -> Box<dyn OwnedModel>;
 }
 
@@ -23,6 +27,7 @@ impl Clone for Box<dyn OwnedModel> {
 
 /// A solver that can be copied.
 pub(super) trait OwnedSolver: ContactSolver {
+    /// A copy with buffers of its own.
     fn copied(&self) -> Box<dyn OwnedSolver>;
 }
 

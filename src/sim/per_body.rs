@@ -7,6 +7,7 @@ use crate::error::InputError;
 /// The laws of ball and disc.
 #[derive(Debug)]
 pub(super) struct PerBody<T: ?Sized> {
+    /// The law of the ball.
     ball: Arc<T>,
     /// None where it is that of the ball.
     disc: Option<Arc<T>>,

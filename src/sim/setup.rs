@@ -4,18 +4,17 @@ use super::SimError;
 use super::friction::boundary_law;
 use super::hertz::HertzContact;
 use super::owned::OwnedSolver;
-use super::scene::{
-    FileRoughness, LubricantSpec, RandomRoughness, Roughness, Scene, SolverKind, ViscositySpec,
-};
+use super::scene::{FileRoughness, LubricantSpec, Roughness, Scene, SolverKind, ViscositySpec};
 use crate::error::{InputError, legible};
 use crate::grid::Grid;
 use crate::lubricant::{
     Barus, DensityLaw, DoolittleTait, DowsonHigginson, ImprovedYasutomi, Roelands, ThermalRoelands,
     ViscosityLaw,
 };
-use crate::metrics::{average_film_in, height_statistics};
+use crate::metrics::average_film_in;
 use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule};
-use crate::surface::{Autocorrelation, RandomShape, RandomSurface};
+#[cfg(feature = "formats")]
+use crate::surface::rescale;
 
 /// Memory of a lubricated and of a dry contact per node.
 const LUBRICATED_BYTES: usize = 2000;
@@ -64,7 +63,7 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
         viscosity_law(&spec, thermal.bulk_temperature)?;
         DowsonHigginson::new(spec.density_a, spec.density_b)?;
         if let Some(properties) = spec.thermal {
-            properties.validate()?;
+            properties.validate().map_err(|error| error.within("lubricant.thermal"))?;
         }
         if let Some(alpha) = spec.formula_alpha {
             InputError::require_positive("lubricant.formula_alpha", alpha)?;
@@ -169,18 +168,11 @@ pub(super) fn validate_hardness(hardness: f64, grid: &Grid, hertz: &HertzContact
 pub(super) fn heights(roughness: &Roughness, grid: &Grid, body: &str) -> Result<Vec<f64>, SimError> {
     let generated = match roughness {
         Roughness::None => Ok(vec![0.0; grid.len()]),
-        Roughness::Gaussian(random) => correlated(random, Autocorrelation::Gaussian).generate(grid),
-        Roughness::Exponential(random) => correlated(random, Autocorrelation::Exponential).generate(grid),
         Roughness::Random(surface) => surface.generate(grid),
         Roughness::Texture(texture) => texture.generate(grid),
         Roughness::File(file) => return measured(file, grid, body),
     };
     Ok(generated.map_err(|error| of_body(error, body))?)
-}
-
-fn correlated(random: &RandomRoughness, autocorrelation: Autocorrelation) -> RandomSurface {
-    let RandomRoughness { rq, length_x, length_y, seed } = *random;
-    RandomSurface::new(RandomShape::Correlated { autocorrelation, length_x, length_y }, rq, seed)
 }
 
 /// The error of a roughness with the body's key in front of the field.
@@ -215,7 +207,10 @@ fn measured(file: &FileRoughness, grid: &Grid, body: &str) -> Result<Vec<f64>, S
         surface.fit_to_grid(grid).map_err(|error| unusable(format!("{}: {error}", file.path.display())))?
     };
     if let Some(rq) = file.rq {
-        rescale(&mut heights, rq, body)?;
+        rescale(&mut heights, grid.nx(), |_| true, rq).ok_or_else(|| InputError::Conflict {
+            field: format!("roughness.{body}.rq"),
+            reason: "a flat surface cannot be rescaled".to_owned(),
+        })?;
     }
     Ok(heights)
 }
@@ -226,22 +221,6 @@ fn measured(file: &FileRoughness, _grid: &Grid, body: &str) -> Result<Vec<f64>, 
         field: format!("roughness.{body}.path"),
         reason: format!("{}: the feature `formats` reads files and is not enabled", file.path.display()),
     }))
-}
-
-#[cfg_attr(not(feature = "formats"), expect(dead_code, reason = "only files are rescaled"))]
-fn rescale(heights: &mut [f64], rq: f64, body: &str) -> Result<(), InputError> {
-    let statistics = height_statistics(heights)?;
-    if statistics.sq == 0.0 && rq > 0.0 {
-        return Err(InputError::Conflict {
-            field: format!("roughness.{body}.rq"),
-            reason: "a flat surface cannot be rescaled".to_owned(),
-        });
-    }
-    let factor = if statistics.sq > 0.0 { rq / statistics.sq } else { 0.0 };
-    for h in heights {
-        *h = (*h - statistics.mean) * factor;
-    }
-    Ok(())
 }
 
 /// The viscosity law of the scene at `temperature` \[K\].

@@ -1,18 +1,25 @@
 //! The history of a contact: solve, grow, wear, flatten, move on.
-
-use std::ops::ControlFlow;
-use std::sync::Arc;
+//!
+//! One step, in this order:
+//!
+//! 1. conditions: load, speeds and temperature at the start of the step;
+//! 2. solve: the bodies at the next position of the roughness, at further ones where that does not converge;
+//! 3. rub: friction, heat and flash temperature under the solved pressures;
+//! 4. commit: flattening, half of the film growth, wear, the other half; a shorter step where a node changes by
+//!    more than it may;
+//! 5. record, and the masses that the squeeze of the next contact refers to.
+//!
+//! Bodies change in 4 alone, and only after 2 has converged; an error puts everything back.
 
 use super::SimError;
 use super::body::Body;
-use super::builder::SimBuilder;
 use super::contact::ContactModel;
-use super::exposure::{self, Ageing};
+use super::exposure;
 use super::friction::FrictionFields;
 use super::heat::Heat;
-use super::hertz::HertzContact;
-use super::observer::Observer;
-use super::per_body::PerBody;
+use super::laws::Laws;
+use super::passage::{Marks, Passage};
+use super::placement::{Offsets, Placement, Travel};
 use super::record::StepRecord;
 use super::scene::Scene;
 use super::solution::{contact_numbers, film_numbers};
@@ -21,58 +28,15 @@ use super::step_control::StepControl;
 use super::timetable::{Conditions, Timetable};
 use super::warnings::{self, Warning};
 use super::yielding::Yielding;
-use crate::boundary_friction::BoundaryFriction;
-use crate::elastic::DeformationModel;
 use crate::error::InputError;
-use crate::grid::Grid;
 use crate::metrics;
-use crate::plastic::PlasticityModel;
-use crate::report::{SolveReport, Status};
+use crate::report::SolveReport;
 use crate::reynolds::ContactState;
-use crate::rubbing::RubbingPoint;
-use crate::surface::{FourierShift, Offset, RoughnessMotion, add_blended, blend_shifted, copy_shifted};
-use crate::tribochem::{FilmGrowthLaw, Tribofilm};
-use crate::wear::WearLaw;
 
 /// Positions of the roughness that a step tries before it gives up.
 const MAX_ATTEMPTS: u32 = 8;
-/// Solves in which limit and depth of a hardening contact must have met.
-const MAX_HARDENING: usize = 40;
-/// Accepted distance between both, relative to the limit.
-const HARDENING_TOLERANCE: f64 = 1e-3;
-/// A patch of nodes that yield together gives way more than a single one, by about this factor.
-const PATCH_COMPLIANCE: f64 = 4.0;
 /// Attempts to find the length of a step.
 const MAX_CUTS: usize = 40;
-
-/// The laws of a run, shared by its copies; absent ones cost nothing.
-#[derive(Debug, Clone)]
-pub(super) struct Laws {
-    pub(super) plasticity: Option<PerBody<dyn PlasticityModel>>,
-    pub(super) growth: Option<Arc<dyn FilmGrowthLaw>>,
-    pub(super) wear: Option<PerBody<dyn WearLaw>>,
-    pub(super) friction: Arc<dyn BoundaryFriction>,
-}
-
-/// How the contact moves on from step to step.
-#[derive(Debug, Clone)]
-pub(super) struct Travel {
-    pub(super) motion: Arc<dyn RoughnessMotion>,
-    /// Whether a contact feels the squeeze of the film before it.
-    pub(super) squeeze: bool,
-}
-
-/// Where the roughness of ball and disc stands.
-type Offsets = [Offset; 2];
-
-/// How a run ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RunEnd {
-    /// All steps were taken.
-    Finished,
-    /// The observer stopped the run.
-    Stopped,
-}
 
 /// A rough lubricated contact whose surfaces flatten, grow a tribofilm and wear as they rub.
 ///
@@ -112,76 +76,50 @@ pub enum RunEnd {
 /// ```
 #[derive(Debug, Clone)]
 pub struct MixedLubricationSim {
+    /// The scene that it was built from.
     pub(super) scene: Scene,
-    timetable: Timetable,
+    /// Conditions over time.
+    pub(super) timetable: Timetable,
+    /// The contact problem with its solver.
     pub(super) contact: ContactModel,
+    /// What flattens, wears, grows and rubs.
     pub(super) laws: Laws,
-    heat: Heat,
+    /// Flash temperature of the contact in progress.
+    pub(super) heat: Heat,
+    /// Motion of the roughness and squeeze.
     pub(super) travel: Travel,
-    between_nodes: FourierShift,
+    /// Ball and disc after the last step.
     pub(super) bodies: [Body; 2],
+    /// Solution of the last step.
     pub(super) state: ContactState,
+    /// Masses of the last two contacts.
     pub(super) squeeze_memory: SqueezeMemory,
+    /// Time that has passed \[s\].
     pub(super) time: f64,
+    /// Steps that were committed.
     pub(super) step: u64,
     /// Positions of the roughness that were tried; with the seed the state of the random numbers.
     pub(super) draws: u64,
-    pub(super) fields: Fields,
+    /// The bodies as they lie in the step in progress, and what follows from its contact.
+    pub(super) placement: Placement,
+    pub(super) yielding: Yielding,
+    pub(super) friction: FrictionFields,
+    marks: Marks,
+    /// Mass that the squeeze refers to.
+    squeezed: Vec<f64>,
+    /// The bodies before the step in progress.
     pub(super) backup: [Body; 2],
     /// The contact before the step in progress.
     before: ContactState,
-    warnings: Vec<Warning>,
+    /// What was found unlikely so far.
+    pub(super) warnings: Vec<Warning>,
     /// What was put in place of parts of the scene.
     #[cfg(feature = "serde")]
     pub(super) own_parts: super::identity::OwnParts,
 }
 
-/// Fields of the step in progress, all in the frame of the contact unless a name says otherwise.
-#[derive(Debug, Clone)]
-pub(super) struct Fields {
-    pub(super) gap: Vec<f64>,
-    heights: Vec<f64>,
-    pub(super) films: [Vec<f64>; 2],
-    depths: [Vec<f64>; 2],
-    on_body: Vec<f64>,
-    /// What the nodes of a body feel.
-    points: Vec<RubbingPoint>,
-    wear_rates: Vec<f64>,
-    heat: Vec<f64>,
-    rise: Vec<f64>,
-    /// Mass that the squeeze refers to.
-    squeezed: Vec<f64>,
-    pub(super) friction: FrictionFields,
-    pub(super) yielding: Yielding,
-}
-
-impl Fields {
-    fn new(scene: &Scene, n: usize) -> Result<Self, InputError> {
-        let zeros = || vec![0.0; n];
-        let pair = || [zeros(), zeros()];
-        Ok(Self {
-            gap: zeros(),
-            heights: zeros(),
-            films: pair(),
-            depths: pair(),
-            on_body: zeros(),
-            points: Vec::with_capacity(n),
-            wear_rates: zeros(),
-            heat: zeros(),
-            rise: zeros(),
-            squeezed: zeros(),
-            friction: FrictionFields::new(scene, n)?,
-            yielding: Yielding::new(n),
-        })
-    }
-}
-
 impl MixedLubricationSim {
-    /// A builder that makes the simulation of `scene`.
-    pub fn builder(scene: Scene) -> SimBuilder {
-        SimBuilder::new(scene)
-    }
-
+    /// A simulation at the time zero of what its builder has made.
     pub(super) fn assemble(
         (scene, timetable, warnings): (Scene, Timetable, Vec<Warning>),
         contact: ContactModel,
@@ -194,8 +132,11 @@ impl MixedLubricationSim {
         Ok(Self {
             state: ContactState::new(&grid),
             squeeze_memory: SqueezeMemory::new(grid.len()),
-            fields: Fields::new(&scene, grid.len())?,
-            between_nodes: FourierShift::new(grid.nx()),
+            placement: Placement::new(grid),
+            yielding: Yielding::new(grid.len()),
+            friction: FrictionFields::new(&scene, grid.len())?,
+            marks: Marks::new(grid.len()),
+            squeezed: vec![0.0; grid.len()],
             scene,
             timetable,
             contact,
@@ -214,136 +155,13 @@ impl MixedLubricationSim {
         })
     }
 
-    /// How the roughness moves from step to step.
-    pub fn motion(&self) -> &dyn RoughnessMotion {
-        self.travel.motion.as_ref()
-    }
-
-    /// Whether each contact feels the squeeze of the film before it.
-    pub fn has_squeeze(&self) -> bool {
-        self.travel.squeeze
-    }
-
-    /// The grid of the contact and of both bodies' patches.
-    pub fn grid(&self) -> Grid {
-        self.contact.grid
-    }
-
-    /// The scene.
-    pub fn scene(&self) -> &Scene {
-        &self.scene
-    }
-
-    /// What acts on the contact at the time that has passed.
-    pub fn conditions(&self) -> Conditions {
-        self.timetable.at(self.time)
-    }
-
-    /// Hertz contact of the smooth bodies under the load of the last step.
-    pub fn hertz(&self) -> HertzContact {
-        self.contact.hertz
-    }
-
-    /// Time that has passed \[s\].
-    pub fn time(&self) -> f64 {
-        self.time
-    }
-
-    /// Steps that were committed.
-    pub fn steps(&self) -> u64 {
-        self.step
-    }
-
-    /// Ball and disc.
-    pub fn bodies(&self) -> &[Body; 2] {
-        &self.bodies
-    }
-
-    /// Pressures and film of the last solve, in the frame of the contact.
-    pub fn state(&self) -> &ContactState {
-        &self.state
-    }
-
-    /// What is unlikely to be meant or to hold: that of [`Scene::warnings`], of heights that were read or
-    /// given, and after the first step of its contact. The list is that of the whole run, no step repeats it.
-    pub fn warnings(&self) -> &[Warning] {
-        &self.warnings
-    }
-
-    /// Whether the flash temperature is modelled.
-    pub fn models_flash_temperature(&self) -> bool {
-        self.heat.flash.is_some()
-    }
-
-    /// Largest flash temperature rise that the smooth contact would have \[K\] under the conditions at any
-    /// entry of the schedule, by which it is modelled or left out unless the scene says which: by boundary
-    /// friction under all of the load, or by shear of a fluid film of the thickness that the formulas give,
-    /// whichever is hotter (see [`estimate_rise_under_flux`](crate::tribochem::estimate_rise_under_flux)).
-    pub fn flash_estimate(&self) -> f64 {
-        self.heat.estimate
-    }
-
-    /// Largest difference over both bodies between the surface and `initial - wear - plastic + film` \[m\].
-    ///
-    /// # Errors
-    /// Never for a simulation that was built: its fields have one length.
-    pub fn ledger_residual(&self) -> Result<f64, InputError> {
-        let [ball, disc] = &self.bodies;
-        Ok(ball.ledger()?.residual(&ball.surface)?.max(disc.ledger()?.residual(&disc.surface)?))
-    }
-
-    /// Takes `steps` steps of `time_step` \[s\]; `observer` sees each and may stop the run.
-    ///
-    /// # Errors
-    /// See [`MixedLubricationSim::step`]; the steps before are committed.
-    pub fn run(
-        &mut self,
-        steps: u64,
-        time_step: f64,
-        observer: &mut impl Observer,
-    ) -> Result<RunEnd, SimError> {
-        for _ in 0..steps {
-            let record = self.step(time_step)?;
-            if observer.after_step(self, &record) == ControlFlow::Break(()) {
-                return Ok(RunEnd::Stopped);
-            }
-        }
-        Ok(RunEnd::Finished)
-    }
-
-    /// Steps until the time `end` \[s\], each as long as `control` allows and none across an entry of a
-    /// schedule; `observer` sees each and may stop the run.
-    ///
-    /// # Errors
-    /// See [`MixedLubricationSim::step_within`]; the steps before are committed.
-    pub fn run_until(
-        &mut self,
-        end: f64,
-        control: &StepControl,
-        observer: &mut impl Observer,
-    ) -> Result<RunEnd, SimError> {
-        InputError::require(end.is_finite(), "end", end, "finite")?;
-        control.validate()?;
-        // What rounding leaves of the last step is none.
-        while end - self.time > 1e-9 * control.longest {
-            let mut left = end - self.time;
-            if let Some(entry) = self.timetable.next_entry(self.time) {
-                left = left.min(entry - self.time);
-            }
-            let record = self.step_within(&StepControl { longest: control.longest.min(left), ..*control })?;
-            if observer.after_step(self, &record) == ControlFlow::Break(()) {
-                return Ok(RunEnd::Stopped);
-            }
-        }
-        Ok(RunEnd::Finished)
-    }
-
     /// Takes one step of `time_step` \[s\] under the conditions that hold at its start.
     ///
     /// # Errors
     /// A time step that is negative or not finite; a contact that did not converge at any tried position of
-    /// the roughness; a law that returned a value that is not finite; an [interrupt](SimBuilder::interrupt).
-    /// Everything is then as before, so that another step of this length fails again.
+    /// the roughness; a law that returned a value that is not finite; an
+    /// [interrupt](super::SimBuilder::interrupt). Everything is then as before, so that another step of this
+    /// length fails again.
     pub fn step(&mut self, time_step: f64) -> Result<StepRecord, SimError> {
         self.step_within(&StepControl::fixed(time_step))
     }
@@ -376,7 +194,7 @@ impl MixedLubricationSim {
         self.contact.put_under(&self.scene, &conditions)?;
         self.heat.move_at(conditions.motion.surface_speeds(), &self.contact.grid)?;
         let (report, offsets, attempts) = self.solve_somewhere()?;
-        let flash_rise = self.rub()?;
+        let flash_rise = self.heat_up()?;
         let rq = self.roughness()?;
         let time_step = self.commit_within(control, offsets)?;
         let record = self.record((report, attempts), flash_rise, (conditions, rq), time_step)?;
@@ -436,161 +254,69 @@ impl MixedLubricationSim {
         }
     }
 
-    /// Where the roughness stands at the next solve, within the patch.
+    /// Where the roughness stands at the next solve.
     fn offsets(&self) -> Result<Offsets, InputError> {
-        let (motion, grid, speeds) =
-            (&self.travel.motion, self.contact.grid, self.timetable.mean_speeds(self.time));
-        let [ball, disc] = [0, 1].map(|body| motion.offset(body, self.draws, self.time, speeds[body], &grid));
-        ball.validate_as("motion: offset.fraction of the ball")?;
-        disc.validate_as("motion: offset.fraction of the disc")?;
-        Ok([ball, disc].map(|offset| Offset {
-            columns: offset.columns % grid.nx(),
-            rows: offset.rows % grid.ny(),
-            ..offset
-        }))
+        let speeds = self.timetable.mean_speeds(self.time);
+        self.travel.offsets(self.draws, self.time, speeds, &self.contact.grid)
     }
 
-    /// Surfaces, films and depths of both bodies as they lie at `offsets`.
-    fn place(&mut self, offsets: Offsets) -> Result<(), InputError> {
-        let (nx, ny) = (self.contact.grid.nx(), self.contact.grid.ny());
-        let Self { fields, bodies, contact, between_nodes, .. } = self;
-        fields.gap.copy_from_slice(&contact.form_gap);
-        for (index, body) in bodies.iter().enumerate() {
-            let offset = offsets[index];
-            if offset.fraction == 0.0 {
-                copy_shifted(&body.surface, nx, ny, (offset.columns, offset.rows), &mut fields.heights)?;
-            } else {
-                between_nodes.apply(&body.surface, ny, offset, &mut fields.heights)?;
-            }
-            for (gap, z) in fields.gap.iter_mut().zip(&fields.heights) {
-                *gap -= z;
-            }
-            blend_shifted(body.film_thickness(), nx, ny, offset, &mut fields.films[index])?;
-            blend_shifted(body.plastic_depth(), nx, ny, offset, &mut fields.depths[index])?;
-        }
-        Ok(())
-    }
-
+    /// Solves the contact of the bodies as they lie at `offsets`.
     pub(super) fn solve_at(&mut self, offsets: Offsets) -> Result<SolveReport, SimError> {
-        self.place(offsets)?;
-        let Self { fields, contact, laws, state, travel, squeeze_memory, step, .. } = self;
-        let squeeze =
-            if travel.squeeze { squeeze_memory.squeeze(*step, &mut fields.squeezed)? } else { None };
+        let Self { contact, laws, state, placement, yielding, squeeze_memory, squeezed, .. } = self;
+        placement.place(&self.bodies, &contact.form_gap, offsets)?;
+        let squeeze = if self.travel.squeeze { squeeze_memory.squeeze(self.step, squeezed)? } else { None };
         // A film that is squeezed was there a moment ago; roughness that has moved far makes the last
         // pressures no better a start than the dry contact.
         if squeeze.is_none() {
             state.pressure.fill(0.0);
         }
-        let Some(model) = &laws.plasticity else {
-            return contact.solve(&fields.gap, None, squeeze, state);
-        };
-        fields.yielding.start(model, &fields.films, &fields.depths)?;
-        let mut report = contact.solve(&fields.gap, Some(&fields.yielding.limit), squeeze, state)?;
-        if !model.each().iter().any(|model| model.hardens()) {
-            return Ok(report);
+        match &laws.plasticity {
+            None => contact.solve(&placement.gap, None, squeeze, state),
+            Some(models) => yielding.solve(models, placement, contact, squeeze, state),
         }
-        let compliance = PATCH_COMPLIANCE * contact.deformation.influence(0, 0);
-        for _ in 0..MAX_HARDENING {
-            let (films, depths) = (&fields.films, &fields.depths);
-            let distance = fields.yielding.harden(model, films, depths, &state.plastic_depth, compliance);
-            if report.status != Status::Converged || distance <= HARDENING_TOLERANCE {
-                return Ok(report);
-            }
-            let before = report;
-            report =
-                contact.solve(&fields.gap, Some(&fields.yielding.limit), squeeze, state)?.preceded_by(before);
-        }
-        report.status = Status::MaxIterations;
-        Ok(report)
     }
 
     /// Shear, heat and temperature under the solved pressures; returns the largest flash rise \[K\], none
     /// where it is not modelled.
-    fn rub(&mut self) -> Result<Option<f64>, SimError> {
-        let Self { fields, contact, laws, state, heat, .. } = self;
-        fields.friction.update(contact, state, laws.friction.as_ref(), &fields.films)?;
-        let Some(flash) = &mut heat.flash else { return Ok(None) };
-        for (k, heat) in fields.heat.iter_mut().enumerate() {
-            *heat = fields.friction.heat(k);
-        }
-        Ok(Some(flash.rise(&fields.heat, &mut fields.rise)?.maximum))
+    fn heat_up(&mut self) -> Result<Option<f64>, SimError> {
+        let Self { friction, contact, laws, state, heat, placement, .. } = self;
+        friction.update(contact, state, laws.friction.as_ref(), &placement.films)?;
+        Ok(heat.rub(friction)?)
     }
 
-    /// What a step of a second does to ball and disc as they move under `conditions`.
-    fn ageing(&self, conditions: &Conditions) -> Result<[Ageing; 2], InputError> {
-        let (track, motion) = (&self.scene.track, self.travel.motion.as_ref());
-        let speeds = conditions.motion.surface_speeds();
-        exposure::ageing(track, motion, &self.contact.grid, &self.contact.hertz, speeds)
-    }
-
-    /// Adds the print of the contact to the plastic depth of the bodies.
-    fn flatten(&mut self, ageing: [Ageing; 2], time_step: f64, offsets: Offsets) -> Result<(), SimError> {
-        let Self { fields, bodies, contact, state, .. } = self;
-        let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
-        fields.yielding.share(&state.plastic_depth)?;
-        for (index, body) in bodies.iter_mut().enumerate() {
-            fields.on_body.fill(0.0);
-            add_blended(&fields.yielding.split[index], nx, ny, offsets[index], &mut fields.on_body)?;
-            let share = ageing[index].print(time_step);
-            fields.on_body.iter_mut().for_each(|depth| *depth *= share);
-            body.plastic.add(&fields.on_body)?;
-        }
-        Ok(())
-    }
-
-    /// Applies wear, film growth and flattening to the bodies. The film grows half before and half after the
-    /// wear, so that the wear coefficient is that of the middle of the step.
+    /// Applies flattening, wear and film growth of a step of `time_step` \[s\] to the bodies.
     fn commit(&mut self, time_step: f64, offsets: Offsets) -> Result<(), SimError> {
-        let conditions = self.conditions();
-        let ageing = self.ageing(&conditions)?;
-        if self.laws.plasticity.is_some() {
-            self.flatten(ageing, time_step, offsets)?;
-        }
-        let Self { fields, bodies, contact, laws, state, .. } = self;
-        let (nx, ny) = (contact.grid.nx(), contact.grid.ny());
-        let (bulk, sliding) = (conditions.bulk_temperature, conditions.motion.sliding_speed());
-        let Fields { points, wear_rates, rise, friction, .. } = fields;
-        let on_grid = |k: usize| RubbingPoint {
-            pressure: state.pressure[k],
-            solid_pressure: friction.solid[k],
-            shear_stress: friction.stress(k),
-            temperature: bulk + rise[k],
-            sliding_speed: sliding,
-            film_thickness: state.film[k],
-            in_contact: state.in_contact[k],
+        let Conditions { motion, bulk_temperature, .. } = self.conditions();
+        let Self { bodies, contact, laws, state, yielding, friction, marks, .. } = self;
+        let (grid, speeds) = (&contact.grid, motion.surface_speeds());
+        let (track, roughness_motion) = (&self.scene.track, self.travel.motion.as_ref());
+        let passage = Passage {
+            grid,
+            state,
+            friction,
+            rise: self.heat.rise(),
+            bulk: bulk_temperature,
+            sliding: motion.sliding_speed(),
+            offsets,
+            ageing: exposure::ageing(track, roughness_motion, grid, &contact.hertz, speeds)?,
         };
-        for (index, (body, offset)) in bodies.iter_mut().zip(offsets).enumerate() {
-            let exposed = ageing[index].rate * time_step;
-            let point = |node: usize| {
-                // Where this node of the body stands in the frame of the contact: on a node, or short of it.
-                let (i, j) = ((node % nx + nx - offset.columns) % nx, (node / nx + ny - offset.rows) % ny);
-                let at = on_grid(j * nx + i);
-                if offset.fraction == 0.0 {
-                    return at;
-                }
-                at.towards(&on_grid(j * nx + (i + nx - 1) % nx), offset.fraction)
-            };
-            points.clear();
-            points.extend((0..nx * ny).map(point));
-            if let (Some(law), Some(film)) = (&laws.growth, &mut body.film) {
-                film.advance_all(law.as_ref(), 0.5 * exposed, points)?;
-            }
-            if let Some(law) = &laws.wear {
-                let thickness = body.film.as_ref().map_or(body.no_film.as_slice(), Tribofilm::thickness);
-                body.wear.advance_all(law.each()[index], exposed, (points, thickness), wear_rates)?;
-            }
-            if let (Some(law), Some(film)) = (&laws.growth, &mut body.film) {
-                film.advance_all(law.as_ref(), 0.5 * exposed, points)?;
-            }
-            body.rebuild()?;
+        if laws.plasticity.is_some() {
+            yielding.share(&state.plastic_depth)?;
+            marks.flatten(bodies, &passage, &yielding.split, time_step)?;
         }
-        Ok(())
+        marks.rub(bodies, &passage, laws, time_step)
     }
 
     /// Root mean square roughness of both bodies on the track \[m\].
     fn roughness(&self) -> Result<[f64; 2], InputError> {
         let [ball, disc] = &self.bodies;
         Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
+    }
+
+    /// Means of a field of both bodies over the width of the track.
+    fn means_on_track(&self, field: fn(&Body) -> &[f64]) -> Result<[f64; 2], InputError> {
+        let [ball, disc] = &self.bodies;
+        Ok([self.mean_on_track(field(ball))?, self.mean_on_track(field(disc))?])
     }
 
     /// The record of the step of length `time_step` that the bodies have just taken, whose contact was solved
@@ -602,18 +328,16 @@ impl MixedLubricationSim {
         (conditions, rq): (Conditions, [f64; 2]),
         time_step: f64,
     ) -> Result<StepRecord, SimError> {
-        let (state, grid) = (&self.state, self.contact.grid);
+        let state = &self.state;
         let film = film_numbers(&self.contact, state)?;
-        let limit = self.laws.plasticity.is_some().then_some(self.fields.yielding.limit.as_slice());
-        let contact = contact_numbers(&self.contact, state, &self.fields.friction.solid, limit)?;
-        let friction = self.fields.friction.shares(&self.contact)?;
+        let limit = self.laws.plasticity.is_some().then_some(self.yielding.limit.as_slice());
+        let contact = contact_numbers(&self.contact, state, &self.friction.solid, limit)?;
+        let friction = self.friction.shares(&self.contact)?;
         let composite_rq = metrics::composite_rq(rq[0], rq[1]);
         let over_rq = |film: f64| if composite_rq > 0.0 { film / composite_rq } else { 0.0 };
         let carrying = state.pressure.iter().filter(|p| **p > 0.0).count().max(1);
-        let mean = |field: &[f64]| field.iter().sum::<f64>() / field.len() as f64;
-        let largest = |field: &[f64]| field.iter().copied().fold(0.0, f64::max);
         let [ball, disc] = &self.bodies;
-        let area = grid.cell_area();
+        let area = self.contact.grid.cell_area();
         Ok(StepRecord {
             step: self.step,
             time: self.time + time_step,
@@ -627,14 +351,11 @@ impl MixedLubricationSim {
             load_ratio: contact.load_ratio,
             max_pressure: contact.max_pressure,
             mean_pressure: state.pressure.iter().sum::<f64>() / carrying as f64,
-            mean_wear: [mean(ball.wear_depth()), mean(disc.wear_depth())],
-            max_wear: [largest(ball.wear_depth()), largest(disc.wear_depth())],
-            mean_film: [mean(ball.film_thickness()), mean(disc.film_thickness())],
-            track_wear: [self.mean_on_track(ball.wear_depth())?, self.mean_on_track(disc.wear_depth())?],
-            track_film: [
-                self.mean_on_track(ball.film_thickness())?,
-                self.mean_on_track(disc.film_thickness())?,
-            ],
+            mean_wear: [ball, disc].map(|body| mean(body.wear_depth())),
+            max_wear: [ball, disc].map(|body| largest(body.wear_depth())),
+            mean_film: [ball, disc].map(|body| mean(body.film_thickness())),
+            track_wear: self.means_on_track(Body::wear_depth)?,
+            track_film: self.means_on_track(Body::film_thickness)?,
             plastic_volume: ball.volumes(area)?.plastic + disc.volumes(area)?.plastic,
             flash_rise,
             friction_coefficient: friction.coefficient,
@@ -649,4 +370,14 @@ impl MixedLubricationSim {
             report,
         })
     }
+}
+
+/// Mean of a field over the patch.
+fn mean(field: &[f64]) -> f64 {
+    field.iter().sum::<f64>() / field.len() as f64
+}
+
+/// Largest value of a field, zero at least.
+fn largest(field: &[f64]) -> f64 {
+    field.iter().copied().fold(0.0, f64::max)
 }

@@ -8,8 +8,9 @@ use super::contact::ContactModel;
 use super::film_heat::{self, Surroundings};
 use super::friction::FrictionFields;
 use super::interrupt::Interrupt;
+use super::laws::Laws;
+use super::placement::Placement;
 use super::scene::{GridSpec, Scene};
-use super::simulation::Laws;
 use super::solution::{ContactSolution, Numbers, StressNumbers, is_known};
 use super::track::track_rq;
 use super::warnings::Warning;
@@ -18,6 +19,7 @@ use super::{SimError, setup, warnings};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::ContactState;
+use crate::surface::Offset;
 use crate::thermal::FilmTemperature;
 
 impl SimBuilder {
@@ -210,14 +212,12 @@ impl Prepared {
         state: ContactState,
     ) -> Result<Self, SimError> {
         let grid = model.grid;
-        let [ball, disc] = &bodies;
-        let heights = ball.surface().iter().zip(disc.surface());
-        let gap: Vec<f64> = model.form_gap.iter().zip(heights).map(|(form, (b, d))| form - b - d).collect();
-        let tribofilms = [ball, disc].map(|body| body.film_thickness().to_vec());
+        let mut placement = Placement::new(grid);
+        placement.place(&bodies, &model.form_gap, [Offset::default(); 2])?;
+        let Placement { gap, films: tribofilms, depths, .. } = placement;
         let limit = match &laws.plasticity {
             None => None,
             Some(plasticity) => {
-                let depths = [ball, disc].map(|body| body.plastic_depth().to_vec());
                 let mut yielding = Yielding::new(grid.len());
                 yielding.start(plasticity, &tribofilms, &depths)?;
                 Some(yielding.limit)
@@ -225,7 +225,7 @@ impl Prepared {
         };
         let friction = FrictionFields::new(&scene, grid.len())?;
         let temperature = film_heat::temperature(&scene, &model)?;
-        let rq = [ball, disc].map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
+        let rq = bodies.each_ref().map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
         model.check(&gap, limit.as_deref(), &state)?;
         let warnings = Vec::new();
         Ok(Self { scene, model, laws, state, gap, limit, tribofilms, friction, temperature, rq, warnings })

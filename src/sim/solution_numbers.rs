@@ -7,7 +7,7 @@ use super::solution::ContactSolution;
 impl fmt::Display for ContactSolution {
     /// A short report, one line a subject.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { report, grid, hertz, film, contact, .. } = self;
+        let Self { report, grid, hertz, .. } = self;
         let (residuals, work) = (report.residuals, report.work);
         writeln!(f, "{} by {} on {} x {} nodes", report.status, report.solver, grid.nx(), grid.ny())?;
         writeln!(
@@ -29,6 +29,20 @@ impl fmt::Display for ContactSolution {
             hertz.a_x * 1e6,
             hertz.a_y * 1e6
         )?;
+        self.write_film(f)?;
+        writeln!(f, "friction   {:.4}", self.friction_coefficient)?;
+        self.write_flow(f)?;
+        writeln!(f, "approach   {:.3} nm", self.state.approach * 1e9)?;
+        self.write_errors(f)?;
+        self.write_heat(f)?;
+        self.write_stress(f)
+    }
+}
+
+impl ContactSolution {
+    /// Film, pressure and solid contact.
+    fn write_film(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { film, contact, .. } = self;
         writeln!(
             f,
             "film       central {:.3} nm, minimum {:.3} nm, mean {:.3} nm",
@@ -49,17 +63,9 @@ impl fmt::Display for ContactSolution {
             contact.area_ratio * 100.0,
             contact.load_ratio * 100.0,
             contact.plastic_area * 1e12
-        )?;
-        writeln!(f, "friction   {:.4}", self.friction_coefficient)?;
-        self.write_flow(f)?;
-        writeln!(f, "approach   {:.3} nm", self.state.approach * 1e9)?;
-        self.write_errors(f)?;
-        self.write_heat(f)?;
-        self.write_stress(f)
+        )
     }
-}
 
-impl ContactSolution {
     fn write_flow(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(flow) = self.flow else { return writeln!(f, "flow       none: dry") };
         let unit = if self.grid.ny() == 1 { "m^2/s" } else { "m^3/s" };

@@ -1,4 +1,7 @@
 //! What the contacts before carried along, which the next one squeezes.
+//!
+//! A cell holds the mass `theta rho/rho_0 h` per area, as a film thickness \[m\]. Its change in time is the
+//! squeeze of Reynolds' equation; the difference is of second order from the third contact on.
 
 use crate::error::InputError;
 use crate::reynolds::Squeeze;
@@ -18,6 +21,7 @@ pub(super) struct SqueezeMemory {
 }
 
 impl SqueezeMemory {
+    /// Nothing remembered yet.
     pub(super) fn new(nodes: usize) -> Self {
         Self { masses: [vec![0.0; nodes], vec![0.0; nodes]], steps: [0.0; 2] }
     }

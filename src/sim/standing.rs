@@ -42,17 +42,18 @@ impl MixedLubricationSim {
         solved
     }
 
+    /// Solves and measures the contact under `conditions`; the caller puts back what it changes.
     fn solve_standing(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
         self.contact.put_under(&self.scene, conditions)?;
         let report = self.solve_at([Offset::default(); 2])?;
-        let Self { contact, fields, laws, state, .. } = self;
+        let Self { contact, placement, friction, yielding, laws, state, .. } = self;
         let known = is_known(state);
         if known {
-            fields.friction.update(contact, state, laws.friction.as_ref(), &fields.films)?;
+            friction.update(contact, state, laws.friction.as_ref(), &placement.films)?;
         }
-        let limit = laws.plasticity.is_some().then_some(fields.yielding.limit.as_slice());
-        let numbers = Numbers::of(contact, state, known.then_some(&fields.friction), limit)?;
-        let gap = fields.gap.clone();
+        let limit = laws.plasticity.is_some().then_some(yielding.limit.as_slice());
+        let numbers = Numbers::of(contact, state, known.then_some(&*friction), limit)?;
+        let gap = placement.gap.clone();
         let state = std::mem::replace(state, ContactState::new(&contact.grid));
         let rq = self
             .bodies
@@ -63,6 +64,8 @@ impl MixedLubricationSim {
 }
 
 impl Conditions {
+    /// Error for a load or a temperature that is not positive, a speed that is negative, or zero where it
+    /// drags a film along.
     fn validate(&self, lubricated: bool) -> Result<(), InputError> {
         InputError::require_positive("conditions.load", self.load)?;
         let (speed, ratio) = (self.motion.entrainment_speed, self.motion.slide_roll_ratio);

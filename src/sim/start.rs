@@ -29,10 +29,15 @@ use crate::wear::WearDepth;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyStart {
+    /// The grid that the heights are on.
     grid: Grid,
+    /// Heights before all of it \[m\].
     pub(super) initial: Vec<f64>,
+    /// Worn depth \[m\].
     pub(super) wear: Vec<f64>,
+    /// Plastic depth \[m\].
     pub(super) plastic: Vec<f64>,
+    /// Thickness of the tribofilm \[m\].
     pub(super) tribofilm: Vec<f64>,
     /// States of the film, node-major, where they are known.
     pub(super) states: Option<Vec<f64>>,

@@ -19,10 +19,15 @@ pub struct Conditions {
 /// Conditions as functions of time.
 #[derive(Debug, Clone)]
 pub(super) struct Timetable {
+    /// Conditions of the scene, which hold where nothing is scheduled.
     base: Conditions,
+    /// Load over time \[N\].
     load: Option<Course>,
+    /// Entrainment speed over time \[m/s\].
     speed: Option<Course>,
+    /// Slide-roll ratio over time.
     slide_roll_ratio: Option<Course>,
+    /// Bulk temperature over time \[K\].
     temperature: Option<Course>,
 }
 
@@ -79,6 +84,7 @@ impl Timetable {
         }
     }
 
+    /// Those that are scheduled.
     fn courses(&self) -> impl Iterator<Item = &Course> {
         [&self.load, &self.speed, &self.slide_roll_ratio, &self.temperature].into_iter().flatten()
     }

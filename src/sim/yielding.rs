@@ -1,14 +1,32 @@
 //! The pressure limit of a contact and the depth that yielding leaves on each body.
+//!
+//! A node of the contact carries at most the smaller of the limits of both bodies there, which depend on
+//! their tribofilms and on how far they were flattened. Where the limit grows with the depth that this
+//! contact adds, limit and depth are found by turns.
 
+use super::SimError;
+use super::contact::ContactModel;
 use super::per_body::PerBody;
+use super::placement::Placement;
+use crate::elastic::DeformationModel;
 use crate::error::InputError;
 use crate::plastic::{PlasticityModel, split_depth, split_depth_into};
+use crate::report::{SolveReport, Status};
+use crate::reynolds::{ContactState, Squeeze};
+
+/// Solves in which limit and depth of a hardening contact must have met.
+const MAX_HARDENING: usize = 40;
+/// Accepted distance between both, relative to the limit.
+const HARDENING_TOLERANCE: f64 = 1e-3;
+/// A patch of nodes that yield together gives way more than a single one, by about this factor.
+const PATCH_COMPLIANCE: f64 = 4.0;
 
 /// Limits and depths of the contact in progress, in its frame.
 #[derive(Debug, Clone)]
 pub(super) struct Yielding {
     /// Pressure limit of the pair \[Pa\].
     pub(super) limit: Vec<f64>,
+    /// Limits of ball and disc at the start \[Pa\].
     body_limits: [Vec<f64>; 2],
     /// Limits of the bodies once they have given way \[Pa\].
     hardened: [Vec<f64>; 2],
@@ -17,10 +35,41 @@ pub(super) struct Yielding {
 }
 
 impl Yielding {
+    /// Fields of zeros for `n` nodes.
     pub(super) fn new(n: usize) -> Self {
         let zeros = || vec![0.0; n];
         let pair = || [zeros(), zeros()];
         Self { limit: zeros(), body_limits: pair(), hardened: pair(), split: pair() }
+    }
+
+    /// Solves the contact of the bodies as they are placed under the pressure limit of their `models`. Limits
+    /// that rise with the depth are moved and the contact is solved again until both belong together; where
+    /// they do not, the status is that of too many iterations.
+    pub(super) fn solve(
+        &mut self,
+        models: &PerBody<dyn PlasticityModel>,
+        placement: &Placement,
+        contact: &mut ContactModel,
+        squeeze: Option<Squeeze<'_>>,
+        state: &mut ContactState,
+    ) -> Result<SolveReport, SimError> {
+        let Placement { gap, films, depths, .. } = placement;
+        self.start(models, films, depths)?;
+        let mut report = contact.solve(gap, Some(&self.limit), squeeze, state)?;
+        if !models.each().iter().any(|model| model.hardens()) {
+            return Ok(report);
+        }
+        let compliance = PATCH_COMPLIANCE * contact.deformation.influence(0, 0);
+        for _ in 0..MAX_HARDENING {
+            let distance = self.harden(models, films, depths, &state.plastic_depth, compliance);
+            if report.status != Status::Converged || distance <= HARDENING_TOLERANCE {
+                return Ok(report);
+            }
+            let before = report;
+            report = contact.solve(gap, Some(&self.limit), squeeze, state)?.preceded_by(before);
+        }
+        report.status = Status::MaxIterations;
+        Ok(report)
     }
 
     /// Limits of the bodies as they lie opposite each other with `films` and `depths` \[m\].
@@ -48,7 +97,7 @@ impl Yielding {
     /// Moves the limit towards that of the bodies once they have given way by `plastic` \[m\], and returns
     /// the largest distance from it, relative. A limit that rises by dH lets the node give way by some
     /// `compliance` dH \[m\] less, which the length of the move allows for.
-    pub(super) fn harden(
+    fn harden(
         &mut self,
         models: &PerBody<dyn PlasticityModel>,
         films: &[Vec<f64>; 2],

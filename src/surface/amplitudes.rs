@@ -1,4 +1,9 @@
 //! Amplitudes of the waves of a random surface.
+//!
+//! A random surface is white noise whose transform is multiplied by the root of a spectral density: of an
+//! autocorrelation function its transform, of a self-affine surface a power of the wave number between its
+//! cut-offs. Of heights that a Johnson distribution turns out of normal ones it is the density of the normal
+//! ones.
 
 use super::generate::Autocorrelation;
 use super::johnson::Johnson;
@@ -99,6 +104,7 @@ struct CorrelationTable {
     pairs: Vec<(f64, f64)>,
     /// For equal shares of the range of `asked`: the first pair at or above the lower end.
     starts: Vec<usize>,
+    /// Number of these shares in a unit of `asked`.
     shares_per_unit: f64,
 }
 

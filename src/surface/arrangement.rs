@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::error::SurfaceError;
 use super::measured::Heights;
+use super::rescale::rescale;
 use crate::error::InputError;
 
 impl Heights {
@@ -164,20 +165,16 @@ impl Heights {
     /// ```
     pub fn set_rq(&mut self, rq: f64) -> Result<(), SurfaceError> {
         InputError::require_non_negative("rq", rq)?;
-        let mean = self.mean()?;
-        let count = (self.heights.len() - self.undefined()) as f64;
-        let deviation = |surface: &Self, k: usize| surface.heights[k] - mean;
-        let defined = (0..self.heights.len()).filter(|&k| self.is_defined(k));
-        let square = defined.map(|k| deviation(self, k).powi(2) / count).sum::<f64>();
-        let factor = if rq == 0.0 { 0.0 } else { rq / square.sqrt() };
-        if !factor.is_finite() {
-            let reason = "a surface without heights cannot be scaled".to_owned();
-            return Err(InputError::Conflict { field: "rq".to_owned(), reason }.into());
-        }
-        for k in 0..self.heights.len() {
-            if self.is_defined(k) {
-                self.heights[k] = deviation(self, k) * factor;
-            }
+        // A surface without defined points has no mean.
+        self.mean()?;
+        let defined = self.defined.as_ref();
+        // Where the mean is far above the heights about it, rounding leaves some of it the first time.
+        for _ in 0..2 {
+            let counts = |k: usize| defined.is_none_or(|mask| mask[k]);
+            rescale(&mut self.heights, self.nx, counts, rq).ok_or_else(|| InputError::Conflict {
+                field: "rq".to_owned(),
+                reason: "a surface without heights cannot be scaled".to_owned(),
+            })?;
         }
         Ok(())
     }

@@ -13,7 +13,9 @@ const DEGENERATE: f64 = 1e-12;
 /// Steps of the fit of a sphere, halvings of a step that leaves the sphere, and change at which the fit ends,
 /// in half the length of the surface.
 const STEPS: usize = 50;
+/// Halvings of a step that does not lower the sum of squares.
 const HALVINGS: usize = 30;
+/// Relative change at which the fit ends.
 const CONVERGED: f64 = 1e-13;
 /// Iterations for the eigenvectors of at most 66 equations, which take some two a vector.
 const SWEEPS: usize = 10_000;

@@ -1,4 +1,8 @@
 //! The areal Gaussian filter (ISO 16610-61).
+//!
+//! The weight at the distance `x` is `exp(-pi (x/(alpha cutoff))^2)` with `alpha = sqrt(ln 2/pi)`, so that a
+//! wave of the cutoff keeps half its amplitude: the S filter leaves longer waves, the L filter shorter ones.
+//! Undefined points weigh nothing, and neither does what lies beyond open edges.
 
 use std::f64::consts::PI;
 

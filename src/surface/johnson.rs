@@ -4,6 +4,7 @@ use crate::error::InputError;
 
 /// Largest skewness and kurtosis that are offered; heavier tails are not sampled by any surface.
 const MAX_SKEWNESS: f64 = 5.0;
+/// Largest kurtosis that is fitted.
 const MAX_KURTOSIS: f64 = 100.0;
 /// Distance kept from the limit `kurtosis = skewness^2 + 1`, where only two heights are left.
 const MARGIN: f64 = 0.2;
@@ -28,12 +29,17 @@ const TABLE: usize = 1025;
 /// skewness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Johnson {
+    /// Which member of the system.
     shape: Shape,
+    /// -1 where the skewness asked for is negative, else 1.
     mirror: f64,
+    /// Mean of what the shape gives.
     mean: f64,
+    /// Its standard deviation.
     deviation: f64,
 }
 
+/// A member of the Johnson system.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Shape {
     Normal,

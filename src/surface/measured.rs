@@ -24,12 +24,17 @@ const FILL_SWEEPS: usize = 200;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Heights {
+    /// Points along x.
     pub(super) nx: usize,
+    /// Points along y.
     pub(super) ny: usize,
+    /// Distances of the points along x and y \[m\]; none where the file does not say.
     pub(super) spacing: Option<[f64; 2]>,
+    /// Heights \[m\], x fastest.
     pub(super) heights: Vec<f64>,
     /// `None`: all points are defined.
     pub(super) defined: Option<Vec<bool>>,
+    /// Unit of the file that they came from.
     pub(super) unit: Option<LengthUnit>,
 }
 
@@ -199,6 +204,7 @@ impl Heights {
         [left, right, below, above].into_iter().flatten()
     }
 
+    /// Whether point `k` was measured.
     pub(super) fn is_defined(&self, k: usize) -> bool {
         self.defined.as_ref().is_none_or(|mask| mask[k])
     }

@@ -30,6 +30,7 @@ mod motion;
 mod patch;
 mod random;
 mod resample;
+mod rescale;
 mod roughness_motion;
 mod self_affine;
 mod subcell;
@@ -45,6 +46,8 @@ pub use measured::Heights;
 pub use motion::Offset;
 pub(crate) use motion::{add_blended, copy_shifted};
 pub use random::{HeightDistribution, HeightScale, RandomShape, RandomSurface};
+#[cfg(feature = "formats")]
+pub(crate) use rescale::rescale;
 pub use roughness_motion::{AlongTrack, AtRest, Carried, RandomShift, RoughnessMotion, Visits};
 pub use self_affine::{SelfAffine, Synthesis};
 pub use subcell::FourierShift;

@@ -1,4 +1,8 @@
 //! Shifts of periodic fields by whole nodes.
+//!
+//! A field of a body is a periodic patch. In the frame of the contact it lies shifted by an [`Offset`]: whole
+//! columns and rows, and a fraction of a column along x. Films and depths are linear in the fraction; heights
+//! follow their Fourier series (`subcell`).
 
 use crate::error::InputError;
 
@@ -77,6 +81,7 @@ pub(crate) fn add_blended(
     Ok(())
 }
 
+/// Error unless both fields have `nx * ny` values.
 fn require_shapes(source: &[f64], nx: usize, ny: usize, target: &[f64]) -> Result<(), InputError> {
     let nodes = nx.saturating_mul(ny);
     InputError::require_len("source", source, nodes)?;

@@ -1,4 +1,8 @@
 //! Random surfaces with open edges: patches of larger periodic ones, drawn wave by wave.
+//!
+//! The edges of a patch of a periodic surface do not fit together where the period is longer than the patch.
+//! A wave has its own deviates whatever the grid, from the stream of its column, and only the patch is
+//! transformed back.
 
 use num_complex::Complex64;
 use rand_distr::{Distribution, StandardNormal};

@@ -9,6 +9,7 @@ use super::amplitudes::{Amplitudes, Mean};
 use super::generate::{Autocorrelation, RoughnessSpec};
 use super::johnson::Johnson;
 use super::patch;
+use super::rescale::rescale;
 use super::self_affine::{SelfAffine, Synthesis};
 use crate::boundary::Boundary;
 use crate::error::InputError;
@@ -154,14 +155,18 @@ impl RandomSurface {
                 row.iter_mut().for_each(|z| *z = curve.at(*z / deviation));
             });
         }
-        match (self.height, johnson) {
-            (HeightScale::Exact, _) => rescale(&mut heights, grid.nx(), self.rq)?,
-            (HeightScale::Ensemble, Some(_)) => scale(&mut heights, grid.nx(), self.rq),
-            (HeightScale::Ensemble, None) => {
-                require_scale(self.rq / deviation)?;
-                scale(&mut heights, grid.nx(), self.rq / deviation);
+        let factor = match (self.height, johnson) {
+            (HeightScale::Exact, _) => {
+                rescale(&mut heights, grid.nx(), |_| true, self.rq).ok_or_else(too_few_nodes)?;
+                return Ok(heights);
             }
+            (HeightScale::Ensemble, Some(_)) => self.rq,
+            (HeightScale::Ensemble, None) => self.rq / deviation,
+        };
+        if !factor.is_finite() {
+            return Err(too_few_nodes());
         }
+        map_lines(&mut heights, grid.nx(), |_, row| row.iter_mut().for_each(|z| *z *= factor));
         Ok(heights)
     }
 
@@ -223,39 +228,9 @@ fn white_noise(count: usize, seed: u64) -> Vec<f64> {
     (0..count).map(|_| StandardNormal.sample(&mut generator)).collect()
 }
 
-/// Removes the mean and scales to the root mean square `rq`.
-fn rescale(heights: &mut [f64], nx: usize, rq: f64) -> Result<(), InputError> {
-    let count = heights.len() as f64;
-    let mean = sum(heights, nx, |height| height) / count;
-    let square = sum(heights, nx, |height| (height - mean) * (height - mean)) / count;
-    // all of one height but for rounding
-    let flat = square.sqrt() <= 1e-12 * mean.abs();
-    let factor = if flat { f64::INFINITY } else { rq / square.sqrt() };
-    require_scale(factor)?;
-    map_lines(heights, nx, |_, row| row.iter_mut().for_each(|z| *z = factor * (*z - mean)));
-    Ok(())
-}
-
-fn scale(heights: &mut [f64], nx: usize, factor: f64) {
-    map_lines(heights, nx, |_, row| row.iter_mut().for_each(|z| *z *= factor));
-}
-
-/// Sum over rows of the sums of `each` along them, which threads share.
-fn sum(heights: &[f64], nx: usize, each: impl Fn(f64) -> f64 + Sync) -> f64 {
-    let mut rows: Vec<f64> = vec![0.0; heights.len() / nx];
-    map_lines(&mut rows, 1, |row, sum| {
-        sum[0] = heights[row * nx..][..nx].iter().map(|height| each(*height)).sum();
-    });
-    rows.iter().sum()
-}
-
-/// Error unless the factor to the height asked for is finite.
-fn require_scale(factor: f64) -> Result<(), InputError> {
-    if factor.is_finite() {
-        return Ok(());
-    }
-    Err(InputError::Conflict {
+fn too_few_nodes() -> InputError {
+    InputError::Conflict {
         field: "roughness.rq".to_owned(),
         reason: "the grid has too few nodes for a rough surface".to_owned(),
-    })
+    }
 }

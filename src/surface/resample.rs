@@ -14,6 +14,7 @@ pub(super) enum Tiling {
 
 /// One axis of the transfer: which source points enter each target node, with weights that add up to 1.
 struct Axis {
+    /// For each node the points that it takes and their shares.
     weights: Vec<Vec<(usize, f64)>>,
 }
 
@@ -23,7 +24,9 @@ struct Folding {
     window: f64,
     /// Distance of the window's start from the start of the measured area.
     start: f64,
+    /// Distance of the points \[m\].
     spacing: f64,
+    /// Number of the points.
     points: usize,
 }
 

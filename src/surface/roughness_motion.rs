@@ -1,4 +1,14 @@
 //! Motion of periodic roughness between time steps.
+//!
+//! A motion is a pure function of the number of positions drawn so far, time and speed: with the seed of the
+//! scene it gives the same positions on every machine and after every resumed run, and needs no state.
+//!
+//! | motion | where a body stands in the next contact |
+//! |---|---|
+//! | [`AtRest`] | where it was |
+//! | [`Carried`] | where its speed has taken it, between nodes too |
+//! | [`AlongTrack`] | anywhere along x |
+//! | [`RandomShift`] | anywhere along x and y |
 
 use std::fmt::Debug;
 
@@ -184,6 +194,7 @@ impl RoughnessMotion for RandomShift {
     }
 }
 
+/// Deviates of a body and a draw that no other body, draw or purpose has.
 fn generator(seed: u64, body: usize, draw: u64, purpose: &[u8; 8]) -> ChaCha8Rng {
     let mut bytes = [0; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());

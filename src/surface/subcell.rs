@@ -1,4 +1,8 @@
 //! Shifts by less than a cell.
+//!
+//! Each row is shifted by its Fourier series, so that waves keep their amplitudes between nodes; linear
+//! interpolation would flatten the shortest ones. What must not get negative, films and depths, is shifted
+//! linearly instead.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -28,10 +32,15 @@ use crate::error::InputError;
 #[derive(Clone)]
 pub struct FourierShift {
     nx: usize,
+    /// Transform of a row.
     forward: Arc<dyn RealToComplex<f64>>,
+    /// Its inverse, not normalised.
     inverse: Arc<dyn ComplexToReal<f64>>,
+    /// Spectrum of the row in progress.
     spectrum: Vec<Complex64>,
+    /// Copy of the row in progress.
     row: Vec<f64>,
+    /// Work space of the transforms.
     scratch: Vec<Complex64>,
 }
 
@@ -79,6 +88,7 @@ impl FourierShift {
         Ok(())
     }
 
+    /// Shifts a row by `fraction` of a cell.
     fn shift_row(&mut self, row: &mut [f64], fraction: f64) -> Result<(), InputError> {
         let misfit = |error: realfft::FftError| InputError::Conflict {
             field: "row".to_owned(),

@@ -160,6 +160,7 @@ fn field(grid: &Grid, height: impl Fn(f64, f64) -> f64) -> Vec<f64> {
 
 /// A whole number of equal lengths in the grid.
 struct Repeats {
+    /// Number of repeats along the axis.
     count: usize,
     pitch: f64,
 }
@@ -173,6 +174,7 @@ impl Repeats {
         Ok(Self { count: count as usize, pitch: size / count })
     }
 
+    /// Number of the repeat at the place `s`.
     fn cell(&self, s: f64) -> usize {
         ((s / self.pitch) as usize).min(self.count - 1)
     }

@@ -49,11 +49,17 @@ pub fn contact_solver(solver: &mut dyn ContactSolver, lubricated: bool) -> Resul
     case.check_refusals(&contract, solver, &rule)
 }
 
+/// A smooth ball on a plane, dry or lubricated.
 struct Case {
+    /// The grid.
     grid: Grid,
+    /// Hertz contact of the bodies.
     hertz: HertzPoint,
+    /// Undeformed gap \[m\].
     gap: Vec<f64>,
+    /// Elastic bodies.
     body: HalfSpace,
+    /// The oil; none for the dry case.
     lubricant: Option<Lubricant>,
 }
 
@@ -71,6 +77,7 @@ impl Case {
         Ok(Self { grid, hertz, gap, body: HalfSpace::new(grid, MODULUS)?, lubricant })
     }
 
+    /// What the solver makes of the case.
     fn try_solve(
         &mut self,
         solver: &mut dyn ContactSolver,
@@ -110,6 +117,7 @@ impl Case {
             .map_err(|error| contract.broken("a smooth contact can be solved", error.to_string()))
     }
 
+    /// Checks residuals, load and signs of a solution that is called converged.
     fn check_solution(
         &self,
         contract: &Contract,
@@ -151,6 +159,8 @@ impl Case {
         })
     }
 
+    /// Checks that a state of another grid and a tolerance that is no number are refused, and that no
+    /// iterations are no convergence.
     fn check_refusals(
         &mut self,
         contract: &Contract,

@@ -64,19 +64,24 @@ pub fn deformation_model(model: &mut dyn DeformationModel) -> Result<(), Violati
     probe.contract.require(refused, "slices that do not fit are refused", || "they were taken".to_owned())
 }
 
+/// A model with loads on few nodes.
 struct Probe<'a> {
     contract: Contract,
     model: &'a mut dyn DeformationModel,
     nx: usize,
+    /// The loads \[Pa\].
     pressure: Vec<f64>,
+    /// Their displacement \[m\].
     out: Vec<f64>,
 }
 
 impl Probe<'_> {
+    /// Number of the node in column `i` and row `j`.
     fn at(&self, (i, j): (usize, usize)) -> usize {
         j * self.nx + i
     }
 
+    /// Displacement under `loads`, pressures at nodes.
     fn displacement(&mut self, loads: &[((usize, usize), f64)]) -> Result<Vec<f64>, Violation> {
         self.pressure.fill(0.0);
         for &(node, p) in loads {

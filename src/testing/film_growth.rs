@@ -52,6 +52,7 @@ pub fn film_growth_law(law: &dyn FilmGrowthLaw) -> Result<(), Violation> {
     Ok(())
 }
 
+/// Number of states, at least one.
 fn states_of(law: &dyn FilmGrowthLaw) -> usize {
     law.n_states().max(1)
 }
@@ -82,6 +83,7 @@ fn check_rate(
         .require(rate.is_finite(), "rates are finite", || format!("{rate} m/s at {thickness} m and {at:?}"))
 }
 
+/// Checks that no film gets negative or thicker than the law says.
 fn check_bounds(
     contract: &Contract,
     law: &dyn FilmGrowthLaw,
@@ -113,6 +115,7 @@ fn check_bounds(
     Ok(())
 }
 
+/// Checks that a step in five unequal parts ends as the whole one.
 fn check_cuts(
     contract: &Contract,
     law: &dyn FilmGrowthLaw,

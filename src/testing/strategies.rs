@@ -6,10 +6,10 @@ use crate::grid::Grid;
 use crate::sim::Scene;
 use crate::sim::scene::{
     ArchardSpec, Elastic, Flash, FlowThinning, FrictionSpec, GhanbarzadehSpec, GridSpec, Load, LubricantSpec,
-    Material, Materials, Motion, PlasticSpec, RandomRoughness, Roughness, RoughnessPair, Schedule, Schedules,
-    SolverKind, SolverSpec, ThermalSpec, TrackSpec, TribofilmSpec, WearSpec,
+    Material, Materials, Motion, PlasticSpec, Roughness, RoughnessPair, Schedule, Schedules, SolverKind,
+    SolverSpec, ThermalSpec, TrackSpec, TribofilmSpec, WearSpec,
 };
-use crate::surface::Form;
+use crate::surface::{Autocorrelation, Form, RoughnessSpec};
 use crate::tribochem::Activation;
 
 /// Values that no physical quantity should have, or hardly any.
@@ -43,14 +43,17 @@ fn forms() -> impl Strategy<Value = Form> {
 }
 
 fn roughness() -> impl Strategy<Value = Roughness> {
-    let random = || {
-        (decades(1e-9, 5e-7), decades(5e-6, 5e-5), decades(5e-6, 5e-5), any::<u64>())
-            .prop_map(|(rq, length_x, length_y, seed)| RandomRoughness { rq, length_x, length_y, seed })
+    let random = |autocorrelation| {
+        (decades(1e-9, 5e-7), decades(5e-6, 5e-5), decades(5e-6, 5e-5), any::<u64>()).prop_map(
+            move |(rq, length_x, length_y, seed)| {
+                Roughness::from(RoughnessSpec { autocorrelation, rq, length_x, length_y, seed })
+            },
+        )
     };
     prop_oneof![
         2 => Just(Roughness::None),
-        2 => random().prop_map(Roughness::Gaussian),
-        1 => random().prop_map(Roughness::Exponential),
+        2 => random(Autocorrelation::Gaussian),
+        1 => random(Autocorrelation::Exponential),
     ]
 }
 
@@ -252,17 +255,11 @@ fn distort(scene: &mut Scene, change: usize, value: f64) {
         22 => scene.grid = GridSpec::Cells { nx: usize::MAX, ny: usize::MAX, x: [-1.0, 1.0], y: [-1.0, 1.0] },
         23 => scene.grid = GridSpec::Row { nx: small(value), x: [-value, value] },
         24 => scene.grid = GridSpec::Accuracy { accuracy: if value < 0.1 { value } else { 0.5 } },
-        25 => {
-            scene.roughness.ball =
-                Roughness::Gaussian(RandomRoughness { rq: value, length_x: 1e-5, length_y: 1e-5, seed: 1 });
-        }
+        25 => scene.roughness.ball = Roughness::gaussian(value, 1e-5, 1),
         26 => {
-            scene.roughness.disc = Roughness::Exponential(RandomRoughness {
-                rq: 1e-7,
-                length_x: value,
-                length_y: 1e-5,
-                seed: 1,
-            });
+            let autocorrelation = Autocorrelation::Exponential;
+            let spec = RoughnessSpec { autocorrelation, rq: 1e-7, length_x: value, length_y: 1e-5, seed: 1 };
+            scene.roughness.disc = spec.into();
         }
         27 => {
             scene.roughness.disc = Roughness::File(crate::sim::scene::FileRoughness {

@@ -48,9 +48,9 @@ impl FilmThermal {
     /// A conductivity that is not finite and positive, a heat capacity or expansivity that is negative or not
     /// finite.
     pub fn validate(&self) -> Result<(), InputError> {
-        InputError::require_positive("lubricant.thermal.conductivity", self.conductivity)?;
-        InputError::require_non_negative("lubricant.thermal.heat_capacity", self.heat_capacity)?;
-        InputError::require_non_negative("lubricant.thermal.expansivity", self.expansivity)
+        InputError::require_positive("conductivity", self.conductivity)?;
+        InputError::require_non_negative("heat_capacity", self.heat_capacity)?;
+        InputError::require_non_negative("expansivity", self.expansivity)
     }
 }
 

@@ -17,12 +17,16 @@ pub const ELECTRON_VOLT: f64 = 1.602176634e-19;
 /// whole barrier away. In the unit of `k_0`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Barrier {
+    /// Rate without barrier.
     prefactor: f64,
+    /// Height of the barrier \[J\].
     energy: f64,
+    /// Volume that the stress acts on \[m^3\].
     volume: f64,
 }
 
 impl Barrier {
+    /// A barrier whose constants are in range.
     pub(super) fn new(prefactor: f64, energy: f64, volume: f64) -> Result<Self, InputError> {
         InputError::require_positive("tribofilm.prefactor", prefactor)?;
         InputError::require_non_negative("tribofilm.activation_energy", energy)?;
@@ -49,6 +53,7 @@ impl Barrier {
         }
     }
 
+    /// Share of attempts that pass the barrier.
     fn boltzmann_factor(&self, stress: f64, temperature: f64) -> f64 {
         let left = (self.energy - stress.abs() * self.volume).max(0.0);
         (-left / (BOLTZMANN * temperature)).exp()

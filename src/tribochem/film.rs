@@ -25,10 +25,14 @@ use crate::rubbing::RubbingPoint;
 /// ```
 #[derive(Debug, PartialEq)]
 pub struct Tribofilm {
+    /// Numbers of the law for a node.
     n_states: usize,
     states: Vec<f64>,
+    /// Thickness that they come to \[m\].
     thickness: Vec<f64>,
+    /// Sum of all growth over nodes \[m\].
     gained: f64,
+    /// Sum of all removal over nodes \[m\].
     lost: f64,
 }
 

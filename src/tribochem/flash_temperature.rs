@@ -61,11 +61,14 @@ pub struct FlashReport {
 /// ```
 #[derive(Debug, Clone)]
 pub struct FlashTemperature {
+    /// Nodes of the grid.
     n_nodes: usize,
+    /// Rise of each body under a heat flux into it \[K m^2/W\].
     bodies: [Convolution; 2],
     sum: Convolution,
     solver: SplitSolver,
     temperatures: [Vec<f64>; 2],
+    /// Heat flux into the first body \[W/m^2\].
     share: Vec<f64>,
     rest: Vec<f64>,
     /// Rise of both bodies together per flux into one cell, at its node \[K m^2/W\].

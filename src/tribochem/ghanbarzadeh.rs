@@ -35,10 +35,12 @@ const PLANCK: f64 = 6.62607015e-34;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ghanbarzadeh {
+    /// Thickness that growth alone approaches \[m\].
     maximum: f64,
     rate_per_kelvin: f64,
     removal_limit: f64,
     removal_rate: f64,
+    /// Which nodes grow and lose film.
     activation: Activation,
 }
 

@@ -19,7 +19,9 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct GrowthCurve {
+    /// Ascending times \[s\].
     times: Vec<f64>,
+    /// Thickness at each time \[m\].
     thicknesses: Vec<f64>,
 }
 

@@ -106,6 +106,7 @@ fn add_layer(layer: Option<Resistance<'_>>, share: &[f64], rise: &mut [f64]) {
     }
 }
 
+/// Largest magnitude.
 fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |largest, value| value.abs().max(largest))
 }

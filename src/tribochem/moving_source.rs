@@ -39,6 +39,7 @@ impl Default for ThermalBody {
 #[derive(Debug)]
 pub(super) struct MovingSource {
     nx: usize,
+    /// Rise by offset under a unit flux on one cell \[K m^2/W\].
     table: Vec<f64>,
 }
 

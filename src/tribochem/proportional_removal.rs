@@ -27,9 +27,12 @@ use crate::rubbing::RubbingPoint;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProportionalRemoval {
+    /// Largest thickness \[m\].
     maximum: f64,
+    /// Barrier that growth has to pass.
     barrier: Barrier,
     removal_rate: f64,
+    /// Which nodes grow film.
     activation: Activation,
 }
 

@@ -29,9 +29,12 @@ use crate::rubbing::RubbingPoint;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct StressActivated {
+    /// Thickness that growth approaches \[m\].
     maximum: f64,
+    /// Barrier that growth has to pass.
     barrier: Barrier,
     stress: Stress,
+    /// Which nodes grow film.
     activation: Activation,
 }
 

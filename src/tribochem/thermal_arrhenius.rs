@@ -24,8 +24,11 @@ use crate::rubbing::RubbingPoint;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ThermalArrhenius {
+    /// Thickness that growth approaches \[m\].
     maximum: f64,
+    /// Barrier that growth has to pass.
     barrier: Barrier,
+    /// Which nodes grow film.
     activation: Activation,
 }
 

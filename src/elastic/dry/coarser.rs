@@ -10,17 +10,25 @@ const SMALLEST: usize = 32;
 /// Gap error to which a coarser contact is solved: its cells leave more than that on the finer ones of any
 /// mesh.
 const TOLERANCE: f64 = 0.001;
+/// Passes of the active set on a coarser grid.
 const PASSES: u64 = 40;
 
 /// What the coarser grid holds.
 #[derive(Debug)]
 pub(super) struct Coarser {
+    /// The body on the finer grid that this was made for.
     finer: Key,
+    /// The body on this grid.
     body: Box<dyn DeformationModel>,
+    /// Its solver.
     solver: DrySolver,
+    /// Undeformed gap \[m\].
     gap: Vec<f64>,
+    /// Pressure limit \[Pa\].
     limit: Vec<f64>,
+    /// Nodes that carry nothing.
     excluded: Vec<bool>,
+    /// Solution \[Pa\].
     pressure: Vec<f64>,
 }
 
@@ -28,10 +36,12 @@ pub(super) struct Coarser {
 #[derive(Debug, PartialEq)]
 struct Key {
     grid: Grid,
+    /// First influence coefficients along x and along y \[m/Pa\].
     influence: [[f64; NEAR + 1]; 2],
 }
 
 impl Key {
+    /// The key of a body.
     fn new(body: &dyn DeformationModel) -> Self {
         let along_x = std::array::from_fn(|m| body.influence(m, 0));
         let along_y = std::array::from_fn(|m| body.influence(0, m));

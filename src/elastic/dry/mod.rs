@@ -1,4 +1,7 @@
 //! Dry rough contact: pressure between zero and a limit that closes the gap where it acts.
+//!
+//! The minimum of the energy `1/2 p K p + gap p` under a load, pressures between zero and the limit. It is
+//! unique where `K` is positive definite.
 
 mod coarser;
 mod relax;
@@ -37,6 +40,7 @@ pub struct DryProblem<'a> {
 }
 
 impl DryProblem<'_> {
+    /// Pressure limit of node `k` \[Pa\], infinite where there is none.
     fn limit_of(&self, k: usize) -> f64 {
         self.limit.map_or(f64::INFINITY, |limit| limit[k])
     }
@@ -96,14 +100,21 @@ pub struct DryOutcome {
 /// down to 16 cells.
 #[derive(Debug)]
 pub struct DrySolver {
+    /// Which condition holds at each node.
     side: Vec<Side>,
+    /// `gap + K p` less a datum \[m\].
     gap: Vec<f64>,
+    /// Gap error of the free nodes, zero elsewhere \[m\].
     residual: Vec<f64>,
+    /// Preconditioned residual.
     estimate: Vec<f64>,
+    /// Search direction \[Pa\].
     direction: Vec<f64>,
+    /// Its displacement \[m\].
     displacement: Vec<f64>,
     /// Pressure of the lowest gap error.
     best: Vec<f64>,
+    /// The contact on half the cells, made when it is first needed.
     coarser: Option<Box<Coarser>>,
 }
 

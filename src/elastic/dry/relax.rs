@@ -78,6 +78,7 @@ impl DrySolver {
         Ok(())
     }
 
+    /// The sums of a step over the free nodes.
     fn sums(&self) -> Sums {
         let mut sums = Sums::default();
         let fields = self.estimate.iter().zip(&self.residual).zip(&self.displacement);

@@ -2,6 +2,7 @@
 
 use super::{DryProblem, DrySolver};
 
+/// The condition that a node fulfils.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
     /// No pressure, a gap.
@@ -10,6 +11,7 @@ pub(super) enum Side {
     Free,
     /// Pressure at the limit, an overlap.
     Limited,
+    /// No pressure, whatever the gap.
     Excluded,
 }
 
@@ -48,6 +50,7 @@ impl DrySolver {
         }
     }
 
+    /// Mean of `field` over the free nodes; where there are none, its smallest value at an open one.
     pub(super) fn free_mean(&self, field: &[f64]) -> f64 {
         let (mut sum, mut n) = (0.0, 0_usize);
         for (side, value) in self.side.iter().zip(field) {

@@ -47,16 +47,20 @@ fn copy_significant(to: &mut [f32], from: &[f32]) {
 /// A matrix within a slice: column `j` starts at `j * stride`.
 #[derive(Clone, Copy)]
 pub(super) struct Block<'a> {
+    /// The entries; rows beyond those of the matrix are zero.
     pub(super) values: &'a [f32],
+    /// Entries from a column to the next.
     pub(super) stride: usize,
 }
 
 impl Block<'_> {
+    /// The same without the rows above `row`.
     #[inline(always)]
     fn below(self, row: usize) -> Self {
         Self { values: &self.values[row..], stride: self.stride }
     }
 
+    /// The same without the columns before `column`.
     #[inline(always)]
     fn beside(self, column: usize) -> Self {
         Self { values: &self.values[column * self.stride..], stride: self.stride }

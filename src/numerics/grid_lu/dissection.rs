@@ -30,6 +30,7 @@ pub(super) struct Front {
 /// A front as its parent sees it.
 #[derive(Debug, Clone)]
 pub(super) struct Child {
+    /// Its number.
     pub(super) front: usize,
     /// Where the nodes of its border are in the parent.
     pub(super) runs: Vec<Run>,
@@ -49,9 +50,11 @@ pub(super) struct Entry {
 pub(super) struct Edge {
     /// The row of the pivot and the place of the other in the border.
     pub(super) pivot: usize,
+    /// The place of the other in the border.
     pub(super) border: usize,
     /// Where their entries are in the stencil: in the row of the pivot, in that of the other.
     pub(super) of_pivot: usize,
+    /// The entry in the row of the other.
     pub(super) of_border: usize,
 }
 
@@ -62,6 +65,7 @@ pub(super) struct Run {
     pub(super) from: usize,
     /// Its row in the parent: pivots, padded to whole vectors, then border.
     pub(super) to: usize,
+    /// Number of nodes.
     pub(super) length: usize,
 }
 
@@ -80,6 +84,7 @@ impl Front {
 /// All fronts, children before their parents.
 #[derive(Debug, Clone)]
 pub(super) struct Dissection {
+    /// The fronts; the last one is the root, which has no border.
     pub(super) fronts: Vec<Front>,
     /// Place of each node in the order of elimination.
     pub(super) place: Vec<usize>,
@@ -88,11 +93,14 @@ pub(super) struct Dissection {
 /// A rectangle of nodes.
 #[derive(Debug, Clone, Copy)]
 struct Region {
+    /// First column and the one after the last.
     x: (usize, usize),
+    /// First row and the one after the last.
     y: (usize, usize),
 }
 
 impl Region {
+    /// Numbers of the nodes, row by row, on a grid of `nx` columns.
     fn nodes(self, nx: usize) -> impl Iterator<Item = usize> {
         (self.y.0..self.y.1).flat_map(move |j| (self.x.0..self.x.1).map(move |i| j * nx + i))
     }
@@ -126,6 +134,8 @@ impl Region {
 }
 
 impl Dissection {
+    /// Dissection of a grid of `nx` x `ny` nodes until pieces hold at most 16 nodes; it depends on the grid
+    /// alone.
     pub(super) fn new(nx: usize, ny: usize) -> Self {
         let mut dissection = Self { fronts: Vec::new(), place: vec![0; nx * ny] };
         let mut eliminated = 0;

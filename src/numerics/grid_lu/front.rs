@@ -16,12 +16,16 @@ const SMALLEST_PIVOT: f32 = 1e-6;
 /// the border of a leaf has one neighbour among the pivots, so that `-B` and `C` have one entry for each, and
 /// these are kept.
 struct Parts<'a> {
+    /// `P^-1`, padded rows, a column for each pivot.
     inverse: &'a mut [f32],
+    /// `-B P^-1`; of a leaf `-B`.
     lower: &'a mut [f32],
+    /// `C`.
     upper: &'a mut [f32],
 }
 
 impl Front {
+    /// Whether the front is a piece that was not cut further.
     fn is_leaf(&self) -> bool {
         self.children.is_empty()
     }
@@ -53,6 +57,7 @@ impl Front {
         packed(s) + self.border_rows() * s + (self.pivot_rows() * s).max(padded(b))
     }
 
+    /// The three parts within what the front keeps.
     #[inline(always)]
     fn parts<'a>(&self, values: &'a mut [f32]) -> Parts<'a> {
         let [inverse, lower, upper] = self.part_lengths();

@@ -1,4 +1,8 @@
 //! The tree of fronts with what they own; its branches are worked on side by side.
+//!
+//! Fronts are in the order in which they are eliminated, children before their parents, so that a branch is a
+//! range of fronts that follow one another and owns slices of factors and vectors. Remainders live on two
+//! stacks, as they are used up in the order in which they come.
 
 use std::ops::Range;
 
@@ -37,6 +41,7 @@ pub(super) struct Tree {
     pub(super) fronts: Vec<Front>,
     pub(super) starts: Starts,
     pub(super) vectors: Vec<f32>,
+    /// What all fronts keep of their elimination, front by front.
     factors: Vec<f32>,
     /// What fronts leave for their parents, on two stacks: those of a front and of its grandchildren, those
     /// of its children.
@@ -73,6 +78,7 @@ impl Tree {
         }
     }
 
+    /// What does not change while the tree is walked, the whole tree as a branch, and the two stacks.
     fn parts(&mut self) -> (Walk<'_>, Branch<'_>, [&mut [f32]; 2]) {
         let Self { fronts, starts, factors, vectors, remainders: [own, other], depths, idle, scratch } = self;
         let branch = Branch { first: 0, factors, vectors, idle, scratch };
@@ -125,6 +131,7 @@ fn depths(fronts: &[Front], lanes: usize) -> Vec<[usize; 2]> {
 }
 
 impl Branch<'_> {
+    /// The same branch, borrowed for a shorter time.
     #[inline(always)]
     fn all(&mut self) -> Branch<'_> {
         Branch {
@@ -137,9 +144,11 @@ impl Branch<'_> {
     }
 }
 
+/// The matrix of an elimination.
 #[derive(Debug, Clone, Copy)]
 struct Matrix<'a> {
     scaled: &'a [f32],
+    /// Whether a place has entries beside its diagonal.
     linked: &'a [bool],
 }
 
@@ -195,6 +204,7 @@ impl WithSimd for Substitution<'_, '_> {
 }
 
 impl Substitution<'_, '_> {
+    /// Substitutes on the fronts, in their order forward and against it backward.
     #[inline(always)]
     fn work<S: Simd>(mut self, simd: S) {
         if self.forward {
@@ -319,6 +329,7 @@ impl Walk<'_> {
         both(|| self.backward(one, left), || self.backward(other, right));
     }
 
+    /// Substitutes on fronts that follow one another, with the vector instructions of the machine.
     fn run(&self, fronts: Range<usize>, branch: Branch<'_>, forward: bool) {
         self.arch.dispatch(Substitution { walk: *self, fronts, branch, forward });
     }

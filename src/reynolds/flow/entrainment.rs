@@ -24,9 +24,13 @@ pub enum Scheme {
 /// that node, of the one downstream and of the one further upstream.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct FaceFilm {
+    /// Film of the face less that of the node upstream.
     pub(super) beyond: f64,
+    /// By the film of the node upstream.
     pub(super) by_own: f64,
+    /// By that of the node downstream.
     pub(super) by_next: f64,
+    /// By that of the node further upstream.
     pub(super) by_up: f64,
 }
 
@@ -56,10 +60,13 @@ impl FaceFilm {
 /// upstream, with its derivatives by the densities and the films of the two.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct DensityRise {
+    /// Density ratio of the face less that of the node upstream.
     pub(super) rise: f64,
     /// By the density of the node; by that of the one further upstream it is the negative.
     pub(super) by_density: f64,
+    /// By the film of the node \[1/m\].
     pub(super) by_own_film: f64,
+    /// By that of the one further upstream \[1/m\].
     pub(super) by_up_film: f64,
 }
 

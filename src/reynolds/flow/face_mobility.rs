@@ -61,10 +61,15 @@ pub(super) enum Direction {
 /// film of the face over that of the first, and by the factor of the inlet.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FaceFlow {
+    /// Flow over the difference of the potentials.
     pub(super) mobility: f64,
+    /// By pressure and film of the first node.
     pub(super) first: [f64; 2],
+    /// By pressure and film of the second node.
     pub(super) second: [f64; 2],
+    /// By the film of the face over that of the first node.
     pub(super) by_face_film: f64,
+    /// By the factor of the inlet.
     pub(super) by_inlet: f64,
 }
 

@@ -25,9 +25,13 @@ const GROWTH: f64 = 1.269_593_561_5;
 /// derivatives by the films upstream of the face, at its first and at its second node \[1/m\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Inlet {
+    /// The factor, one without an inlet.
     pub(super) factor: f64,
+    /// By the film upstream of the face's nodes.
     pub(super) by_up: f64,
+    /// By the film of the first node.
     pub(super) by_own: f64,
+    /// By the film of the second node.
     pub(super) by_next: f64,
 }
 

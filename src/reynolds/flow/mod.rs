@@ -1,4 +1,14 @@
 //! What the fluid does: mass balances of cells, flow through faces, and their derivatives.
+//!
+//! The unknowns are fluid pressures `p_f` and films `h` at the nodes. The net outflow of a cell over the
+//! entrainment speed is a film thickness,
+//!
+//! `F = sum over faces of [theta rho h carried - mobility (potential difference)] + squeeze`,
+//!
+//! and so are its derivatives by pressures and films, with which Newton's method and all relaxations work.
+//! Look into `face_mobility` and `inlet` for what pressure drives through a face, `entrainment` for what the
+//! surfaces carry, `cavitation` for what a cell without pressure holds, `discretisation` for how they add up,
+//! `balance` for the box as a whole.
 
 mod balance;
 mod cavitation;

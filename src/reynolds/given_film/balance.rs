@@ -29,18 +29,26 @@ const LOCAL_STEPS: usize = 3;
 pub(super) struct Fluid {
     /// Reduced pressure above that of cavitation \[Pa\].
     pub(super) potential: f64,
+    /// Its derivative.
     potential_s: f64,
+    /// `rho/rho_0`.
     pub(super) density: f64,
+    /// Its derivative.
     density_s: f64,
+    /// Share of the gap that is filled.
     pub(super) content: f64,
+    /// Its derivative.
     content_s: f64,
 }
 
 /// Flow through a face, with derivatives by the unknowns of both nodes.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Flow {
+    /// The flow \[m\].
     pub(super) value: f64,
+    /// By the unknown of the node upstream.
     by_first: f64,
+    /// By that of the node downstream.
     by_second: f64,
     /// Whether the film ruptures between the pieces of the way.
     pub(super) ruptured: bool,
@@ -51,7 +59,9 @@ pub(super) struct Flow {
 /// Flow through the edges of the box \[m\].
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Through {
+    /// What enters through all edges.
     pub(super) inflow: f64,
+    /// What leaves through all edges.
     pub(super) outflow: f64,
     /// What the sum of all absolute imbalances may be by rounding alone \[m\].
     pub(super) rounding: f64,
@@ -70,18 +80,24 @@ impl Through {
 struct Face {
     /// `I_2 / I_3` of the whole way and of its first piece \[m\].
     film: f64,
+    /// Of the first piece.
     first_film: f64,
     /// `1 / (12 eta_0 u I_3)` of both \[m/Pa\].
     conductance: f64,
+    /// Of the first piece.
     first_conductance: f64,
 }
 
 /// The balance of the cells of a film.
 #[derive(Debug)]
 pub(super) struct Balance<'a> {
+    /// The film, which fixes the grid.
     pub(super) film: &'a FilmThickness,
+    /// Viscosity and density.
     pub(super) lubricant: &'a Lubricant,
+    /// Cavitation pressure \[Pa\].
     pub(super) cavitation: f64,
+    /// Pressure at the edges across x \[Pa\].
     pub(super) ambient: f64,
     /// `12 eta_0 u` \[Pa m\].
     pub(super) drag: f64,
@@ -93,10 +109,13 @@ pub(super) struct Balance<'a> {
     scale: Vec<f64>,
     /// Outflow of a full node by its pressure over the same if the film ruptures beyond it.
     landing: Vec<f64>,
+    /// The fluid at these edges.
     edge: Fluid,
     /// Density ratio and reduced pressure \[Pa\] where the film is cavitated.
     pub(super) cavitated_density: f64,
+    /// The reduced pressure there.
     cavitated_potential: f64,
+    /// The fluid at each node.
     fluids: Vec<Fluid>,
 }
 
@@ -197,6 +216,7 @@ impl<'a> Balance<'a> {
         }
     }
 
+    /// The fluid at node `k` whose unknown is `s`.
     fn fluid(&self, k: usize, s: f64) -> Fluid {
         if s < 0.0 {
             return Fluid {

@@ -1,4 +1,9 @@
 //! The film between neighbouring nodes, as the flow through it needs it.
+//!
+//! Flow through a film that is full depends on it by the integrals `I_2` and `I_3` of `1/h^2` and `1/h^3`
+//! alone, so that steps and grooves between two nodes count wherever they are. The way between two nodes has
+//! two pieces, which meet at the jump of the film, or in the middle where there is none: the film may rupture
+//! there.
 
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -15,11 +20,14 @@ const CLOSEST: f64 = 1e-6;
 /// A piece of the way between two nodes: integrals of `1/h^2` \[1/m\] and `1/h^3` \[1/m^2\] over it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Piece {
+    /// `I_2` \[1/m\].
     pub(super) squares: f64,
+    /// `I_3` \[1/m^2\].
     pub(super) cubes: f64,
 }
 
 impl Piece {
+    /// A piece of one film.
     fn constant(film: f64, length: f64) -> Self {
         Self { squares: length / (film * film), cubes: length / (film * film * film) }
     }
@@ -29,6 +37,7 @@ impl Piece {
         self.squares / self.cubes
     }
 
+    /// Both pieces one after the other.
     pub(super) fn and(self, other: Self) -> Self {
         Self { squares: self.squares + other.squares, cubes: self.cubes + other.cubes }
     }
@@ -39,6 +48,7 @@ impl Piece {
 pub(super) struct Way {
     /// The two pieces meet after this share of the way.
     pub(super) share: f64,
+    /// The pieces before and after it.
     pub(super) pieces: [Piece; 2],
 }
 
@@ -69,7 +79,9 @@ impl Way {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilmThickness {
+    /// The grid of the nodes.
     grid: Grid,
+    /// Film at the nodes \[m\].
     nodes: Vec<f64>,
     /// `nx + 1` a row.
     along: Vec<Way>,
@@ -209,6 +221,7 @@ impl FilmThickness {
     }
 }
 
+/// Error for a film that is not finite and positive.
 fn check_values(film: &[f64]) -> Result<(), InputError> {
     InputError::require_finite("film", film)?;
     match film.iter().position(|&h| h <= 0.0) {

@@ -1,4 +1,8 @@
 //! Linear systems on the stencil of the grid, solved to double precision.
+//!
+//! A system on one row is tridiagonal and solved as such. Others are factorised in single precision, and the
+//! residual in double precision is solved for again until it is 1e-13 of the right-hand side or no longer
+//! halves.
 
 use crate::grid::Grid;
 use crate::numerics::{GridLu, STENCIL, solve_tridiagonal};
@@ -13,11 +17,15 @@ const STAGNANT: f64 = 0.5;
 /// Factorisation of matrices on the stencil of a grid.
 #[derive(Debug)]
 pub(super) struct LinearSolver {
+    /// Nodes in a row.
     nx: usize,
+    /// Elimination by the shape of the grid.
     method: Method,
+    /// Right-hand side less what the solution so far gives.
     residual: Vec<f64>,
 }
 
+/// How a system is solved.
 #[derive(Debug)]
 enum Method {
     /// One row: elimination along it.
@@ -27,6 +35,7 @@ enum Method {
 }
 
 impl LinearSolver {
+    /// Buffers and order of elimination for `grid`.
     pub(super) fn new(grid: Grid) -> Self {
         let n = grid.len();
         let method = if grid.ny() == 1 {
@@ -88,6 +97,7 @@ impl LinearSolver {
     }
 }
 
+/// Euclidean norm.
 fn norm(values: &[f64]) -> f64 {
     values.iter().map(|v| v * v).sum::<f64>().sqrt()
 }

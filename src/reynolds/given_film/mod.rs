@@ -1,4 +1,9 @@
 //! Rigid surfaces with a film that is given: pressure and content by the Reynolds equation.
+//!
+//! Apart from the coupled contact: nothing deforms, no load is balanced, no solids touch. Textured bearings
+//! and sliders, and closed forms to test cavitation with. The films between the nodes (`film`) make the
+//! balances of the cells (`balance`), whose Newton steps (`newton`) are linear systems on the stencil
+//! (`linear`); pressures along the rows (`row`) make forces and places of reformation (`solution`).
 
 mod balance;
 mod film;

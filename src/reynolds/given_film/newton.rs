@@ -1,4 +1,9 @@
 //! Newton's method on pressure and content, from coarse grids to the given one.
+//!
+//! Sides are halved down to some 12 nodes; the pressures and contents of each grid are where the next finer
+//! one starts. A step solves for the unknowns of all cells, is shorter after one that raised the sum of
+//! imbalances, and is followed by sweeps along the flow. It ends at a sum of all imbalances of 1e-10 of the
+//! inflow, or at what rounding leaves.
 
 use super::balance::{Balance, Through};
 use super::film::FilmThickness;
@@ -22,13 +27,19 @@ const SHORTEST: f64 = 0.125;
 /// Where Newton's method ended on one grid.
 #[derive(Debug)]
 pub(super) struct Solved<'a> {
+    /// The balances of the grid.
     pub(super) balance: Balance<'a>,
+    /// Pressures and contents of the cells, one number each (see `balance`).
     pub(super) unknowns: Vec<f64>,
+    /// How it ended.
     pub(super) status: Status,
     /// Sum of the absolute imbalances of all cells over the inflow.
     pub(super) residual: f64,
+    /// Flow through the edges.
     pub(super) through: Through,
+    /// Newton steps on this grid.
     pub(super) steps: u64,
+    /// Solves with a factorised matrix.
     pub(super) substitutions: u64,
     /// Newton steps on all coarser grids together.
     pub(super) coarse_steps: u64,
@@ -36,8 +47,11 @@ pub(super) struct Solved<'a> {
 
 /// What the next finer grid starts from.
 struct Start {
+    /// Film on the coarser grid.
     film: FilmThickness,
+    /// Pressures there \[Pa\].
     pressure: Vec<f64>,
+    /// Contents there.
     content: Vec<f64>,
     steps: u64,
 }

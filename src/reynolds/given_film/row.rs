@@ -1,4 +1,8 @@
 //! What the fluid does along one row of cells: pressure from edge to edge, friction, reformation.
+//!
+//! Between two nodes the pressure is straight on each piece of the way, with a corner where the pieces meet.
+//! Loads are integrals of these lines, friction is `eta (u_2 - u_1)/h` and the share `h/2 dp/dx` on each
+//! side, and the film reforms where the fluid that is carried along fills the gap.
 
 use super::GivenFilm;
 use super::film::FilmThickness;
@@ -31,6 +35,7 @@ pub(super) struct Row {
 }
 
 impl Row {
+    /// Row `j` of a solved problem, walked from edge to edge.
     pub(super) fn new(problem: &GivenFilm<'_>, solved: &Solved<'_>, j: usize) -> Self {
         let grid = problem.film.grid();
         let [west, _] = edges(grid);

@@ -34,6 +34,7 @@ pub struct GivenFilmSolution {
     /// inflow, `work.iterations` counts Newton steps on the grid of the film, `work.inner_iterations`
     /// substitutions.
     pub report: SolveReport,
+    /// The grid of the film.
     grid: Grid,
     /// Pressure along each row from edge to edge: places \[m\] and values \[Pa\], straight in between.
     profiles: Vec<Vec<[f64; 2]>>,

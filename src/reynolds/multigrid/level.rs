@@ -1,4 +1,12 @@
 //! One grid of the hierarchy: its equations and fields.
+//!
+//! With the net outflow `F` of a cell, the equations of a level are `F(p, h) = source` where `p > 0`, at least
+//! `source` where `p = 0`, with the film `h = gap - approach + K p` and the load as the sum of `p dx dy`. On
+//! the finest grid `source` is zero and `gap` that of the problem; on coarser ones both hold what makes the
+//! solution of the finer grid a solution here (full approximation scheme), so that pressures, not their
+//! corrections, are what every grid solves for.
+//!
+//! All fields are row-major on the grid of the level. The outermost ring of nodes has no pressure.
 
 use crate::elastic::{DeformationModel, NEAR};
 use crate::grid::Grid;
@@ -10,11 +18,14 @@ use crate::reynolds::problem::interior;
 /// four neighbours take back.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Influence {
+    /// `K` at 0 to `NEAR - 1` columns from the node.
     pub(super) single: [f64; NEAR],
+    /// The same less a quarter of each of the neighbours' `K`: falls by two orders faster with the distance.
     pub(super) dipole: [f64; NEAR],
 }
 
 impl Influence {
+    /// The coefficients of a body on its grid.
     pub(super) fn new(body: &dyn DeformationModel) -> Self {
         let at = |di, dj| body.influence(di, dj);
         Self {
@@ -31,31 +42,42 @@ impl Influence {
 #[derive(Debug, Clone)]
 pub(super) struct Level {
     pub(super) grid: Grid,
+    /// Nodes of the fluid at pressure and film, and the schemes of its faces.
     pub(super) fluid: Discretisation,
+    /// Influence coefficients that sweeps work with.
     pub(super) influence: Influence,
+    /// Fluid pressure, never negative \[Pa\].
     pub(super) pressure: Vec<f64>,
     /// Pressure before the sweep under way.
     pub(super) before: Vec<f64>,
     /// Pressure that came from the finer grid.
     pub(super) start: Vec<f64>,
+    /// Film thickness \[m\]; for a moment the displacement `K p`.
     pub(super) film: Vec<f64>,
+    /// Gap that the equations of this level have \[m\].
     pub(super) gap: Vec<f64>,
+    /// Right-hand side of the mass balance, in the units of `F`.
     pub(super) source: Vec<f64>,
+    /// `source - F` where there is pressure, and room for an interpolated correction.
     pub(super) residual: Vec<f64>,
     /// Source less entrainment and squeeze.
     pub(super) drive: Vec<f64>,
     /// `rho/rho_0 h` of the previous time, where there is one.
     pub(super) previous: Option<Vec<f64>>,
+    /// Load that the pressure has to carry on this level \[N\].
     pub(super) load: f64,
     /// Flow over pressure difference of the faces to the east and to the north of each node.
     pub(super) east: Vec<f64>,
+    /// Of the faces to the north.
     pub(super) north: Vec<f64>,
+    /// Whether a node is on the outermost ring.
     pub(super) is_boundary: Vec<bool>,
     /// Whether film and flow quantities are those of the pressure.
     pub(super) is_evaluated: bool,
 }
 
 impl Level {
+    /// A level without pressure, gap and load.
     pub(super) fn new(grid: Grid) -> Self {
         let zeros = || vec![0.0; grid.len()];
         let mut is_boundary = vec![true; grid.len()];

@@ -2,12 +2,14 @@
 
 mod acceleration;
 mod cycle;
+mod hierarchy;
 mod level;
 mod relax;
+mod start;
 mod transfer;
 
 use acceleration::Acceleration;
-use cycle::Hierarchy;
+use hierarchy::Hierarchy;
 
 use super::coupled::{Coupled, limit_of};
 use super::problem::{LubricatedContact, interior};

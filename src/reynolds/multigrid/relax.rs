@@ -7,6 +7,11 @@
 //!
 //! Far from the contact, films hardly follow the low pressures there: further passes over those nodes,
 //! without a new film, cost no convolution.
+//!
+//! With the conductance `c` of a face (flow over pressure difference) and the self-influence `K0` of a node,
+//! `c/K0` says which of the two dominates: a unit change of pressure changes the flow through the faces by
+//! `c` and what entrainment carries by the film, `K0`. The band of six entries of a row follows from
+//! entrainment that takes its film from up to two nodes upstream.
 
 use super::level::Level;
 use crate::grid::Grid;
@@ -30,7 +35,9 @@ const OWN: usize = 3;
 /// Buffers of one line.
 #[derive(Debug, Clone)]
 pub(super) struct LineRelaxation {
+    /// Rows of the band matrix.
     rows: Vec<[f64; BAND]>,
+    /// Right-hand sides, then changes of pressure \[Pa\].
     change: Vec<f64>,
     /// Share of the change that a node takes; negative where it is a dipole.
     share: Vec<f64>,
@@ -57,6 +64,7 @@ struct Faces {
 }
 
 impl Faces {
+    /// Those of node `k`.
     fn of(level: &Level, k: usize) -> Self {
         let nx = level.grid.nx();
         Self {
@@ -67,18 +75,22 @@ impl Faces {
         }
     }
 
+    /// Sum of the four: diagonal of the pressure flow.
     fn sum(self) -> f64 {
         self.east + self.west + self.north + self.south
     }
 
+    /// Smallest over largest.
     fn evenness(self) -> f64 {
         self.east.min(self.west).min(self.north).min(self.south) / self.largest()
     }
 
+    /// Largest of the four.
     fn largest(self) -> f64 {
         self.east.max(self.west).max(self.north).max(self.south)
     }
 
+    /// Pressure flow out of node `k` under the pressures `p`.
     fn outflow(self, p: &[f64], k: usize, nx: usize) -> f64 {
         self.east * (p[k] - p[k + 1])
             + self.west * (p[k] - p[k - 1])

@@ -1,4 +1,8 @@
 //! Relaxation of the semi-system by lines along x.
+//!
+//! It stands where Newton's method has its factorisation: a change is found from the linearised balances
+//! alone, line by line, each with the lines beside it held. A line is a tridiagonal system; its pivots are
+//! made once a step and serve all passes.
 
 use crate::grid::Grid;
 use crate::numerics::STENCIL;
@@ -19,15 +23,19 @@ pub(super) fn passes(lines: usize) -> u64 {
 /// whose factors serve all passes.
 #[derive(Debug)]
 pub(super) struct LineRelaxation {
+    /// Nodes in a line.
     nx: usize,
+    /// Right-hand side.
     rhs: Vec<f32>,
     /// One over the pivot of each node, and by how much of the change of the node to the east its own is
     /// less.
     pivot: Vec<f32>,
+    /// Entry to the east over the pivot.
     above: Vec<f32>,
 }
 
 impl LineRelaxation {
+    /// Buffers for `grid`.
     pub(super) fn new(grid: &Grid) -> Self {
         let zeros = || vec![0.0; grid.len()];
         Self { nx: grid.nx(), rhs: zeros(), pivot: zeros(), above: zeros() }

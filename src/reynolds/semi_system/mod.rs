@@ -1,4 +1,7 @@
 //! The semi-system method: line relaxation of the coupled Reynolds and elasticity equations.
+//!
+//! Two methods under one name: of the hard contact steps like Newton's, with lines in place of the
+//! factorisation, of the paper's contact the sweeps that were published with it.
 
 mod lines;
 mod sweeps;
@@ -44,8 +47,11 @@ const RELAXATIONS: usize = 2;
 ///   deformation one sweep late. Factors of 4 to 8 damp just the elastic part and leave the answer unchanged.
 #[derive(Debug)]
 pub struct SemiSystem {
+    /// Relaxation and stiffness of the sweeps.
     damping: Damping,
+    /// Newton's steps with line relaxation.
     relaxed: NewtonKrylov,
+    /// Sweeps of the paper's contact, made when they are first needed.
     sweeps: Option<Box<Sweeps>>,
 }
 

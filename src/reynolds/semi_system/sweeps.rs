@@ -1,4 +1,10 @@
 //! The paper's contact: line sweeps, each from line to line with a convolution after it.
+//!
+//! Each sweep solves one tridiagonal system a line for all of its pressures: the flow by pressure and what
+//! entrainment carries with the films of the line, to which a pressure adds by its own influence coefficient
+//! and those of the next two nodes, times the stiffness. A share of the change, the relaxation, is taken, cut
+//! at zero and at the pressure limit. Then the films follow by a convolution, and the approach by a hundredth
+//! of what the load error asks for.
 
 use crate::grid::Grid;
 use crate::report::{Residuals, Status, Work};
@@ -29,13 +35,19 @@ pub(super) struct Damping {
 /// influence coefficients, under-relaxed; the approach follows the load error.
 #[derive(Debug)]
 pub(super) struct Sweeps {
+    /// Films, balances and residuals.
     pub(super) coupled: Coupled,
     /// Residuals of the start and after each sweep.
     pub(super) history: Vec<Residuals>,
+    /// State of the smallest residual.
     best: ContactState,
+    /// Entries of the row of a node in the column upstream of it.
     below: Vec<f64>,
+    /// Entries on the diagonal.
     diagonal: Vec<f64>,
+    /// Entries in the column downstream.
     above: Vec<f64>,
+    /// Right-hand sides, then changes of pressure.
     rhs: Vec<f64>,
 }
 
@@ -52,6 +64,7 @@ fn start_from_hertz(problem: &LubricatedContact<'_>, state: &mut ContactState) {
 }
 
 impl Sweeps {
+    /// Buffers for `grid`.
     pub(super) fn new(grid: Grid) -> Self {
         let line = || vec![0.0; grid.nx()];
         Self {

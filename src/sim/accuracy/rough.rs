@@ -13,7 +13,7 @@ use crate::sim::single::{Prepared, prepare_heights};
 use crate::sim::solution::ContactSolution;
 use crate::sim::warnings::Warning;
 use crate::sim::{SimError, setup};
-use crate::surface::HeightDistribution;
+use crate::surface::{HeightDistribution, RandomShape};
 
 /// Meshes of more nodes are not tried.
 const MAX_NODES: usize = 1 << 20;
@@ -216,23 +216,28 @@ fn waves(scene: &Scene) -> Result<Waves, SimError> {
                 let rq = roughness.rq().unwrap_or(0.0);
                 InputError::require_non_negative(&key("rq"), rq)?;
                 square += rq.powi(2);
-                let of_length = matches!(roughness, Roughness::Gaussian(_));
+                let of_length = matches!(
+                    roughness,
+                    Roughness::Random(surface) if matches!(surface.shape, RandomShape::Correlated { .. })
+                );
                 let names = if of_length { ["length_x", "length_y"] } else { ["shortest"; 2] };
                 for (axis, least) in lengths.iter_mut().enumerate() {
                     InputError::require_positive(&key(names[axis]), shortest[axis])?;
                     *least = least.min(shortest[axis]);
                 }
             }
-            (Roughness::Random(_), ShortestWaves::Endless) => {
+            (Roughness::Random(surface), ShortestWaves::Endless)
+                if matches!(surface.shape, RandomShape::Correlated { .. }) =>
+            {
                 return needs_cells(
-                    key("shortest"),
-                    "without it the surface has waves of every length and no finest ones to refine",
+                    format!("roughness.{body}.kind = \"exponential\""),
+                    "the surface has waves of every length and no finest ones to refine",
                 );
             }
             (_, ShortestWaves::Endless) => {
                 return needs_cells(
-                    format!("roughness.{body}.kind = \"exponential\""),
-                    "the surface has waves of every length and no finest ones to refine",
+                    key("shortest"),
+                    "without it the surface has waves of every length and no finest ones to refine",
                 );
             }
             (Roughness::File(file), _) => {

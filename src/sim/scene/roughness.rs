@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::surface::{Autocorrelation, GrooveDirection, RandomShape, RandomSurface, Texture};
+use crate::surface::{Autocorrelation, GrooveDirection, RandomShape, RandomSurface, RoughnessSpec, Texture};
 
 /// Roughness of ball and disc.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -33,11 +33,8 @@ pub enum Roughness {
     /// Smooth.
     #[default]
     None,
-    /// Random, Gaussian autocorrelation.
-    Gaussian(RandomRoughness),
-    /// Random, exponential autocorrelation.
-    Exponential(RandomRoughness),
-    /// Random with all choices there are: self-affine, skewed, of ensemble height, open.
+    /// Random: of a Gaussian or exponential autocorrelation or self-affine. The kinds `gaussian`,
+    /// `exponential` and `self_affine` of scene files name the shape.
     Random(RandomSurface),
     /// Dimples or grooves.
     Texture(Texture),
@@ -56,12 +53,24 @@ pub(in crate::sim) enum ShortestWaves {
     Unknown,
 }
 
+impl From<RoughnessSpec> for Roughness {
+    fn from(spec: RoughnessSpec) -> Self {
+        Self::Random(spec.into())
+    }
+}
+
 impl Roughness {
+    /// Random roughness of the root mean square height `rq` \[m\] whose Gaussian autocorrelation falls to 10
+    /// % at `length` \[m\] in all directions; equal seeds give equal surfaces.
+    pub fn gaussian(rq: f64, length: f64, seed: u64) -> Self {
+        let autocorrelation = Autocorrelation::Gaussian;
+        RoughnessSpec { autocorrelation, rq, length_x: length, length_y: length, seed }.into()
+    }
+
     /// Whether the body has no roughness.
     pub fn is_smooth(&self) -> bool {
         match self {
             Self::None => true,
-            Self::Gaussian(random) | Self::Exponential(random) => random.rq == 0.0,
             Self::Random(surface) => surface.rq == 0.0,
             Self::Texture(_) | Self::File(_) => false,
         }
@@ -70,13 +79,13 @@ impl Roughness {
     /// Root mean square height that is asked for \[m\]; none where none is.
     pub(in crate::sim) fn rq(&self) -> Option<f64> {
         match self {
-            Self::Gaussian(random) | Self::Exponential(random) => Some(random.rq),
             Self::Random(surface) => Some(surface.rq),
             Self::File(file) => file.rq,
             Self::None | Self::Texture(_) => None,
         }
     }
 
+    /// How short the waves of the body get.
     pub(in crate::sim) fn shortest_waves(&self) -> ShortestWaves {
         use ShortestWaves::{Endless, Of, Unknown};
         if self.is_smooth() {
@@ -84,8 +93,6 @@ impl Roughness {
         }
         match self {
             Self::None => Of([f64::INFINITY; 2]),
-            Self::Gaussian(random) => Of([random.length_x, random.length_y]),
-            Self::Exponential(_) => Endless,
             Self::Random(surface) => match surface.shape {
                 RandomShape::Correlated { autocorrelation: Autocorrelation::Exponential, .. } => Endless,
                 RandomShape::Correlated { length_x, length_y, .. } => Of([length_x, length_y]),
@@ -101,19 +108,6 @@ impl Roughness {
             Self::File(_) => Unknown,
         }
     }
-}
-
-/// Parameters of random roughness.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RandomRoughness {
-    /// Root mean square height \[m\].
-    pub rq: f64,
-    /// Length along x where the autocorrelation is 10 % \[m\].
-    pub length_x: f64,
-    /// Length along y where the autocorrelation is 10 % \[m\].
-    pub length_y: f64,
-    /// Seed.
-    pub seed: u64,
 }
 
 /// A file of heights.

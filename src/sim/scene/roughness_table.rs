@@ -4,63 +4,44 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
-use super::tables::{given, refuse_strays, required, seed};
-use super::{FileRoughness, RandomRoughness, Roughness};
+use super::tables::{keyed, required, seed};
+use super::{FileRoughness, Roughness};
 use crate::boundary::Boundary;
 use crate::surface::{
     Autocorrelation, DimpleLayout, GrooveDirection, HeightDistribution, HeightScale, RandomShape,
     RandomSurface, SelfAffine, Synthesis, Texture,
 };
 
-#[derive(Serialize, Deserialize, Default)]
-#[serde(deny_unknown_fields)]
-pub(super) struct RoughnessTable {
-    kind: RoughnessKind,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    rq: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    length_x: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    length_y: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    hurst: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    roll_off: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    longest: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    shortest: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    synthesis: Option<Synthesis>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    skewness: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    kurtosis: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    height: Option<HeightScale>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    boundary: Option<Boundary>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    radius: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    width: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    depth: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pitch: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    layout: Option<Layout>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    direction: Option<GrooveDirection>,
-    #[serde(
-        default,
-        deserialize_with = "seed::optional",
-        serialize_with = "seed::serialize_optional",
-        skip_serializing_if = "Option::is_none"
-    )]
-    seed: Option<u64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    path: Option<PathBuf>,
+keyed! {
+    #[derive(Serialize, Deserialize, Default)]
+    pub(super) struct RoughnessTable {
+        kind: RoughnessKind;
+        rq: f64,
+        length_x: f64,
+        length_y: f64,
+        hurst: f64,
+        roll_off: f64,
+        longest: f64,
+        shortest: f64,
+        synthesis: Synthesis,
+        skewness: f64,
+        kurtosis: f64,
+        height: HeightScale,
+        boundary: Boundary,
+        radius: f64,
+        width: f64,
+        depth: f64,
+        pitch: f64,
+        layout: Layout,
+        direction: GrooveDirection,
+        #[serde(
+            default,
+            deserialize_with = "seed::optional",
+            serialize_with = "seed::serialize_optional"
+        )]
+        seed: u64,
+        path: PathBuf,
+    }
 }
 
 #[derive(Serialize, Deserialize, Clone, Copy, Default)]
@@ -100,32 +81,6 @@ const SELF_AFFINE: [&str; 11] = [
 ];
 
 impl RoughnessTable {
-    fn refuse_strays(&self, kind: &str, known: &[&str]) -> Result<(), String> {
-        let keys = [
-            given("rq", &self.rq),
-            given("length_x", &self.length_x),
-            given("length_y", &self.length_y),
-            given("hurst", &self.hurst),
-            given("roll_off", &self.roll_off),
-            given("longest", &self.longest),
-            given("shortest", &self.shortest),
-            given("synthesis", &self.synthesis),
-            given("skewness", &self.skewness),
-            given("kurtosis", &self.kurtosis),
-            given("height", &self.height),
-            given("boundary", &self.boundary),
-            given("radius", &self.radius),
-            given("width", &self.width),
-            given("depth", &self.depth),
-            given("pitch", &self.pitch),
-            given("layout", &self.layout),
-            given("direction", &self.direction),
-            given("seed", &self.seed),
-            given("path", &self.path),
-        ];
-        refuse_strays(&format!("kind = \"{kind}\""), &keys, known)
-    }
-
     /// A random surface of `shape`, its heights as the table says.
     fn random(&self, shape: RandomShape) -> Result<RandomSurface, String> {
         let distribution = match (self.skewness, self.kurtosis) {
@@ -145,23 +100,12 @@ impl RoughnessTable {
 
     fn correlated(&self, kind: &str, autocorrelation: Autocorrelation) -> Result<Roughness, String> {
         self.refuse_strays(kind, &CORRELATED)?;
-        let plain = RandomRoughness {
-            rq: required("rq", self.rq)?,
+        let shape = RandomShape::Correlated {
+            autocorrelation,
             length_x: required("length_x", self.length_x)?,
             length_y: required("length_y", self.length_y)?,
-            seed: self.seed.unwrap_or_default(),
         };
-        let RandomRoughness { length_x, length_y, .. } = plain;
-        let surface = self.random(RandomShape::Correlated { autocorrelation, length_x, length_y })?;
-        // Whether it is normal, of the height given and periodic: `rq` may be NaN here, which equals nothing.
-        let usual = RandomSurface::new(surface.shape, 0.0, 0);
-        let is_plain = (surface.height, surface.distribution, surface.boundary)
-            == (usual.height, usual.distribution, usual.boundary);
-        Ok(match autocorrelation {
-            _ if !is_plain => Roughness::Random(surface),
-            Autocorrelation::Gaussian => Roughness::Gaussian(plain),
-            Autocorrelation::Exponential => Roughness::Exponential(plain),
-        })
+        Ok(Roughness::Random(self.random(shape)?))
     }
 
     fn self_affine(&self) -> Result<Roughness, String> {
@@ -232,18 +176,8 @@ fn unusual<T: Default + PartialEq>(value: T) -> Option<T> {
 
 impl From<Roughness> for RoughnessTable {
     fn from(roughness: Roughness) -> Self {
-        let plain = |kind, random: RandomRoughness| Self {
-            kind,
-            rq: Some(random.rq),
-            length_x: Some(random.length_x),
-            length_y: Some(random.length_y),
-            seed: Some(random.seed),
-            ..Self::default()
-        };
         match roughness {
             Roughness::None => Self::default(),
-            Roughness::Gaussian(random) => plain(RoughnessKind::Gaussian, random),
-            Roughness::Exponential(random) => plain(RoughnessKind::Exponential, random),
             Roughness::Random(surface) => Self::of_surface(surface),
             Roughness::Texture(texture) => Self::of_texture(texture),
             Roughness::File(FileRoughness { path, rq }) => {

@@ -9,14 +9,40 @@ use serde::{Deserialize, Deserializer};
 use super::{GridSpec, Schedule};
 use crate::surface::Form;
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct FormTable {
-    kind: FormKind,
-    radius: Option<f64>,
-    radius_x: Option<f64>,
-    radius_y: Option<f64>,
-    angle: Option<f64>,
+/// A table that is read flat: what stands before the semicolon belongs to every kind or law, the keys after
+/// it to some, each an `Option`. The keys are listed here alone.
+macro_rules! keyed {
+    ($(#[$meta:meta])* $vis:vis struct $name:ident {
+        $($common:ident: $common_type:ty),+ ;
+        $($(#[$of_key:meta])* $key:ident: $type:ty),+ $(,)?
+    }) => {
+        $(#[$meta])*
+        #[serde(deny_unknown_fields)]
+        $vis struct $name {
+            $($common: $common_type,)+
+            $($(#[$of_key])* #[serde(skip_serializing_if = "Option::is_none")] $key: Option<$type>,)+
+        }
+
+        impl $name {
+            /// Error for a key that is none of `known`, those of a table with the `tag`.
+            fn refuse_strays(&self, tag: &str, known: &[&str]) -> Result<(), String> {
+                let given = [$((stringify!($key), self.$key.is_some())),+];
+                $crate::sim::scene::tables::refuse_strays(tag, &given, known)
+            }
+        }
+    };
+}
+pub(super) use keyed;
+
+keyed! {
+    #[derive(Deserialize)]
+    struct FormTable {
+        kind: FormKind;
+        radius: f64,
+        radius_x: f64,
+        radius_y: f64,
+        angle: f64,
+    }
 }
 
 #[derive(Deserialize, Clone, Copy)]
@@ -29,19 +55,15 @@ enum FormKind {
 
 pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D::Error> {
     let table = FormTable::deserialize(deserializer)?;
-    let given = [
-        ("radius", table.radius.is_some()),
-        ("radius_x", table.radius_x.is_some()),
-        ("radius_y", table.radius_y.is_some()),
-        ("angle", table.angle.is_some()),
-    ];
     match table.kind {
-        FormKind::Sphere => refuse_strays("kind = \"sphere\"", &given, &["radius"])
+        FormKind::Sphere => table
+            .refuse_strays("kind = \"sphere\"", &["radius"])
             .and_then(|()| Ok(Form::Sphere { radius: required("radius", table.radius)? })),
-        FormKind::Cylinder => refuse_strays("kind = \"cylinder\"", &given, &["radius"])
+        FormKind::Cylinder => table
+            .refuse_strays("kind = \"cylinder\"", &["radius"])
             .and_then(|()| Ok(Form::Cylinder { radius: required("radius", table.radius)? })),
         FormKind::Ellipsoid => {
-            refuse_strays("kind = \"ellipsoid\"", &given, &["radius_x", "radius_y", "angle"]).and_then(|()| {
+            table.refuse_strays("kind = \"ellipsoid\"", &["radius_x", "radius_y", "angle"]).and_then(|()| {
                 Ok(Form::Ellipsoid {
                     radius_x: required("radius_x", table.radius_x)?,
                     radius_y: required("radius_y", table.radius_y)?,
@@ -89,14 +111,15 @@ impl GridTable {
     }
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct ScheduleTable {
-    kind: ScheduleKind,
-    value: Option<f64>,
-    times: Option<Vec<f64>>,
-    values: Option<Vec<f64>>,
-    path: Option<PathBuf>,
+keyed! {
+    #[derive(Deserialize)]
+    pub(super) struct ScheduleTable {
+        kind: ScheduleKind;
+        value: f64,
+        times: Vec<f64>,
+        values: Vec<f64>,
+        path: PathBuf,
+    }
 }
 
 #[derive(Deserialize, Clone, Copy)]
@@ -112,33 +135,27 @@ impl TryFrom<ScheduleTable> for Schedule {
     type Error = String;
 
     fn try_from(table: ScheduleTable) -> Result<Self, String> {
-        let given = [
-            ("value", table.value.is_some()),
-            ("times", table.times.is_some()),
-            ("values", table.values.is_some()),
-            ("path", table.path.is_some()),
-        ];
         Ok(match table.kind {
             ScheduleKind::Constant => {
-                refuse_strays("kind = \"constant\"", &given, &["value"])?;
+                table.refuse_strays("kind = \"constant\"", &["value"])?;
                 Self::Constant { value: required("value", table.value)? }
             }
             ScheduleKind::Steps => {
-                refuse_strays("kind = \"steps\"", &given, &["times", "values"])?;
+                table.refuse_strays("kind = \"steps\"", &["times", "values"])?;
                 Self::Steps {
                     times: required("times", table.times)?,
                     values: required("values", table.values)?,
                 }
             }
             ScheduleKind::Ramps => {
-                refuse_strays("kind = \"ramps\"", &given, &["times", "values"])?;
+                table.refuse_strays("kind = \"ramps\"", &["times", "values"])?;
                 Self::Ramps {
                     times: required("times", table.times)?,
                     values: required("values", table.values)?,
                 }
             }
             ScheduleKind::Table => {
-                refuse_strays("kind = \"table\"", &given, &["path"])?;
+                table.refuse_strays("kind = \"table\"", &["path"])?;
                 Self::Table { path: required("path", table.path)? }
             }
         })
@@ -151,11 +168,6 @@ fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 2]>,
     <[f64; 2]>::try_from(edges.as_slice())
         .map(Some)
         .map_err(|_| D::Error::invalid_length(edges.len(), &"the two outer edges"))
-}
-
-/// The key and whether the file has it.
-pub(super) fn given<'a, T>(key: &'a str, value: &Option<T>) -> (&'a str, bool) {
-    (key, value.is_some())
 }
 
 /// Error for a key of `given` that is none of `known`, those of a table with the `tag`.

@@ -1,7 +1,7 @@
 //! Growth of a tribofilm: the laws of the crate by name.
 
 #[cfg(feature = "serde")]
-use super::tables::{given, refuse_strays, required};
+use super::tables::{keyed, required};
 use crate::error::InputError;
 use crate::tribochem::{
     Activation, FilmGrowthLaw, Ghanbarzadeh, ProportionalRemoval, StressActivated, ThermalArrhenius,
@@ -177,22 +177,23 @@ impl TribofilmSpec {
     }
 }
 
-/// What a scene file holds.
 #[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct TribofilmTable {
-    law: Option<LawName>,
-    maximum_thickness: Option<f64>,
-    x_tribo: Option<f64>,
-    removal_limit: Option<f64>,
-    removal_rate: Option<f64>,
-    prefactor: Option<f64>,
-    growth_rate: Option<f64>,
-    activation_energy: Option<f64>,
-    activation_volume: Option<f64>,
-    stress: Option<DrivingStress>,
-    activation: Option<Activation>,
+keyed! {
+    /// What a scene file holds.
+    #[derive(serde::Deserialize)]
+    struct TribofilmTable {
+        law: Option<LawName>,
+        activation: Option<Activation>;
+        maximum_thickness: f64,
+        x_tribo: f64,
+        removal_limit: f64,
+        removal_rate: f64,
+        prefactor: f64,
+        growth_rate: f64,
+        activation_energy: f64,
+        activation_volume: f64,
+        stress: DrivingStress,
+    }
 }
 
 #[cfg(feature = "serde")]
@@ -225,7 +226,7 @@ impl TryFrom<TribofilmTable> for TribofilmSpec {
         let activation = table.activation;
         match table.law.unwrap_or(LawName::Ghanbarzadeh) {
             LawName::Ghanbarzadeh => {
-                table.has("law = \"ghanbarzadeh\"", &GHANBARZADEH)?;
+                table.refuse_strays("law = \"ghanbarzadeh\"", &GHANBARZADEH)?;
                 let usual = GhanbarzadehSpec::default();
                 Ok(Self::Ghanbarzadeh(GhanbarzadehSpec {
                     maximum_thickness: table.maximum_thickness.unwrap_or(usual.maximum_thickness),
@@ -236,7 +237,7 @@ impl TryFrom<TribofilmTable> for TribofilmSpec {
                 }))
             }
             LawName::ThermalArrhenius => {
-                table.has("law = \"thermal_arrhenius\"", &THERMAL_ARRHENIUS)?;
+                table.refuse_strays("law = \"thermal_arrhenius\"", &THERMAL_ARRHENIUS)?;
                 Ok(Self::ThermalArrhenius(ThermalArrheniusSpec {
                     maximum_thickness: required("maximum_thickness", table.maximum_thickness)?,
                     prefactor: required("prefactor", table.prefactor)?,
@@ -245,7 +246,7 @@ impl TryFrom<TribofilmTable> for TribofilmSpec {
                 }))
             }
             LawName::StressActivated => {
-                table.has("law = \"stress_activated\"", &STRESS_ACTIVATED)?;
+                table.refuse_strays("law = \"stress_activated\"", &STRESS_ACTIVATED)?;
                 let stress = required("stress", table.stress)?;
                 let usual = match stress {
                     DrivingStress::Shear => Activation::ShearStress,
@@ -261,7 +262,7 @@ impl TryFrom<TribofilmTable> for TribofilmSpec {
                 }))
             }
             LawName::ProportionalRemoval => {
-                table.has("law = \"proportional_removal\"", &PROPORTIONAL_REMOVAL)?;
+                table.refuse_strays("law = \"proportional_removal\"", &PROPORTIONAL_REMOVAL)?;
                 Ok(Self::ProportionalRemoval(ProportionalRemovalSpec {
                     maximum_thickness: required("maximum_thickness", table.maximum_thickness)?,
                     growth_rate: required("growth_rate", table.growth_rate)?,
@@ -272,24 +273,5 @@ impl TryFrom<TribofilmTable> for TribofilmSpec {
                 }))
             }
         }
-    }
-}
-
-#[cfg(feature = "serde")]
-impl TribofilmTable {
-    /// Error for a key that the law does not have.
-    fn has(&self, law: &str, known: &[&str]) -> Result<(), String> {
-        let numbers = [
-            given("maximum_thickness", &self.maximum_thickness),
-            given("x_tribo", &self.x_tribo),
-            given("removal_limit", &self.removal_limit),
-            given("removal_rate", &self.removal_rate),
-            given("prefactor", &self.prefactor),
-            given("growth_rate", &self.growth_rate),
-            given("activation_energy", &self.activation_energy),
-            given("activation_volume", &self.activation_volume),
-            given("stress", &self.stress),
-        ];
-        refuse_strays(law, &numbers, known)
     }
 }

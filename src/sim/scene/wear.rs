@@ -1,7 +1,7 @@
 //! Wear: the laws of the crate by name.
 
 #[cfg(feature = "serde")]
-use super::tables::{given, refuse_strays, required};
+use super::tables::{keyed, required};
 use crate::error::InputError;
 use crate::wear::{Archard, FrictionalEnergy, WearLaw, WearPressure};
 
@@ -123,19 +123,20 @@ impl WearSpec {
     }
 }
 
-/// What a scene file holds.
 #[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct WearTable {
-    law: Option<LawName>,
-    coefficient: Option<f64>,
-    film_coefficient: Option<f64>,
-    hardness: Option<f64>,
-    film_hardness: Option<f64>,
-    solid_pressure_only: Option<bool>,
-    volume_per_energy: Option<f64>,
-    film_volume_per_energy: Option<f64>,
+keyed! {
+    /// What a scene file holds.
+    #[derive(serde::Deserialize)]
+    struct WearTable {
+        law: Option<LawName>;
+        coefficient: f64,
+        film_coefficient: f64,
+        hardness: f64,
+        film_hardness: f64,
+        solid_pressure_only: bool,
+        volume_per_energy: f64,
+        film_volume_per_energy: f64,
+    }
 }
 
 #[cfg(feature = "serde")]
@@ -157,18 +158,9 @@ impl TryFrom<WearTable> for WearSpec {
     type Error = String;
 
     fn try_from(table: WearTable) -> Result<Self, String> {
-        let keys = [
-            given("coefficient", &table.coefficient),
-            given("film_coefficient", &table.film_coefficient),
-            given("hardness", &table.hardness),
-            given("film_hardness", &table.film_hardness),
-            given("solid_pressure_only", &table.solid_pressure_only),
-            given("volume_per_energy", &table.volume_per_energy),
-            given("film_volume_per_energy", &table.film_volume_per_energy),
-        ];
         match table.law.unwrap_or(LawName::Archard) {
             LawName::Archard => {
-                refuse_strays("law = \"archard\"", &keys, &ARCHARD)?;
+                table.refuse_strays("law = \"archard\"", &ARCHARD)?;
                 let usual = ArchardSpec::default();
                 Ok(Self::Archard(ArchardSpec {
                     coefficient: table.coefficient.unwrap_or(usual.coefficient),
@@ -179,7 +171,7 @@ impl TryFrom<WearTable> for WearSpec {
                 }))
             }
             LawName::FrictionalEnergy => {
-                refuse_strays("law = \"frictional_energy\"", &keys, &FRICTIONAL_ENERGY)?;
+                table.refuse_strays("law = \"frictional_energy\"", &FRICTIONAL_ENERGY)?;
                 let bare = required("volume_per_energy", table.volume_per_energy)?;
                 Ok(Self::FrictionalEnergy(FrictionalEnergySpec {
                     volume_per_energy: bare,

@@ -1,4 +1,10 @@
 //! Files of measured surfaces: readers and writers, one format a file.
+//!
+//! The format is told from the first bytes; `.plu`, which has no mark, from the padded date there, and text
+//! is what is none of the others. Readers take bytes and give [`Heights`] in metres, positive out of the
+//! body, undefined points marked. They are written against damaged and hostile files: every access is
+//! checked, sizes are compared with the length of the file before memory is asked for, and errors name the
+//! file and what is wrong with it (`source`).
 
 mod al3d;
 mod npy;

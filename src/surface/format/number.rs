@@ -11,8 +11,11 @@ pub(super) enum Kind {
 /// A number of 1, 2, 4 or 8 bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct NumberType {
+    /// Whole or floating.
     kind: Kind,
+    /// Bytes of a number.
     size: usize,
+    /// Order of the bytes.
     big_endian: bool,
 }
 
@@ -26,6 +29,7 @@ impl NumberType {
         exists.then_some(Self { kind, size, big_endian })
     }
 
+    /// Bytes of a number.
     pub(super) fn size(self) -> usize {
         self.size
     }
@@ -35,6 +39,7 @@ impl NumberType {
         bytes.chunks_exact(self.size).map(|chunk| self.value(chunk)).collect()
     }
 
+    /// The number in `chunk`, which has its size.
     fn value(self, chunk: &[u8]) -> f64 {
         let append = |bits: u64, byte: &u8| (bits << 8) | u64::from(*byte);
         let bits =

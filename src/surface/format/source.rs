@@ -10,6 +10,7 @@ use crate::surface::{Heights, LengthUnit, SurfaceError};
 pub(super) struct Source<'a> {
     /// Its name, for errors.
     pub(super) path: &'a Path,
+    /// Its content.
     pub(super) bytes: &'a [u8],
     /// Whether numbers have their most significant byte first; most formats know one order alone.
     pub(super) big_endian: bool,
@@ -17,23 +18,32 @@ pub(super) struct Source<'a> {
 
 /// What a reader found, lengths in metres, not yet checked.
 pub(super) struct Found {
+    /// Points along x.
     pub(super) nx: usize,
+    /// Points along y.
     pub(super) ny: usize,
+    /// Distances of the points along x and y \[m\].
     pub(super) spacing: Option<[f64; 2]>,
+    /// Unit of the heights in the file.
     pub(super) unit: Option<LengthUnit>,
+    /// Heights \[m\].
     pub(super) heights: Vec<f64>,
+    /// Which points are defined; none where all are.
     pub(super) defined: Option<Vec<bool>>,
 }
 
 impl<'a> Source<'a> {
+    /// A file that is damaged.
     pub(super) fn corrupt(&self, what: String) -> SurfaceError {
         SurfaceError::Corrupt { path: self.path.to_owned(), what }
     }
 
+    /// A variant that is not read.
     pub(super) fn unsupported(&self, what: String) -> SurfaceError {
         SurfaceError::Unsupported { path: self.path.to_owned(), what }
     }
 
+    /// A file of no known format.
     pub(super) fn unknown(&self) -> SurfaceError {
         SurfaceError::UnknownFormat { path: self.path.to_owned() }
     }
@@ -57,6 +67,7 @@ impl<'a> Source<'a> {
         Ok(array)
     }
 
+    /// Little-endian number at a place, `what` for the error.
     pub(super) fn u16(&self, at: usize, what: &str) -> Result<u16, SurfaceError> {
         Ok(u16::from_le_bytes(self.array(at, what)?))
     }

@@ -1,6 +1,7 @@
 //! A window on the flow: the same equations on a few cells, all around them held.
 
 use super::super::cavitation::Cavitation;
+use super::super::shear_thinning::NodeRatios;
 use super::Discretisation;
 use crate::lubricant::Lubricant;
 use crate::reynolds::problem::interior;
@@ -25,10 +26,8 @@ impl Discretisation {
         (self.fluidity, self.rate) = (whole.fluidity, whole.rate);
         self.thinning = whole.thinning;
         self.warmth.clear();
-        self.ratios.resize(
-            if whole.ratios.is_empty() { 0 } else { self.grid.len() },
-            super::ViscosityRatio::NEWTONIAN,
-        );
+        let thinned = if whole.ratios.is_empty() { 0 } else { self.grid.len() };
+        self.ratios.resize(thinned, NodeRatios::NEWTONIAN);
         let (nx, stride) = (self.grid.nx(), whole.grid.nx());
         for j in 0..self.grid.ny() {
             let there = first + j * stride..first + j * stride + nx;

@@ -1,0 +1,199 @@
+//! The hierarchy of grids: levels, what lies between them, films that belong to their pressures.
+
+use super::level::{Influence, Level};
+use super::relax::LineRelaxation;
+use super::transfer::Transfer;
+use crate::elastic::DeformationModel;
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::lubricant::Lubricant;
+use crate::reynolds::flow::Cavitation;
+use crate::reynolds::problem::LubricatedContact;
+
+/// Nodes along an axis below which a grid is not coarsened.
+const SMALLEST: usize = 24;
+/// Share of a change that nodes take where pressure flow dominates a little, at first and once cycles have
+/// become slow: on fine grids the pressure spike swings with the first.
+const NEAR_SHARE: f64 = 0.5;
+const CAREFUL_SHARE: f64 = 0.3;
+
+/// Grids from the coarsest to that of the problem.
+#[derive(Debug)]
+pub(super) struct Hierarchy {
+    pub(super) levels: Vec<Level>,
+    /// Between the grids `l` and `l + 1`.
+    pub(super) transfers: Vec<Transfer>,
+    /// Bodies on all grids but the finest.
+    bodies: Vec<Box<dyn DeformationModel>>,
+    pub(super) relaxation: LineRelaxation,
+    pub(super) approach: f64,
+    /// Change of the approach for a relative load error of one \[m\].
+    pub(super) load_gain: f64,
+    /// Share of a change that nodes take where pressure flow dominates a little.
+    pub(super) near_share: f64,
+    pub(super) is_very_thin: bool,
+    /// In equivalents of the finest grid.
+    pub(super) convolutions: f64,
+    pub(super) sweeps: u64,
+}
+
+impl Hierarchy {
+    /// Whether a model knows the bodies on the coarsest of its grids.
+    pub(super) fn has_bodies(body: &dyn DeformationModel) -> bool {
+        match grids(body.grid()).as_slice() {
+            [coarsest, _, ..] => body.on_grid(*coarsest).is_some(),
+            _ => true,
+        }
+    }
+
+    /// Grids for a body; none where the model lives on one grid alone.
+    pub(super) fn new(body: &dyn DeformationModel) -> Option<Self> {
+        let grids = grids(body.grid());
+        let coarse = grids.len() - 1;
+        let bodies = grids[..coarse].iter().map(|grid| body.on_grid(*grid)).collect::<Option<Vec<_>>>()?;
+        let mut levels: Vec<Level> = grids.iter().map(|grid| Level::new(*grid)).collect();
+        for (level, body) in levels.iter_mut().zip(bodies.iter().map(AsRef::as_ref).chain([body])) {
+            level.influence = Influence::new(body);
+        }
+        Some(Self {
+            levels,
+            transfers: grids.windows(2).map(|pair| Transfer::new(&pair[1], &pair[0])).collect(),
+            bodies,
+            relaxation: LineRelaxation::new(&body.grid()),
+            approach: 0.0,
+            load_gain: 0.0,
+            near_share: NEAR_SHARE,
+            is_very_thin: false,
+            convolutions: 0.0,
+            sweeps: 0,
+        })
+    }
+
+    /// Whether the grids are those of this body.
+    pub(super) fn fits(&self, body: &dyn DeformationModel) -> bool {
+        let finest = self.finest();
+        finest.grid == body.grid() && finest.influence == Influence::new(body)
+    }
+
+    /// Relaxes the nodes beside the pressure spike more carefully from now on; says whether that is new.
+    pub(super) fn relax_carefully(&mut self) -> bool {
+        let is_new = self.near_share > CAREFUL_SHARE;
+        self.near_share = CAREFUL_SHARE;
+        is_new
+    }
+
+    pub(super) fn top(&self) -> usize {
+        self.levels.len() - 1
+    }
+
+    pub(super) fn finest(&self) -> &Level {
+        &self.levels[self.top()]
+    }
+
+    pub(super) fn finest_mut(&mut self) -> &mut Level {
+        let top = self.top();
+        &mut self.levels[top]
+    }
+
+    /// Takes gaps, load, speeds and schemes from the problem.
+    pub(super) fn configure(&mut self, problem: &LubricatedContact<'_>) {
+        self.convolutions = 0.0;
+        self.sweeps = 0;
+        self.near_share = NEAR_SHARE;
+        for level in &mut self.levels {
+            level.fluid.configure(problem);
+            // Nothing reforms in a smooth film; where it does, the residuals tell, and another solver
+            // finishes.
+            level.fluid.set_cavitation(Cavitation::Reynolds);
+            level.source.fill(0.0);
+            level.load = problem.load;
+            level.is_evaluated = false;
+        }
+        let finest = self.finest_mut();
+        finest.gap.copy_from_slice(problem.gap);
+        match problem.squeeze {
+            None => self.levels.iter_mut().for_each(|level| level.previous = None),
+            Some(squeeze) => {
+                for level in &mut self.levels {
+                    level.previous.get_or_insert_with(|| vec![0.0; level.grid.len()]);
+                }
+                if let Some(previous) = &mut self.finest_mut().previous {
+                    previous.copy_from_slice(squeeze.previous_mass);
+                }
+            }
+        }
+        for l in (0..self.top()).rev() {
+            let Self { levels, transfers, .. } = self;
+            let (coarse, fine) = pair(levels, l);
+            let transfer = &mut transfers[l];
+            transfer.sample(&fine.gap, &mut coarse.gap);
+            if let (Some(fine), Some(coarse)) = (&fine.previous, &mut coarse.previous) {
+                transfer.average(fine, coarse);
+            }
+        }
+    }
+
+    /// `K p` of level `l` in place of its film.
+    pub(super) fn displace(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        l: usize,
+    ) -> Result<(), InputError> {
+        let top = self.top();
+        let share = self.levels[l].grid.len() as f64 / self.levels[top].grid.len() as f64;
+        self.convolutions += share;
+        let body = self.bodies.get_mut(l).map_or(&mut *problem.deformation, |body| &mut **body);
+        let level = &mut self.levels[l];
+        body.displacement(&level.pressure, &mut level.film)
+    }
+
+    /// Film and flow quantities of level `l`, unless they are there.
+    pub(super) fn evaluate(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        lubricant: &Lubricant,
+        l: usize,
+    ) -> Result<(), InputError> {
+        if self.levels[l].is_evaluated {
+            return Ok(());
+        }
+        self.displace(problem, l)?;
+        let (level, approach) = (&mut self.levels[l], self.approach);
+        for (h, gap) in level.film.iter_mut().zip(&level.gap) {
+            *h += gap - approach;
+        }
+        level.take_film(lubricant);
+        Ok(())
+    }
+}
+
+/// The film that starts are built from, where no formula gives one a little above the contact film.
+pub(super) fn expected_film(problem: &LubricatedContact<'_>) -> f64 {
+    problem.reference_film.max(2.0 * problem.contact_film())
+}
+
+/// Levels `l` and `l + 1`.
+pub(super) fn pair(levels: &mut [Level], l: usize) -> (&mut Level, &mut Level) {
+    let (coarse, fine) = levels.split_at_mut(l + 1);
+    (&mut coarse[l], &mut fine[0])
+}
+
+/// The grids over the box of `finest`, coarsest first.
+fn grids(finest: Grid) -> Vec<Grid> {
+    let mut grids = vec![finest];
+    while let Some(next) = grids.last().and_then(coarser) {
+        grids.push(next);
+    }
+    grids.reverse();
+    grids
+}
+
+/// The grid of half the nodes along both axes over the same box; none below [`SMALLEST`].
+fn coarser(grid: &Grid) -> Option<Grid> {
+    if grid.nx().min(grid.ny()) < SMALLEST {
+        return None;
+    }
+    let (nx, ny) = (grid.nx().div_ceil(2), grid.ny().div_ceil(2));
+    let (left, low) = (grid.x(0) - 0.5 * grid.dx(), grid.y(0) - 0.5 * grid.dy());
+    Grid::from_edges(nx, ny, [left, left + grid.size_x()], [low, low + grid.size_y()]).ok()
+}

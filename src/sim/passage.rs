@@ -1,0 +1,135 @@
+//! What a solved contact does to the bodies under it: it flattens them, wears them and grows their
+//! tribofilms.
+//!
+//! Pressures, stresses and temperatures are those of the contact as it was solved; a step leaves them as they
+//! are while the surfaces change. How long the nodes of each body feel them is in `exposure`.
+
+use super::SimError;
+use super::body::Body;
+use super::exposure::Ageing;
+use super::friction::FrictionFields;
+use super::laws::Laws;
+use super::placement::Offsets;
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::reynolds::ContactState;
+use crate::rubbing::RubbingPoint;
+use crate::surface::{Offset, add_blended};
+use crate::tribochem::Tribofilm;
+
+/// A solved contact as the nodes of the bodies feel it, in the frame of the contact.
+#[derive(Debug)]
+pub(super) struct Passage<'a> {
+    /// The grid of the contact and of both bodies.
+    pub(super) grid: &'a Grid,
+    /// Pressures and film.
+    pub(super) state: &'a ContactState,
+    /// Shear on the surfaces and the pressure of the solids.
+    pub(super) friction: &'a FrictionFields,
+    /// Flash temperature rise \[K\].
+    pub(super) rise: &'a [f64],
+    /// Bulk temperature \[K\].
+    pub(super) bulk: f64,
+    /// Sliding speed \[m/s\].
+    pub(super) sliding: f64,
+    /// Where the bodies lie.
+    pub(super) offsets: Offsets,
+    /// How their nodes age in a second.
+    pub(super) ageing: [Ageing; 2],
+}
+
+impl Passage<'_> {
+    /// What node `k` of the contact feels.
+    fn on_grid(&self, k: usize) -> RubbingPoint {
+        RubbingPoint {
+            pressure: self.state.pressure[k],
+            solid_pressure: self.friction.solid[k],
+            shear_stress: self.friction.stress(k),
+            temperature: self.bulk + self.rise[k],
+            sliding_speed: self.sliding,
+            film_thickness: self.state.film[k],
+            in_contact: self.state.in_contact[k],
+        }
+    }
+
+    /// What a node of a body that lies at `offset` feels: that of the node of the contact it stands on, or,
+    /// short of it by a fraction of a cell, linear between that and the one before.
+    fn on_body(&self, node: usize, offset: Offset) -> RubbingPoint {
+        let (nx, ny) = (self.grid.nx(), self.grid.ny());
+        let (i, j) = ((node % nx + nx - offset.columns) % nx, (node / nx + ny - offset.rows) % ny);
+        let at = self.on_grid(j * nx + i);
+        if offset.fraction == 0.0 {
+            return at;
+        }
+        at.towards(&self.on_grid(j * nx + (i + nx - 1) % nx), offset.fraction)
+    }
+}
+
+/// Buffers on the nodes of a body.
+#[derive(Debug, Clone)]
+pub(super) struct Marks {
+    /// Plastic depth that the step leaves \[m\].
+    print: Vec<f64>,
+    /// What each node feels.
+    points: Vec<RubbingPoint>,
+    /// Rates of wear while they are applied \[m/s\].
+    wear_rates: Vec<f64>,
+}
+
+impl Marks {
+    /// Buffers for bodies of so many nodes.
+    pub(super) fn new(nodes: usize) -> Self {
+        Self { print: vec![0.0; nodes], points: Vec::with_capacity(nodes), wear_rates: vec![0.0; nodes] }
+    }
+
+    /// Adds the print of the contact to the plastic depth of the bodies: `depths`, what each gives way \[m\],
+    /// times the share that a step of `time_step` \[s\] leaves.
+    pub(super) fn flatten(
+        &mut self,
+        bodies: &mut [Body; 2],
+        passage: &Passage<'_>,
+        depths: &[Vec<f64>; 2],
+        time_step: f64,
+    ) -> Result<(), InputError> {
+        let (nx, ny) = (passage.grid.nx(), passage.grid.ny());
+        for (index, body) in bodies.iter_mut().enumerate() {
+            self.print.fill(0.0);
+            add_blended(&depths[index], nx, ny, passage.offsets[index], &mut self.print)?;
+            let share = passage.ageing[index].print(time_step);
+            self.print.iter_mut().for_each(|depth| *depth *= share);
+            body.plastic.add(&self.print)?;
+        }
+        Ok(())
+    }
+
+    /// Wears the bodies and grows their films for `time_step` \[s\], and brings their surfaces up to date.
+    /// The film grows half before and half after the wear, so that the wear coefficient is that of the middle
+    /// of the step.
+    pub(super) fn rub(
+        &mut self,
+        bodies: &mut [Body; 2],
+        passage: &Passage<'_>,
+        laws: &Laws,
+        time_step: f64,
+    ) -> Result<(), SimError> {
+        let Self { points, wear_rates, .. } = self;
+        for (index, body) in bodies.iter_mut().enumerate() {
+            let exposed = passage.ageing[index].rate * time_step;
+            points.clear();
+            let nodes = 0..passage.grid.len();
+            points.extend(nodes.map(|node| passage.on_body(node, passage.offsets[index])));
+            let grow = |film: &mut Option<Tribofilm>| match (&laws.growth, film) {
+                (Some(law), Some(film)) => film.advance_all(law.as_ref(), 0.5 * exposed, points),
+                _ => Ok(()),
+            };
+            grow(&mut body.film)?;
+            if let Some(law) = &laws.wear {
+                let thickness = body.film.as_ref().map_or(body.no_film.as_slice(), Tribofilm::thickness);
+                body.wear.advance_all(law.each()[index], exposed, (points, thickness), wear_rates)?;
+            }
+            grow(&mut body.film)?;
+            body.rebuild()?;
+        }
+        Ok(())
+    }
+}

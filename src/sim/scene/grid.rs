@@ -1,0 +1,67 @@
+//! The grid of a scene.
+//!
+//! Cells of one size fill a box; nodes are their centres. Whether the box holds the contact is checked where a
+//! contact is made.
+
+use super::Scene;
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::sim::hertz::LINE_LENGTH;
+
+/// The grid, or what is asked of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(untagged))]
+#[non_exhaustive]
+pub enum GridSpec {
+    /// Cells that fill a box. A line contact is solved on one row of them: `ny` and `y` are checked and not
+    /// used.
+    Cells {
+        /// Cells along x.
+        nx: usize,
+        /// Cells along y.
+        ny: usize,
+        /// Outer edges along x \[m\]; the flow goes along +x.
+        x: [f64; 2],
+        /// Outer edges along y \[m\].
+        y: [f64; 2],
+    },
+    /// The cells of a line contact.
+    Row {
+        /// Cells along x.
+        nx: usize,
+        /// Outer edges along x \[m\]; the flow goes along +x.
+        x: [f64; 2],
+    },
+    /// Box and cells are picked for an error, which is estimated from coarser grids: of a smooth contact the
+    /// relative one of the central film (dry: of the maximum pressure), of a rough one that of
+    /// [`SolverSpec::accuracy`](super::SolverSpec::accuracy). Single contacts only; normal heights with
+    /// shortest waves (Gaussian autocorrelation, self-affine down to one), which tell the cells to begin with.
+    Accuracy {
+        /// Largest error.
+        accuracy: f64,
+    },
+}
+
+impl Scene {
+    /// The grid; of a line contact one row of cells one metre wide.
+    ///
+    /// # Errors
+    /// Counts or edges out of range; a row for a point contact; an accuracy in place of a grid.
+    pub fn grid(&self) -> Result<Grid, InputError> {
+        let row = |nx, x| Grid::from_edges(nx, 1, x, [-0.5 * LINE_LENGTH, 0.5 * LINE_LENGTH]);
+        let conflict = |field: &str, reason: &str| {
+            Err(InputError::Conflict { field: field.to_owned(), reason: reason.to_owned() })
+        };
+        match self.grid {
+            GridSpec::Cells { nx, ny, x, y } => {
+                let grid = Grid::from_edges(nx, ny, x, y)?;
+                if self.form.is_line() { row(nx, x) } else { Ok(grid) }
+            }
+            GridSpec::Row { nx, x } if self.form.is_line() => row(nx, x),
+            GridSpec::Row { .. } => conflict("grid", "ny and y are missing; only a cylinder needs none"),
+            GridSpec::Accuracy { .. } => {
+                conflict("grid.accuracy", "only a single contact picks its grid, this needs nx, ny, x and y")
+            }
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! The load of a scene and the Hertz contact under it.
+//!
+//! A load is a force or the Hertz pressure that the smooth bodies would have under it. The Hertz contact
+//! gives boxes, starts and scales of everything else.
+
+use super::Scene;
+use crate::analytic::{HertzLine, HertzPoint};
+use crate::error::InputError;
+use crate::sim::hertz::HertzContact;
+
+/// Normal load, by exactly one of the two.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
+#[non_exhaustive]
+pub struct Load {
+    /// Maximum Hertz pressure of the smooth contact \[Pa\].
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub hertz_pressure: Option<f64>,
+    /// Force \[N\]; of a line contact force per length \[N/m\].
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub force: Option<f64>,
+}
+
+impl Load {
+    /// The load under which the smooth contact has this maximum Hertz pressure \[Pa\].
+    pub const fn hertz_pressure(pressure: f64) -> Self {
+        Self { hertz_pressure: Some(pressure), force: None }
+    }
+
+    /// A force \[N\]; of a line contact force per length \[N/m\].
+    pub const fn force(force: f64) -> Self {
+        Self { hertz_pressure: None, force: Some(force) }
+    }
+
+    /// The key of the load and its value.
+    fn given(&self) -> Result<(&'static str, f64), InputError> {
+        let reason = match (self.hertz_pressure, self.force) {
+            (Some(pressure), None) => return Ok(("load.hertz_pressure", pressure)),
+            (None, Some(force)) => return Ok(("load.force", force)),
+            (Some(pressure), Some(force)) => format!(
+                "give hertz_pressure or force, not both (hertz_pressure = {pressure:?}, force = {force:?})"
+            ),
+            (None, None) => "hertz_pressure or force is missing".to_owned(),
+        };
+        Err(InputError::Conflict { field: "load".to_owned(), reason })
+    }
+}
+
+impl Scene {
+    /// The Hertz contact of the smooth bodies, at the start where the load is scheduled.
+    ///
+    /// # Errors
+    /// Form, modulus, load or schedule out of range, or both kinds of load, or none.
+    pub fn hertz(&self) -> Result<HertzContact, InputError> {
+        match self.schedule.load {
+            None => self.constant_hertz(),
+            Some(_) => self.hertz_under(self.conditions(0.0)?.load),
+        }
+    }
+
+    /// The Hertz contact under the `load` \[N\] of a schedule.
+    pub(in crate::sim) fn hertz_under(&self, load: f64) -> Result<HertzContact, InputError> {
+        self.hertz_by(Load::force(load))
+    }
+
+    /// The Hertz contact under the load of the scene, whatever the schedule.
+    pub(in crate::sim) fn constant_hertz(&self) -> Result<HertzContact, InputError> {
+        self.hertz_by(self.load)
+    }
+
+    fn hertz_by(&self, load: Load) -> Result<HertzContact, InputError> {
+        self.form.validate()?;
+        let (radius_x, radius_y) = self.form.radii();
+        let line = self.form.is_line();
+        let ratio = radius_x / radius_y;
+        let largest = HertzPoint::MAX_RADIUS_RATIO;
+        let fits = line || (1.0 / largest..=largest).contains(&ratio);
+        InputError::require(fits, "form.radius_x / form.radius_y", ratio, "between 1e-8 and 1e8")?;
+        let modulus = self.equivalent_modulus()?;
+        let (field, value) = load.given()?;
+        InputError::require_positive(field, value)?;
+        let contact = match (load.hertz_pressure, line) {
+            (Some(pressure), true) => {
+                HertzLine::from_max_pressure(radius_x, modulus, pressure).map(HertzContact::from)
+            }
+            (Some(pressure), false) => {
+                HertzPoint::from_max_pressure(radius_x, radius_y, modulus, pressure).map(HertzContact::from)
+            }
+            (None, true) => HertzLine::from_load(radius_x, modulus, value).map(HertzContact::from),
+            (None, false) => {
+                HertzPoint::from_load(radius_x, radius_y, modulus, value).map(HertzContact::from)
+            }
+        };
+        let turned = contact.map(|contact| HertzContact { angle: self.form.angle(), ..contact });
+        // All inputs are in range, so what is left is a result that is not.
+        turned.map_err(|error| InputError::Conflict {
+            field: format!("{field} = {value:?}"),
+            reason: format!("the Hertz contact under it is beyond the range of numbers ({error})"),
+        })
+    }
+}

@@ -1,0 +1,37 @@
+//! Speeds of the surfaces.
+//!
+//! With the speeds `u1` of the ball and `u2` of the disc along x, the entrainment speed is `(u1 + u2)/2` and
+//! the slide-roll ratio `(u1 - u2)` over it.
+
+/// Speeds of the surfaces along x.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
+#[non_exhaustive]
+pub struct Motion {
+    /// Mean of the two surface speeds \[m/s\].
+    pub entrainment_speed: f64,
+    /// Sliding speed over entrainment speed; the ball is the faster one where it is positive.
+    pub slide_roll_ratio: f64,
+}
+
+impl Motion {
+    /// An entrainment speed \[m/s\] and a slide-to-roll ratio.
+    pub const fn new(entrainment_speed: f64, slide_roll_ratio: f64) -> Self {
+        Self { entrainment_speed, slide_roll_ratio }
+    }
+
+    /// Sliding speed, never negative \[m/s\].
+    pub fn sliding_speed(&self) -> f64 {
+        (self.entrainment_speed * self.slide_roll_ratio).abs()
+    }
+
+    /// Speeds of ball and disc \[m/s\].
+    pub fn surface_speeds(&self) -> [f64; 2] {
+        let half = 0.5 * self.slide_roll_ratio;
+        [self.entrainment_speed * (1.0 + half), self.entrainment_speed * (1.0 - half)]
+    }
+}
