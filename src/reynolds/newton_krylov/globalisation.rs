@@ -50,7 +50,7 @@ impl Globalisation {
             return;
         }
         (self.largest_trust, self.fruitless, self.swings) = (0.5 * self.largest_trust, 0, true);
-        let tighter = (settings.tighter * self.krylov_tolerance).max(settings.periodic_tolerance);
+        let tighter = (settings.tighter * self.krylov_tolerance).max(settings.least_krylov_tolerance);
         self.krylov_tolerance = self.krylov_tolerance.min(tighter);
         self.elimination.trust = self.elimination.trust.min(self.largest_trust);
     }

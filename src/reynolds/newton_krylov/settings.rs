@@ -17,16 +17,8 @@ pub struct NewtonSettings {
     /// Whether a lubricated contact at speed that stalls in all attempts is followed in time from the dry
     /// one.
     pub follows_time: bool,
-    /// Krylov steps within one pass of a linear solve; at least 1.
+    /// Krylov steps of a linear solve; at least 1.
     pub krylov_steps: usize,
-    /// Passes of a linear solve; at least 1. Each but those that know the elastic response as a whole takes
-    /// its periodic approximation, a quarter of the cost.
-    pub passes: u32,
-    /// The least residual that is asked of a pass which knows the periodic approximation alone; between 0 and
-    /// 1.
-    pub periodic_tolerance: f64,
-    /// Of the tolerance of a linear solve: the residual that is good enough; at least 1.
-    pub enough: f64,
     /// Largest pressure change of one step, in reference pressures; above 0.
     pub largest_change: f64,
     /// Contact film of a Newton step over that of the step before, down to the one of the problem (film
@@ -44,12 +36,14 @@ pub struct NewtonSettings {
     pub shorter: f64,
     /// Steps without a new best residual after which the largest trust is halved, the third bound of
     /// [`growth`](Self::growth) holds, and linear systems are solved to the share [`tighter`](Self::tighter)
-    /// of their tolerance, down to [`periodic_tolerance`](Self::periodic_tolerance); at least 1. What linear
-    /// systems leave in a pocket of one node may be all that decides whether its fluid cavitates, and it then
-    /// does in every other step.
+    /// of their tolerance, down to [`least_krylov_tolerance`](Self::least_krylov_tolerance); at least 1. What
+    /// linear systems leave in a pocket of one node may be all that decides whether its fluid cavitates, and
+    /// it then does in every other step.
     pub patience: u32,
     /// Above 0, at most 1.
     pub tighter: f64,
+    /// Linear residual below which no more is asked of a step; between 0 and 1.
+    pub least_krylov_tolerance: f64,
     /// Bounds of the change of the trust from step to step: below 1, above 1.
     pub trust_change: (f64, f64),
     /// Least trust in reference pressures; above 0.
@@ -150,9 +144,6 @@ impl Default for NewtonSettings {
             attempts,
             follows_time: true,
             krylov_steps: 100,
-            passes: 4,
-            periodic_tolerance: 0.01,
-            enough: 1.5,
             largest_change: 1.0,
             film_reduction: 0.5,
             near_below: 100.0,
@@ -160,6 +151,7 @@ impl Default for NewtonSettings {
             shorter: 0.5,
             patience: 5,
             tighter: 0.2,
+            least_krylov_tolerance: 0.01,
             trust_change: (0.3, 2.0),
             least_trust: 0.001,
             pockets: PocketSettings::default(),
@@ -176,7 +168,6 @@ impl NewtonSettings {
             pockets: PocketSettings { steps: 0, ..PocketSettings::default() },
             follows_time: false,
             krylov_steps: relaxations,
-            passes: 1,
             ..Self::default()
         }
     }
@@ -192,10 +183,9 @@ impl NewtonSettings {
         };
         count("attempts", self.attempts.len() as f64)?;
         count("krylov_steps", self.krylov_steps as f64)?;
-        count("passes", f64::from(self.passes))?;
         count("patience", f64::from(self.patience))?;
         let share = |field: &str, share: f64| require_share(&format!("newton.{field}"), share);
-        share("periodic_tolerance", self.periodic_tolerance)?;
+        share("least_krylov_tolerance", self.least_krylov_tolerance)?;
         share("film_reduction", self.film_reduction)?;
         share("shorter", self.shorter)?;
         share("trust_change[0]", self.trust_change.0)?;
@@ -209,7 +199,6 @@ impl NewtonSettings {
             let holds = value.is_finite() && value >= 1.0;
             InputError::require(holds, &format!("newton.{field}"), value, "finite and at least 1")
         };
-        at_least_one("enough", self.enough)?;
         at_least_one("trust_change[1]", self.trust_change.1)?;
         for (index, (growth, _)) in self.growth.iter().enumerate() {
             at_least_one(&format!("growth[{index}]"), *growth)?;

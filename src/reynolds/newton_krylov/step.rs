@@ -65,15 +65,14 @@ impl Workspace {
     /// Solves the linearised equations into `self.step`, their residual to `tolerance` of itself; returns the
     /// Krylov steps, or none where the fluid equations of this state have no finite factors.
     ///
-    /// Krylov's method knows the periodic approximation of the elastic response; what residual that leaves,
-    /// the whole response tells, and where that is too much another pass takes it.
+    /// What the equations lack is told by the whole elastic response, changes of films by its periodic
+    /// approximation: what that leaves is for the next step.
     pub(super) fn linear_step(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &ContactState,
         tolerance: f64,
     ) -> Result<Option<u64>, ReynoldsError> {
-        let passes = self.settings.passes;
         let Self { coupled, unknowns, linearisation, preconditioner, gmres, .. } = self;
         unknowns.sort(coupled, problem, state);
         if problem.lubricant.is_some() {
@@ -85,31 +84,12 @@ impl Workspace {
         preconditioner.border(unknowns, coupled, linearisation, problem)?;
         let n = unknowns.len();
         let (residual, step) = (&mut self.residual[..n], &mut self.step[..n]);
-        let correction = &mut self.correction[..n];
         step.fill(0.0);
-        unknowns.residual(coupled, problem, linearisation, state, step, residual)?;
-        let whole = norm(residual);
-        let mut response = if coupled.fluid.grid.ny() > 1 { Response::Periodic } else { Response::Whole };
-        let (mut left, mut steps) = (1.0, 0);
-        for _ in 0..passes {
-            let least = if response == Response::Periodic { self.settings.periodic_tolerance } else { 0.0 };
-            let wanted = (tolerance / left).max(least);
-            let mut system = System { unknowns, coupled, problem, linearisation, preconditioner, response };
-            steps += gmres.solve(&mut system, residual, wanted, correction)?.steps;
-            for (step, correction) in step.iter_mut().zip(&*correction) {
-                *step += correction;
-            }
-            unknowns.residual(coupled, problem, linearisation, state, step, residual)?;
-            let now = norm(residual) / whole;
-            // No number where the equations lacked nothing.
-            if now.is_nan() || now <= self.settings.enough * tolerance || response == Response::Whole {
-                break;
-            }
-            if now > 0.5 * left {
-                response = Response::Whole;
-            }
-            left = now;
-        }
+        unknowns.residual(coupled, problem, linearisation, state, residual)?;
+        let response = if coupled.fluid.grid.ny() > 1 { Response::Periodic } else { Response::Whole };
+        let mut system = System { unknowns, coupled, problem, linearisation, preconditioner, response };
+        let steps = gmres.solve(&mut system, residual, tolerance, step)?.steps;
+        unknowns.change(coupled, problem, linearisation, step, response)?;
         Ok(Some(steps))
     }
 
@@ -173,10 +153,6 @@ impl Workspace {
         }
         (sum / weight).sqrt()
     }
-}
-
-fn norm(x: &[f32]) -> f64 {
-    x.iter().map(|x| f64::from(*x).powi(2)).sum::<f64>().sqrt()
 }
 
 /// The linearised equations as GMRES sees them.

@@ -163,16 +163,14 @@ impl Unknowns {
         self.weights.extend(self.balanced.iter().map(|&k| 1.0 / size(k as usize)));
     }
 
-    /// What the equations lack at `state` under the prescribed changes and those of the vector `x`, which all
-    /// nodes then have; one convolution, none where nothing changes.
-    pub(super) fn residual(
+    /// Changes of all nodes under those that their sides prescribe and those of the vector `x`.
+    pub(super) fn change(
         &mut self,
         coupled: &mut Coupled,
         problem: &mut LubricatedContact<'_>,
         linearisation: &mut Linearisation,
-        state: &ContactState,
         x: &[f32],
-        out: &mut [f32],
+        response: Response,
     ) -> Result<(), InputError> {
         self.place(x);
         for (k, [total, fluid]) in &self.pinned {
@@ -181,12 +179,25 @@ impl Unknowns {
                 self.fluid[*k as usize] = (fluid / self.pressure_unit) as f32;
             }
         }
-        if self.pinned.is_empty() && x.iter().all(|x| *x == 0.0) {
+        self.respond(coupled, problem, linearisation, x, response)
+    }
+
+    /// What the equations lack at `state` under the changes that the sides of nodes prescribe; one convolution,
+    /// none where nothing changes.
+    pub(super) fn residual(
+        &mut self,
+        coupled: &mut Coupled,
+        problem: &mut LubricatedContact<'_>,
+        linearisation: &mut Linearisation,
+        state: &ContactState,
+        out: &mut [f32],
+    ) -> Result<(), InputError> {
+        if self.pinned.is_empty() {
             self.elastic.fill(0.0);
-            self.film.fill(0.0);
             self.balance.fill(0.0);
         } else {
-            self.respond(coupled, problem, linearisation, x, Response::Whole)?;
+            out.fill(0.0);
+            self.change(coupled, problem, linearisation, out, Response::Whole)?;
         }
         let changes = self.pinned.iter().map(|(_, [change, _])| change).sum::<f64>();
         let carried = (state.pressure.iter().sum::<f64>() + changes) / self.pressure_unit * self.cell_load;
@@ -200,7 +211,7 @@ impl Unknowns {
             let present = (coupled.elastic_film[k as usize] - contact_film) / self.film_unit;
             *row = -((self.elastic[k as usize] / self.film_unit + present) as f32);
         }
-        rest[self.contact.len()] = (1.0 - carried - self.load(x)) as f32;
+        rest[self.contact.len()] = (1.0 - carried) as f32;
         Ok(())
     }
 
