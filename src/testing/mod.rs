@@ -62,10 +62,12 @@ struct Contract {
 }
 
 impl Contract {
+    /// For the implementation that `subject` prints as.
     fn of(subject: &(impl Debug + ?Sized)) -> Self {
         Self { subject: format!("{subject:?}") }
     }
 
+    /// The violation of `clause` unless it `holds`; `finding` is only asked for then.
     fn require(
         &self,
         holds: bool,
@@ -75,6 +77,7 @@ impl Contract {
         if holds { Ok(()) } else { Err(self.broken(clause, finding())) }
     }
 
+    /// The violation of `clause`.
     fn broken(&self, clause: &'static str, finding: String) -> Violation {
         Violation { subject: self.subject.clone(), clause, finding }
     }

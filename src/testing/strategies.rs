@@ -1,4 +1,8 @@
 //! Random scenes and pressures for proptest.
+//!
+//! [`scenes`] draws what a user may mean, [`absurd_scenes`] what no user means: the first are for properties
+//! of solutions, the second for the promise that nothing panics and every error names its field. A new key of
+//! scenes that can be wrong belongs into `distort`, with [`CHANGES`] raised by one.
 
 use proptest::prelude::*;
 
@@ -33,6 +37,8 @@ fn decades(low: f64, high: f64) -> impl Strategy<Value = f64> {
     (low.ln()..high.ln()).prop_map(f64::exp)
 }
 
+/// Balls, ellipsoids and cylinders of 1 mm to 0.1 m; ellipsoids have radii in ratios of 0.2 to 5.
+/// wide as long.
 fn forms() -> impl Strategy<Value = Form> {
     prop_oneof![
         4 => decades(1e-3, 0.1).prop_map(|radius| Form::Sphere { radius }),
@@ -42,6 +48,7 @@ fn forms() -> impl Strategy<Value = Form> {
     ]
 }
 
+/// None, or random heights of 1 to 500 nm Rq with correlation lengths of 5 to 50 um.
 fn roughness() -> impl Strategy<Value = Roughness> {
     let random = |autocorrelation| {
         (decades(1e-9, 5e-7), decades(5e-6, 5e-5), decades(5e-6, 5e-5), any::<u64>()).prop_map(
@@ -57,6 +64,8 @@ fn roughness() -> impl Strategy<Value = Roughness> {
     ]
 }
 
+/// No oil in a quarter of all scenes, else Roelands oils of 1 mPa s to 0.5 Pa s with the density of Dowson
+/// and Higginson; half of them give `alpha` in place of the index.
 fn lubricants() -> impl Strategy<Value = Option<LubricantSpec>> {
     let oil =
         (decades(1e-3, 0.5), 0.3..0.8, any::<bool>()).prop_map(|(eta0, roelands_z, given)| LubricantSpec {
@@ -76,6 +85,7 @@ fn lubricants() -> impl Strategy<Value = Option<LubricantSpec>> {
     prop::option::weighted(0.75, oil)
 }
 
+/// Grids of 8 to 31 cells a side, or a row of 5 to 199, in boxes of 0.2 to 2 mm.
 fn grids() -> impl Strategy<Value = GridSpec> {
     let half = || decades(1e-4, 1e-3);
     prop_oneof![
@@ -85,6 +95,7 @@ fn grids() -> impl Strategy<Value = GridSpec> {
     ]
 }
 
+/// All solvers, the automatic choice in six of ten, to tolerances of 1e-6 to 1e-2 in at most 500 iterations.
 fn solvers() -> impl Strategy<Value = SolverSpec> {
     let kinds = prop_oneof![
         6 => Just(SolverKind::Auto),
@@ -105,6 +116,7 @@ fn solvers() -> impl Strategy<Value = SolverSpec> {
     )
 }
 
+/// Plasticity, tribofilm and wear, each present or not, and temperatures of 250 to 500 K.
 fn processes()
 -> impl Strategy<Value = (Option<PlasticSpec>, Option<TribofilmSpec>, Option<WearSpec>, ThermalSpec)> {
     let plastic =
@@ -218,6 +230,8 @@ pub fn pressures(grid: &Grid) -> impl Strategy<Value = Vec<f64>> + use<> {
 /// Kinds of changes that [`distort`] knows.
 const CHANGES: usize = 44;
 
+/// Puts `value` where number `change` (below [`CHANGES`]) says; sizes of grids take what is left of it as a
+/// small whole number.
 fn distort(scene: &mut Scene, change: usize, value: f64) {
     let small = |value: f64| value.abs().min(3.0) as usize;
     let lubricant = |scene: &mut Scene, set: fn(&mut LubricantSpec, f64), value: f64| {
