@@ -39,9 +39,13 @@ const FILM_OVER_CONTACT: f64 = 10.0;
 /// the answer, else [`SemiSystem`] starts from the state that was given.
 #[derive(Debug, Clone)]
 pub struct Auto {
+    /// For problems without a lubricant.
     dry: Dry,
+    /// For smooth full films; hands over what is slow.
     multigrid: Multigrid,
+    /// For all other lubricated problems.
     newton: NewtonKrylov,
+    /// For the paper's contact, and for what Newton's method leaves where nothing touches.
     sweeps: SemiSystem,
     /// State to go back to where a solver has made nothing of it.
     kept: Option<ContactState>,

@@ -68,6 +68,8 @@ impl DryStart {
         sum / n.max(1) as f64
     }
 
+    /// Solves the dry problem and writes pressures and approach; from a Hertzian pressure where `state` has
+    /// none.
     fn solve(
         &mut self,
         problem: &mut LubricatedContact<'_>,

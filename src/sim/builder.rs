@@ -3,6 +3,9 @@
 //! Every law of the scene can be replaced before [`build`](SimBuilder::build) or
 //! [`solve`](SimBuilder::solve), which check all of it: nothing is made before. Replaced parts make a run
 //! another one for checkpoints, which compare them by what `Debug` prints.
+//!
+//! [`SimBuilder::build`] makes a history, [`SimBuilder::solve`] a single contact. Parts are kept as given and
+//! shared by clones of the simulation, but for elastic bodies and solver, which are copied.
 
 use std::sync::Arc;
 
@@ -40,9 +43,13 @@ pub struct SimBuilder {
     pub(super) overrides: Overrides,
     /// Laws that were given; none for those of the scene.
     pub(super) plasticity: Option<Arc<dyn PlasticityModel>>,
+    /// Growth of the tribofilm.
     pub(super) growth: Option<Arc<dyn FilmGrowthLaw>>,
+    /// Wear of both bodies.
     pub(super) wear: Option<Arc<dyn WearLaw>>,
+    /// Friction of solid contact.
     pub(super) friction: Option<Arc<dyn BoundaryFriction>>,
+    /// Motion of the roughness from step to step.
     pub(super) motion: Option<Arc<dyn RoughnessMotion>>,
     /// Whether contacts feel the squeeze of those before.
     squeeze: bool,

@@ -38,7 +38,6 @@ fn decades(low: f64, high: f64) -> impl Strategy<Value = f64> {
 }
 
 /// Balls, ellipsoids and cylinders of 1 mm to 0.1 m; ellipsoids have radii in ratios of 0.2 to 5.
-/// wide as long.
 fn forms() -> impl Strategy<Value = Form> {
     prop_oneof![
         4 => decades(1e-3, 0.1).prop_map(|radius| Form::Sphere { radius }),

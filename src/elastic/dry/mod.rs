@@ -2,6 +2,15 @@
 //!
 //! The minimum of the energy `1/2 p K p + gap p` under a load, pressures between zero and the limit. It is
 //! unique where `K` is positive definite.
+//!
+//! In words: where bodies touch below the limit the gap is closed, where they do not touch there is no
+//! pressure, and where the limit is reached the bodies overlap, which is what has been flattened. A pressure
+//! that is not quite the solution has more energy than the minimum; `energy_error` bounds by how much.
+//!
+//! `sides` sorts the nodes by the condition that they fulfil, `relax` closes the gaps of the free ones for a
+//! fixed sorting, and `coarser` starts from the contact on half of the cells. The room rests on
+//! [`DeformationModel`] alone: any model that implements it will do. [`reynolds::Dry`](crate::reynolds::Dry)
+//! is this solver under the trait of contact solvers.
 
 mod coarser;
 mod relax;
@@ -48,12 +57,15 @@ impl DryProblem<'_> {
 
 /// What a solve is asked for.
 struct Task<'a> {
+    /// What is to be solved.
     problem: &'a DryProblem<'a>,
     /// Sum of the pressures \[Pa\].
     target: f64,
     /// What gaps are counted from \[m\].
     datum: f64,
+    /// Gap error to stop at.
     tolerance: f64,
+    /// Passes at most.
     max_passes: u64,
 }
 
@@ -172,6 +184,7 @@ impl DrySolver {
         Ok(outcome)
     }
 
+    /// Refuses slices that do not fit `grid`, the first by name.
     fn check(&self, problem: &DryProblem<'_>, pressure: &[f64], grid: &Grid) -> Result<(), InputError> {
         for (field, len) in [
             ("gap", problem.gap.len()),

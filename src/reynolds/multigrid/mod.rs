@@ -1,4 +1,14 @@
 //! Full multigrid for smooth full films: the full approximation scheme on a hierarchy of grids.
+//!
+//! A smooth error is cheap to remove on a coarse grid, a rough one by sweeps on the fine grid; with both, a
+//! cycle leaves a fixed share of any error, whatever the number of nodes. In full approximation every grid
+//! solves for pressures, not for corrections, so that complementarity (no pressure below zero) holds on each.
+//!
+//! This file is the solver as others see it, and its loop: a cycle, a look at the residuals of the unreduced
+//! problem, an end. What a grid holds is `level`, how it is swept `relax`, how fields pass between two grids
+//! `transfer`, in which order `cycle`, what a solve begins with `start`; `acceleration` combines cycles. It
+//! rests on the discretisation of `flow`, the same as that of the other solvers: a converged state is theirs
+//! too, to the tolerance.
 
 mod acceleration;
 mod cycle;
@@ -27,6 +37,7 @@ const GAIN: f64 = 0.8;
 /// Share of a residual left by a cycle above which relaxation becomes more careful, from the cycle
 /// [`SETTLED`] on.
 const SLOW: f64 = 0.6;
+/// First cycle that is judged by [`SLOW`].
 const SETTLED: u64 = 3;
 /// Cycles over which the rate of convergence is taken.
 const RATE_CYCLES: usize = 3;
@@ -40,6 +51,7 @@ const ROUGHNESS: f64 = 0.1;
 const LIMIT_OVER_REFERENCE: f64 = 1.2;
 /// Nodes along each axis below which there is nothing to coarsen.
 const SMALLEST_GRID: usize = 32;
+/// Why a model without coarser grids is refused.
 const ONE_GRID: &str = "the deformation model lives on one grid alone";
 
 /// Full multigrid in the manner of Lubrecht, Venner and Brandt: W cycles of the full approximation scheme,
@@ -61,6 +73,7 @@ const ONE_GRID: &str = "the deformation model lives on one grid alone";
 pub struct Multigrid {
     /// Where another solver takes over.
     hand_over: Option<HandOver>,
+    /// Buffers, made at the first solve on a grid.
     workspace: Option<Box<Workspace>>,
 }
 
@@ -68,15 +81,22 @@ pub struct Multigrid {
 /// foreseen.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HandOver {
+    /// Cycles that may be foreseen.
     pub(super) cycles: u64,
+    /// Residual from which foresight counts.
     pub(super) residual: f64,
 }
 
+/// What a solve writes to, kept from solve to solve.
 #[derive(Debug)]
 struct Workspace {
+    /// Grids with their fields.
     hierarchy: Hierarchy,
+    /// What is known of the last cycle.
     acceleration: Acceleration,
+    /// Films, balances and residuals on the finest grid, as all solvers have them.
     coupled: Coupled,
+    /// State of the lowest residual.
     best: ContactState,
     /// Residuals of the start and after each cycle.
     history: Vec<Residuals>,
@@ -123,10 +143,12 @@ impl Multigrid {
         problem.lubricant.ok_or_else(|| self.wrong("the problem has no lubricant"))
     }
 
+    /// The error of a problem that is not for this solver.
     fn wrong(&self, reason: &'static str) -> ReynoldsError {
         ReynoldsError::WrongSolver { solver: self.id(), reason }
     }
 
+    /// The kept workspace where it is of this body, else a new one.
     fn workspace(
         &mut self,
         problem: &LubricatedContact<'_>,
@@ -221,6 +243,9 @@ fn is_smooth(problem: &LubricatedContact<'_>, grid: &Grid) -> bool {
 }
 
 impl Workspace {
+    /// Cycles until one of the ends of a solve; leaves the best state in `state`, evaluated, and returns its
+    /// status and residuals. Sweeps become careful where a settled cycle leaves more than [`SLOW`] of the
+    /// residual.
     fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -333,6 +358,7 @@ fn touches(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
     state.film.iter().zip(&state.pressure).any(|(h, p)| *p > 0.0 && *h < contact_film)
 }
 
+/// Whether no pressure exceeds its limit.
 fn within_limit(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
     state.pressure.iter().enumerate().all(|(k, p)| *p <= limit_of(problem, k))
 }

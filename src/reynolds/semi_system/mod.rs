@@ -90,6 +90,7 @@ impl SemiSystem {
         Ok(Self::with(Damping { relaxation, stiffness }))
     }
 
+    /// A solver with this damping, which is in range.
     fn with(damping: Damping) -> Self {
         let settings = NewtonSettings::by_lines(RELAXATIONS);
         let relaxed = NewtonKrylov::by(|grid| Box::new(LineRelaxation::new(grid)), settings);

@@ -58,6 +58,7 @@ with_fields!(LayerSpec {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ElasticTable {
+    /// `E'` \[Pa\].
     equivalent_modulus: Option<f64>,
     layer: Option<LayerSpec>,
 }
@@ -78,6 +79,7 @@ impl TryFrom<ElasticTable> for Elastic {
     }
 }
 
+/// Whether the materials give the modulus: then it is not written.
 #[cfg(feature = "serde")]
 fn is_infinite(modulus: &f64) -> bool {
     *modulus == f64::INFINITY
@@ -89,6 +91,7 @@ impl Elastic {
         Self { equivalent_modulus, layer: None }
     }
 
+    /// Whether the table need not be written.
     #[cfg(feature = "serde")]
     pub(super) fn is_absent(&self) -> bool {
         *self == Self::default()

@@ -139,6 +139,7 @@ keyed! {
     }
 }
 
+/// What `law` says.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize, Clone, Copy)]
 #[serde(rename_all = "snake_case")]
@@ -147,9 +148,11 @@ enum LawName {
     FrictionalEnergy,
 }
 
+/// Keys of `law = "archard"`.
 #[cfg(feature = "serde")]
 const ARCHARD: [&str; 5] =
     ["coefficient", "film_coefficient", "hardness", "film_hardness", "solid_pressure_only"];
+/// Keys of `law = "frictional_energy"`.
 #[cfg(feature = "serde")]
 const FRICTIONAL_ENERGY: [&str; 2] = ["volume_per_energy", "film_volume_per_energy"];
 
