@@ -1,10 +1,10 @@
 //! The split of friction heat that gives both bodies one temperature in the contact.
 //!
-//! With the rises `T_1 = C_1 q_1` and `T_2 = C_2 q_2` of both surfaces under the fluxes into them, `q_1 + q_2
-//! = q`, equal temperatures at heated nodes ask for `(C_1 + C_2) q_1 = C_2 q`, or with a layer between the
-//! bodies of resistance `R` for `(C_1 + C_2 + R) q_1 = C_2 q` plus what the layer adds. The operator is not
-//! symmetric, as moving bodies carry heat downstream: hence generalised conjugate residuals and not conjugate
-//! gradients.
+//! With the rises `T_1 = C_1 q_1` and `T_2 = C_2 q_2` of both surfaces under the fluxes into them,
+//! `q_1 + q_2 = q`, equal temperatures at heated nodes ask for `(C_1 + C_2) q_1 = C_2 q`. A layer between the
+//! bodies of resistance `R`, in whose middle the heat is made, makes it `(C_1 + C_2 + R) q_1 = (C_2 + R/2) q`.
+//! The operator is not symmetric, as moving bodies carry heat downstream: hence generalised conjugate
+//! residuals and not conjugate gradients.
 
 use crate::numerics::{Convolution, add_scaled, dot};
 

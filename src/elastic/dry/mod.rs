@@ -110,6 +110,26 @@ pub struct DryOutcome {
 /// gaps that decide are of [`DeformationModel::displacement`]. A start whose gap error exceeds 2 % is solved
 /// to 0.1 % on half the cells first, where the model lives on other grids ([`DeformationModel::on_grid`]),
 /// down to 16 cells.
+///
+/// # Examples
+///
+/// A ball that is pressed until its middle yields:
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::elastic::{DryProblem, DrySolver, HalfSpace};
+/// let grid = Grid::centred(48, 48, 1e-5, 1e-5)?;
+/// let gap: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / 0.02).collect();
+/// let (limit, excluded) = (vec![0.8e9; grid.len()], vec![false; grid.len()]);
+/// let problem = DryProblem { gap: &gap, load: 30.0, limit: Some(&limit), excluded: &excluded };
+/// let mut pressure = vec![0.0; grid.len()];
+/// let mut body = HalfSpace::new(grid, 230e9)?;
+/// let outcome = DrySolver::new(grid.len()).solve(&problem, &mut body, &mut pressure, 1e-6, 500)?;
+/// assert!(outcome.converged && outcome.energy_error < 1e-3);
+/// assert_eq!(pressure.iter().copied().fold(0.0, f64::max), 0.8e9);
+/// assert!((pressure.iter().sum::<f64>() * grid.cell_area() / 30.0 - 1.0).abs() < 1e-9);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug)]
 pub struct DrySolver {
     /// Which condition holds at each node.

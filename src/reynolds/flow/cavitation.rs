@@ -1,4 +1,8 @@
 //! What becomes of fluid that cannot fill its gap.
+//!
+//! The two conditions differ behind the contact, where films rupture, and in front of it where the inlet is
+//! starved. Solvers ask [`Cavitation`] in `Discretisation` alone; multigrid's cycles always work with
+//! Reynolds' condition.
 
 use crate::error::{InputError, legible};
 

@@ -69,6 +69,23 @@ const ONE_GRID: &str = "the deformation model lives on one grid alone";
 /// coarser grids ([`DeformationModel::on_grid`](crate::elastic::DeformationModel::on_grid)).
 ///
 /// Source: Venner, C. H. and Lubrecht, A. A. (2000), Multilevel Methods in Lubrication, Elsevier.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::SolverId;
+/// use stribeck::sim::scene::{Load, Motion, Roughness, SolverKind};
+/// use stribeck::sim::{Scene, solve_contact};
+/// let mut scene = Scene::azam_2019(64);
+/// (scene.roughness.ball, scene.roughness.disc) = (Roughness::None, Roughness::None);
+/// (scene.load, scene.motion) = (Load::hertz_pressure(0.5e9), Motion::new(5.0, 0.0));
+/// scene.solver.kind = SolverKind::Multigrid;
+/// let solution = solve_contact(&scene)?;
+/// assert_eq!(solution.report.solver, SolverId::Multigrid);
+/// solution.report.require_converged().map_err(|error| error.to_string())?;
+/// assert!(solution.film.minimum > 0.0 && solution.film.minimum < solution.film.central);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Default)]
 pub struct Multigrid {
     /// Where another solver takes over.

@@ -57,12 +57,12 @@ keyed! {
         layout: Layout,
         /// Which way grooves run.
         direction: GrooveDirection,
+        /// Seed of random heights or positions.
         #[serde(
             default,
             deserialize_with = "seed::optional",
             serialize_with = "seed::serialize_optional"
         )]
-        /// Seed of random heights or positions.
         seed: u64,
         /// File of heights.
         path: PathBuf,
