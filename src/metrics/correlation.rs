@@ -23,6 +23,23 @@ pub struct AreaCorrelation {
 }
 
 /// Spatial parameters.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::metrics::AreaCorrelation;
+/// use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
+/// use stribeck::{Boundary, Grid};
+/// let grid = Grid::centred(128, 128, 2e-6, 2e-6)?;
+/// let (autocorrelation, rq) = (Autocorrelation::Gaussian, 1e-7);
+/// let spec = RoughnessSpec { autocorrelation, rq, length_x: 40e-6, length_y: 8e-6, seed: 2 };
+/// let correlation = AreaCorrelation::new(&grid, &generate(&grid, &spec)?, None, Boundary::Periodic)?;
+/// let spatial = correlation.spatial(0.2)?;
+/// // The shortest length is that across the lay.
+/// assert!(spatial.sal.is_some_and(|length| (4e-6..10e-6).contains(&length)));
+/// assert!(spatial.str.is_none_or(|ratio| ratio < 0.5));
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SpatialParameters {

@@ -35,6 +35,20 @@ use crate::tribochem::FilmGrowthLaw;
 use crate::wear::WearLaw;
 
 /// Builder of a [`MixedLubricationSim`].
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// use stribeck::wear::Archard;
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16))
+///     .wear_law(Archard::azam_2019()) // one law for both bodies
+///     .disc_heights(vec![0.0; 16 * 16]) // a smooth disc under the rough ball of the scene
+///     .build()?;
+/// assert_eq!(sim.bodies()[1].surface(), [0.0; 16 * 16]);
+/// assert!(sim.step(10.0)?.mean_wear[1] > 0.0);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug)]
 pub struct SimBuilder {
     /// The scene, which what follows takes precedence over.

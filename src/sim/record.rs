@@ -14,6 +14,22 @@ const OTHER: SolverId = SolverId::Custom("other");
 /// The numbers of one committed step; all SI. Those of the contact (roughness, film, pressures, friction,
 /// heat) are of one instant, the start of the step, under the conditions that held then: the contact of the
 /// first record is that of time zero. Wear, tribofilm and flattened volume are those at its end.
+///
+/// # Examples
+///
+/// A line of `history.csv` is the record again, but for what the line does not hold:
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene, StepRecord};
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
+/// let record = sim.step(10.0)?;
+/// let mut line = Vec::new();
+/// record.write_csv(&mut line)?;
+/// let read = StepRecord::from_csv(String::from_utf8(line)?.trim_end())?;
+/// assert_eq!((read.time, read.max_wear), (record.time, record.max_wear));
+/// assert!(read.report.residual_history.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct StepRecord {

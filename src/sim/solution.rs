@@ -17,6 +17,20 @@ use crate::reynolds::{
 };
 
 /// The solution of one contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let solution = solve_contact(&Scene::azam_2019(32))?;
+/// let (contact, film) = (&solution.contact, &solution.film);
+/// assert!(contact.max_pressure > solution.hertz.p_max); // the surfaces are rough
+/// assert!((0.0..=1.0).contains(&contact.load_ratio) && film.minimum >= 0.9e-9);
+/// let friction = solution.friction_boundary + solution.friction_fluid;
+/// assert!((friction - solution.friction_coefficient).abs() < 1e-12);
+/// assert_eq!(solution.fields()[0].1.len(), 32 * 32);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct ContactSolution {
     /// How the solve ended, residuals and work.

@@ -45,6 +45,18 @@ impl Autocorrelation {
 }
 
 /// A random rough surface with normally distributed heights.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::surface::{Autocorrelation, RoughnessSpec};
+/// let (autocorrelation, rq) = (Autocorrelation::Gaussian, 1e-7);
+/// let spec = RoughnessSpec { autocorrelation, rq, length_x: 2e-5, length_y: 1e-3, seed: 1 };
+/// let error = spec.validate(&Grid::centred(64, 64, 1e-6, 1e-6)?).unwrap_err();
+/// assert!(error.to_string().starts_with("roughness.length_y"));
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoughnessSpec {
     /// Shape of the autocorrelation function.

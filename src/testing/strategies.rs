@@ -151,6 +151,17 @@ fn processes()
 
 /// Scenes of every kind with values in their ranges on small grids, from dry to full film. Not all fit their
 /// box: some are refused, and some do not converge.
+///
+/// # Examples
+///
+/// ```
+/// use proptest::strategy::{Strategy, ValueTree};
+/// use proptest::test_runner::TestRunner;
+/// let mut runner = TestRunner::deterministic();
+/// let scene = stribeck::testing::scenes().new_tree(&mut runner)?.current();
+/// assert!(scene.hertz().is_ok() && scene.grid().is_ok());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn scenes() -> impl Strategy<Value = Scene> {
     let load = prop_oneof![
         3 => decades(1e8, 3e9).prop_map(Load::hertz_pressure),
@@ -204,6 +215,23 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
 /// Scenes of [`scenes`] of which up to three values are absurd: zero, negative, huge, tiny or no number,
 /// boxes beside the contact, grids of one or two nodes, a hardness that cannot carry the load, an accuracy
 /// that cannot be reached.
+///
+/// # Examples
+///
+/// ```
+/// use proptest::strategy::{Strategy, ValueTree};
+/// use proptest::test_runner::TestRunner;
+/// use stribeck::sim::MixedLubricationSim;
+/// let mut runner = TestRunner::deterministic();
+/// for _ in 0..20 {
+///     let scene = stribeck::testing::absurd_scenes().new_tree(&mut runner)?.current();
+///     // Refused or not: it neither panics nor solves anything.
+///     if let Err(error) = MixedLubricationSim::builder(scene).check() {
+///         assert!(!error.to_string().is_empty());
+///     }
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn absurd_scenes() -> impl Strategy<Value = Scene> {
     let values = prop_oneof![prop::sample::select(&ABSURD[..]), any::<f64>(), decades(1e-12, 1e12)];
     let changes = prop::collection::vec((0_usize..CHANGES, values), 0..4);
@@ -221,6 +249,17 @@ pub fn absurd_scenes() -> impl Strategy<Value = Scene> {
 }
 
 /// Fields of `grid` from no pressure to that of a loaded contact \[Pa\], never negative.
+///
+/// # Examples
+///
+/// ```
+/// use proptest::strategy::{Strategy, ValueTree};
+/// use proptest::test_runner::TestRunner;
+/// let grid = stribeck::Grid::centred(8, 4, 1e-6, 1e-6)?;
+/// let field = stribeck::testing::pressures(&grid).new_tree(&mut TestRunner::deterministic())?.current();
+/// assert!(field.len() == 32 && field.iter().all(|p| *p >= 0.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn pressures(grid: &Grid) -> impl Strategy<Value = Vec<f64>> + use<> {
     let node = prop_oneof![1 => Just(0.0), 2 => decades(1e3, 5e9)];
     prop::collection::vec(node, grid.len())

@@ -85,21 +85,33 @@ impl HeatBalance {
 /// flow across x carries, and that layers of the film move at speeds of their own.
 #[derive(Debug, Clone)]
 pub struct FilmTemperature {
+    /// The grid of the contact.
     grid: Grid,
+    /// Thermal properties of the fluid.
     properties: FilmThermal,
+    /// What solves a section.
     solver: SectionSolver,
+    /// What heats the surfaces.
     flash: FlashTemperature,
+    /// Mean temperature across the film \[K\].
     mean: Vec<f64>,
+    /// Shear stress of the fluid \[Pa\].
     stress: Vec<f64>,
+    /// Viscosity for the flow over that of the law at the bulk temperature.
     ratios: Vec<f64>,
     /// Rises of the surfaces \[K\].
     rises: [Vec<f64>; 2],
+    /// Those of the pass under way \[K\].
     new_rises: [Vec<f64>; 2],
-    /// Heat that leaves the film, and with that of solid friction.
+    /// Heat that leaves the film \[W/m^2\].
     conducted: Vec<f64>,
+    /// Heat that goes into the surfaces: that of the film and that of solid friction \[W/m^2\].
     heat: Vec<f64>,
+    /// Resistance of the film to heat \[K m^2/W\].
     resistance: Vec<f64>,
+    /// Heat of the flow by pressure \[W/m^2\].
     pressure_heat: Vec<f64>,
+    /// Heat of compression \[W/m^2\].
     compression: Vec<f64>,
     /// Flow through the section along x \[m^2/s\].
     through: Vec<f64>,

@@ -20,6 +20,21 @@ pub struct Elastic {
 }
 
 /// A layer that is bonded to the disc, the substrate.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// use stribeck::sim::scene::LayerSpec;
+/// let mut scene = Scene::azam_2019(32);
+/// let coating = LayerSpec::new(2e-6, 300e9, 0.25);
+/// scene.elastic.layer = Some(coating); // the substrate is not known yet
+/// assert!(scene.layer().is_err());
+/// scene.elastic.layer =
+///     Some(coating.with_substrate_modulus(Some(210e9)).with_substrate_poisson(Some(0.3)));
+/// assert_eq!(scene.layer()?.map(|layer| layer.thickness()), Some(2e-6));
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[non_exhaustive]

@@ -24,6 +24,15 @@ pub struct Materials {
 }
 
 /// Properties of one body; what is absent is that of the pair.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::{Material, NamedMaterial};
+/// let steel = Material::default().with_material(Some(NamedMaterial::Steel));
+/// assert_eq!((steel.young_modulus(), steel.poisson()), (Some(206e9), Some(0.3)));
+/// assert_eq!(steel.with_modulus(Some(210e9)).young_modulus(), Some(210e9)); // its own comes first
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(
     feature = "serde",

@@ -31,7 +31,7 @@ keyed! {
         hurst: f64,
         /// Wavelength above which its spectrum is flat \[m\].
         roll_off: f64,
-        /// Longest wavelength \[m\]; without it there is no bound.
+        /// Longest wavelength \[m\]; without it that of the grid.
         longest: f64,
         /// Shortest wavelength \[m\]; without it the one of the grid.
         shortest: f64,

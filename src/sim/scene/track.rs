@@ -4,6 +4,20 @@ use crate::error::InputError;
 use crate::surface::{AlongTrack, AtRest, Carried, RandomShift, RoughnessMotion};
 
 /// Motion of the roughness and exposure of the track in a history.
+///
+/// # Examples
+///
+/// A disc whose roughness is met at random in both directions, a fresh place at each solve:
+///
+/// ```
+/// use stribeck::sim::scene::TrackMotion;
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let mut scene = Scene::azam_2019(16);
+/// (scene.track.motion, scene.track.seed) = (TrackMotion::Random, 7);
+/// let sim = MixedLubricationSim::builder(scene).build()?;
+/// assert!(format!("{:?}", sim.motion()).contains('7'));
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(
     feature = "serde",

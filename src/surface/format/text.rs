@@ -1,4 +1,9 @@
 //! Heights as delimited text, with or without a header that gives sizes and units.
+//!
+//! A file is lines of numbers, one row each, behind lines of a header whose keys several programs spell in
+//! their own ways. What is read of a header is in [`Header::take`]: a new spelling is a word there. Sizes
+//! give spacings by the number of points; a unit beside a number wins over the unit of its axis, that over
+//! the one for all.
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -27,15 +32,21 @@ pub(super) fn parse_height(token: &str) -> Option<Option<f64>> {
 /// What the header says, as far as it is understood.
 #[derive(Default)]
 struct Header {
+    /// Points along x.
     nx: Option<usize>,
+    /// Points along y.
     ny: Option<usize>,
     /// Sizes and spacings with the unit that stands beside them.
     size: [Option<(f64, String)>; 2],
+    /// Distance of the points along x and y.
     spacing: [Option<(f64, String)>; 2],
+    /// Units of the axes.
     lateral_unit: [String; 2],
+    /// Unit of the heights.
     height_unit: String,
     /// The one for both.
     unit: String,
+    /// Heights in their unit per stored number.
     height_factor: Option<f64>,
     /// Heights to nanometres, of files without a height unit.
     nanometres: Option<f64>,
