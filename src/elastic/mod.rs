@@ -60,7 +60,7 @@ use crate::grid::Grid;
 /// let mut springs = Springs { grid: Grid::centred(4, 1, 1e-6, 1.0)?, compliance: 1e-15 };
 /// let mut out = [0.0; 4];
 /// springs.displacement(&[0.0, 1e9, 0.0, 0.0], &mut out)?;
-/// assert_eq!(out, [0.0, 1e-6, 0.0, 0.0]);
+/// assert!((out[1] - 1e-6).abs() < 1e-20 && out[0] == 0.0);
 /// # Ok::<(), InputError>(())
 /// ```
 pub trait DeformationModel: Debug + Send + Sync {

@@ -17,6 +17,7 @@ use crate::numerics::Fft2;
 pub struct AreaCorrelation {
     /// Largest lag along each axis, in nodes.
     reach: [usize; 2],
+    /// Distance of the nodes along x and y \[m\].
     spacing: [f64; 2],
     /// Lag `(i, j)`, from minus to plus the reach, at `(j + reach_y) * (2 reach_x + 1) + i + reach_x`.
     values: Vec<f64>,
@@ -129,6 +130,7 @@ impl AreaCorrelation {
         fits.then(|| self.values[self.index(i, j)])
     }
 
+    /// Place of a lag in the values.
     fn index(&self, i: isize, j: isize) -> usize {
         let (rx, ry) = (self.reach[0] as isize, self.reach[1] as isize);
         ((j + ry) * (2 * rx + 1) + i + rx) as usize

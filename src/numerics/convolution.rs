@@ -54,13 +54,21 @@ impl Precision for f32 {
 /// What is fixed by grid and kernel: transforms and the spectrum of the kernel. Shared by `Arc`.
 #[derive(Clone)]
 pub(crate) struct ConvolutionPlan<T: Precision = f64> {
+    /// Columns of a field.
     nx: usize,
+    /// Rows of a field.
     ny: usize,
+    /// Values of a padded row, `px`.
     padded_x: usize,
+    /// Values of a padded column, `py`.
     padded_y: usize,
+    /// Real rows to half a spectrum.
     rows_forward: Arc<dyn RealToComplex<T>>,
+    /// Half a spectrum to real rows.
     rows_inverse: Arc<dyn ComplexToReal<T>>,
+    /// Columns to their spectrum.
     columns_forward: Arc<dyn Fft<T>>,
+    /// And back.
     columns_inverse: Arc<dyn Fft<T>>,
     /// Spectrum of the kernel with the normalisation of the inverse folded in.
     spectrum: Spectrum<T>,
@@ -277,7 +285,9 @@ impl<T: Precision> ConvolutionPlan<T> {
 
 /// A plan with buffers of its own; cloning shares the plan.
 pub(crate) struct Convolution<T: Precision = f64> {
+    /// Transforms and kernel.
     plan: Arc<ConvolutionPlan<T>>,
+    /// What it writes to.
     work: Buffers<T>,
 }
 

@@ -8,6 +8,19 @@ use crate::lubricant::Lubricant;
 use crate::with_fields::with_fields;
 
 /// What solid contact is in a lubricated contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::reynolds::ContactDefinition;
+/// use stribeck::sim::{Scene, solve_contact};
+/// let scene = Scene::azam_2019(32);
+/// assert_eq!(scene.solver.contact, ContactDefinition::Hard);
+/// let solution = solve_contact(&scene)?;
+/// // Solids hold the film at the cut-off.
+/// assert!(solution.film.minimum_gap > 0.9 * scene.solver.film_cutoff);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]

@@ -95,9 +95,12 @@ struct BodyPart<'a> {
     film: Option<FilmPart<'a>>,
 }
 
+/// What is kept of a tribofilm.
 #[derive(Serialize, Deserialize)]
 struct FilmPart<'a> {
+    /// States of its law, node by node.
     states: Cow<'a, [f64]>,
+    /// Thicknesses that nodes have gained and lost in sum \[m\].
     changes: [f64; 2],
 }
 
@@ -135,6 +138,7 @@ impl<'a> BodyPart<'a> {
         }
     }
 
+    /// The body again, with the film of `law`; refuses fields that have not `n` finite values.
     fn into_body(self, law: Option<&dyn FilmGrowthLaw>, n: usize) -> Result<Body, InputError> {
         let mut body = Body::new(self.initial.into_owned(), None);
         body.wear = WearDepth::from_values(self.wear.into_owned())?;

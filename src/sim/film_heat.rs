@@ -30,6 +30,22 @@ const LARGEST: f64 = 30.0;
 const STEP: f64 = 0.5;
 
 /// Film temperature of a solved contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// use stribeck::thermal::FilmThermal;
+/// let mut scene = Scene::azam_2019(32);
+/// // A viscosity that knows temperature: 4 mPa s hold at 80 C.
+/// scene.lubricant = scene.lubricant.map(|oil| {
+///     let known = oil.with_temperature(Some(353.15)).with_roelands_s0(Some(1.1));
+///     known.with_thermal(Some(FilmThermal::default()))
+/// });
+/// let heat = solve_contact(&scene)?.film_heat.ok_or("not asked for")?;
+/// assert!(heat.maximum > 353.15 && heat.balance.imbalance() < 0.01);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct FilmHeatNumbers {

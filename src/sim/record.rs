@@ -1,4 +1,8 @@
 //! One row of a history.
+//!
+//! A new number is a field, a column at the end of the header and of a line, and a line in `docs/output.md`;
+//! where it gets its value is `MixedLubricationSim::record`. Records are read back to the last bit, which
+//! resuming rests on.
 
 use std::io::{self, Write};
 
@@ -280,10 +284,12 @@ impl StepRecord {
     }
 }
 
+/// The value of a cell, or the error that names its column.
 fn parsed<T: std::str::FromStr>(column: &str, cell: &str) -> Result<T, InputError> {
     cell.parse().map_err(|_| unreadable(column, cell))
 }
 
+/// That error.
 fn unreadable(column: &str, cell: &str) -> InputError {
     InputError::Conflict { field: column.to_owned(), reason: format!("`{cell}` is no value of this column") }
 }

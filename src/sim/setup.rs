@@ -264,6 +264,7 @@ fn viscosity_law(spec: &LubricantSpec, temperature: f64) -> Result<Box<dyn Visco
     })
 }
 
+/// The law of Roelands by its index or its slope.
 fn roelands(spec: &LubricantSpec) -> Result<Roelands, InputError> {
     match spec.alpha {
         None => Roelands::new(spec.eta0, spec.roelands_z, spec.roelands_p0),
@@ -295,6 +296,7 @@ pub(super) fn solver(scene: &Scene) -> Result<Box<dyn OwnedSolver>, InputError> 
     })
 }
 
+/// Tolerance and largest number of iterations.
 pub(super) fn stopping_rule(scene: &Scene) -> Result<StoppingRule, InputError> {
     let rule =
         StoppingRule { tolerance: scene.solver.tolerance, max_iterations: scene.solver.max_iterations };

@@ -251,6 +251,7 @@ pub(super) fn phase(value: Complex64) -> Complex64 {
 }
 
 impl RandomShape {
+    /// Checks shape, distribution and scale against `grid`.
     fn validate(&self, rq: f64, seed: u64, grid: &Grid) -> Result<(), InputError> {
         match *self {
             Self::Correlated { autocorrelation, length_x, length_y } => {
@@ -271,11 +272,13 @@ pub(super) fn cipher(seed: u64) -> ChaCha8Rng {
     ChaCha8Rng::from_seed(bytes)
 }
 
+/// Normal deviates in the order of the field.
 fn white_noise(count: usize, seed: u64) -> Vec<f64> {
     let mut generator = cipher(seed);
     (0..count).map(|_| StandardNormal.sample(&mut generator)).collect()
 }
 
+/// The error of a grid of a single node.
 fn too_few_nodes() -> InputError {
     InputError::Conflict {
         field: "roughness.rq".to_owned(),

@@ -54,6 +54,7 @@ pub enum Synthesis {
 }
 
 impl SelfAffine {
+    /// Checks the exponent and that the wavelengths are in order.
     pub(super) fn validate(&self) -> Result<(), InputError> {
         let Self { hurst, longest, roll_off, shortest, .. } = *self;
         let exists = hurst > 0.0 && hurst <= 1.0;

@@ -65,11 +65,15 @@ pub struct FlashTemperature {
     n_nodes: usize,
     /// Rise of each body under a heat flux into it \[K m^2/W\].
     bodies: [Convolution; 2],
+    /// Rise of both bodies together under one flux.
     sum: Convolution,
+    /// What splits the heat.
     solver: SplitSolver,
+    /// Rises of both surfaces \[K\].
     temperatures: [Vec<f64>; 2],
     /// Heat flux into the first body \[W/m^2\].
     share: Vec<f64>,
+    /// Flux into the second body \[W/m^2\].
     rest: Vec<f64>,
     /// Rise of both bodies together per flux into one cell, at its node \[K m^2/W\].
     own: f64,
@@ -192,6 +196,7 @@ impl FlashTemperature {
         self.solver.solve(&mut self.sum, (heat_flux, layer), second, &mut self.share, tolerance)
     }
 
+    /// Rises under the split, their mean into `out`, and how far they still differ.
     fn collect(&mut self, heat_flux: &[f64], out: &mut [f64], iterations: usize) -> FlashReport {
         for ((rest, flux), share) in self.rest.iter_mut().zip(heat_flux).zip(&self.share) {
             *rest = flux - share;

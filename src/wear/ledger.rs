@@ -17,9 +17,13 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct SurfaceLedger<'a> {
+    /// Heights at the start \[m\].
     initial: &'a [f64],
+    /// Worn depth \[m\].
     wear: &'a [f64],
+    /// Plastic depth \[m\].
     plastic: &'a [f64],
+    /// Tribofilm \[m\].
     film: &'a [f64],
 }
 

@@ -134,6 +134,7 @@ fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
     }
 }
 
+/// The solution entrained with `speed` along +x, which is not negative.
 fn moving(problem: &GivenFilm<'_>, speed: f64) -> GivenFilmSolution {
     let solved = newton::solve(problem, problem.film, speed);
     let grid = problem.film.grid();
@@ -157,6 +158,7 @@ fn moving(problem: &GivenFilm<'_>, speed: f64) -> GivenFilmSolution {
     }
 }
 
+/// The report of this solver.
 fn report(status: Status, mass: f64, iterations: u64, inner_iterations: u64) -> SolveReport {
     SolveReport::new(SolverId::GivenFilm, status, Residuals { mass, ..Residuals::default() })
         .with_work(Work { iterations, inner_iterations, ..Work::default() })

@@ -115,12 +115,16 @@ impl Meshes {
 /// Work of all meshes, convolutions as node counts.
 #[derive(Debug, Default)]
 struct Spent {
+    /// Convolutions times the nodes of their grids.
     convolved_nodes: f64,
+    /// Outer iterations.
     iterations: u64,
+    /// Inner iterations.
     inner_iterations: u64,
 }
 
 impl Spent {
+    /// Counts in the work of `solution`.
     fn add(&mut self, solution: &ContactSolution) {
         let work = solution.report.work;
         self.convolved_nodes += work.convolutions * solution.grid.len() as f64;
@@ -128,6 +132,7 @@ impl Spent {
         self.inner_iterations += work.inner_iterations;
     }
 
+    /// The work in equivalents of `grid`.
     fn on(&self, grid: &Grid) -> Work {
         Work {
             convolutions: self.convolved_nodes / grid.len() as f64,

@@ -92,6 +92,7 @@ pub(super) fn keys(scene: &Table) -> Vec<String> {
     missing
 }
 
+/// The table at the path of names with dots between them.
 fn find<'a>(scene: &'a Table, path: &str) -> Option<&'a Table> {
     let mut parts = path.split('.');
     let first = scene.get(parts.next()?)?.as_table();

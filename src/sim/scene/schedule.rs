@@ -68,6 +68,7 @@ impl Schedules {
         }
     }
 
+    /// The schedules that are given, with their keys.
     fn present_mut(&mut self) -> impl Iterator<Item = (&'static str, &mut Schedule)> {
         [
             ("schedule.load", &mut self.load),

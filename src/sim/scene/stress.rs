@@ -83,6 +83,7 @@ impl StressSpec {
         }
     }
 
+    /// Poisson's ratio of the disc: its own, else that of its material, else that of steel.
     pub(in crate::sim) fn poisson(&self, scene: &Scene) -> f64 {
         self.poisson.or(scene.materials.disc.poisson()).unwrap_or(Self::STEEL)
     }

@@ -143,11 +143,13 @@ fn value_of<'a>(header: &'a str, key: &str) -> Option<&'a str> {
         .map(|(_, value)| value.split(';').next().unwrap_or(value).trim())
 }
 
+/// The value of a key as a number.
 fn parse<T: std::str::FromStr>(source: Source<'_>, header: &str, key: &str) -> Result<T, SurfaceError> {
     let text = value_of(header, key).ok_or_else(|| source.corrupt(format!("the header lacks {key}")))?;
     text.parse().map_err(|_| source.corrupt(format!("{key} = {} is not a number", shortened(text))))
 }
 
+/// Header, stored numbers and which are defined, of an ASCII file.
 fn read_ascii(source: Source<'_>) -> Result<(Header, Vec<f64>, Vec<bool>), SurfaceError> {
     let content = decode_text(&source.bytes[8..]);
     let (head, rest) =

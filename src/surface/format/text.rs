@@ -186,6 +186,7 @@ enum Separator {
 }
 
 impl Separator {
+    /// What separates the fields of `line`.
     fn of(line: &str) -> Self {
         if line.contains(';') {
             Self::Semicolon
@@ -247,9 +248,13 @@ fn has_decimal_comma(number: &str) -> bool {
 
 /// The numbers of the rows read so far.
 struct Rows {
+    /// What separates fields.
     separator: Separator,
+    /// Heights so far.
     values: Vec<f64>,
+    /// Which of them are defined.
     defined: Vec<bool>,
+    /// Rows so far.
     rows: usize,
     /// Numbers in the first row.
     columns: usize,
@@ -266,6 +271,7 @@ impl Rows {
         Some(Self { separator, values, defined, rows: 0, columns: 0, ragged: None })
     }
 
+    /// Takes a row, which must be as long as those before.
     fn take(&mut self, source: Source<'_>, number: usize, line: &str) -> Result<(), SurfaceError> {
         let before = self.values.len();
         for (column, field) in self.separator.split(line).into_iter().enumerate() {
@@ -381,6 +387,7 @@ pub fn write_text(path: impl AsRef<Path>, surface: &Heights) -> Result<(), Surfa
     write_lines(path, surface).map_err(|source| SurfaceError::Io { path: path.to_owned(), source })
 }
 
+/// Header and rows.
 fn write_lines(path: &Path, surface: &Heights) -> std::io::Result<()> {
     let (nx, ny) = (surface.nx(), surface.ny());
     let mut out = BufWriter::new(File::create(path)?);

@@ -281,6 +281,7 @@ fn plain(name: &str) -> String {
 
 /// Element names regardless of their namespace.
 trait LocalName {
+    /// Whether the name without its namespace is `name`.
     fn has_tag_name_local(&self, name: &str) -> bool;
 }
 
@@ -322,6 +323,7 @@ pub fn write_x3p(path: impl AsRef<Path>, surface: &Heights) -> Result<(), Surfac
     write_archive(path, surface, dx, dy).map_err(|source| SurfaceError::Io { path: path.to_owned(), source })
 }
 
+/// Description, heights and their checksum.
 fn write_archive(path: &Path, surface: &Heights, dx: f64, dy: f64) -> std::io::Result<()> {
     let mut data = Vec::with_capacity(size_of_val(surface.heights()));
     for (k, height) in surface.heights().iter().enumerate() {
@@ -339,10 +341,12 @@ fn write_archive(path: &Path, surface: &Heights, dx: f64, dy: f64) -> std::io::R
     archive.finish()?.flush()
 }
 
+/// Bytes as text, two digits each.
 fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02X}")).collect()
 }
 
+/// The description of `surface`, whose data have the checksum `data_sum`.
 fn describe(surface: &Heights, dx: f64, dy: f64, data_sum: &str) -> String {
     let (nx, ny) = (surface.nx(), surface.ny());
     format!(
