@@ -12,6 +12,20 @@ use crate::solver_id::SolverId;
 use crate::strategy::Strategy;
 
 /// How an iterative solve ended. Everything but [`Status::Converged`] leaves the best state found.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Status;
+/// use stribeck::sim::{Scene, solve_contact};
+/// let mut scene = Scene::azam_2019(32);
+/// scene.solver.max_iterations = 1;
+/// // Too few: a status, not an error, and the state is the best one found.
+/// let solution = solve_contact(&scene)?;
+/// assert_eq!(solution.report.status, Status::MaxIterations);
+/// assert!(solution.report.residuals.is_finite());
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Status {

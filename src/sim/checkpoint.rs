@@ -35,6 +35,20 @@ const FORMAT: u32 = 5;
 const HEADER: usize = 36;
 
 /// Why a checkpoint could not be written or used.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{CheckpointError, MixedLubricationSim, Scene};
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
+/// let mut bytes = sim.checkpoint()?;
+/// if let Some(last) = bytes.last_mut() {
+///     *last ^= 1;
+/// }
+/// let error = sim.restore_checkpoint(&bytes).unwrap_err();
+/// assert!(matches!(error, CheckpointError::Damaged { .. }));
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum CheckpointError {

@@ -206,8 +206,7 @@ pub(super) struct Prepared {
     tribofilms: [Vec<f64>; 2],
     /// Shear stresses, filled by the solve.
     friction: FrictionFields,
-    /// Of the film; none where it has the bulk temperature.
-    /// What finds the temperature.
+    /// What finds the temperature of the film; none where it has that of the bulk.
     temperature: Option<FilmTemperature>,
     /// Root mean square heights of ball and disc on the track \[m\].
     rq: [f64; 2],

@@ -8,6 +8,21 @@ use crate::numerics::map_lines;
 /// Shape of the autocorrelation function, with `s^2 = (x/length_x)^2 + (y/length_y)^2`.
 ///
 /// The lengths are where the function has fallen to 10 %, hence the factor `ln 10` (2.3 in the literature).
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::metrics::hybrid_parameters;
+/// use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
+/// use stribeck::{Boundary, Grid};
+/// let grid = Grid::centred(128, 128, 1e-6, 1e-6)?;
+/// let slope = |autocorrelation| -> Result<f64, stribeck::InputError> {
+///     let spec = RoughnessSpec { autocorrelation, rq: 1e-7, length_x: 2e-5, length_y: 2e-5, seed: 1 };
+///     Ok(hybrid_parameters(&grid, &generate(&grid, &spec)?, None, Boundary::Periodic)?.sdq)
+/// };
+/// assert!(slope(Autocorrelation::Exponential)? > 1.5 * slope(Autocorrelation::Gaussian)?);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Autocorrelation {

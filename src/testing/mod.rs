@@ -44,6 +44,23 @@ pub use wear::wear_law;
 use crate::rubbing::RubbingPoint;
 
 /// The first broken clause of a contract that was found.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::RubbingPoint;
+/// use stribeck::wear::WearLaw;
+/// /// Wears at rest, which no law may.
+/// #[derive(Debug)]
+/// struct Rusting;
+/// impl WearLaw for Rusting {
+///     fn depth_rate(&self, _at: &RubbingPoint, _film_thickness: f64) -> f64 {
+///         1e-12
+///     }
+/// }
+/// let violation = stribeck::testing::wear_law(&Rusting).unwrap_err();
+/// assert_eq!((violation.subject.as_str(), violation.clause), ("Rusting", "nothing wears at rest"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{subject}: {clause}: {finding}")]
 #[non_exhaustive]

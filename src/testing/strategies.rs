@@ -158,7 +158,8 @@ fn processes()
 /// use proptest::strategy::{Strategy, ValueTree};
 /// use proptest::test_runner::TestRunner;
 /// let mut runner = TestRunner::deterministic();
-/// let scene = stribeck::testing::scenes().new_tree(&mut runner)?.current();
+/// let tree = stribeck::testing::scenes().new_tree(&mut runner).map_err(|reason| reason.to_string())?;
+/// let scene = tree.current();
 /// assert!(scene.hertz().is_ok() && scene.grid().is_ok());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -224,7 +225,8 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
 /// use stribeck::sim::MixedLubricationSim;
 /// let mut runner = TestRunner::deterministic();
 /// for _ in 0..20 {
-///     let scene = stribeck::testing::absurd_scenes().new_tree(&mut runner)?.current();
+///     let tree = stribeck::testing::absurd_scenes().new_tree(&mut runner);
+///     let scene = tree.map_err(|reason| reason.to_string())?.current();
 ///     // Refused or not: it neither panics nor solves anything.
 ///     if let Err(error) = MixedLubricationSim::builder(scene).check() {
 ///         assert!(!error.to_string().is_empty());
@@ -256,7 +258,8 @@ pub fn absurd_scenes() -> impl Strategy<Value = Scene> {
 /// use proptest::strategy::{Strategy, ValueTree};
 /// use proptest::test_runner::TestRunner;
 /// let grid = stribeck::Grid::centred(8, 4, 1e-6, 1e-6)?;
-/// let field = stribeck::testing::pressures(&grid).new_tree(&mut TestRunner::deterministic())?.current();
+/// let tree = stribeck::testing::pressures(&grid).new_tree(&mut TestRunner::deterministic());
+/// let field = tree.map_err(|reason| reason.to_string())?.current();
 /// assert!(field.len() == 32 && field.iter().all(|p| *p >= 0.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

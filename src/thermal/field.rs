@@ -42,6 +42,34 @@ impl FilmFlow<'_> {
 }
 
 /// Heat of a contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::lubricant::{Barus, Incompressible, Lubricant, Rheology};
+/// use stribeck::thermal::{FilmFlow, FilmTemperature, FilmThermal};
+/// use stribeck::tribochem::ThermalBody;
+/// let grid = Grid::centred(16, 16, 1e-5, 1e-5)?;
+/// let (fluid, none) = (Lubricant::new(Barus::new(0.1, 0.0)?, Incompressible), vec![0.0; grid.len()]);
+/// let bodies = [ThermalBody::STEEL; 2];
+/// let mut temperature = FilmTemperature::new(&grid, FilmThermal::default(), bodies, [1.5, 0.5])?;
+/// let balance = temperature.update(&FilmFlow {
+///     lubricant: &fluid,
+///     rheology: &Rheology::newtonian(),
+///     pressure: &none,
+///     film: &vec![1e-6; grid.len()],
+///     content: &vec![1.0; grid.len()],
+///     boundary_heat: &none,
+///     speeds: (1.0, 1.0),
+///     bulk_temperature: 300.0,
+/// })?;
+/// // 0.1 Pa s at 1e6 1/s shears with 0.1 MPa, which makes 0.1 MW/m^2.
+/// let area = grid.len() as f64 * grid.cell_area();
+/// assert!((balance.generated / (1e5 * area) - 1.0).abs() < 0.01);
+/// assert!(balance.is_converged() && balance.imbalance() < 0.01);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct HeatBalance {

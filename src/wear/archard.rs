@@ -5,6 +5,17 @@ use crate::error::InputError;
 use crate::rubbing::RubbingPoint;
 
 /// Which pressure wears.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::RubbingPoint;
+/// use stribeck::wear::{Archard, WearLaw, WearPressure};
+/// let fluid = RubbingPoint::new(1e9, 353.15).with_sliding_speed(0.1); // no solid contact
+/// let all = Archard::azam_2019();
+/// assert!(all.depth_rate(&fluid, 0.0) > 0.0);
+/// assert_eq!(all.with_pressure(WearPressure::Solid).depth_rate(&fluid, 0.0), 0.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum WearPressure {

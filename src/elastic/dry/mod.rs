@@ -36,6 +36,25 @@ const COARSE_START: f64 = 0.02;
 /// area equal to the load.
 ///
 /// Pressure stays zero on nodes with `excluded` set.
+///
+/// # Examples
+///
+/// A rigid flat punch: no node outside of it may carry anything.
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::elastic::{DryProblem, DrySolver, HalfSpace};
+/// let grid = Grid::centred(32, 32, 1e-5, 1e-5)?;
+/// let excluded: Vec<bool> = grid.nodes().map(|(x, y)| x.hypot(y) > 1e-4).collect();
+/// let gap = vec![0.0; grid.len()];
+/// let problem = DryProblem { gap: &gap, load: 10.0, limit: None, excluded: &excluded };
+/// let mut pressure = vec![0.0; grid.len()];
+/// let mut body = HalfSpace::new(grid, 230e9)?;
+/// let outcome = DrySolver::new(grid.len()).solve(&problem, &mut body, &mut pressure, 1e-6, 500)?;
+/// // It sinks in by F/(E' a), its modulus being half of E'.
+/// assert!((outcome.approach / (10.0 / (230e9 * 1e-4)) - 1.0).abs() < 0.03);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct DryProblem<'a> {
     /// Undeformed gap per node \[m\].

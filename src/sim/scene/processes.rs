@@ -156,6 +156,18 @@ impl FrictionSpec {
 }
 
 /// Viscosity that sliding leaves the flow by pressure, see [`ShearThinning`].
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::{FlowThinning, FrictionSpec};
+/// let eyring = FrictionSpec::default().with_eyring_stress(Some(5e6));
+/// assert!(eyring.shear_thinning(1.0)?.is_none()); // not asked for
+/// let thinned = eyring.with_flow_thinning(Some(FlowThinning::Effective));
+/// assert!(thinned.shear_thinning(1.0)?.is_some());
+/// assert!(FrictionSpec::default().with_flow_thinning(Some(FlowThinning::Effective)).shear_thinning(1.0).is_err());
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]

@@ -10,8 +10,7 @@ use crate::surface::{Heights, LengthUnit, SurfaceError};
 /// First bytes of the file.
 pub(super) const MAGIC: &[u8] = b"AliconaImaging\0\r\n";
 
-/// A tag: name, value, end of line.
-/// Bytes of the name of a tag.
+/// Bytes of the name of a tag, which its value and the end of the line follow.
 const NAME: usize = 20;
 /// Bytes of its value.
 const VALUE: usize = 30;
