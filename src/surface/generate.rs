@@ -13,12 +13,12 @@ use crate::numerics::map_lines;
 ///
 /// ```
 /// use stribeck::metrics::hybrid_parameters;
+/// use stribeck::Grid;
 /// use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
-/// use stribeck::{Boundary, Grid};
 /// let grid = Grid::centred(128, 128, 1e-6, 1e-6)?;
 /// let slope = |autocorrelation| -> Result<f64, stribeck::InputError> {
 ///     let spec = RoughnessSpec { autocorrelation, rq: 1e-7, length_x: 2e-5, length_y: 2e-5, seed: 1 };
-///     Ok(hybrid_parameters(&grid, &generate(&grid, &spec)?, None, Boundary::Periodic)?.sdq)
+///     Ok(hybrid_parameters(&grid, &generate(&grid, &spec)?, None)?.sdq)
 /// };
 /// assert!(slope(Autocorrelation::Exponential)? > 1.5 * slope(Autocorrelation::Gaussian)?);
 /// # Ok::<(), stribeck::InputError>(())

@@ -18,6 +18,7 @@
 //!
 //! For proptest there are strategies: [`scenes`], [`absurd_scenes`] and [`pressures`].
 
+mod absurd;
 mod boundary_friction;
 mod contact_solver;
 mod deformation;
@@ -30,6 +31,7 @@ mod wear;
 
 use std::fmt::Debug;
 
+pub use absurd::absurd_scenes;
 pub use boundary_friction::boundary_friction;
 pub use contact_solver::contact_solver;
 pub use deformation::deformation_model;
@@ -37,7 +39,7 @@ pub use film_growth::film_growth_law;
 pub use fluid::{density_law, viscosity_law};
 pub use motion::roughness_motion;
 pub use plasticity::plasticity_model;
-pub use strategies::{absurd_scenes, pressures, scenes};
+pub use strategies::{pressures, scenes};
 use thiserror::Error;
 pub use wear::wear_law;
 
