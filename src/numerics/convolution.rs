@@ -1,11 +1,11 @@
 //! Discrete convolution of fields on a grid through FFTs of the zero-padded (doubled) size, so that no
 //! periodic image reaches the result (DC-FFT: Liu, Wang and Liu 2000, Wear 243, 101-111).
 //!
-//! With a kernel `K` on the offsets of an `nx` x `ny` grid the result is `out[j, i] = sum K(i - k, j - l)
-//! f[l, k]` over all nodes. Fields are padded with zeros to the next fast length from `2 n - 1` on along each
-//! axis, transformed along rows and then columns, multiplied by the spectrum of the kernel, which holds the
-//! factor `1/(px py)` of the inverse, and transformed back. It costs `O(n log n)` and agrees with the direct
-//! sum to rounding.
+//! With a kernel `K` on the offsets of an `nx` x `ny` grid the result is
+//! `out[j, i] = sum K(i - k, j - l) f[l, k]` over all nodes. Fields are padded with zeros to the next fast
+//! length from `2 n - 1` on along each axis, transformed along rows and then columns, multiplied by the
+//! spectrum of the kernel, which holds the factor `1/(px py)` of the inverse, and transformed back. It costs
+//! `O(n log n)` and agrees with the direct sum to rounding.
 //!
 //! Rows and columns are held padded a few at a time: memory is that of the fields, not of the doubled grid.
 
