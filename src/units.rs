@@ -1,7 +1,7 @@
 //! Quantities as people write them: a number and a unit, `9.525 mm` or `14.9 1/GPa`.
 //!
-//! Scene files, the command and the Python package take text in place of a number wherever a quantity has a
-//! [`Dimension`]; all that is behind them is in SI units. A power of ten moves the decimal exponent of the
+//! Scene files and options of the command take such text where a quantity has a [`Dimension`]; all that is
+//! behind them is in SI units. A power of ten moves the decimal exponent of the
 //! text, so that `9.525 mm` and `9.525e-3` are the same double. A new unit is an entry in a table here, a new
 //! dimension a variant, its table and its name.
 

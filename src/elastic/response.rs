@@ -82,8 +82,6 @@ impl ElasticResponse {
 }
 
 /// The convolution of a named field times `unit`, the field brought to numbers of at most one before.
-/// Single precision holds some 1e38: fields of pressures times influence coefficients leave that range only
-/// where they are brought to one first.
 fn in_single(
     convolution: &mut Convolution<f32>,
     grid: Grid,

@@ -3,8 +3,7 @@
 //! Complex fields of `nx` x `ny` values, row-major: `F[l, k] = sum f[j, i] exp(-+ 2 pi i (k i/nx + l j/ny))`,
 //! the upper sign forward. Both directions one after the other multiply a field by `nx ny`.
 //!
-//! Whole complex fields, for spectra and correlations, where real fields are not enough;
-//! [`RealFft2`](super::RealFft2) takes half the time for real ones.
+//! For real fields there is [`RealFft2`](super::RealFft2); spectra and correlations need whole complex ones.
 
 use std::sync::Arc;
 

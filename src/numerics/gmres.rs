@@ -4,8 +4,7 @@
 //! `Z` that the preconditioner gave so far. The norm of the residual falls from step to step and is known
 //! without forming the residual. Vectors and their products are in single precision, rotations in double.
 //!
-//! There is no restart as a linear solve of Newton's method ends after some tens of steps: the basis of
-//! `limit + 1` vectors is made once, and memory that no step reaches is not taken.
+//! The basis of `limit + 1` vectors is made once; memory that no step reaches is not taken.
 
 /// Cosine of the rotation of a step below which it has left the residual as it was: its norm has fallen by
 /// half the square.

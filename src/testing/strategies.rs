@@ -46,7 +46,7 @@ fn roughness() -> impl Strategy<Value = Roughness> {
 }
 
 /// No oil in a quarter of all scenes, else Roelands oils of 1 mPa s to 0.5 Pa s with the density of Dowson
-/// and Higginson; half of them give `alpha` in place of the index.
+/// and Higginson; half of them give `alpha` too.
 fn lubricants() -> impl Strategy<Value = Option<LubricantSpec>> {
     let oil =
         (decades(1e-3, 0.5), 0.3..0.8, any::<bool>()).prop_map(|(eta0, roelands_z, given)| LubricantSpec {

@@ -1,8 +1,8 @@
 //! Surface temperature of a half-space under a steady heat source that moves over it.
 //!
-//! In the steady state, the temperature that a cell of unit flux makes at a distance has Carslaw and Jaeger's
-//! kernel; cells are integrated exactly, so that a body at rest is Love's potential again. The coefficients
-//! are summed by convolution in `flash_temperature`.
+//! In the steady state, the temperature that a source makes at a distance has Carslaw and Jaeger's kernel. It
+//! is integrated over cells, for a body at rest in closed form. The coefficients are summed by convolution in
+//! `flash_temperature`.
 
 use std::f64::consts::PI;
 

@@ -2,8 +2,8 @@
 //!
 //! Cells are joined in pairs along each axis: gaps, limits and pressures become means over those that may
 //! carry pressure, and each cell hands its pressure to those it was made of. The solver of the coarser
-//! contact starts from a coarser one itself: the recursion ends at [`SMALLEST`] cells, or where the model
-//! lives on one grid alone.
+//! contact starts from a coarser one itself: the recursion ends below [`SMALLEST`] cells along an axis, or
+//! where the model lives on one grid alone.
 
 use super::{DryProblem, DrySolver};
 use crate::elastic::{DeformationModel, NEAR};

@@ -71,7 +71,6 @@ impl LineRelaxation {
 }
 
 impl FluidBlock for LineRelaxation {
-    /// Makes the pivots of all lines; whether all are numbers.
     fn prepare(&mut self, stencil: &[f32]) -> bool {
         let mut above = 0.0;
         for (k, row) in stencil.chunks_exact(STENCIL).enumerate() {
@@ -85,7 +84,6 @@ impl FluidBlock for LineRelaxation {
         self.pivot.iter().chain(&self.above).all(|factor| factor.is_finite())
     }
 
-    /// The change for `rhs`, after all passes, in its place.
     fn solve(&mut self, stencil: &[f32], rhs: &mut [f32]) {
         self.rhs.copy_from_slice(rhs);
         rhs.fill(0.0);
@@ -97,7 +95,6 @@ impl FluidBlock for LineRelaxation {
         }
     }
 
-    /// What a pivot is compared with: the size of the diagonal entry.
     fn row_size(&self, diagonal: f32) -> f32 {
         diagonal.abs().max(1.0)
     }
