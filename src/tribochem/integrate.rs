@@ -3,8 +3,8 @@
 //! A film that starts far from its balance moves fast and then hardly at all, and time steps of a history are
 //! long: explicit steps would need to be many. Exponential Euler is exact for rates that are linear in the
 //! film, `f = J (h - h_0)`; a whole substep and two half ones tell the error, which sets the length of the
-//! next. A substep within which the rate changes its sign is shortened, and the last one ends by bisection at the
-//! balance point: a film does not swing about it.
+//! next. A substep within which the rate changes its sign is shortened, and the last one ends by bisection at
+//! the balance point: a film does not swing about it.
 
 /// Distance accepted between one whole and two half substeps, relative to the largest thickness;
 /// extrapolation leaves errors below 1e-5 over a whole step of smooth laws.
