@@ -1,9 +1,22 @@
 //! Errors: what the caller got wrong, with the field and the value named.
+//!
+//! One type for all of the library's input. Errors of a room of their own wrap it (`SimError`,
+//! `ReynoldsError`, `SurfaceError`). Fields are named as the user writes them: keys of a scene with their
+//! path, arguments by their name.
 
 use thiserror::Error;
 
 /// An input that cannot be used: a value out of range, a field of the wrong shape, a number that is not
 /// finite.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::{Grid, InputError};
+/// let error = Grid::centred(64, 64, -1e-6, 1e-6).unwrap_err();
+/// assert!(matches!(&error, InputError::Value { value, .. } if *value == -1e-6));
+/// assert!(error.to_string().contains("must be"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum InputError {

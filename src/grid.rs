@@ -17,11 +17,17 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grid {
+    /// Nodes along x.
     nx: usize,
+    /// Nodes along y.
     ny: usize,
+    /// Distance of the nodes along x \[m\].
     dx: f64,
+    /// Distance of the nodes along y \[m\].
     dy: f64,
+    /// First column \[m\].
     x0: f64,
+    /// First row \[m\].
     y0: f64,
 }
 
@@ -67,6 +73,7 @@ impl Grid {
         Self { nx, ny, ..*self }
     }
 
+    /// Refuses a count of zero, and more nodes than [`Grid::MAX_NODES`].
     fn check(nx: usize, ny: usize) -> Result<(), InputError> {
         InputError::require(nx > 0, "grid.nx", nx as f64, "at least 1")?;
         InputError::require(ny > 0, "grid.ny", ny as f64, "at least 1")?;

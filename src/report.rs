@@ -1,4 +1,7 @@
 //! What a solve reports: how it ended, how well the equations hold, what it cost.
+//!
+//! A report is data: it decides nothing and is the same from every solver. [`SolveReport::require_converged`]
+//! turns a status into an error where a solution is needed.
 
 use std::fmt;
 use std::ops::AddAssign;
@@ -9,6 +12,20 @@ use crate::solver_id::SolverId;
 use crate::strategy::Strategy;
 
 /// How an iterative solve ended. Everything but [`Status::Converged`] leaves the best state found.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Status;
+/// use stribeck::sim::{Scene, solve_contact};
+/// let mut scene = Scene::azam_2019(32);
+/// scene.solver.max_iterations = 1;
+/// // Too few: a status, not an error, and the state is the best one found.
+/// let solution = solve_contact(&scene)?;
+/// assert_eq!(solution.report.status, Status::MaxIterations);
+/// assert!(solution.report.residuals.is_finite());
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Status {
@@ -45,6 +62,16 @@ impl fmt::Display for Status {
 /// solver.
 ///
 /// With `h_m` the pressure-weighted mean film and `a_x`, `a_y` the reference contact half-widths:
+///
+/// # Examples
+///
+/// ```
+/// let mut residuals = stribeck::Residuals::default();
+/// residuals.load = 1e-3;
+/// assert_eq!(residuals.max(), 1e-3);
+/// residuals.mass = f64::NAN;
+/// assert!(!residuals.is_finite());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Residuals {
@@ -76,6 +103,15 @@ impl Residuals {
 }
 
 /// Work done, by cause.
+///
+/// # Examples
+///
+/// ```
+/// let mut work = stribeck::Work::default();
+/// work.convolutions = 12.25; // twelve on the grid, one without padding
+/// work += work;
+/// assert_eq!(work.convolutions, 24.5);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Work {
@@ -97,6 +133,16 @@ impl AddAssign for Work {
 }
 
 /// The outcome of one solve of a contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::{Residuals, SolveReport, SolverId, Status};
+/// let report = SolveReport::new(SolverId::Custom("mine"), Status::Stalled, Residuals::default());
+/// assert_eq!(report.status.to_string(), "stalled");
+/// let error = report.require_converged().unwrap_err();
+/// assert!(error.to_string().starts_with("mine ended as stalled"));
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 #[must_use = "a solve that did not converge is a status, not an error"]

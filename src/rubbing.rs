@@ -1,8 +1,21 @@
 //! What a surface point feels while it rubs: the input of film growth and wear laws.
+//!
+//! A point is made anew for every node and step from the solved contact. A quantity that a law of the crate
+//! or of a user needs beyond these is a field here and a line where `sim` fills the points.
 
 use crate::with_fields::with_fields;
 
 /// The state of one surface node during a step, all SI. Laws read from it what they need.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::RubbingPoint;
+/// let fluid = RubbingPoint::new(5e8, 353.15);
+/// assert!(!fluid.in_contact && fluid.solid_pressure == 0.0);
+/// let solid = fluid.with_solid_pressure(5e8).with_shear_stress(5.75e7).with_in_contact(true);
+/// assert!((solid.shear_stress / solid.solid_pressure - 0.115).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct RubbingPoint {

@@ -3,6 +3,17 @@
 use std::fmt;
 
 /// The way by which a solver that knows several has found the state of its report.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Strategy;
+/// use stribeck::sim::{Scene, solve_contact};
+/// let report = solve_contact(&Scene::azam_2019(32))?.report;
+/// assert_eq!(report.strategy.map(|way| way.to_string()), Some("attempt_1".to_owned()));
+/// assert_eq!(Strategy::InTime.to_string(), "in_time");
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Strategy {

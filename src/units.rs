@@ -1,4 +1,9 @@
 //! Quantities as people write them: a number and a unit, `9.525 mm` or `14.9 1/GPa`.
+//!
+//! Scene files and options of the command take such text where a quantity has a [`Dimension`]; all that is
+//! behind them is in SI units. A power of ten moves the decimal exponent of the
+//! text, so that `9.525 mm` and `9.525e-3` are the same double. A new unit is an entry in a table here, a new
+//! dimension a variant, its table and its name.
 
 use crate::error::InputError;
 
@@ -58,7 +63,9 @@ pub enum Dimension {
 enum Scale {
     /// Times this power of ten, in decimal digits, so that `9.525 mm` is `9.525e-3` to the last bit.
     Ten(i32),
+    /// Times this factor.
     Times(f64),
+    /// Plus this zero of the scale.
     Plus(f64),
 }
 use Scale::{Plus, Ten, Times};
@@ -66,6 +73,7 @@ use Scale::{Plus, Ten, Times};
 /// Units of one dimension: the first of each line is what messages offer, the others are spellings of it.
 type Units = &'static [(&'static [&'static str], Scale)];
 
+/// Lengths.
 const LENGTH: Units = &[
     (&["m"], Ten(0)),
     (&["cm"], Ten(-2)),
@@ -74,6 +82,7 @@ const LENGTH: Units = &[
     (&["nm"], Ten(-9)),
     (&["in", "inch"], Times(25.4e-3)),
 ];
+/// Pressures, stresses, moduli and hardnesses.
 const PRESSURE: Units = &[
     (&["Pa", "N/m^2"], Ten(0)),
     (&["kPa"], Ten(3)),
@@ -81,16 +90,21 @@ const PRESSURE: Units = &[
     (&["GPa"], Ten(9)),
     (&["bar"], Ten(5)),
 ];
+/// Inverse pressures.
 const INVERSE_PRESSURE: Units = &[
     (&["1/Pa", "Pa^-1", "m^2/N"], Ten(0)),
     (&["1/MPa", "MPa^-1", "mm^2/N"], Ten(-6)),
     (&["1/GPa", "GPa^-1"], Ten(-9)),
 ];
+/// Pressures per depth.
 const PRESSURE_PER_LENGTH: Units =
     &[(&["Pa/m"], Ten(0)), (&["GPa/mm"], Ten(12)), (&["MPa/um"], Ten(12)), (&["GPa/um"], Ten(15))];
+/// Forces.
 const FORCE: Units = &[(&["N"], Ten(0)), (&["mN"], Ten(-3)), (&["kN"], Ten(3))];
+/// Forces per metre of a line contact.
 const FORCE_PER_LENGTH: Units =
     &[(&["N/m"], Ten(0)), (&["kN/m"], Ten(3)), (&["N/mm"], Ten(3)), (&["kN/mm", "MN/m"], Ten(6))];
+/// Speeds.
 const SPEED: Units = &[
     (&["m/s"], Ten(0)),
     (&["cm/s"], Ten(-2)),
@@ -99,8 +113,10 @@ const SPEED: Units = &[
     (&["nm/s"], Ten(-9)),
     (&["km/h"], Times(1.0 / 3.6)),
 ];
+/// Dynamic viscosities.
 const VISCOSITY: Units =
     &[(&["Pa s", "Pas"], Ten(0)), (&["mPa s", "mPas"], Ten(-3)), (&["cP", "cp"], Ten(-3)), (&["P"], Ten(-1))];
+/// Times.
 const TIME: Units = &[
     (&["s"], Ten(0)),
     (&["ms"], Ten(-3)),
@@ -109,25 +125,34 @@ const TIME: Units = &[
     (&["h"], Times(3600.0)),
     (&["d"], Times(86_400.0)),
 ];
+/// Inverse times.
 const RATE: Units = &[
     (&["1/s", "s^-1"], Ten(0)),
     (&["1/min", "min^-1"], Times(1.0 / 60.0)),
     (&["1/h", "h^-1"], Times(1.0 / 3600.0)),
 ];
+/// Absolute temperatures; differences of temperature are given in kelvin.
 const TEMPERATURE: Units = &[(&["K"], Ten(0)), (&["degC", "C"], Plus(273.15))];
+/// Thermal conductivities.
 const CONDUCTIVITY: Units = &[(&["W/(m K)", "W/m/K", "W/mK"], Ten(0))];
+/// Thermal diffusivities.
 const DIFFUSIVITY: Units =
     &[(&["m^2/s", "m2/s"], Ten(0)), (&["cm^2/s", "cm2/s"], Ten(-4)), (&["mm^2/s", "mm2/s"], Ten(-6))];
+/// Energies of one molecule; `kJ/mol` is divided by Avogadro's number.
 const ENERGY: Units = &[
     (&["J"], Ten(0)),
     (&["eV"], Times(1.602176634e-19)),
     // Per mole, over Avogadro's number.
     (&["kJ/mol"], Times(1e3 / 6.02214076e23)),
 ];
+/// Volumes.
 const VOLUME: Units = &[(&["m^3", "m3"], Ten(0)), (&["nm^3", "nm3"], Ten(-27)), (&["A^3", "A3"], Ten(-30))];
+/// Volumes per energy.
 const VOLUME_PER_ENERGY: Units =
     &[(&["m^3/J", "m3/J"], Ten(0)), (&["mm^3/J", "mm3/J"], Ten(-9)), (&["um^3/J", "um3/J"], Ten(-18))];
+/// Angles.
 const ANGLE: Units = &[(&["rad"], Ten(0)), (&["deg"], Times(std::f64::consts::PI / 180.0))];
+/// Heat capacities of a volume.
 const HEAT_CAPACITY: Units =
     &[(&["J/(m^3 K)", "J/m^3/K"], Ten(0)), (&["kJ/(m^3 K)"], Ten(3)), (&["MJ/(m^3 K)"], Ten(6))];
 
@@ -156,6 +181,7 @@ impl Dimension {
         }
     }
 
+    /// The table of its units, the SI one first.
     fn units(self) -> Units {
         match self {
             Self::Length => LENGTH,
@@ -217,6 +243,7 @@ impl Dimension {
             .ok_or_else(|| refused("is beyond the range of numbers".into()))
     }
 
+    /// The units that do, for messages: `m, cm or mm would do`.
     fn offer(self) -> String {
         let names: Vec<&str> = self.unit_names().collect();
         match names.as_slice() {

@@ -32,6 +32,37 @@ use crate::grid::Grid;
 /// Contract: `displacement` is linear in the pressure, symmetric (the influence of node a on b is that of b
 /// on a), translation invariant and positive; solvers rely on all four. It must not allocate after the first
 /// call.
+///
+/// # Examples
+///
+/// Springs side by side (Winkler's foundation), the simplest body there is:
+///
+/// ```
+/// use stribeck::elastic::DeformationModel;
+/// use stribeck::{Grid, InputError};
+/// #[derive(Debug, Clone)]
+/// struct Springs {
+///     grid: Grid,
+///     compliance: f64, // m/Pa
+/// }
+/// impl DeformationModel for Springs {
+///     fn grid(&self) -> Grid {
+///         self.grid
+///     }
+///     fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+///         out.iter_mut().zip(pressure).for_each(|(u, p)| *u = self.compliance * p);
+///         Ok(())
+///     }
+///     fn influence(&self, di: usize, dj: usize) -> f64 {
+///         if di + dj == 0 { self.compliance } else { 0.0 }
+///     }
+/// }
+/// let mut springs = Springs { grid: Grid::centred(4, 1, 1e-6, 1.0)?, compliance: 1e-15 };
+/// let mut out = [0.0; 4];
+/// springs.displacement(&[0.0, 1e9, 0.0, 0.0], &mut out)?;
+/// assert!((out[1] - 1e-6).abs() < 1e-20 && out[0] == 0.0);
+/// # Ok::<(), InputError>(())
+/// ```
 pub trait DeformationModel: Debug + Send + Sync {
     /// The grid that pressures and displacements live on.
     fn grid(&self) -> Grid;
@@ -92,6 +123,7 @@ pub trait ResponseApproximations {
 
 /// What solvers ask of a model, approximations or not.
 impl dyn DeformationModel + '_ {
+    /// The displacement in single precision, or the exact one.
     pub(crate) fn displacement_single(
         &mut self,
         pressure: &[f64],
@@ -103,6 +135,7 @@ impl dyn DeformationModel + '_ {
         }
     }
 
+    /// The displacement to some per cent, or the exact one.
     pub(crate) fn displacement_periodic(
         &mut self,
         pressure: &[f64],
@@ -114,6 +147,7 @@ impl dyn DeformationModel + '_ {
         }
     }
 
+    /// The estimated pressure, or the displacement over the self-influence.
     pub(crate) fn pressure_estimate(
         &mut self,
         displacement: &[f64],

@@ -16,7 +16,9 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Barus {
+    /// Viscosity at ambient pressure \[Pa s\].
     eta0: f64,
+    /// Pressure-viscosity coefficient \[1/Pa\].
     alpha: f64,
 }
 

@@ -16,7 +16,9 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct DowsonHigginson {
+    /// `a` \[1/Pa\].
     a: f64,
+    /// `b` \[1/Pa\].
     b: f64,
 }
 
@@ -44,6 +46,13 @@ impl DensityLaw for DowsonHigginson {
 }
 
 /// `rho = rho_0` at every pressure.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::lubricant::{DensityLaw, Incompressible};
+/// assert_eq!((Incompressible.ratio(2e9), Incompressible.slope(2e9)), (1.0, 0.0));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Incompressible;
 

@@ -60,7 +60,9 @@ pub struct DoolittleTaitConstants {
 /// ```
 #[derive(Clone, Copy, PartialEq)]
 pub struct DoolittleTait {
+    /// Constants of the fluid.
     constants: DoolittleTaitConstants,
+    /// Temperature of the law \[K\].
     temperature: f64,
 }
 
@@ -96,6 +98,7 @@ impl DoolittleTait {
         Ok(Self { constants, temperature })
     }
 
+    /// The law at another temperature \[K\].
     fn at(&self, temperature: f64) -> Self {
         Self { temperature, ..*self }
     }
@@ -119,6 +122,7 @@ impl DoolittleTait {
     }
 }
 
+/// The key of a constant in a scene file.
 fn field_name(constant: &str) -> String {
     format!("lubricant.viscosity.{constant}")
 }

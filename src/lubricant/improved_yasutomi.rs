@@ -47,7 +47,9 @@ pub struct ImprovedYasutomiConstants {
 /// ```
 #[derive(Clone, Copy, PartialEq)]
 pub struct ImprovedYasutomi {
+    /// Constants of the fluid.
     constants: ImprovedYasutomiConstants,
+    /// Temperature of the law \[K\].
     temperature: f64,
 }
 

@@ -34,6 +34,23 @@ use crate::error::InputError;
 ///
 /// Contract: for every finite pressure the viscosity is finite and positive, and it does not fall with
 /// pressure; pressures below zero count as zero.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::lubricant::ViscosityLaw;
+/// /// A fluid whose viscosity doubles every 100 MPa.
+/// #[derive(Debug)]
+/// struct Doubling(f64);
+/// impl ViscosityLaw for Doubling {
+///     fn viscosity(&self, pressure: f64) -> f64 {
+///         self.0 * (pressure.max(0.0) / 1e8).exp2()
+///     }
+/// }
+/// // The default slope is a central difference of the logarithm.
+/// assert!((Doubling(0.01).log_slope(5e8) - 2.0_f64.ln() / 1e8).abs() < 1e-14);
+/// assert!(Doubling(0.01).viscosity_at(0.0, 400.0).is_none());
+/// ```
 pub trait ViscosityLaw: Debug + Send + Sync {
     /// Viscosity \[Pa s\] at `pressure` \[Pa\].
     fn viscosity(&self, pressure: f64) -> f64;
@@ -70,6 +87,26 @@ pub trait ViscosityLaw: Debug + Send + Sync {
 ///
 /// Contract: the ratio is finite, 1 at zero pressure, and does not fall with pressure; pressures below zero
 /// count as zero.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::lubricant::DensityLaw;
+/// /// A fluid of constant bulk modulus \[Pa\].
+/// #[derive(Debug)]
+/// struct BulkModulus(f64);
+/// impl DensityLaw for BulkModulus {
+///     fn ratio(&self, pressure: f64) -> f64 {
+///         (pressure.max(0.0) / self.0).exp()
+///     }
+///     fn slope(&self, pressure: f64) -> f64 {
+///         self.ratio(pressure) / self.0
+///     }
+/// }
+/// let mut ratios = [0.0; 2];
+/// BulkModulus(2e9).fill(&[0.0, 2e9], &mut ratios);
+/// assert_eq!(ratios, [1.0, 1.0_f64.exp()]);
+/// ```
 pub trait DensityLaw: Debug + Send + Sync {
     /// Density ratio `rho / rho_0` at `pressure` \[Pa\].
     fn ratio(&self, pressure: f64) -> f64;
@@ -99,11 +136,26 @@ pub trait DensityLaw: Debug + Send + Sync {
 }
 
 /// The two laws that describe a lubricant in the Reynolds equation. A clone shares them.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::lubricant::{Barus, DowsonHigginson, Lubricant};
+/// let oil = Lubricant::new(Barus::new(0.08, 20e-9)?, DowsonHigginson::new(0.6e-9, 1.7e-9)?);
+/// assert!((oil.pressure_viscosity_coefficient() - 20e-9).abs() < 1e-12);
+/// assert!((oil.viscosity().viscosity(1e8) / 0.08 - 2.0_f64.exp()).abs() < 1e-12);
+/// assert!(oil.density().ratio(1e9) > 1.2);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Lubricant {
+    /// Viscosity by pressure.
     viscosity: Arc<dyn ViscosityLaw>,
+    /// Density by pressure.
     density: Arc<dyn DensityLaw>,
+    /// Both, with the reduced pressure, tabulated for the flow.
     table: FluidTable,
+    /// Viscosity of every node over that of the law; empty for one everywhere.
     ratios: Vec<f64>,
 }
 

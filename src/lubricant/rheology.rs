@@ -26,6 +26,7 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rheology {
+    /// How the stress grows with the rate.
     thinning: Thinning,
     limit: f64,
     /// The largest stress over the pressure.
@@ -67,6 +68,7 @@ impl Rheology {
         Ok(Self::thinned(Thinning::Carreau { stress, exponent }))
     }
 
+    /// A fluid without a limit of its stress.
     fn thinned(thinning: Thinning) -> Self {
         Self { thinning, limit: f64::INFINITY, share: f64::INFINITY }
     }

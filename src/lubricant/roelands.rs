@@ -21,9 +21,13 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Roelands {
+    /// Viscosity at ambient pressure \[Pa s\].
     eta0: f64,
+    /// `ln eta_0 + 9.67`, or `alpha p_0 / z` where the slope is given.
     exponent: f64,
+    /// Index `z`.
     z: f64,
+    /// Reference pressure \[Pa\].
     p0: f64,
 }
 

@@ -32,7 +32,9 @@ pub struct FluidPoint {
 /// where the reduced pressure saturates.
 #[derive(Clone)]
 pub(super) struct FluidTable {
+    /// Reduced pressure, one cubic an interval.
     reduced: Vec<Cubic>,
+    /// Density ratio, one cubic an interval.
     density: Vec<Cubic>,
 }
 
@@ -79,6 +81,7 @@ impl std::fmt::Debug for FluidTable {
 }
 
 impl FluidTable {
+    /// The table of two laws, asked at the ends of the intervals and in between.
     pub(super) fn new(viscosity: &dyn ViscosityLaw, density: &dyn DensityLaw) -> Self {
         let filled = |pressure: &[f64], fill: &dyn Fn(&[f64], &mut [f64])| {
             let mut values = vec![0.0; pressure.len()];
@@ -118,6 +121,7 @@ impl FluidTable {
         table
     }
 
+    /// Value and slopes by the cubic of the interval, linear above the last.
     #[inline]
     pub(super) fn at(&self, pressure: f64) -> FluidPoint {
         let position = pressure.max(0.0) / INTERVAL;

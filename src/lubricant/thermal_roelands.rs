@@ -27,6 +27,7 @@ const ORIGIN: f64 = 138.0;
 /// ```
 #[derive(Clone, PartialEq)]
 pub struct ThermalRoelands {
+    /// The law at the reference temperature.
     reference: Roelands,
     temperature: f64,
     slope: f64,
@@ -61,6 +62,7 @@ impl ThermalRoelands {
         Ok(Self { current: reference.clone(), reference, temperature, slope })
     }
 
+    /// The law at `temperature` \[K\].
     fn law_at(&self, temperature: f64) -> Roelands {
         let ratio = (temperature - ORIGIN).max(1.0) / (self.temperature - ORIGIN);
         self.reference.scaled(ratio.powf(-self.slope))

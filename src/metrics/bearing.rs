@@ -33,6 +33,18 @@ pub struct BearingCurve {
 ///
 /// The standard takes the line of least squares over the same 40 %, whose Sk of a normal distribution is
 /// 2.574 Sq instead of the 2.622 Sq that is commonly quoted for it; the secant gives the latter.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::metrics::BearingCurve;
+/// // A plateau with deep valleys: the valleys outweigh the peaks.
+/// let heights: Vec<f64> =
+///     (0..1000).map(|i| if i % 10 == 0 { -1e-6 } else { 1e-9 * f64::from(i % 7) }).collect();
+/// let core = BearingCurve::new(&heights)?.core();
+/// assert!(core.svk > 10.0 * core.spk && core.smr2 < 0.95);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct CoreParameters {
@@ -49,6 +61,17 @@ pub struct CoreParameters {
 }
 
 /// Material and void volumes per area (ISO 25178-2).
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::metrics::BearingCurve;
+/// let ramp: Vec<f64> = (0..1000).map(|i| f64::from(i) * 1e-9).collect();
+/// let volumes = BearingCurve::new(&ramp)?.volumes(0.1, 0.8)?;
+/// // A triangle of 0.1 by 100 nm stands above the first ratio.
+/// assert!((volumes.vmp / (0.5 * 0.1 * 100e-9) - 1.0).abs() < 0.01);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct VolumeParameters {

@@ -18,6 +18,22 @@ const EXCESS: f64 = (PI - 1.0 + LN_2) / 24.0;
 /// grids the limit lies between the two, which makes them an estimate of the error without a second solve.
 ///
 /// Source: Yastrebov, V. A., Anciaux, G. and Molinari, J.-F. (2017), Tribology International 114, 161-171.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::metrics::contact_statistics;
+/// let grid = Grid::centred(64, 64, 1e-6, 1e-6)?;
+/// // Solids carry the whole load on the right half of the contact.
+/// let touching: Vec<bool> = grid.nodes().map(|(x, y)| x > 0.0 && x.hypot(y) < 2e-5).collect();
+/// let pressure: Vec<f64> = touching.iter().map(|touches| if *touches { 1e9 } else { 0.0 }).collect();
+/// let load = pressure.iter().sum::<f64>() * grid.cell_area();
+/// let statistics = contact_statistics(&grid, &touching, &pressure, load, 2e-5, 2e-5)?;
+/// assert!((statistics.area_ratio - 0.5).abs() < 0.01);
+/// assert!((statistics.load_ratio - 1.0).abs() < 1e-12);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct ContactStatistics {

@@ -17,12 +17,30 @@ use crate::numerics::Fft2;
 pub struct AreaCorrelation {
     /// Largest lag along each axis, in nodes.
     reach: [usize; 2],
+    /// Distance of the nodes along x and y \[m\].
     spacing: [f64; 2],
     /// Lag `(i, j)`, from minus to plus the reach, at `(j + reach_y) * (2 reach_x + 1) + i + reach_x`.
     values: Vec<f64>,
 }
 
 /// Spatial parameters.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::metrics::AreaCorrelation;
+/// use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
+/// use stribeck::{Boundary, Grid};
+/// let grid = Grid::centred(128, 128, 2e-6, 2e-6)?;
+/// let (autocorrelation, rq) = (Autocorrelation::Gaussian, 1e-7);
+/// let spec = RoughnessSpec { autocorrelation, rq, length_x: 40e-6, length_y: 8e-6, seed: 2 };
+/// let correlation = AreaCorrelation::new(&grid, &generate(&grid, &spec)?, None, Boundary::Periodic)?;
+/// let spatial = correlation.spatial(0.2)?;
+/// // The shortest length is that across the lay.
+/// assert!(spatial.sal.is_some_and(|length| (4e-6..10e-6).contains(&length)));
+/// assert!(spatial.str.is_none_or(|ratio| ratio < 0.5));
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SpatialParameters {
@@ -112,6 +130,7 @@ impl AreaCorrelation {
         fits.then(|| self.values[self.index(i, j)])
     }
 
+    /// Place of a lag in the values.
     fn index(&self, i: isize, j: isize) -> usize {
         let (rx, ry) = (self.reach[0] as isize, self.reach[1] as isize);
         ((j + ry) * (2 * rx + 1) + i + rx) as usize

@@ -4,6 +4,15 @@ use super::roughness::require_heights;
 use crate::error::InputError;
 
 /// Probability density of heights in classes of equal width.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::metrics::height_histogram;
+/// let steps = [0.0, 0.0, 0.0, 1e-6];
+/// assert!(height_histogram(&steps, 2).is_ok());
+/// assert!(height_histogram(&steps, 0).is_err()); // no classes
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct HeightHistogram {

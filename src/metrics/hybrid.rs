@@ -5,6 +5,20 @@ use crate::error::InputError;
 use crate::grid::Grid;
 
 /// Hybrid parameters.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::metrics::hybrid_parameters;
+/// use stribeck::Grid;
+/// let grid = Grid::centred(64, 8, 1e-6, 1e-6)?;
+/// let wave: Vec<f64> = grid.nodes().map(|(x, _)| 1e-7 * (x * std::f64::consts::TAU / 64e-6).sin()).collect();
+/// let slope = hybrid_parameters(&grid, &wave, None)?.sdq;
+/// // Of a sine: its amplitude times its wave number over the root of two.
+/// let exact = 1e-7 * std::f64::consts::TAU / 64e-6 / 2.0_f64.sqrt();
+/// assert!((slope / exact - 1.0).abs() < 0.01);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct HybridParameters {

@@ -7,6 +7,7 @@ use crate::grid::Grid;
 /// Which points are defined.
 #[derive(Clone, Copy)]
 pub(super) struct Mask<'a> {
+    /// Which points are defined; none where all are.
     defined: Option<&'a [bool]>,
 }
 

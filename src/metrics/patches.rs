@@ -9,6 +9,21 @@ use crate::grid::Grid;
 const PERIMETER_CORRECTION: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
 
 /// Connected patches of a contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::metrics::contact_patches;
+/// use stribeck::{Boundary, Grid};
+/// let grid = Grid::centred(64, 64, 1e-6, 1e-6)?;
+/// let disc: Vec<bool> = grid.nodes().map(|(x, y)| x.hypot(y) < 2e-5).collect();
+/// let patches = contact_patches(&grid, &disc, Boundary::Open)?;
+/// assert_eq!(patches.areas.len(), 1);
+/// // The perimeter of the cells is that of the square around the disc.
+/// assert!((patches.perimeter / 160e-6 - 1.0).abs() < 0.03);
+/// assert!(patches.corrected_area < patches.areas[0]);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct ContactPatches {

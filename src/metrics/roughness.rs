@@ -3,6 +3,17 @@
 use crate::error::InputError;
 
 /// Moments and extremes of the heights of a surface about their mean. Nothing is levelled or filtered first.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::metrics::height_statistics;
+/// let wave: Vec<f64> = (0..64).map(|i| (f64::from(i) * std::f64::consts::TAU / 64.0).sin()).collect();
+/// let statistics = height_statistics(&wave)?;
+/// assert!((statistics.sq - 0.5_f64.sqrt()).abs() < 1e-12); // of a sine
+/// assert!((statistics.sku - 1.5).abs() < 1e-12 && statistics.ssk.abs() < 1e-12);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct HeightStatistics {

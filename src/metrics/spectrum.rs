@@ -10,6 +10,22 @@ use crate::grid::Grid;
 use crate::numerics::Fft2;
 
 /// Direction of profiles.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::metrics::{Axis, profile_spectrum};
+/// use stribeck::{Boundary, Grid};
+/// let grid = Grid::centred(64, 8, 1e-6, 1e-6)?;
+/// let waves: Vec<f64> = grid.nodes().map(|(x, _)| (x * std::f64::consts::TAU / 16e-6).sin()).collect();
+/// let along = profile_spectrum(&grid, &waves, Axis::X, Boundary::Periodic)?;
+/// let top = along.density.iter().copied().fold(0.0, f64::max);
+/// let highest = along.density.iter().position(|density| *density == top).unwrap();
+/// assert!((along.wavenumber[highest] * 16e-6 / std::f64::consts::TAU - 1.0).abs() < 1e-9);
+/// let across = profile_spectrum(&grid, &waves, Axis::Y, Boundary::Periodic)?;
+/// assert!(across.density.iter().all(|density| *density < 1e-20 * top));
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Axis {

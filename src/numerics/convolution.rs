@@ -1,11 +1,11 @@
 //! Discrete convolution of fields on a grid through FFTs of the zero-padded (doubled) size, so that no
 //! periodic image reaches the result (DC-FFT: Liu, Wang and Liu 2000, Wear 243, 101-111).
 //!
-//! With a kernel `K` on the offsets of an `nx` x `ny` grid the result is `out[j, i] = sum K(i - k, j - l)
-//! f[l, k]` over all nodes. Fields are padded with zeros to the next fast length from `2 n - 1` on along each
-//! axis, transformed along rows and then columns, multiplied by the spectrum of the kernel, which holds the
-//! factor `1/(px py)` of the inverse, and transformed back. It costs `O(n log n)` and agrees with the direct
-//! sum to rounding.
+//! With a kernel `K` on the offsets of an `nx` x `ny` grid the result is
+//! `out[j, i] = sum K(i - k, j - l) f[l, k]` over all nodes. Fields are padded with zeros to the next fast
+//! length from `2 n - 1` on along each axis, transformed along rows and then columns, multiplied by the
+//! spectrum of the kernel, which holds the factor `1/(px py)` of the inverse, and transformed back. It costs
+//! `O(n log n)` and agrees with the direct sum to rounding.
 //!
 //! Rows and columns are held padded a few at a time: memory is that of the fields, not of the doubled grid.
 
@@ -54,13 +54,21 @@ impl Precision for f32 {
 /// What is fixed by grid and kernel: transforms and the spectrum of the kernel. Shared by `Arc`.
 #[derive(Clone)]
 pub(crate) struct ConvolutionPlan<T: Precision = f64> {
+    /// Columns of a field.
     nx: usize,
+    /// Rows of a field.
     ny: usize,
+    /// Values of a padded row, `px`.
     padded_x: usize,
+    /// Values of a padded column, `py`.
     padded_y: usize,
+    /// Real rows to half a spectrum.
     rows_forward: Arc<dyn RealToComplex<T>>,
+    /// Half a spectrum to real rows.
     rows_inverse: Arc<dyn ComplexToReal<T>>,
+    /// Columns to their spectrum.
     columns_forward: Arc<dyn Fft<T>>,
+    /// And back.
     columns_inverse: Arc<dyn Fft<T>>,
     /// Spectrum of the kernel with the normalisation of the inverse folded in.
     spectrum: Spectrum<T>,
@@ -277,7 +285,9 @@ impl<T: Precision> ConvolutionPlan<T> {
 
 /// A plan with buffers of its own; cloning shares the plan.
 pub(crate) struct Convolution<T: Precision = f64> {
+    /// Transforms and kernel.
     plan: Arc<ConvolutionPlan<T>>,
+    /// What it writes to.
     work: Buffers<T>,
 }
 

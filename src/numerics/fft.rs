@@ -2,6 +2,8 @@
 //!
 //! Complex fields of `nx` x `ny` values, row-major: `F[l, k] = sum f[j, i] exp(-+ 2 pi i (k i/nx + l j/ny))`,
 //! the upper sign forward. Both directions one after the other multiply a field by `nx ny`.
+//!
+//! For real fields there is [`RealFft2`](super::RealFft2); spectra and correlations need whole complex ones.
 
 use std::sync::Arc;
 
@@ -13,8 +15,11 @@ const BLOCK: usize = 16;
 
 /// Transforms of `nx` x `ny` fields, row-major, both directions without normalisation.
 pub(crate) struct Fft2 {
+    /// Columns.
     nx: usize,
+    /// Rows.
     ny: usize,
+    /// Makes plans and keeps them.
     planner: FftPlanner<f64>,
 }
 
@@ -41,8 +46,11 @@ impl Fft2 {
 struct Columns {
     nx: usize,
     ny: usize,
+    /// Transform of one column.
     plan: Arc<dyn Fft<f64>>,
+    /// The columns, one after the other.
     values: Vec<Complex64>,
+    /// Work space of the transform.
     scratch: Vec<Complex64>,
 }
 

@@ -3,6 +3,8 @@
 //! After `k` steps the solution is `x = Z y` with the `y` that makes `|b - A Z y|` least, over the directions
 //! `Z` that the preconditioner gave so far. The norm of the residual falls from step to step and is known
 //! without forming the residual. Vectors and their products are in single precision, rotations in double.
+//!
+//! The basis of `limit + 1` vectors is made once; memory that no step reaches is not taken.
 
 /// Cosine of the rotation of a step below which it has left the residual as it was: its norm has fallen by
 /// half the square.
@@ -33,6 +35,7 @@ pub(crate) struct Gmres {
     hessenberg: Vec<f64>,
     /// Givens rotations, one a step.
     cosines: Vec<f64>,
+    /// The other half of the rotations.
     sines: Vec<f64>,
     /// Right-hand side of the triangular system; its last entry is the norm of the residual.
     rhs: Vec<f64>,

@@ -15,19 +15,27 @@ use super::transpose::{BLOCK, transpose};
 /// Transforms of real `nx` x `ny` fields, of which `nx / 2 + 1` columns of the spectrum tell all. Lines are
 /// transformed one by one, whichever thread does it: no bit depends on their number.
 pub(crate) struct RealFft2 {
+    /// Columns.
     nx: usize,
+    /// Rows.
     ny: usize,
+    /// Real rows to half a spectrum.
     rows_forward: Arc<dyn RealToComplex<f64>>,
+    /// Half a spectrum to real rows.
     rows_inverse: Arc<dyn ComplexToReal<f64>>,
+    /// Columns to their spectrum.
     columns_forward: Arc<dyn Fft<f64>>,
+    /// And back.
     columns_inverse: Arc<dyn Fft<f64>>,
 }
 
 /// What one thread needs.
 struct Lane {
+    /// A row.
     row: Vec<f64>,
     /// Spectra of a block of rows, or a column.
     spectra: Vec<Complex64>,
+    /// Work space of the transforms.
     scratch: Vec<Complex64>,
 }
 

@@ -1,4 +1,7 @@
 //! Fields seen the other way round.
+//!
+//! Transforms along columns read them as lines: copied once in blocks that fit the cache, they are then
+//! contiguous.
 
 /// Edge length of the square blocks in which fields are transposed: two blocks of complex numbers fit the
 /// first-level cache.

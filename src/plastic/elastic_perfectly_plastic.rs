@@ -24,8 +24,11 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElasticPerfectlyPlastic {
+    /// Hardness of the bare surface \[Pa\].
     substrate: f64,
+    /// What a full film takes off it \[Pa\].
     drop: f64,
+    /// One over the thickness of a full film \[1/m\].
     per_thickness: f64,
 }
 

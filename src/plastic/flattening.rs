@@ -75,6 +75,7 @@ pub fn split_depth_into(
 /// ```
 #[derive(Debug, PartialEq)]
 pub struct PlasticDepth {
+    /// Depth of each node \[m\].
     values: Vec<f64>,
 }
 

@@ -21,7 +21,9 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct IsotropicHardening {
+    /// Limit before any flattening.
     initial: ElasticPerfectlyPlastic,
+    /// Growth of the limit with the plastic depth \[Pa/m\].
     modulus: f64,
 }
 

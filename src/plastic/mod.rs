@@ -22,6 +22,24 @@ use crate::error::InputError;
 ///
 /// Contract: the limit is positive and not NaN for every finite argument, and it does not fall with the
 /// plastic depth; infinity means that the body never yields.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::plastic::PlasticityModel;
+/// /// A hardness that no film and no flattening changes.
+/// #[derive(Debug)]
+/// struct Hard(f64);
+/// impl PlasticityModel for Hard {
+///     fn pressure_limit(&self, _film_thickness: f64, _plastic_depth: f64) -> f64 {
+///         self.0
+///     }
+/// }
+/// let mut limit = [0.0; 2];
+/// Hard(6e9).contact_limit_into([&[0.0, 1e-7], &[0.0; 2]], [&[0.0; 2], &[0.0; 2]], &mut limit)?;
+/// assert_eq!(limit, [6e9, 6e9]);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 pub trait PlasticityModel: Debug + Send + Sync {
     /// Pressure limit \[Pa\] of one body at a node that carries `film_thickness` \[m\] of tribofilm and has
     /// been flattened by `plastic_depth` \[m\].

@@ -37,11 +37,29 @@ const FILM_OVER_CONTACT: f64 = 10.0;
 ///
 /// With [`ContactDefinition::UnifiedReynolds`] the hard contact is solved first: where nothing touches it is
 /// the answer, else [`SemiSystem`] starts from the state that was given.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::SolverId;
+/// use stribeck::sim::{Scene, solve_contact};
+/// // Scenes ask this solver unless they name another one; reports name the one that was picked.
+/// let mut scene = Scene::azam_2019(32);
+/// assert_eq!(solve_contact(&scene)?.report.solver, SolverId::NewtonKrylov);
+/// scene.lubricant = None;
+/// scene.motion.slide_roll_ratio = 0.0;
+/// assert_eq!(solve_contact(&scene)?.report.solver, SolverId::Dry);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Auto {
+    /// For problems without a lubricant.
     dry: Dry,
+    /// For smooth full films; hands over what is slow.
     multigrid: Multigrid,
+    /// For all other lubricated problems.
     newton: NewtonKrylov,
+    /// For the paper's contact, and for what Newton's method leaves where nothing touches.
     sweeps: SemiSystem,
     /// State to go back to where a solver has made nothing of it.
     kept: Option<ContactState>,

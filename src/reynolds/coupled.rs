@@ -10,6 +10,9 @@
 //!
 //! All solvers, and [`Evaluation`](super::Evaluation) for those of others, measure a state by this alone. `F`
 //! is over entrainment speed and cell size: a film thickness.
+//!
+//! Which files change what: the flow and its balances are `flow`, the sides of nodes `active_set`, the
+//! unknowns of a solve `state`. What a residual is, is decided here alone (`residuals`).
 
 use super::active_set::{Fluid, Kind, Sample, Solid};
 use super::flow::{Discretisation, NearField};

@@ -68,6 +68,8 @@ impl DryStart {
         sum / n.max(1) as f64
     }
 
+    /// Solves the dry problem and writes pressures and approach; from a Hertzian pressure where `state` has
+    /// none.
     fn solve(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -113,6 +115,27 @@ pub(super) fn hertzian_on(grid: &Grid, problem: &LubricatedContact<'_>, pressure
 
 /// Dry contact by active-set conjugate gradients; a lubricant in the problem is an error, and so is a contact
 /// that reaches the edge of the box: the bodies would touch beyond it, and what they carry there is residual.
+///
+/// # Examples
+///
+/// Hertz' contact of a ball on a plane:
+///
+/// ```
+/// use stribeck::analytic::HertzPoint;
+/// use stribeck::elastic::HalfSpace;
+/// use stribeck::reynolds::{ContactSolver, ContactState, Dry, LubricatedContact, StoppingRule};
+/// use stribeck::Grid;
+/// let hertz = HertzPoint::from_max_pressure(1e-2, 1e-2, 230e9, 1e9)?;
+/// let grid = Grid::centred(64, 64, 3.0 * hertz.a_x / 64.0, 3.0 * hertz.a_x / 64.0)?;
+/// let gap: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / 0.02).collect();
+/// let mut body = HalfSpace::new(grid, 230e9)?;
+/// let mut problem = LubricatedContact::new(&gap, &mut body, hertz.load, (hertz.a_x, hertz.a_y), hertz.p_max);
+/// let mut state = ContactState::new(&grid);
+/// Dry::new().solve(&mut problem, &mut state, &StoppingRule::default())?.require_converged()?;
+/// let peak = state.pressure.iter().copied().fold(0.0, f64::max);
+/// assert!((peak / hertz.p_max - 1.0).abs() < 0.01);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Default)]
 pub struct Dry {
     /// Whether a contact that reaches the edge of the box is taken as it is.

@@ -48,6 +48,15 @@ use crate::solver_id::SolverId;
 use crate::with_fields::with_fields;
 
 /// When a solve ends.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::reynolds::StoppingRule;
+/// let rule = StoppingRule::default().with_tolerance(1e-8);
+/// assert!(rule.validate().is_ok() && rule.max_iterations == 20_000);
+/// assert!(rule.with_tolerance(0.5).validate().is_err());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct StoppingRule {
@@ -94,6 +103,33 @@ impl StoppingRule {
 /// allocate. What is found depends on problem, state and rule alone, so that a resumed run is the
 /// uninterrupted one. Residuals are those of [`Evaluation`]. Never report
 /// [`Status::Converged`](crate::Status::Converged) with a residual above the tolerance.
+///
+/// # Examples
+///
+/// A solver that asks another one and calls itself so:
+///
+/// ```
+/// use stribeck::reynolds::{ContactSolver, ContactState, Dry, LubricatedContact, ReynoldsError, StoppingRule};
+/// use stribeck::{SolveReport, SolverId};
+/// #[derive(Debug, Default)]
+/// struct Mine(Dry);
+/// impl ContactSolver for Mine {
+///     fn id(&self) -> SolverId {
+///         SolverId::Custom("mine")
+///     }
+///     fn solve(
+///         &mut self,
+///         problem: &mut LubricatedContact<'_>,
+///         state: &mut ContactState,
+///         stop: &StoppingRule,
+///     ) -> Result<SolveReport, ReynoldsError> {
+///         let mut report = self.0.solve(problem, state, stop)?;
+///         report.solver = self.id();
+///         Ok(report)
+///     }
+/// }
+/// assert_eq!(Mine::default().id().to_string(), "mine");
+/// ```
 pub trait ContactSolver: Debug + Send + Sync {
     /// What reports call the solver; [`SolverId::Custom`] outside of the crate.
     fn id(&self) -> SolverId;

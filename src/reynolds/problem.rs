@@ -8,6 +8,19 @@ use crate::lubricant::Lubricant;
 use crate::with_fields::with_fields;
 
 /// What solid contact is in a lubricated contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::reynolds::ContactDefinition;
+/// use stribeck::sim::{Scene, solve_contact};
+/// let scene = Scene::azam_2019(32);
+/// assert_eq!(scene.solver.contact, ContactDefinition::Hard);
+/// let solution = solve_contact(&scene)?;
+/// // Solids hold the film at the cut-off.
+/// assert!(solution.film.minimum_gap > 0.9 * scene.solver.film_cutoff);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
@@ -25,6 +38,17 @@ pub enum ContactDefinition {
 }
 
 /// The previous state that the squeeze term `d(rho h)/dt` refers to.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::reynolds::Squeeze;
+/// let mass = [100e-9; 4];
+/// let squeeze = Squeeze { previous_mass: &mass, time_step: 1e-4 };
+/// // A film that has fallen by a nanometre loses 10 um/s.
+/// let rate = (99e-9 - squeeze.previous_mass[0]) / squeeze.time_step;
+/// assert!((rate + 1e-5).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Squeeze<'a> {
     /// `rho/rho_0 * h` of the previous time per node \[m\], as carried over from its solve.
@@ -96,6 +120,35 @@ impl<'a> Squeeze<'a> {
 ///
 /// On a grid with one row this is a line contact: the two ends of the row are its outermost nodes, nothing
 /// flows across it, and loads are those of the length `dy`.
+///
+/// # Examples
+///
+/// A smooth steel ball in oil, its film against a formula for it:
+///
+/// ```
+/// use stribeck::analytic::{FilmConditions, HertzPoint};
+/// use stribeck::elastic::HalfSpace;
+/// use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
+/// use stribeck::reynolds::{Auto, ContactSolver, ContactState, LubricatedContact, StoppingRule};
+/// use stribeck::Grid;
+/// let (radius, modulus) = (9.525e-3, 230e9);
+/// let hertz = HertzPoint::from_max_pressure(radius, radius, modulus, 0.5e9)?;
+/// let grid = Grid::centred(64, 64, 5.0 * hertz.a_x / 64.0, 5.0 * hertz.a_x / 64.0)?;
+/// let gap: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / (2.0 * radius)).collect();
+/// let oil = Lubricant::new(Roelands::new(0.04, 0.6, 1.96e8)?, DowsonHigginson::new(0.6e-9, 1.7e-9)?);
+/// let mut body = HalfSpace::new(grid, modulus)?;
+/// let mut problem = LubricatedContact::new(&gap, &mut body, hertz.load, (hertz.a_x, hertz.a_y), hertz.p_max)
+///     .with_lubricant(Some(&oil))
+///     .with_entrainment_speed(1.0)
+///     .with_reference_film(200e-9);
+/// let mut state = ContactState::new(&grid);
+/// let report = Auto::new().solve(&mut problem, &mut state, &StoppingRule::default())?;
+/// report.require_converged()?;
+/// let carried = state.pressure.iter().sum::<f64>() * grid.cell_area();
+/// assert!((carried / hertz.load - 1.0).abs() < 1e-5);
+/// assert!(!state.in_contact.contains(&true));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct LubricatedContact<'a> {

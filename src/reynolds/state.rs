@@ -8,6 +8,19 @@ use crate::error::InputError;
 use crate::grid::Grid;
 
 /// Pressures, film and approach of a contact; fields are row-major slices over the grid.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::reynolds::ContactState;
+/// let grid = Grid::centred(8, 4, 1e-6, 1e-6)?;
+/// let mut state = ContactState::new(&grid);
+/// (state.pressure[5], state.fluid_pressure[5], state.in_contact[5]) = (3e8, 1e8, true);
+/// assert_eq!(state.solid_pressure(5), 2e8);
+/// assert!(state.validate(&Grid::centred(4, 4, 1e-6, 1e-6)?).is_err());
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

@@ -13,6 +13,21 @@ use crate::wear::{SurfaceLedger, Volumes, WearDepth};
 /// The surface of one body on its own periodic patch.
 ///
 /// At every moment `surface = initial - wear - plastic + film`, node by node.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16).with_tribofilm()).build()?;
+/// sim.step(60.0)?;
+/// let disc = &sim.bodies()[1];
+/// for k in 0..16 * 16 {
+///     let lost = disc.wear_depth()[k] + disc.plastic_depth()[k];
+///     let surface = disc.initial()[k] - lost + disc.film_thickness()[k];
+///     assert!((disc.surface()[k] - surface).abs() < 1e-20);
+/// }
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug)]
 pub struct Body {
     /// Heights at the start \[m\].

@@ -3,6 +3,9 @@
 //! Every law of the scene can be replaced before [`build`](SimBuilder::build) or
 //! [`solve`](SimBuilder::solve), which check all of it: nothing is made before. Replaced parts make a run
 //! another one for checkpoints, which compare them by what `Debug` prints.
+//!
+//! [`SimBuilder::build`] makes a history, [`SimBuilder::solve`] a single contact. Parts are kept as given and
+//! shared by clones of the simulation, but for elastic bodies and solver, which are copied.
 
 use std::sync::Arc;
 
@@ -32,6 +35,20 @@ use crate::tribochem::FilmGrowthLaw;
 use crate::wear::WearLaw;
 
 /// Builder of a [`MixedLubricationSim`].
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// use stribeck::wear::Archard;
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16))
+///     .wear_law(Archard::azam_2019()) // one law for both bodies
+///     .disc_heights(vec![0.0; 16 * 16]) // a smooth disc under the rough ball of the scene
+///     .build()?;
+/// assert_eq!(sim.bodies()[1].surface(), [0.0; 16 * 16]);
+/// assert!(sim.step(10.0)?.mean_wear[1] > 0.0);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug)]
 pub struct SimBuilder {
     /// The scene, which what follows takes precedence over.
@@ -40,9 +57,13 @@ pub struct SimBuilder {
     pub(super) overrides: Overrides,
     /// Laws that were given; none for those of the scene.
     pub(super) plasticity: Option<Arc<dyn PlasticityModel>>,
+    /// Growth of the tribofilm.
     pub(super) growth: Option<Arc<dyn FilmGrowthLaw>>,
+    /// Wear of both bodies.
     pub(super) wear: Option<Arc<dyn WearLaw>>,
+    /// Friction of solid contact.
     pub(super) friction: Option<Arc<dyn BoundaryFriction>>,
+    /// Motion of the roughness from step to step.
     pub(super) motion: Option<Arc<dyn RoughnessMotion>>,
     /// Whether contacts feel the squeeze of those before.
     squeeze: bool,

@@ -35,6 +35,20 @@ const FORMAT: u32 = 5;
 const HEADER: usize = 36;
 
 /// Why a checkpoint could not be written or used.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{CheckpointError, MixedLubricationSim, Scene};
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
+/// let mut bytes = sim.checkpoint()?;
+/// if let Some(last) = bytes.last_mut() {
+///     *last ^= 1;
+/// }
+/// let error = sim.restore_checkpoint(&bytes).unwrap_err();
+/// assert!(matches!(error, CheckpointError::Damaged { .. }));
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum CheckpointError {
@@ -95,9 +109,12 @@ struct BodyPart<'a> {
     film: Option<FilmPart<'a>>,
 }
 
+/// What is kept of a tribofilm.
 #[derive(Serialize, Deserialize)]
 struct FilmPart<'a> {
+    /// States of its law, node by node.
     states: Cow<'a, [f64]>,
+    /// Thicknesses that nodes have gained and lost in sum \[m\].
     changes: [f64; 2],
 }
 
@@ -135,6 +152,7 @@ impl<'a> BodyPart<'a> {
         }
     }
 
+    /// The body again, with the film of `law`; refuses fields that have not `n` finite values.
     fn into_body(self, law: Option<&dyn FilmGrowthLaw>, n: usize) -> Result<Body, InputError> {
         let mut body = Body::new(self.initial.into_owned(), None);
         body.wear = WearDepth::from_values(self.wear.into_owned())?;

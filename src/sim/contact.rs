@@ -33,6 +33,7 @@ const CONFIRMED: f64 = 2.0;
 /// Grid, elastic body, lubricant, load and solver of a scene.
 #[derive(Debug, Clone)]
 pub(super) struct ContactModel {
+    /// Grid of all fields.
     pub(super) grid: Grid,
     /// Hertz contact of the smooth bodies under the load.
     pub(super) hertz: HertzContact,
@@ -48,16 +49,21 @@ pub(super) struct ContactModel {
     confirms: bool,
     /// Tolerance and largest number of iterations.
     rule: StoppingRule,
+    /// Discretisation of entrainment.
     pub(super) scheme: Scheme,
+    /// Law of the pressure flow through a face.
     pub(super) face_mobility: FaceMobility,
+    /// What becomes of the fluid where its pressure would fall below zero.
     pub(super) cavitation: Cavitation,
     /// Film that the inlet gets \[m\]; none where it is flooded.
     supplied_film: Option<f64>,
+    /// What sliding leaves of the viscosity for the flow by pressure; none where that is not modelled.
     shear_thinning: Option<ShearThinning>,
     /// Film at which solids touch \[m\].
     pub(super) film_cutoff: f64,
     /// What solid contact is.
     pub(super) contact: ContactDefinition,
+    /// Entrainment speed and slide-roll ratio.
     pub(super) motion: Motion,
     /// Load that was asked for; that of the Hertz contact is rounded \[N\].
     load: f64,
@@ -78,13 +84,21 @@ pub(super) struct ContactModel {
 /// What changes of a contact model from step to step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Circumstances {
+    /// Hertz contact under the load.
     hertz: HertzContact,
+    /// Entrainment speed and slide-roll ratio.
     motion: Motion,
+    /// Film formulas.
     formulas: Option<FormulaFilm>,
+    /// Central film by formula \[m\].
     stated_film: f64,
+    /// Load that was asked for \[N\].
     load: f64,
+    /// What sliding leaves of the viscosity for the flow by pressure.
     shear_thinning: Option<ShearThinning>,
+    /// Temperature of the lubricant \[K\].
     bulk_temperature: f64,
+    /// Flow of the last solution.
     flow: Option<FlowBalance>,
 }
 

@@ -52,6 +52,7 @@ impl Course {
         Ok(course)
     }
 
+    /// Refuses times that are none, do not increase, or begin after zero.
     fn check_times(&self, field: &str) -> Result<(), InputError> {
         let times = format!("{field}.times");
         let Some(first) = self.times.first() else {

@@ -10,6 +10,17 @@ use crate::reynolds::ReynoldsError;
 use crate::surface::SurfaceError;
 
 /// Why a scene could not be built or a step not be taken. The state of a simulation is unchanged by an error.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene, SimError};
+/// let mut scene = Scene::azam_2019(32);
+/// scene.motion.entrainment_speed = -1.0;
+/// let error = MixedLubricationSim::builder(scene).build().unwrap_err();
+/// assert!(matches!(error, SimError::Input(_)));
+/// assert!(error.to_string().starts_with("motion.entrainment_speed = -1"));
+/// ```
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum SimError {

@@ -119,6 +119,7 @@ pub(super) fn ageing(
     Ok([of(track.radius_ball, speeds[0])?, of(track.radius_disc, speeds[1])?])
 }
 
+/// Length of a track of this `radius` \[m\]: `2 pi radius`.
 fn track_length(radius: f64) -> f64 {
     2.0 * std::f64::consts::PI * radius
 }

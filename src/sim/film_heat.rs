@@ -1,4 +1,10 @@
 //! A contact and the temperature of its film as one converged state.
+//!
+//! The film warms, its viscosity falls, pressures and films change, and with them the heat: a fixed point in
+//! the logarithms of the ratios of viscosity at the nodes. Each turn solves the contact with the ratios so
+//! far, finds the temperature of the film that this contact has, and mixes what follows into the ratios
+//! ([`Mixing`]). It ends where no node's `ln eta` would change by more than [`TOLERANCE`] and the heat is
+//! balanced. Only a single contact is solved so; a history knows the bulk temperature alone.
 
 use super::SimError;
 use super::contact::ContactModel;
@@ -24,6 +30,22 @@ const LARGEST: f64 = 30.0;
 const STEP: f64 = 0.5;
 
 /// Film temperature of a solved contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// use stribeck::thermal::FilmThermal;
+/// let mut scene = Scene::azam_2019(32);
+/// // A viscosity that knows temperature: 4 mPa s hold at 80 C.
+/// scene.lubricant = scene.lubricant.map(|oil| {
+///     let known = oil.with_temperature(Some(353.15)).with_roelands_s0(Some(1.1));
+///     known.with_thermal(Some(FilmThermal::default()))
+/// });
+/// let heat = solve_contact(&scene)?.film_heat.ok_or("not asked for")?;
+/// assert!(heat.maximum > 353.15 && heat.balance.imbalance() < 0.01);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct FilmHeatNumbers {
@@ -74,9 +96,13 @@ pub(super) fn refuse_history(scene: &Scene) -> Result<(), InputError> {
 
 /// What stays the same from solve to solve.
 pub(super) struct Surroundings<'a> {
+    /// Laws of friction, plasticity, growth and wear.
     pub(super) laws: &'a Laws,
+    /// Undeformed gap \[m\].
     pub(super) gap: &'a [f64],
+    /// Pressure limit \[Pa\]; none without plasticity.
     pub(super) limit: Option<&'a [f64]>,
+    /// Tribofilms of ball and disc \[m\].
     pub(super) tribofilms: &'a [Vec<f64>; 2],
 }
 
@@ -120,15 +146,20 @@ pub(super) fn solve(
 
 /// The iteration between contact and temperature.
 struct Loop {
+    /// What finds the temperature of a solved contact.
     temperature: FilmTemperature,
     /// Logarithms of the ratios of viscosity that the contact was solved with, and those that its heat makes
     /// beyond them.
     used: Vec<f64>,
+    /// Those that its heat makes, less those it was solved with.
     residual: Vec<f64>,
+    /// The way from one turn to the next.
     mixing: Mixing,
 }
 
 impl Loop {
+    /// Turns until contact and heat agree, until [`MAX_SOLVES`], or until a contact does not converge.
+    /// `report` is that of the cool contact; the one that is returned counts the work of all.
     fn run(
         mut self,
         given: &Surroundings<'_>,
@@ -200,6 +231,7 @@ impl Loop {
         self.residual.iter().fold(0.0, |largest, residual| residual.abs().max(largest))
     }
 
+    /// Numbers of the film as it is, after so many `solves` and with the last `change`.
     fn numbers(
         &self,
         model: &ContactModel,

@@ -9,6 +9,16 @@ use crate::error::InputError;
 use crate::lubricant::ViscosityLaw;
 
 /// What the film formulas make of a scene.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// let film = Scene::azam_2019(32).formula_film()?.ok_or("dry")?;
+/// let all = film.all_regimes.ok_or("an elliptic contact")?;
+/// assert!((film.central / all - 1.0).abs() < 0.5); // two formulas, one contact
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FormulaFilm {

@@ -50,6 +50,7 @@ pub(super) fn boundary_law(
 pub(super) struct FrictionFields {
     /// Shear stress law of the fluid.
     rheology: Rheology,
+    /// Sliding speed, never negative \[m/s\].
     sliding: f64,
     /// Pressure that solid contact carries \[Pa\].
     pub(super) solid: Vec<f64>,

@@ -10,6 +10,16 @@ pub(super) const LINE_LENGTH: f64 = 1.0;
 
 /// Size, pressure and load of the Hertz contact of the smooth bodies. Of a line contact these are those of
 /// one metre of its length, so that its load in N is its load per length in N/m.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// let hertz = Scene::azam_2019(32).hertz()?;
+/// assert!((hertz.load / (2.0 / 3.0 * hertz.p_max * hertz.area) - 1.0).abs() < 1e-12);
+/// assert!((hertz.radius_squared(hertz.a_x, 0.0) - 1.0).abs() < 1e-12);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct HertzContact {

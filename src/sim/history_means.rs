@@ -1,4 +1,7 @@
 //! What a history ends with: means over its last tenth, under the names that JSON, terminal and Python share.
+//!
+//! The last tenth of the steps is taken, one step at least. A number is an entry of `NAMES` and one of
+//! `numbers`, in the same place; the table in `docs/running.md` lists them.
 
 use std::fmt;
 
@@ -26,6 +29,7 @@ const NAMES: [(&str, &str); 18] = [
     ("plastic", "volume"),
 ];
 
+/// Numbers of one step, in the order of [`NAMES`].
 fn numbers(record: &StepRecord) -> [f64; NAMES.len()] {
     [
         record.area_ratio,
@@ -62,9 +66,13 @@ fn numbers(record: &StepRecord) -> [f64; NAMES.len()] {
 /// ```
 #[derive(Debug, Clone)]
 pub struct HistoryMeans {
+    /// Steps of the whole history.
     steps: u64,
+    /// Sums over the steps that count.
     sums: [f64; NAMES.len()],
+    /// Steps that count, so far.
     count: u64,
+    /// Steps whose contact took more than one position of the roughness.
     moved: u64,
 }
 
@@ -91,6 +99,7 @@ impl HistoryMeans {
         self.named().find(|(name, ..)| *name == (table, key)).map(|(_, mean)| mean)
     }
 
+    /// Names with their means; zero before any step counts.
     fn named(&self) -> impl Iterator<Item = ((&'static str, &'static str), f64)> {
         let count = self.count.max(1) as f64;
         NAMES.into_iter().zip(self.sums).map(move |(name, sum)| (name, sum / count))

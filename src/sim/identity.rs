@@ -1,4 +1,9 @@
 //! What tells one simulation from another.
+//!
+//! A checkpoint carries the identity of its run; one that resumes compares them part by part and names what
+//! differs. Scenes are compared as files with all defaults, own laws by what `Debug` prints, own bodies and
+//! solvers by what they do and are called. [`CONDITIONS`] lists what may differ where a run goes on under
+//! other conditions.
 
 use toml::{Table, Value};
 
@@ -30,8 +35,11 @@ const OF_SCENE: &str = "of the scene";
 /// A run in words: its scene as a scene file, and what was put in place of parts of the scene.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Identity {
+    /// Of this description.
     version: u32,
+    /// The scene as a file.
     scene: String,
+    /// What else a run depends on: name and words.
     parts: Vec<(String, String)>,
 }
 

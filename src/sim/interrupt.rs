@@ -1,4 +1,8 @@
 //! Ending a solve from outside.
+//!
+//! Solvers know nothing of it: every one of them needs a displacement in each iteration, and the deformation
+//! model refuses it when the solve shall end. What the solver makes of that error does not matter, as the
+//! flag tells.
 
 use std::fmt;
 use std::sync::Arc;
@@ -20,6 +24,7 @@ impl fmt::Debug for Interrupt {
 }
 
 impl Interrupt {
+    /// Asks `asked`.
     pub(super) fn new(asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Self(Arc::new(asked))
     }
@@ -29,13 +34,16 @@ impl Interrupt {
 /// refuses it where the solve shall end; without an interrupt the model as it is.
 #[derive(Debug)]
 pub(super) struct Interruptible<M: ?Sized = dyn OwnedModel> {
+    /// The model that is asked.
     model: Box<M>,
+    /// What may end the solve.
     interrupt: Option<Interrupt>,
     /// Whether a solve was refused its displacement. Shared with the same model on other grids.
     heeded: Arc<AtomicBool>,
 }
 
 impl Interruptible {
+    /// The `model` with an interrupt or without.
     pub(super) fn new(model: Box<dyn OwnedModel>, interrupt: Option<Interrupt>) -> Self {
         Self { model, interrupt, heeded: Arc::default() }
     }

@@ -38,6 +38,7 @@ impl Mixing {
         add_scaled(point, share, &rest);
     }
 
+    /// Takes in the last change of point and residual and drops what is old or hardly new.
     fn remember(&mut self, moved: Vec<f64>, change: Vec<f64>) {
         let size = dot(&change, &change);
         let kept = std::mem::take(&mut self.changes);

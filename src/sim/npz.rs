@@ -1,4 +1,6 @@
 //! Fields as `NumPy` archives.
+//!
+//! An archive is a zip file of arrays; each is written in pieces, so that no copy of a field is made.
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -51,6 +53,7 @@ pub fn write_npz(path: impl AsRef<Path>, grid: &Grid, fields: &[(&str, &[f64])])
     write_archive(path, grid, fields).map_err(|source| SimError::Io { path: path.to_owned(), source })
 }
 
+/// Positions of the nodes, then the fields.
 fn write_archive(path: &Path, grid: &Grid, fields: &[(&str, &[f64])]) -> std::io::Result<()> {
     let mut archive = ZipWriter::new(BufWriter::new(File::create(path)?));
     let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
@@ -67,6 +70,7 @@ fn write_archive(path: &Path, grid: &Grid, fields: &[(&str, &[f64])]) -> std::io
     archive.finish()?.flush()
 }
 
+/// Header and values of one array of the given `shape`.
 fn write_array(out: &mut impl Write, shape: &str, values: &[f64]) -> std::io::Result<()> {
     let dictionary = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({shape}), }}");
     let length = HEADER - PREFIX;

@@ -11,6 +11,23 @@ use super::simulation::MixedLubricationSim;
 /// Sees every committed step and may stop the run.
 ///
 /// Closures `FnMut(&MixedLubricationSim, &StepRecord) -> ControlFlow<()>` are observers.
+///
+/// # Examples
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use stribeck::sim::{MixedLubricationSim, Observer, RunEnd, Scene, StepRecord};
+/// /// Stops a run once the disc has lost a nanometre somewhere.
+/// struct UntilWorn;
+/// impl Observer for UntilWorn {
+///     fn after_step(&mut self, _sim: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()> {
+///         if record.max_wear[1] > 1e-9 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+///     }
+/// }
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
+/// assert_eq!(sim.run(1, 1e6, &mut UntilWorn)?, RunEnd::Stopped);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 pub trait Observer {
     /// Called after a step was committed; [`ControlFlow::Break`] ends the run.
     fn after_step(&mut self, sim: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()>;

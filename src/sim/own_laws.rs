@@ -1,10 +1,14 @@
 //! What a law of the user's must hold before a contact is built on it.
+//!
+//! A law from outside is asked at pressures up to the end of the table of the lubricant: a value that is no
+//! number, or that falls, would be met in the middle of a solve.
 
 use crate::error::InputError;
 use crate::lubricant::{DensityLaw, ViscosityLaw};
 
 /// Pressures that laws of a lubricant are asked at, up to the end of its table.
 const PRESSURES: usize = 128;
+/// Distance of these pressures \[Pa\].
 const STEP: f64 = 1.6e8;
 /// What rounding may take from a value that does not fall.
 const ROUNDING: f64 = 1e-12;
@@ -24,6 +28,7 @@ pub(super) fn require_density(law: &dyn DensityLaw) -> Result<(), InputError> {
     require(field, "finite and not falling with pressure", |p, out| law.fill(p, out))
 }
 
+/// Checks values at all pressures, those that `fill` gives.
 fn require(
     field: &str,
     requirement: &'static str,

@@ -1,8 +1,8 @@
 //! How both bodies lie opposite each other: where the roughness stands, and the fields of the contact there.
 //!
 //! Both bodies are periodic patches of the size of the grid. An [`Offset`] says by how many cells and what
-//! fraction of one a patch is shifted against the contact; the gap of the undeformed bodies is `form - ball -
-//! disc` with the heights of both where they then are.
+//! fraction of one a patch is shifted against the contact; the gap of the undeformed bodies is
+//! `form - ball - disc` with the heights of both where they then are.
 
 use std::sync::Arc;
 

@@ -1,4 +1,8 @@
 //! One row of a history.
+//!
+//! A new number is a field, a column at the end of the header and of a line, and a line in `docs/output.md`;
+//! where it gets its value is `MixedLubricationSim::record`. Records are read back to the last bit, which
+//! resuming rests on.
 
 use std::io::{self, Write};
 
@@ -14,6 +18,22 @@ const OTHER: SolverId = SolverId::Custom("other");
 /// The numbers of one committed step; all SI. Those of the contact (roughness, film, pressures, friction,
 /// heat) are of one instant, the start of the step, under the conditions that held then: the contact of the
 /// first record is that of time zero. Wear, tribofilm and flattened volume are those at its end.
+///
+/// # Examples
+///
+/// A line of `history.csv` is the record again, but for what the line does not hold:
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene, StepRecord};
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
+/// let record = sim.step(10.0)?;
+/// let mut line = Vec::new();
+/// record.write_csv(&mut line)?;
+/// let read = StepRecord::from_csv(String::from_utf8(line)?.trim_end())?;
+/// assert_eq!((read.time, read.max_wear), (record.time, record.max_wear));
+/// assert!(read.report.residual_history.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct StepRecord {
@@ -264,10 +284,12 @@ impl StepRecord {
     }
 }
 
+/// The value of a cell, or the error that names its column.
 fn parsed<T: std::str::FromStr>(column: &str, cell: &str) -> Result<T, InputError> {
     cell.parse().map_err(|_| unreadable(column, cell))
 }
 
+/// That error.
 fn unreadable(column: &str, cell: &str) -> InputError {
     InputError::Conflict { field: column.to_owned(), reason: format!("`{cell}` is no value of this column") }
 }

@@ -50,12 +50,17 @@ use crate::reynolds::ContactState;
 /// ```
 #[derive(Debug)]
 pub struct RunFolder {
+    /// The folder.
     path: PathBuf,
+    /// `history.csv`, open behind its last line.
     history: BufWriter<File>,
+    /// Steps from one checkpoint to the next; 0 for none before the end.
     every: u64,
     /// The contact of the last committed step.
     last_contact: Option<ContactState>,
+    /// Steps of the last checkpoint.
     saved_steps: Option<u64>,
+    /// Why a step could not be written.
     failure: Option<SimError>,
 }
 
@@ -66,6 +71,7 @@ struct RunTable {
     stribeck: &'static str,
     /// By what `Debug` prints of it.
     motion: String,
+    /// Whether contacts feel the squeeze of those before.
     squeeze: bool,
 }
 
@@ -136,6 +142,7 @@ impl RunFolder {
         Ok((Self { path, history, every, last_contact, saved_steps, failure: None }, records))
     }
 
+    /// The history of the folder at `path`, to read and write.
     fn open_history(path: &Path) -> Result<BufWriter<File>, SimError> {
         let file = path.join("history.csv");
         let opened = File::options().read(true).write(true).open(&file);
@@ -163,6 +170,7 @@ impl RunFolder {
         Ok((records, length as u64))
     }
 
+    /// A line of the history and, where it is due, a checkpoint.
     fn write_step(&mut self, sim: &MixedLubricationSim, record: &StepRecord) -> Result<(), SimError> {
         let file = self.path.join("history.csv");
         let written = record.write_csv(&mut self.history).and_then(|()| self.history.flush());

@@ -12,6 +12,18 @@ use super::step_control::StepControl;
 use crate::error::InputError;
 
 /// How a run ended.
+///
+/// # Examples
+///
+/// ```
+/// use std::ops::ControlFlow;
+/// use stribeck::sim::{MixedLubricationSim, RunEnd, Scene, StepControl, StepRecord};
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
+/// let mut go_on = |_: &MixedLubricationSim, _: &StepRecord| ControlFlow::Continue(());
+/// assert_eq!(sim.run_until(25.0, &StepControl::fixed(10.0), &mut go_on)?, RunEnd::Finished);
+/// assert_eq!((sim.steps(), sim.time()), (3, 25.0)); // the last step is shorter
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RunEnd {
     /// All steps were taken.

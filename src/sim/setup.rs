@@ -1,4 +1,8 @@
 //! From a scene to the pieces of a contact problem.
+//!
+//! One function a piece: it reads the values of the scene that decide, refuses those out of range by the name
+//! of their key, and makes the law, the solver or the heights. The order in which they are put together is
+//! that of `ContactModel::new`; a new law that scenes name is made here.
 
 use super::SimError;
 use super::friction::boundary_law;
@@ -18,6 +22,7 @@ use crate::surface::rescale;
 
 /// Memory of a lubricated and of a dry contact per node.
 const LUBRICATED_BYTES: usize = 2000;
+/// Of a dry one.
 const DRY_BYTES: usize = 400;
 /// Largest film at which solids touch, over the smallest radius of the form.
 const LARGEST_CUTOFF: f64 = 1e-3;
@@ -91,6 +96,7 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     Ok(())
 }
 
+/// Checks a wanted relative error of the mesh.
 pub(super) fn validate_accuracy(field: &str, accuracy: f64) -> Result<(), InputError> {
     InputError::require((1e-4..=0.1).contains(&accuracy), field, accuracy, "between 1e-4 and 0.1")
 }
@@ -258,6 +264,7 @@ fn viscosity_law(spec: &LubricantSpec, temperature: f64) -> Result<Box<dyn Visco
     })
 }
 
+/// The law of Roelands by its index or its slope.
 fn roelands(spec: &LubricantSpec) -> Result<Roelands, InputError> {
     match spec.alpha {
         None => Roelands::new(spec.eta0, spec.roelands_z, spec.roelands_p0),
@@ -289,6 +296,7 @@ pub(super) fn solver(scene: &Scene) -> Result<Box<dyn OwnedSolver>, InputError> 
     })
 }
 
+/// Tolerance and largest number of iterations.
 pub(super) fn stopping_rule(scene: &Scene) -> Result<StoppingRule, InputError> {
     let rule =
         StoppingRule { tolerance: scene.solver.tolerance, max_iterations: scene.solver.max_iterations };

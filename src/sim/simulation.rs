@@ -102,8 +102,11 @@ pub struct MixedLubricationSim {
     pub(super) draws: u64,
     /// The bodies as they lie in the step in progress, and what follows from its contact.
     pub(super) placement: Placement,
+    /// Pressure limit and flattening.
     pub(super) yielding: Yielding,
+    /// Shear stresses.
     pub(super) friction: FrictionFields,
+    /// Buffers on the nodes of a body.
     marks: Marks,
     /// Mass that the squeeze refers to.
     squeezed: Vec<f64>,

@@ -1,5 +1,9 @@
 //! Single contacts through the builder of simulations: one path for scenes, heights in memory, own parts and
 //! finer meshes.
+//!
+//! A single contact begins in one way for `check` and `solve` ([`SimBuilder::begin`]): all that can be
+//! refused is refused before the first iteration, with the same error for both. A scene with an accuracy or
+//! an estimate of errors becomes a series of meshes (`accuracy`), any other one mesh ([`Prepared`]).
 
 use super::accuracy::Meshes;
 use super::body::Body;
@@ -178,15 +182,21 @@ pub(super) fn prepare_heights(
 
 /// A contact of which nothing is solved yet and all that can be refused has been.
 enum Begun {
+    /// On the grid of the scene.
     Mesh(Box<Prepared>),
+    /// On several meshes.
     Meshes(Box<Meshes>),
 }
 
 /// The contact of two bodies as they stand, on one mesh, before its first iteration.
 pub(super) struct Prepared {
+    /// The scene.
     scene: Scene,
+    /// What solves it.
     model: ContactModel,
+    /// Laws of friction and plasticity.
     laws: Laws,
+    /// Pressures to start from.
     state: ContactState,
     /// Undeformed gap \[m\].
     gap: Vec<f64>,
@@ -194,11 +204,13 @@ pub(super) struct Prepared {
     limit: Option<Vec<f64>>,
     /// Tribofilms of ball and disc \[m\].
     tribofilms: [Vec<f64>; 2],
+    /// Shear stresses, filled by the solve.
     friction: FrictionFields,
-    /// Of the film; none where it has the bulk temperature.
+    /// What finds the temperature of the film; none where it has that of the bulk.
     temperature: Option<FilmTemperature>,
     /// Root mean square heights of ball and disc on the track \[m\].
     rq: [f64; 2],
+    /// What is known before the first iteration.
     pub(super) warnings: Vec<Warning>,
 }
 
@@ -231,6 +243,8 @@ impl Prepared {
         Ok(Self { scene, model, laws, state, gap, limit, tribofilms, friction, temperature, rq, warnings })
     }
 
+    /// Solves contact and film temperature and takes the numbers of the state; those of a state that diverged
+    /// are unknown.
     pub(super) fn solve(self) -> Result<ContactSolution, SimError> {
         let Self { scene, mut model, laws, mut state, gap, limit, tribofilms, mut friction, .. } = self;
         let given = Surroundings { laws: &laws, gap: &gap, limit: limit.as_deref(), tribofilms: &tribofilms };

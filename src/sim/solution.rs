@@ -17,6 +17,20 @@ use crate::reynolds::{
 };
 
 /// The solution of one contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let solution = solve_contact(&Scene::azam_2019(32))?;
+/// let (contact, film) = (&solution.contact, &solution.film);
+/// assert!(contact.max_pressure > solution.hertz.p_max); // the surfaces are rough
+/// assert!((0.0..=1.0).contains(&contact.load_ratio) && film.minimum >= 0.9e-9);
+/// let friction = solution.friction_boundary + solution.friction_fluid;
+/// assert!((friction - solution.friction_coefficient).abs() < 1e-12);
+/// assert_eq!(solution.fields()[0].1.len(), 32 * 32);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct ContactSolution {
     /// How the solve ended, residuals and work.
@@ -103,6 +117,7 @@ pub struct FilmNumbers {
 }
 
 impl FilmNumbers {
+    /// Of a solve that diverged.
     const UNKNOWN: Self =
         Self { central: f64::NAN, minimum: f64::NAN, mean_central: f64::NAN, minimum_gap: f64::NAN };
 }
@@ -201,10 +216,15 @@ pub(super) fn is_known(state: &ContactState) -> bool {
 
 /// The numbers of a solved contact.
 pub(super) struct Numbers {
+    /// Film thicknesses.
     film: FilmNumbers,
+    /// Pressures and solid contact.
     contact: ContactNumbers,
+    /// Coefficient of friction and its parts.
     friction: FrictionShares,
+    /// Coefficient of solid contact at the first node.
     boundary_friction: f64,
+    /// Shear stress of the fluid \[Pa\].
     shear: Vec<f64>,
 }
 
@@ -271,6 +291,8 @@ impl ContactModel {
     }
 }
 
+/// Central film interpolated at `x = y = 0`, mean within two thirds of the Hertz radii, minima with and
+/// without pressure.
 pub(super) fn film_numbers(model: &ContactModel, state: &ContactState) -> Result<FilmNumbers, InputError> {
     Ok(FilmNumbers {
         central: model.grid.interpolate(&state.film, 0.0, 0.0)?,
@@ -280,6 +302,8 @@ pub(super) fn film_numbers(model: &ContactModel, state: &ContactState) -> Result
     })
 }
 
+/// Largest and central pressure, area and load of solid contact under the pressure `solid`, and area at the
+/// `limit`.
 pub(super) fn contact_numbers(
     model: &ContactModel,
     state: &ContactState,

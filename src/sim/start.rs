@@ -126,6 +126,7 @@ impl BodyStart {
         Ok(body)
     }
 
+    /// Refuses a start that was made on another grid.
     fn check_grid(&self, name: &str, grid: &Grid) -> Result<(), InputError> {
         let words = |grid: &Grid| {
             let [dx, dy] = [grid.dx(), grid.dy()].map(legible);
@@ -144,6 +145,7 @@ impl BodyStart {
         })
     }
 
+    /// The tribofilm of the start, with the states of `law`; refuses a film without a law.
     fn film(&self, name: &str, law: Option<&dyn FilmGrowthLaw>) -> Result<Option<Tribofilm>, InputError> {
         let field = format!("{name} start tribofilm");
         let thickest = self.tribofilm.iter().copied().fold(0.0, f64::max);

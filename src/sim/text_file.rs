@@ -1,4 +1,6 @@
 //! Text files from strangers: read whole, and refused where they are too large for it.
+//!
+//! Scene files and tables of schedules are read through it: their size is known before memory is taken.
 
 use std::fs::File;
 use std::io::{Error, ErrorKind, Read};

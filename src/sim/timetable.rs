@@ -5,6 +5,19 @@ use super::scene::{Motion, Scene, Schedule};
 use crate::error::InputError;
 
 /// What acts on a contact from outside.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
+/// let mut conditions = sim.conditions();
+/// conditions.motion.entrainment_speed = 1.0;
+/// // The bodies as they stand under another speed, without a step:
+/// let faster = sim.clone().solve_under(&conditions)?;
+/// assert!(faster.moes.map(|(m, _)| m) < sim.scene().formula_film()?.map(|film| film.moes.0));
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Conditions {

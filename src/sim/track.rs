@@ -87,6 +87,7 @@ pub(super) fn track_rq(grid: &Grid, half_width: f64, heights: &[f64]) -> f64 {
     if count > 0 { (square / count as f64).sqrt() } else { 0.0 }
 }
 
+/// Rows of `field` on `grid` within `|y| <= half_width` \[m\], each with its mean.
 fn track_rows<'a>(
     grid: &Grid,
     half_width: f64,

@@ -1,4 +1,6 @@
 //! Fields as files of the Visualization Toolkit.
+//!
+//! One file holds one grid and its fields as scalars at its nodes, big-endian as the format wants it.
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -40,6 +42,7 @@ pub fn write_vtk(path: impl AsRef<Path>, grid: &Grid, fields: &[(&str, &[f64])])
     write(path, grid, fields).map_err(|source| SimError::Io { path: path.to_owned(), source })
 }
 
+/// Header and fields.
 fn write(path: &Path, grid: &Grid, fields: &[(&str, &[f64])]) -> std::io::Result<()> {
     let mut out = BufWriter::new(File::create(path)?);
     writeln!(out, "# vtk DataFile Version 3.0\nstribeck\nBINARY\nDATASET STRUCTURED_POINTS")?;

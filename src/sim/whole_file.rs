@@ -1,4 +1,7 @@
 //! Files that are there as a whole or not at all.
+//!
+//! What is replaced is first written under another name, brought to the disk and then renamed. Checkpoints
+//! and the small files of a run folder are written so.
 
 use std::fs::{self, File};
 use std::io::{self, Write};

@@ -3,6 +3,9 @@
 //! A node of the contact carries at most the smaller of the limits of both bodies there, which depend on
 //! their tribofilms and on how far they were flattened. Where the limit grows with the depth that this
 //! contact adds, limit and depth are found by turns.
+//!
+//! Both bodies meet at one pressure: the softer one gives way, and where both have one limit they share the
+//! depth.
 
 use super::SimError;
 use super::contact::ContactModel;

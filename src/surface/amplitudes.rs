@@ -22,12 +22,14 @@ pub(super) struct Amplitudes {
 /// Whether the surface as a whole may lie above or below zero.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Mean {
+    /// No: the surface has no mean.
     Zero,
     /// As the waves next to it: what patches of an endless surface do.
     Drawn,
 }
 
 impl Amplitudes {
+    /// Amplitudes of `shape` on the waves of `grid`.
     pub(super) fn new(
         shape: &RandomShape,
         johnson: Option<&Johnson>,
@@ -109,6 +111,7 @@ struct CorrelationTable {
 }
 
 impl CorrelationTable {
+    /// A table of pairs, at least two.
     fn new(pairs: Vec<(f64, f64)>) -> Self {
         let (lowest, highest) = (pairs[0].0, pairs[pairs.len() - 1].0);
         let shares_per_unit = pairs.len() as f64 / (highest - lowest);

@@ -1,4 +1,7 @@
 //! What can be wrong with a measured surface or its file.
+//!
+//! Each error of a file carries its path; those of heights in memory are an [`InputError`]. Readers never
+//! panic: what is damaged, unknown or not supported ends here.
 
 use std::path::PathBuf;
 
@@ -7,6 +10,18 @@ use thiserror::Error;
 use crate::error::InputError;
 
 /// A measured surface that cannot be used or a file that cannot be read.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::surface::{Heights, SurfaceError};
+/// // Points without distances cannot be put on a grid.
+/// let heights = Heights::new(4, 4, None, vec![0.0; 16], None)?;
+/// let error = heights.resample(&Grid::centred(2, 2, 1e-6, 1e-6)?).unwrap_err();
+/// assert!(matches!(error, SurfaceError::NoSpacing));
+/// # Ok::<(), SurfaceError>(())
+/// ```
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum SurfaceError {

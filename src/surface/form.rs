@@ -124,6 +124,7 @@ impl Form {
     }
 }
 
+/// Whether the angle need not be written.
 #[cfg(feature = "serde")]
 fn is_zero(angle: &f64) -> bool {
     *angle == 0.0

@@ -191,6 +191,7 @@ fn least_squares(matrix: &DMatrix<f64>, right: &[f64]) -> Result<Vec<f64>, Surfa
     Ok(solution)
 }
 
+/// The error of points that no sphere fits.
 fn no_sphere() -> SurfaceError {
     InputError::Conflict { field: "heights".to_owned(), reason: "no sphere fits them".to_owned() }.into()
 }

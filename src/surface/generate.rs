@@ -8,6 +8,21 @@ use crate::numerics::map_lines;
 /// Shape of the autocorrelation function, with `s^2 = (x/length_x)^2 + (y/length_y)^2`.
 ///
 /// The lengths are where the function has fallen to 10 %, hence the factor `ln 10` (2.3 in the literature).
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::metrics::hybrid_parameters;
+/// use stribeck::Grid;
+/// use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
+/// let grid = Grid::centred(128, 128, 1e-6, 1e-6)?;
+/// let slope = |autocorrelation| -> Result<f64, stribeck::InputError> {
+///     let spec = RoughnessSpec { autocorrelation, rq: 1e-7, length_x: 2e-5, length_y: 2e-5, seed: 1 };
+///     Ok(hybrid_parameters(&grid, &generate(&grid, &spec)?, None)?.sdq)
+/// };
+/// assert!(slope(Autocorrelation::Exponential)? > 1.5 * slope(Autocorrelation::Gaussian)?);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Autocorrelation {
@@ -45,6 +60,18 @@ impl Autocorrelation {
 }
 
 /// A random rough surface with normally distributed heights.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::surface::{Autocorrelation, RoughnessSpec};
+/// let (autocorrelation, rq) = (Autocorrelation::Gaussian, 1e-7);
+/// let spec = RoughnessSpec { autocorrelation, rq, length_x: 2e-5, length_y: 1e-3, seed: 1 };
+/// let error = spec.validate(&Grid::centred(64, 64, 1e-6, 1e-6)?).unwrap_err();
+/// assert!(error.to_string().starts_with("roughness.length_y"));
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoughnessSpec {
     /// Shape of the autocorrelation function.

@@ -1,4 +1,10 @@
 //! The Johnson system: a normal deviate turned into one of given skewness and kurtosis.
+//!
+//! With a normal deviate `g`, the standardised height is `(f(g) - mean)/deviation`, `f` one of four: `g`
+//! itself, `exp(g/delta)`, a logistic curve (bounded heights) or `sinh` (heavy tails). Skewness and kurtosis
+//! decide which, and fix its constants: at a given skewness the lognormal curve divides bounded from
+//! unbounded. Turning a correlated normal surface changes its correlations; [`Johnson::correlations`] says
+//! which ones the normal surface needs.
 
 use crate::error::InputError;
 
@@ -12,11 +18,15 @@ const MARGIN: f64 = 0.2;
 const ON_CURVE: f64 = 1e-6;
 /// Smallest delta of either branch and largest that are tried.
 const DELTA_BOUNDED: f64 = 0.05;
+/// Of unbounded curves; smaller ones have no such moments in doubles.
 const DELTA_UNBOUNDED: f64 = 0.3;
+/// Beyond it a curve is as good as normal.
 const DELTA_LARGEST: f64 = 1e3;
+/// Halvings of an interval for a constant.
 const BISECTIONS: usize = 48;
 /// Quadrature over the normal deviate: trapezoids, which converge exponentially here.
 const REACH: f64 = 9.0;
+/// Points of the quadrature between minus and plus [`REACH`].
 const POINTS: usize = 601;
 /// Intervals of the table of the curve.
 const INTERVALS: usize = 8192;
@@ -42,24 +52,21 @@ pub(super) struct Johnson {
 /// A member of the Johnson system.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Shape {
+    /// The deviate itself.
     Normal,
     /// `exp(g / delta)`
     Lognormal {
+        /// Spread: the smaller, the farther from normal.
         delta: f64,
     },
     /// `1 / (1 + exp(-(g - gamma) / delta))`
-    Bounded {
-        gamma: f64,
-        delta: f64,
-    },
+    Bounded { gamma: f64, delta: f64 },
     /// `sinh((g - gamma) / delta)`
-    Unbounded {
-        gamma: f64,
-        delta: f64,
-    },
+    Unbounded { gamma: f64, delta: f64 },
 }
 
 impl Shape {
+    /// The curve, not standardised.
     fn at(self, deviate: f64) -> f64 {
         match self {
             Self::Normal => deviate,
@@ -69,6 +76,7 @@ impl Shape {
         }
     }
 
+    /// Its derivative by the deviate.
     fn slope(self, deviate: f64) -> f64 {
         let value = self.at(deviate);
         match self {
@@ -135,6 +143,7 @@ impl Johnson {
         Ok(Self { shape, mirror: if skewness < 0.0 { -1.0 } else { 1.0 }, mean, deviation })
     }
 
+    /// The member with this `skewness`, not negative, and `kurtosis`.
     fn fit(skewness: f64, kurtosis: f64) -> Shape {
         // the lognormal curve: skewness^2 = (w - 1)(w + 2)^2 with w = exp(1/delta^2)
         let beta = skewness * skewness;
@@ -206,6 +215,7 @@ impl Johnson {
 
 /// A curve as cubic polynomials between nodes (Hermite), at most 1e-8 off.
 pub(super) struct Curve<'a> {
+    /// The curve itself, for deviates beyond the table.
     johnson: &'a Johnson,
     /// Values and slopes, these times the distance of the nodes, from `-REACH` to `REACH`.
     nodes: Vec<[f64; 2]>,

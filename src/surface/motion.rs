@@ -8,6 +8,14 @@ use crate::error::InputError;
 
 /// Where a pattern stands: node `(i, j)` of the grid sees the body's own field at column
 /// `i + columns + fraction` and row `j + rows`, both periodic.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::surface::Offset;
+/// assert!(Offset { columns: 1000, rows: 3, fraction: 0.25 }.validate().is_ok());
+/// assert!(Offset { fraction: -0.1, ..Offset::default() }.validate().is_err());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Offset {
     /// Whole columns.

@@ -18,6 +18,23 @@ use crate::numerics::{RealFft2, both, map_lines};
 use crate::with_fields::with_fields;
 
 /// What the root mean square height of a random surface refers to.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::surface::{Autocorrelation, HeightScale, RandomSurface, RoughnessSpec};
+/// use stribeck::{Grid, metrics::height_statistics};
+/// let (autocorrelation, rq, length_x, length_y) = (Autocorrelation::Gaussian, 1e-7, 4e-5, 4e-5);
+/// let spec = RoughnessSpec { autocorrelation, rq, length_x, length_y, seed: 1 };
+/// let grid = Grid::centred(32, 32, 4e-6, 4e-6)?;
+/// let sq = |height| -> Result<f64, stribeck::InputError> {
+///     let surface = RandomSurface::from(spec).with_height(height).generate(&grid)?;
+///     Ok(height_statistics(&surface)?.sq)
+/// };
+/// assert!((sq(HeightScale::Exact)? / 1e-7 - 1.0).abs() < 1e-9);
+/// assert!((sq(HeightScale::Ensemble)? / 1e-7 - 1.0).abs() > 1e-6); // few hills: it scatters
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
@@ -32,6 +49,23 @@ pub enum HeightScale {
 }
 
 /// What a random surface looks like across the plane.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::surface::{Autocorrelation, RandomShape, RandomSurface};
+/// use stribeck::{Grid, metrics::height_statistics};
+/// // A ground surface: scratches along x, five times as long as wide.
+/// let ground = RandomShape::Correlated {
+///     autocorrelation: Autocorrelation::Exponential,
+///     length_x: 100e-6,
+///     length_y: 20e-6,
+/// };
+/// let grid = Grid::centred(128, 128, 2e-6, 2e-6)?;
+/// let heights = RandomSurface::new(ground, 200e-9, 3).generate(&grid)?;
+/// assert!((height_statistics(&heights)?.sq / 200e-9 - 1.0).abs() < 1e-9);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum RandomShape {
@@ -49,6 +83,20 @@ pub enum RandomShape {
 }
 
 /// Distribution of the heights.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::surface::{Autocorrelation, HeightDistribution, RandomShape, RandomSurface};
+/// let (autocorrelation, length_x, length_y) = (Autocorrelation::Gaussian, 2e-5, 2e-5);
+/// let shape = RandomShape::Correlated { autocorrelation, length_x, length_y };
+/// let grid = Grid::centred(32, 32, 4e-6, 4e-6)?;
+/// // No distribution has a kurtosis below skewness^2 + 1.
+/// let impossible = HeightDistribution::Johnson { skewness: -2.0, kurtosis: 4.0 };
+/// assert!(RandomSurface::new(shape, 1e-7, 1).with_distribution(impossible).generate(&grid).is_err());
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub enum HeightDistribution {
@@ -203,6 +251,7 @@ pub(super) fn phase(value: Complex64) -> Complex64 {
 }
 
 impl RandomShape {
+    /// Checks shape, distribution and scale against `grid`.
     fn validate(&self, rq: f64, seed: u64, grid: &Grid) -> Result<(), InputError> {
         match *self {
             Self::Correlated { autocorrelation, length_x, length_y } => {
@@ -223,11 +272,13 @@ pub(super) fn cipher(seed: u64) -> ChaCha8Rng {
     ChaCha8Rng::from_seed(bytes)
 }
 
+/// Normal deviates in the order of the field.
 fn white_noise(count: usize, seed: u64) -> Vec<f64> {
     let mut generator = cipher(seed);
     (0..count).map(|_| StandardNormal.sample(&mut generator)).collect()
 }
 
+/// The error of a grid of a single node.
 fn too_few_nodes() -> InputError {
     InputError::Conflict {
         field: "roughness.rq".to_owned(),

@@ -31,6 +31,7 @@ struct Folding {
 }
 
 impl Folding {
+    /// Of so many points over a grid of `size` \[m\].
     fn new(points: usize, spacing: f64, size: f64, tiling: Tiling) -> Self {
         let extent = points as f64 * spacing;
         let window = match tiling {
@@ -79,6 +80,8 @@ impl Folding {
 }
 
 impl Axis {
+    /// Weights of `nodes` at distances of `step` \[m\]: means over the cells where these are not finer than
+    /// the points, else linear.
     fn new(points: usize, spacing: f64, nodes: usize, step: f64, tiling: Tiling) -> Self {
         let folding = Folding::new(points, spacing, nodes as f64 * step, tiling);
         let coarser = step >= spacing * (1.0 - 1e-9);

@@ -2,11 +2,11 @@
 
 use crate::numerics::map_lines;
 
-/// Removes the mean of `heights`, rows of `nx` values, and scales them to the root mean square `Rq =
-/// sqrt(mean((z - mean)^2))` of `rq` \[m\]; values where `counts` does not hold neither count nor change.
-/// None, and nothing changes, where no finite factor leads there: heights that are all the same but for
-/// rounding (`Rq` at most 1e-12 of their mean), none at all, or beyond the range of numbers. An `rq` of zero
-/// makes any heights zero.
+/// Removes the mean of `heights`, rows of `nx` values, and scales them to the root mean square
+/// `Rq = sqrt(mean((z - mean)^2))` of `rq` \[m\]; values where `counts` does not hold neither count nor
+/// change. None, and nothing changes, where no finite factor leads there: heights that are all the same but
+/// for rounding (`Rq` at most 1e-12 of their mean), none at all, or beyond the range of numbers. An `rq` of
+/// zero makes any heights zero.
 pub(crate) fn rescale(
     heights: &mut [f64],
     nx: usize,

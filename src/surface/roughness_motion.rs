@@ -58,6 +58,16 @@ pub trait RoughnessMotion: Debug + Send + Sync {
 }
 
 /// Which places of a body's patch come under the contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::surface::{AlongTrack, AtRest, Carried, RandomShift, RoughnessMotion, Visits};
+/// assert_eq!(AtRest.visits(0.1), Visits::Stays);
+/// assert_eq!((Carried.visits(0.1), Carried.visits(0.0)), (Visits::Passing, Visits::Stays));
+/// assert_eq!(AlongTrack { seed: 1 }.visits(0.1), Visits::Track);
+/// assert_eq!(RandomShift { seed: 1 }.visits(0.1), Visits::Patch);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Visits {

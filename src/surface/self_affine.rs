@@ -9,6 +9,24 @@ use crate::numerics::map_lines;
 ///
 /// Source: Jacobs, T. D. B., Junge, T. and Pastewka, L. (2017), Surface Topography: Metrology and Properties
 /// 5, 013001.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::surface::{RandomShape, RandomSurface, SelfAffine, Synthesis};
+/// use stribeck::{Grid, metrics::height_statistics};
+/// let spectrum = SelfAffine {
+///     hurst: 0.8,
+///     longest: 200e-6,
+///     roll_off: 50e-6,
+///     shortest: 5e-6,
+///     synthesis: Synthesis::FilteredNoise,
+/// };
+/// let grid = Grid::centred(128, 128, 1.6e-6, 1.6e-6)?;
+/// let heights = RandomSurface::new(RandomShape::SelfAffine(spectrum), 50e-9, 9).generate(&grid)?;
+/// assert!((height_statistics(&heights)?.sq / 50e-9 - 1.0).abs() < 1e-9);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SelfAffine {
     /// Hurst exponent, above 0 and at most 1: 1 is smoothest.
@@ -36,6 +54,7 @@ pub enum Synthesis {
 }
 
 impl SelfAffine {
+    /// Checks the exponent and that the wavelengths are in order.
     pub(super) fn validate(&self) -> Result<(), InputError> {
         let Self { hurst, longest, roll_off, shortest, .. } = *self;
         let exists = hurst > 0.0 && hurst <= 1.0;

@@ -94,6 +94,7 @@ impl Texture {
     }
 }
 
+/// Heights of dimples \[m\].
 fn dimples(
     grid: &Grid,
     radius: f64,
@@ -117,6 +118,7 @@ fn dimples(
     }))
 }
 
+/// Heights of grooves \[m\].
 fn grooves(
     grid: &Grid,
     width: f64,
@@ -180,6 +182,7 @@ impl Repeats {
     }
 }
 
+/// Places of the centres of dimples \[m\].
 fn centres(across: &Repeats, along: &Repeats, radius: f64, layout: DimpleLayout) -> Vec<(f64, f64)> {
     let mut seed = [0; 32];
     if let DimpleLayout::Random { seed: number } = layout {

@@ -5,7 +5,9 @@ use crate::boundary_friction::BoundaryFriction;
 
 /// Solid pressures \[Pa\], sliding speeds \[m/s\] and films \[m\] that coefficients are asked for.
 const PRESSURES: [f64; 4] = [0.0, 1e6, 1e9, 1e12];
+/// Sliding speeds \[m/s\].
 const SPEEDS: [f64; 4] = [0.0, 1e-3, 1.0, 1e3];
+/// Tribofilms \[m\].
 const FILMS: [f64; 4] = [0.0, 5e-9, 200e-9, 1e-3];
 
 /// Checks `law` against the contract of [`BoundaryFriction`]: coefficients are finite and not negative, and

@@ -1,4 +1,8 @@
 //! The contract of contact solvers.
+//!
+//! The case is a steel ball of 9.525 mm on a plane at a Hertz pressure of 0.5 GPa and 5 m/s, smooth, on 48 x
+//! 48 nodes over four Hertz radii: easy enough that any solver of worth converges, and known in the dry
+//! limit.
 
 use super::{Contract, Violation, close};
 use crate::analytic::HertzPoint;
@@ -12,11 +16,17 @@ use crate::reynolds::{
 };
 use crate::surface::Form;
 
+/// Nodes along each axis.
 const NODES: usize = 48;
+/// Radius of the ball \[m\].
 const RADIUS: f64 = 9.525e-3;
+/// Equivalent modulus of the half-space \[Pa\].
 const MODULUS: f64 = 230e9;
+/// Largest pressure of Hertz \[Pa\].
 const HERTZ_PRESSURE: f64 = 0.5e9;
+/// Entrainment speed \[m/s\].
 const SPEED: f64 = 5.0;
+/// Film at which solids touch \[m\].
 const CUTOFF: f64 = 1e-9;
 
 /// Checks `solver` against the contract of [`ContactSolver`] on a smooth steel ball at 0.5 GPa, dry or, where
@@ -64,6 +74,7 @@ struct Case {
 }
 
 impl Case {
+    /// The case, with an oil of 40 mPa s where it is `lubricated`.
     fn new(lubricated: bool) -> Result<Self, InputError> {
         let hertz = HertzPoint::from_max_pressure(RADIUS, RADIUS, MODULUS, HERTZ_PRESSURE)?;
         let spacing = 4.0 * hertz.a_x / NODES as f64;
@@ -106,6 +117,7 @@ impl Case {
         solver.solve(&mut problem, state, rule)
     }
 
+    /// The same; an error breaks the contract, as the case is valid.
     fn solve(
         &mut self,
         contract: &Contract,

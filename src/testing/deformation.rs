@@ -66,8 +66,11 @@ pub fn deformation_model(model: &mut dyn DeformationModel) -> Result<(), Violati
 
 /// A model with loads on few nodes.
 struct Probe<'a> {
+    /// What violations are told by.
     contract: Contract,
+    /// The model that is looked at.
     model: &'a mut dyn DeformationModel,
+    /// Nodes in a row.
     nx: usize,
     /// The loads \[Pa\].
     pressure: Vec<f64>,

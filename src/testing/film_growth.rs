@@ -57,6 +57,7 @@ fn states_of(law: &dyn FilmGrowthLaw) -> usize {
     law.n_states().max(1)
 }
 
+/// States of a film of `thickness` \[m\].
 fn started(law: &dyn FilmGrowthLaw, thickness: f64) -> Vec<f64> {
     let mut states = vec![0.0; states_of(law)];
     law.start(thickness, &mut states);
@@ -72,6 +73,7 @@ fn after(law: &dyn FilmGrowthLaw, at: &RubbingPoint, start: f64, steps: &[f64]) 
     law.thickness(&states)
 }
 
+/// Checks that the rate is a number.
 fn check_rate(
     contract: &Contract,
     law: &dyn FilmGrowthLaw,

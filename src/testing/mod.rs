@@ -18,6 +18,7 @@
 //!
 //! For proptest there are strategies: [`scenes`], [`absurd_scenes`] and [`pressures`].
 
+mod absurd;
 mod boundary_friction;
 mod contact_solver;
 mod deformation;
@@ -30,6 +31,7 @@ mod wear;
 
 use std::fmt::Debug;
 
+pub use absurd::absurd_scenes;
 pub use boundary_friction::boundary_friction;
 pub use contact_solver::contact_solver;
 pub use deformation::deformation_model;
@@ -37,13 +39,30 @@ pub use film_growth::film_growth_law;
 pub use fluid::{density_law, viscosity_law};
 pub use motion::roughness_motion;
 pub use plasticity::plasticity_model;
-pub use strategies::{absurd_scenes, pressures, scenes};
+pub use strategies::{pressures, scenes};
 use thiserror::Error;
 pub use wear::wear_law;
 
 use crate::rubbing::RubbingPoint;
 
 /// The first broken clause of a contract that was found.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::RubbingPoint;
+/// use stribeck::wear::WearLaw;
+/// /// Wears at rest, which no law may.
+/// #[derive(Debug)]
+/// struct Rusting;
+/// impl WearLaw for Rusting {
+///     fn depth_rate(&self, _at: &RubbingPoint, _film_thickness: f64) -> f64 {
+///         1e-12
+///     }
+/// }
+/// let violation = stribeck::testing::wear_law(&Rusting).unwrap_err();
+/// assert_eq!((violation.subject.as_str(), violation.clause), ("Rusting", "nothing wears at rest"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{subject}: {clause}: {finding}")]
 #[non_exhaustive]
@@ -62,10 +81,12 @@ struct Contract {
 }
 
 impl Contract {
+    /// For the implementation that `subject` prints as.
     fn of(subject: &(impl Debug + ?Sized)) -> Self {
         Self { subject: format!("{subject:?}") }
     }
 
+    /// The violation of `clause` unless it `holds`; `finding` is only asked for then.
     fn require(
         &self,
         holds: bool,
@@ -75,6 +96,7 @@ impl Contract {
         if holds { Ok(()) } else { Err(self.broken(clause, finding())) }
     }
 
+    /// The violation of `clause`.
     fn broken(&self, clause: &'static str, finding: String) -> Violation {
         Violation { subject: self.subject.clone(), clause, finding }
     }

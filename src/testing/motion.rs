@@ -36,6 +36,7 @@ pub fn roughness_motion(motion: &dyn RoughnessMotion) -> Result<(), Violation> {
     Ok(())
 }
 
+/// Checks all times and draws of one body at one speed.
 fn check(
     contract: &Contract,
     motion: &dyn RoughnessMotion,
@@ -57,6 +58,7 @@ fn check(
     Ok(())
 }
 
+/// Checks that `offset` differs from the `first` one only as the motion says that it visits its body.
 fn check_visits(
     contract: &Contract,
     visits: Visits,

@@ -1,4 +1,6 @@
-//! Random scenes and pressures for proptest.
+//! Random scenes and pressures for proptest: what a user may mean, for properties of solutions.
+//!
+//! What no user means is in `absurd`.
 
 use proptest::prelude::*;
 
@@ -6,33 +8,18 @@ use crate::grid::Grid;
 use crate::sim::Scene;
 use crate::sim::scene::{
     ArchardSpec, Elastic, Flash, FlowThinning, FrictionSpec, GhanbarzadehSpec, GridSpec, Load, LubricantSpec,
-    Material, Materials, Motion, PlasticSpec, Roughness, RoughnessPair, Schedule, Schedules, SolverKind,
-    SolverSpec, ThermalSpec, TrackSpec, TribofilmSpec, WearSpec,
+    Materials, Motion, PlasticSpec, Roughness, RoughnessPair, Schedules, SolverKind, SolverSpec, ThermalSpec,
+    TrackSpec, TribofilmSpec, WearSpec,
 };
 use crate::surface::{Autocorrelation, Form, RoughnessSpec};
 use crate::tribochem::Activation;
 
-/// Values that no physical quantity should have, or hardly any.
-const ABSURD: [f64; 12] = [
-    0.0,
-    -0.0,
-    -1.0,
-    f64::NAN,
-    f64::INFINITY,
-    f64::NEG_INFINITY,
-    f64::MIN_POSITIVE,
-    1e-300,
-    1e-30,
-    1e30,
-    1e300,
-    f64::MAX,
-];
-
 /// Between `low` and `high`, every decade as likely.
-fn decades(low: f64, high: f64) -> impl Strategy<Value = f64> {
+pub(super) fn decades(low: f64, high: f64) -> impl Strategy<Value = f64> {
     (low.ln()..high.ln()).prop_map(f64::exp)
 }
 
+/// Balls, ellipsoids and cylinders of 1 mm to 0.1 m; ellipsoids have radii in ratios of 0.2 to 5.
 fn forms() -> impl Strategy<Value = Form> {
     prop_oneof![
         4 => decades(1e-3, 0.1).prop_map(|radius| Form::Sphere { radius }),
@@ -42,6 +29,7 @@ fn forms() -> impl Strategy<Value = Form> {
     ]
 }
 
+/// None, or random heights of 1 to 500 nm Rq with correlation lengths of 5 to 50 um.
 fn roughness() -> impl Strategy<Value = Roughness> {
     let random = |autocorrelation| {
         (decades(1e-9, 5e-7), decades(5e-6, 5e-5), decades(5e-6, 5e-5), any::<u64>()).prop_map(
@@ -57,6 +45,8 @@ fn roughness() -> impl Strategy<Value = Roughness> {
     ]
 }
 
+/// No oil in a quarter of all scenes, else Roelands oils of 1 mPa s to 0.5 Pa s with the density of Dowson
+/// and Higginson; half of them give `alpha` too.
 fn lubricants() -> impl Strategy<Value = Option<LubricantSpec>> {
     let oil =
         (decades(1e-3, 0.5), 0.3..0.8, any::<bool>()).prop_map(|(eta0, roelands_z, given)| LubricantSpec {
@@ -76,6 +66,7 @@ fn lubricants() -> impl Strategy<Value = Option<LubricantSpec>> {
     prop::option::weighted(0.75, oil)
 }
 
+/// Grids of 8 to 31 cells a side, or a row of 5 to 199, in boxes of 0.2 to 2 mm.
 fn grids() -> impl Strategy<Value = GridSpec> {
     let half = || decades(1e-4, 1e-3);
     prop_oneof![
@@ -85,6 +76,7 @@ fn grids() -> impl Strategy<Value = GridSpec> {
     ]
 }
 
+/// All solvers, the automatic choice in six of ten, to tolerances of 1e-6 to 1e-2 in at most 500 iterations.
 fn solvers() -> impl Strategy<Value = SolverSpec> {
     let kinds = prop_oneof![
         6 => Just(SolverKind::Auto),
@@ -105,6 +97,7 @@ fn solvers() -> impl Strategy<Value = SolverSpec> {
     )
 }
 
+/// Plasticity, tribofilm and wear, each present or not, and temperatures of 250 to 500 K.
 fn processes()
 -> impl Strategy<Value = (Option<PlasticSpec>, Option<TribofilmSpec>, Option<WearSpec>, ThermalSpec)> {
     let plastic =
@@ -140,6 +133,18 @@ fn processes()
 
 /// Scenes of every kind with values in their ranges on small grids, from dry to full film. Not all fit their
 /// box: some are refused, and some do not converge.
+///
+/// # Examples
+///
+/// ```
+/// use proptest::strategy::{Strategy, ValueTree};
+/// use proptest::test_runner::TestRunner;
+/// let mut runner = TestRunner::deterministic();
+/// let tree = stribeck::testing::scenes().new_tree(&mut runner).map_err(|reason| reason.to_string())?;
+/// let scene = tree.current();
+/// assert!(scene.hertz().is_ok() && scene.grid().is_ok());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn scenes() -> impl Strategy<Value = Scene> {
     let load = prop_oneof![
         3 => decades(1e8, 3e9).prop_map(Load::hertz_pressure),
@@ -190,135 +195,20 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
     })
 }
 
-/// Scenes of [`scenes`] of which up to three values are absurd: zero, negative, huge, tiny or no number,
-/// boxes beside the contact, grids of one or two nodes, a hardness that cannot carry the load, an accuracy
-/// that cannot be reached.
-pub fn absurd_scenes() -> impl Strategy<Value = Scene> {
-    let values = prop_oneof![prop::sample::select(&ABSURD[..]), any::<f64>(), decades(1e-12, 1e12)];
-    let changes = prop::collection::vec((0_usize..CHANGES, values), 0..4);
-    (scenes(), changes).prop_map(|(mut scene, changes)| {
-        for (change, value) in changes {
-            distort(&mut scene, change, value);
-        }
-        let smooth = scene.is_smooth();
-        if let (GridSpec::Accuracy { .. }, false) = (scene.grid, smooth) {
-            // A rough contact would be refined for long.
-            scene.grid = GridSpec::Accuracy { accuracy: 0.5 };
-        }
-        scene
-    })
-}
-
 /// Fields of `grid` from no pressure to that of a loaded contact \[Pa\], never negative.
+///
+/// # Examples
+///
+/// ```
+/// use proptest::strategy::{Strategy, ValueTree};
+/// use proptest::test_runner::TestRunner;
+/// let grid = stribeck::Grid::centred(8, 4, 1e-6, 1e-6)?;
+/// let tree = stribeck::testing::pressures(&grid).new_tree(&mut TestRunner::deterministic());
+/// let field = tree.map_err(|reason| reason.to_string())?.current();
+/// assert!(field.len() == 32 && field.iter().all(|p| *p >= 0.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn pressures(grid: &Grid) -> impl Strategy<Value = Vec<f64>> + use<> {
     let node = prop_oneof![1 => Just(0.0), 2 => decades(1e3, 5e9)];
     prop::collection::vec(node, grid.len())
-}
-
-/// Kinds of changes that [`distort`] knows.
-const CHANGES: usize = 44;
-
-fn distort(scene: &mut Scene, change: usize, value: f64) {
-    let small = |value: f64| value.abs().min(3.0) as usize;
-    let lubricant = |scene: &mut Scene, set: fn(&mut LubricantSpec, f64), value: f64| {
-        if let Some(spec) = &mut scene.lubricant {
-            set(spec, value);
-        }
-    };
-    match change {
-        0 => scene.form = Form::Sphere { radius: value },
-        1 => scene.form = Form::Ellipsoid { radius_x: value, radius_y: 1e-2, angle: 0.0 },
-        2 => scene.form = Form::Cylinder { radius: value },
-        3 => scene.elastic.equivalent_modulus = value,
-        4 => scene.load = Load::hertz_pressure(value),
-        5 => scene.load = Load::force(value),
-        6 => scene.load = Load { hertz_pressure: Some(value), force: Some(value) },
-        7 => scene.load = Load::default(),
-        8 => scene.motion.entrainment_speed = value,
-        9 => scene.motion.slide_roll_ratio = value,
-        10 => lubricant(scene, |spec, value| spec.eta0 = value, value),
-        11 => lubricant(scene, |spec, value| spec.roelands_z = value, value),
-        12 => lubricant(scene, |spec, value| spec.roelands_p0 = value, value),
-        13 => lubricant(scene, |spec, value| spec.alpha = Some(value), value),
-        14 => lubricant(scene, |spec, value| spec.density_a = value, value),
-        15 => lubricant(scene, |spec, value| spec.density_b = value, value),
-        16 => scene.grid = GridSpec::Cells { nx: 1, ny: 16, x: [-3e-4, 3e-4], y: [-3e-4, 3e-4] },
-        17 => scene.grid = GridSpec::Cells { nx: 16, ny: small(value), x: [-3e-4, 3e-4], y: [-3e-4, 3e-4] },
-        18 => {
-            scene.grid =
-                GridSpec::Cells { nx: small(value), ny: small(value), x: [-1.0, 1.0], y: [-1.0, 1.0] }
-        }
-        // The contact over the edge of the box, or outside.
-        19 => scene.grid = GridSpec::Cells { nx: 16, ny: 16, x: [-2e-5, 4e-4], y: [-3e-4, 3e-4] },
-        20 => scene.grid = GridSpec::Cells { nx: 16, ny: 16, x: [value, 4e-4], y: [-3e-4, value] },
-        21 => scene.grid = GridSpec::Cells { nx: 16, ny: 16, x: [1e-5, 4e-4], y: [-3e-4, 3e-4] },
-        22 => scene.grid = GridSpec::Cells { nx: usize::MAX, ny: usize::MAX, x: [-1.0, 1.0], y: [-1.0, 1.0] },
-        23 => scene.grid = GridSpec::Row { nx: small(value), x: [-value, value] },
-        24 => scene.grid = GridSpec::Accuracy { accuracy: if value < 0.1 { value } else { 0.5 } },
-        25 => scene.roughness.ball = Roughness::gaussian(value, 1e-5, 1),
-        26 => {
-            let autocorrelation = Autocorrelation::Exponential;
-            let spec = RoughnessSpec { autocorrelation, rq: 1e-7, length_x: value, length_y: 1e-5, seed: 1 };
-            scene.roughness.disc = spec.into();
-        }
-        27 => {
-            scene.roughness.disc = Roughness::File(crate::sim::scene::FileRoughness {
-                path: "there is no such file.npy".into(),
-                rq: Some(value),
-            });
-        }
-        28 => {
-            scene.plastic =
-                Some(PlasticSpec { hardness: value, film_hardness: None, hardening_modulus: None });
-        }
-        // Below the mean pressure: nothing carries the load.
-        29 => {
-            scene.plastic = Some(PlasticSpec { hardness: 1e6, film_hardness: None, hardening_modulus: None });
-        }
-        30 => {
-            scene.plastic = Some(PlasticSpec {
-                hardness: 6e9,
-                film_hardness: Some(value),
-                hardening_modulus: Some(value),
-            });
-        }
-        31 => scene.friction = FrictionSpec { boundary_coefficient: value, ..scene.friction },
-        32 => {
-            scene.friction =
-                FrictionSpec { limiting_shear_stress: value, eyring_stress: Some(value), ..scene.friction };
-        }
-        33 => {
-            let film = GhanbarzadehSpec { maximum_thickness: value, ..GhanbarzadehSpec::default() };
-            scene.tribofilm = Some(TribofilmSpec::Ghanbarzadeh(film));
-        }
-        34 => {
-            let film =
-                GhanbarzadehSpec { x_tribo: value, removal_rate: value, ..GhanbarzadehSpec::default() };
-            scene.tribofilm = Some(TribofilmSpec::Ghanbarzadeh(film));
-        }
-        35 => {
-            let wear = ArchardSpec { coefficient: value, film_coefficient: 0.0, ..ArchardSpec::default() };
-            scene.wear = Some(WearSpec::Archard(wear));
-        }
-        36 => {
-            scene.wear = Some(WearSpec::Archard(ArchardSpec { hardness: value, ..ArchardSpec::default() }));
-            scene.track.radius_ball = Some(value);
-        }
-        37 => scene.thermal = ThermalSpec { bulk_temperature: value, conductivity: value, ..scene.thermal },
-        38 => (scene.materials.ball.modulus, scene.materials.ball.poisson_ratio) = (Some(value), Some(0.3)),
-        39 => {
-            scene.materials.disc =
-                Material { hardness: Some(value), diffusivity: Some(value), ..Material::default() }
-        }
-        40 => scene.schedule.load = Some(Schedule::ramps(&[(0.0, value), (value, 20.0)])),
-        41 => {
-            scene.schedule.entrainment_speed = Some(Schedule::steps(&[(-1.0, 0.1), (0.0, value)]));
-            scene.schedule.bulk_temperature = Some(Schedule::Constant { value });
-        }
-        42 => scene.solver = SolverSpec { tolerance: value, max_iterations: 0, ..scene.solver },
-        _ => {
-            scene.solver =
-                SolverSpec { film_cutoff: value, relaxation: value, stiffness: value, ..scene.solver };
-        }
-    }
 }

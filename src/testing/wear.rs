@@ -27,6 +27,7 @@ pub fn wear_law(law: &dyn WearLaw) -> Result<(), Violation> {
     Ok(())
 }
 
+/// Checks all clauses at one node under `film` \[m\].
 fn check_at(contract: &Contract, law: &dyn WearLaw, at: &RubbingPoint, film: f64) -> Result<(), Violation> {
     let rate = law.depth_rate(at, film);
     contract.require(rate.is_finite() && rate >= 0.0, "rates are finite and never negative", || {

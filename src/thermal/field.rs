@@ -42,6 +42,34 @@ impl FilmFlow<'_> {
 }
 
 /// Heat of a contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::lubricant::{Barus, Incompressible, Lubricant, Rheology};
+/// use stribeck::thermal::{FilmFlow, FilmTemperature, FilmThermal};
+/// use stribeck::tribochem::ThermalBody;
+/// let grid = Grid::centred(16, 16, 1e-5, 1e-5)?;
+/// let (fluid, none) = (Lubricant::new(Barus::new(0.1, 0.0)?, Incompressible), vec![0.0; grid.len()]);
+/// let bodies = [ThermalBody::STEEL; 2];
+/// let mut temperature = FilmTemperature::new(&grid, FilmThermal::default(), bodies, [1.5, 0.5])?;
+/// let balance = temperature.update(&FilmFlow {
+///     lubricant: &fluid,
+///     rheology: &Rheology::newtonian(),
+///     pressure: &none,
+///     film: &vec![1e-6; grid.len()],
+///     content: &vec![1.0; grid.len()],
+///     boundary_heat: &none,
+///     speeds: (1.0, 1.0),
+///     bulk_temperature: 300.0,
+/// })?;
+/// // 0.1 Pa s at 1e6 1/s shears with 0.1 MPa, which makes 0.1 MW/m^2.
+/// let area = grid.len() as f64 * grid.cell_area();
+/// assert!((balance.generated / (1e5 * area) - 1.0).abs() < 0.01);
+/// assert!(balance.is_converged() && balance.imbalance() < 0.01);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct HeatBalance {
@@ -85,21 +113,33 @@ impl HeatBalance {
 /// flow across x carries, and that layers of the film move at speeds of their own.
 #[derive(Debug, Clone)]
 pub struct FilmTemperature {
+    /// The grid of the contact.
     grid: Grid,
+    /// Thermal properties of the fluid.
     properties: FilmThermal,
+    /// What solves a section.
     solver: SectionSolver,
+    /// What heats the surfaces.
     flash: FlashTemperature,
+    /// Mean temperature across the film \[K\].
     mean: Vec<f64>,
+    /// Shear stress of the fluid \[Pa\].
     stress: Vec<f64>,
+    /// Viscosity for the flow over that of the law at the bulk temperature.
     ratios: Vec<f64>,
     /// Rises of the surfaces \[K\].
     rises: [Vec<f64>; 2],
+    /// Those of the pass under way \[K\].
     new_rises: [Vec<f64>; 2],
-    /// Heat that leaves the film, and with that of solid friction.
+    /// Heat that leaves the film \[W/m^2\].
     conducted: Vec<f64>,
+    /// Heat that goes into the surfaces: that of the film and that of solid friction \[W/m^2\].
     heat: Vec<f64>,
+    /// Resistance of the film to heat \[K m^2/W\].
     resistance: Vec<f64>,
+    /// Heat of the flow by pressure \[W/m^2\].
     pressure_heat: Vec<f64>,
+    /// Heat of compression \[W/m^2\].
     compression: Vec<f64>,
     /// Flow through the section along x \[m^2/s\].
     through: Vec<f64>,

@@ -6,6 +6,15 @@ use crate::error::InputError;
 ///
 /// Conductivity of mineral oils is 0.12 to 0.15 W/(m K) at ambient pressure and about twice that at 1 GPa:
 /// give the one under the pressure of the contact.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::thermal::{FilmProfile, FilmThermal};
+/// let oil = FilmThermal::default().with_profile(FilmProfile::Collocation);
+/// assert_eq!(oil.conductivity, 0.14);
+/// assert!(FilmThermal::new(-0.1, 1.7e6, 6.5e-4).is_err());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",

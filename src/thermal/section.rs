@@ -95,7 +95,9 @@ pub struct FilmHeat {
 /// ```
 #[derive(Debug, Clone)]
 pub struct SectionSolver {
+    /// How the temperature is found.
     profile: FilmProfile,
+    /// Points, weights and integrals of the collocation.
     rule: Collocation,
 }
 

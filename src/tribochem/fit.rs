@@ -1,4 +1,9 @@
 //! Constants of growth laws from measured films.
+//!
+//! The constants of a law are positive and differ by orders of magnitude, so the fit works in their
+//! logarithms. A constant is handed back only where the measurement determines it: the singular values of the
+//! Jacobian and the width of the confidence interval decide. [`fit_growth_law`] takes any law that can be
+//! made from a slice of constants.
 
 use std::path::PathBuf;
 
@@ -158,16 +163,22 @@ pub fn fit_growth_law<L: FilmGrowthLaw>(
     problem.conclude(start)
 }
 
+/// Deviations and their derivatives, as the minimiser asks for them.
 struct Problem<'a, F> {
+    /// The measurement.
     curve: &'a GrowthCurve,
+    /// Its conditions.
     at: &'a RubbingPoint,
+    /// Makes the law from the constants.
     law: &'a F,
     /// Largest thickness: deviations are relative to it.
     scale: f64,
+    /// Logarithms of the constants.
     logarithms: DVector<f64>,
 }
 
 impl<L: FilmGrowthLaw, F: Fn(&[f64]) -> Result<L, InputError>> Problem<'_, F> {
+    /// The law whose constants have these logarithms.
     fn build(&self, logarithms: &DVector<f64>) -> Result<L, InputError> {
         let values: Vec<f64> = logarithms.iter().map(|l| l.exp()).collect();
         (self.law)(&values)

@@ -1,4 +1,7 @@
 //! Flash temperature of two bodies in sliding contact.
+//!
+//! A plan belongs to a grid, two bodies and their speeds, as speeds change the coefficients; a history makes
+//! a new one where they change. `moving_source` has the coefficients, `heat_partition` the split of the heat.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -14,6 +17,20 @@ use crate::numerics::{Convolution, ConvolutionPlan};
 const TOLERANCE: f64 = 1e-4;
 
 /// What one evaluation of the flash temperature found.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::tribochem::{FlashTemperature, ThermalBody};
+/// let grid = Grid::centred(32, 32, 1e-5, 1e-5)?;
+/// let mut flash = FlashTemperature::new(&grid, [ThermalBody::STEEL; 2], [1.0, 0.5])?;
+/// let flux: Vec<f64> = grid.nodes().map(|(x, y)| if x.hypot(y) < 1e-4 { 1e7 } else { 0.0 }).collect();
+/// let mut rise = vec![0.0; grid.len()];
+/// let report = flash.rise(&flux, &mut rise)?;
+/// assert!(report.maximum > 1.0 && report.mismatch < 1e-3 * report.maximum);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 #[non_exhaustive]
@@ -65,11 +82,15 @@ pub struct FlashTemperature {
     n_nodes: usize,
     /// Rise of each body under a heat flux into it \[K m^2/W\].
     bodies: [Convolution; 2],
+    /// Rise of both bodies together under one flux.
     sum: Convolution,
+    /// What splits the heat.
     solver: SplitSolver,
+    /// Rises of both surfaces \[K\].
     temperatures: [Vec<f64>; 2],
     /// Heat flux into the first body \[W/m^2\].
     share: Vec<f64>,
+    /// Flux into the second body \[W/m^2\].
     rest: Vec<f64>,
     /// Rise of both bodies together per flux into one cell, at its node \[K m^2/W\].
     own: f64,
@@ -192,6 +213,7 @@ impl FlashTemperature {
         self.solver.solve(&mut self.sum, (heat_flux, layer), second, &mut self.share, tolerance)
     }
 
+    /// Rises under the split, their mean into `out`, and how far they still differ.
     fn collect(&mut self, heat_flux: &[f64], out: &mut [f64], iterations: usize) -> FlashReport {
         for ((rest, flux), share) in self.rest.iter_mut().zip(heat_flux).zip(&self.share) {
             *rest = flux - share;

@@ -37,8 +37,11 @@ const PLANCK: f64 = 6.62607015e-34;
 pub struct Ghanbarzadeh {
     /// Thickness that growth alone approaches \[m\].
     maximum: f64,
+    /// `k_B x_tribo / h_Planck` \[1/(K s)\].
     rate_per_kelvin: f64,
+    /// Limit of removal `C3` \[m\].
     removal_limit: f64,
+    /// Rate of removal `C4` \[1/s\].
     removal_rate: f64,
     /// Which nodes grow and lose film.
     activation: Activation,

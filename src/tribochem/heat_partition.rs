@@ -1,4 +1,10 @@
 //! The split of friction heat that gives both bodies one temperature in the contact.
+//!
+//! With the rises `T_1 = C_1 q_1` and `T_2 = C_2 q_2` of both surfaces under the fluxes into them,
+//! `q_1 + q_2 = q`, equal temperatures at heated nodes ask for `(C_1 + C_2) q_1 = C_2 q`. A layer between the
+//! bodies of resistance `R`, in whose middle the heat is made, makes it `(C_1 + C_2 + R) q_1 = (C_2 + R/2) q`.
+//! The operator is not symmetric, as moving bodies carry heat downstream: hence generalised conjugate
+//! residuals and not conjugate gradients.
 
 use crate::numerics::{Convolution, add_scaled, dot};
 
@@ -11,7 +17,9 @@ const MAX_ITERATIONS: usize = 60;
 /// body per flux into one cell at its own node, which scales the search.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Resistance<'a> {
+    /// Resistance at every node \[K m^2/W\].
     pub(super) nodes: &'a [f64],
+    /// Rise of the first body at a node per flux into its cell \[K m^2/W\].
     pub(super) own: f64,
 }
 
@@ -20,18 +28,25 @@ pub(super) struct Resistance<'a> {
 /// guess.
 #[derive(Debug, Clone)]
 pub(super) struct SplitSolver {
+    /// `b - S q` \[K\].
     residual: Vec<f64>,
+    /// The last search directions, whose images are orthogonal.
     directions: Vec<Direction>,
 }
 
+/// A search direction with what the operator makes of it.
 #[derive(Debug, Clone)]
 struct Direction {
+    /// The direction \[W/m^2\].
     search: Vec<f64>,
+    /// Its image \[K\].
     image: Vec<f64>,
+    /// Square of the norm of the image.
     norm_squared: f64,
 }
 
 impl SplitSolver {
+    /// Buffers for fields of `n_nodes`.
     pub(super) fn new(n_nodes: usize) -> Self {
         let zeros = || vec![0.0; n_nodes];
         let direction = || Direction { search: zeros(), image: zeros(), norm_squared: 0.0 };

@@ -1,4 +1,10 @@
 //! Integration of `dh/dt = f(h)` over a step of any length: adaptive exponential Euler.
+//!
+//! A film that starts far from its balance moves fast and then hardly at all, and time steps of a history are
+//! long: explicit steps would need to be many. Exponential Euler is exact for rates that are linear in the
+//! film, `f = J (h - h_0)`; a whole substep and two half ones tell the error, which sets the length of the
+//! next. A substep within which the rate changes its sign is shortened, and the last one ends by bisection at
+//! the balance point: a film does not swing about it.
 
 /// Distance accepted between one whole and two half substeps, relative to the largest thickness;
 /// extrapolation leaves errors below 1e-5 over a whole step of smooth laws.
@@ -87,18 +93,31 @@ enum Question {
 /// films can go side by side.
 #[derive(Debug, Clone, Copy)]
 struct Flow {
+    /// Largest thickness, which errors are relative to \[m\].
     scale: f64,
+    /// Upper bound of the film \[m\].
     top: f64,
+    /// Film at the time reached \[m\].
     thickness: f64,
+    /// Time that is left \[s\].
     left: f64,
+    /// Length of the substep under way \[s\].
     step: f64,
+    /// Substeps tried, or bisections at the end.
     trials: usize,
+    /// What the next answer is the rate of.
     question: Question,
+    /// Rate at the film reached \[m/s\].
     rate: f64,
+    /// Film after one whole substep \[m\].
     whole: f64,
+    /// Film after the first half, or between bounds of a balance point \[m\].
     middle: f64,
+    /// Rate there \[m/s\].
     middle_rate: f64,
+    /// Film after two halves, extrapolated \[m\].
     next: f64,
+    /// Distance of both, relative to the scale.
     error: f64,
 }
 
@@ -167,11 +186,13 @@ impl Flow {
         }
     }
 
+    /// Asks for the rate at `thickness`, for the purpose of `question`.
     fn ask(&mut self, question: Question, thickness: f64) -> Option<f64> {
         self.question = question;
         Some(thickness)
     }
 
+    /// Ends the step with this thickness.
     fn end_at(&mut self, thickness: f64) -> Option<f64> {
         self.thickness = thickness;
         None
@@ -190,6 +211,7 @@ impl Flow {
         self.ask(if last { Question::LastSlope } else { Question::Slope }, beside)
     }
 
+    /// Takes the rate half a substep on; a change of sign makes the substep shorter.
     fn at_middle(&mut self, rate: f64) -> Option<f64> {
         self.middle_rate = rate;
         if reverses(self.rate, rate) {
@@ -243,6 +265,7 @@ impl Flow {
         if (0.0..=self.top).contains(&(from + behind)) { behind } else { -behind }
     }
 
+    /// `J = (f(h + probe) - f(h)) / probe` \[1/s\].
     fn slope(&self, from: f64, rate: f64, beside: f64) -> f64 {
         (beside - rate) / self.probe(from, rate)
     }

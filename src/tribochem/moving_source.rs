@@ -1,4 +1,8 @@
 //! Surface temperature of a half-space under a steady heat source that moves over it.
+//!
+//! In the steady state, the temperature that a source makes at a distance has Carslaw and Jaeger's kernel. It
+//! is integrated over cells, for a body at rest in closed form. The coefficients are summed by convolution in
+//! `flash_temperature`.
 
 use std::f64::consts::PI;
 
@@ -6,6 +10,15 @@ use crate::error::InputError;
 use crate::grid::Grid;
 
 /// What the flash temperature needs to know of a body.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::tribochem::ThermalBody;
+/// assert_eq!(ThermalBody::default(), ThermalBody::STEEL);
+/// let bad = ThermalBody { conductivity: 0.0, ..ThermalBody::STEEL };
+/// assert!(bad.validate().unwrap_err().to_string().starts_with("thermal.conductivity"));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThermalBody {
     /// Thermal conductivity \[W/(m K)\].
@@ -38,6 +51,7 @@ impl Default for ThermalBody {
 /// cell at the offset, as a table over offsets `-nx < di < nx` and `0 <= dj < ny` (symmetric in y).
 #[derive(Debug)]
 pub(super) struct MovingSource {
+    /// Columns of the grid.
     nx: usize,
     /// Rise by offset under a unit flux on one cell \[K m^2/W\].
     table: Vec<f64>,

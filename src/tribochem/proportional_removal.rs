@@ -31,6 +31,7 @@ pub struct ProportionalRemoval {
     maximum: f64,
     /// Barrier that growth has to pass.
     barrier: Barrier,
+    /// Rate of removal \[1/s\].
     removal_rate: f64,
     /// Which nodes grow film.
     activation: Activation,
@@ -65,6 +66,7 @@ impl ProportionalRemoval {
         self
     }
 
+    /// Rate of growth at a node, without removal \[m/s\].
     fn growth(&self, at: &RubbingPoint) -> f64 {
         self.barrier.rate(at.shear_stress, at.temperature)
     }

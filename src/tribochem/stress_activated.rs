@@ -33,6 +33,7 @@ pub struct StressActivated {
     maximum: f64,
     /// Barrier that growth has to pass.
     barrier: Barrier,
+    /// Which stress lowers the barrier.
     stress: Stress,
     /// Which nodes grow film.
     activation: Activation,
@@ -110,6 +111,7 @@ impl StressActivated {
         self.barrier.rate(stress, temperature)
     }
 
+    /// Rate constant at a node by the stress that drives the law.
     fn rate_constant_at(&self, at: &RubbingPoint) -> f64 {
         let stress = match self.stress {
             Stress::Shear => at.shear_stress,

@@ -5,6 +5,17 @@ use crate::error::InputError;
 use crate::rubbing::RubbingPoint;
 
 /// Which pressure wears.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::RubbingPoint;
+/// use stribeck::wear::{Archard, WearLaw, WearPressure};
+/// let fluid = RubbingPoint::new(1e9, 353.15).with_sliding_speed(0.1); // no solid contact
+/// let all = Archard::azam_2019();
+/// assert!(all.depth_rate(&fluid, 0.0) > 0.0);
+/// assert_eq!(all.with_pressure(WearPressure::Solid).depth_rate(&fluid, 0.0), 0.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum WearPressure {
@@ -35,12 +46,17 @@ pub enum WearPressure {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Archard {
+    /// Hardness of the substrate \[Pa\].
     hardness: f64,
+    /// Coefficient over hardness of the bare surface \[1/Pa\].
     bare: f64,
+    /// What a full film takes off it \[1/Pa\].
     drop: f64,
+    /// One over the thickness of a full film \[1/m\].
     per_thickness: f64,
     /// Hardness under a full film over that of the substrate, less 1.
     softening: f64,
+    /// Which pressure wears.
     pressure: WearPressure,
 }
 
@@ -69,6 +85,7 @@ impl Archard {
         Self::from_valid(5.45e-8, 5.45e-9, 200e-9, 6e9)
     }
 
+    /// The law of constants that are in range.
     fn from_valid(bare: f64, filmed: f64, reference_thickness: f64, hardness: f64) -> Self {
         Self {
             hardness,

@@ -18,6 +18,7 @@ use crate::rubbing::RubbingPoint;
 /// ```
 #[derive(Debug, PartialEq)]
 pub struct WearDepth {
+    /// Worn depth of each node \[m\].
     values: Vec<f64>,
 }
 

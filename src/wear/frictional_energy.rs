@@ -27,8 +27,11 @@ use crate::rubbing::RubbingPoint;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrictionalEnergy {
+    /// Worn volume per energy of the bare surface \[m^3/J\].
     bare: f64,
+    /// What a full film takes off it \[m^3/J\].
     drop: f64,
+    /// One over the thickness of a full film \[1/m\].
     per_thickness: f64,
 }
 

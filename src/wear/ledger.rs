@@ -17,13 +17,29 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct SurfaceLedger<'a> {
+    /// Heights at the start \[m\].
     initial: &'a [f64],
+    /// Worn depth \[m\].
     wear: &'a [f64],
+    /// Plastic depth \[m\].
     plastic: &'a [f64],
+    /// Tribofilm \[m\].
     film: &'a [f64],
 }
 
 /// Volumes of one body's account \[m^3\].
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::wear::SurfaceLedger;
+/// let (initial, wear, plastic, film) = ([0.0; 2], [2e-9, 0.0], [0.0, 1e-9], [5e-9, 5e-9]);
+/// let ledger = SurfaceLedger::new(&initial, &wear, &plastic, &film)?;
+/// let volumes = ledger.volumes(1e-12);
+/// assert!((volumes.net() / 7e-21 - 1.0).abs() < 1e-12);
+/// assert_eq!(ledger.residual(&[3e-9, 4e-9])?, 0.0);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Volumes {
@@ -59,6 +75,7 @@ impl<'a> SurfaceLedger<'a> {
         Ok(Self { initial, wear, plastic, film })
     }
 
+    /// The surface as the account has it \[m\].
     fn heights(&self) -> impl Iterator<Item = f64> + '_ {
         let lost = self.wear.iter().zip(self.plastic);
         let rows = self.initial.iter().zip(lost).zip(self.film);

@@ -25,6 +25,25 @@ use crate::rubbing::RubbingPoint;
 ///
 /// Contract: finite and never negative for every finite input, zero at rest and without load, not falling
 /// with sliding speed and load; the film itself is not worn, only the substrate.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::RubbingPoint;
+/// use stribeck::wear::WearLaw;
+/// /// Wear of solid contact alone: `k p_s u_s`, with `k` \[1/Pa\].
+/// #[derive(Debug)]
+/// struct SolidWear(f64);
+/// impl WearLaw for SolidWear {
+///     fn depth_rate(&self, at: &RubbingPoint, _film_thickness: f64) -> f64 {
+///         self.0 * at.solid_pressure * at.sliding_speed
+///     }
+/// }
+/// let at = RubbingPoint::new(1e9, 300.0).with_solid_pressure(1e9).with_sliding_speed(0.1);
+/// let mut rates = [0.0; 2];
+/// SolidWear(1e-18).depth_rates(&[at, at.with_sliding_speed(0.0)], &[0.0; 2], &mut rates);
+/// assert!((rates[0] - 1e-10).abs() < 1e-24 && rates[1] == 0.0);
+/// ```
 pub trait WearLaw: Debug + Send + Sync {
     /// Rate of wear \[m/s\] at a node in the state `at` that carries `film_thickness` \[m\] of tribofilm.
     fn depth_rate(&self, at: &RubbingPoint, film_thickness: f64) -> f64;

@@ -1,4 +1,9 @@
 //! A dry contact on half of the cells, as the start of that on all of them.
+//!
+//! Cells are joined in pairs along each axis: gaps, limits and pressures become means over those that may
+//! carry pressure, and each cell hands its pressure to those it was made of. The solver of the coarser
+//! contact starts from a coarser one itself: the recursion ends below [`SMALLEST`] cells along an axis, or
+//! where the model lives on one grid alone.
 
 use super::{DryProblem, DrySolver};
 use crate::elastic::{DeformationModel, NEAR};
@@ -35,6 +40,7 @@ pub(super) struct Coarser {
 /// What tells bodies apart.
 #[derive(Debug, PartialEq)]
 struct Key {
+    /// Its grid.
     grid: Grid,
     /// First influence coefficients along x and along y \[m/Pa\].
     influence: [[f64; NEAR + 1]; 2],

@@ -2,8 +2,18 @@
 //!
 //! The minimum of the energy `1/2 p K p + gap p` under a load, pressures between zero and the limit. It is
 //! unique where `K` is positive definite.
+//!
+//! In words: where bodies touch below the limit the gap is closed, where they do not touch there is no
+//! pressure, and where the limit is reached the bodies overlap, which is what has been flattened. A pressure
+//! that is not quite the solution has more energy than the minimum; `energy_error` bounds by how much.
+//!
+//! `sides` sorts the nodes by the condition that they fulfil, `relax` closes the gaps of the free ones for a
+//! fixed sorting, and `coarser` starts from the contact on half of the cells. The room rests on
+//! [`DeformationModel`] alone: any model that implements it will do. [`reynolds::Dry`](crate::reynolds::Dry)
+//! is this solver under the trait of contact solvers.
 
 mod coarser;
+mod problem;
 mod relax;
 mod sides;
 
@@ -11,6 +21,7 @@ use super::DeformationModel;
 use crate::error::InputError;
 use crate::grid::Grid;
 use coarser::Coarser;
+pub use problem::{DryOutcome, DryProblem};
 use sides::Side;
 
 /// Passes of the active set after which only the worst violators change sides, which ends cycling.
@@ -22,64 +33,18 @@ const LEAST_GAIN: f64 = 0.9;
 /// Gap error above which a start is no better than that of a coarser grid, whose pressures leave this much.
 const COARSE_START: f64 = 0.02;
 
-/// The problem: find pressure `p` and approach `delta` with `g = gap + K p - delta`, `0 <= p <= limit`,
-/// `g >= 0` where `p = 0`, `g = 0` between, `g <= 0` where `p = limit`, and the sum of `p` times the cell
-/// area equal to the load.
-///
-/// Pressure stays zero on nodes with `excluded` set.
-#[derive(Debug, Clone, Copy)]
-pub struct DryProblem<'a> {
-    /// Undeformed gap per node \[m\].
-    pub gap: &'a [f64],
-    /// Load \[N\].
-    pub load: f64,
-    /// Largest pressure per node \[Pa\], or none.
-    pub limit: Option<&'a [f64]>,
-    /// Nodes that carry no pressure.
-    pub excluded: &'a [bool],
-}
-
-impl DryProblem<'_> {
-    /// Pressure limit of node `k` \[Pa\], infinite where there is none.
-    fn limit_of(&self, k: usize) -> f64 {
-        self.limit.map_or(f64::INFINITY, |limit| limit[k])
-    }
-}
-
 /// What a solve is asked for.
 struct Task<'a> {
+    /// What is to be solved.
     problem: &'a DryProblem<'a>,
     /// Sum of the pressures \[Pa\].
     target: f64,
     /// What gaps are counted from \[m\].
     datum: f64,
+    /// Gap error to stop at.
     tolerance: f64,
+    /// Passes at most.
     max_passes: u64,
-}
-
-/// How a dry solve ended. All of it is of the pressure that is returned.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct DryOutcome {
-    /// Mean absolute gap error on contact nodes plus penetration elsewhere, over the pressure-weighted mean
-    /// displacement.
-    pub gap_error: f64,
-    /// What the energy `1/2 p K p + gap p` lies above its minimum at most, over the elastic energy
-    /// `1/2 p K p`: the duality gap of Frank and Wolfe (1956, Naval Research Logistics Quarterly 3, 95-110),
-    /// the sum of `p (v - w)` with `v = gap + K p` and `w` its minimum over the nodes below their limit,
-    /// nodes at the limit with `v < w` left out. It holds whatever the solver did.
-    pub energy_error: f64,
-    /// Approach of the bodies \[m\].
-    pub approach: f64,
-    /// Elastic convolutions in equivalents of the grid: those of a coarser one count by its share of nodes, a
-    /// pressure estimate as a quarter.
-    pub convolutions: f64,
-    /// Passes of the active set on the grid itself.
-    pub passes: u64,
-    /// Conjugate-gradient steps on the grid itself.
-    pub steps: u64,
-    /// Whether `gap_error` reached the tolerance.
-    pub converged: bool,
 }
 
 /// Active-set conjugate gradients with a per-node pressure limit and the load as a constraint, on nested
@@ -98,6 +63,26 @@ pub struct DryOutcome {
 /// gaps that decide are of [`DeformationModel::displacement`]. A start whose gap error exceeds 2 % is solved
 /// to 0.1 % on half the cells first, where the model lives on other grids ([`DeformationModel::on_grid`]),
 /// down to 16 cells.
+///
+/// # Examples
+///
+/// A ball that is pressed until its middle yields:
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::elastic::{DryProblem, DrySolver, HalfSpace};
+/// let grid = Grid::centred(48, 48, 1e-5, 1e-5)?;
+/// let gap: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / 0.02).collect();
+/// let (limit, excluded) = (vec![0.8e9; grid.len()], vec![false; grid.len()]);
+/// let problem = DryProblem { gap: &gap, load: 30.0, limit: Some(&limit), excluded: &excluded };
+/// let mut pressure = vec![0.0; grid.len()];
+/// let mut body = HalfSpace::new(grid, 230e9)?;
+/// let outcome = DrySolver::new(grid.len()).solve(&problem, &mut body, &mut pressure, 1e-6, 500)?;
+/// assert!(outcome.converged && outcome.energy_error < 1e-3);
+/// assert_eq!(pressure.iter().copied().fold(0.0, f64::max), 0.8e9);
+/// assert!((pressure.iter().sum::<f64>() * grid.cell_area() / 30.0 - 1.0).abs() < 1e-9);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug)]
 pub struct DrySolver {
     /// Which condition holds at each node.
@@ -172,6 +157,7 @@ impl DrySolver {
         Ok(outcome)
     }
 
+    /// Refuses slices that do not fit `grid`, the first by name.
     fn check(&self, problem: &DryProblem<'_>, pressure: &[f64], grid: &Grid) -> Result<(), InputError> {
         for (field, len) in [
             ("gap", problem.gap.len()),

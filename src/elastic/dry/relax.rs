@@ -1,4 +1,11 @@
 //! Conjugate gradients on the free nodes at constant load.
+//!
+//! Steps of conjugate gradients for `K d = r` on the free nodes under the constraint that directions add no
+//! load. The preconditioned residual `z` has its mean taken out, `d = z - mean(z) + beta d'`; `beta` makes
+//! the direction conjugate to the last one by its displacement itself, not by a quotient of residuals, so
+//! that products of single precision do. Along `d` the energy is least at `length = sum(r z) / sum(d K d)`;
+//! the level of the gaps, which is the multiplier of the load, moves by `length` times the mean displacement
+//! of `d`.
 
 use super::sides::Side;
 use super::{DryOutcome, DryProblem, DrySolver};
@@ -19,6 +26,7 @@ const STEP_COST: f64 = 1.25;
 struct Sums {
     /// Residual times estimate.
     energy: f64,
+    /// Sum of the estimate, for its mean.
     estimate: f64,
     /// Estimate times the displacement of the last direction.
     overlap: f64,

@@ -1,4 +1,9 @@
 //! Which condition holds at a node, and who changes it.
+//!
+//! Sides change between passes, in both directions at once: nodes beyond their bounds leave the free set,
+//! nodes with a gap of the wrong sign enter it. In cautious passes only the worst do, which ends cycles of
+//! nodes that change sides for each other. The load is kept by an equal change on all free nodes, as often as
+//! bounds get in the way.
 
 use super::{DryProblem, DrySolver};
 

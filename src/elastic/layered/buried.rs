@@ -1,4 +1,7 @@
 //! Potentials of uniformly loaded cells below the surface.
+//!
+//! [`rectangle`] and [`strip`] are what Love's potential of a cell at the surface becomes for an image at a
+//! depth; far away, where the closed forms lose digits by cancellation, a Gauss rule takes their place.
 
 /// Beyond this many of the larger half size the Gauss rule with three points is exact to 1e-9.
 const FAR: f64 = 16.0;

@@ -14,10 +14,13 @@ use crate::error::InputError;
 /// Depths over the thickness: geometric from the first on. The nearest images lie at twice the thickness, the
 /// farthest where the stiffest layer bends, at its thickness times the cube root of the ratio of moduli.
 const FIRST_DEPTH: f64 = 0.7;
+/// Each depth over the one before.
 const RATIO: f64 = 1.2;
+/// Number of depths; the last one is at some 3700 thicknesses.
 const IMAGES: usize = 48;
 /// Wave numbers of the fit times the thickness: zero and these, geometric.
 const WAVES: [f64; 2] = [1e-5, 30.0];
+/// Number of the geometric wave numbers.
 const SAMPLES: usize = 400;
 /// Weight of long waves in the fit, which fix the load that is felt far away.
 const WEIGHT_OF_ZERO: f64 = 10.0;

@@ -27,6 +27,7 @@ const MODULUS_RATIO: [f64; 2] = [1e-4, 1e3];
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layer {
+    /// Thickness `h` \[m\].
     thickness: f64,
     /// `(1 - v^2)/E` of layer and substrate \[1/Pa\].
     compliances: [f64; 2],
@@ -34,7 +35,9 @@ pub struct Layer {
     pub(super) poissons: [f64; 2],
     /// Shear modulus of the layer over that of the substrate.
     pub(super) moduli: f64,
+    /// `K` of the transform.
     k: f64,
+    /// `L` of the transform.
     l: f64,
 }
 

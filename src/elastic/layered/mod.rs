@@ -1,4 +1,9 @@
 //! The elastic half-space with a bonded layer by DC-FFT.
+//!
+//! `layer` holds the constants and the transform of the response, `images` turns the transform into loads
+//! below the surface, `buried` has the potentials of such loads on cells; these make the influence
+//! coefficients here. Stresses in the layer and below it are a room of their own: `waves` has what a layer
+//! adds to one wave, `stress` sums the waves.
 
 mod buried;
 mod images;
@@ -56,10 +61,15 @@ const ROUNDED: f64 = 1e-3;
 /// ```
 #[derive(Clone)]
 pub struct LayeredHalfSpace {
+    /// `E'` of the pair without the layer \[Pa\].
     equivalent_modulus: f64,
+    /// The layer with its substrate.
     layer: Layer,
+    /// Whether cells are strips of a line contact.
     plane_strain: bool,
+    /// Influence coefficients of the nearest nodes \[m/Pa\], rows along y.
     near: [[f64; NEAR + 1]; NEAR + 1],
+    /// Convolutions with all coefficients.
     response: ElasticResponse,
 }
 
@@ -114,6 +124,7 @@ impl LayeredHalfSpace {
         Ok(Self::from_coefficients(grid, equivalent_modulus, layer, true, coefficient))
     }
 
+    /// Bodies with the displacement `coefficient(i, j)` \[m/Pa\] at an offset of `i` columns and `j` rows.
     fn from_coefficients(
         grid: Grid,
         equivalent_modulus: f64,
@@ -136,10 +147,12 @@ struct Loads {
     surface: f64,
     /// Compliance of the layer, which the images have \[1/Pa\].
     layer: f64,
+    /// Loads below the surface.
     images: Vec<Image>,
 }
 
 impl Loads {
+    /// The loads of a pair; refuses a modulus that leaves the other body a negative compliance.
     fn new(equivalent_modulus: f64, layer: &Layer) -> Result<Self, InputError> {
         InputError::require_positive("elastic.equivalent_modulus", equivalent_modulus)?;
         let pair = 2.0 / equivalent_modulus;

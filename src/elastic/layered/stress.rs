@@ -1,4 +1,9 @@
 //! Stresses in a bonded layer and below it.
+//!
+//! Loads become amplitudes of waves by one transform; each depth asks [`Layer::added`](super::Layer) for what
+//! the bond adds to every wave, and one inverse transform for each of the six components sums it. The
+//! half-space below is summed in closed forms by `subsurface_stress`, so that what is cut off at short waves
+//! is only the smooth part. `mean` corrects the wave of number zero for the images of the periodic sum.
 
 use std::f64::consts::PI;
 
@@ -43,9 +48,13 @@ use crate::numerics::{Fft2, RealFft2, fast_length, map_lines};
 /// ```
 #[derive(Debug, Clone)]
 pub struct LayeredStress {
+    /// Grid of the loads and of the stresses.
     grid: Grid,
+    /// The layer with its substrate.
     layer: Layer,
+    /// Pressure on the surface \[Pa\].
     pressure: Vec<f64>,
+    /// Traction along +x on the surface \[Pa\].
     traction: Option<Vec<f64>>,
     /// Numbers of cells that the waves have.
     padded: [usize; 2],
@@ -164,6 +173,7 @@ impl LayeredStress {
         })
     }
 
+    /// Stresses at `depth` \[m\] of `body`: those of a half-space and what the bond adds.
     fn at(&self, depth: f64, body: Body) -> Result<StressField, InputError> {
         let poisson = self.layer.poissons[if body == Body::Layer { 0 } else { 1 }];
         let traction = self.traction.as_deref();
@@ -233,6 +243,7 @@ const LINE_LENGTHS: usize = 8;
 const FINE: usize = 8;
 /// Width of a window of long waves, and its end, in waves of the period.
 const WINDOW: f64 = 4.0;
+/// Waves of the period along each axis that the window is summed over.
 const END: usize = 22;
 
 /// Amplitudes of the mean stresses under a mean pressure and a mean traction of one that leave the stresses
@@ -277,8 +288,11 @@ fn mean(
 
 /// A wave along the direction `(cos, sin)`.
 struct Wave {
+    /// Wave number \[1/m\].
     number: f64,
+    /// Its direction along x.
     cos: f64,
+    /// Its direction along y.
     sin: f64,
 }
 

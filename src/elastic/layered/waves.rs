@@ -27,19 +27,25 @@ type Derivatives = [f64; 4];
 /// half-space with its derivative.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Added {
+    /// Under unit pressure.
     pub(super) pressure: Derivatives,
+    /// Under unit `f'(0)`.
     pub(super) shear: Derivatives,
+    /// `v` and `v'`, less those of the half-space, under unit shear across the wave.
     pub(super) across: [f64; 2],
 }
 
 /// Which of both bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Body {
+    /// The layer.
     Layer,
+    /// The half-space below it.
     Substrate,
 }
 
 impl Added {
+    /// What a layer adds that is so thick for the wave that `exp(-d)` is zero.
     const NOTHING: Self = Self { pressure: [0.0; 4], shear: [0.0; 4], across: [0.0; 2] };
 }
 
@@ -121,6 +127,7 @@ fn bases(x: f64, d: f64) -> [Derivatives; 2] {
     ]
 }
 
+/// `A` times the first and `B` times the second function.
 fn combined([first, second]: &[Derivatives; 2], [a, b]: [f64; 2]) -> Derivatives {
     std::array::from_fn(|k| a * first[k] + b * second[k])
 }

@@ -10,8 +10,10 @@ pub(super) const COMPONENTS: usize = 6;
 /// Whether `G` of each component is odd in `X` and in `Y`, else it is even.
 pub(super) type Parities = [[bool; 2]; COMPONENTS];
 
+/// Of the components under a pressure.
 pub(super) const UNDER_PRESSURE: Parities =
     [[true, true], [true, true], [true, true], [false, false], [false, true], [true, false]];
+/// Of the components under a traction along x.
 pub(super) const UNDER_TRACTION: Parities =
     [[false, true], [false, true], [false, true], [true, false], [true, true], [false, false]];
 

@@ -5,6 +5,20 @@ use crate::error::InputError;
 use crate::grid::Grid;
 
 /// A largest stress and where it is.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::elastic::stress_extremes;
+/// // A band of constant pressure of half-width a: the largest orthogonal shear lies below its edges.
+/// let grid = Grid::centred(161, 1, 0.025, 1.0)?;
+/// let pressure: Vec<f64> = grid.nodes().map(|(x, _)| if x.abs() < 1.0 { 1e9 } else { 0.0 }).collect();
+/// let depths: Vec<f64> = (0..20).map(|k| 0.1 * f64::from(k)).collect();
+/// let largest = stress_extremes(&grid, 0.3, &depths, &pressure, None)?.orthogonal_shear;
+/// assert!((largest.place.0.abs() - 1.0).abs() < 0.1);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Extreme {
@@ -63,6 +77,7 @@ pub fn stress_extremes(
     Ok(StressExtremes { von_mises: over(grid, depths, &mises), orthogonal_shear: over(grid, depths, &shear) })
 }
 
+/// Refuses depths that are none or do not increase.
 pub(in crate::elastic) fn require_increasing(depths: &[f64]) -> Result<(), InputError> {
     if !depths.is_empty() && depths.windows(2).all(|pair| pair[0] < pair[1]) {
         return Ok(());
@@ -71,6 +86,7 @@ pub(in crate::elastic) fn require_increasing(depths: &[f64]) -> Result<(), Input
     Err(InputError::Conflict { field: "depths".to_owned(), reason })
 }
 
+/// Magnitude of the orthogonal shear stress under each node.
 pub(in crate::elastic) fn orthogonal(field: &StressField) -> impl Iterator<Item = f64> + '_ {
     field.xz.iter().map(|stress| stress.abs())
 }

@@ -14,6 +14,19 @@ use crate::grid::Grid;
 use crate::numerics::{Convolution, ConvolutionPlan};
 
 /// Stresses \[Pa\] at one depth below the nodes of a grid, tension positive; z points into the body.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::elastic::subsurface_stress;
+/// let grid = Grid::centred(33, 33, 1e-5, 1e-5)?;
+/// let stress = subsurface_stress(&grid, 0.3, 0.0, &vec![1e9; grid.len()], None)?;
+/// let middle = 16 * 33 + 16;
+/// assert!((stress.zz[middle] + 1e9).abs() < 1.0); // minus the pressure at the surface
+/// assert!(stress.xy[middle].abs() < 1.0);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct StressField {
@@ -32,11 +45,13 @@ pub struct StressField {
 }
 
 impl StressField {
+    /// No stress at `n` nodes.
     fn zeros(n: usize) -> Self {
         let [xx, yy, zz, xy, xz, yz] = std::array::from_fn(|_| vec![0.0; n]);
         Self { xx, yy, zz, xy, xz, yz }
     }
 
+    /// The six in the order of the fields.
     pub(super) fn components(&mut self) -> [&mut Vec<f64>; COMPONENTS] {
         [&mut self.xx, &mut self.yy, &mut self.zz, &mut self.xy, &mut self.xz, &mut self.yz]
     }

@@ -19,6 +19,7 @@ use crate::numerics::lanes::both;
 struct Branch<'a> {
     /// Its first front.
     first: usize,
+    /// What its fronts keep of their elimination.
     factors: &'a mut [f32],
     /// Right-hand side, then solution, at the pivots and at the border of each front, both padded.
     vectors: &'a mut [f32],
@@ -31,15 +32,20 @@ struct Branch<'a> {
 /// Where the values of each front start.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Starts {
+    /// In the factors of all.
     factors: Vec<usize>,
+    /// In the vectors of all.
     pub(super) vectors: Vec<usize>,
 }
 
 /// The tree of fronts with what they own.
 #[derive(Debug)]
 pub(super) struct Tree {
+    /// In the order of elimination.
     pub(super) fronts: Vec<Front>,
+    /// Where each front's values begin.
     pub(super) starts: Starts,
+    /// Right-hand sides, then solutions, front by front.
     pub(super) vectors: Vec<f32>,
     /// What all fronts keep of their elimination, front by front.
     factors: Vec<f32>,
@@ -48,11 +54,14 @@ pub(super) struct Tree {
     remainders: [Vec<f32>; 2],
     /// What a branch needs of the stack of its last front and of the other.
     depths: Vec<[usize; 2]>,
+    /// Fronts whose nodes and children are all unlinked.
     idle: Vec<bool>,
+    /// Work space, one for each lane.
     scratch: Vec<Vec<f32>>,
 }
 
 impl Tree {
+    /// Room for all fronts of a `dissection` that so many `lanes` work on.
     pub(super) fn new(dissection: Dissection, lanes: usize) -> Self {
         let fronts = dissection.fronts;
         let mut starts = Starts::default();
@@ -147,6 +156,7 @@ impl Branch<'_> {
 /// The matrix of an elimination.
 #[derive(Debug, Clone, Copy)]
 struct Matrix<'a> {
+    /// Its entries, scaled.
     scaled: &'a [f32],
     /// Whether a place has entries beside its diagonal.
     linked: &'a [bool],
@@ -155,19 +165,28 @@ struct Matrix<'a> {
 /// The ways along the tree.
 #[derive(Debug, Clone, Copy)]
 struct Walk<'a> {
+    /// All fronts.
     fronts: &'a [Front],
+    /// Where the values of each begin.
     starts: &'a Starts,
+    /// What each branch needs of both stacks.
     depths: &'a [[usize; 2]],
+    /// Vector instructions of the machine.
     arch: Arch,
 }
 
 /// Elimination of a front: with all vector instructions of the machine only what is inlined here.
 struct Elimination<'a, 'b> {
+    /// The front.
     front: &'a Front,
     scaled: &'a [f32],
+    /// What it keeps.
     values: &'b mut [f32],
+    /// What its children have left.
     children: [Option<Block<'b>>; 2],
+    /// What it leaves for its parent.
     remainder: &'b mut [f32],
+    /// Work space.
     scratch: &'b mut [f32],
 }
 
@@ -188,9 +207,13 @@ impl WithSimd for Elimination<'_, '_> {
 
 /// A half of a substitution on fronts that follow one another.
 struct Substitution<'a, 'b> {
+    /// The tree.
     walk: Walk<'a>,
+    /// Which fronts.
     fronts: Range<usize>,
+    /// What they own.
     branch: Branch<'b>,
+    /// Whether from the leaves to the root.
     forward: bool,
 }
 
@@ -334,6 +357,7 @@ impl Walk<'_> {
         self.arch.dispatch(Substitution { walk: *self, fronts, branch, forward });
     }
 
+    /// Gathers what the children leave at the pivots of front `f` and eliminates it.
     #[inline(always)]
     fn forward_front<S: Simd>(&self, simd: S, f: usize, branch: Branch<'_>) {
         let Branch { first, factors, vectors, idle, scratch, .. } = branch;
@@ -355,6 +379,7 @@ impl Walk<'_> {
         front.forward(simd, &mut factors[start..][..front.factors()], own, scratch);
     }
 
+    /// Solution at the pivots of front `f` from that at its border, which its children then take over.
     #[inline(always)]
     fn backward_front<S: Simd>(&self, simd: S, f: usize, branch: Branch<'_>) {
         let Branch { first, factors, vectors, idle, scratch } = branch;

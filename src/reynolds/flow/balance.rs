@@ -7,6 +7,16 @@
 /// conserves mass the imbalance is at most the [mass residual](crate::Residuals::mass): the balances of all
 /// cells add up to it. With Reynolds' condition it is what cavitated cells make out of nothing, and no
 /// residual counts it.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let solution = solve_contact(&Scene::azam_2019(32))?;
+/// let flow = solution.flow.ok_or("a dry contact")?;
+/// assert!(flow.inflow > 0.0 && flow.imbalance <= solution.report.residuals.mass + 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct FlowBalance {

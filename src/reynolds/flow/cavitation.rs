@@ -1,8 +1,26 @@
 //! What becomes of fluid that cannot fill its gap.
+//!
+//! The two conditions differ behind the contact, where films rupture, and in front of it where the inlet is
+//! starved. Solvers ask [`Cavitation`] in `Discretisation` alone; multigrid's cycles always work with
+//! Reynolds' condition.
 
 use crate::error::{InputError, legible};
 
 /// What holds where the fluid pressure is at the cavitation pressure, zero.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::reynolds::Cavitation;
+/// use stribeck::sim::Scene;
+/// use stribeck::sim::{MixedLubricationSim, SimError};
+/// // A starved inlet asks for a condition that knows how much fluid there is.
+/// let mut scene = Scene::azam_2019(32);
+/// scene.lubricant = scene.lubricant.map(|oil| oil.with_supplied_film(Some(100e-9)));
+/// scene.solver.cavitation = Some(Cavitation::Reynolds);
+/// let error = MixedLubricationSim::builder(scene).build().unwrap_err();
+/// assert!(error.to_string().contains("mass_conserving"));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]

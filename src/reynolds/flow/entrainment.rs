@@ -1,6 +1,17 @@
 //! What the moving surfaces carry through a face.
 
 /// Discretisation of the wedge term `u d(rho h)/dx`.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::reynolds::{ContactDefinition, Scheme};
+/// use stribeck::sim::Scene;
+/// let mut scene = Scene::azam_2019(32);
+/// assert_eq!(scene.scheme(), Scheme::Limited);
+/// scene.solver.contact = ContactDefinition::UnifiedReynolds;
+/// assert_eq!(scene.scheme(), Scheme::FirstOrder); // as published
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]

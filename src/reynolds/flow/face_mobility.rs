@@ -20,6 +20,19 @@ use super::shear_thinning::ViscosityRatio;
 /// `h_0` is the film upstream, `h_1` that downstream, `h_f` that of the face, which entrainment carries
 /// through it; `Y = (h_0 - h_1)/h_1`, and `I` is the integral of `(h - h_1)/h^3` over the distance of the
 /// nodes, `Y/(2 h_0^2)` for a film that falls evenly.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::reynolds::FaceMobility;
+/// use stribeck::sim::Scene;
+/// let mut scene = Scene::azam_2019(32);
+/// assert_eq!(scene.face_mobility(), FaceMobility::Inlet); // rough bodies
+/// scene.roughness = Default::default();
+/// assert_eq!(scene.face_mobility(), FaceMobility::Wedge); // smooth ones
+/// scene.solver.face_mobility = Some(FaceMobility::ReducedPressure);
+/// assert_eq!(scene.face_mobility(), FaceMobility::ReducedPressure);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
@@ -54,6 +67,7 @@ pub(super) enum Direction {
     Along(f64, f64),
     /// The same where nothing is carried: its mobility is that of one across.
     AlongAtRest,
+    /// Between rows.
     Across,
 }
 

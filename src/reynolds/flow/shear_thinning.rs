@@ -89,12 +89,16 @@ impl ShearThinning {
 /// A viscosity of one node over that of the law, with its derivatives by pressure and film.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ViscosityRatio {
+    /// The ratio.
     pub(super) value: f64,
+    /// By the pressure of the node \[1/Pa\].
     pub(super) by_pressure: f64,
+    /// By its film \[1/m\].
     pub(super) by_film: f64,
 }
 
 impl ViscosityRatio {
+    /// That of the law.
     const NEWTONIAN: Self = Self { value: 1.0, by_pressure: 0.0, by_film: 0.0 };
 
     /// The same `factor` times as large.
@@ -110,11 +114,14 @@ impl ViscosityRatio {
 /// The ratios of one node along and across the sliding direction.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NodeRatios {
+    /// For faces along the flow.
     along: ViscosityRatio,
+    /// For faces across it.
     across: ViscosityRatio,
 }
 
 impl NodeRatios {
+    /// Those of the law.
     pub(super) const NEWTONIAN: Self =
         Self { along: ViscosityRatio::NEWTONIAN, across: ViscosityRatio::NEWTONIAN };
 

@@ -28,6 +28,21 @@ const IMBALANCE: f64 = 1e-10;
 const BYTES: usize = 1200;
 
 /// What holds at the two edges of the box across y.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::lubricant::{Barus, Incompressible, Lubricant};
+/// use stribeck::reynolds::{FilmThickness, GivenFilm, SideEdges};
+/// let grid = Grid::from_edges(40, 20, [0.0, 1e-2], [0.0, 1e-2])?;
+/// let film = FilmThickness::from_function(grid, |x, _| 2e-6 - 1e-4 * x)?;
+/// let oil = Lubricant::new(Barus::new(0.01, 0.0)?, Incompressible);
+/// let pad = GivenFilm::new(&film, &oil, [1.0, 0.0]);
+/// let load = |sides| pad.with_sides(sides).solve().map(|solution| solution.load);
+/// assert!(load(SideEdges::Closed)? > 2.0 * load(SideEdges::Ambient)?); // a square pad leaks
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum SideEdges {
@@ -129,6 +144,7 @@ impl GivenFilm<'_> {
         0.5 * self.speeds[0] + 0.5 * self.speeds[1]
     }
 
+    /// Checks speeds, pressures and fields; the error names the first that does not fit.
     fn validate(&self) -> Result<(), InputError> {
         for (field, value) in [
             ("speeds.0", self.speeds[0]),

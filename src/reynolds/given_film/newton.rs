@@ -53,6 +53,7 @@ struct Start {
     pressure: Vec<f64>,
     /// Contents there.
     content: Vec<f64>,
+    /// Newton steps on it and all coarser ones.
     steps: u64,
 }
 

@@ -10,6 +10,26 @@ use crate::solver_id::SolverId;
 /// Pressure, content, forces and flows of a [`GivenFilm`].
 ///
 /// On a grid of one row, one metre wide by custom, forces are in N and flows in m^3/s for that metre.
+///
+/// # Examples
+///
+/// A step bearing, 2 um before and 1 um behind its middle, whose pressure is a triangle:
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::lubricant::{Barus, Incompressible, Lubricant};
+/// use stribeck::reynolds::{FilmThickness, GivenFilm};
+/// let grid = Grid::from_edges(200, 1, [0.0, 1e-2], [0.0, 1.0])?;
+/// let film = FilmThickness::from_function(grid, |x, _| if x < 5e-3 { 2e-6 } else { 1e-6 })?;
+/// let oil = Lubricant::new(Barus::new(0.01, 0.0)?, Incompressible);
+/// let solution = GivenFilm::new(&film, &oil, [1.0, 0.0]).solve()?;
+/// // 6 eta U (h_1 - h_2) / (h_1^3/L_1 + h_2^3/L_2) at the step.
+/// let exact = 6.0 * 0.01 * 1e-6 / ((8e-18 + 1e-18) / 5e-3);
+/// let found = solution.pressure_at(5e-3, 0).ok_or("no such row")?;
+/// assert!((found / exact - 1.0).abs() < 0.02);
+/// assert!(solution.pressure_at(0.0, 1).is_none() && solution.reformation(0).is_none());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct GivenFilmSolution {
@@ -114,6 +134,7 @@ fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
     }
 }
 
+/// The solution entrained with `speed` along +x, which is not negative.
 fn moving(problem: &GivenFilm<'_>, speed: f64) -> GivenFilmSolution {
     let solved = newton::solve(problem, problem.film, speed);
     let grid = problem.film.grid();
@@ -137,6 +158,7 @@ fn moving(problem: &GivenFilm<'_>, speed: f64) -> GivenFilmSolution {
     }
 }
 
+/// The report of this solver.
 fn report(status: Status, mass: f64, iterations: u64, inner_iterations: u64) -> SolveReport {
     SolveReport::new(SolverId::GivenFilm, status, Residuals { mass, ..Residuals::default() })
         .with_work(Work { iterations, inner_iterations, ..Work::default() })

@@ -1,4 +1,8 @@
 //! Recombination of the last two iterates.
+//!
+//! With the residuals `r` and `r'` before the last two cycles the share `s` that makes `|r + s (r' - r)|`
+//! least mixes what both cycles ended with, pressures and approach: `p + s (p' - p)`. In cavitated cells only
+//! a deficit counts as residual.
 
 use crate::reynolds::state::ContactState;
 
@@ -15,12 +19,16 @@ const LARGEST_SHARE: f64 = 9.0;
 pub(super) struct Acceleration {
     /// Mass residuals before the last cycle, pressure and approach after it.
     residual: Vec<f64>,
+    /// Pressures that it ended with \[Pa\].
     pressure: Vec<f64>,
+    /// Approach that it ended with \[m\].
     approach: f64,
+    /// Whether there was a cycle to combine with.
     is_known: bool,
 }
 
 impl Acceleration {
+    /// For fields of so many nodes, without a memory.
     pub(super) fn new(nodes: usize) -> Self {
         Self { residual: vec![0.0; nodes], pressure: vec![0.0; nodes], approach: 0.0, is_known: false }
     }

@@ -1,4 +1,9 @@
 //! The cycles: sweeps on a grid, and the correction by the next coarser one.
+//!
+//! From level `l` a cycle relaxes, takes residual and pressure to level `l - 1`, solves there by
+//! [`CORRECTIONS`] cycles, adds the change of pressure that this makes, and relaxes again. Level 0 is swept
+//! alone, and there, in the middle of the sweeps, the approach follows the load error: it moves all films at
+//! once, which no finer grid has to do.
 
 use super::acceleration::Acceleration;
 use super::hierarchy::{Hierarchy, expected_film, pair};
@@ -11,11 +16,13 @@ use crate::reynolds::state::ContactState;
 /// Sweeps before and after a coarse-grid correction, each with the share of a change that nodes take which
 /// entrainment dominates. Together they damp more modes than three equal shares.
 const SHARES_BEFORE: [f64; 2] = [0.5, 0.4];
+/// After the correction.
 const SHARES_AFTER: [f64; 1] = [1.0];
 /// Corrections from the next coarser grid in a cycle: a W cycle.
 const CORRECTIONS: usize = 2;
 /// Sweeps on the coarsest grid.
 const COARSEST_SWEEPS: usize = 8;
+/// Share of a change that nodes take there.
 const COARSEST_SHARE: f64 = 0.3;
 /// Factor of all these shares where the film is very thin.
 const VERY_THIN_FACTOR: f64 = 0.8;
@@ -25,6 +32,7 @@ const LARGEST_STEP: f64 = 0.1;
 const LARGEST_CHANGE: f64 = 0.5;
 
 impl Hierarchy {
+    /// One sweep on level `l` for each of `shares`, its film brought up to date before each.
     fn relax(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -141,6 +149,7 @@ impl Hierarchy {
         fine.is_evaluated = false;
     }
 
+    /// Sweeps on level 0, half of them before and half after the approach has followed the load error.
     fn solve_coarsest(
         &mut self,
         problem: &mut LubricatedContact<'_>,

@@ -1,4 +1,9 @@
 //! The hierarchy of grids: levels, what lies between them, films that belong to their pressures.
+//!
+//! Each grid has half the nodes of the next along both axes over the same box, rounded up, down to
+//! [`SMALLEST`]. Bodies on coarser grids come from [`DeformationModel::on_grid`]. A level is evaluated when
+//! its film and flow quantities are those of its pressure; whoever changes a pressure says so by
+//! `is_evaluated`, and the next look costs a convolution.
 
 use super::level::{Influence, Level};
 use super::relax::LineRelaxation;
@@ -15,25 +20,31 @@ const SMALLEST: usize = 24;
 /// Share of a change that nodes take where pressure flow dominates a little, at first and once cycles have
 /// become slow: on fine grids the pressure spike swings with the first.
 const NEAR_SHARE: f64 = 0.5;
+/// The share once cycles have become slow.
 const CAREFUL_SHARE: f64 = 0.3;
 
 /// Grids from the coarsest to that of the problem.
 #[derive(Debug)]
 pub(super) struct Hierarchy {
+    /// From the coarsest to the finest.
     pub(super) levels: Vec<Level>,
     /// Between the grids `l` and `l + 1`.
     pub(super) transfers: Vec<Transfer>,
     /// Bodies on all grids but the finest.
     bodies: Vec<Box<dyn DeformationModel>>,
+    /// Buffers of the sweeps, for all levels.
     pub(super) relaxation: LineRelaxation,
+    /// Approach of the undeformed bodies, one for all levels \[m\].
     pub(super) approach: f64,
     /// Change of the approach for a relative load error of one \[m\].
     pub(super) load_gain: f64,
     /// Share of a change that nodes take where pressure flow dominates a little.
     pub(super) near_share: f64,
+    /// Whether the film is so thin over the displacement that sweeps change less.
     pub(super) is_very_thin: bool,
     /// In equivalents of the finest grid.
     pub(super) convolutions: f64,
+    /// On all levels since the problem was taken over.
     pub(super) sweeps: u64,
 }
 
@@ -82,14 +93,17 @@ impl Hierarchy {
         is_new
     }
 
+    /// Number of the finest level.
     pub(super) fn top(&self) -> usize {
         self.levels.len() - 1
     }
 
+    /// The level of the problem's own grid.
     pub(super) fn finest(&self) -> &Level {
         &self.levels[self.top()]
     }
 
+    /// The same, to change it.
     pub(super) fn finest_mut(&mut self) -> &mut Level {
         let top = self.top();
         &mut self.levels[top]

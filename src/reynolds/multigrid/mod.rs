@@ -1,7 +1,18 @@
 //! Full multigrid for smooth full films: the full approximation scheme on a hierarchy of grids.
+//!
+//! A smooth error is cheap to remove on a coarse grid, a rough one by sweeps on the fine grid; with both, a
+//! cycle leaves a fixed share of any error, whatever the number of nodes. In full approximation every grid
+//! solves for pressures, not for corrections, so that complementarity (no pressure below zero) holds on each.
+//!
+//! This file is the solver as others see it, and its loop: a cycle, a look at the residuals of the unreduced
+//! problem, an end. What a grid holds is `level`, how it is swept `relax`, how fields pass between two grids
+//! `transfer`, in which order `cycle`, what a solve begins with `start`; `acceleration` combines cycles. It
+//! rests on the discretisation of `flow`, the same as that of the other solvers: a converged state is theirs
+//! too, to the tolerance.
 
 mod acceleration;
 mod cycle;
+mod full_film;
 mod hierarchy;
 mod level;
 mod relax;
@@ -9,10 +20,11 @@ mod start;
 mod transfer;
 
 use acceleration::Acceleration;
+pub(super) use full_film::expects_full_film;
 use hierarchy::Hierarchy;
 
 use super::coupled::{Coupled, limit_of};
-use super::problem::{LubricatedContact, interior};
+use super::problem::LubricatedContact;
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::grid::Grid;
@@ -27,6 +39,7 @@ const GAIN: f64 = 0.8;
 /// Share of a residual left by a cycle above which relaxation becomes more careful, from the cycle
 /// [`SETTLED`] on.
 const SLOW: f64 = 0.6;
+/// First cycle that is judged by [`SLOW`].
 const SETTLED: u64 = 3;
 /// Cycles over which the rate of convergence is taken.
 const RATE_CYCLES: usize = 3;
@@ -34,12 +47,9 @@ const RATE_CYCLES: usize = 3;
 const TOUCHING_CYCLES: u64 = 8;
 /// Expected film over contact film above which films that touch are the fault of the mesh.
 const EXPECTED_OVER_CONTACT: f64 = 2.0;
-/// Part of the expected film by which the second differences of a smooth gap may vary.
-const ROUGHNESS: f64 = 0.1;
-/// Pressure limit over reference pressure below which no full film is expected.
-const LIMIT_OVER_REFERENCE: f64 = 1.2;
 /// Nodes along each axis below which there is nothing to coarsen.
 const SMALLEST_GRID: usize = 32;
+/// Why a model without coarser grids is refused.
 const ONE_GRID: &str = "the deformation model lives on one grid alone";
 
 /// Full multigrid in the manner of Lubrecht, Venner and Brandt: W cycles of the full approximation scheme,
@@ -57,10 +67,28 @@ const ONE_GRID: &str = "the deformation model lives on one grid alone";
 /// coarser grids ([`DeformationModel::on_grid`](crate::elastic::DeformationModel::on_grid)).
 ///
 /// Source: Venner, C. H. and Lubrecht, A. A. (2000), Multilevel Methods in Lubrication, Elsevier.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::SolverId;
+/// use stribeck::sim::scene::{Load, Motion, Roughness, SolverKind};
+/// use stribeck::sim::{Scene, solve_contact};
+/// let mut scene = Scene::azam_2019(64);
+/// (scene.roughness.ball, scene.roughness.disc) = (Roughness::None, Roughness::None);
+/// (scene.load, scene.motion) = (Load::hertz_pressure(0.5e9), Motion::new(5.0, 0.0));
+/// scene.solver.kind = SolverKind::Multigrid;
+/// let solution = solve_contact(&scene)?;
+/// assert_eq!(solution.report.solver, SolverId::Multigrid);
+/// solution.report.require_converged().map_err(|error| error.to_string())?;
+/// assert!(solution.film.minimum > 0.0 && solution.film.minimum < solution.film.central);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Default)]
 pub struct Multigrid {
     /// Where another solver takes over.
     hand_over: Option<HandOver>,
+    /// Buffers, made at the first solve on a grid.
     workspace: Option<Box<Workspace>>,
 }
 
@@ -68,15 +96,22 @@ pub struct Multigrid {
 /// foreseen.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HandOver {
+    /// Cycles that may be foreseen.
     pub(super) cycles: u64,
+    /// Residual from which foresight counts.
     pub(super) residual: f64,
 }
 
+/// What a solve writes to, kept from solve to solve.
 #[derive(Debug)]
 struct Workspace {
+    /// Grids with their fields.
     hierarchy: Hierarchy,
+    /// What is known of the last cycle.
     acceleration: Acceleration,
+    /// Films, balances and residuals on the finest grid, as all solvers have them.
     coupled: Coupled,
+    /// State of the lowest residual.
     best: ContactState,
     /// Residuals of the start and after each cycle.
     history: Vec<Residuals>,
@@ -123,10 +158,12 @@ impl Multigrid {
         problem.lubricant.ok_or_else(|| self.wrong("the problem has no lubricant"))
     }
 
+    /// The error of a problem that is not for this solver.
     fn wrong(&self, reason: &'static str) -> ReynoldsError {
         ReynoldsError::WrongSolver { solver: self.id(), reason }
     }
 
+    /// The kept workspace where it is of this body, else a new one.
     fn workspace(
         &mut self,
         problem: &LubricatedContact<'_>,
@@ -188,39 +225,10 @@ impl ContactSolver for Multigrid {
     }
 }
 
-/// Whether no solids should touch: a smooth gap, a film expected at more than `margin` times the contact
-/// film, and pressures below the limit.
-pub(super) fn expects_full_film(problem: &LubricatedContact<'_>, margin: f64) -> bool {
-    let grid = problem.grid();
-    let is_thick = problem.reference_film > margin * problem.contact_film();
-    let least = LIMIT_OVER_REFERENCE * problem.reference_pressure;
-    let is_soft = interior(&grid).any(|k| limit_of(problem, k) < least);
-    is_thick && !is_soft && is_smooth(problem, &grid)
-}
-
-/// Whether the gap is a paraboloid all over the contact: its second differences over a quarter of the
-/// half-widths vary by little of the reference film. Differences from node to node would miss waves of many
-/// cells.
-fn is_smooth(problem: &LubricatedContact<'_>, grid: &Grid) -> bool {
-    let (a, b) = problem.reference_half_widths;
-    let (nx, ny) = (grid.nx(), grid.ny());
-    if ny == 1 {
-        return true;
-    }
-    let stride = |half: f64, spacing: f64, n: usize| ((0.25 * half / spacing) as usize).clamp(1, n / 4);
-    let (step_x, step_y) = (stride(a, grid.dx(), nx), stride(b, grid.dy(), ny));
-    let bend = |k: usize, step: usize| problem.gap[k - step] - 2.0 * problem.gap[k] + problem.gap[k + step];
-    let centre = ny / 2 * nx + nx / 2;
-    let (across, along) = (bend(centre, step_y * nx), bend(centre, step_x));
-    let most = ROUGHNESS * problem.reference_film;
-    (step_y..ny - step_y).flat_map(|j| (step_x..nx - step_x).map(move |i| (i, j))).all(|(i, j)| {
-        let k = j * nx + i;
-        let is_far = (grid.x(i) / a).abs() > 1.5 || (grid.y(j) / b).abs() > 1.5;
-        is_far || (bend(k, step_x) - along).abs().max((bend(k, step_y * nx) - across).abs()) < most
-    })
-}
-
 impl Workspace {
+    /// Cycles until one of the ends of a solve; leaves the best state in `state`, evaluated, and returns its
+    /// status and residuals. Sweeps become careful where a settled cycle leaves more than [`SLOW`] of the
+    /// residual.
     fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -333,6 +341,7 @@ fn touches(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
     state.film.iter().zip(&state.pressure).any(|(h, p)| *p > 0.0 && *h < contact_film)
 }
 
+/// Whether no pressure exceeds its limit.
 fn within_limit(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
     state.pressure.iter().enumerate().all(|(k, p)| *p <= limit_of(problem, k))
 }

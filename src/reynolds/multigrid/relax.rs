@@ -26,6 +26,7 @@ const FLOW_RATIOS: (f64, f64) = (2.0, 50.0);
 const EVENNESS: (f64, f64) = (0.3, 0.7);
 /// Ratio above which films hardly follow, and passes over such nodes.
 const FAR_RATIO: f64 = 5.0;
+/// Passes over the nodes far from the contact in each sweep.
 const FAR_PASSES: usize = 3;
 /// Entries of a row: three upstream, the own one, two downstream.
 const BAND: usize = 6;
@@ -57,9 +58,13 @@ fn is_idle(level: &Level, k: usize, nx: usize) -> bool {
 /// Conductances of the faces of a node.
 #[derive(Debug, Clone, Copy)]
 struct Faces {
+    /// To the next node downstream.
     east: f64,
+    /// To the next node upstream.
     west: f64,
+    /// To the next line.
     north: f64,
+    /// To the line before.
     south: f64,
 }
 

@@ -1,4 +1,9 @@
 //! What the cycles begin with: full multigrid from a coarse grid, or a state on the finest.
+//!
+//! A start on a coarse grid costs next to nothing and is as good as the film formula; each finer grid then
+//! begins within the discretisation error of the one before. Where the first grid lies depends on film over
+//! displacement alone: thin films need fine cells from the beginning. Very coarse grids of a second-order
+//! scheme hold no thin film and are of first order.
 
 use super::hierarchy::{Hierarchy, expected_film, pair};
 use crate::error::InputError;
@@ -14,6 +19,7 @@ use crate::reynolds::state::ContactState;
 const START_CELL: (f64, f64) = (0.03, 0.12);
 /// Cycles on the grid of the start, and on the finer ones before the finest.
 const START_CYCLES: usize = 5;
+/// On the finer grids, the finest included.
 const CYCLES: usize = 2;
 /// Expected film over displacement below which sweeps change less: coarse grids do not hold such films, and
 /// larger changes would close them.

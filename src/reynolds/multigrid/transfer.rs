@@ -1,24 +1,37 @@
 //! Fields between a grid and the next coarser one over the same box.
+//!
+//! Both grids are cell-centred: no node of one is a node of the other, and the counts need not be multiples
+//! of each other. A transfer is a product of the same stencils along x and along y, four entries each.
+//! Pressures and residuals go down as means, so that loads and flows stay; gaps go down as values; changes of
+//! pressure come up linearly, and whole pressures of a start cubically.
 
 use crate::grid::Grid;
 
 /// Weights of four neighbouring entries along one axis.
+/// The value is `sum weights[m] from[first + m]`.
 #[derive(Debug, Clone, Copy)]
 struct Stencil {
+    /// First of the four entries.
     first: usize,
+    /// Their weights.
     weights: [f64; 4],
 }
 
 /// The stencils of one axis: from fine to coarse and back.
 #[derive(Debug, Clone)]
 struct Axis {
+    /// Means over each coarse cell.
     average: Vec<Stencil>,
+    /// Cubic interpolation at each coarse node.
     sample: Vec<Stencil>,
+    /// Linear interpolation at each fine node.
     linear: Vec<Stencil>,
+    /// Cubic interpolation at each fine node.
     cubic: Vec<Stencil>,
 }
 
 impl Axis {
+    /// Between `fine` and `coarse` cells over one length.
     fn new(fine: usize, coarse: usize) -> Self {
         let ratio = fine as f64 / coarse as f64;
         // Centre of coarse cell I on the fine axis, and of fine cell i on the coarse axis.
@@ -71,7 +84,9 @@ fn cubic(position: f64, n: usize) -> Stencil {
 /// What carries fields between two grids over one box; the counts need not be multiples of each other.
 #[derive(Debug, Clone)]
 pub(super) struct Transfer {
+    /// Along rows.
     x: Axis,
+    /// Along columns.
     y: Axis,
     /// Rows after the pass along x.
     scratch: Vec<f64>,

@@ -45,6 +45,15 @@ const RELAXATIONS: usize = 2;
 /// - `stiffness`: factor on the implicit influence coefficients. With 1, the textbook value, highly loaded
 ///   contacts end in a limit cycle unless the relaxation is some 0.02: neighbouring lines see each other's
 ///   deformation one sweep late. Factors of 4 to 8 damp just the elastic part and leave the answer unchanged.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::reynolds::{ContactSolver, SemiSystem};
+/// assert_eq!(SemiSystem::default().id().to_string(), "semi_system");
+/// let error = SemiSystem::new(1.5, 6.0).unwrap_err();
+/// assert_eq!(error.to_string(), "solver.relaxation = 1.5: must be above 0 and at most 1");
+/// ```
 #[derive(Debug)]
 pub struct SemiSystem {
     /// Relaxation and stiffness of the sweeps.
@@ -90,6 +99,7 @@ impl SemiSystem {
         Ok(Self::with(Damping { relaxation, stiffness }))
     }
 
+    /// A solver with this damping, which is in range.
     fn with(damping: Damping) -> Self {
         let settings = NewtonSettings::by_lines(RELAXATIONS);
         let relaxed = NewtonKrylov::by(|grid| Box::new(LineRelaxation::new(grid)), settings);

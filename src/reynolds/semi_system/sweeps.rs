@@ -94,6 +94,8 @@ impl Sweeps {
         Ok((status, residuals))
     }
 
+    /// Sweeps until one of the ends of a solve; leaves the best state evaluated, with its status and
+    /// residuals.
     fn iterate(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -194,6 +196,8 @@ impl Sweeps {
         }
     }
 
+    /// Rows of line `j` with influence coefficients times `stiffness`; nodes on the boundary, cavitated ones
+    /// and those that press against their limit have the identity.
     fn assemble_line(
         &mut self,
         problem: &LubricatedContact<'_>,
@@ -242,6 +246,7 @@ impl Sweeps {
         }
     }
 
+    /// Takes the share `relaxation` of the changes of line `j`, cut at zero and at the pressure limit.
     fn update_line(
         &mut self,
         problem: &LubricatedContact<'_>,

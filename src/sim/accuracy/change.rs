@@ -78,6 +78,7 @@ struct Change {
 }
 
 impl Change {
+    /// Changes from `coarse`, each cell of `fine` against the cell of `coarse` that holds its node.
     fn between(coarse: &ContactSolution, fine: &ContactSolution) -> Self {
         let (mut sum, mut load) = (Self::default(), 0.0);
         let (mut pieces, mut films) = ([0.0; PIECES * PIECES], 0.0);

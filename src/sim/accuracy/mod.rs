@@ -1,4 +1,9 @@
 //! Errors of a single contact that coarser meshes tell, and meshes for a wanted accuracy.
+//!
+//! Three ways, one a file: `smooth` picks box and meshes for a smooth contact and extrapolates over three of
+//! them, `rough` halves cells until the change is small, and `change` says what the difference of two meshes
+//! tells of the errors of the finer one. `surfaces` evaluates heights on any mesh. What counts as small, and
+//! on what the factors rest, is in `docs/errors.md`.
 
 mod change;
 mod rough;
@@ -21,6 +26,18 @@ use crate::report::Work;
 /// The estimates of a smooth contact that picks its mesh come from three meshes and hold the error of the
 /// box, which no mesh shows; all others from one mesh of half the cells, on which the surfaces are the
 /// Fourier series of the given ones. How far they were found to hold is in `docs/errors.md`.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let mut scene = Scene::azam_2019(32);
+/// scene.solver.estimate = true; // solved on 16 x 16 cells too
+/// let solution = solve_contact(&scene)?;
+/// let estimate = solution.error_estimate.ok_or("one of both was not solved")?;
+/// assert!(estimate.mean_film >= 0.0 && estimate.load_ratio <= 1.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct ErrorEstimate {
@@ -43,7 +60,9 @@ pub struct ErrorEstimate {
 
 /// The meshes of one contact, of which nothing is solved yet.
 pub(super) enum Meshes {
+    /// Of a smooth contact, box and cells picked.
     Smooth(smooth::Picked),
+    /// Of a rough one, or of given cells.
     Rough(rough::Halving),
 }
 
@@ -96,12 +115,16 @@ impl Meshes {
 /// Work of all meshes, convolutions as node counts.
 #[derive(Debug, Default)]
 struct Spent {
+    /// Convolutions times the nodes of their grids.
     convolved_nodes: f64,
+    /// Outer iterations.
     iterations: u64,
+    /// Inner iterations.
     inner_iterations: u64,
 }
 
 impl Spent {
+    /// Counts in the work of `solution`.
     fn add(&mut self, solution: &ContactSolution) {
         let work = solution.report.work;
         self.convolved_nodes += work.convolutions * solution.grid.len() as f64;
@@ -109,6 +132,7 @@ impl Spent {
         self.inner_iterations += work.inner_iterations;
     }
 
+    /// The work in equivalents of `grid`.
     fn on(&self, grid: &Grid) -> Work {
         Work {
             convolutions: self.convolved_nodes / grid.len() as f64,

@@ -1,4 +1,10 @@
 //! A rough contact and its errors: one surface, by its Fourier series, on meshes whose cells halve.
+//!
+//! A rough contact has no order of convergence: asperities touch on one mesh and not on the next. So the
+//! errors of a mesh are estimated from the change since the mesh of half the cells along each side
+//! ([`change`]), and meshes are refined until the estimate is below the accuracy. The surface stays one
+//! surface, as its Fourier series is evaluated on each mesh. Where no cells are given, box and cells follow
+//! from the waves of the random surfaces, which must have a shortest length.
 
 use super::smooth::Plan;
 use super::surfaces::Surfaces;
@@ -28,17 +34,24 @@ const CELLS_IN_AXIS: f64 = 10.0;
 /// Beyond the Hertz circle the bodies part by `1.2 e^1.5 a^2/R` at the distance `e a`; asperities reach over
 /// five times their Rq.
 const GAP_BEYOND: f64 = 1.2;
+/// Heights in Rq up to which asperities reach.
 const REACH: f64 = 5.0;
 /// Room between the last asperities that may touch and the edge of the box, in Hertz half-widths.
 const ROOM: f64 = 0.3;
 
 /// A contact on half the cells of its scene, on these, and on finer and finer ones.
 pub(in crate::sim) struct Halving {
+    /// The scene, its grid the mesh that is asked for.
     scene: Scene,
+    /// Wanted error.
     accuracy: f64,
+    /// Key of the scene that asks.
     field: &'static str,
+    /// Heights of both bodies on any mesh.
     surfaces: Surfaces,
+    /// What may end a solve early.
     interrupt: Option<Interrupt>,
+    /// What is known before anything is solved.
     pub(super) warnings: Vec<Warning>,
 }
 
@@ -57,6 +70,7 @@ impl Halving {
         Ok(Self { warnings, ..meshes })
     }
 
+    /// The contact on the mesh of `scene`.
     fn on(&self, scene: &Scene) -> Result<Prepared, SimError> {
         prepare_heights(scene, self.interrupt.as_ref(), self.surfaces.on(&scene.grid()?)?)
     }
@@ -96,6 +110,7 @@ fn largest(estimate: &ErrorEstimate) -> f64 {
     mean_film.max(load_ratio).max(area_ratio).max(friction_coefficient)
 }
 
+/// Whether a mesh has at most [`MAX_NODES`] nodes and memory is granted for them.
 fn is_affordable(scene: &Scene) -> bool {
     scene.grid().is_ok_and(|grid| {
         grid.len() <= MAX_NODES && setup::validate_memory(&grid, scene.is_lubricated()).is_ok()
@@ -186,6 +201,8 @@ struct Waves {
     rq: f64,
 }
 
+/// Shortest lengths and common Rq; refuses surfaces that have waves of every length, heights that are not
+/// normal or not periodic, and files, by the key that would have to change.
 fn waves(scene: &Scene) -> Result<Waves, SimError> {
     let needs_cells = |field: String, reason: &str| {
         let reason =

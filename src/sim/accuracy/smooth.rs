@@ -46,7 +46,9 @@ const BOX_SHARE: f64 = 0.5;
 /// A box that ends at the distance `X` before a contact of film `H` (both in Hertz units) makes the film
 /// thinner by `c H^1.3 X^-3.2`: `c` of a line and of a point contact, fitted to boxes of 3 to 12.
 const BOX_CONSTANT: [f64; 2] = [6.5, 4.0];
+/// Exponent of the film.
 const BOX_BY_FILM: f64 = 1.3;
+/// Exponent of the distance.
 const BOX_BY_INLET: f64 = -3.2;
 /// The error that a box makes of the minimum film, over that of the central one: at most, measured 0.8 to
 /// 1.4.
@@ -59,9 +61,13 @@ const MAX_NODES: usize = 1 << 22;
 /// Box and cell size in Hertz units.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Plan {
+    /// End of the box upstream of the middle, in half-widths.
     pub(super) inlet: f64,
+    /// End of the box downstream.
     pub(super) outlet: f64,
+    /// End of the box to either side.
     pub(super) side: f64,
+    /// Cell size of the finest mesh, in half-widths.
     cell: f64,
     /// Relative error of the films that the box makes.
     box_error: f64,
@@ -136,12 +142,19 @@ impl Plan {
 
 /// A smooth contact in a box and on meshes that are picked for an accuracy.
 pub(in crate::sim) struct Picked {
+    /// The scene, whose grid is replaced mesh by mesh.
     scene: Scene,
+    /// Hertz contact of the smooth bodies.
     hertz: HertzContact,
+    /// Wanted relative error.
     accuracy: f64,
+    /// Box and cells to begin with.
     plan: Plan,
+    /// How much higher a pressure spike may be in the limit, of its height.
     spike_growth: f64,
+    /// What may end a solve early.
     interrupt: Option<Interrupt>,
+    /// What is known before anything is solved.
     pub(super) warnings: Vec<Warning>,
 }
 
@@ -195,12 +208,16 @@ impl Picked {
 /// The finest solution, the one before, and the numbers `[central film, minimum film, maximum pressure]` of
 /// all converged meshes, finest last.
 struct Meshes {
+    /// Solution on the finest mesh.
     finest: ContactSolution,
+    /// Solution on the mesh before it.
     middle: Option<ContactSolution>,
+    /// Numbers of the converged meshes, the finest last.
     numbers: Vec<[f64; 3]>,
 }
 
 impl Meshes {
+    /// Solves on all meshes, coarsest first, each from the one before where that converged.
     fn solve(
         (scene, interrupt): (&mut Scene, Option<&Interrupt>),
         hertz: &HertzContact,

@@ -9,6 +9,7 @@ use crate::surface::Heights;
 /// of the same box: no wave is added or left out, so that coarse nodes lie at the same heights as fine ones.
 #[derive(Debug)]
 pub(super) struct Surfaces {
+    /// Ball and disc on the cells that hold them.
     bodies: [Heights; 2],
 }
 

@@ -30,6 +30,19 @@ use crate::sim::RunFolder;
 pub use over_ranks::run_over_ranks;
 
 /// One history of an ensemble.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// use stribeck::sim::ensemble::Member;
+/// let seeds = (1..=3).map(|seed| {
+///     let mut scene = Scene::azam_2019(16);
+///     scene.track.seed = seed;
+///     Member::new(format!("seed_{seed}"), scene, 2, 10.0)
+/// });
+/// assert_eq!(seeds.map(|member| member.name).collect::<Vec<_>>(), ["seed_1", "seed_2", "seed_3"]);
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Member {
@@ -51,6 +64,7 @@ impl Member {
 }
 
 impl Member {
+    /// The builder of its simulation.
     fn builder(&self) -> SimBuilder {
         MixedLubricationSim::builder(self.scene.clone())
     }

@@ -20,6 +20,21 @@ pub struct Elastic {
 }
 
 /// A layer that is bonded to the disc, the substrate.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// use stribeck::sim::scene::LayerSpec;
+/// let mut scene = Scene::azam_2019(32);
+/// let coating = LayerSpec::new(2e-6, 300e9, 0.25);
+/// scene.elastic.layer = Some(coating); // the substrate is not known yet
+/// assert!(scene.layer().is_err());
+/// scene.elastic.layer =
+///     Some(coating.with_substrate_modulus(Some(210e9)).with_substrate_poisson(Some(0.3)));
+/// assert_eq!(scene.layer()?.map(|layer| layer.thickness()), Some(2e-6));
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[non_exhaustive]
@@ -58,6 +73,7 @@ with_fields!(LayerSpec {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ElasticTable {
+    /// `E'` \[Pa\].
     equivalent_modulus: Option<f64>,
     layer: Option<LayerSpec>,
 }
@@ -78,6 +94,7 @@ impl TryFrom<ElasticTable> for Elastic {
     }
 }
 
+/// Whether the materials give the modulus: then it is not written.
 #[cfg(feature = "serde")]
 fn is_infinite(modulus: &f64) -> bool {
     *modulus == f64::INFINITY
@@ -89,6 +106,7 @@ impl Elastic {
         Self { equivalent_modulus, layer: None }
     }
 
+    /// Whether the table need not be written.
     #[cfg(feature = "serde")]
     pub(super) fn is_absent(&self) -> bool {
         *self == Self::default()

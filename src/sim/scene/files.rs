@@ -1,4 +1,7 @@
 //! Scenes as TOML text and files.
+//!
+//! Reading goes through three hands: syntax (`toml`), units (`keys`), tables (`serde`). Errors of all are
+//! brought to one line with the number of the line, the key and words that a reader of scene files knows.
 
 use std::path::Path;
 

@@ -9,6 +9,19 @@ use crate::grid::Grid;
 use crate::sim::hertz::LINE_LENGTH;
 
 /// The grid, or what is asked of it.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// use stribeck::sim::scene::GridSpec;
+/// let mut scene = Scene::azam_2019(32);
+/// scene.grid = GridSpec::Cells { nx: 48, ny: 24, x: [-0.4e-3, 0.2e-3], y: [-0.15e-3, 0.15e-3] };
+/// let grid = scene.grid()?;
+/// assert_eq!((grid.nx(), grid.ny()), (48, 24));
+/// assert!((grid.dx() - 12.5e-6).abs() < 1e-12);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(untagged))]
 #[non_exhaustive]

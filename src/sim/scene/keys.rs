@@ -1,4 +1,8 @@
 //! Units in scene files: which key holds what, and text with a unit in place of the number.
+//!
+//! [`KEYS`] is all there is to know of the units of a scene: a new key that has a dimension is a line there.
+//! The numbers of the text are replaced in place before the scene is parsed, so that errors name the line
+//! that people have written.
 
 use std::borrow::Cow;
 use std::ops::Range;

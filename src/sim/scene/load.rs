@@ -9,6 +9,20 @@ use crate::error::InputError;
 use crate::sim::hertz::HertzContact;
 
 /// Normal load, by exactly one of the two.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// use stribeck::sim::scene::Load;
+/// let mut scene = Scene::azam_2019(32);
+/// let hertz = scene.hertz()?;
+/// scene.load = Load::force(hertz.load);
+/// assert!((scene.hertz()?.p_max / 1.15e9 - 1.0).abs() < 1e-12);
+/// scene.load.hertz_pressure = Some(1e9);
+/// assert!(scene.hertz().unwrap_err().to_string().contains("not both"));
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(
     feature = "serde",
@@ -72,6 +86,8 @@ impl Scene {
         self.hertz_by(self.load)
     }
 
+    /// The Hertz contact under `load`, turned with the form; the error names the key of the load or of the
+    /// form.
     fn hertz_by(&self, load: Load) -> Result<HertzContact, InputError> {
         self.form.validate()?;
         let (radius_x, radius_y) = self.form.radii();

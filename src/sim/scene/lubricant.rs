@@ -5,6 +5,19 @@ use crate::thermal::FilmThermal;
 use crate::with_fields::with_fields;
 
 /// Viscosity, of Roelands unless `viscosity` names another law, and Dowson-Higginson density.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// use stribeck::sim::scene::LubricantSpec;
+/// let mut scene = Scene::azam_2019(32);
+/// let thin = scene.formula_film()?.ok_or("dry")?.central;
+/// scene.lubricant = Some(LubricantSpec::roelands(0.04, 0.68));
+/// let thick = scene.formula_film()?.ok_or("dry")?.central;
+/// assert!(thick > 3.0 * thin); // ten times the viscosity, to a power of 0.67 and more
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -108,6 +121,15 @@ pub enum ViscositySpec {
 }
 
 /// Constants of [`Barus`](crate::lubricant::Barus).
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::{BarusConstants, LubricantSpec, ViscositySpec};
+/// let barus = ViscositySpec::Barus(BarusConstants { eta0: 0.08, alpha: 20e-9 });
+/// let oil = LubricantSpec::roelands(0.0, 0.0).with_viscosity(Some(barus));
+/// assert_eq!(oil.viscosity, Some(barus));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct BarusConstants {

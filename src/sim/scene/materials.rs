@@ -24,6 +24,15 @@ pub struct Materials {
 }
 
 /// Properties of one body; what is absent is that of the pair.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::{Material, NamedMaterial};
+/// let steel = Material::default().with_material(Some(NamedMaterial::Steel));
+/// assert_eq!((steel.young_modulus(), steel.poisson()), (Some(206e9), Some(0.3)));
+/// assert_eq!(steel.with_modulus(Some(210e9)).young_modulus(), Some(210e9)); // its own comes first
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(
     feature = "serde",
@@ -65,6 +74,19 @@ with_fields!(Material {
 ///
 /// Source: ISO 6336-2, Calculation of load capacity of spur and helical gears, elasticity factors of pairs of
 /// materials.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// use stribeck::sim::scene::{Elastic, NamedMaterial};
+/// let mut scene = Scene::azam_2019(32);
+/// scene.elastic = Elastic::default(); // the moduli of the materials count
+/// scene.materials.ball.material = Some(NamedMaterial::Steel);
+/// scene.materials.disc.material = Some(NamedMaterial::Steel);
+/// assert!((scene.equivalent_modulus()? / (206e9 / 0.91) - 1.0).abs() < 1e-12);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]

@@ -1,11 +1,16 @@
 //! All keys that a scene file lacks: the parser tells the first alone.
+//!
+//! A table that is given is looked through for the keys that its kind or law cannot do without; a table that
+//! is not given is missing only where every scene has it (`form`, `load`, `grid`).
 
 use toml::{Table, Value};
 
 use super::tribofilm::{PROPORTIONAL_REMOVAL, STRESS_ACTIVATED, THERMAL_ARRHENIUS};
 
+/// Keys of `law = "doolittle_tait"` that have no default.
 const DOOLITTLE_TAIT: [&str; 9] =
     ["viscosity", "temperature", "b", "r0", "epsilon", "k0_slope", "k00", "beta", "expansion"];
+/// Keys of `law = "improved_yasutomi"` that have no default.
 const IMPROVED_YASUTOMI: [&str; 8] =
     ["glass_viscosity", "glass_temperature", "a1", "a2", "b1", "b2", "c1", "c2"];
 
@@ -87,6 +92,7 @@ pub(super) fn keys(scene: &Table) -> Vec<String> {
     missing
 }
 
+/// The table at the path of names with dots between them.
 fn find<'a>(scene: &'a Table, path: &str) -> Option<&'a Table> {
     let mut parts = path.split('.');
     let first = scene.get(parts.next()?)?.as_table();

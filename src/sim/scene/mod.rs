@@ -57,6 +57,20 @@ use crate::surface::Form;
 ///
 /// With the feature `serde` a scene is read from and written to TOML; unknown keys are errors that name the
 /// key. The keys are the field names; the pages `docs/scene*.md` list them with units and defaults.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// use stribeck::sim::scene::{Load, Motion, PlasticSpec};
+/// let mut scene = Scene::azam_2019(64);
+/// scene.load = Load::force(20.0);
+/// scene.motion = Motion::new(0.5, 0.1);
+/// scene.plastic = Some(PlasticSpec::new(4e9));
+/// assert!((scene.hertz()?.load - 20.0).abs() < 1e-9);
+/// assert!(scene.is_lubricated());
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[non_exhaustive]

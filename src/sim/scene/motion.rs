@@ -4,6 +4,15 @@
 //! the slide-roll ratio `(u1 - u2)` over it.
 
 /// Speeds of the surfaces along x.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::Motion;
+/// let motion = Motion::new(0.1, 0.5);
+/// assert_eq!(motion.surface_speeds(), [0.125, 0.07500000000000001]);
+/// assert!((motion.sliding_speed() - 0.05).abs() < 1e-15);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(
     feature = "serde",

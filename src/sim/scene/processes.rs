@@ -6,6 +6,14 @@ use crate::reynolds::ShearThinning;
 use crate::with_fields::with_fields;
 
 /// Pressure limit.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::PlasticSpec;
+/// let steel = PlasticSpec::new(6e9).with_film_hardness(Some(2e9));
+/// assert!(steel.hardening_modulus.is_none());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[non_exhaustive]
@@ -34,6 +42,19 @@ with_fields!(PlasticSpec {
 });
 
 /// Friction of solid contact and of the fluid.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::FrictionSpec;
+/// let spec = FrictionSpec::default().with_eyring_stress(Some(5e6));
+/// // The stress of Eyring's fluid grows with the logarithm of the rate: 1 Pa s at 1e8 1/s.
+/// let stress = spec.rheology()?.shear_stress(1.0, 1e8);
+/// assert!((stress / (5e6 * 20.0_f64.asinh()) - 1.0).abs() < 1e-12);
+/// // Carreau's two constants come together.
+/// assert!(FrictionSpec::default().with_carreau_stress(Some(5e6)).rheology().is_err());
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -135,6 +156,18 @@ impl FrictionSpec {
 }
 
 /// Viscosity that sliding leaves the flow by pressure, see [`ShearThinning`].
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::{FlowThinning, FrictionSpec};
+/// let eyring = FrictionSpec::default().with_eyring_stress(Some(5e6));
+/// assert!(eyring.shear_thinning(1.0)?.is_none()); // not asked for
+/// let thinned = eyring.with_flow_thinning(Some(FlowThinning::Effective));
+/// assert!(thinned.shear_thinning(1.0)?.is_some());
+/// assert!(FrictionSpec::default().with_flow_thinning(Some(FlowThinning::Effective)).shear_thinning(1.0).is_err());
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
@@ -162,6 +195,14 @@ impl Default for FrictionSpec {
 }
 
 /// Temperatures and thermal constants of both bodies.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::{Flash, ThermalSpec};
+/// let hot = ThermalSpec::default().with_bulk_temperature(393.15).with_flash(Flash::On);
+/// assert_eq!(hot.conductivity, 46.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",

@@ -19,6 +19,16 @@ pub struct RoughnessPair {
 }
 
 /// Roughness of one body.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::Roughness;
+/// use stribeck::surface::{GrooveDirection, Texture};
+/// assert!(Roughness::gaussian(0.0, 1e-5, 1).is_smooth());
+/// let grooves = Texture::Grooves { width: 20e-6, depth: 0.5e-6, pitch: 50e-6, direction: GrooveDirection::AlongY };
+/// assert!(!Roughness::Texture(grooves).is_smooth());
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(
     feature = "serde",

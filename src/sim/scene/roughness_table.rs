@@ -1,4 +1,8 @@
 //! What `[roughness.ball]` and `[roughness.disc]` of a scene file hold.
+//!
+//! A table in a file is flat, one `kind` and the keys of that kind; [`Roughness`] in memory is an enum that
+//! holds no more than its kind needs. Both ways between them are here. A new kind of surface is a variant of
+//! `RoughnessKind`, its keys, and a function each way.
 
 use std::path::PathBuf;
 
@@ -13,37 +17,59 @@ use crate::surface::{
 };
 
 keyed! {
+    /// The table as it is written, all keys but `kind` optional.
     #[derive(Serialize, Deserialize, Default)]
     pub(super) struct RoughnessTable {
         kind: RoughnessKind;
+        /// Rq \[m\] that random heights and those of files are scaled to.
         rq: f64,
+        /// Correlation length along x \[m\].
         length_x: f64,
+        /// Correlation length across it \[m\].
         length_y: f64,
+        /// Hurst exponent of a self-affine surface, 0 to 1.
         hurst: f64,
+        /// Wavelength above which its spectrum is flat \[m\].
         roll_off: f64,
+        /// Longest wavelength \[m\]; without it that of the grid.
         longest: f64,
+        /// Shortest wavelength \[m\]; without it the one of the grid.
         shortest: f64,
+        /// Whether the amplitudes of waves are random as well as their phases.
         synthesis: Synthesis,
+        /// Skewness of the heights; only together with `kurtosis`.
         skewness: f64,
+        /// Kurtosis of the heights, 3 of a normal distribution.
         kurtosis: f64,
+        /// What Rq belongs to.
         height: HeightScale,
+        /// Whether heights go on periodically.
         boundary: Boundary,
+        /// Radius of a dimple \[m\].
         radius: f64,
+        /// Width of a groove \[m\].
         width: f64,
+        /// Depth of dimples or grooves \[m\].
         depth: f64,
+        /// Distance of dimples or grooves \[m\].
         pitch: f64,
+        /// Where dimples lie.
         layout: Layout,
+        /// Which way grooves run.
         direction: GrooveDirection,
+        /// Seed of random heights or positions.
         #[serde(
             default,
             deserialize_with = "seed::optional",
             serialize_with = "seed::serialize_optional"
         )]
         seed: u64,
+        /// File of heights.
         path: PathBuf,
     }
 }
 
+/// What `kind` says.
 #[derive(Serialize, Deserialize, Clone, Copy, Default)]
 #[serde(rename_all = "snake_case")]
 enum RoughnessKind {
@@ -57,6 +83,7 @@ enum RoughnessKind {
     File,
 }
 
+/// What `layout` says of dimples.
 #[derive(Serialize, Deserialize, Clone, Copy, PartialEq)]
 #[serde(rename_all = "snake_case")]
 enum Layout {
@@ -64,8 +91,10 @@ enum Layout {
     Random,
 }
 
+/// Keys of surfaces by their autocorrelation.
 const CORRELATED: [&str; 8] =
     ["rq", "length_x", "length_y", "skewness", "kurtosis", "height", "boundary", "seed"];
+/// Keys of self-affine surfaces.
 const SELF_AFFINE: [&str; 11] = [
     "rq",
     "hurst",
@@ -98,6 +127,7 @@ impl RoughnessTable {
         })
     }
 
+    /// A surface by its autocorrelation; the error names a key that is missing or strays.
     fn correlated(&self, kind: &str, autocorrelation: Autocorrelation) -> Result<Roughness, String> {
         self.refuse_strays(kind, &CORRELATED)?;
         let shape = RandomShape::Correlated {
@@ -108,6 +138,7 @@ impl RoughnessTable {
         Ok(Roughness::Random(self.random(shape)?))
     }
 
+    /// A self-affine surface; the error names a key that is missing or strays.
     fn self_affine(&self) -> Result<Roughness, String> {
         self.refuse_strays("self_affine", &SELF_AFFINE)?;
         let spectrum = SelfAffine {
@@ -120,6 +151,7 @@ impl RoughnessTable {
         Ok(Roughness::Random(self.random(RandomShape::SelfAffine(spectrum))?))
     }
 
+    /// Dimples; those on a square lattice have no seed.
     fn dimples(&self) -> Result<Roughness, String> {
         let layout = match self.layout.unwrap_or(Layout::Square) {
             Layout::Square => {
@@ -139,6 +171,7 @@ impl RoughnessTable {
         }))
     }
 
+    /// Grooves; the error names a key that is missing or strays.
     fn grooves(&self) -> Result<Roughness, String> {
         self.refuse_strays("grooves", &["width", "depth", "pitch", "direction"])?;
         Ok(Roughness::Texture(Texture::Grooves {
@@ -188,6 +221,7 @@ impl From<Roughness> for RoughnessTable {
 }
 
 impl RoughnessTable {
+    /// The table of a random surface, without what has its default.
     fn of_surface(surface: RandomSurface) -> Self {
         let shape = match surface.shape {
             RandomShape::Correlated { autocorrelation, length_x, length_y } => Self {
@@ -224,6 +258,7 @@ impl RoughnessTable {
         }
     }
 
+    /// The table of dimples or grooves.
     fn of_texture(texture: Texture) -> Self {
         match texture {
             Texture::Dimples { radius, depth, pitch, layout } => {

@@ -7,6 +7,18 @@ use std::path::PathBuf;
 use crate::error::InputError;
 
 /// Schedules of a history; absent ones leave the constant value of the scene.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// use stribeck::sim::scene::Schedule;
+/// let mut scene = Scene::azam_2019(32);
+/// scene.schedule.entrainment_speed = Some(Schedule::ramps(&[(0.0, 0.1), (100.0, 0.3)]));
+/// assert!((scene.conditions(50.0)?.motion.entrainment_speed - 0.2).abs() < 1e-12);
+/// assert_eq!(scene.conditions(1e4)?.motion.entrainment_speed, 0.3); // the last value holds on
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(
     feature = "serde",
@@ -56,6 +68,7 @@ impl Schedules {
         }
     }
 
+    /// The schedules that are given, with their keys.
     fn present_mut(&mut self) -> impl Iterator<Item = (&'static str, &mut Schedule)> {
         [
             ("schedule.load", &mut self.load),

@@ -8,6 +8,15 @@ use crate::reynolds::{Cavitation, ContactDefinition, FaceMobility, LubricatedCon
 use crate::with_fields::with_fields;
 
 /// How the contact problem is solved.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::{SolverKind, SolverSpec};
+/// let spec = SolverSpec::default().with_kind(SolverKind::NewtonKrylov).with_tolerance(1e-5);
+/// assert_eq!((spec.film_cutoff, spec.max_iterations), (1e-9, 20_000));
+/// assert!(spec.scheme.is_none()); // that of the contact definition
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",

@@ -4,6 +4,20 @@ use super::Scene;
 use crate::error::InputError;
 
 /// Stresses below the surface of the disc, in single contacts.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::StressSpec;
+/// use stribeck::sim::{Scene, solve_contact};
+/// let mut scene = Scene::azam_2019(32);
+/// scene.lubricant = None;
+/// scene.stress = Some(StressSpec::default());
+/// let stress = solve_contact(&scene)?.stress.ok_or("none was asked for")?;
+/// assert!(stress.largest.von_mises.stress > stress.largest.orthogonal_shear.stress);
+/// assert!(stress.yield_ratio.is_none()); // no strength was given
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -69,6 +83,7 @@ impl StressSpec {
         }
     }
 
+    /// Poisson's ratio of the disc: its own, else that of its material, else that of steel.
     pub(in crate::sim) fn poisson(&self, scene: &Scene) -> f64 {
         self.poisson.or(scene.materials.disc.poisson()).unwrap_or(Self::STEEL)
     }

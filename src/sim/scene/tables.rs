@@ -35,16 +35,22 @@ macro_rules! keyed {
 pub(super) use keyed;
 
 keyed! {
+    /// `[form]` as it is written.
     #[derive(Deserialize)]
     struct FormTable {
         kind: FormKind;
+        /// Radius of a ball or a cylinder \[m\].
         radius: f64,
+        /// Radius of an ellipsoid along its first axis \[m\].
         radius_x: f64,
+        /// Radius of an ellipsoid along its second axis \[m\].
         radius_y: f64,
+        /// Angle from x to the first axis \[rad\].
         angle: f64,
     }
 }
 
+/// What `kind` of `[form]` says.
 #[derive(Deserialize, Clone, Copy)]
 #[serde(rename_all = "snake_case")]
 enum FormKind {
@@ -53,6 +59,7 @@ enum FormKind {
     Cylinder,
 }
 
+/// Reads `[form]`; a radius that the kind does not have is an error.
 pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D::Error> {
     let table = FormTable::deserialize(deserializer)?;
     match table.kind {
@@ -75,23 +82,31 @@ pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D
     .map_err(D::Error::custom)
 }
 
+/// `[grid]` as it is written.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct GridTable {
+    /// Cells along x.
     nx: Option<usize>,
+    /// Cells along y; with `y` left out for a line contact.
     ny: Option<usize>,
+    /// Outer edges along x \[m\].
     #[serde(default, deserialize_with = "edges")]
     x: Option<[f64; 2]>,
+    /// Outer edges along y \[m\].
     #[serde(default, deserialize_with = "edges")]
     y: Option<[f64; 2]>,
+    /// Wanted relative error, in place of all the others.
     accuracy: Option<f64>,
 }
 
+/// Reads `[grid]`.
 pub(super) fn grid<'de, D: Deserializer<'de>>(deserializer: D) -> Result<GridSpec, D::Error> {
     GridTable::deserialize(deserializer)?.into_spec().map_err(D::Error::custom)
 }
 
 impl GridTable {
+    /// Cells, a row of them, or an accuracy; a mixture is an error.
     fn into_spec(self) -> Result<GridSpec, String> {
         let Self { nx, ny, x, y, accuracy } = self;
         if let Some(accuracy) = accuracy {
@@ -112,16 +127,22 @@ impl GridTable {
 }
 
 keyed! {
+    /// A table of `[schedule]` as it is written.
     #[derive(Deserialize)]
     pub(super) struct ScheduleTable {
         kind: ScheduleKind;
+        /// The constant value.
         value: f64,
+        /// Times of steps or ramps \[s\].
         times: Vec<f64>,
+        /// Values from each of the times on, or at them.
         values: Vec<f64>,
+        /// File with columns of times and values.
         path: PathBuf,
     }
 }
 
+/// What `kind` of a schedule says.
 #[derive(Deserialize, Clone, Copy)]
 #[serde(rename_all = "snake_case")]
 enum ScheduleKind {
@@ -181,6 +202,7 @@ pub(super) fn refuse_strays(tag: &str, given: &[(&str, bool)], known: &[&str]) -
     }
 }
 
+/// The value, or the error that names the missing `key`.
 pub(super) fn required<T>(key: &str, value: Option<T>) -> Result<T, String> {
     value.ok_or_else(|| format!("missing field `{key}`"))
 }
@@ -190,6 +212,7 @@ pub(super) mod seed {
     use serde::de::Error;
     use serde::{Deserialize, Deserializer, Serializer};
 
+    /// A seed as it is written.
     #[derive(Deserialize)]
     #[serde(untagged)]
     enum Seed {
@@ -197,6 +220,7 @@ pub(super) mod seed {
         Text(String),
     }
 
+    /// Writes a seed, as text where TOML has no integer for it.
     pub(in super::super) fn serialize<S: Serializer>(seed: &u64, serializer: S) -> Result<S::Ok, S::Error> {
         match i64::try_from(*seed) {
             Ok(_) => serializer.serialize_u64(*seed),
@@ -204,6 +228,7 @@ pub(super) mod seed {
         }
     }
 
+    /// Writes a seed that may be missing.
     pub(in super::super) fn serialize_optional<S: Serializer>(
         seed: &Option<u64>,
         serializer: S,
@@ -214,6 +239,7 @@ pub(super) mod seed {
         }
     }
 
+    /// Reads a seed, a number or text.
     pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
         match Seed::deserialize(deserializer) {
             Ok(Seed::Number(number)) => Ok(number),
@@ -222,6 +248,7 @@ pub(super) mod seed {
         }
     }
 
+    /// Reads a seed that may be missing.
     pub(in super::super) fn optional<'de, D: Deserializer<'de>>(
         deserializer: D,
     ) -> Result<Option<u64>, D::Error> {

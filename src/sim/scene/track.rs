@@ -4,6 +4,20 @@ use crate::error::InputError;
 use crate::surface::{AlongTrack, AtRest, Carried, RandomShift, RoughnessMotion};
 
 /// Motion of the roughness and exposure of the track in a history.
+///
+/// # Examples
+///
+/// A disc whose roughness is met at random in both directions, a fresh place at each solve:
+///
+/// ```
+/// use stribeck::sim::scene::TrackMotion;
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let mut scene = Scene::azam_2019(16);
+/// (scene.track.motion, scene.track.seed) = (TrackMotion::Random, 7);
+/// let sim = MixedLubricationSim::builder(scene).build()?;
+/// assert!(format!("{:?}", sim.motion()).contains('7'));
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(
     feature = "serde",
@@ -44,6 +58,22 @@ pub enum TrackMotion {
 }
 
 /// How long a point of the track is in the contact per second of the test.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::Exposure;
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let worn = |exposure| -> Result<f64, stribeck::sim::SimError> {
+///     let mut scene = Scene::azam_2019(16);
+///     scene.track.exposure = exposure;
+///     (scene.track.radius_ball, scene.track.radius_disc) = (Some(9e-3), Some(20e-3));
+///     Ok(MixedLubricationSim::builder(scene).build()?.step(10.0)?.mean_wear[1])
+/// };
+/// // A point of the track is in the contact for a small share of the time.
+/// assert!(worn(Exposure::Track)? < 0.01 * worn(Exposure::ContactClock)?);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]

@@ -8,6 +8,18 @@ use crate::tribochem::{
 };
 
 /// Growth of a tribofilm by one of the laws of the crate.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::{GhanbarzadehSpec, TribofilmSpec};
+/// let thin = GhanbarzadehSpec { maximum_thickness: 50e-9, removal_limit: 10e-9, ..Default::default() };
+/// let law = TribofilmSpec::Ghanbarzadeh(thin).law()?;
+/// assert_eq!(law.maximum_thickness(), 50e-9);
+/// let broken = TribofilmSpec::Ghanbarzadeh(GhanbarzadehSpec { x_tribo: -1.0, ..thin });
+/// assert!(broken.law().unwrap_err().to_string().starts_with("tribofilm.x_tribo"));
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -196,6 +208,7 @@ keyed! {
     }
 }
 
+/// What `law` says.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize, Clone, Copy)]
 #[serde(rename_all = "snake_case")]
@@ -206,14 +219,18 @@ enum LawName {
     ProportionalRemoval,
 }
 
+/// Keys of `law = "ghanbarzadeh"`.
 #[cfg(feature = "serde")]
 const GHANBARZADEH: [&str; 5] =
     ["maximum_thickness", "x_tribo", "removal_limit", "removal_rate", "activation"];
+/// Keys of `law = "thermal_arrhenius"` that have no default; `activation` has one.
 #[cfg(feature = "serde")]
 pub(super) const THERMAL_ARRHENIUS: [&str; 3] = ["maximum_thickness", "prefactor", "activation_energy"];
+/// Keys of `law = "stress_activated"` that have no default.
 #[cfg(feature = "serde")]
 pub(super) const STRESS_ACTIVATED: [&str; 5] =
     ["maximum_thickness", "prefactor", "activation_energy", "activation_volume", "stress"];
+/// Keys of `law = "proportional_removal"` that have no default.
 #[cfg(feature = "serde")]
 pub(super) const PROPORTIONAL_REMOVAL: [&str; 5] =
     ["maximum_thickness", "growth_rate", "activation_energy", "activation_volume", "removal_rate"];

@@ -6,6 +6,20 @@ use crate::error::InputError;
 use crate::wear::{Archard, FrictionalEnergy, WearLaw, WearPressure};
 
 /// Wear by one of the laws of the crate.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::RubbingPoint;
+/// use stribeck::sim::scene::{ArchardSpec, WearSpec};
+/// let spec = WearSpec::Archard(ArchardSpec { coefficient: 6e-8, film_coefficient: 6e-9, ..Default::default() });
+/// let law = spec.law(6e9, Some(100e-9))?;
+/// // k p u / H: 1e-17 1/Pa times 1 GPa times 0.1 m/s, bare and under a full film.
+/// let at = RubbingPoint::new(1e9, 300.0).with_sliding_speed(0.1);
+/// assert!((law.depth_rate(&at, 0.0) / 1e-9 - 1.0).abs() < 1e-12);
+/// assert!((law.depth_rate(&at, 100e-9) / 1e-10 - 1.0).abs() < 1e-9);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -139,6 +153,7 @@ keyed! {
     }
 }
 
+/// What `law` says.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize, Clone, Copy)]
 #[serde(rename_all = "snake_case")]
@@ -147,9 +162,11 @@ enum LawName {
     FrictionalEnergy,
 }
 
+/// Keys of `law = "archard"`.
 #[cfg(feature = "serde")]
 const ARCHARD: [&str; 5] =
     ["coefficient", "film_coefficient", "hardness", "film_hardness", "solid_pressure_only"];
+/// Keys of `law = "frictional_energy"`.
 #[cfg(feature = "serde")]
 const FRICTIONAL_ENERGY: [&str; 2] = ["volume_per_energy", "film_volume_per_energy"];
 

@@ -29,6 +29,8 @@ pub(super) fn boxes(scene: &Scene) -> Vec<Warning> {
     }
 }
 
+/// Warnings about the edges of `grid` that lie within [`ROOM`] half-widths of the middle; of a line along x
+/// alone.
 fn edges(grid: &Grid, hertz: &HertzContact, is_line: bool) -> Vec<Warning> {
     let [half_x, half_y] = hertz.half_extents();
     let axes = [

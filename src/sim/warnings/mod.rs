@@ -41,6 +41,7 @@ pub struct Warning {
 }
 
 impl Warning {
+    /// A warning about `field` of the given `value` in SI units.
     pub(super) fn new(field: impl Into<String>, value: f64, message: String, remedy: String) -> Self {
         Self { field: field.into(), value, message, remedy }
     }

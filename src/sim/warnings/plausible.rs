@@ -1,4 +1,9 @@
 //! Values that are rather those of another unit.
+//!
+//! Each quantity has a range that engineering contacts stay in with room to spare, and a usual size. A value
+//! outside is tried in the other units that people write: the one that comes closest to the usual size, by
+//! the logarithm, is offered. A new key is an entry in one of the lists below, with a range of its own where
+//! none fits.
 
 use super::{Warning, short};
 use crate::metrics::height_statistics;
@@ -9,7 +14,9 @@ use crate::sim::scene::{
 
 /// A unit with others that people write in its place: name, factor and offset to the SI one.
 struct Unit {
+    /// The SI unit.
     name: &'static str,
+    /// The others: name, factor and offset.
     others: &'static [(&'static str, f64, f64)],
 }
 
@@ -30,49 +37,78 @@ const HEAT_CAPACITY: Unit =
 const PURE: Unit = Unit { name: "", others: &[("%", 0.01, 0.0)] };
 
 /// What a quantity may plausibly be, and what it is like as a rule.
+/// Zero is left to the errors, signs are ignored.
 struct Plausible {
+    /// Smallest plausible size.
     low: f64,
+    /// Largest plausible size.
     high: f64,
+    /// Size as a rule, which a guess of the unit is measured by.
     usual: f64,
+    /// The unit of all three.
     unit: &'static Unit,
 }
 
+/// Range from `low` to `high`, size as a rule and unit.
 const fn plausible(low: f64, high: f64, usual: f64, unit: &'static Unit) -> Plausible {
     Plausible { low, high, usual, unit }
 }
 
+/// Radii of bodies, from the tip of a microscope to a bearing ring.
 const RADIUS: Plausible = plausible(1e-8, 1.0, 1e-2, &METRE);
 /// Crowned rollers are nearly straight along their axis.
 const LONGER_RADIUS: Plausible = plausible(1e-8, 100.0, 1e-2, &METRE);
+/// Moduli, from rubber to beyond diamond.
 const MODULUS: Plausible = plausible(1e6, 3e12, 2e11, &PASCAL);
+/// Hertz pressures.
 const HERTZ_PRESSURE: Plausible = plausible(1e3, 3e10, 1e9, &PASCAL);
+/// Loads, from a microscope to a mill.
 const FORCE: Plausible = plausible(1e-9, 1e7, 50.0, &NEWTON);
+/// Entrainment speeds.
 const SPEED: Plausible = plausible(1e-9, 200.0, 0.3, &METRE_PER_SECOND);
 /// Beyond 2 the surfaces move against each other.
 const SLIDE_ROLL_RATIO: Plausible = plausible(0.0, 2.0, 0.1, &PURE);
 /// Thicker than the heaviest gear oils at 40 degC.
 const VISCOSITY: Plausible = plausible(1e-5, 2.0, 0.01, &PASCAL_SECOND);
+/// Pressure-viscosity coefficients.
 const PRESSURE_VISCOSITY: Plausible = plausible(1e-10, 1e-7, 2e-8, &PER_PASCAL);
+/// The constant `p_0` of Roelands' law.
 const ROELANDS_PRESSURE: Plausible = plausible(1e7, 2e9, 2e8, &PASCAL);
+/// The index `z` of Roelands' law.
 const ROELANDS_INDEX: Plausible = plausible(0.05, 2.0, 0.6, &PURE);
+/// Constants of the law of Dowson and Higginson.
 const COMPRESSIBILITY: Plausible = plausible(0.0, 1e-8, 1e-9, &PER_PASCAL);
+/// Films of oil that are supplied.
 const FILM: Plausible = plausible(1e-10, 1e-4, 1e-7, &METRE);
+/// Hardnesses, up to that of diamond.
 const HARDNESS: Plausible = plausible(1e6, 1.5e11, 6e9, &PASCAL);
+/// Coefficients of friction.
 const FRICTION: Plausible = plausible(0.0, 2.0, 0.1, &PURE);
+/// Shear stresses of fluids: limiting, and of Eyring.
 const STRESS: Plausible = plausible(1e4, 1e10, 5e7, &PASCAL);
+/// Thicknesses of tribofilms.
 const TRIBOFILM: Plausible = plausible(1e-10, 1e-5, 1e-7, &METRE);
+/// Archard's coefficients.
 const WEAR: Plausible = plausible(0.0, 1.0, 1e-6, &PURE);
+/// Worn volumes per energy of friction.
 const WEAR_PER_ENERGY: Plausible = plausible(0.0, 1e-9, 1e-16, &VOLUME_PER_ENERGY);
 /// Up to 10 eV.
 const BARRIER: Plausible = plausible(1e-21, 1.6e-18, 1.3e-19, &JOULE);
+/// Bulk temperatures, from an arctic night to where steel is soft.
 const TEMPERATURE: Plausible = plausible(200.0, 1500.0, 350.0, &KELVIN);
+/// Conductivities of solids, diamond among them.
 const HEAT_CONDUCTIVITY: Plausible = plausible(0.01, 3000.0, 46.0, &CONDUCTIVITY);
+/// Diffusivities of solids.
 const HEAT_DIFFUSIVITY: Plausible = plausible(1e-8, 3e-3, 1e-5, &DIFFUSIVITY);
+/// Conductivities of fluids.
 const OIL_CONDUCTIVITY: Plausible = plausible(0.05, 1.0, 0.14, &CONDUCTIVITY);
+/// Heat capacities of a volume of fluid.
 const OIL_HEAT_CAPACITY: Plausible = plausible(5e5, 1e7, 1.7e6, &HEAT_CAPACITY);
+/// Radii of tracks.
 const TRACK_RADIUS: Plausible = plausible(1e-6, 10.0, 2e-2, &METRE);
 /// Solids touch at the size of molecules.
 const CONTACT_FILM: Plausible = plausible(1e-11, 1e-7, 1e-9, &METRE);
+/// Residuals that a solve may end with.
 const TOLERANCE: Plausible = plausible(0.0, 1e-2, 1e-6, &PURE);
 /// Largest Rq over the half-width of the contact.
 const LARGEST_RQ: f64 = 0.1;
@@ -130,14 +166,17 @@ pub(super) fn height(field: &str, heights: &[f64], half_width: f64) -> Vec<Warni
     largest_rq(half_width).check(&format!("{field} Rq"), rq).into_iter().collect()
 }
 
+/// Rq up to a tenth of the half-width \[m\] of the contact.
 fn largest_rq(half_width: f64) -> Plausible {
     plausible(0.0, LARGEST_RQ * half_width, 1e-7, &METRE)
 }
 
+/// A key, its value where it is given, and its range.
 fn entry(field: &str, value: impl Into<Option<f64>>, range: Plausible) -> Entry {
     (field.to_owned(), value.into(), range)
 }
 
+/// Form and materials.
 fn bodies(scene: &Scene) -> Vec<Entry> {
     use crate::surface::Form;
     let mut list = match scene.form {
@@ -186,6 +225,7 @@ fn conditions(scene: &Scene) -> Vec<Entry> {
     list
 }
 
+/// The lubricant.
 fn oil(oil: &LubricantSpec) -> Vec<Entry> {
     vec![
         entry("lubricant.eta0", oil.eta0, VISCOSITY),
@@ -205,12 +245,14 @@ fn oil(oil: &LubricantSpec) -> Vec<Entry> {
     ]
 }
 
+/// Rq of both bodies, against the Hertz contact.
 fn roughness(scene: &Scene) -> Vec<Entry> {
     let half_width = scene.hertz().map_or(f64::INFINITY, |hertz| hertz.a_x.min(hertz.a_y));
     let bodies = BODIES.into_iter().zip([&scene.roughness.ball, &scene.roughness.disc]);
     bodies.map(|(name, body)| (format!("roughness.{name}.rq"), body.rq(), largest_rq(half_width))).collect()
 }
 
+/// Friction, plasticity, tribofilm and wear.
 fn processes(scene: &Scene) -> Vec<Entry> {
     let friction = scene.friction;
     let mut list = vec![
@@ -252,6 +294,7 @@ fn processes(scene: &Scene) -> Vec<Entry> {
     list
 }
 
+/// Thermal constants, radii of the tracks, contact film and tolerance.
 fn heat_and_solver(scene: &Scene) -> Vec<Entry> {
     vec![
         entry("thermal.conductivity", scene.thermal.conductivity, HEAT_CONDUCTIVITY),

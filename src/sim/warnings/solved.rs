@@ -71,6 +71,7 @@ fn mesh_errors(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
     large_errors(&estimate).into_iter().collect()
 }
 
+/// The warning about the largest of all estimates above [`LARGEST_ERROR`]; it names the others too.
 fn large_errors(estimate: &ErrorEstimate) -> Option<Warning> {
     let errors = [
         ("central_film", estimate.central_film),

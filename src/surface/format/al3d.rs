@@ -1,15 +1,22 @@
 //! Alicona depth images (`.al3d`).
+//!
+//! Behind the magic stand tags of fixed width, name and value as text; they give counts, spacings and where
+//! the depth image starts: floats of 32 bits, rows padded to multiples of eight bytes.
 
 use super::number::{Kind, NumberType};
 use super::source::{Found, Source, shortened};
 use crate::surface::{Heights, LengthUnit, SurfaceError};
 
+/// First bytes of the file.
 pub(super) const MAGIC: &[u8] = b"AliconaImaging\0\r\n";
 
-/// A tag: name, value, end of line.
+/// Bytes of the name of a tag, which its value and the end of the line follow.
 const NAME: usize = 20;
+/// Bytes of its value.
 const VALUE: usize = 30;
+/// Bytes of a whole tag.
 const TAG: usize = NAME + VALUE + 2;
+/// More tags than these are refused.
 const MAX_TAGS: usize = 1 << 10;
 /// Rows start at multiples of this many bytes.
 const ALIGNMENT: usize = 8;
@@ -18,12 +25,16 @@ const MARKER_TOLERANCE: f64 = 1.5e-7;
 /// Depths from here on are undefined too; files without a marker of their own use it \[m\].
 const MARKER: f64 = 3e15;
 
+/// The tags of a file.
 struct Tags<'a> {
+    /// The file, for errors.
     source: Source<'a>,
+    /// Names and values in the order of the file.
     tags: Vec<(String, String)>,
 }
 
 impl<'a> Tags<'a> {
+    /// Reads as many tags as the second one counts.
     fn read(source: Source<'a>) -> Result<Self, SurfaceError> {
         let version = read_tag(source, 0)?;
         let count = read_tag(source, 1)?;
@@ -38,10 +49,12 @@ impl<'a> Tags<'a> {
         Ok(tags)
     }
 
+    /// The value of a tag, if it is there.
     fn text(&self, name: &str) -> Option<&str> {
         self.tags.iter().find(|(other, _)| other == name).map(|(_, value)| value.as_str())
     }
 
+    /// The value of a tag as a number; an error where it is missing.
     fn number<T: std::str::FromStr>(&self, name: &str) -> Result<T, SurfaceError> {
         let text = self.text(name).ok_or_else(|| self.source.corrupt(format!("tag {name} is missing")))?;
         text.parse()
@@ -49,6 +62,7 @@ impl<'a> Tags<'a> {
     }
 }
 
+/// Name and value of tag number `index`.
 fn read_tag(source: Source<'_>, index: usize) -> Result<(String, String), SurfaceError> {
     let at = MAGIC.len() + index * TAG;
     let what = format!("tag {index}");
@@ -58,6 +72,7 @@ fn read_tag(source: Source<'_>, index: usize) -> Result<(String, String), Surfac
     Ok((source.text(at, NAME, &what)?, source.text(at + NAME, VALUE, &what)?))
 }
 
+/// Heights of the depth image.
 pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
     let tags = Tags::read(source)?;
     let (nx, ny) = (tags.number::<usize>("Cols")?, tags.number::<usize>("Rows")?);

@@ -9,6 +9,7 @@ use super::source::{Found, Source};
 use crate::error::InputError;
 use crate::surface::{Heights, SurfaceError};
 
+/// First bytes of the file.
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
 
 /// Headers longer than this are not those of a plain array.
@@ -16,14 +17,19 @@ const MAX_HEADER: u32 = 1 << 16;
 
 /// What the header says.
 struct Header {
+    /// Type of the numbers.
     number: NumberType,
+    /// Whether the first index runs fastest.
     fortran_order: bool,
+    /// Rows.
     ny: usize,
+    /// Columns.
     nx: usize,
     /// Where the numbers start.
     data: usize,
 }
 
+/// Heights of an array of one or two dimensions, in metres, without a spacing.
 pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
     let Header { number, fortran_order, ny, nx, data } = read_header(source)?;
     let expected = nx * ny * number.size();
@@ -43,6 +49,7 @@ pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
     source.finish(Found { nx, ny, spacing: None, unit: None, heights, defined: None })
 }
 
+/// The header, of the versions 1 to 3 of the format.
 fn read_header(source: Source<'_>) -> Result<Header, SurfaceError> {
     let version = source.slice(6, 2, "the end of the magic number")?[0];
     let (start, length) = match version {
@@ -58,6 +65,7 @@ fn read_header(source: Source<'_>) -> Result<Header, SurfaceError> {
     Ok(Header { number, fortran_order, ny, nx, data: start + length as usize })
 }
 
+/// Number type, order and shape from the dictionary of the header.
 fn parse_header(source: Source<'_>, text: &str) -> Result<(NumberType, bool, usize, usize), SurfaceError> {
     let missing = |key: &str| source.corrupt(format!("header without a usable '{key}'"));
     let descr = value_of(text, "descr").ok_or_else(|| missing("descr"))?;
@@ -141,6 +149,7 @@ pub fn write_npy(path: impl AsRef<Path>, nx: usize, ny: usize, field: &[f64]) ->
     write_array(path, nx, ny, field).map_err(|source| SurfaceError::Io { path: path.to_owned(), source })
 }
 
+/// Header and numbers of an array of `ny` rows.
 fn write_array(path: &Path, nx: usize, ny: usize, field: &[f64]) -> std::io::Result<()> {
     let mut out = BufWriter::new(File::create(path)?);
     let dictionary = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({ny}, {nx}), }}");

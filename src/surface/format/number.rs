@@ -3,8 +3,11 @@
 /// Type of a stored number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
+    /// IEEE 754.
     Float,
+    /// Two's complement.
     Signed,
+    /// Without a sign.
     Unsigned,
 }
 

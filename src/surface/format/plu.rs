@@ -10,6 +10,7 @@ const DATE: usize = 128;
 const CALIBRATION: usize = DATE + 4 + 256;
 /// Where the type of the measurement is.
 const KIND: usize = CALIBRATION + 40;
+/// The type that holds heights.
 const KIND_TOPOGRAPHY: u32 = 3;
 /// Highest type that is known.
 const LAST_KIND: u32 = 20;

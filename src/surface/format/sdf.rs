@@ -1,10 +1,15 @@
 //! Surface data files of ISO 25178-71 (`.sdf`), ASCII and binary, versions 1 and 2.
+//!
+//! A header of counts, spacings, a scale of the heights and a code of the number type, then the heights row
+//! by row: in an ASCII file as keys and text, in a binary one at fixed places. The version is told by the
+//! first eight bytes.
 
 use super::number::{Kind, NumberType};
 use super::source::{Found, Source, decode_text, shortened};
 use super::text::parse_height;
 use crate::surface::{Heights, LengthUnit, SurfaceError};
 
+/// First bytes of each version.
 const MAGICS: [(&[u8], Version); 6] = [
     (b"aBCR-1.0", Version::Ascii),
     (b"aISO-1.0", Version::Ascii),
@@ -14,29 +19,37 @@ const MAGICS: [(&[u8], Version); 6] = [
     (b"bISO-2.0", Version::Binary { wide: true }),
 ];
 
+/// Which version.
 #[derive(Clone, Copy)]
 enum Version {
+    /// Keys and numbers as text.
     Ascii,
     /// Counts of 16 bits, or of 32 when wide.
-    Binary {
-        wide: bool,
-    },
+    Binary { wide: bool },
 }
 
+/// Whether the file begins as one of the versions.
 pub(super) fn recognises(bytes: &[u8]) -> bool {
     MAGICS.iter().any(|(magic, _)| bytes.starts_with(magic))
 }
 
+/// What the header says.
 struct Header {
+    /// Points along x.
     nx: usize,
+    /// Points along y.
     ny: usize,
+    /// Distances of the points along x and y \[m\].
     spacing: [f64; 2],
+    /// Height \[m\] per stored number.
     scale: f64,
+    /// Type of the stored numbers of binary files.
     number: NumberType,
     /// Stored number of an undefined point.
     undefined: Option<f64>,
 }
 
+/// Heights, those that equal the marker undefined.
 pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
     let version =
         MAGICS.iter().find(|(magic, _)| source.bytes.starts_with(magic)).map(|(_, version)| *version);
@@ -78,6 +91,8 @@ fn number_type(code: u64) -> Option<(NumberType, Option<f64>)> {
     NumberType::new(kind, size, false).map(|number| (number, marker))
 }
 
+/// The header of `sizes` (points, profiles), `scales` (of x, y, z) and `codes` (compression, data type),
+/// refused where one makes no sense or is not read.
 fn check(
     source: Source<'_>,
     sizes: [usize; 2],
@@ -97,6 +112,7 @@ fn check(
     Ok(Header { nx, ny, spacing: [dx, dy], scale, number, undefined })
 }
 
+/// Header, stored numbers and which are defined, of a binary file.
 fn read_binary(source: Source<'_>, wide: bool) -> Result<(Header, Vec<f64>, Vec<bool>), SurfaceError> {
     // magic, maker and two dates come first
     let at = 8 + 10 + 12 + 12;
@@ -127,11 +143,13 @@ fn value_of<'a>(header: &'a str, key: &str) -> Option<&'a str> {
         .map(|(_, value)| value.split(';').next().unwrap_or(value).trim())
 }
 
+/// The value of a key as a number.
 fn parse<T: std::str::FromStr>(source: Source<'_>, header: &str, key: &str) -> Result<T, SurfaceError> {
     let text = value_of(header, key).ok_or_else(|| source.corrupt(format!("the header lacks {key}")))?;
     text.parse().map_err(|_| source.corrupt(format!("{key} = {} is not a number", shortened(text))))
 }
 
+/// Header, stored numbers and which are defined, of an ASCII file.
 fn read_ascii(source: Source<'_>) -> Result<(Header, Vec<f64>, Vec<bool>), SurfaceError> {
     let content = decode_text(&source.bytes[8..]);
     let (head, rest) =

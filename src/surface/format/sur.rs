@@ -1,4 +1,8 @@
 //! Digital Surf surface files (`.sur`), plain and compressed.
+//!
+//! A header of 512 bytes at fixed places, a comment and private bytes of given length, then the heights as
+//! integers of 16 or 32 bits: plain, or in streams compressed by zlib. Numbers have the byte order of PCs or
+//! of Motorola processors, as a field tells.
 
 use std::io::Read;
 
@@ -8,9 +12,12 @@ use super::number::{Kind, NumberType};
 use super::source::{Found, Source, shortened};
 use crate::surface::{Heights, LengthUnit, SurfaceError};
 
+/// First bytes of a plain file.
 pub(super) const MAGIC: &[u8] = b"DIGITAL SURF";
+/// First bytes of a compressed file.
 pub(super) const MAGIC_COMPRESSED: &[u8] = b"DSCOMPRESSED";
 
+/// Bytes of the header.
 const HEADER: usize = 512;
 /// Objects that hold no heights: images, force curves, parametric profiles, spectra.
 const WITHOUT_HEIGHTS: [u16; 8] = [3, 10, 12, 14, 15, 17, 18, 19];
@@ -20,24 +27,37 @@ const MAX_STREAMS: u32 = 1 << 12;
 /// How the heights are turned about (field `inverted`): they are negated unless zero.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Inversion {
+    /// As they are.
     None,
+    /// Heights negated.
     Heights,
+    /// Heights negated, columns in reverse.
     HeightsAndColumns,
+    /// Heights negated, rows in reverse.
     HeightsAndRows,
 }
 
+/// What the header says.
 struct Header {
+    /// Points along x.
     nx: usize,
+    /// Points along y.
     ny: usize,
+    /// Distances of the points along x and y \[m\].
     spacing: [f64; 2],
+    /// Unit of the heights.
     unit: LengthUnit,
+    /// Type of the stored numbers.
     number: NumberType,
     /// Height \[m\] = offset + scale * stored number.
     scale: f64,
+    /// Height of a stored zero \[m\].
     offset: f64,
     /// Stored number of an undefined point.
     undefined: Option<f64>,
+    /// How they are turned about.
     inversion: Inversion,
+    /// Where they start.
     data: usize,
 }
 
@@ -88,6 +108,7 @@ fn with_byte_order(source: Source<'_>) -> Result<Source<'_>, SurfaceError> {
     }
 }
 
+/// The header, refused where it makes no sense or belongs to an object without heights.
 fn read_header(source: Source<'_>) -> Result<Header, SurfaceError> {
     source.slice(0, HEADER, "the header")?;
     let kind = source.u16(18, "object type")?;
@@ -133,6 +154,7 @@ fn read_header(source: Source<'_>) -> Result<Header, SurfaceError> {
     })
 }
 
+/// A count at a place of the file, named `what` in errors.
 fn count(source: Source<'_>, at: usize, what: &str) -> Result<usize, SurfaceError> {
     let value = source.i32(at, what)?;
     usize::try_from(value).map_err(|_| source.corrupt(format!("{value} {what}")))

@@ -1,4 +1,9 @@
 //! Heights as delimited text, with or without a header that gives sizes and units.
+//!
+//! A file is lines of numbers, one row each, behind lines of a header whose keys several programs spell in
+//! their own ways. What is read of a header is in [`Header::take`]: a new spelling is a word there. Sizes
+//! give spacings by the number of points; a unit beside a number wins over the unit of its axis, that over
+//! the one for all.
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -27,15 +32,21 @@ pub(super) fn parse_height(token: &str) -> Option<Option<f64>> {
 /// What the header says, as far as it is understood.
 #[derive(Default)]
 struct Header {
+    /// Points along x.
     nx: Option<usize>,
+    /// Points along y.
     ny: Option<usize>,
     /// Sizes and spacings with the unit that stands beside them.
     size: [Option<(f64, String)>; 2],
+    /// Distance of the points along x and y.
     spacing: [Option<(f64, String)>; 2],
+    /// Units of the axes.
     lateral_unit: [String; 2],
+    /// Unit of the heights.
     height_unit: String,
     /// The one for both.
     unit: String,
+    /// Heights in their unit per stored number.
     height_factor: Option<f64>,
     /// Heights to nanometres, of files without a height unit.
     nanometres: Option<f64>,
@@ -175,6 +186,7 @@ enum Separator {
 }
 
 impl Separator {
+    /// What separates the fields of `line`.
     fn of(line: &str) -> Self {
         if line.contains(';') {
             Self::Semicolon
@@ -236,9 +248,13 @@ fn has_decimal_comma(number: &str) -> bool {
 
 /// The numbers of the rows read so far.
 struct Rows {
+    /// What separates fields.
     separator: Separator,
+    /// Heights so far.
     values: Vec<f64>,
+    /// Which of them are defined.
     defined: Vec<bool>,
+    /// Rows so far.
     rows: usize,
     /// Numbers in the first row.
     columns: usize,
@@ -255,6 +271,7 @@ impl Rows {
         Some(Self { separator, values, defined, rows: 0, columns: 0, ragged: None })
     }
 
+    /// Takes a row, which must be as long as those before.
     fn take(&mut self, source: Source<'_>, number: usize, line: &str) -> Result<(), SurfaceError> {
         let before = self.values.len();
         for (column, field) in self.separator.split(line).into_iter().enumerate() {
@@ -370,6 +387,7 @@ pub fn write_text(path: impl AsRef<Path>, surface: &Heights) -> Result<(), Surfa
     write_lines(path, surface).map_err(|source| SurfaceError::Io { path: path.to_owned(), source })
 }
 
+/// Header and rows.
 fn write_lines(path: &Path, surface: &Heights) -> std::io::Result<()> {
     let (nx, ny) = (surface.nx(), surface.ny());
     let mut out = BufWriter::new(File::create(path)?);

@@ -1,4 +1,9 @@
 //! The x3p container (ISO 25178-72): a zip archive with a description in XML and the heights in binary form.
+//!
+//! `main.xml` describes one feature on equidistant axes: counts, increments, type and scale of the heights.
+//! The heights are a binary part of the archive, whose name the description gives, or a list in the
+//! description itself; a second part may hold one bit a point for what is defined. Parts are read up to the
+//! size that the description asks for and no further.
 
 use std::fs::File;
 use std::io::{BufWriter, Cursor, Read, Write};
@@ -20,13 +25,19 @@ const MAX_XML_NODES: u32 = 1 << 21;
 
 /// What `main.xml` says.
 struct Description {
+    /// Points along x.
     nx: usize,
+    /// Points along y.
     ny: usize,
+    /// Distances of the points along x and y \[m\].
     spacing: [f64; 2],
+    /// Type of the stored numbers.
     number: NumberType,
     /// Height = offset + scale * stored number.
     scale: f64,
+    /// Height of a stored zero \[m\].
     offset: f64,
+    /// The stored numbers, or where they are.
     points: Points,
     /// Name of the part with one bit for each point, set where it is defined.
     mask: Option<String>,
@@ -34,6 +45,7 @@ struct Description {
 
 /// What is described.
 enum Feature {
+    /// Points on a rectangle.
     Surface,
     /// A surface of one row; the step across it is taken as that along it.
     Profile,
@@ -47,11 +59,13 @@ enum Points {
     List(Vec<f64>),
 }
 
+/// First bytes of a zip archive.
 pub(super) const MAGIC: &[u8] = b"PK\x03\x04";
 
 /// The archive in memory.
 type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 
+/// Heights of the archive; undefined are those that are no number and those whose bit is not set.
 pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
     let context = Context { source };
     let mut archive = ZipArchive::new(Cursor::new(source.bytes))
@@ -82,14 +96,17 @@ pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
 
 /// The file being read.
 struct Context<'a> {
+    /// Its bytes and its name.
     source: Source<'a>,
 }
 
 impl Context<'_> {
+    /// The error of a damaged file.
     fn corrupt(&self, what: String) -> SurfaceError {
         self.source.corrupt(what)
     }
 
+    /// The error of a file that is not read.
     fn unsupported(&self, what: String) -> SurfaceError {
         self.source.unsupported(what)
     }
@@ -132,6 +149,7 @@ impl Context<'_> {
         Err(self.corrupt(format!("{name} holds {found} bytes, {nx} x {ny} points need {expected}")))
     }
 
+    /// What `main.xml` says, checked.
     fn describe(&self, xml: &str) -> Result<Description, SurfaceError> {
         let options = ParsingOptions { nodes_limit: MAX_XML_NODES, ..ParsingOptions::default() };
         let document = Document::parse_with_options(xml, options)
@@ -173,6 +191,7 @@ impl Context<'_> {
         Ok(feature)
     }
 
+    /// The text of the element at the path `names` below the root.
     fn text<'a>(&self, root: Node<'a, '_>, names: &[&str]) -> Result<&'a str, SurfaceError> {
         find(root, names)
             .and_then(|node| node.text())
@@ -180,12 +199,14 @@ impl Context<'_> {
             .ok_or_else(|| self.corrupt(format!("main.xml lacks {}", names.join("/"))))
     }
 
+    /// A count of the matrix of points.
     fn count(&self, root: Node<'_, '_>, name: &str) -> Result<usize, SurfaceError> {
         let text = self.text(root, &["Record3", "MatrixDimension", name])?;
         text.parse()
             .map_err(|_| self.corrupt(format!("main.xml: {name} is not a count: {}", shortened(text))))
     }
 
+    /// A finite number at the path `names`.
     fn number(&self, root: Node<'_, '_>, names: &[&str]) -> Result<f64, SurfaceError> {
         let text = self.text(root, names)?;
         text.parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(|| {
@@ -227,6 +248,7 @@ impl Context<'_> {
         Ok((number, scale, optional("Offset", -0.0)?))
     }
 
+    /// The name of the binary part, or the listed heights, of which there must be `expected`.
     fn points(&self, root: Node<'_, '_>, expected: usize) -> Result<Points, SurfaceError> {
         let Some(list) = find(root, &["Record3", "DataList"]) else {
             return Ok(Points::Part(self.text(root, &["Record3", "DataLink", "PointDataLink"])?.to_owned()));
@@ -259,6 +281,7 @@ fn plain(name: &str) -> String {
 
 /// Element names regardless of their namespace.
 trait LocalName {
+    /// Whether the name without its namespace is `name`.
     fn has_tag_name_local(&self, name: &str) -> bool;
 }
 
@@ -300,6 +323,7 @@ pub fn write_x3p(path: impl AsRef<Path>, surface: &Heights) -> Result<(), Surfac
     write_archive(path, surface, dx, dy).map_err(|source| SurfaceError::Io { path: path.to_owned(), source })
 }
 
+/// Description, heights and their checksum.
 fn write_archive(path: &Path, surface: &Heights, dx: f64, dy: f64) -> std::io::Result<()> {
     let mut data = Vec::with_capacity(size_of_val(surface.heights()));
     for (k, height) in surface.heights().iter().enumerate() {
@@ -317,10 +341,12 @@ fn write_archive(path: &Path, surface: &Heights, dx: f64, dy: f64) -> std::io::R
     archive.finish()?.flush()
 }
 
+/// Bytes as text, two digits each.
 fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02X}")).collect()
 }
 
+/// The description of `surface`, whose data have the checksum `data_sum`.
 fn describe(surface: &Heights, dx: f64, dy: f64, data_sum: &str) -> String {
     let (nx, ny) = (surface.nx(), surface.ny());
     format!(

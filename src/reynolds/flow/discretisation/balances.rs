@@ -8,8 +8,11 @@ use crate::reynolds::problem::{inner_rows, interior};
 /// First influence coefficients, for implicit relaxation \[m/Pa\].
 #[derive(Debug, Clone, Copy)]
 pub(in crate::reynolds) struct NearField {
+    /// Of a node on itself.
     pub(in crate::reynolds) own: f64,
+    /// On the next node along x.
     pub(in crate::reynolds) next_x: f64,
+    /// On the one after it.
     pub(in crate::reynolds) second_x: f64,
 }
 

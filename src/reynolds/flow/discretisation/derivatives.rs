@@ -1,4 +1,8 @@
 //! Derivatives of the balances by pressures and films.
+//!
+//! They are exact, and tests compare them with differences: a new face law or scheme brings its own into
+//! `FaceFlow` or `FaceFilm`, and what is here follows. The steps of Newton's method are made of them, face by
+//! face.
 
 use super::super::entrainment::DensityRise;
 use super::super::face_mobility::{Direction, FaceMobility};
@@ -26,6 +30,8 @@ impl Discretisation {
         self.flow_derivatives(k, k + self.grid.nx(), self.coefficient_north(k), Direction::Across)
     }
 
+    /// Derivatives of the flow through the face of coefficient `c` between nodes `k` and `o`: by both
+    /// pressures, then by both films.
     #[inline]
     pub(super) fn flow_derivatives(&self, k: usize, o: usize, c: f64, direction: Direction) -> [f64; 4] {
         let face = self.face_flow(k, o, direction);

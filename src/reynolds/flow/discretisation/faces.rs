@@ -1,4 +1,8 @@
 //! Flow through faces: neighbours, films, densities and mobilities.
+//!
+//! [`Discretisation::update_entrainment`] runs once an update and stores what belongs to each face; the rest
+//! is asked for by node. Faces are named by their first node: that to the east of `k` lies between `k` and
+//! `k + 1`, that to the north between `k` and `k + nx`.
 
 use super::super::entrainment::{DensityRise, FaceFilm};
 use super::super::face_mobility::{Direction, FaceFlow, FaceMobility};

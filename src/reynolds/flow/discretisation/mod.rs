@@ -44,18 +44,27 @@ use crate::reynolds::problem::{LubricatedContact, interior};
 /// Quantities of the nodes and faces at the current pressure and film, and the coefficients of the balance.
 #[derive(Debug, Clone)]
 pub(in crate::reynolds) struct Discretisation {
+    /// The grid.
     pub(in crate::reynolds) grid: Grid,
+    /// How pressure drives fluid through a face.
     face_mobility: FaceMobility,
+    /// What entrainment carries through a face.
     scheme: Scheme,
+    /// What holds where the fluid cavitates.
     cavitation: Cavitation,
     /// What enters a row of cells at most \[m\]; infinite at a flooded inlet.
     supply: f64,
+    /// Least film that mobilities count with \[m\].
     film_floor: f64,
     /// Film below which pressure moves nothing \[m\]; no such film in hard contact.
     closed_film: f64,
+    /// `c` of the faces between columns \[s/m^2\].
     face_x: f64,
+    /// `c` of the faces between rows \[s/m^2\].
     face_y: f64,
+    /// `w`.
     wedge: f64,
+    /// `s`; zero without a squeeze term.
     squeeze: f64,
     /// Squeeze against the masses at which a linear step begins: in the derivatives alone, as it vanishes
     /// there.
@@ -64,23 +73,27 @@ pub(in crate::reynolds) struct Discretisation {
     fluidity: f64,
     /// `U / dx` \[1/s\].
     rate: f64,
+    /// Quantities of the nodes.
     nodes: Vec<NodeFlow>,
     /// `m` of the nodes \[m\].
     masses: Vec<f64>,
-    /// `M` less `m` of the first node, and film over that of the first node, of the faces to the east.
+    /// `M` less `m` of the first node, of the faces to the east \[m\].
     beyond: Vec<f64>,
+    /// Film over that of the first node, of these faces.
     face_films: Vec<f64>,
-    /// Factors of the inlets, and squares of the cosines between the flow and the gradient of the undeformed
-    /// gap, at the faces to the east.
+    /// Factors of the inlets at the faces to the east.
     inlets: Vec<f64>,
+    /// Squares of the cosines between the flow and the gradient of the undeformed gap, at these faces.
     alignments: Vec<f64>,
-    /// `M` of the faces to the east \[m\], and the share `theta` of the gap that is filled.
+    /// `M` of the faces to the east \[m\].
     carried: Vec<f64>,
+    /// Share `theta` of the gap that is filled.
     content: Vec<f64>,
     /// Of nodes that are not filled, what of their inflow they carry on; zero elsewhere.
     passed: Vec<f64>,
-    /// `a` of the faces to the east and to the north of the nodes.
+    /// `a` of the faces to the east of the nodes.
     east: Vec<f64>,
+    /// And to the north.
     north: Vec<f64>,
     /// Shear thinning and the film in which the fluid at ambient pressure has `x = 1` \[m\]; none where it
     /// is Newtonian.

@@ -1,4 +1,8 @@
 //! The share of a balance that is a node's own, neighbours held.
+//!
+//! Nonlinear elimination solves the equations of one node while all others stand still. What does not change
+//! meanwhile is taken once (`held_neighbours`); what is asked for again and again is the outflow at a
+//! pressure and a film.
 
 use super::super::face_mobility::Direction;
 use super::super::node::NodeFlow;
@@ -9,9 +13,13 @@ use crate::lubricant::Lubricant;
 /// A node across a face of coefficient `c`, held.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::reynolds) struct HeldNeighbour {
+    /// Coefficient `c` of the face.
     c: f64,
+    /// Quantities of the neighbour.
     flow: NodeFlow,
+    /// Its viscosity for the flow over that of the law.
     ratio: ViscosityRatio,
+    /// Which way the face lies.
     direction: Direction,
     /// Whether it is the first node of the face.
     is_first: bool,
@@ -68,6 +76,7 @@ impl Discretisation {
         ([node.density, node.density_p], self.flow_of(node, ratios, neighbours))
     }
 
+    /// Flow by pressure out of a node with these quantities, and its derivatives by pressure and film.
     #[inline]
     pub(super) fn flow_of(
         &self,

@@ -1,4 +1,7 @@
 //! A window on the flow: the same equations on a few cells, all around them held.
+//!
+//! Newton's method on a pocket works on a window of its own size: coefficients and what crosses the western
+//! edge are copied from the whole, and balances of nodes within [`MARGIN`] of an edge are not asked for.
 
 use super::super::cavitation::Cavitation;
 use super::super::shear_thinning::NodeRatios;

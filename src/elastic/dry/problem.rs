@@ -1,0 +1,69 @@
+//! A dry contact as a problem, and what a solve of it gives beside the pressure.
+
+/// The problem: find pressure `p` and approach `delta` with `g = gap + K p - delta`, `0 <= p <= limit`,
+/// `g >= 0` where `p = 0`, `g = 0` between, `g <= 0` where `p = limit`, and the sum of `p` times the cell
+/// area equal to the load.
+///
+/// Pressure stays zero on nodes with `excluded` set.
+///
+/// # Examples
+///
+/// A rigid flat punch: no node outside of it may carry anything.
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::elastic::{DryProblem, DrySolver, HalfSpace};
+/// let grid = Grid::centred(32, 32, 1e-5, 1e-5)?;
+/// let excluded: Vec<bool> = grid.nodes().map(|(x, y)| x.hypot(y) > 1e-4).collect();
+/// let gap = vec![0.0; grid.len()];
+/// let problem = DryProblem { gap: &gap, load: 10.0, limit: None, excluded: &excluded };
+/// let mut pressure = vec![0.0; grid.len()];
+/// let mut body = HalfSpace::new(grid, 230e9)?;
+/// let outcome = DrySolver::new(grid.len()).solve(&problem, &mut body, &mut pressure, 1e-6, 500)?;
+/// // It sinks in by F/(E' a), its modulus being half of E'.
+/// assert!((outcome.approach / (10.0 / (230e9 * 1e-4)) - 1.0).abs() < 0.03);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct DryProblem<'a> {
+    /// Undeformed gap per node \[m\].
+    pub gap: &'a [f64],
+    /// Load \[N\].
+    pub load: f64,
+    /// Largest pressure per node \[Pa\], or none.
+    pub limit: Option<&'a [f64]>,
+    /// Nodes that carry no pressure.
+    pub excluded: &'a [bool],
+}
+
+impl DryProblem<'_> {
+    /// Pressure limit of node `k` \[Pa\], infinite where there is none.
+    pub(super) fn limit_of(&self, k: usize) -> f64 {
+        self.limit.map_or(f64::INFINITY, |limit| limit[k])
+    }
+}
+
+/// How a dry solve ended. All of it is of the pressure that is returned.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct DryOutcome {
+    /// Mean absolute gap error on contact nodes plus penetration elsewhere, over the pressure-weighted mean
+    /// displacement.
+    pub gap_error: f64,
+    /// What the energy `1/2 p K p + gap p` lies above its minimum at most, over the elastic energy
+    /// `1/2 p K p`: the duality gap of Frank and Wolfe (1956, Naval Research Logistics Quarterly 3, 95-110),
+    /// the sum of `p (v - w)` with `v = gap + K p` and `w` its minimum over the nodes below their limit,
+    /// nodes at the limit with `v < w` left out. It holds whatever the solver did.
+    pub energy_error: f64,
+    /// Approach of the bodies \[m\].
+    pub approach: f64,
+    /// Elastic convolutions in equivalents of the grid: those of a coarser one count by its share of nodes, a
+    /// pressure estimate as a quarter.
+    pub convolutions: f64,
+    /// Passes of the active set on the grid itself.
+    pub passes: u64,
+    /// Conjugate-gradient steps on the grid itself.
+    pub steps: u64,
+    /// Whether `gap_error` reached the tolerance.
+    pub converged: bool,
+}

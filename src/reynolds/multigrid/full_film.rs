@@ -1,0 +1,42 @@
+//! Whether a problem is a smooth full film, without solving it.
+
+use crate::grid::Grid;
+use crate::reynolds::coupled::limit_of;
+use crate::reynolds::problem::{LubricatedContact, interior};
+
+/// Part of the expected film by which the second differences of a smooth gap may vary.
+const ROUGHNESS: f64 = 0.1;
+/// Pressure limit over reference pressure below which no full film is expected.
+const LIMIT_OVER_REFERENCE: f64 = 1.2;
+
+/// Whether no solids should touch: a smooth gap, a film expected at more than `margin` times the contact
+/// film, and pressures below the limit.
+pub(in crate::reynolds) fn expects_full_film(problem: &LubricatedContact<'_>, margin: f64) -> bool {
+    let grid = problem.grid();
+    let is_thick = problem.reference_film > margin * problem.contact_film();
+    let least = LIMIT_OVER_REFERENCE * problem.reference_pressure;
+    let is_soft = interior(&grid).any(|k| limit_of(problem, k) < least);
+    is_thick && !is_soft && is_smooth(problem, &grid)
+}
+
+/// Whether the gap is a paraboloid all over the contact: its second differences over a quarter of the
+/// half-widths vary by little of the reference film. Differences from node to node would miss waves of many
+/// cells.
+fn is_smooth(problem: &LubricatedContact<'_>, grid: &Grid) -> bool {
+    let (a, b) = problem.reference_half_widths;
+    let (nx, ny) = (grid.nx(), grid.ny());
+    if ny == 1 {
+        return true;
+    }
+    let stride = |half: f64, spacing: f64, n: usize| ((0.25 * half / spacing) as usize).clamp(1, n / 4);
+    let (step_x, step_y) = (stride(a, grid.dx(), nx), stride(b, grid.dy(), ny));
+    let bend = |k: usize, step: usize| problem.gap[k - step] - 2.0 * problem.gap[k] + problem.gap[k + step];
+    let centre = ny / 2 * nx + nx / 2;
+    let (across, along) = (bend(centre, step_y * nx), bend(centre, step_x));
+    let most = ROUGHNESS * problem.reference_film;
+    (step_y..ny - step_y).flat_map(|j| (step_x..nx - step_x).map(move |i| (i, j))).all(|(i, j)| {
+        let k = j * nx + i;
+        let is_far = (grid.x(i) / a).abs() > 1.5 || (grid.y(j) / b).abs() > 1.5;
+        is_far || (bend(k, step_x) - along).abs().max((bend(k, step_y * nx) - across).abs()) < most
+    })
+}
