@@ -20,6 +20,7 @@ mod map;
 mod outcome;
 mod scenes;
 
+use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -138,7 +139,7 @@ fn solve_all(jobs: &[(&Case, Solver)]) -> Vec<Entry> {
     found.into_iter().map(|(_, entry)| entry).collect()
 }
 
-/// Counts per solver and group.
+/// Counts per solver and group, and what each solver's solves cost.
 fn summary(entries: &[Entry]) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     write!(text, "{:<14} {:<12} {:>6}", "solver", "scenes", "all")?;
@@ -169,5 +170,34 @@ fn summary(entries: &[Entry]) -> Result<String, std::fmt::Error> {
             writeln!(text)?;
         }
     }
+    for solver in SOLVERS {
+        costs(&mut text, solver, entries)?;
+    }
     Ok(text)
+}
+
+/// Convolutions of a solver's solves, of transient scenes those of the last step, and how many of the
+/// converged ones were reached by which strategy.
+fn costs(text: &mut String, solver: Solver, entries: &[Entry]) -> std::fmt::Result {
+    let solves = entries.iter().filter(|entry| entry.solver == solver);
+    let (mut total, mut most, mut converged_total, mut strategies) = (0.0, 0.0_f64, 0.0, BTreeMap::new());
+    for (entry, report) in solves.filter_map(|entry| Some((entry, entry.report.as_ref()?))) {
+        let convolutions = report.work.convolutions;
+        total += convolutions;
+        if entry.verdict == Verdict::Converged {
+            (converged_total, most) = (converged_total + convolutions, most.max(convolutions));
+            let strategy = report.strategy.map_or("no strategy".to_owned(), |strategy| strategy.to_string());
+            *strategies.entry(strategy).or_insert(0) += 1;
+        }
+    }
+    let converged: u32 = strategies.values().sum();
+    if converged > 0 {
+        write!(text, "{solver}: {total:.0} convolutions; of the converged {converged_total:.0}, ")?;
+        write!(text, "mean {:.0}, most {most:.0}", converged_total / f64::from(converged))?;
+        for (strategy, count) in strategies {
+            write!(text, "; {strategy} {count}")?;
+        }
+        writeln!(text)?;
+    }
+    Ok(())
 }
