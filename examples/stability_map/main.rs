@@ -5,6 +5,7 @@
 //! cargo run --release --example stability_map -- --quick          # a few coarse ones
 //! cargo run --release --example stability_map -- --solver auto    # one solver
 //! cargo run --release --example stability_map -- --seed 2         # other roughness
+//! cargo run --release --example stability_map -- --every 7        # every seventh scene
 //! cargo run --release --example stability_map -- --solver auto --film-heat # films with a temperature of their own
 //! ```
 //!
@@ -33,9 +34,10 @@ use outcome::{Entry, SOLVERS, Solver, Verdict, solve};
 use scenes::{Case, Group};
 
 const USAGE: &str = "\
-usage: cargo run --release --example stability_map -- [--quick] [--solver NAME] [--seed N] [--film-heat] [--out DIR]
+usage: cargo run --release --example stability_map -- [--quick] [--every N] [--solver NAME] [--seed N] [--film-heat] [--out DIR]
 
   --quick        a few coarse scenes
+  --every N      every Nth scene (default 1)
   --solver NAME  auto, newton_krylov, semi_system or paper_contact alone (default: all four)
   --seed N       of the roughness of the ball, the disc's is N + 100 (default 1)
   --film-heat    the scenes on 64 x 64 cells at once, at slide-roll ratios of 0.05 to 2, with the temperature of the film
@@ -45,6 +47,7 @@ const THREADS: usize = 2;
 
 struct Options {
     quick: bool,
+    every: usize,
     solver: Option<Solver>,
     seed: u64,
     film_heat: bool,
@@ -58,6 +61,7 @@ fn main() -> ExitCode {
 fn options() -> Result<Option<Options>, lexopt::Error> {
     let mut options = Options {
         quick: false,
+        every: 1,
         solver: None,
         seed: 1,
         film_heat: false,
@@ -67,6 +71,9 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
     while let Some(argument) = parser.next()? {
         match argument {
             Long("quick") => options.quick = true,
+            Long("every") => {
+                options.every = parser.value()?.parse_with(|n| n.parse().map(|n: usize| n.max(1)))?;
+            }
             Long("solver") => {
                 let name = parser.value()?.string()?;
                 let known = SOLVERS.into_iter().find(|solver| solver.to_string() == name);
@@ -90,7 +97,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let jobs: Vec<(&Case, Solver)> = SOLVERS
         .into_iter()
         .filter(|solver| options.solver.is_none_or(|only| only == *solver))
-        .flat_map(|solver| cases.iter().map(move |case| (case, solver)))
+        .flat_map(|solver| cases.iter().step_by(options.every).map(move |case| (case, solver)))
         .collect();
     let entries = solve_all(&jobs);
     let folder = &options.out;
