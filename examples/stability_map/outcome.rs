@@ -34,6 +34,13 @@ pub(crate) enum Solver {
 pub(crate) const SOLVERS: [Solver; 4] =
     [Solver::Auto, Solver::NewtonKrylov, Solver::SemiSystem, Solver::PaperContact];
 
+impl Solver {
+    /// Whether the map takes it far longer than the others.
+    pub(crate) fn is_slow(self) -> bool {
+        matches!(self, Self::SemiSystem | Self::PaperContact)
+    }
+}
+
 impl fmt::Display for Solver {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
