@@ -96,7 +96,7 @@ impl SimBuilder {
                 }));
             }
             let meshes = Meshes::new(&self.scene, self.overrides.interrupt.as_ref())?;
-            return Ok(Begun::Meshes(Box::new(meshes)));
+            return Ok(Begun::Meshes(meshes));
         }
         let start = self.contact_start.take();
         let own_heights = self.own_heights();
@@ -185,7 +185,7 @@ enum Begun {
     /// On the grid of the scene.
     Mesh(Box<Prepared>),
     /// On several meshes.
-    Meshes(Box<Meshes>),
+    Meshes(Meshes),
 }
 
 /// The contact of two bodies as they stand, on one mesh, before its first iteration.

@@ -144,9 +144,13 @@ impl Linearisation {
         }
     }
 
-    /// Whether node `k` is not filled, and carries on what enters it.
-    pub(super) fn passes(&self, k: usize) -> bool {
-        self.passed[k] > 0.0
+    /// Marks the nodes that are not filled and carry fluid on to node `k`, upstream as far as `may` says.
+    pub(super) fn link(&self, k: usize, may: impl Fn(usize) -> bool, linked: &mut [bool]) {
+        let mut up = k - 1;
+        while self.passed[up] > 0.0 && may(up) && !linked[up] {
+            linked[up] = true;
+            up -= 1;
+        }
     }
 
     /// Row of inner node `k` of the fluid block, centre, east, west, north and south: entrainment of first

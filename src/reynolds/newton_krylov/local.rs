@@ -2,7 +2,9 @@
 
 use crate::lubricant::Lubricant;
 use crate::reynolds::active_set::{Fluid, Kind, Solid};
+use crate::reynolds::coupled::Coupled;
 use crate::reynolds::flow::{Discretisation, HeldNeighbour};
+use crate::reynolds::state::ContactState;
 
 /// Bisections and Newton steps of a local solve.
 const MAX_STEPS: u32 = 60;
@@ -34,6 +36,16 @@ pub(super) struct NodeState {
     pub(super) fluid_pressure: f64,
     /// Plastic depth of a node whose fluid is at the limit, zero otherwise \[m\].
     pub(super) depth: f64,
+}
+
+impl NodeState {
+    /// Makes this the state of node `k`.
+    pub(super) fn put(self, k: usize, coupled: &mut Coupled, state: &mut ContactState) {
+        coupled.kinds[k] = self.kind;
+        state.pressure[k] = self.pressure;
+        state.fluid_pressure[k] = self.fluid_pressure;
+        state.plastic_depth[k] = self.depth;
+    }
 }
 
 /// Constants of a node's own equations.

@@ -124,11 +124,7 @@ impl BlockPreconditioner {
     fn link(&mut self, linearisation: &Linearisation, unknowns: &Unknowns) {
         self.linked.fill(false);
         for &k in unknowns.balanced() {
-            let mut up = k as usize - 1;
-            while linearisation.passes(up) && !self.linked[up] {
-                self.linked[up] = true;
-                up -= 1;
-            }
+            linearisation.link(k as usize, |_| true, &mut self.linked);
         }
     }
 

@@ -131,10 +131,7 @@ impl Workspace {
             };
             self.foreseen[k] = elastic_film;
             self.pockets.pressure[k] = pressure;
-            coupled.kinds[k] = node.kind;
-            state.pressure[k] = node.pressure;
-            state.fluid_pressure[k] = node.fluid_pressure;
-            state.plastic_depth[k] = node.depth;
+            node.put(k, coupled, state);
         }
         state.approach += length * unknowns.approach(step);
         self.eliminate_pockets(problem, state, elimination);

@@ -135,11 +135,7 @@ impl Window {
             let k = self.whole_index(q);
             settled[k] = true;
             if is_better && self.chosen[q] {
-                let node = self.best[q];
-                coupled.kinds[k] = node.kind;
-                state.pressure[k] = node.pressure;
-                state.fluid_pressure[k] = node.fluid_pressure;
-                state.plastic_depth[k] = node.depth;
+                self.best[q].put(k, coupled, state);
             }
         }
     }
@@ -188,13 +184,13 @@ impl Window {
                 (_, Solid::Open) => elastic_film,
             };
         }
-        let previous = problem.squeeze.is_some().then_some(&self.previous_mass[..]);
+        let previous = previous(problem, &self.previous_mass);
         self.fluid.update_window(lubricant, &self.pressure, &self.film, previous);
     }
 
     /// Sum of the imbalances of the chosen nodes.
     fn lack(&self, problem: &LubricatedContact<'_>) -> f64 {
-        let previous = problem.squeeze.is_some().then_some(&self.previous_mass[..]);
+        let previous = previous(problem, &self.previous_mass);
         let chosen = (0..self.grid.len()).filter(|&q| self.chosen[q]);
         chosen.map(|q| self.fluid.imbalance(q, previous).abs()).sum()
     }
@@ -212,7 +208,7 @@ impl Window {
         if !self.linear_step(problem, film_unit, own) {
             return false;
         }
-        let previous = problem.squeeze.is_some().then_some(&self.previous_mass[..]);
+        let previous = previous(problem, &self.previous_mass);
         for q in (0..self.grid.len()).filter(|&q| self.chosen[q]) {
             let NodeState { kind, pressure, .. } = self.nodes[q];
             let change = f64::from(self.pressure_change[q]) * problem.reference_pressure;
@@ -259,13 +255,11 @@ impl Window {
             let has_balance = self.chosen[q] && node.kind.has_balance();
             self.moves[q] = f32::from(has_balance);
             self.response[q] = f32::from(has_balance && !node.kind.is_contact());
-            let mut up = q.saturating_sub(1);
-            while has_balance && self.chosen[up] && self.linearisation.passes(up) && !self.linked[up] {
-                self.linked[up] = true;
-                up -= 1;
+            if has_balance {
+                self.linearisation.link(q, |up| self.chosen[up], &mut self.linked);
             }
         }
-        let previous = problem.squeeze.is_some().then_some(&self.previous_mass[..]);
+        let previous = previous(problem, &self.previous_mass);
         for (q, row) in self.stencil.chunks_exact_mut(STENCIL).enumerate() {
             let is_unknown = self.moves[q] > 0.0;
             let entries = if is_unknown || self.linked[q] {
@@ -288,4 +282,9 @@ impl Window {
         self.linearisation.product(&self.pressure_change, &self.film_change, &mut self.balance_change);
         true
     }
+}
+
+/// The masses of the previous time, those of a window, where there is one.
+fn previous<'a>(problem: &LubricatedContact<'_>, mass: &'a [f64]) -> Option<&'a [f64]> {
+    problem.squeeze.is_some().then_some(mass)
 }

@@ -61,9 +61,9 @@ pub struct ErrorEstimate {
 /// The meshes of one contact, of which nothing is solved yet.
 pub(super) enum Meshes {
     /// Of a smooth contact, box and cells picked.
-    Smooth(smooth::Picked),
+    Smooth(Box<smooth::Picked>),
     /// Of a rough one, or of given cells.
-    Rough(rough::Halving),
+    Rough(Box<rough::Halving>),
 }
 
 impl Meshes {
@@ -83,16 +83,19 @@ impl Meshes {
             (GridSpec::Accuracy { accuracy }, None) => {
                 setup::validate_accuracy("grid.accuracy", accuracy)?;
                 if scene.is_smooth() {
-                    return Ok(Self::Smooth(smooth::Picked::new(scene, accuracy, interrupt)?));
+                    let meshes = smooth::Picked::new(scene, accuracy, interrupt)?;
+                    return Ok(Self::Smooth(Box::new(meshes)));
                 }
                 let grid = rough::cells_of_waves(scene, accuracy)?;
                 let scene = Scene { grid, ..scene.clone() };
-                return Ok(Self::Rough(rough::Halving::new(scene, accuracy, "grid.accuracy", interrupt)?));
+                let meshes = rough::Halving::new(scene, accuracy, "grid.accuracy", interrupt)?;
+                return Ok(Self::Rough(Box::new(meshes)));
             }
             (_, Some(accuracy)) => (accuracy, "solver.accuracy"),
             (_, None) => (f64::INFINITY, "solver.estimate"),
         };
-        Ok(Self::Rough(rough::Halving::new(scene.clone(), accuracy, field, interrupt)?))
+        let meshes = rough::Halving::new(scene.clone(), accuracy, field, interrupt)?;
+        Ok(Self::Rough(Box::new(meshes)))
     }
 
     /// Solves on one mesh after the other and estimates the errors of the last.
@@ -107,7 +110,7 @@ impl Meshes {
     pub(super) fn into_warnings(self) -> Vec<Warning> {
         match self {
             Self::Smooth(meshes) => meshes.warnings,
-            Self::Rough(meshes) => meshes.warnings,
+            Self::Rough(meshes) => meshes.into_warnings(),
         }
     }
 }

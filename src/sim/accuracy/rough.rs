@@ -51,8 +51,10 @@ pub(in crate::sim) struct Halving {
     surfaces: Surfaces,
     /// What may end a solve early.
     interrupt: Option<Interrupt>,
-    /// What is known before anything is solved.
-    pub(super) warnings: Vec<Warning>,
+    /// The contact on half the cells.
+    half: Prepared,
+    /// The contact on the mesh that is asked for.
+    whole: Prepared,
 }
 
 impl Halving {
@@ -63,45 +65,46 @@ impl Halving {
         field: &'static str,
         interrupt: Option<&Interrupt>,
     ) -> Result<Self, SimError> {
-        let (surfaces, warnings) = (surfaces(&scene, field)?, Vec::new());
-        let meshes = Self { scene, accuracy, field, surfaces, interrupt: interrupt.cloned(), warnings };
-        meshes.on_half()?;
-        let warnings = meshes.on(&meshes.scene)?.warnings;
-        Ok(Self { warnings, ..meshes })
+        let surfaces = surfaces(&scene, field)?;
+        let halved = Scene { grid: of_cells(scene.grid, |n| n.div_ceil(2)), ..scene.clone() };
+        let half = on(&halved, &surfaces, interrupt).map_err(|error| on_half(error, field))?;
+        let whole = on(&scene, &surfaces, interrupt)?;
+        Ok(Self { scene, accuracy, field, surfaces, interrupt: interrupt.cloned(), half, whole })
     }
 
-    /// The contact on the mesh of `scene`.
-    fn on(&self, scene: &Scene) -> Result<Prepared, SimError> {
-        prepare_heights(scene, self.interrupt.as_ref(), self.surfaces.on(&scene.grid()?)?)
-    }
-
-    /// The contact on half the cells.
-    fn on_half(&self) -> Result<Prepared, SimError> {
-        let halved = Scene { grid: of_cells(self.scene.grid, |n| n.div_ceil(2)), ..self.scene.clone() };
-        self.on(&halved).map_err(|error| on_half(error, self.field))
+    /// What is known before anything is solved.
+    pub(super) fn into_warnings(self) -> Vec<Warning> {
+        self.whole.warnings
     }
 
     /// Solves until the largest of the four estimated errors is at most the accuracy, or a mesh is not
     /// solved, or the next one would be too large.
     pub(super) fn solve(self) -> Result<ContactSolution, SimError> {
-        let mut coarse = self.on_half()?.solve().map_err(|error| on_half(error, self.field))?;
-        let mut scene = self.scene.clone();
+        let Self { mut scene, accuracy, field, surfaces, interrupt, half, whole } = self;
+        let mut coarse = half.solve().map_err(|error| on_half(error, field))?;
+        let mut contact = whole;
         let mut work = Spent::default();
         work.add(&coarse);
         loop {
-            let mut solution = self.on(&scene)?.solve()?;
+            let mut solution = contact.solve()?;
             work.add(&solution);
             solution.error_estimate = change::estimate(&coarse, &solution);
             let error = solution.error_estimate.map_or(f64::INFINITY, |estimate| largest(&estimate));
             let finer = Scene { grid: of_cells(scene.grid, |n| 2 * n), ..scene.clone() };
             let unsolved = solution.report.status != Status::Converged;
-            if error <= self.accuracy || unsolved || !is_affordable(&finer) {
+            if error <= accuracy || unsolved || !is_affordable(&finer) {
                 solution.report.work = work.on(&solution.grid);
                 return Ok(solution);
             }
+            contact = on(&finer, &surfaces, interrupt.as_ref())?;
             (coarse, scene) = (solution, finer);
         }
     }
+}
+
+/// The contact on the mesh of `scene`.
+fn on(scene: &Scene, surfaces: &Surfaces, interrupt: Option<&Interrupt>) -> Result<Prepared, SimError> {
+    prepare_heights(scene, interrupt, surfaces.on(&scene.grid()?)?)
 }
 
 /// What an accuracy of a rough contact bounds.

@@ -261,14 +261,21 @@ impl Discretisation {
         previous: Option<&[f64]>,
     ) {
         self.update_faces(lubricant, pressure, film);
-        for (carried, (mass, beyond)) in self.carried.iter_mut().zip(self.masses.iter().zip(&self.beyond)) {
-            *carried = mass + beyond;
+        self.carry(0, pressure, previous);
+    }
+
+    /// What the gaps hold and carry through the faces to the east, where the first `held` columns are as they
+    /// should be.
+    fn carry(&mut self, held: usize, pressure: &[f64], previous: Option<&[f64]>) {
+        let (nx, n) = (self.grid.nx(), self.grid.len());
+        for k in (0..n).step_by(nx).flat_map(|first| first + held..first + nx) {
+            self.carried[k] = self.masses[k] + self.beyond[k];
+            self.content[k] = 1.0;
         }
-        self.content.fill(1.0);
         self.passed.fill(0.0);
         if self.cavitation == Cavitation::MassConserving {
             self.starve();
-            for k in interior(&self.grid).filter(|k| pressure[*k] <= 0.0) {
+            for k in interior(&self.grid).filter(|k| pressure[*k] <= 0.0 && k % nx >= held) {
                 self.fill(k, previous);
             }
         }

@@ -3,11 +3,9 @@
 //! Newton's method on a pocket works on a window of its own size: coefficients and what crosses the western
 //! edge are copied from the whole, and balances of nodes within [`MARGIN`] of an edge are not asked for.
 
-use super::super::cavitation::Cavitation;
 use super::super::shear_thinning::NodeRatios;
 use super::Discretisation;
 use crate::lubricant::Lubricant;
-use crate::reynolds::problem::interior;
 
 /// Nodes along each edge of a window whose balances want more than the window holds.
 pub(in crate::reynolds) const MARGIN: usize = 3;
@@ -54,16 +52,6 @@ impl Discretisation {
         previous: Option<&[f64]>,
     ) {
         self.update_faces(lubricant, pressure, film);
-        let nx = self.grid.nx();
-        self.passed.fill(0.0);
-        for k in (0..self.grid.len()).filter(|k| k % nx >= HELD_COLUMNS) {
-            self.carried[k] = self.masses[k] + self.beyond[k];
-            self.content[k] = 1.0;
-        }
-        if self.cavitation == Cavitation::MassConserving {
-            for k in interior(&self.grid).filter(|k| k % nx >= HELD_COLUMNS && pressure[*k] <= 0.0) {
-                self.fill(k, previous);
-            }
-        }
+        self.carry(HELD_COLUMNS, pressure, previous);
     }
 }
