@@ -89,7 +89,7 @@ pub(super) struct FaceFlow {
 
 impl FaceMobility {
     /// The mobility of a Newtonian fluid between two nodes.
-    #[inline]
+    #[inline(always)] // Callers that want the mobility alone drop the derivatives.
     pub(super) fn of(self, fluidity: f64, a: &NodeFlow, b: &NodeFlow, direction: Direction) -> FaceFlow {
         match self {
             Self::Arithmetic | Self::ReducedPressure => FaceFlow {
@@ -122,7 +122,7 @@ impl FaceFlow {
     /// The same times `1 + (rho_1/rho_0 - 1)(1 - h_1/h_0)` where the film falls and the density rises along
     /// the flow: what the denser fluid carries on through the film downstream need not be pushed back in the
     /// inlet.
-    #[inline]
+    #[inline(always)]
     fn densified(self, a: &NodeFlow, b: &NodeFlow) -> Self {
         let (rise, fall) = (b.density / a.density - 1.0, 1.0 - b.film / a.film);
         if !(rise > 0.0 && fall > 0.0) {
@@ -165,7 +165,7 @@ impl FaceFlow {
 
 /// What takes the place of `h^3` between the films `a` and `b`, and its derivatives by both, by the film of
 /// the face over `a` and by the factor of the inlet.
-#[inline]
+#[inline(always)]
 fn wedge(a: f64, b: f64, direction: Direction) -> [f64; 5] {
     let sum = a + b;
     if sum == 0.0 {

@@ -52,7 +52,8 @@ impl Inlet {
         let one = 1.0 + y;
         let (even, even_y) = (y, 1.0);
         let ratio = ((up - next) / fall).max(EVEN);
-        let g = SMALL * y * (1.0 + GROWTH * y).powf(-5.0 / 3.0);
+        let root = (1.0 + GROWTH * y).cbrt();
+        let g = SMALL * y / (root * root).powi(2) / root;
         let g_y = g * (1.0 / y - 5.0 / 3.0 * GROWTH / (1.0 + GROWTH * y));
         let (edge, edge_y) = (2.0 * one * one * g, 2.0 * one * (2.0 * g + one * g_y));
         let (rise, rise_y, rise_ratio) = if ratio < AT_NODE {
@@ -62,7 +63,7 @@ impl Inlet {
             let (weight, weight_ratio) = (root.powi(4), 4.0 * root.powi(3) / (AT_NODE - EVEN));
             (even + weight * (edge - even), even_y + weight * (edge_y - even_y), weight_ratio * (edge - even))
         } else {
-            let power = ratio.powf(2.0 / 3.0);
+            let power = ratio.cbrt().powi(2);
             let place = 1.0 / (power - 1.0);
             (place * edge, place * edge_y, -2.0 / 3.0 * power / ratio * place * place * edge)
         };

@@ -12,8 +12,8 @@ use crate::reynolds::{ReynoldsError, StoppingRule};
 use crate::strategy::Strategy;
 
 impl Workspace {
-    /// Solves from the state as it is if it carries pressure; else, and again where that stalls, from the dry
-    /// contact; at last by another way. Leaves the best state.
+    /// Solves from the state as it is if it carries pressure and is near; else, and again where that stalls,
+    /// from the dry contact; at last by another way. Leaves the best state.
     pub(super) fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -99,8 +99,9 @@ impl Workspace {
         Ok(status)
     }
 
-    /// One attempt, from the dry contact by film homotopy if it is `cold`. Leaves another cut-off in the
-    /// problem.
+    /// One attempt, from the dry contact by film homotopy if it is `cold` or the state is not near: farther
+    /// than [`NewtonSettings::near_below`](super::NewtonSettings::near_below) the dry contact mostly is the
+    /// better start. Contacts on another way are taken as they are. Leaves another cut-off in the problem.
     fn attempt(
         &mut self,
         attempt: Attempt,
@@ -109,20 +110,28 @@ impl Workspace {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
-        let film_cutoff = problem.film_cutoff;
-        if cold {
+        let mut homotopy = Homotopy { film_cutoff: problem.film_cutoff, condition: problem.cavitation };
+        self.coupled.configure(problem);
+        let mut pseudo_transient = STEADY;
+        let mut is_near = false;
+        if !cold {
+            self.begin(problem, state, homotopy)?;
+            let on_another_way = !matches!(self.strategy, Strategy::Attempt(_));
+            is_near = on_another_way || self.residuals.max() <= self.settings.near_below;
+        }
+        if !is_near {
             state.pressure.fill(0.0);
-            let first = attempt.first_contact_film * film_cutoff;
+            let first = attempt.first_contact_film * problem.film_cutoff;
             if attempt.gentle {
                 problem.film_cutoff = first;
             }
             self.work += self.start.run(problem, state, attempt.start_tolerance)?;
             problem.film_cutoff = first;
+            (homotopy.condition, pseudo_transient) = (Cavitation::Reynolds, attempt.pseudo_transient);
+            self.work.convolutions += self.coupled.convolutions;
+            self.coupled.configure(problem);
+            self.begin(problem, state, homotopy)?;
         }
-        self.coupled.configure(problem);
-        let pseudo_transient = if cold { attempt.pseudo_transient } else { STEADY };
-        let condition = if cold { Cavitation::Reynolds } else { problem.cavitation };
-        let homotopy = Homotopy { film_cutoff, condition };
         self.newton(problem, state, stop, Attempt { pseudo_transient, ..attempt }, homotopy)
     }
 }

@@ -10,7 +10,21 @@ use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
 impl Workspace {
-    /// Newton steps until `stop` or a stall, along the `homotopy`. Keeps the best state of all attempts.
+    /// Evaluates a state of unknown origin under the condition of the `homotopy`.
+    pub(super) fn begin(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        homotopy: Homotopy,
+    ) -> Result<(), ReynoldsError> {
+        self.coupled.fluid.set_cavitation(homotopy.condition);
+        self.coupled.begin(problem, state)?;
+        self.residuals = self.coupled.residuals(problem, state);
+        Ok(())
+    }
+
+    /// Newton steps from a state that has begun until `stop` or a stall, along the `homotopy`. Keeps the best
+    /// state of all attempts.
     pub(super) fn newton(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -19,12 +33,9 @@ impl Workspace {
         attempt: Attempt,
         mut homotopy: Homotopy,
     ) -> Result<Status, ReynoldsError> {
-        self.coupled.fluid.set_cavitation(homotopy.condition);
-        self.coupled.begin(problem, state)?;
         let left = stop.max_iterations.saturating_sub(self.work.iterations);
         let limit = left.min(attempt.most_steps);
         let mut globalisation = Globalisation::new(attempt, problem.reference_pressure);
-        self.residuals = self.coupled.residuals(problem, state);
         for iteration in 0..=limit {
             if !self.residuals.is_finite() {
                 return Ok(Status::Diverged);

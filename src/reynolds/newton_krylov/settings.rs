@@ -19,14 +19,15 @@ pub struct NewtonSettings {
     pub follows_time: bool,
     /// Krylov steps of a linear solve; at least 1.
     pub krylov_steps: usize,
-    /// Largest pressure change of one step, in reference pressures; above 0.
+    /// Largest pressure change of one step, in reference pressures times the cells in a reference half-width;
+    /// above 0. What a node changes of its own film is then the same on all meshes.
     pub largest_change: f64,
     /// Contact film of a Newton step over that of the step before, down to the one of the problem (film
     /// homotopy); between 0 and 1.
     pub film_reduction: f64,
-    /// The residual below which the pseudo-transient term falls in proportion to it, and cavitation is that
-    /// of the problem; above 0. Near the solution a step in time holds back the approach, and the whole
-    /// contact with it.
+    /// The residual below which a state is near the solution: one that is given is taken for a start, the
+    /// pseudo-transient term falls in proportion to the residual, and cavitation is that of the problem; above
+    /// 0. Near the solution a step in time holds back the approach, and the whole contact with it.
     pub near_below: f64,
     /// Growth of the residual above which a step is taken again at [`shorter`](Self::shorter) length, and how
     /// often at most: anywhere, below [`Attempt::careful_below`], and after [`patience`](Self::patience)
@@ -121,7 +122,7 @@ const FIRST: Attempt = Attempt {
     careful_below: 30.0,
     start_tolerance: 0.03,
     krylov_tolerance: 0.3,
-    most_steps: 60,
+    most_steps: 80,
 };
 
 /// Without a step in time, and linear systems solved well: a start that is close.
@@ -144,7 +145,7 @@ impl Default for NewtonSettings {
             attempts,
             follows_time: true,
             krylov_steps: 100,
-            largest_change: 1.0,
+            largest_change: 0.05,
             film_reduction: 0.5,
             near_below: 100.0,
             growth: [(4.0, 1), (2.0, 3), (1.0, 2)],

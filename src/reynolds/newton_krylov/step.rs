@@ -104,7 +104,9 @@ impl Workspace {
         let Self { coupled, unknowns, .. } = self;
         let step = &self.step[..unknowns.len()];
         let largest = unknowns.largest_pressure(step);
-        let length = most * (self.settings.largest_change * problem.reference_pressure / largest).min(1.0);
+        let cells = problem.reference_half_widths.0 / coupled.fluid.grid.dx();
+        let allowed = self.settings.largest_change * cells * problem.reference_pressure;
+        let length = most * (allowed / largest).min(1.0);
         let (contact_film, own_influence) = (problem.contact_film(), coupled.near.own);
         for k in 0..state.pressure.len() {
             let kind = coupled.kinds[k];

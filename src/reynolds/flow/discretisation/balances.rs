@@ -114,7 +114,11 @@ impl Discretisation {
 
     /// Flow through all faces of node `k` per potential, neighbours held.
     pub(super) fn conductance(&self, k: usize) -> f64 {
-        self.neighbours(k).into_iter().map(|(_, c, mobility)| c * mobility).sum()
+        let mut sum = 0.0;
+        for (_, c, mobility) in self.neighbours(k) {
+            sum += c * mobility;
+        }
+        sum
     }
 
     /// Sum of the coefficients that multiply the own pressure: how strongly `F_k` resists it \[m/Pa\].

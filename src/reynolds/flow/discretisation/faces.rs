@@ -81,7 +81,7 @@ impl Discretisation {
     }
 
     /// Mobility of the face between the nodes `a` and `b`.
-    #[inline]
+    #[inline(always)] // Callers that want the mobility alone drop the derivatives.
     pub(super) fn face_flow(&self, a: usize, b: usize, direction: Direction) -> FaceFlow {
         let flow = self.face_mobility.of(self.fluidity, &self.nodes[a], &self.nodes[b], direction);
         if self.ratios.is_empty() {

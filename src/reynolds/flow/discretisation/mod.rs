@@ -336,10 +336,11 @@ impl Discretisation {
     /// Flow by pressure out of node `k`.
     fn pressure_outflow(&self, k: usize) -> f64 {
         let own = self.nodes[k].potential;
-        self.neighbours(k)
-            .into_iter()
-            .map(|(o, c, mobility)| c * mobility * (own - self.nodes[o].potential))
-            .sum()
+        let mut sum = 0.0;
+        for (o, c, mobility) in self.neighbours(k) {
+            sum += c * mobility * (own - self.nodes[o].potential);
+        }
+        sum
     }
 
     /// What node `k` holds, `theta rho/rho_0 h` \[m\].
