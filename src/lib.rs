@@ -99,6 +99,7 @@ mod strategy;
 pub mod surface;
 #[cfg(feature = "testing")]
 pub mod testing;
+mod text_file;
 pub mod thermal;
 pub mod tribochem;
 pub mod units;

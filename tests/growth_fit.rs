@@ -110,6 +110,11 @@ fn tables_and_starts_that_do_not_fit_are_refused() {
     assert!(error.to_string().contains("2,film"), "{error}");
     let error = GrowthCurve::read_csv("no/such/file.csv").unwrap_err();
     assert!(error.to_string().contains("no/such/file.csv"), "{error}");
+    let path = std::env::temp_dir().join(format!("stribeck_growth_{}.csv", std::process::id()));
+    std::fs::File::create(&path).unwrap().set_len(17 << 20).unwrap();
+    let error = GrowthCurve::read_csv(&path).unwrap_err();
+    std::fs::remove_file(&path).unwrap();
+    assert!(error.to_string().contains("the file has 17825792 bytes"), "{error}");
     let curve = measured(40, 7200.0, 1e-9, 3);
     let negative = [("h_max", -1.0), ("x_tribo", 1e-16), ("C3", 20e-9), ("C4", 1e-3)];
     let error = fit_growth_law(&curve, &rubbing(), &negative, ghanbarzadeh).unwrap_err();

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::scene::Schedule;
-use super::text_file;
 use crate::error::InputError;
+use crate::text_file;
 
 /// A time that is short of an entry by less than this share of it has reached it: sums of steps are rounded.
 const ROUNDING: f64 = 1e-9;

@@ -68,7 +68,6 @@ mod start;
 #[cfg(all(feature = "formats", feature = "npz"))]
 mod start_file;
 mod step_control;
-mod text_file;
 mod timetable;
 mod track;
 #[cfg(feature = "vtk")]

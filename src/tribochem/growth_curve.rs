@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::fit::FitError;
 use crate::error::InputError;
+use crate::text_file;
 
 /// A film that was measured at several times while it rubbed, bare at the start.
 ///
@@ -85,12 +86,12 @@ impl GrowthCurve {
     /// Reads a file; see [`GrowthCurve::from_csv`].
     ///
     /// # Errors
-    /// [`FitError::Io`] where the file cannot be opened; those of [`GrowthCurve::from_csv`].
+    /// [`FitError::Io`] where the file cannot be read or has more than 16 MB; those of
+    /// [`GrowthCurve::from_csv`].
     pub fn read_csv(path: impl AsRef<Path>) -> Result<Self, FitError> {
         let path = path.as_ref();
-        let file =
-            std::fs::File::open(path).map_err(|source| FitError::Io { path: path.to_owned(), source })?;
-        Self::from_csv(file)
+        let text = text_file::read(path).map_err(|source| FitError::Io { path: path.to_owned(), source })?;
+        Self::from_csv(text.as_bytes())
     }
 
     /// Times since the surface was bare \[s\].

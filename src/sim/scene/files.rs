@@ -9,7 +9,8 @@ use serde::Deserialize;
 use toml::de::DeTable;
 
 use super::{Roughness, Scene, keys, missing};
-use crate::sim::{SimError, text_file};
+use crate::sim::SimError;
+use crate::text_file;
 
 /// Characters of a line that a syntax error quotes.
 const LONGEST_QUOTE: usize = 80;

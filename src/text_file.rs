@@ -1,6 +1,6 @@
 //! Text files from strangers: read whole, and refused where they are too large for it.
 //!
-//! Scene files and tables of schedules are read through it: their size is known before memory is taken.
+//! Scene files, tables of schedules and measured films are read through it: their size is known before memory is taken.
 
 use std::fs::File;
 use std::io::{Error, ErrorKind, Read};
@@ -10,7 +10,7 @@ use std::path::Path;
 const LARGEST: u64 = 1 << 24;
 
 /// The text of a file of at most 16 MB; memory is taken for what the file really holds.
-pub(super) fn read(path: &Path) -> std::io::Result<String> {
+pub(crate) fn read(path: &Path) -> std::io::Result<String> {
     let file = File::open(path)?;
     let too_large = |size: String| {
         let message = format!("the file has {size} bytes, at most {LARGEST} are read");
