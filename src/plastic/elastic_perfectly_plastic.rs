@@ -38,7 +38,7 @@ impl ElasticPerfectlyPlastic {
     /// # Errors
     /// A hardness that is not finite and positive.
     pub fn uniform(hardness: f64) -> Result<Self, InputError> {
-        InputError::require_positive("plastic.hardness", hardness)?;
+        InputError::require_positive("hardness", hardness)?;
         Ok(Self { substrate: hardness, drop: 0.0, per_thickness: 0.0 })
     }
 
@@ -48,9 +48,9 @@ impl ElasticPerfectlyPlastic {
     /// # Errors
     /// A value that is not finite and positive.
     pub fn with_film(substrate: f64, film: f64, reference_thickness: f64) -> Result<Self, InputError> {
-        InputError::require_positive("plastic.substrate_hardness", substrate)?;
-        InputError::require_positive("plastic.film_hardness", film)?;
-        InputError::require_positive("plastic.reference_thickness", reference_thickness)?;
+        InputError::require_positive("substrate_hardness", substrate)?;
+        InputError::require_positive("film_hardness", film)?;
+        InputError::require_positive("reference_thickness", reference_thickness)?;
         Ok(Self { substrate, drop: substrate - film, per_thickness: 1.0 / reference_thickness })
     }
 

@@ -33,7 +33,7 @@ impl IsotropicHardening {
     /// # Errors
     /// A modulus that is negative or not finite.
     pub fn new(initial: ElasticPerfectlyPlastic, modulus: f64) -> Result<Self, InputError> {
-        InputError::require_non_negative("plastic.hardening_modulus", modulus)?;
+        InputError::require_non_negative("hardening_modulus", modulus)?;
         Ok(Self { initial, modulus })
     }
 }

@@ -383,6 +383,14 @@ fn plasticity_model(
     spec: &PlasticSpec,
     film_thickness: Option<f64>,
 ) -> Result<Box<dyn PlasticityModel>, InputError> {
+    bare_plasticity_model(spec, film_thickness).map_err(|error| error.within("plastic"))
+}
+
+/// The same; errors name the constants of the model alone.
+fn bare_plasticity_model(
+    spec: &PlasticSpec,
+    film_thickness: Option<f64>,
+) -> Result<Box<dyn PlasticityModel>, InputError> {
     let initial = match (spec.film_hardness, film_thickness) {
         (Some(film), Some(full)) => ElasticPerfectlyPlastic::with_film(spec.hardness, film, full)?,
         _ => ElasticPerfectlyPlastic::uniform(spec.hardness)?,

@@ -28,19 +28,19 @@ pub(super) struct Barrier {
 impl Barrier {
     /// A barrier whose constants are in range.
     pub(super) fn new(prefactor: f64, energy: f64, volume: f64) -> Result<Self, InputError> {
-        InputError::require_positive("tribofilm.prefactor", prefactor)?;
-        InputError::require_non_negative("tribofilm.activation_energy", energy)?;
-        InputError::require_non_negative("tribofilm.activation_volume", volume)?;
+        InputError::require_positive("prefactor", prefactor)?;
+        InputError::require_non_negative("activation_energy", energy)?;
+        InputError::require_non_negative("activation_volume", volume)?;
         Ok(Self { prefactor, energy, volume })
     }
 
     /// The same barrier with the prefactor that gives `rate` at `stress` and `temperature`.
     pub(super) fn calibrated(mut self, rate: f64, stress: f64, temperature: f64) -> Result<Self, InputError> {
-        InputError::require_positive("tribofilm.rate_constant", rate)?;
-        InputError::require_non_negative("tribofilm.reference_stress", stress)?;
-        InputError::require_positive("tribofilm.reference_temperature", temperature)?;
+        InputError::require_positive("rate_constant", rate)?;
+        InputError::require_non_negative("reference_stress", stress)?;
+        InputError::require_positive("reference_temperature", temperature)?;
         self.prefactor = rate / self.boltzmann_factor(stress, temperature);
-        InputError::require_positive("tribofilm.prefactor", self.prefactor)?;
+        InputError::require_positive("prefactor", self.prefactor)?;
         Ok(self)
     }
 

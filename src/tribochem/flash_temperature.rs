@@ -105,7 +105,7 @@ impl FlashTemperature {
     pub fn new(grid: &Grid, bodies: [ThermalBody; 2], speeds: [f64; 2]) -> Result<Self, InputError> {
         for (body, speed) in bodies.iter().zip(speeds) {
             body.validate()?;
-            InputError::require(speed.is_finite(), "thermal.speed", speed, "finite")?;
+            InputError::require(speed.is_finite(), "speed", speed, "finite")?;
         }
         let [first, second] = [0, 1].map(|b| MovingSource::new(grid, bodies[b], speeds[b]));
         let plan = |kernel: &dyn Fn(isize, isize) -> f64| {
@@ -293,7 +293,7 @@ pub fn estimate_rise_under_flux(
     let mut inverse = 0.0;
     for (body, speed) in bodies.iter().zip(speeds) {
         body.validate()?;
-        InputError::require(speed.is_finite(), "thermal.speed", speed, "finite")?;
+        InputError::require(speed.is_finite(), "speed", speed, "finite")?;
         let peclet = 0.5 * speed.abs() * radius / body.diffusivity;
         inverse += body.conductivity * (PI * (1.234 + peclet)).sqrt() / (2.32 * radius);
     }

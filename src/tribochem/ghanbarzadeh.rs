@@ -60,10 +60,10 @@ impl Ghanbarzadeh {
         removal_limit: f64,
         removal_rate: f64,
     ) -> Result<Self, InputError> {
-        InputError::require_positive("tribofilm.maximum_thickness", maximum_thickness)?;
-        InputError::require_positive("tribofilm.x_tribo", x_tribo)?;
-        InputError::require_non_negative("tribofilm.removal_limit", removal_limit)?;
-        InputError::require_non_negative("tribofilm.removal_rate", removal_rate)?;
+        InputError::require_positive("maximum_thickness", maximum_thickness)?;
+        InputError::require_positive("x_tribo", x_tribo)?;
+        InputError::require_non_negative("removal_limit", removal_limit)?;
+        InputError::require_non_negative("removal_rate", removal_rate)?;
         Ok(Self {
             maximum: maximum_thickness,
             rate_per_kelvin: BOLTZMANN / PLANCK * x_tribo,

@@ -17,7 +17,7 @@ use crate::grid::Grid;
 /// use stribeck::tribochem::ThermalBody;
 /// assert_eq!(ThermalBody::default(), ThermalBody::STEEL);
 /// let bad = ThermalBody { conductivity: 0.0, ..ThermalBody::STEEL };
-/// assert!(bad.validate().unwrap_err().to_string().starts_with("thermal.conductivity"));
+/// assert!(bad.validate().unwrap_err().to_string().starts_with("conductivity"));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThermalBody {
@@ -36,8 +36,8 @@ impl ThermalBody {
     /// # Errors
     /// A property that is not finite and positive.
     pub fn validate(&self) -> Result<(), InputError> {
-        InputError::require_positive("thermal.conductivity", self.conductivity)?;
-        InputError::require_positive("thermal.diffusivity", self.diffusivity)
+        InputError::require_positive("conductivity", self.conductivity)?;
+        InputError::require_positive("diffusivity", self.diffusivity)
     }
 }
 

@@ -52,9 +52,9 @@ impl ProportionalRemoval {
         shear_activation_volume: f64,
         removal_rate: f64,
     ) -> Result<Self, InputError> {
-        InputError::require_positive("tribofilm.maximum_thickness", maximum_thickness)?;
-        InputError::require_positive("tribofilm.growth_rate", growth_rate)?;
-        InputError::require_non_negative("tribofilm.removal_rate", removal_rate)?;
+        InputError::require_positive("maximum_thickness", maximum_thickness)?;
+        InputError::require_positive("growth_rate", growth_rate)?;
+        InputError::require_non_negative("removal_rate", removal_rate)?;
         let barrier = Barrier::new(growth_rate, activation_energy, shear_activation_volume)?;
         Ok(Self { maximum: maximum_thickness, barrier, removal_rate, activation: Activation::ShearStress })
     }

@@ -59,7 +59,7 @@ impl StressActivated {
         activation_energy: f64,
         shear_activation_volume: f64,
     ) -> Result<Self, InputError> {
-        InputError::require_positive("tribofilm.maximum_thickness", maximum_thickness)?;
+        InputError::require_positive("maximum_thickness", maximum_thickness)?;
         let barrier = Barrier::new(prefactor, activation_energy, shear_activation_volume)?;
         Ok(Self {
             maximum: maximum_thickness,
@@ -80,7 +80,7 @@ impl StressActivated {
         activation_energy: f64,
         normal_activation_volume: f64,
     ) -> Result<Self, InputError> {
-        InputError::require_positive("tribofilm.maximum_thickness", maximum_thickness)?;
+        InputError::require_positive("maximum_thickness", maximum_thickness)?;
         let barrier = Barrier::new(prefactor, activation_energy, normal_activation_volume)?;
         Ok(Self {
             maximum: maximum_thickness,

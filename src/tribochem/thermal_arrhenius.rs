@@ -39,7 +39,7 @@ impl ThermalArrhenius {
     /// # Errors
     /// A thickness or prefactor that is not positive, a negative energy, a value not finite.
     pub fn new(maximum_thickness: f64, prefactor: f64, activation_energy: f64) -> Result<Self, InputError> {
-        InputError::require_positive("tribofilm.maximum_thickness", maximum_thickness)?;
+        InputError::require_positive("maximum_thickness", maximum_thickness)?;
         let barrier = Barrier::new(prefactor, activation_energy, 0.0)?;
         Ok(Self { maximum: maximum_thickness, barrier, activation: Activation::default() })
     }

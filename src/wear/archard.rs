@@ -68,15 +68,15 @@ impl Archard {
     /// A negative coefficient, `filmed` above `bare`, a thickness or hardness that is not positive, a value
     /// not finite.
     pub fn new(bare: f64, filmed: f64, reference_thickness: f64, hardness: f64) -> Result<Self, InputError> {
-        InputError::require_non_negative("wear.bare_coefficient", bare)?;
+        InputError::require_non_negative("bare_coefficient", bare)?;
         InputError::require(
             filmed.is_finite() && (0.0..=bare).contains(&filmed),
-            "wear.filmed_coefficient",
+            "filmed_coefficient",
             filmed,
             "finite, >= 0 and not above the bare coefficient",
         )?;
-        InputError::require_positive("wear.reference_thickness", reference_thickness)?;
-        InputError::require_positive("wear.hardness", hardness)?;
+        InputError::require_positive("reference_thickness", reference_thickness)?;
+        InputError::require_positive("hardness", hardness)?;
         Ok(Self::from_valid(bare, filmed, reference_thickness, hardness))
     }
 
@@ -118,7 +118,7 @@ impl Archard {
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn with_film_hardness(mut self, film_hardness: f64) -> Result<Self, InputError> {
-        InputError::require_positive("wear.film_hardness", film_hardness)?;
+        InputError::require_positive("film_hardness", film_hardness)?;
         self.softening = film_hardness / self.hardness - 1.0;
         Ok(self)
     }

@@ -42,14 +42,14 @@ impl FrictionalEnergy {
     /// # Errors
     /// A negative volume, `filmed` above `bare`, a thickness that is not positive, a value not finite.
     pub fn new(bare: f64, filmed: f64, reference_thickness: f64) -> Result<Self, InputError> {
-        InputError::require_non_negative("wear.volume_per_energy", bare)?;
+        InputError::require_non_negative("volume_per_energy", bare)?;
         InputError::require(
             filmed.is_finite() && (0.0..=bare).contains(&filmed),
-            "wear.film_volume_per_energy",
+            "film_volume_per_energy",
             filmed,
             "finite, >= 0 and not above that of the bare surface",
         )?;
-        InputError::require_positive("wear.reference_thickness", reference_thickness)?;
+        InputError::require_positive("reference_thickness", reference_thickness)?;
         Ok(Self { bare, drop: bare - filmed, per_thickness: 1.0 / reference_thickness })
     }
 }

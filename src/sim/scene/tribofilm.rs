@@ -150,6 +150,11 @@ impl TribofilmSpec {
     /// # Errors
     /// A constant out of range.
     pub fn law(&self) -> Result<Box<dyn FilmGrowthLaw>, InputError> {
+        self.bare_law().map_err(|error| error.within("tribofilm"))
+    }
+
+    /// The law; errors name its constants alone.
+    fn bare_law(&self) -> Result<Box<dyn FilmGrowthLaw>, InputError> {
         Ok(match *self {
             Self::Ghanbarzadeh(spec) => {
                 let GhanbarzadehSpec { maximum_thickness, x_tribo, removal_limit, removal_rate, activation } =

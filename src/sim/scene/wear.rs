@@ -99,6 +99,11 @@ impl WearSpec {
     pub fn law(&self, hardness: f64, film_thickness: Option<f64>) -> Result<Box<dyn WearLaw>, InputError> {
         // Without a film the reference thickness is never reached: any positive one will do.
         let full = film_thickness.unwrap_or(1.0);
+        self.bare_law(hardness, full).map_err(|error| error.within("wear"))
+    }
+
+    /// The same under films of the `full` thickness \[m\]; errors name the law's constants alone.
+    fn bare_law(&self, hardness: f64, full: f64) -> Result<Box<dyn WearLaw>, InputError> {
         Ok(match *self {
             Self::Archard(spec) => {
                 let mut law = Archard::new(spec.coefficient, spec.film_coefficient, full, hardness)?;
