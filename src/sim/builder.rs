@@ -231,8 +231,9 @@ impl SimBuilder {
         self
     }
 
-    /// Starts [`solve`](Self::solve) from the pressures of an earlier solution on the same grid. The first
-    /// step of a history starts from the bodies alone.
+    /// Starts [`solve`](Self::solve) from the pressures of an earlier solution on the same grid. Newton's
+    /// method forgets them where their residual is above a hundred. The first step of a history starts from
+    /// the bodies alone.
     #[must_use]
     pub fn contact_start(mut self, state: ContactState) -> Self {
         self.contact_start = Some(state);

@@ -51,8 +51,9 @@ use crate::strategy::Strategy;
 /// neighbours held as the step foresees them (nonlinear elimination): that decides its side and follows the
 /// viscosity over its orders of magnitude, where a linear step alone makes nodes go round in cycles.
 ///
-/// A state that carries no pressure is started from the dry contact, which is close to the answer in mixed
-/// lubrication: the asperities already carry their load and the fluid fills what is left. A contact that
+/// A state that carries no pressure, or whose residual is above [`NewtonSettings::near_below`], is started
+/// from the dry contact, which is close to the answer in mixed lubrication: the asperities already carry
+/// their load and the fluid fills what is left. A contact that
 /// stalls from there is followed in time, from the dry contact full of fluid until it rests.
 #[derive(Debug)]
 pub struct NewtonKrylov {
