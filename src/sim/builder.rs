@@ -232,8 +232,9 @@ impl SimBuilder {
     }
 
     /// Starts [`solve`](Self::solve) from the pressures of an earlier solution on the same grid. Newton's
-    /// method forgets them where their residual is above a hundred. The first step of a history starts from
-    /// the bodies alone.
+    /// method forgets them where their residual is above
+    /// [`NewtonSettings::near_below`](crate::reynolds::NewtonSettings::near_below). The first step of a
+    /// history starts from the bodies alone.
     #[must_use]
     pub fn contact_start(mut self, state: ContactState) -> Self {
         self.contact_start = Some(state);
@@ -326,6 +327,7 @@ impl SimBuilder {
             (Some(model), _) => Some(PerBody::same(model)),
             (None, Some(spec)) => Some(PerBody::by(scene.hardnesses(spec.hardness), |hardness| {
                 plasticity_model(&PlasticSpec { hardness, ..spec }, film_thickness)
+                    .map_err(|error| error.within("plastic"))
             })?),
             (None, None) => None,
         };
@@ -379,16 +381,8 @@ impl SimBuilder {
 }
 
 /// The plasticity model of one body: a hardness, linear in the thickness of a tribofilm that is softer, and
-/// growing with the plastic depth where a modulus is given.
+/// growing with the plastic depth where a modulus is given. Errors name its constants alone.
 fn plasticity_model(
-    spec: &PlasticSpec,
-    film_thickness: Option<f64>,
-) -> Result<Box<dyn PlasticityModel>, InputError> {
-    bare_plasticity_model(spec, film_thickness).map_err(|error| error.within("plastic"))
-}
-
-/// The same; errors name the constants of the model alone.
-fn bare_plasticity_model(
     spec: &PlasticSpec,
     film_thickness: Option<f64>,
 ) -> Result<Box<dyn PlasticityModel>, InputError> {

@@ -110,28 +110,25 @@ impl Workspace {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
-        let mut homotopy = Homotopy { film_cutoff: problem.film_cutoff, condition: problem.cavitation };
-        self.coupled.configure(problem);
-        let mut pseudo_transient = STEADY;
-        let mut is_near = false;
+        let given = Homotopy { film_cutoff: problem.film_cutoff, condition: problem.cavitation };
         if !cold {
-            self.begin(problem, state, homotopy)?;
+            self.begin(problem, state, given)?;
             let on_another_way = !matches!(self.strategy, Strategy::Attempt(_));
-            is_near = on_another_way || self.residuals.max() <= self.settings.near_below;
-        }
-        if !is_near {
-            state.pressure.fill(0.0);
-            let first = attempt.first_contact_film * problem.film_cutoff;
-            if attempt.gentle {
-                problem.film_cutoff = first;
+            if on_another_way || self.residuals.max() <= self.settings.near_below {
+                let steadily = Attempt { pseudo_transient: STEADY, ..attempt };
+                return self.newton(problem, state, stop, steadily, given);
             }
-            self.work += self.start.run(problem, state, attempt.start_tolerance)?;
-            problem.film_cutoff = first;
-            (homotopy.condition, pseudo_transient) = (Cavitation::Reynolds, attempt.pseudo_transient);
             self.work.convolutions += self.coupled.convolutions;
-            self.coupled.configure(problem);
-            self.begin(problem, state, homotopy)?;
         }
-        self.newton(problem, state, stop, Attempt { pseudo_transient, ..attempt }, homotopy)
+        state.pressure.fill(0.0);
+        let first = attempt.first_contact_film * problem.film_cutoff;
+        if attempt.gentle {
+            problem.film_cutoff = first;
+        }
+        self.work += self.start.run(problem, state, attempt.start_tolerance)?;
+        problem.film_cutoff = first;
+        let homotopy = Homotopy { condition: Cavitation::Reynolds, ..given };
+        self.begin(problem, state, homotopy)?;
+        self.newton(problem, state, stop, attempt, homotopy)
     }
 }

@@ -10,13 +10,14 @@ use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
 impl Workspace {
-    /// Evaluates a state of unknown origin under the condition of the `homotopy`.
+    /// Takes over the problem and evaluates a state of unknown origin under the condition of the `homotopy`.
     pub(super) fn begin(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         homotopy: Homotopy,
     ) -> Result<(), ReynoldsError> {
+        self.coupled.configure(problem);
         self.coupled.fluid.set_cavitation(homotopy.condition);
         self.coupled.begin(problem, state)?;
         self.residuals = self.coupled.residuals(problem, state);

@@ -53,8 +53,8 @@ use crate::strategy::Strategy;
 ///
 /// A state that carries no pressure, or whose residual is above [`NewtonSettings::near_below`], is started
 /// from the dry contact, which is close to the answer in mixed lubrication: the asperities already carry
-/// their load and the fluid fills what is left. A contact that
-/// stalls from there is followed in time, from the dry contact full of fluid until it rests.
+/// their load and the fluid fills what is left. A contact that stalls from there is followed in time, from
+/// the dry contact full of fluid until it rests.
 #[derive(Debug)]
 pub struct NewtonKrylov {
     fluid_block: fn(&Grid) -> Box<dyn FluidBlock>,
