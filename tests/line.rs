@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use stribeck::analytic::{HertzLine, LineFilmConditions, strip_displacement, strip_potential};
 use stribeck::elastic::{DeformationModel, LineHalfSpace};
-use stribeck::sim::scene::{Flash, GridSpec, SolverKind};
+use stribeck::sim::scene::{Flash, GridSpec, PlasticSpec, Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, StepRecord, solve_contact};
 use stribeck::surface::Form;
 use stribeck::{Grid, SolverId, Status};
@@ -223,4 +223,19 @@ fn every_solver_takes_a_row() {
     let sweeps = solved(&scene);
     assert_eq!(sweeps.report.solver, SolverId::SemiSystem);
     assert!((sweeps.film.central / newton.film.central - 1.0).abs() < 1e-4);
+}
+
+/// A smooth roller at this speed would have a film of many contact films; a rough one may touch.
+#[test]
+fn rough_rollers_touch_and_converge() {
+    let mut scene = Scene::azam_2019(16);
+    scene.form = Form::Cylinder { radius: RADIUS };
+    scene.load.hertz_pressure = Some(0.5e9);
+    scene.roughness.ball = Roughness::gaussian(20e-9, 10e-6, 1);
+    scene.roughness.disc = Roughness::gaussian(130e-9, 10e-6, 101);
+    scene.plastic = Some(PlasticSpec::new(2e9));
+    let half = 1.7 * 4.0 * RADIUS * 0.5e9 / scene.elastic.equivalent_modulus;
+    scene.grid = GridSpec::Row { nx: 512, x: [-half, half] };
+    let solution = solved(&scene);
+    assert!(solution.contact.load_ratio > 0.02, "{}", solution.contact.load_ratio);
 }

@@ -7,6 +7,7 @@
 //! cargo run --release --example stability_map -- --seed 2         # other roughness
 //! cargo run --release --example stability_map -- --every 11       # slow solvers: every eleventh scene
 //! cargo run --release --example stability_map -- --solver auto --film-heat # films with a temperature of their own
+//! cargo run --release --example stability_map -- --solver auto --lines # rough line contacts
 //! ```
 //!
 //! A solve that calls itself converged is checked from its fields alone: no pressure or gap may be negative,
@@ -34,13 +35,14 @@ use outcome::{Entry, SOLVERS, Solver, Verdict, solve};
 use scenes::{Case, Group};
 
 const USAGE: &str = "\
-usage: cargo run --release --example stability_map -- [--quick] [--every N] [--solver NAME] [--seed N] [--film-heat] [--out DIR]
+usage: cargo run --release --example stability_map -- [--quick] [--every N] [--solver NAME] [--seed N] [--film-heat | --lines] [--out DIR]
 
   --quick        a few coarse scenes
   --every N      every Nth scene with semi_system and paper_contact, which are slow (default 1)
   --solver NAME  auto, newton_krylov, semi_system or paper_contact alone (default: all four)
   --seed N       of the roughness of the ball, the disc's is N + 100 (default 1)
   --film-heat    the scenes on 64 x 64 cells at once, at slide-roll ratios of 0.05 to 2, with the temperature of the film
+  --lines        64 rough line contacts on 512 cells in place of the scenes of the map
   --out DIR      where to write stability.csv and stability.svg (default target/stability_map)
 ";
 const THREADS: usize = 2;
@@ -51,6 +53,7 @@ struct Options {
     solver: Option<Solver>,
     seed: u64,
     film_heat: bool,
+    lines: bool,
     out: PathBuf,
 }
 
@@ -65,6 +68,7 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
         solver: None,
         seed: 1,
         film_heat: false,
+        lines: false,
         out: PathBuf::from("target/stability_map"),
     };
     let mut parser = lexopt::Parser::from_env();
@@ -81,6 +85,7 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
             }
             Long("seed") => options.seed = parser.value()?.parse()?,
             Long("film-heat") => options.film_heat = true,
+            Long("lines") => options.lines = true,
             Long("out") => options.out = PathBuf::from(parser.value()?),
             Long("help") | Short('h') => return Ok(None),
             other => return Err(other.unexpected()),
@@ -90,10 +95,13 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
-    let mut cases = scenes::cases(options.quick, options.seed);
-    if options.film_heat {
-        cases = with_film_heat(cases);
-    }
+    let cases = if options.lines {
+        scenes::lines(options.seed)
+    } else if options.film_heat {
+        with_film_heat(scenes::cases(options.quick, options.seed))
+    } else {
+        scenes::cases(options.quick, options.seed)
+    };
     let every = |solver: Solver| if solver.is_slow() { options.every } else { 1 };
     let jobs: Vec<(&Case, Solver)> = SOLVERS
         .into_iter()
@@ -163,6 +171,7 @@ fn summary(entries: &[Entry]) -> Result<String, std::fmt::Error> {
         Group::Transient,
         Group::Measured,
         Group::Infeasible,
+        Group::Line,
     ];
     for solver in SOLVERS {
         for group in groups {

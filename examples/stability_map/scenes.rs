@@ -5,12 +5,15 @@ use std::path::PathBuf;
 
 use stribeck::sim::Scene;
 use stribeck::sim::scene::{FileRoughness, GridSpec, PlasticSpec, Roughness, RoughnessPair};
-use stribeck::surface::{Autocorrelation, RoughnessSpec};
+use stribeck::surface::{Autocorrelation, Form, RoughnessSpec};
 use stribeck::thermal::FilmThermal;
 
 /// Hertz pressure of the reference scene \[Pa\] and half of its box \[m\]; boxes grow with the Hertz radius,
 /// which grows with the pressure.
 const REFERENCE: (f64, f64) = (1.15e9, 0.25e-3);
+/// Of the roller of line contacts \[m\]; half of their box in Hertz half-widths.
+const ROLLER_RADIUS: f64 = 10e-3;
+const LINE_HALF_BOX: f64 = 1.7;
 /// Share of ball and disc in the composite roughness, those of the reference scene.
 const SHARES: [f64; 2] = [20.0 / 131.529, 130.0 / 131.529];
 
@@ -40,6 +43,8 @@ pub(crate) enum Group {
     Measured,
     /// More load than the hardness can carry in the box: to be refused.
     Infeasible,
+    /// A roller on a flat, not among those of the map.
+    Line,
 }
 
 impl fmt::Display for Group {
@@ -52,6 +57,7 @@ impl fmt::Display for Group {
             Self::Transient => "transient",
             Self::Measured => "measured",
             Self::Infeasible => "infeasible",
+            Self::Line => "line",
         })
     }
 }
@@ -99,6 +105,11 @@ impl Case {
         let mut scene = Scene::azam_2019(self.nodes);
         let half = REFERENCE.1 * self.pressure / REFERENCE.0;
         scene.grid = GridSpec::Cells { nx: self.nodes, ny: self.nodes, x: [-half, half], y: [-half, half] };
+        if self.group == Group::Line {
+            let half = LINE_HALF_BOX * 4.0 * ROLLER_RADIUS * self.pressure / scene.elastic.equivalent_modulus;
+            scene.form = Form::Cylinder { radius: ROLLER_RADIUS };
+            scene.grid = GridSpec::Row { nx: self.nodes, x: [-half, half] };
+        }
         scene.load.hertz_pressure = Some(self.pressure);
         scene.motion.entrainment_speed = self.speed;
         scene.plastic = self.hardness.map(PlasticSpec::new);
@@ -193,6 +204,22 @@ fn variants() -> Vec<Case> {
                 cases.push(Case { cells, ..Case::new(Group::Transient, 64, speed, rq) });
             }
             cases.push(Case::new(Group::Measured, 64, speed, rq));
+        }
+    }
+    cases
+}
+
+/// Rough line contacts, with roughness of this seed.
+pub(crate) fn lines(seed: u64) -> Vec<Case> {
+    let mut cases = Vec::new();
+    for &speed in &SPEEDS[1..] {
+        for &rq in &ROUGHNESSES[1..] {
+            for (length, pressure) in LENGTHS.into_iter().zip([PRESSURES[0], PRESSURES[1]]) {
+                for hardness in [None, HARDNESSES[2]] {
+                    let case = Case::new(Group::Line, 512, speed, rq);
+                    cases.push(Case { lengths: [length; 2], pressure, hardness, seed, ..case });
+                }
+            }
         }
     }
     cases

@@ -109,6 +109,17 @@ impl Coupled {
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
     ) -> Result<(), InputError> {
+        self.deform(problem, state)?;
+        self.update(problem, state);
+        Ok(())
+    }
+
+    /// Films without plastic depth of `state`; one convolution.
+    pub(super) fn deform(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+    ) -> Result<(), InputError> {
         if problem.is_paper() {
             state.fluid_pressure.copy_from_slice(&state.pressure);
         }
@@ -117,7 +128,6 @@ impl Coupled {
         for (h, gap) in self.elastic_film.iter_mut().zip(problem.gap) {
             *h += gap - state.approach;
         }
-        self.update(problem, state);
         Ok(())
     }
 

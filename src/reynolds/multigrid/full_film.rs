@@ -25,18 +25,17 @@ pub(in crate::reynolds) fn expects_full_film(problem: &LubricatedContact<'_>, ma
 fn is_smooth(problem: &LubricatedContact<'_>, grid: &Grid) -> bool {
     let (a, b) = problem.reference_half_widths;
     let (nx, ny) = (grid.nx(), grid.ny());
-    if ny == 1 {
-        return true;
-    }
-    let stride = |half: f64, spacing: f64, n: usize| ((0.25 * half / spacing) as usize).clamp(1, n / 4);
+    let stride = |half: f64, spacing: f64, n: usize| ((0.25 * half / spacing) as usize).min(n / 4).max(1);
     let (step_x, step_y) = (stride(a, grid.dx(), nx), stride(b, grid.dy(), ny));
     let bend = |k: usize, step: usize| problem.gap[k - step] - 2.0 * problem.gap[k] + problem.gap[k + step];
     let centre = ny / 2 * nx + nx / 2;
-    let (across, along) = (bend(centre, step_y * nx), bend(centre, step_x));
+    let (rows, across) = if ny > 1 { (step_y..ny - step_y, step_y * nx) } else { (0..1, 0) };
+    let typical = (bend(centre, across), bend(centre, step_x));
     let most = ROUGHNESS * problem.reference_film;
-    (step_y..ny - step_y).flat_map(|j| (step_x..nx - step_x).map(move |i| (i, j))).all(|(i, j)| {
+    rows.flat_map(|j| (step_x..nx - step_x).map(move |i| (i, j))).all(|(i, j)| {
         let k = j * nx + i;
         let is_far = (grid.x(i) / a).abs() > 1.5 || (grid.y(j) / b).abs() > 1.5;
-        is_far || (bend(k, step_x) - along).abs().max((bend(k, step_y * nx) - across).abs()) < most
+        let excess = (bend(k, across) - typical.0).abs().max((bend(k, step_x) - typical.1).abs());
+        is_far || excess < most
     })
 }

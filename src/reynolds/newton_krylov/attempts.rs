@@ -11,6 +11,9 @@ use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 use crate::strategy::Strategy;
 
+/// Cells in a reference half-width up to which dry starts need no more than their tolerance.
+const START_CELLS: f64 = 40.0;
+
 impl Workspace {
     /// Solves from the state as it is if it carries pressure and is near; else, and again where that stalls,
     /// from the dry contact; at last by another way. Leaves the best state.
@@ -20,7 +23,7 @@ impl Workspace {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<(Status, Residuals), ReynoldsError> {
-        (self.progress, self.work) = (Progress::new(), Work::default());
+        (self.progress, self.work) = (Progress::new(&problem.grid()), Work::default());
         self.history.clear();
         self.strategy = Strategy::Attempt(1);
         self.best_strategy = self.strategy;
@@ -120,15 +123,29 @@ impl Workspace {
             }
             self.work.convolutions += self.coupled.convolutions;
         }
-        state.pressure.fill(0.0);
         let first = attempt.first_contact_film * problem.film_cutoff;
         if attempt.gentle {
             problem.film_cutoff = first;
         }
-        self.work += self.start.run(problem, state, attempt.start_tolerance)?;
+        self.start_dry(problem, state, attempt.start_tolerance)?;
         problem.film_cutoff = first;
         let homotopy = Homotopy { condition: Cavitation::Reynolds, ..given };
         self.begin(problem, state, homotopy)?;
         self.newton(problem, state, stop, attempt, homotopy)
+    }
+
+    /// The dry contact under the film cut-off of the problem, to the gap error `tolerance` or, on meshes
+    /// finer than [`START_CELLS`], less in proportion: the same error of films is a larger one of the
+    /// pressures of single nodes there.
+    pub(super) fn start_dry(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        tolerance: f64,
+    ) -> Result<(), ReynoldsError> {
+        state.pressure.fill(0.0);
+        let cells = problem.reference_half_widths.0 / problem.grid().dx();
+        self.work += self.start.run(problem, state, tolerance * (START_CELLS / cells).min(1.0))?;
+        Ok(())
     }
 }

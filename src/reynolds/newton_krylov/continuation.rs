@@ -13,14 +13,13 @@ use crate::strategy::Strategy;
 /// contact is near; where it is not, it is tried again after steps longer by [`LATER`].
 const TIME_STEPS: (f64, f64) = (1.0, 1000.0);
 const LATER: f64 = 10.0;
-/// Time steps after which the way has led nowhere.
-const MAX_TIME_STEPS: usize = 80;
+/// Time steps after which the way has led nowhere: on a grid, and on a row, whose pockets are closed on all
+/// sides and fill slowly.
+const MAX_TIME_STEPS: [usize; 2] = [80, 400];
 /// How each contact on the way is solved from the one before.
 const FOLLOWING: Attempt = Attempt { first_contact_film: 1.0, most_steps: 15, ..STEADILY };
 /// How the last one is.
 const ARRIVING: Attempt = Attempt { most_steps: STEADILY.most_steps, ..FOLLOWING };
-/// Gap error of the dry contact that it starts from.
-const FULL_START: f64 = 0.03;
 /// Residual to which they are solved at first, and its reduction where the contact rests there and the steady
 /// one stalls from it.
 const ON_THE_WAY: (f64, f64) = (1e-3, 0.1);
@@ -42,7 +41,7 @@ impl Workspace {
         stop: &StoppingRule,
     ) -> Result<bool, ReynoldsError> {
         if problem.cavitation == Cavitation::Reynolds {
-            self.start_full(problem, state)?;
+            self.start_dry(problem, state, FOLLOWING.start_tolerance)?;
             return self.follow_time(problem, state, stop);
         }
         self.strategy = Strategy::FromReynolds;
@@ -58,7 +57,7 @@ impl Workspace {
             }
             state.clone_from(&start);
         } else {
-            self.start_full(problem, state)?;
+            self.start_dry(problem, state, FOLLOWING.start_tolerance)?;
         }
         self.follow_time(problem, state, stop)
     }
@@ -74,21 +73,10 @@ impl Workspace {
             Status::Converged => Ok(true),
             Status::MaxIterations => Ok(false),
             _ => {
-                self.start_full(problem, state)?;
+                self.start_dry(problem, state, FOLLOWING.start_tolerance)?;
                 self.follow_time(problem, state, stop)
             }
         }
-    }
-
-    /// The dry contact.
-    fn start_full(
-        &mut self,
-        problem: &mut LubricatedContact<'_>,
-        state: &mut ContactState,
-    ) -> Result<(), ReynoldsError> {
-        state.pressure.fill(0.0);
-        self.work += self.start.run(problem, state, FULL_START)?;
-        Ok(())
     }
 
     /// Follows the fluid in time, from the contact of `state` whose gap is full of it, until it rests; says
@@ -115,7 +103,8 @@ impl Workspace {
         let (mut time_step, mut longest) = (TIME_STEPS.0 * passing, TIME_STEPS.1 * passing);
         let mut on_the_way = StoppingRule { tolerance: ON_THE_WAY.0.max(stop.tolerance), ..*stop };
         let mut rests = false;
-        for _ in 0..MAX_TIME_STEPS {
+        let most = MAX_TIME_STEPS[usize::from(problem.grid().ny() == 1)];
+        for _ in 0..most {
             if rests || time_step > longest {
                 match self.attempts(&[ARRIVING], problem, state, stop)? {
                     Status::Converged => return Ok(true),

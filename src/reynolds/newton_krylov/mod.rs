@@ -150,7 +150,7 @@ impl NewtonKrylov {
                 best_strategy: Strategy::Attempt(1),
                 strategy: Strategy::Attempt(1),
                 history: Vec::with_capacity(HISTORY),
-                progress: Progress::new(),
+                progress: Progress::new(&grid),
                 work: Work::default(),
                 residuals: Residuals::default(),
                 before: Snapshot::new(grid),

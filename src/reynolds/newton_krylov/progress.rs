@@ -1,11 +1,14 @@
 //! Whether a solve still gets anywhere.
 
+use crate::grid::Grid;
 use crate::report::Work;
 
 /// Work without progress after which a solve has stalled, in convolutions: 6 to 8 s on 64 x 64 nodes and one
 /// thread. Scenes that converge late, from an Rq of 13 um or with a pressure-viscosity coefficient of 15 1/Pa
-/// between smooth bodies, take 19 000 and 16 000 in all.
+/// between smooth bodies, take 19 000 and 16 000 in all. More on a row, where pockets are closed
+/// on all sides and fill slowly, in proportion to its fewer nodes, down to 512.
 const PATIENCE: f64 = 25_000.0;
+const NODES: [usize; 2] = [512, 4096];
 /// Cost of a Newton step beside its convolutions: factorisation, and the sides of all nodes.
 const STEP: f64 = 9.0;
 /// Residual over the lowest before that is progress.
@@ -14,14 +17,19 @@ const PROGRESS: f64 = 0.5;
 /// The residual at the last progress, and the work until then.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Progress {
+    patience: f64,
     residual: f64,
     cost: f64,
     ended: bool,
 }
 
 impl Progress {
-    pub(super) fn new() -> Self {
-        Self { residual: f64::INFINITY, cost: 0.0, ended: false }
+    /// Of a solve on `grid`.
+    pub(super) fn new(grid: &Grid) -> Self {
+        let [few, many] = NODES;
+        let nodes = if grid.ny() > 1 { many } else { grid.nx().clamp(few, many) };
+        let patience = PATIENCE * many as f64 / nodes as f64;
+        Self { patience, residual: f64::INFINITY, cost: 0.0, ended: false }
     }
 
     /// Whether the solve has stalled for good at `residual`, after `work` and the `convolutions` that it does
@@ -31,7 +39,7 @@ impl Progress {
         if residual < PROGRESS * self.residual {
             (self.residual, self.cost) = (residual, cost);
         }
-        self.ended = cost - self.cost > PATIENCE;
+        self.ended = cost - self.cost > self.patience;
         self.ended
     }
 
@@ -47,7 +55,8 @@ mod tests {
 
     #[test]
     fn work_without_progress_ends_a_solve() {
-        let mut progress = Progress::new();
+        let grid = Grid::centred(16, 16, 1e-6, 1e-6).unwrap();
+        let mut progress = Progress::new(&grid);
         let work = |convolutions, iterations| Work { convolutions, iterations, inner_iterations: 0 };
         assert!(!progress.ends(1.0, &work(0.0, 0), 0.0));
         assert!(!progress.ends(0.6, &work(0.9 * PATIENCE, 0), 0.0));
@@ -55,8 +64,12 @@ mod tests {
         assert!(!progress.ends(0.3, &work(2.0 * PATIENCE, 0), 0.0) && !progress.has_ended());
         assert!(progress.ends(0.3, &work(2.0 * PATIENCE, 0), 0.2 * PATIENCE) && progress.has_ended());
         let steps = (PATIENCE / STEP) as u64;
-        let mut progress = Progress::new();
+        let mut progress = Progress::new(&grid);
         assert!(!progress.ends(1.0, &work(0.0, 0), 0.0) && !progress.ends(1.0, &work(0.0, steps), 0.0));
         assert!(progress.ends(1.0, &work(0.0, steps + 1), 0.0), "steps count too");
+        let row = Grid::centred(512, 1, 1e-6, 1e-6).unwrap();
+        let mut row = Progress::new(&row);
+        assert!(!row.ends(1.0, &work(0.0, 0), 0.0) && !row.ends(1.0, &work(7.9 * PATIENCE, 0), 0.0));
+        assert!(row.ends(1.0, &work(8.1 * PATIENCE, 0), 0.0), "a row has few nodes");
     }
 }

@@ -98,7 +98,7 @@ pub struct Attempt {
     /// The residual below which no step may make it grow by more than the second bound of
     /// [`NewtonSettings::growth`]; at least 0.
     pub careful_below: f64,
-    /// Gap error of the dry start; above 0.
+    /// Gap error of the dry start where a half-width has 40 cells or fewer, else less in proportion; above 0.
     pub start_tolerance: f64,
     /// Reduction of the linear residual in each Newton step; between 0 and 1.
     pub krylov_tolerance: f64,

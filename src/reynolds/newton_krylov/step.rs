@@ -137,8 +137,29 @@ impl Workspace {
         }
         state.approach += length * unknowns.approach(step);
         self.eliminate_pockets(problem, state, elimination);
-        self.coupled.evaluate(problem, state)?;
+        self.coupled.deform(problem, state)?;
+        if self.coupled.fluid.grid.ny() == 1 {
+            self.keep_level(state);
+        }
+        self.coupled.update(problem, state);
         Ok(())
+    }
+
+    /// Takes back by the approach what the films, weighted by pressure, moved beyond the prediction in the
+    /// mean. The pressures of a line move all films alike, by far more than each its own; the load balance
+    /// of the next linear step knows what that leaves of the load.
+    fn keep_level(&mut self, state: &mut ContactState) {
+        let films = self.coupled.elastic_film.iter().zip(&self.foreseen);
+        let (mut sum, mut weight) = (0.0, 0.0);
+        for ((film, foreseen), pressure) in films.zip(&state.pressure) {
+            sum += pressure * (film - foreseen);
+            weight += pressure;
+        }
+        if weight > 0.0 {
+            let rise = sum / weight;
+            state.approach += rise;
+            self.coupled.elastic_film.iter_mut().for_each(|film| *film -= rise);
+        }
     }
 
     /// Pressure-weighted root mean square of what the last step did not foresee of the films without plastic
