@@ -172,8 +172,9 @@ fn map(options: &Options) -> Result<Vec<Job>, Box<dyn Error>> {
     let every = if options.quick { 4 } else { options.every };
     let mut jobs = Vec::new();
     for seed in 1..=seeds {
-        let cases =
-            scenes::cases(options.quick, seed).into_iter().filter(|case| case.group != Group::Infeasible);
+        let cases = scenes::cases(false, options.quick, seed)
+            .into_iter()
+            .filter(|case| case.group != Group::Infeasible);
         for case in cases.step_by(every) {
             let scene = case.scene();
             let cell = scene.grid()?.dx();

@@ -95,13 +95,10 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
-    let cases = if options.lines {
-        scenes::lines(options.seed)
-    } else if options.film_heat {
-        with_film_heat(scenes::cases(options.quick, options.seed))
-    } else {
-        scenes::cases(options.quick, options.seed)
-    };
+    let mut cases = scenes::cases(options.lines, options.quick, options.seed);
+    if options.film_heat {
+        cases = with_film_heat(cases);
+    }
     let every = |solver: Solver| if solver.is_slow() { options.every } else { 1 };
     let jobs: Vec<(&Case, Solver)> = SOLVERS
         .into_iter()

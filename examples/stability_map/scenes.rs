@@ -144,9 +144,12 @@ impl Case {
     }
 }
 
-/// All cases, with roughness of this seed; with `quick` a handful of the battery on a coarser grid.
-pub(crate) fn cases(quick: bool, seed: u64) -> Vec<Case> {
-    let mut cases = if quick {
+/// All cases of the map, or `all_lines` in their place, with roughness of this seed; with `quick` a handful of
+/// the battery on a coarser grid.
+pub(crate) fn cases(all_lines: bool, quick: bool, seed: u64) -> Vec<Case> {
+    let mut cases = if all_lines {
+        lines()
+    } else if quick {
         let transient = Case { cells: 1, ..Case::new(Group::Transient, 32, 0.1, 20e-9) };
         battery(32).into_iter().step_by(37).chain(infeasible(32)).chain([transient]).collect()
     } else {
@@ -209,15 +212,15 @@ fn variants() -> Vec<Case> {
     cases
 }
 
-/// Rough line contacts, with roughness of this seed.
-pub(crate) fn lines(seed: u64) -> Vec<Case> {
+/// Rough line contacts.
+fn lines() -> Vec<Case> {
     let mut cases = Vec::new();
     for &speed in &SPEEDS[1..] {
         for &rq in &ROUGHNESSES[1..] {
             for (length, pressure) in LENGTHS.into_iter().zip([PRESSURES[0], PRESSURES[1]]) {
                 for hardness in [None, HARDNESSES[2]] {
                     let case = Case::new(Group::Line, 512, speed, rq);
-                    cases.push(Case { lengths: [length; 2], pressure, hardness, seed, ..case });
+                    cases.push(Case { lengths: [length; 2], pressure, hardness, ..case });
                 }
             }
         }
