@@ -234,7 +234,8 @@ fn rough_rollers_touch_and_converge() {
     scene.roughness.ball = Roughness::gaussian(20e-9, 10e-6, 1);
     scene.roughness.disc = Roughness::gaussian(130e-9, 10e-6, 101);
     scene.plastic = Some(PlasticSpec::new(2e9));
-    let half = 1.7 * 4.0 * RADIUS * 0.5e9 / scene.elastic.equivalent_modulus;
+    let modulus = scene.elastic.equivalent_modulus;
+    let half = 1.7 * HertzLine::from_max_pressure(RADIUS, modulus, 0.5e9).unwrap().half_width;
     scene.grid = GridSpec::Row { nx: 512, x: [-half, half] };
     let solution = solved(&scene);
     assert!(solution.contact.load_ratio > 0.02, "{}", solution.contact.load_ratio);

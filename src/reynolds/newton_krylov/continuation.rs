@@ -13,9 +13,10 @@ use crate::strategy::Strategy;
 /// contact is near; where it is not, it is tried again after steps longer by [`LATER`].
 const TIME_STEPS: (f64, f64) = (1.0, 1000.0);
 const LATER: f64 = 10.0;
-/// Time steps after which the way has led nowhere: on a grid, and on a row, whose pockets are closed on all
-/// sides and fill slowly.
-const MAX_TIME_STEPS: [usize; 2] = [80, 400];
+/// Time steps after which the way has led nowhere.
+const MAX_TIME_STEPS: usize = 80;
+/// The same on a row, whose pockets are closed on all sides and fill slowly.
+const MAX_TIME_STEPS_ON_ROW: usize = 400;
 /// How each contact on the way is solved from the one before.
 const FOLLOWING: Attempt = Attempt { first_contact_film: 1.0, most_steps: 15, ..STEADILY };
 /// How the last one is.
@@ -103,7 +104,7 @@ impl Workspace {
         let (mut time_step, mut longest) = (TIME_STEPS.0 * passing, TIME_STEPS.1 * passing);
         let mut on_the_way = StoppingRule { tolerance: ON_THE_WAY.0.max(stop.tolerance), ..*stop };
         let mut rests = false;
-        let most = MAX_TIME_STEPS[usize::from(problem.grid().ny() == 1)];
+        let most = if problem.grid().ny() > 1 { MAX_TIME_STEPS } else { MAX_TIME_STEPS_ON_ROW };
         for _ in 0..most {
             if rests || time_step > longest {
                 match self.attempts(&[ARRIVING], problem, state, stop)? {

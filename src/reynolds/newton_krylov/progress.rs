@@ -5,9 +5,10 @@ use crate::report::Work;
 
 /// Work without progress after which a solve has stalled, in convolutions: 6 to 8 s on 64 x 64 nodes and one
 /// thread. Scenes that converge late, from an Rq of 13 um or with a pressure-viscosity coefficient of 15 1/Pa
-/// between smooth bodies, take 19 000 and 16 000 in all. More on a row, where pockets are closed
-/// on all sides and fill slowly, in proportion to its fewer nodes, down to 512.
+/// between smooth bodies, take 19 000 and 16 000 in all.
 const PATIENCE: f64 = 25_000.0;
+/// On a row pockets are closed on all sides and fill slowly, and convolutions are cheap: below the second of
+/// these numbers of nodes its patience is more in proportion, down to the first.
 const NODES: [usize; 2] = [512, 4096];
 /// Cost of a Newton step beside its convolutions: factorisation, and the sides of all nodes.
 const STEP: f64 = 9.0;
