@@ -3,9 +3,16 @@
 
 use stribeck::Grid;
 use stribeck::analytic::{ShearedLayer, ThermalInlet};
-use stribeck::lubricant::{Barus, Rheology, ViscosityLaw};
+use stribeck::elastic::HalfSpace;
+use stribeck::lubricant::{
+    Barus, DensityLaw, DoolittleTait, DoolittleTaitConstants, DowsonHigginson, Lubricant, Rheology,
+    ViscosityLaw,
+};
+use stribeck::reynolds::{
+    ContactSolver, ContactState, LubricatedContact, NewtonKrylov, ShearThinning, StoppingRule,
+};
 use stribeck::sim::scene::GridSpec;
-use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, solve_contact};
+use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
 use stribeck::thermal::{FilmProfile, FilmSection, FilmThermal, SectionSolver};
 use stribeck::tribochem::{FlashTemperature, ThermalBody};
@@ -27,6 +34,22 @@ impl ViscosityLaw for Exponential {
 
     fn at_temperature(&self, temperature: f64) -> Option<Box<dyn ViscosityLaw>> {
         Some(Box::new(Self { temperature, ..self.clone() }))
+    }
+}
+
+/// `eta = 0.1 Pa s exp[20e-9 p - 0.05 (T - 300 K)]`.
+#[derive(Debug, Clone)]
+struct Separable {
+    temperature: f64,
+}
+
+impl ViscosityLaw for Separable {
+    fn viscosity(&self, pressure: f64) -> f64 {
+        0.1 * (20e-9 * pressure.clamp(0.0, 1.2e9) - 0.05 * (self.temperature - 300.0)).exp()
+    }
+
+    fn at_temperature(&self, temperature: f64) -> Option<Box<dyn ViscosityLaw>> {
+        Some(Box::new(Self { temperature }))
     }
 }
 
@@ -144,14 +167,101 @@ fn slow_contacts_and_oils_that_do_not_thin_are_isothermal() {
     let slow = smooth(0.005, 0.0);
     let mut indifferent = smooth(2.0, 1.0);
     indifferent.lubricant.as_mut().unwrap().roelands_s0 = Some(0.0);
-    for scene in [slow, indifferent] {
-        let (cool, warm) = (solve_contact(&scene).unwrap(), warm(&scene, FilmThermal::default()));
+    let rigid = FilmThermal::new(0.14, 1.7e6, 0.0).unwrap();
+    for (scene, properties) in [(slow, FilmThermal::default()), (indifferent, rigid)] {
+        let (cool, warm) = (solve_contact(&scene).unwrap(), warm(&scene, properties));
         assert!((warm.film.central / cool.film.central - 1.0).abs() < 1e-6);
         assert!((warm.film.minimum / cool.film.minimum - 1.0).abs() < 1e-6);
         assert!((warm.friction_coefficient - cool.friction_coefficient).abs() < 1e-9);
         assert_eq!(warm.film_heat.unwrap().solves, 1);
         assert_eq!(warm.report.work, cool.report.work);
     }
+}
+
+/// Between parallel surfaces `rho h` is what the inlet lets in, and that does not know of the expansion.
+#[test]
+fn an_oil_that_only_expands_makes_films_thicker_by_its_expansion() {
+    let mut scene = smooth(2.0, 1.0);
+    scene.lubricant.as_mut().unwrap().roelands_s0 = Some(0.0);
+    let (cool, warm) = (solve_contact(&scene).unwrap(), warm(&scene, FilmThermal::default()));
+    let heat = warm.film_heat.as_ref().unwrap();
+    let at = warm.grid.interpolate(&heat.temperature, 0.0, 0.0).unwrap();
+    let expected = (6.5e-4 * (at - BULK)).exp();
+    let found = warm.film.central / cool.film.central;
+    assert!(expected > 1.01 && (found / expected - 1.0).abs() < 2e-3, "{found} and {expected}");
+    assert!(heat.solves > 1 && heat.change <= 5e-3);
+}
+
+/// A viscosity that is a function of pressure times one of temperature has one ratio everywhere.
+#[test]
+fn a_film_of_one_temperature_is_the_isothermal_film_at_it() {
+    let grid = Grid::centred(48, 48, 1e-5, 1e-5).unwrap();
+    let gap: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / 0.02).collect();
+    let law = Separable { temperature: 300.0 };
+    let solved = |oil: &Lubricant, thinning: Option<ShearThinning>| {
+        let mut body = HalfSpace::new(grid, 230e9).unwrap();
+        let mut problem = LubricatedContact::new(&gap, &mut body, 10.0, (1.1e-4, 1.1e-4), 5e8);
+        (problem.lubricant, problem.entrainment_speed, problem.shear_thinning) = (Some(oil), 1.0, thinning);
+        problem.reference_film = 1e-7;
+        let mut state = ContactState::new(&grid);
+        let rule = StoppingRule::new(1e-11, 20_000);
+        let report = NewtonKrylov::new().solve(&mut problem, &mut state, &rule).unwrap();
+        report.require_converged().unwrap();
+        state
+    };
+    let thinned = ShearThinning::new(Rheology::eyring(5e6).unwrap(), 1.0).unwrap();
+    for thinning in [None, Some(thinned)] {
+        let mut oil = Lubricant::new(law.clone(), DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap());
+        let isothermal = solved(&oil.clone().at_temperature(337.0), thinning);
+        let films = vec![337.0; grid.len()];
+        oil.set_film_temperatures(300.0, &films, &films, 6.5e-4).unwrap();
+        let warm = solved(&oil, thinning);
+        for (one, other) in warm.film.iter().zip(&isothermal.film) {
+            assert!((one / other - 1.0).abs() < 1e-8, "{one:e} and {other:e}");
+        }
+        for (one, other) in warm.fluid_pressure.iter().zip(&isothermal.fluid_pressure) {
+            assert!((one - other).abs() < 1e-8 * 1e9, "{one:e} and {other:e}");
+        }
+        // The mass is that of a thinner fluid.
+        let centre = 24 * 48 + 24;
+        let ratio = warm.mass[centre] / isothermal.mass[centre];
+        assert!((ratio / (-6.5e-4_f64 * 37.0).exp() - 1.0).abs() < 1e-8, "{ratio}");
+    }
+}
+
+/// Density by pressure and temperature is that by pressure at the temperature, but for what ambient
+/// pressure makes of it.
+#[test]
+fn densities_know_temperature_by_their_law_or_by_the_expansivity() {
+    let law = DoolittleTait::new(DoolittleTaitConstants {
+        viscosity: 0.02,
+        temperature: 313.15,
+        b: 4.0,
+        r0: 0.65,
+        epsilon: -8e-4,
+        k0_slope: 11.0,
+        k00: 9e9,
+        beta: 6e-3,
+        expansion: 8e-4,
+    })
+    .unwrap();
+    let mut oil = Lubricant::new(law, law);
+    oil.set_film_temperatures(313.15, &[353.15], &[353.15], 0.0).unwrap();
+    for pressure in [0.0, 1e8, 7e8] {
+        let relative = law.ratio_at(pressure, 353.15).unwrap() * (1.0 + 8e-4 * 40.0);
+        let at = DensityLaw::at_temperature(&law, 353.15).unwrap().ratio(pressure);
+        assert!((relative / at - 1.0).abs() < 1e-12, "{relative} and {at}");
+        let [viscosity, density] = oil.film_ratios(0, pressure);
+        let exact = law.ratio_at(pressure, 353.15).unwrap() / law.ratio(pressure);
+        assert!((density / exact - 1.0).abs() < 1e-4, "{density} and {exact}");
+        let exact = law.viscosity_at(pressure, 353.15).unwrap() / law.viscosity(pressure);
+        assert!((viscosity / exact - 1.0).abs() < 2e-3, "{viscosity} and {exact}");
+    }
+    let plain = DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap();
+    assert!(plain.ratio_at(1e8, 353.15).is_none());
+    assert!(oil.set_film_temperatures(313.15, &[f64::NAN], &[313.15], 0.0).is_err());
+    assert!(oil.set_film_temperatures(313.15, &[313.15], &[], 0.0).is_err());
+    assert!(oil.set_film_temperatures(0.0, &[313.15], &[313.15], 0.0).is_err());
 }
 
 #[test]
@@ -165,7 +275,10 @@ fn film_and_friction_fall_and_the_heat_goes_where_it_must() {
     assert!((parabola.friction_coefficient / collocation.friction_coefficient - 1.0).abs() < 0.04);
     for solution in [parabola, collocation] {
         let heat = solution.film_heat.as_ref().unwrap();
-        assert!(solution.film.central < 0.99 * cool.film.central);
+        // What the inlet lets in; the film itself is thicker by its expansion.
+        let [warm, cold] =
+            [&solution, &cool].map(|at| at.grid.interpolate(&at.state.mass, 0.0, 0.0).unwrap());
+        assert!(warm < 0.985 * cold, "{warm:e} and {cold:e}");
         assert!(solution.friction_coefficient < 0.85 * cool.friction_coefficient);
         assert!(heat.balance.imbalance() < 1e-9, "{:e}", heat.balance.imbalance());
         assert!(heat.balance.is_converged() && heat.change <= 5e-3);
@@ -241,8 +354,6 @@ fn scenes_that_do_not_fit_are_refused_by_name() {
     assert!(with(|oil| oil.conductivity = 0.0).starts_with("lubricant.thermal.conductivity = 0"));
     assert!(with(|oil| oil.heat_capacity = -1.0).starts_with("lubricant.thermal.heat_capacity = -1"));
     assert!(with(|oil| oil.expansivity = f64::NAN).starts_with("lubricant.thermal.expansivity = NaN"));
-    let history = MixedLubricationSim::builder(scene.clone()).build().unwrap_err().to_string();
-    assert!(history.starts_with("lubricant.thermal: only a single contact"), "{history}");
     // Metres in place of W/(m K).
     let mut odd = scene;
     odd.lubricant.as_mut().unwrap().thermal.as_mut().unwrap().conductivity = 140.0;

@@ -8,8 +8,8 @@ use stribeck::analytic::HertzPoint;
 use stribeck::elastic::{DeformationModel, HalfSpace, ResponseApproximations};
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Rheology, Roelands, ThermalRoelands};
 use stribeck::reynolds::{
-    ContactDefinition, ContactSolver, ContactState, Dry, LubricatedContact, Multigrid, NewtonKrylov, Scheme,
-    SemiSystem, ShearThinning, StoppingRule,
+    ContactDefinition, ContactSolver, ContactState, Dry, FilmFlows, LubricatedContact, Multigrid,
+    NewtonKrylov, Scheme, SemiSystem, ShearThinning, StoppingRule,
 };
 use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
 use stribeck::thermal::{FilmFlow, FilmTemperature, FilmThermal};
@@ -296,14 +296,17 @@ fn film_temperature() {
         let mut temperature = FilmTemperature::new(&grid, properties, bodies, [1.5, 0.5]).unwrap();
         let pressed = |(x, y): (f64, f64)| if x.hypot(y) < 60e-6 { 5e8 } else { 0.0 };
         let pressure: Vec<f64> = grid.nodes().map(pressed).collect();
-        let (film, content, solid) = (vec![1e-7; grid.len()], vec![1.0; grid.len()], vec![0.0; grid.len()]);
+        let (film, solid) = (vec![1e-7; grid.len()], vec![0.0; grid.len()]);
+        let mut flows = FilmFlows::default();
+        flows.resize(grid.len());
+        flows.through.fill(1e-7);
         let rheology = Rheology::eyring(5e6).unwrap();
         let flow = FilmFlow {
             lubricant: &oil,
             rheology: &rheology,
             pressure: &pressure,
             film: &film,
-            content: &content,
+            flows: &flows,
             boundary_heat: &solid,
             speeds: (1.0, 1.0),
             bulk_temperature: 313.15,

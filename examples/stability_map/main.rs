@@ -6,7 +6,7 @@
 //! cargo run --release --example stability_map -- --solver auto    # one solver
 //! cargo run --release --example stability_map -- --seed 2         # other roughness
 //! cargo run --release --example stability_map -- --every 11       # slow solvers: every eleventh scene
-//! cargo run --release --example stability_map -- --solver auto --film-heat # films with a temperature of their own
+//! cargo run --release --example stability_map -- --solver auto --film-heat # film heat, thinning, limit, coating
 //! cargo run --release --example stability_map -- --solver auto --lines # rough line contacts
 //! ```
 //!
@@ -41,7 +41,8 @@ usage: cargo run --release --example stability_map -- [--quick] [--every N] [--s
   --every N      every Nth scene with semi_system and paper_contact, which are slow (default 1)
   --solver NAME  auto, newton_krylov, semi_system or paper_contact alone (default: all four)
   --seed N       of the roughness of the ball, the disc's is N + 100 (default 1)
-  --film-heat    the scenes on 64 x 64 cells at once, at slide-roll ratios of 0.05 to 2, with the temperature of the film
+  --film-heat    the scenes on 64 x 64 cells at once, at slide-roll ratios of 0.05 to 2, with all of it: temperature of
+                 the film, shear thinning in its flow, a limiting stress, a coated disc
   --lines        64 rough line contacts on 512 cells in place of the scenes of the map
   --out DIR      where to write stability.csv and stability.svg (default target/stability_map)
 ";
@@ -117,8 +118,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Those on 64 x 64 cells and less that are solved at once, an oil that thins as it warms, slide-roll ratios
-/// in turn.
+/// Those on 64 x 64 cells and less that are solved at once, with all of it, slide-roll ratios in turn.
 fn with_film_heat(cases: Vec<Case>) -> Vec<Case> {
     let fit = cases.into_iter().filter(|case| case.cells == 0 && case.nodes <= 64);
     fit.zip([0.05, 0.5, 1.0, 2.0].into_iter().cycle())

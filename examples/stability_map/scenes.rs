@@ -4,7 +4,9 @@ use std::fmt;
 use std::path::PathBuf;
 
 use stribeck::sim::Scene;
-use stribeck::sim::scene::{FileRoughness, GridSpec, PlasticSpec, Roughness, RoughnessPair};
+use stribeck::sim::scene::{
+    FileRoughness, FlowThinning, GridSpec, LayerSpec, PlasticSpec, Roughness, RoughnessPair,
+};
 use stribeck::surface::{Autocorrelation, Form, RoughnessSpec};
 use stribeck::thermal::FilmThermal;
 
@@ -16,6 +18,12 @@ const ROLLER_RADIUS: f64 = 10e-3;
 const LINE_HALF_BOX: f64 = 1.7;
 /// Share of ball and disc in the composite roughness, those of the reference scene.
 const SHARES: [f64; 2] = [20.0 / 131.529, 130.0 / 131.529];
+
+/// Of scenes with all of it: largest shear stress of the oil over its pressure, 2 um of a carbon coating on
+/// the disc, Young's modulus \[Pa\] and Poisson's ratio of the steel below.
+const LIMITING_STRESS: f64 = 0.06;
+const COATING: LayerSpec = LayerSpec::new(2e-6, 300e9, 0.25);
+const STEEL: (f64, f64) = (210e9, 0.3);
 
 /// Between the seeds of ball and disc.
 const DISC_SEED: u64 = 100;
@@ -78,7 +86,8 @@ pub(crate) struct Case {
     pub(crate) hardness: Option<f64>,
     /// Cells that the mean surface moves on in a step of a transient scene; zero in the others.
     pub(crate) cells: u32,
-    /// Slide-roll ratio of a contact whose film has a temperature of its own; none where it has not.
+    /// Slide-roll ratio of a contact with all of it: a film with a temperature of its own, shear thinning in
+    /// its flow, a limiting stress and a coated disc; none where it has none of these.
     pub(crate) sliding: Option<f64>,
     /// Seed of the ball's roughness; the disc's is [`DISC_SEED`] more.
     pub(crate) seed: u64,
@@ -118,6 +127,10 @@ impl Case {
         if let (Some(ratio), Some(oil)) = (self.sliding, &mut scene.lubricant) {
             scene.motion.slide_roll_ratio = ratio;
             scene.friction.eyring_stress = Some(5e6);
+            scene.friction.flow_thinning = Some(FlowThinning::Directional);
+            scene.friction.limiting_stress_coefficient = Some(LIMITING_STRESS);
+            let coating = COATING.with_substrate_modulus(Some(STEEL.0));
+            scene.elastic.layer = Some(coating.with_substrate_poisson(Some(STEEL.1)));
             scene.thermal.bulk_temperature = 353.15;
             (oil.temperature, oil.roelands_s0) = (Some(353.15), Some(1.1));
             oil.thermal = Some(FilmThermal::default());

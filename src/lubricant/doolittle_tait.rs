@@ -103,6 +103,12 @@ impl DoolittleTait {
         Self { temperature, ..*self }
     }
 
+    /// Volume at ambient pressure over that at `T_R`.
+    fn expanded(&self) -> f64 {
+        let DoolittleTaitConstants { expansion, temperature, .. } = self.constants;
+        (1.0 + expansion * (self.temperature - temperature)).max(SMALLEST)
+    }
+
     /// `V/V_0` and its slope by pressure \[1/Pa\].
     fn volume(&self, pressure: f64) -> (f64, f64) {
         let DoolittleTaitConstants { k0_slope, k00, beta, .. } = self.constants;
@@ -151,6 +157,10 @@ impl DensityLaw for DoolittleTait {
     fn slope(&self, pressure: f64) -> f64 {
         let (volume, slope) = self.volume(pressure);
         -slope / (volume * volume)
+    }
+
+    fn ratio_at(&self, pressure: f64, temperature: f64) -> Option<f64> {
+        Some(self.expanded() / (self.at(temperature).expanded() * self.at(temperature).volume(pressure).0))
     }
 
     fn at_temperature(&self, temperature: f64) -> Option<Box<dyn DensityLaw>> {

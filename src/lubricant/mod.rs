@@ -13,6 +13,7 @@ mod roelands;
 mod table;
 mod thermal_roelands;
 mod thinning;
+mod warmth;
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -27,6 +28,8 @@ pub use table::FluidPoint;
 use table::FluidTable;
 pub use thermal_roelands::ThermalRoelands;
 pub(crate) use thinning::Thinning;
+use warmth::WarmTable;
+pub(crate) use warmth::{NodeWarmth, Saturating, WarmPoint};
 
 use crate::error::InputError;
 
@@ -114,6 +117,12 @@ pub trait DensityLaw: Debug + Send + Sync {
     /// Slope of the ratio \[1/Pa\] at `pressure` \[Pa\].
     fn slope(&self, pressure: f64) -> f64;
 
+    /// Density at `pressure` \[Pa\] and `temperature` \[K\] over that at ambient pressure and the temperature of
+    /// the law; none (the default) for a law that does not know temperature.
+    fn ratio_at(&self, _pressure: f64, _temperature: f64) -> Option<f64> {
+        None
+    }
+
     /// Fills `ratio` from `pressure` \[Pa\]; slices of one length.
     fn fill(&self, pressure: &[f64], ratio: &mut [f64]) {
         for (ratio, &p) in ratio.iter_mut().zip(pressure) {
@@ -155,8 +164,10 @@ pub struct Lubricant {
     density: Arc<dyn DensityLaw>,
     /// Both, with the reduced pressure, tabulated for the flow.
     table: FluidTable,
-    /// Viscosity of every node over that of the law; empty for one everywhere.
-    ratios: Vec<f64>,
+    /// Both at other temperatures; none before they are asked for.
+    warm: Option<Arc<WarmTable>>,
+    /// Temperatures of the film at every node; empty for that of the laws everywhere.
+    film: Vec<NodeWarmth>,
 }
 
 impl Lubricant {
@@ -168,31 +179,82 @@ impl Lubricant {
     /// A lubricant from boxed laws.
     pub fn from_boxed(viscosity: Box<dyn ViscosityLaw>, density: Box<dyn DensityLaw>) -> Self {
         let table = FluidTable::new(&*viscosity, &*density);
-        Self { viscosity: viscosity.into(), density: density.into(), table, ratios: Vec::new() }
+        Self { viscosity: viscosity.into(), density: density.into(), table, warm: None, film: Vec::new() }
     }
 
-    /// The viscosity of every node of a contact over that of the law, by the temperature of its film; empty
-    /// where all films have the temperature of the law.
-    pub fn viscosity_ratios(&self) -> &[f64] {
-        &self.ratios
-    }
-
-    /// Takes over the viscosity of every node over that of the law: the flow by pressure counts with it. An
-    /// empty slice for the law alone.
+    /// Takes over temperatures of the film of a contact whose bulk, and whose laws, have the temperature
+    /// `bulk` \[K\], one a node: those of `flow` for the viscosity of the flow by pressure, those of `mean` for
+    /// the density. A viscosity that does not know temperature stays as it is; a density that does not
+    /// becomes `exp[-expansivity (T - bulk)]` times as large ([`DensityLaw::ratio_at`]). Beyond the pressure at
+    /// which the viscosity of the law ends warm films keep that at this pressure. Without temperatures all
+    /// films have that of the laws.
+    ///
+    /// Ratios to the laws are interpolated between temperatures 10 K and pressures 10 MPa apart, to 1e-3, for
+    /// films from 20 K below the bulk to 590 K above it; others count as these.
     ///
     /// # Errors
-    /// A ratio that is not finite and positive.
-    pub fn set_viscosity_ratios(&mut self, ratios: &[f64]) -> Result<(), InputError> {
-        for &ratio in ratios {
-            InputError::require_positive("viscosity_ratios", ratio)?;
+    /// Temperatures that are not finite or of two lengths, an expansivity that is negative, a bulk
+    /// temperature that is not positive.
+    ///
+    /// ```
+    /// use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands, ThermalRoelands};
+    /// let law = ThermalRoelands::new(Roelands::new(0.04, 0.68, 1.96e8)?, 313.15, 1.1)?;
+    /// let mut oil = Lubricant::new(law, DowsonHigginson::new(0.6e-9, 1.7e-9)?);
+    /// oil.set_film_temperatures(313.15, &[313.15, 353.15], &[313.15, 353.15], 6.5e-4)?;
+    /// let [cool, warm] = [oil.film_ratios(0, 5e8), oil.film_ratios(1, 5e8)];
+    /// assert!((cool[0] - 1.0).abs() < 1e-12 && warm[0] < 0.1);
+    /// assert!((warm[1] - (-6.5e-4_f64 * 40.0).exp()).abs() < 1e-12);
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    pub fn set_film_temperatures(
+        &mut self,
+        bulk: f64,
+        flow: &[f64],
+        mean: &[f64],
+        expansivity: f64,
+    ) -> Result<(), InputError> {
+        InputError::require_positive("bulk", bulk)?;
+        InputError::require_finite("flow", flow)?;
+        InputError::require_len("mean", mean, flow.len())?;
+        InputError::require_finite("mean", mean)?;
+        InputError::require_non_negative("expansivity", expansivity)?;
+        self.film.clear();
+        if flow.is_empty() {
+            return Ok(());
         }
-        self.ratios.clear();
-        self.ratios.extend_from_slice(ratios);
+        let made = |table: &Arc<WarmTable>| {
+            table.bulk.to_bits() == bulk.to_bits() && table.expansivity.to_bits() == expansivity.to_bits()
+        };
+        let table = match self.warm.take().filter(made) {
+            Some(table) => table,
+            None => Arc::new(WarmTable::new(&*self.viscosity, &*self.density, bulk, expansivity)),
+        };
+        self.film.extend(flow.iter().zip(mean).map(|(flow, mean)| table.node(*flow, *mean)));
+        self.warm = Some(table);
         Ok(())
     }
 
-    /// The lubricant at `temperature` \[K\]; laws that do not know temperature stay as they are. The ratios
-    /// of viscosity are dropped where one does.
+    /// Viscosity for the flow by pressure and density of the film at `node` and `pressure` \[Pa\], over those
+    /// of the laws.
+    pub fn film_ratios(&self, node: usize, pressure: f64) -> [f64; 2] {
+        let warm = self.film.get(node).and_then(|warmth| self.warm_at(warmth, pressure));
+        warm.map_or([1.0; 2], |warm| [warm.viscosity, warm.density])
+    }
+
+    /// Temperatures of the film at the nodes; empty where all have that of the laws.
+    pub(crate) fn film(&self) -> &[NodeWarmth] {
+        &self.film
+    }
+
+    /// Ratios at a node of the temperatures `warmth` under `pressure` \[Pa\]; none where films have the
+    /// temperature of the laws.
+    #[inline]
+    pub(crate) fn warm_at(&self, warmth: &NodeWarmth, pressure: f64) -> Option<WarmPoint> {
+        self.warm.as_ref().map(|table| table.at(warmth, pressure))
+    }
+
+    /// The lubricant at `temperature` \[K\]; laws that do not know temperature stay as they are. Temperatures
+    /// of films are dropped where one does.
     #[must_use]
     pub fn at_temperature(self, temperature: f64) -> Self {
         match (self.viscosity.at_temperature(temperature), self.density.at_temperature(temperature)) {
@@ -201,7 +263,7 @@ impl Lubricant {
                 let viscosity = viscosity.map_or(self.viscosity, Arc::from);
                 let density = density.map_or(self.density, Arc::from);
                 let table = FluidTable::new(&*viscosity, &*density);
-                Self { viscosity, density, table, ratios: Vec::new() }
+                Self { viscosity, density, table, warm: None, film: Vec::new() }
             }
         }
     }

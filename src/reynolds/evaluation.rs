@@ -1,7 +1,7 @@
 //! What follows from the pressures of a state: for solvers of one's own.
 
 use super::coupled::Coupled;
-use super::flow::FlowBalance;
+use super::flow::{FilmFlows, FlowBalance};
 use super::problem::LubricatedContact;
 use super::state::ContactState;
 use super::{ReynoldsError, StoppingRule, check_call};
@@ -56,14 +56,43 @@ impl Evaluation {
         problem: &LubricatedContact<'_>,
         state: &ContactState,
     ) -> Result<Option<FlowBalance>, ReynoldsError> {
+        let previous = problem.squeeze.map(|s| s.previous_mass);
+        let is_lubricated = self.update(problem, state)?;
+        Ok(is_lubricated.then(|| self.coupled.fluid.flow_balance(previous)))
+    }
+
+    /// Overwrites `flows` with those through the cells at the pressures and films of `state` as they are, by
+    /// the face law and the entrainment of the problem; zeros without a lubricant. No elastic displacement.
+    ///
+    /// # Errors
+    /// As of [`evaluate`](Self::evaluate).
+    pub fn film_flows(
+        &mut self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+        flows: &mut FilmFlows,
+    ) -> Result<(), ReynoldsError> {
+        if self.update(problem, state)? {
+            self.coupled.fluid.film_flows(flows);
+        } else {
+            flows.resize(state.film.len());
+        }
+        Ok(())
+    }
+
+    /// Takes over the fluid of `state`; whether there is any.
+    fn update(
+        &mut self,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+    ) -> Result<bool, ReynoldsError> {
         self.prepare(problem, state)?;
-        let Some(lubricant) = problem.lubricant else { return Ok(None) };
+        let Some(lubricant) = problem.lubricant else { return Ok(false) };
         let pressure = if problem.is_paper() { &state.pressure } else { &state.fluid_pressure };
         let fluid = &mut self.coupled.fluid;
-        let previous = problem.squeeze.map(|s| s.previous_mass);
         fluid.configure(problem);
-        fluid.update(lubricant, pressure, &state.film, previous);
-        Ok(Some(fluid.flow_balance(previous)))
+        fluid.update(lubricant, pressure, &state.film, problem.squeeze.map(|s| s.previous_mass));
+        Ok(true)
     }
 
     /// Buffers for the grid of the problem.

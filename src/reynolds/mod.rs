@@ -33,7 +33,7 @@ pub use auto::Auto;
 pub(crate) use coupled::reaches_limit;
 pub use dry::Dry;
 pub use evaluation::Evaluation;
-pub use flow::{Cavitation, FaceMobility, FlowBalance, Scheme, ShearThinning};
+pub use flow::{Cavitation, FaceMobility, FilmFlows, FlowBalance, Scheme, ShearThinning};
 pub use given_film::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
 pub use multigrid::Multigrid;
 pub use newton_krylov::{Attempt, NewtonKrylov, NewtonSettings, PocketSettings};

@@ -295,9 +295,9 @@ impl LubricatedContact<'_> {
             if self.squeeze.is_none() {
                 InputError::require_positive("entrainment_speed", self.entrainment_speed)?;
             }
-            let ratios = self.lubricant.map_or(&[][..], Lubricant::viscosity_ratios);
-            if !ratios.is_empty() {
-                InputError::require_len("lubricant.viscosity_ratios", ratios, grid.len())?;
+            let films = self.lubricant.map_or(&[][..], Lubricant::film);
+            if !films.is_empty() {
+                InputError::require_len("lubricant.film_temperatures", films, grid.len())?;
             }
             if let Some(film) = self.supplied_film {
                 InputError::require_positive("supplied_film", film)?;

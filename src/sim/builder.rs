@@ -11,7 +11,6 @@ use std::sync::Arc;
 
 use super::body::Body;
 use super::contact::{ContactModel, Overrides};
-use super::film_heat;
 use super::friction::boundary_law;
 use super::heat::Heat;
 use super::interrupt::Interrupt;
@@ -266,7 +265,6 @@ impl SimBuilder {
         self.scene.schedule.read_tables()?;
         #[cfg(feature = "serde")]
         let own_parts = super::identity::OwnParts::of(&self);
-        film_heat::refuse_history(&self.scene)?;
         let overrides = std::mem::take(&mut self.overrides);
         let mut contact = ContactModel::new(&self.scene, overrides)?;
         let own_heights = self.own_heights();

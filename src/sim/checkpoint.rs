@@ -30,7 +30,7 @@ const IN_MEMORY: &str = "checkpoint in memory";
 /// What a file starts with.
 const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
 /// Format that this version writes and reads.
-const FORMAT: u32 = 5;
+const FORMAT: u32 = 6;
 /// Bytes before the content.
 const HEADER: usize = 36;
 
@@ -135,6 +135,8 @@ struct Content<'a> {
     step: u64,
     /// Positions of the roughness that were tried.
     draws: u64,
+    /// Rises that the film of the next contact starts from \[K\], where it has a temperature of its own.
+    film_rises: Option<Cow<'a, [f64]>>,
 }
 
 impl<'a> BodyPart<'a> {
@@ -240,6 +242,7 @@ impl MixedLubricationSim {
             time: self.time,
             step: self.step,
             draws: self.draws,
+            film_rises: self.film_heat.as_ref().map(|heat| heat.start().into()),
         };
         let content = postcard::to_stdvec(&content).map_err(|error| damaged(error.to_string()))?;
         let mut bytes = Vec::with_capacity(HEADER + content.len());
@@ -330,7 +333,8 @@ impl MixedLubricationSim {
         }
         let grid = self.contact.grid;
         let law = self.laws.growth.as_deref();
-        let Content { bodies: [ball, disc], state, squeeze_memory, time, step, draws, .. } = content;
+        let Content { bodies: [ball, disc], state, squeeze_memory, time, step, draws, film_rises, .. } =
+            content;
         let bodies = [ball.into_body(law, grid.len()), disc.into_body(law, grid.len())];
         let [Ok(ball), Ok(disc)] = bodies else {
             let reasons: Vec<String> =
@@ -341,12 +345,24 @@ impl MixedLubricationSim {
             .validate(&grid)
             .and_then(|()| squeeze_memory.validate(&grid))
             .and_then(|()| InputError::require_non_negative("time", time))
+            .and_then(|()| match &film_rises {
+                Some(rises) => InputError::require_len("film rises", rises, 2 * grid.len())
+                    .and_then(|()| InputError::require_finite("film rises", rises)),
+                None => Ok(()),
+            })
             .map_err(|error| damaged(error.to_string()))?;
         self.bodies = [ball, disc];
         self.backup.clone_from(&self.bodies);
         self.state = state.into_owned();
         self.squeeze_memory = squeeze_memory.into_owned();
         (self.time, self.step, self.draws) = (time, step, draws);
+        // Under other conditions a film may have had no temperature of its own: it starts cool.
+        if let Some(heat) = &mut self.film_heat {
+            match film_rises {
+                Some(rises) => heat.set_start(rises.into_owned()),
+                None => drop(heat.take_start()),
+            }
+        }
         Ok(differences)
     }
 }

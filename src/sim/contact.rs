@@ -22,8 +22,8 @@ use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::report::{SolveReport, Status};
 use crate::reynolds::{
-    Cavitation, ContactDefinition, ContactState, Evaluation, FaceMobility, FlowBalance, LubricatedContact,
-    ReynoldsError, Scheme, ShearThinning, Squeeze, StoppingRule,
+    Cavitation, ContactDefinition, ContactState, Evaluation, FaceMobility, FilmFlows, FlowBalance,
+    LubricatedContact, ReynoldsError, Scheme, ShearThinning, Squeeze, StoppingRule,
 };
 
 /// Residuals over the tolerance up to which a solver from outside has converged: films carry the rounding of
@@ -79,6 +79,8 @@ pub(super) struct ContactModel {
     evaluation: Option<Evaluation>,
     /// That of the last one.
     pub(super) flow: Option<FlowBalance>,
+    /// Flows through the cells of the last one; none where films have the bulk temperature.
+    pub(super) film_flows: Option<FilmFlows>,
 }
 
 /// What changes of a contact model from step to step.
@@ -177,6 +179,7 @@ impl ContactModel {
             stated_film,
             evaluation: (lubricant.is_some() || overrides.solver.is_some()).then(|| Evaluation::new(grid)),
             flow: None,
+            film_flows: film_heat::is_asked(scene).then(FilmFlows::default),
             grid,
             hertz,
             form_gap,
@@ -314,20 +317,27 @@ impl ContactModel {
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
         let (heeded, rule, confirms) = (self.deformation.begin(), self.rule, self.confirms);
+        let mut film_flows = self.film_flows.take();
         let (mut problem, solver, mut evaluation) = self.problem(gap, limit, squeeze);
         let solved = solver.solve(&mut problem, state, &rule);
         let solved = match (solved, evaluation.as_mut().filter(|_| confirms)) {
             (Ok(report), Some(evaluation)) => confirmed(report, evaluation, &mut problem, state, &rule),
             (solved, _) => solved,
         };
-        if heeded.load(Ordering::Relaxed) {
+        let interrupted = heeded.load(Ordering::Relaxed);
+        let measured = match (&solved, evaluation) {
+            (Ok(_), Some(evaluation)) if !interrupted => {
+                let flows = film_flows.as_mut().map(|flows| evaluation.film_flows(&problem, state, flows));
+                flows.unwrap_or(Ok(())).and_then(|()| evaluation.flow_balance(&problem, state))
+            }
+            _ => Ok(None),
+        };
+        self.film_flows = film_flows;
+        if interrupted {
             return Err(SimError::Interrupted);
         }
         let report = solved?;
-        self.flow = match evaluation {
-            Some(evaluation) => evaluation.flow_balance(&problem, state)?,
-            None => None,
-        };
+        self.flow = measured?;
         Ok(report)
     }
 }

@@ -1,10 +1,11 @@
 //! A contact and the temperature of its film as one converged state.
 //!
-//! The film warms, its viscosity falls, pressures and films change, and with them the heat: a fixed point in
-//! the logarithms of the ratios of viscosity at the nodes. Each turn solves the contact with the ratios so
-//! far, finds the temperature of the film that this contact has, and mixes what follows into the ratios
-//! ([`Mixing`]). It ends where no node's `ln eta` would change by more than [`TOLERANCE`] and the heat is
-//! balanced. Only a single contact is solved so; a history knows the bulk temperature alone.
+//! The film warms, its viscosity and density fall, pressures and films change, and with them the heat: a fixed
+//! point in the temperatures of the film at the nodes. Each turn solves the contact with the temperatures so
+//! far, at any pressure of a node with the viscosity that this temperature makes of it, finds the temperature
+//! of the film that this contact has, and mixes what follows into them ([`Mixing`]). It ends where no node's
+//! `ln eta` would change by more than [`TOLERANCE`], no density by more than [`DENSITY_TOLERANCE`], and the
+//! heat is balanced. A contact that does not converge is tried again halfway to the last one that did.
 
 use super::SimError;
 use super::contact::ContactModel;
@@ -14,18 +15,24 @@ use super::mixing::Mixing;
 use super::scene::Scene;
 use super::solution::is_known;
 use crate::error::InputError;
-use crate::lubricant::ViscosityLaw;
+use crate::grid::Grid;
+use crate::lubricant::{Saturating, ViscosityLaw};
 use crate::metrics;
 use crate::report::{SolveReport, Status};
 use crate::reynolds::ContactState;
-use crate::thermal::{FilmFlow, FilmTemperature, HeatBalance};
+use crate::thermal::{FilmFlow, FilmTemperature, FilmThermal, HeatBalance};
+use crate::tribochem::ThermalBody;
 
 /// Solves of the contact at most.
 const MAX_SOLVES: usize = 40;
 /// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat makes.
 const TOLERANCE: f64 = 5e-3;
-/// Largest logarithm of a ratio of viscosities.
-const LARGEST: f64 = 30.0;
+/// Largest relative change of the density of a film, by its thermal expansion.
+const DENSITY_TOLERANCE: f64 = 5e-4;
+/// Least temperature that a viscosity is asked for \[K\].
+const LEAST: f64 = 1.0;
+/// Halvings of the way from the last contact that converged.
+const MAX_RETREATS: usize = 4;
 /// Share of the way to the new viscosities that is gone in a direction of which nothing is known.
 const STEP: f64 = 0.5;
 
@@ -62,8 +69,13 @@ pub struct FilmHeatNumbers {
     /// Solves of the contact.
     pub solves: usize,
     /// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat
-    /// makes.
+    /// makes, or ten times that of its thermal expansion where this is more.
     pub change: f64,
+}
+
+/// Whether films have a temperature of their own.
+pub(super) fn is_asked(scene: &Scene) -> bool {
+    scene.is_lubricated() && scene.lubricant.is_some_and(|lubricant| lubricant.thermal.is_some())
 }
 
 /// Checks that a film whose temperature is asked for has a viscosity `law` that knows temperature.
@@ -82,119 +94,181 @@ pub(super) fn validate(scene: &Scene, law: Option<&dyn ViscosityLaw>) -> Result<
     }
 }
 
-/// A history knows the bulk temperature alone.
-pub(super) fn refuse_history(scene: &Scene) -> Result<(), InputError> {
-    if !scene.is_lubricated() || scene.lubricant.is_none_or(|lubricant| lubricant.thermal.is_none()) {
-        return Ok(());
-    }
-    Err(InputError::Conflict {
-        field: "lubricant.thermal".to_owned(),
-        reason: "only a single contact has a film temperature, a history knows the bulk temperature alone"
-            .to_owned(),
-    })
-}
-
 /// What stays the same from solve to solve.
 pub(super) struct Surroundings<'a> {
     /// Laws of friction, plasticity, growth and wear.
     pub(super) laws: &'a Laws,
-    /// Undeformed gap \[m\].
-    pub(super) gap: &'a [f64],
-    /// Pressure limit \[Pa\]; none without plasticity.
-    pub(super) limit: Option<&'a [f64]>,
     /// Tribofilms of ball and disc \[m\].
     pub(super) tribofilms: &'a [Vec<f64>; 2],
 }
 
-/// What finds the temperature of the film; none where the scene does not ask for it.
-pub(super) fn temperature(
-    scene: &Scene,
-    model: &ContactModel,
-) -> Result<Option<FilmTemperature>, InputError> {
-    let Some(properties) = scene.lubricant.and_then(|lubricant| lubricant.thermal) else { return Ok(None) };
-    if model.lubricant.is_none() {
-        return Ok(None);
-    }
-    let (bodies, speeds) = (scene.thermal_bodies(), model.motion.surface_speeds());
-    FilmTemperature::new(&model.grid, properties, bodies, speeds).map(Some)
-}
+/// One solve of the contact as it stands.
+pub(super) type SolveOnce<'a> =
+    &'a mut dyn FnMut(&mut ContactModel, &mut ContactState) -> Result<SolveReport, SimError>;
 
-/// Solves the contact as [`ContactModel::solve`] does and, with a `temperature` of the film, again with the
-/// viscosities that belong to it, until both agree; overwrites `friction` with the stresses of the warm film.
-/// Where they do not agree within [`MAX_SOLVES`] the status is
-/// [`Status::MaxIterations`].
+/// What is solved: the contact, its state and its shear stresses.
+type Contact<'a> = (&'a mut ContactModel, &'a mut ContactState, &'a mut FrictionFields);
+
+/// Solves the contact and, with the `heat` of a film, again with the viscosities and densities that belong to
+/// its temperature, until both agree; overwrites `friction` with the stresses of the film. Where they do not
+/// agree within [`MAX_SOLVES`] the status is [`Status::MaxIterations`].
 pub(super) fn solve(
     given: &Surroundings<'_>,
-    temperature: Option<FilmTemperature>,
-    model: &mut ContactModel,
-    state: &mut ContactState,
-    friction: &mut FrictionFields,
+    heat: Option<&mut FilmHeat>,
+    (model, state, friction): Contact<'_>,
+    solve_once: SolveOnce<'_>,
 ) -> Result<(SolveReport, Option<FilmHeatNumbers>), SimError> {
-    let report = model.solve(given.gap, given.limit, None, state)?;
-    let known = is_known(state);
-    if known {
-        friction.update(model, state, given.laws.friction.as_ref(), given.tribofilms)?;
+    match heat {
+        Some(heat) => heat.solve(given, (model, state, friction), solve_once),
+        None => {
+            let report = solve_once(model, state)?;
+            if is_known(state) {
+                friction.update(model, state, given.laws.friction.as_ref(), given.tribofilms)?;
+            }
+            Ok((report, None))
+        }
     }
-    let (Some(temperature), true) = (temperature, known) else { return Ok((report, None)) };
-    let zeros = vec![0.0; state.film.len()];
-    Loop { temperature, used: zeros.clone(), residual: zeros, mixing: Mixing::default() }.run(
-        given,
-        (model, state, friction),
-        report,
-    )
 }
 
-/// The iteration between contact and temperature.
-struct Loop {
+/// Temperature of the film of a contact, and what its solves start from.
+#[derive(Debug, Clone)]
+pub(super) struct FilmHeat {
+    /// Thermal properties of the fluid.
+    properties: FilmThermal,
+    /// Conductivity and diffusivity of ball and disc.
+    bodies: [ThermalBody; 2],
+    /// Speeds of the surfaces that the plan is made for \[m/s\].
+    speeds: [f64; 2],
     /// What finds the temperature of a solved contact.
     temperature: FilmTemperature,
-    /// Logarithms of the ratios of viscosity that the contact was solved with, and those that its heat makes
-    /// beyond them.
+    /// Rises of the film above the bulk that a solve starts from \[K\]: those of its viscosity at all nodes,
+    /// then those of its density. Zeros at first.
+    start: Vec<f64>,
+    /// Those that the contact was solved with.
     used: Vec<f64>,
     /// Those that its heat makes, less those it was solved with.
     residual: Vec<f64>,
-    /// The way from one turn to the next.
-    mixing: Mixing,
 }
 
-impl Loop {
-    /// Turns until contact and heat agree, until [`MAX_SOLVES`], or until a contact does not converge.
-    /// `report` is that of the cool contact; the one that is returned counts the work of all.
-    fn run(
-        mut self,
+/// The last contact of an iteration that converged, and the rises it was solved with.
+type Good = (ContactState, Vec<f64>);
+
+impl FilmHeat {
+    /// Of a cool film; none where the scene does not ask for it.
+    pub(super) fn new(scene: &Scene, model: &ContactModel) -> Result<Option<Self>, InputError> {
+        let properties = scene.lubricant.and_then(|lubricant| lubricant.thermal);
+        let (Some(properties), true) = (properties, model.lubricant.is_some()) else { return Ok(None) };
+        let (bodies, speeds) = (scene.thermal_bodies(), model.motion.surface_speeds());
+        let zeros = vec![0.0; 2 * model.grid.len()];
+        Ok(Some(Self {
+            properties,
+            bodies,
+            speeds,
+            temperature: FilmTemperature::new(&model.grid, properties, bodies, speeds)?,
+            start: zeros.clone(),
+            used: zeros.clone(),
+            residual: zeros,
+        }))
+    }
+
+    /// Plans anew where the surfaces move at other `speeds` \[m/s\] than before.
+    pub(super) fn move_at(&mut self, speeds: [f64; 2], grid: &Grid) -> Result<(), InputError> {
+        if speeds.map(f64::to_bits) != self.speeds.map(f64::to_bits) {
+            self.temperature = FilmTemperature::new(grid, self.properties, self.bodies, speeds)?;
+            self.speeds = speeds;
+        }
+        Ok(())
+    }
+
+    /// Rises that the next solve starts from \[K\].
+    #[cfg(feature = "serde")]
+    pub(super) fn start(&self) -> &[f64] {
+        &self.start
+    }
+
+    /// Takes over rises that the next solve starts from \[K\].
+    pub(super) fn set_start(&mut self, rises: Vec<f64>) {
+        self.start = rises;
+    }
+
+    /// Takes them away: the next solve starts from a cool film.
+    pub(super) fn take_start(&mut self) -> Vec<f64> {
+        let cool = vec![0.0; self.start.len()];
+        std::mem::replace(&mut self.start, cool)
+    }
+
+    /// The next solve starts from the film of the last one.
+    pub(super) fn commit(&mut self) {
+        self.start.copy_from_slice(&self.used);
+    }
+
+    /// Rises of the surfaces above the bulk temperature in the last contact \[K\].
+    pub(super) fn surface_rises(&self) -> [&[f64]; 2] {
+        self.temperature.surface_rises()
+    }
+
+    /// Turns until contact and heat agree, until [`MAX_SOLVES`], or until a contact does not converge. The
+    /// report counts the work of all solves.
+    fn solve(
+        &mut self,
         given: &Surroundings<'_>,
-        (model, state, friction): (&mut ContactModel, &mut ContactState, &mut FrictionFields),
-        mut report: SolveReport,
+        (model, state, friction): Contact<'_>,
+        solve_once: SolveOnce<'_>,
     ) -> Result<(SolveReport, Option<FilmHeatNumbers>), SimError> {
-        let mut solves = 1;
+        self.temperature.forget();
+        self.used.copy_from_slice(&self.start);
+        let is_cool = self.start.iter().all(|rise| *rise == 0.0);
+        self.warm(model, is_cool)?;
+        let (mut mixing, mut solves, mut retreats) = (Mixing::default(), 0, 0);
+        let mut good: Option<Good> = None;
+        let mut before: Option<SolveReport> = None;
         loop {
-            let balance = self.heat(model, state, friction)?;
-            let change = self.compare();
-            let agree = change <= TOLERANCE && balance.is_converged();
-            let done = agree || solves >= MAX_SOLVES || report.status != Status::Converged;
-            if done {
-                if !agree && report.status == Status::Converged {
-                    report.status = Status::MaxIterations;
-                }
-                friction.shear.copy_from_slice(self.temperature.stress());
-                return Ok((report, Some(self.numbers(model, balance, (solves, change))?)));
+            let mut report = solve_once(model, state)?;
+            if let Some(before) = before.take() {
+                report = report.preceded_by(before);
             }
-            // The first heat is that of the cool film, of which nothing but the way is known.
-            self.mixing.advance(&mut self.used, &self.residual, if solves == 1 { 1.0 } else { STEP });
-            for used in &mut self.used {
-                *used = used.clamp(-LARGEST, LARGEST);
-            }
-            let ratios: Vec<f64> = self.used.iter().map(|used| used.exp()).collect();
-            if let Some(lubricant) = &mut model.lubricant {
-                lubricant.set_viscosity_ratios(&ratios)?;
-            }
-            report = model.solve(given.gap, given.limit, None, state)?.preceded_by(report);
             solves += 1;
             if !is_known(state) {
                 return Ok((report, None));
             }
             friction.update(model, state, given.laws.friction.as_ref(), given.tribofilms)?;
+            let balance = self.heat(model, state, friction)?;
+            let change = self.compare(model, state);
+            let agrees = change <= TOLERANCE && balance.is_converged();
+            let converged = report.status == Status::Converged;
+            let retreat = if converged { None } else { good.as_ref().filter(|_| retreats < MAX_RETREATS) };
+            if solves >= MAX_SOLVES || (converged && agrees) || (!converged && retreat.is_none()) {
+                if !agrees && converged {
+                    report.status = Status::MaxIterations;
+                }
+                friction.shear.copy_from_slice(self.temperature.stress());
+                return Ok((report, Some(self.numbers(model, balance, (solves, change))?)));
+            }
+            if let Some((last, rises)) = retreat {
+                state.clone_from(last);
+                self.used.iter_mut().zip(rises).for_each(|(used, rise)| *used = 0.5 * (*used + rise));
+                (mixing, retreats) = (Mixing::default(), retreats + 1);
+            } else {
+                good = Some((state.clone(), self.used.clone()));
+                // Of the first heat nothing but the way is known.
+                let share = if solves == 1 { 1.0 } else { STEP };
+                mixing.advance(&mut self.used, &self.residual, share);
+            }
+            self.warm(model, false)?;
+            before = Some(report);
         }
+    }
+
+    /// Gives the fluid of the contact the rises, or the temperature of the bulk where it is cool.
+    fn warm(&self, model: &mut ContactModel, is_cool: bool) -> Result<(), InputError> {
+        let Some(lubricant) = &mut model.lubricant else { return Ok(()) };
+        let bulk = model.bulk_temperature;
+        if is_cool {
+            return lubricant.set_film_temperatures(bulk, &[], &[], self.properties.expansivity);
+        }
+        let films: Vec<f64> = self.used.iter().map(|rise| bulk + rise).collect();
+        let (flow, mean) = films.split_at(films.len() / 2);
+        lubricant.set_film_temperatures(bulk, flow, mean, self.properties.expansivity)
     }
 
     /// Temperatures of the contact as it is.
@@ -204,7 +278,7 @@ impl Loop {
         state: &ContactState,
         friction: &FrictionFields,
     ) -> Result<HeatBalance, InputError> {
-        let Some(lubricant) = &model.lubricant else {
+        let (Some(lubricant), Some(flows)) = (&model.lubricant, &model.film_flows) else {
             return Err(InputError::Conflict {
                 field: "lubricant.thermal".to_owned(),
                 reason: "the contact is dry".to_owned(),
@@ -215,20 +289,33 @@ impl Loop {
             rheology: friction.rheology(),
             pressure: &state.fluid_pressure,
             film: &state.film,
-            content: &state.content,
+            flows,
             boundary_heat: &friction.boundary_heat(),
             speeds: (model.motion.entrainment_speed, model.motion.sliding_speed()),
             bulk_temperature: model.bulk_temperature,
         })
     }
 
-    /// The largest difference of the logarithms of what was used and what the heat makes.
-    fn compare(&mut self) -> f64 {
-        let pairs = self.used.iter().zip(self.temperature.viscosity_ratios());
-        for (residual, (used, new)) in self.residual.iter_mut().zip(pairs) {
-            *residual = new.ln() - used;
+    /// Overwrites the residual and returns the largest change of `ln eta` at a node, or of `ln rho` in terms
+    /// of its own tolerance.
+    fn compare(&mut self, model: &ContactModel, state: &ContactState) -> f64 {
+        let Some(lubricant) = &model.lubricant else { return 0.0 };
+        let (law, bulk) = (Saturating::new(lubricant.viscosity()), model.bulk_temperature);
+        let new = self.temperature.flow_temperature().iter().chain(self.temperature.mean());
+        for (residual, (used, new)) in self.residual.iter_mut().zip(self.used.iter().zip(new)) {
+            *residual = new - bulk - used;
         }
-        self.residual.iter().fold(0.0, |largest, residual| residual.abs().max(largest))
+        let per_kelvin = self.properties.expansivity * TOLERANCE / DENSITY_TOLERANCE;
+        let (flow, mean) = self.residual.split_at(state.film.len());
+        let mut largest = mean.iter().fold(0.0_f64, |most, change| most.max(per_kelvin * change.abs()));
+        for (k, (change, pressure)) in flow.iter().zip(&state.fluid_pressure).enumerate() {
+            let at = |temperature| law.viscosity_at(*pressure, temperature);
+            let used = (bulk + self.used[k]).max(LEAST);
+            if let (Some(old), Some(new)) = (at(used), at(used + change)) {
+                largest = largest.max((new / old).ln().abs());
+            }
+        }
+        largest
     }
 
     /// Numbers of the film as it is, after so many `solves` and with the last `change`.

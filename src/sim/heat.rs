@@ -1,11 +1,14 @@
 //! The heat pass of a history: whether it is worth its time, and its plan for the speeds that hold.
 //!
 //! Heat of friction goes into both bodies as moving sources ([`FlashTemperature`]); the rise adds to the bulk
-//! temperature that the laws of growth see. It does not act back on the oil. Where the smooth contact would
+//! temperature that the laws of growth see. It does not act back on the oil. A film with a temperature of its
+//! own has found the rises of both surfaces already, with the heat of the same friction: they take the place
+//! of the flash temperature, each for its body, and no heat counts twice. Where the smooth contact would
 //! get warmer by less than 1 K under all conditions of the schedule, the pass is left out unless the scene
 //! asks for it.
 
 use super::contact::ContactModel;
+use super::film_heat::FilmHeat;
 use super::formula::formula_film;
 use super::friction::{FrictionFields, mean_fluid_stress};
 use super::laws::Laws;
@@ -31,8 +34,8 @@ pub(super) struct Heat {
     speeds: [f64; 2],
     /// Heat of friction at every node of the contact \[W/m^2\].
     sources: Vec<f64>,
-    /// Flash temperature rise at every node \[K\].
-    rise: Vec<f64>,
+    /// Rise of the surfaces of ball and disc at every node \[K\].
+    rises: [Vec<f64>; 2],
 }
 
 impl Heat {
@@ -57,22 +60,36 @@ impl Heat {
         let speeds = timetable.at(0.0).motion.surface_speeds();
         let flash = if wanted { Some(FlashTemperature::new(&contact.grid, bodies, speeds)?) } else { None };
         let zeros = || vec![0.0; contact.grid.len()];
-        Ok(Self { flash, estimate, bodies, speeds, sources: zeros(), rise: zeros() })
+        Ok(Self { flash, estimate, bodies, speeds, sources: zeros(), rises: [zeros(), zeros()] })
     }
 
-    /// Flash temperature rise under the heat of `friction`; returns the largest \[K\], none where it is not
-    /// modelled.
-    pub(super) fn rub(&mut self, friction: &FrictionFields) -> Result<Option<f64>, InputError> {
+    /// Rises of the surfaces under the heat of `friction`, those of a film with a temperature of its own where
+    /// there is one; returns the largest \[K\], none where they are not modelled.
+    pub(super) fn rub(
+        &mut self,
+        friction: &FrictionFields,
+        film: Option<&FilmHeat>,
+    ) -> Result<Option<f64>, InputError> {
         let Some(flash) = &mut self.flash else { return Ok(None) };
+        if let Some(film) = film {
+            for (rises, found) in self.rises.iter_mut().zip(film.surface_rises()) {
+                rises.copy_from_slice(found);
+            }
+            return Ok(Some(self.rises.iter().flatten().fold(0.0, |most, rise| rise.max(most))));
+        }
         for (k, source) in self.sources.iter_mut().enumerate() {
             *source = friction.heat(k);
         }
-        Ok(Some(flash.rise(&self.sources, &mut self.rise)?.maximum))
+        let [ball, disc] = &mut self.rises;
+        let maximum = flash.rise(&self.sources, ball)?.maximum;
+        disc.copy_from_slice(ball);
+        Ok(Some(maximum))
     }
 
-    /// Flash temperature rise at every node of the contact \[K\]; zeros where it is not modelled.
-    pub(super) fn rise(&self) -> &[f64] {
-        &self.rise
+    /// Rises of the surfaces of ball and disc at every node of the contact \[K\]; zeros where they are not
+    /// modelled.
+    pub(super) fn rises(&self) -> [&[f64]; 2] {
+        [&self.rises[0], &self.rises[1]]
     }
 
     /// Plans anew where the surfaces move at other `speeds` \[m/s\] than before.

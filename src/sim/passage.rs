@@ -26,8 +26,8 @@ pub(super) struct Passage<'a> {
     pub(super) state: &'a ContactState,
     /// Shear on the surfaces and the pressure of the solids.
     pub(super) friction: &'a FrictionFields,
-    /// Flash temperature rise \[K\].
-    pub(super) rise: &'a [f64],
+    /// Rises of the surfaces of ball and disc above the bulk \[K\].
+    pub(super) rises: [&'a [f64]; 2],
     /// Bulk temperature \[K\].
     pub(super) bulk: f64,
     /// Sliding speed \[m/s\].
@@ -39,29 +39,30 @@ pub(super) struct Passage<'a> {
 }
 
 impl Passage<'_> {
-    /// What node `k` of the contact feels.
-    fn on_grid(&self, k: usize) -> RubbingPoint {
+    /// What `body` feels at node `k` of the contact.
+    fn on_grid(&self, body: usize, k: usize) -> RubbingPoint {
         RubbingPoint {
             pressure: self.state.pressure[k],
             solid_pressure: self.friction.solid[k],
             shear_stress: self.friction.stress(k),
-            temperature: self.bulk + self.rise[k],
+            temperature: self.bulk + self.rises[body][k],
             sliding_speed: self.sliding,
             film_thickness: self.state.film[k],
             in_contact: self.state.in_contact[k],
         }
     }
 
-    /// What a node of a body that lies at `offset` feels: that of the node of the contact it stands on, or,
+    /// What a node of a `body`, which lies where its offset says, feels: that of the node of the contact it stands on, or,
     /// short of it by a fraction of a cell, linear between that and the one before.
-    fn on_body(&self, node: usize, offset: Offset) -> RubbingPoint {
+    fn on_body(&self, body: usize, node: usize) -> RubbingPoint {
+        let offset: Offset = self.offsets[body];
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
         let (i, j) = ((node % nx + nx - offset.columns) % nx, (node / nx + ny - offset.rows) % ny);
-        let at = self.on_grid(j * nx + i);
+        let at = self.on_grid(body, j * nx + i);
         if offset.fraction == 0.0 {
             return at;
         }
-        at.towards(&self.on_grid(j * nx + (i + nx - 1) % nx), offset.fraction)
+        at.towards(&self.on_grid(body, j * nx + (i + nx - 1) % nx), offset.fraction)
     }
 }
 
@@ -117,7 +118,7 @@ impl Marks {
             let exposed = passage.ageing[index].rate * time_step;
             points.clear();
             let nodes = 0..passage.grid.len();
-            points.extend(nodes.map(|node| passage.on_body(node, passage.offsets[index])));
+            points.extend(nodes.map(|node| passage.on_body(index, node)));
             let grow = |film: &mut Option<Tribofilm>| match (&laws.growth, film) {
                 (Some(law), Some(film)) => film.advance_all(law.as_ref(), 0.5 * exposed, points),
                 _ => Ok(()),

@@ -6,6 +6,7 @@
 
 use std::io::{self, Write};
 
+use super::film_heat_record::FilmHeatRecord;
 use super::scene::Motion;
 use crate::error::InputError;
 use crate::report::{Residuals, SolveReport, Status, Work};
@@ -91,6 +92,8 @@ pub struct StepRecord {
     pub motion: Motion,
     /// Bulk temperature \[K\].
     pub bulk_temperature: f64,
+    /// Temperature of the film; none where it has that of the bulk.
+    pub film_heat: Option<FilmHeatRecord>,
     /// Smallest film over all nodes \[m\].
     pub minimum_gap: f64,
     /// What flows into the box and out of it; none without lubricant.
@@ -109,7 +112,8 @@ impl StepRecord {
         track_film_ball_m,track_film_disc_m,plastic_volume_m3,flash_rise_k,\
         friction_coefficient,minimum_gap_m,inflow_m3_s,outflow_m3_s,flow_imbalance,attempts,solver,status,mass_residual,load_residual,\
         complementarity_residual,energy_error,convolutions,iterations,inner_iterations,friction_boundary,friction_fluid,load_n,\
-         entrainment_speed_m_s,slide_roll_ratio,bulk_temperature_k";
+         entrainment_speed_m_s,slide_roll_ratio,bulk_temperature_k,film_temperature_max_k,film_temperature_mean_central_k,\
+         surface_rise_ball_k,surface_rise_disc_k,film_heat_w,film_heat_imbalance,film_heat_solves,film_heat_change";
 
     /// Writes the record as one line of comma-separated values, every digit kept; a flash temperature that is
     /// not modelled is an empty cell, as are the flows of a dry contact and the energy error of others.
@@ -177,7 +181,9 @@ impl StepRecord {
         for number in shares.into_iter().chain([self.load, entrainment_speed, slide_roll_ratio]) {
             write!(out, ",{number:e}")?;
         }
-        writeln!(out, ",{:e}", self.bulk_temperature)
+        write!(out, ",{:e}", self.bulk_temperature)?;
+        FilmHeatRecord::write(self.film_heat.as_ref(), out)?;
+        writeln!(out)
     }
 
     /// The record that [`write_csv`](Self::write_csv) wrote as `line`, every bit of it, but for the name of a
@@ -244,6 +250,14 @@ impl StepRecord {
         let (friction_boundary, friction_fluid, load) = (number()?, number()?, number()?);
         let motion = Motion { entrainment_speed: number()?, slide_roll_ratio: number()? };
         let bulk_temperature = number()?;
+        let mut heat = [0.0; FilmHeatRecord::COLUMNS.len()];
+        let mut is_empty = true;
+        for number in &mut heat {
+            let (column, cell) = next()?;
+            is_empty &= cell.is_empty();
+            *number = if is_empty { 0.0 } else { parsed(column, cell)? };
+        }
+        let film_heat = (!is_empty).then(|| FilmHeatRecord::from_numbers(heat));
         if let Some(stray) = cells.next() {
             return Err(unreadable("history", stray));
         }
@@ -273,6 +287,7 @@ impl StepRecord {
             load,
             motion,
             bulk_temperature,
+            film_heat,
             minimum_gap,
             flow,
             attempts,

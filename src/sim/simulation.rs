@@ -3,8 +3,9 @@
 //! One step, in this order:
 //!
 //! 1. conditions: load, speeds and temperature at the start of the step;
-//! 2. solve: the bodies at the next position of the roughness, at further ones where that does not converge;
-//! 3. rub: friction, heat and flash temperature under the solved pressures;
+//! 2. solve: the bodies at the next position of the roughness, at further ones where that does not converge,
+//!    with friction and, where the film has one, its temperature;
+//! 3. rub: flash temperature under the solved pressures;
 //! 4. commit: flattening, half of the film growth, wear, the other half; a shorter step where a node changes by
 //!    more than it may;
 //! 5. record, and the masses that the squeeze of the next contact refers to.
@@ -15,6 +16,8 @@ use super::SimError;
 use super::body::Body;
 use super::contact::ContactModel;
 use super::exposure;
+use super::film_heat::{self, FilmHeat, FilmHeatNumbers, Surroundings};
+use super::film_heat_record::FilmHeatRecord;
 use super::friction::FrictionFields;
 use super::heat::Heat;
 use super::laws::Laws;
@@ -37,6 +40,9 @@ use crate::reynolds::ContactState;
 const MAX_ATTEMPTS: u32 = 8;
 /// Attempts to find the length of a step.
 const MAX_CUTS: usize = 40;
+
+/// A solved contact: its report, and numbers of a film with a temperature of its own.
+pub(super) type Solved = (SolveReport, Option<FilmHeatNumbers>);
 
 /// A rough lubricated contact whose surfaces flatten, grow a tribofilm and wear as they rub.
 ///
@@ -106,6 +112,8 @@ pub struct MixedLubricationSim {
     pub(super) yielding: Yielding,
     /// Shear stresses.
     pub(super) friction: FrictionFields,
+    /// Temperature of the film; none where it has that of the bulk.
+    pub(super) film_heat: Option<FilmHeat>,
     /// Buffers on the nodes of a body.
     marks: Marks,
     /// Mass that the squeeze refers to.
@@ -138,6 +146,7 @@ impl MixedLubricationSim {
             placement: Placement::new(grid),
             yielding: Yielding::new(grid.len()),
             friction: FrictionFields::new(&scene, grid.len())?,
+            film_heat: FilmHeat::new(&scene, &contact)?,
             marks: Marks::new(grid.len()),
             squeezed: vec![0.0; grid.len()],
             scene,
@@ -196,12 +205,15 @@ impl MixedLubricationSim {
         let conditions = self.conditions();
         self.contact.put_under(&self.scene, &conditions)?;
         self.heat.move_at(conditions.motion.surface_speeds(), &self.contact.grid)?;
-        let (report, offsets, attempts) = self.solve_somewhere()?;
-        let flash_rise = self.heat_up()?;
+        let (solved, offsets, attempts) = self.solve_somewhere()?;
+        let flash_rise = self.heat.rub(&self.friction, self.film_heat.as_ref())?;
         let rq = self.roughness()?;
         let time_step = self.commit_within(control, offsets)?;
-        let record = self.record((report, attempts), flash_rise, (conditions, rq), time_step)?;
+        let record = self.record((solved, attempts), flash_rise, (conditions, rq), time_step)?;
         self.time = record.time;
+        if let Some(heat) = &mut self.film_heat {
+            heat.commit();
+        }
         self.squeeze_memory.keep(&self.state.mass, time_step);
         if self.step == 0 && record.composite_rq == 0.0 {
             self.warnings.extend(warnings::excess_pressure(record.max_pressure, self.contact.hertz.p_max));
@@ -240,14 +252,14 @@ impl MixedLubricationSim {
     }
 
     /// Solves the contact at the next position of the roughness, or at further ones where that fails.
-    fn solve_somewhere(&mut self) -> Result<(SolveReport, Offsets, u32), SimError> {
+    fn solve_somewhere(&mut self) -> Result<(Solved, Offsets, u32), SimError> {
         let mut attempt = 1;
         loop {
             let offsets = self.offsets()?;
             self.draws += 1;
-            let report = self.solve_at(offsets)?;
+            let (report, heat) = self.solve_at(offsets)?;
             match report.require_converged() {
-                Ok(()) => return Ok((report, offsets, attempt)),
+                Ok(()) => return Ok(((report, heat), offsets, attempt)),
                 // A motion that has no other position has no other contact.
                 Err(source) if attempt >= MAX_ATTEMPTS || self.offsets()? == offsets => {
                     return Err(SimError::NotConverged { step: self.step, attempts: attempt, source });
@@ -263,8 +275,9 @@ impl MixedLubricationSim {
         self.travel.offsets(self.draws, self.time, speeds, &self.contact.grid)
     }
 
-    /// Solves the contact of the bodies as they lie at `offsets`.
-    pub(super) fn solve_at(&mut self, offsets: Offsets) -> Result<SolveReport, SimError> {
+    /// Solves the contact of the bodies as they lie at `offsets`, with its shear stresses and, where the film
+    /// has one, with its temperature.
+    pub(super) fn solve_at(&mut self, offsets: Offsets) -> Result<Solved, SimError> {
         let Self { contact, laws, state, placement, yielding, squeeze_memory, squeezed, .. } = self;
         placement.place(&self.bodies, &contact.form_gap, offsets)?;
         let squeeze = if self.travel.squeeze { squeeze_memory.squeeze(self.step, squeezed)? } else { None };
@@ -273,18 +286,15 @@ impl MixedLubricationSim {
         if squeeze.is_none() {
             state.pressure.fill(0.0);
         }
-        match &laws.plasticity {
+        if let Some(heat) = &mut self.film_heat {
+            heat.move_at(contact.motion.surface_speeds(), &contact.grid)?;
+        }
+        let given = Surroundings { laws, tribofilms: &placement.films };
+        let mut once = |contact: &mut ContactModel, state: &mut ContactState| match &laws.plasticity {
             None => contact.solve(&placement.gap, None, squeeze, state),
             Some(models) => yielding.solve(models, placement, contact, squeeze, state),
-        }
-    }
-
-    /// Shear, heat and temperature under the solved pressures; returns the largest flash rise \[K\], none
-    /// where it is not modelled.
-    fn heat_up(&mut self) -> Result<Option<f64>, SimError> {
-        let Self { friction, contact, laws, state, heat, placement, .. } = self;
-        friction.update(contact, state, laws.friction.as_ref(), &placement.films)?;
-        Ok(heat.rub(friction)?)
+        };
+        film_heat::solve(&given, self.film_heat.as_mut(), (contact, state, &mut self.friction), &mut once)
     }
 
     /// Applies flattening, wear and film growth of a step of `time_step` \[s\] to the bodies.
@@ -297,7 +307,7 @@ impl MixedLubricationSim {
             grid,
             state,
             friction,
-            rise: self.heat.rise(),
+            rises: self.heat.rises(),
             bulk: bulk_temperature,
             sliding: motion.sliding_speed(),
             offsets,
@@ -326,7 +336,7 @@ impl MixedLubricationSim {
     /// under `conditions` on surfaces of roughness `rq`.
     fn record(
         &self,
-        (report, attempts): (SolveReport, u32),
+        ((report, heat), attempts): (Solved, u32),
         flash_rise: Option<f64>,
         (conditions, rq): (Conditions, [f64; 2]),
         time_step: f64,
@@ -367,6 +377,7 @@ impl MixedLubricationSim {
             load: conditions.load,
             motion: conditions.motion,
             bulk_temperature: conditions.bulk_temperature,
+            film_heat: heat.as_ref().map(FilmHeatRecord::of),
             minimum_gap: film.minimum_gap,
             flow: self.contact.flow,
             attempts,

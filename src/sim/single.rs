@@ -9,7 +9,7 @@ use super::accuracy::Meshes;
 use super::body::Body;
 use super::builder::SimBuilder;
 use super::contact::ContactModel;
-use super::film_heat::{self, Surroundings};
+use super::film_heat::{self, FilmHeat, Surroundings};
 use super::friction::FrictionFields;
 use super::interrupt::Interrupt;
 use super::laws::Laws;
@@ -24,7 +24,6 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::ContactState;
 use crate::surface::Offset;
-use crate::thermal::FilmTemperature;
 
 impl SimBuilder {
     /// Solves the single contact of the bodies as they stand, in the first position of their roughness and at
@@ -207,7 +206,7 @@ pub(super) struct Prepared {
     /// Shear stresses, filled by the solve.
     friction: FrictionFields,
     /// What finds the temperature of the film; none where it has that of the bulk.
-    temperature: Option<FilmTemperature>,
+    film_heat: Option<FilmHeat>,
     /// Root mean square heights of ball and disc on the track \[m\].
     rq: [f64; 2],
     /// What is known before the first iteration.
@@ -236,20 +235,34 @@ impl Prepared {
             }
         };
         let friction = FrictionFields::new(&scene, grid.len())?;
-        let temperature = film_heat::temperature(&scene, &model)?;
+        let film_heat = FilmHeat::new(&scene, &model)?;
         let rq = bodies.each_ref().map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
         model.check(&gap, limit.as_deref(), &state)?;
         let warnings = Vec::new();
-        Ok(Self { scene, model, laws, state, gap, limit, tribofilms, friction, temperature, rq, warnings })
+        Ok(Self { scene, model, laws, state, gap, limit, tribofilms, friction, film_heat, rq, warnings })
     }
 
     /// Solves contact and film temperature and takes the numbers of the state; those of a state that diverged
     /// are unknown.
     pub(super) fn solve(self) -> Result<ContactSolution, SimError> {
-        let Self { scene, mut model, laws, mut state, gap, limit, tribofilms, mut friction, .. } = self;
-        let given = Surroundings { laws: &laws, gap: &gap, limit: limit.as_deref(), tribofilms: &tribofilms };
-        let (report, film_heat) =
-            film_heat::solve(&given, self.temperature, &mut model, &mut state, &mut friction)?;
+        let Self {
+            scene,
+            mut model,
+            laws,
+            mut state,
+            gap,
+            limit,
+            tribofilms,
+            mut friction,
+            mut film_heat,
+            ..
+        } = self;
+        let given = Surroundings { laws: &laws, tribofilms: &tribofilms };
+        let mut once = |model: &mut ContactModel, state: &mut ContactState| {
+            model.solve(&gap, limit.as_deref(), None, state)
+        };
+        let contact = (&mut model, &mut state, &mut friction);
+        let (report, film_heat) = film_heat::solve(&given, film_heat.as_mut(), contact, &mut once)?;
         let known = is_known(&state);
         let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
         let stress = if known { StressNumbers::of(&scene, &model, &state, &friction)? } else { None };

@@ -1,6 +1,7 @@
 //! The contact of bodies as they stand, for curves of worn surfaces.
 
 use super::SimError;
+use super::film_heat::FilmHeat;
 use super::setup;
 use super::simulation::MixedLubricationSim;
 use super::solution::{ContactSolution, Numbers, is_known};
@@ -35,7 +36,11 @@ impl MixedLubricationSim {
         setup::validate_box(&self.contact.grid, &hertz, self.scene.form.is_line())?;
         let state = std::mem::replace(&mut self.state, ContactState::new(&self.contact.grid));
         let squeeze = std::mem::take(&mut self.travel.squeeze);
+        let film = self.film_heat.as_mut().map(FilmHeat::take_start);
         let solved = self.solve_standing(conditions);
+        if let (Some(heat), Some(film)) = (&mut self.film_heat, film) {
+            heat.set_start(film);
+        }
         self.travel.squeeze = squeeze;
         self.state = state;
         self.contact.put_under(&self.scene, &self.conditions())?;
@@ -45,12 +50,9 @@ impl MixedLubricationSim {
     /// Solves and measures the contact under `conditions`; the caller puts back what it changes.
     fn solve_standing(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
         self.contact.put_under(&self.scene, conditions)?;
-        let report = self.solve_at([Offset::default(); 2])?;
+        let (report, film_heat) = self.solve_at([Offset::default(); 2])?;
         let Self { contact, placement, friction, yielding, laws, state, .. } = self;
         let known = is_known(state);
-        if known {
-            friction.update(contact, state, laws.friction.as_ref(), &placement.films)?;
-        }
         let limit = laws.plasticity.is_some().then_some(yielding.limit.as_slice());
         let numbers = Numbers::of(contact, state, known.then_some(&*friction), limit)?;
         let gap = placement.gap.clone();
@@ -59,7 +61,7 @@ impl MixedLubricationSim {
             .bodies
             .each_ref()
             .map(|body| track_rq(&contact.grid, contact.hertz.half_extents()[1], body.surface()));
-        Ok(contact.solution((report, state), gap, numbers, rq))
+        Ok(ContactSolution { film_heat, ..contact.solution((report, state), gap, numbers, rq) })
     }
 }
 

@@ -3,7 +3,8 @@
 use super::{FilmSection, FilmThermal, SectionSolver};
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::lubricant::{Lubricant, Rheology};
+use crate::lubricant::{Lubricant, Rheology, Saturating};
+use crate::reynolds::FilmFlows;
 use crate::tribochem::{FlashTemperature, ThermalBody};
 
 /// Passes over film and surfaces at most.
@@ -24,8 +25,8 @@ pub struct FilmFlow<'a> {
     pub pressure: &'a [f64],
     /// Film thickness \[m\].
     pub film: &'a [f64],
-    /// Share of the gap that is filled.
-    pub content: &'a [f64],
+    /// Flows through the cells, those that the contact was solved with.
+    pub flows: &'a FilmFlows,
     /// Heat of solid friction \[W/m^2\].
     pub boundary_heat: &'a [f64],
     /// Mean speed of the surfaces and sliding speed, neither negative \[m/s\].
@@ -39,6 +40,17 @@ impl FilmFlow<'_> {
     fn film_at(&self, k: usize) -> f64 {
         self.film[k].max(0.0)
     }
+
+    /// What layers that move along x carry through node `k`, in a row of `nx`, and what those that turn back
+    /// carry.
+    fn streams(&self, k: usize, nx: usize) -> Streams {
+        let (through, east) = (self.flows.through[k], &self.flows.east);
+        let before = if k % nx > 0 { east[k - 1] } else { east[k] };
+        let after = if k % nx + 1 < nx { east[k] } else { before };
+        let (speed, sliding) = self.speeds;
+        let skew = if speed > 0.0 { sliding / speed } else { 0.0 };
+        Streams::new(through - 0.5 * (before + after), through, skew)
+    }
 }
 
 /// Heat of a contact.
@@ -48,18 +60,22 @@ impl FilmFlow<'_> {
 /// ```
 /// use stribeck::Grid;
 /// use stribeck::lubricant::{Barus, Incompressible, Lubricant, Rheology};
+/// use stribeck::reynolds::FilmFlows;
 /// use stribeck::thermal::{FilmFlow, FilmTemperature, FilmThermal};
 /// use stribeck::tribochem::ThermalBody;
 /// let grid = Grid::centred(16, 16, 1e-5, 1e-5)?;
 /// let (fluid, none) = (Lubricant::new(Barus::new(0.1, 0.0)?, Incompressible), vec![0.0; grid.len()]);
 /// let bodies = [ThermalBody::STEEL; 2];
+/// let mut flows = FilmFlows::default();
+/// flows.resize(grid.len());
+/// flows.through.fill(1e-6); // 1 um at 1 m/s
 /// let mut temperature = FilmTemperature::new(&grid, FilmThermal::default(), bodies, [1.5, 0.5])?;
 /// let balance = temperature.update(&FilmFlow {
 ///     lubricant: &fluid,
 ///     rheology: &Rheology::newtonian(),
 ///     pressure: &none,
 ///     film: &vec![1e-6; grid.len()],
-///     content: &vec![1.0; grid.len()],
+///     flows: &flows,
 ///     boundary_heat: &none,
 ///     speeds: (1.0, 1.0),
 ///     bulk_temperature: 300.0,
@@ -104,7 +120,8 @@ impl HeatBalance {
 ///
 /// A node is a [`FilmSection`]. Sections of a row, from its inlet on, are connected by the heat that the mean
 /// flow carries on, `C = rho c Q / dx` with the flow `Q` through the section along x, what is entrained less
-/// what pressure drives back, first order upwind: in an inlet that is far less than `u h`. What goes to the
+/// what pressure drives back, first order upwind: in an inlet that is far less than `u h`, and a flow of
+/// another discretisation than the contact has would be off by as much as there is. What goes to the
 /// surfaces heats them as [`FlashTemperature::rises_through_film`] has it. Film and surfaces are found in
 /// passes, one after the other, in which the surfaces of a node follow its heat in proportion.
 ///
@@ -125,8 +142,8 @@ pub struct FilmTemperature {
     mean: Vec<f64>,
     /// Shear stress of the fluid \[Pa\].
     stress: Vec<f64>,
-    /// Viscosity for the flow over that of the law at the bulk temperature.
-    ratios: Vec<f64>,
+    /// Temperature of the viscosity that the flow by pressure has \[K\].
+    flow_temperature: Vec<f64>,
     /// Rises of the surfaces \[K\].
     rises: [Vec<f64>; 2],
     /// Those of the pass under way \[K\].
@@ -141,8 +158,10 @@ pub struct FilmTemperature {
     pressure_heat: Vec<f64>,
     /// Heat of compression \[W/m^2\].
     compression: Vec<f64>,
-    /// Flow through the section along x \[m^2/s\].
-    through: Vec<f64>,
+    /// Whether there is no film yet.
+    is_cool: bool,
+    /// Largest change of the mean temperature in the pass under way \[K\].
+    moved: f64,
 }
 
 impl FilmTemperature {
@@ -166,7 +185,7 @@ impl FilmTemperature {
             flash: FlashTemperature::new(grid, bodies, speeds)?,
             mean: zeros(),
             stress: zeros(),
-            ratios: vec![1.0; grid.len()],
+            flow_temperature: zeros(),
             rises: [zeros(), zeros()],
             new_rises: [zeros(), zeros()],
             conducted: zeros(),
@@ -174,7 +193,8 @@ impl FilmTemperature {
             resistance: zeros(),
             pressure_heat: zeros(),
             compression: zeros(),
-            through: zeros(),
+            is_cool: true,
+            moved: 0.0,
         })
     }
 
@@ -188,9 +208,19 @@ impl FilmTemperature {
         &self.stress
     }
 
-    /// Viscosity that the flow by pressure has, over that at the bulk temperature.
-    pub fn viscosity_ratios(&self) -> &[f64] {
-        &self.ratios
+    /// Temperature at which the law has the viscosity of the flow by pressure: the mean one with a parabola
+    /// \[K\].
+    pub fn flow_temperature(&self) -> &[f64] {
+        &self.flow_temperature
+    }
+
+    /// Forgets the last call: the next one begins with cool surfaces.
+    pub fn forget(&mut self) {
+        let [first, second] = &mut self.rises;
+        for field in [first, second, &mut self.conducted, &mut self.heat] {
+            field.fill(0.0);
+        }
+        self.is_cool = true;
     }
 
     /// Rises of the two surfaces above the bulk temperature \[K\].
@@ -206,9 +236,14 @@ impl FilmTemperature {
     pub fn update(&mut self, flow: &FilmFlow<'_>) -> Result<HeatBalance, InputError> {
         self.check(flow)?;
         self.find_other_heat(flow);
+        if self.is_cool {
+            self.mean.fill(flow.bulk_temperature);
+            self.is_cool = false;
+        }
         let (mut passes, mut change) = (0, f64::INFINITY);
         let (mut generated, mut carried) = (0.0, 0.0);
         while passes < MAX_PASSES && change > 1.0 {
+            self.moved = 0.0;
             (generated, carried) = self.heat_film(flow);
             for (k, heat) in self.heat.iter_mut().enumerate() {
                 *heat = self.conducted[k] + flow.boundary_heat[k];
@@ -216,7 +251,7 @@ impl FilmTemperature {
             let [first, second] = &mut self.new_rises;
             let report = self.flash.rises_through_film(&self.heat, &self.resistance, [first, second])?;
             let moved = self.rises.iter().flatten().zip(self.new_rises.iter().flatten());
-            let moved = moved.fold(0.0_f64, |largest, (old, new)| largest.max((new - old).abs()));
+            let moved = moved.fold(self.moved, |largest, (old, new)| largest.max((new - old).abs()));
             change = moved / (TOLERANCE * report.maximum).max(LEAST_CHANGE);
             std::mem::swap(&mut self.rises, &mut self.new_rises);
             passes += 1;
@@ -230,7 +265,9 @@ impl FilmTemperature {
         for (field, values) in [
             ("pressure", flow.pressure),
             ("film", flow.film),
-            ("content", flow.content),
+            ("flows.east", &flow.flows.east),
+            ("flows.north", &flow.flows.north),
+            ("flows.through", &flow.flows.through),
             ("boundary_heat", flow.boundary_heat),
         ] {
             InputError::require_len(field, values, self.grid.len())?;
@@ -247,70 +284,56 @@ impl FilmTemperature {
     /// Heat of the flow by pressure, of compression per temperature, and what else does not depend on
     /// temperature.
     fn find_other_heat(&mut self, flow: &FilmFlow<'_>) {
-        let (nx, ny, speed) = (self.grid.nx(), self.grid.ny(), flow.speeds.0);
+        let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
+        let (dx, dy) = (self.grid.dx(), self.grid.dy());
         self.pressure_heat.fill(0.0);
-        for (k, through) in self.through.iter_mut().enumerate() {
-            *through = speed * flow.content[k] * flow.film_at(k);
-        }
-        for first in (0..ny).map(|j| j * nx) {
-            for k in first..first + nx - 1 {
-                let driven = self.drive(flow, [k, k + 1], self.grid.dx());
-                self.through[k] += 0.5 * driven;
-                self.through[k + 1] += 0.5 * driven;
+        for k in 0..n {
+            if k % nx + 1 < nx {
+                self.drive(flow, [k, k + 1], flow.flows.east[k] / (cells_to_next(k % nx, nx) * dx));
             }
-        }
-        for k in 0..nx * (ny - 1) {
-            self.drive(flow, [k, k + nx], self.grid.dy());
-        }
-        for k in 0..self.grid.len() {
-            let film = flow.film_at(k);
-            self.through[k] = self.through[k].clamp(0.0, speed * film);
-            self.resistance[k] = film / self.properties.conductivity;
+            if k + nx < n {
+                self.drive(flow, [k, k + nx], flow.flows.north[k] / (cells_to_next(k / nx, ny) * dy));
+            }
+            self.resistance[k] = flow.film_at(k) / self.properties.conductivity;
             let (before, after) = (k - usize::from(k % nx > 0), k + usize::from(k % nx + 1 < nx));
             let rise = (flow.pressure[after] - flow.pressure[before]) / (after - before) as f64;
-            self.compression[k] = self.properties.expansivity * self.through[k] * rise / self.grid.dx();
+            self.compression[k] = self.properties.expansivity * flow.flows.through[k] * rise / dx;
         }
     }
 
-    /// Flow by pressure from the first node to the second, whose heat it adds to both \[m^2/s\], with the
-    /// viscosities that the contact was solved with.
-    fn drive(&mut self, flow: &FilmFlow<'_>, [k, o]: [usize; 2], distance: f64) -> f64 {
-        let (a, b) = (flow.film_at(k), flow.film_at(o));
-        let drop = flow.pressure[k] - flow.pressure[o];
-        if drop == 0.0 || a + b == 0.0 {
-            return 0.0;
-        }
-        let ratio = |k: usize| flow.lubricant.viscosity_ratios().get(k).copied().unwrap_or(1.0);
-        let viscosity = flow.lubricant.viscosity().viscosity(0.0) * 0.5 * (ratio(k) + ratio(o));
-        let reduced = |k: usize| flow.lubricant.at(flow.pressure[k]).reduced_pressure;
-        let cube = 2.0 * (a * b) * (a * b) / (a + b);
-        let driven = cube / (12.0 * viscosity) * (reduced(k) - reduced(o)) / distance;
-        let made = driven * drop / distance;
+    /// Heat of a flow by pressure between two nodes, half to each: the flow over the distance \[m/s\] times
+    /// the drop of pressure.
+    fn drive(&mut self, flow: &FilmFlow<'_>, [k, o]: [usize; 2], driven: f64) {
+        let made = driven * (flow.pressure[k] - flow.pressure[o]);
         self.pressure_heat[k] += 0.5 * made;
         self.pressure_heat[o] += 0.5 * made;
-        driven
     }
 
     /// Temperatures of the film under the last ones of the surfaces; heat per area that is made and carried
     /// out, as sums over the nodes.
     fn heat_film(&mut self, flow: &FilmFlow<'_>) -> (f64, f64) {
         let nx = self.grid.nx();
-        let sliding = flow.speeds.1;
+        let (sliding, law) = (flow.speeds.1, Saturating::new(flow.lubricant.viscosity()));
         let per_flow = self.properties.heat_capacity / self.grid.dx();
         // As if all nodes were as warm for their heat as the warmest: no node follows more.
         let hottest = self.rises.iter().flatten().fold(0.0_f64, |largest, rise| largest.max(*rise));
         let most = hottest / self.heat.iter().fold(f64::MIN_POSITIVE, |largest, heat| largest.max(*heat));
         let (mut generated, mut carried) = (0.0, 0.0);
         for k in 0..self.grid.len() {
-            let first = k.is_multiple_of(nx);
-            let upstream = if first { flow.bulk_temperature } else { self.mean[k - 1] };
+            let upstream = if k % nx == 0 { flow.bulk_temperature } else { self.mean[k - 1] };
+            // What comes back into the box from behind it is as warm as what leaves it.
+            let downstream = if k % nx + 1 == nx { upstream } else { self.mean[k + 1] };
+            let streams = flow.streams(k, nx);
+            let both = streams.along + streams.back;
+            let share = if both > 0.0 { streams.along / both } else { 1.0 };
+            let around = share * upstream + (1.0 - share) * downstream;
             let film = flow.film_at(k);
             let rises = [self.rises[0][k], self.rises[1][k]];
             let mean_rise = 0.5 * (rises[0] + rises[1]);
             let response = if self.heat[k] > 0.0 { (mean_rise / self.heat[k]).clamp(0.0, most) } else { 0.0 };
-            let other_heat = (self.pressure_heat[k], self.compression[k] * upstream);
+            let other_heat = (self.pressure_heat[k], self.compression[k] * around);
             let heat = self.solver.solve(&FilmSection {
-                viscosity: flow.lubricant.viscosity(),
+                viscosity: &law,
                 rheology: flow.rheology,
                 conductivity: self.properties.conductivity,
                 pressure: flow.pressure[k],
@@ -319,13 +342,73 @@ impl FilmTemperature {
                 surfaces: rises.map(|rise| flow.bulk_temperature + rise),
                 response: (response, self.conducted[k]),
                 other_heat,
-                carried: (per_flow * self.through[k], upstream),
+                carried: (per_flow * both, around),
             });
+            self.moved = self.moved.max((heat.mean - self.mean[k]).abs());
             (self.mean[k], self.stress[k], self.conducted[k]) = (heat.mean, heat.stress, heat.conducted);
-            self.ratios[k] = heat.flow_viscosity / flow.lubricant.viscosity().viscosity(flow.pressure[k]);
+            self.flow_temperature[k] = heat.flow_temperature;
             generated += heat.stress * sliding + other_heat.0 + other_heat.1 + flow.boundary_heat[k];
             carried += heat.carried;
         }
         (generated, carried)
+    }
+}
+
+/// Cells over which the pressure drops between node `i` of `n` in a row and the next one: at the edges of the
+/// box it is ambient half a cell beyond the outermost nodes.
+fn cells_to_next(i: usize, n: usize) -> f64 {
+    if i == 0 || i + 2 == n { 1.5 } else { 1.0 }
+}
+
+/// Flows along x and back through a section whose layers move at `u [1 + S y - 6 b (1/4 - y^2)]`, `y` from
+/// -1/2 to 1/2 across the film: that of the surfaces, with the slide-roll ratio `S`, and the parabola of one
+/// viscosity under pressure, `b = 1 - Q/E` with the flow `Q` of the `E` that is entrained.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Streams {
+    /// Along x \[m^2/s\].
+    along: f64,
+    /// Against it \[m^2/s\].
+    back: f64,
+}
+
+impl Streams {
+    /// Of what is `entrained`, what goes `through` \[m^2/s\] and the slide-roll ratio `skew`.
+    fn new(entrained: f64, through: f64, skew: f64) -> Self {
+        let b = 1.0 - through / entrained;
+        let inside = skew * skew - 24.0 * b * (1.0 - 1.5 * b);
+        let back = if entrained > 0.0 && b > 0.0 && inside > 0.0 {
+            let root = |sign: f64| ((sign * inside.sqrt() - skew) / (12.0 * b)).clamp(-0.5, 0.5);
+            let flow = |y: f64| y * (2.0 * b * y * y + 0.5 * skew * y + 1.0 - 1.5 * b);
+            entrained * (flow(root(-1.0)) - flow(root(1.0))).max(0.0)
+        } else {
+            (-through).max(0.0)
+        };
+        Self { along: (through + back).max(0.0), back }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn streams_are_those_of_the_layers() {
+        for (through, skew) in
+            [(1.0, 0.0), (0.5, 0.0), (0.1, 0.0), (0.0, 2.0), (-0.4, 1.0), (0.3, 0.5), (1.3, 0.0)]
+        {
+            let b = 1.0 - through;
+            let n = 200_000;
+            let layers = (0..n).map(|i| (f64::from(i) + 0.5) / f64::from(n) - 0.5);
+            let speeds = layers.map(|y| 1.0 + skew * y - 6.0 * b * (0.25 - y * y));
+            let (along, back) =
+                speeds.fold((0.0, 0.0), |(along, back), u: f64| (along + u.max(0.0), back - u.min(0.0)));
+            let found = Streams::new(1.0, through, skew);
+            let scale = f64::from(n);
+            assert!((found.along - along / scale).abs() < 1e-8, "{through}, {skew}: {found:?}");
+            assert!((found.back - back / scale).abs() < 1e-8, "{through}, {skew}: {found:?}");
+        }
+        // Nothing turns back between surfaces of one speed unless a third of what is entrained does.
+        assert_eq!(Streams::new(1.0, 0.34, 0.0), Streams { along: 0.34, back: 0.0 });
+        assert_eq!(Streams::new(0.0, -0.1, 0.0), Streams { along: 0.0, back: 0.1 });
     }
 }

@@ -11,6 +11,9 @@ const MAX_EVALUATIONS: usize = 60;
 const MAX_PASSES: usize = 60;
 /// Change of a share of the heat below which its shape is found.
 const SHAPE_TOLERANCE: f64 = 1e-11;
+/// Secants to the temperature of a viscosity at most, and the last step of them \[K\].
+const MAX_SECANTS: usize = 30;
+const SECANT_TOLERANCE: f64 = 1e-6;
 
 /// How the temperature across the film is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -72,6 +75,9 @@ pub struct FilmHeat {
     pub stress: f64,
     /// Viscosity that the flow by pressure has: `h^3/(12 eta)` is its mobility \[Pa s\].
     pub flow_viscosity: f64,
+    /// Temperature at which the law has this viscosity \[K\]; the mean one where it does not know
+    /// temperature.
+    pub flow_temperature: f64,
     /// Heat that goes to the surfaces \[W/m^2\].
     pub conducted: f64,
     /// Heat that the flow carries on \[W/m^2\].
@@ -130,7 +136,11 @@ impl SectionSolver {
         let (by_pressure, by_compression) = section.other_heat;
         let conducted = heat + by_pressure + by_compression - trial.carried;
         let Trial { mean, stress, flow_viscosity, carried } = trial;
-        FilmHeat { mean, stress, flow_viscosity, conducted, carried }
+        let flow_temperature = match self.profile {
+            FilmProfile::Parabola => mean,
+            FilmProfile::Collocation => section.temperature_of(flow_viscosity, mean),
+        };
+        FilmHeat { mean, stress, flow_viscosity, flow_temperature, conducted, carried }
     }
 
     /// The heat between that of the cool film, `most`, and the one under that.
@@ -259,6 +269,27 @@ impl FilmSection<'_> {
     fn viscosity_at(&self, temperature: f64) -> f64 {
         let law = self.viscosity;
         law.viscosity_at(self.pressure, temperature).unwrap_or_else(|| law.viscosity(self.pressure))
+    }
+
+    /// Temperature at which the law has the `viscosity` under the pressure of the section, by secants from
+    /// `near` \[K\]; `near` where the law does not know temperature.
+    fn temperature_of(&self, viscosity: f64, near: f64) -> f64 {
+        let excess = |temperature: f64| (self.viscosity_at(temperature) / viscosity).ln();
+        let (mut last, mut temperature) = (near, near + 1.0);
+        let mut last_excess = excess(last);
+        for _ in 0..MAX_SECANTS {
+            let now = excess(temperature);
+            let step = now * (temperature - last) / (now - last_excess);
+            if !step.is_finite() {
+                return if now == last_excess { near } else { temperature };
+            }
+            (last, last_excess) = (temperature, now);
+            temperature = (temperature - step).clamp(0.5 * temperature, 2.0 * temperature);
+            if step.abs() < SECANT_TOLERANCE {
+                break;
+            }
+        }
+        temperature
     }
 
     /// Shear stress by the mean `viscosity` \[Pa s\]; none without a film.

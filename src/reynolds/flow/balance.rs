@@ -38,6 +38,36 @@ impl FlowBalance {
     }
 }
 
+/// Flows in a film at ambient density, a metre of width \[m^2/s\], one value a node; see
+/// [`Evaluation::film_flows`](crate::reynolds::Evaluation::film_flows).
+///
+/// ```
+/// use stribeck::reynolds::FilmFlows;
+/// let mut flows = FilmFlows::default();
+/// flows.resize(64);
+/// assert_eq!(flows.through, [0.0; 64]);
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
+pub struct FilmFlows {
+    /// By pressure through the face between the node and the next one along x; zero at the edge of the box.
+    pub east: Vec<f64>,
+    /// By pressure through the face between the node and the next one along y; zero at the edge of the box.
+    pub north: Vec<f64>,
+    /// All that flows along x through the cell of the node: mean over its two faces along x.
+    pub through: Vec<f64>,
+}
+
+impl FilmFlows {
+    /// Fields of zeros for `n` nodes; those that fit are emptied alone.
+    pub fn resize(&mut self, n: usize) {
+        for field in [&mut self.east, &mut self.north, &mut self.through] {
+            field.clear();
+            field.resize(n, 0.0);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::FlowBalance;

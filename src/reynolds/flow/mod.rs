@@ -19,7 +19,7 @@ mod inlet;
 mod node;
 mod shear_thinning;
 
-pub use balance::FlowBalance;
+pub use balance::{FilmFlows, FlowBalance};
 pub use cavitation::Cavitation;
 pub(super) use discretisation::{Discretisation, HeldNeighbour, MARGIN, NearField};
 pub use entrainment::Scheme;

@@ -2,7 +2,7 @@
 
 use super::face_mobility::Direction;
 use crate::error::InputError;
-use crate::lubricant::{Rheology, Thinning};
+use crate::lubricant::{Rheology, Thinning, WarmPoint};
 
 /// Shear thinning of the flow by pressure, by the sliding of the surfaces along x.
 ///
@@ -101,11 +101,11 @@ impl ViscosityRatio {
     /// That of the law.
     const NEWTONIAN: Self = Self { value: 1.0, by_pressure: 0.0, by_film: 0.0 };
 
-    /// The same `factor` times as large.
-    fn times(self, factor: f64) -> Self {
+    /// The same `factor` times as large, whose logarithm has a `slope` by pressure \[1/Pa\].
+    fn times(self, factor: f64, slope: f64) -> Self {
         Self {
             value: factor * self.value,
-            by_pressure: factor * self.by_pressure,
+            by_pressure: factor * (self.by_pressure + slope * self.value),
             by_film: factor * self.by_film,
         }
     }
@@ -125,9 +125,11 @@ impl NodeRatios {
     pub(super) const NEWTONIAN: Self =
         Self { along: ViscosityRatio::NEWTONIAN, across: ViscosityRatio::NEWTONIAN };
 
-    /// The same `factor` times as large.
-    pub(super) fn times(self, factor: f64) -> Self {
-        Self { along: self.along.times(factor), across: self.across.times(factor) }
+    /// Those of a film of other viscosity and density: what flows is mass.
+    pub(super) fn warmed(self, warm: &WarmPoint) -> Self {
+        let factor = warm.viscosity / warm.density;
+        let slope = warm.viscosity_slope - warm.density_slope;
+        Self { along: self.along.times(factor, slope), across: self.across.times(factor, slope) }
     }
 
     /// That of the flow through a face.

@@ -361,7 +361,7 @@ fn push_all(nodes: &mut Vec<u32>, kinds: &[Kind], wanted: impl Fn(Kind) -> bool)
 mod tests {
     use super::*;
     use crate::elastic::{DeformationModel, HalfSpace};
-    use crate::lubricant::{DowsonHigginson, Lubricant, Rheology, Roelands};
+    use crate::lubricant::{DowsonHigginson, Lubricant, Rheology, Roelands, ThermalRoelands};
     use crate::reynolds::problem::interior;
     use crate::reynolds::{Cavitation, FaceMobility, Scheme, ShearThinning};
 
@@ -425,13 +425,11 @@ mod tests {
     ) {
         let grid = Grid::centred(N, N, 4e-6, 4e-6).unwrap();
         let mut body = HalfSpace::new(grid, 230e9).unwrap();
-        let mut oil = Lubricant::new(
-            Roelands::new(0.04, 0.6, 1.96e8).unwrap(),
-            DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap(),
-        );
+        let law = ThermalRoelands::new(Roelands::new(0.04, 0.6, 1.96e8).unwrap(), 313.15, 1.1).unwrap();
+        let mut oil = Lubricant::new(law, DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap());
         if is_warm {
-            let ratios: Vec<f64> = (0..grid.len()).map(|k| 0.6 + 0.3 * (k as f64).sin()).collect();
-            oil.set_viscosity_ratios(&ratios).unwrap();
+            let films: Vec<f64> = (0..grid.len()).map(|k| 340.0 + 25.0 * (k as f64).sin()).collect();
+            oil.set_film_temperatures(313.15, &films, &films, 6.5e-4).unwrap();
         }
         let mut seed = 7;
         let mut displaced = vec![0.0; grid.len()];

@@ -1,6 +1,6 @@
 //! Balances of the cells, and how strongly they resist the pressures of their nodes.
 
-use super::super::balance::FlowBalance;
+use super::super::balance::{FilmFlows, FlowBalance};
 use super::super::cavitation::Cavitation;
 use super::{Discretisation, Scheme};
 use crate::reynolds::problem::{inner_rows, interior};
@@ -101,6 +101,30 @@ impl Discretisation {
         }
         let unit = self.rate * self.grid.cell_area();
         (unit * inflow, unit * outflow)
+    }
+
+    /// Overwrites `flows` with those at the last update.
+    pub(in crate::reynolds) fn film_flows(&self, flows: &mut FilmFlows) {
+        let (nx, n) = (self.grid.nx(), self.grid.len());
+        let (along, across) = (self.rate * self.grid.dx(), self.rate * self.grid.dy());
+        flows.resize(n);
+        for k in 0..n {
+            let drop = |o: usize| self.nodes[k].potential - self.nodes[o].potential;
+            if k % nx + 1 < nx {
+                flows.east[k] = along * self.coefficient_east(k) * self.east[k] * drop(k + 1);
+            }
+            if k + nx < n {
+                flows.north[k] = across * self.coefficient_north(k) * self.north[k] * drop(k + nx);
+            }
+        }
+        // What enters and leaves the outermost nodes from without is not known.
+        let through = |k: usize| along * self.wedge * self.carried[k] + flows.east[k];
+        for (k, mean) in flows.through.iter_mut().enumerate() {
+            let (first, last) = (k % nx == 0, k % nx + 1 == nx);
+            let before = if first { k } else { k - 1 };
+            let after = if last { before } else { k };
+            *mean = 0.5 * (through(before) + through(after));
+        }
     }
 
     /// Entrainment and squeeze of `F_k`.

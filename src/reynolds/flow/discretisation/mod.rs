@@ -15,8 +15,9 @@
 //! flow through a face still grows with the pressure of its node where `ln eta` is linear in pressure, as
 //! `q_end - q <= (dq/dp) / (d ln eta/dp)`, while `eta*/eta` falls no faster than `1/eta`.
 //!
-//! Films that are warmer than the law have `eta*/eta` times the ratio of viscosities that the lubricant holds
-//! for the node ([`Lubricant::viscosity_ratios`]); shear thinning then is that of the warmer fluid.
+//! Films that are warmer than the laws ([`Lubricant::set_film_temperatures`]) have `rho/rho_0` times a ratio
+//! of densities and `eta*/eta` times a ratio of viscosities over that of densities, both by the pressure of
+//! the node; shear thinning then is that of the warmer fluid.
 //!
 //! In `a` the film counts as at least half the contact film, in `m` it counts as it is.
 
@@ -38,7 +39,7 @@ use super::face_mobility::{Direction, FaceMobility};
 use super::node::NodeFlow;
 use super::shear_thinning::{NodeRatios, ShearThinning};
 use crate::grid::Grid;
-use crate::lubricant::Lubricant;
+use crate::lubricant::{Lubricant, NodeWarmth};
 use crate::reynolds::problem::{LubricatedContact, interior};
 
 /// Quantities of the nodes and faces at the current pressure and film, and the coefficients of the balance.
@@ -98,8 +99,8 @@ pub(in crate::reynolds) struct Discretisation {
     /// Shear thinning and the film in which the fluid at ambient pressure has `x = 1` \[m\]; none where it
     /// is Newtonian.
     thinning: Option<(ShearThinning, f64)>,
-    /// Viscosity of the nodes over that of the law; empty where they have its temperature.
-    warmth: Vec<f64>,
+    /// Temperatures of the films at the nodes; empty where they are those of the laws.
+    warmth: Vec<NodeWarmth>,
     /// `eta*/eta` of the nodes; empty without shear thinning in films that have the temperature of the law.
     ratios: Vec<NodeRatios>,
 }
@@ -162,7 +163,7 @@ impl Discretisation {
         self.fluidity = ambient.map_or(0.0, |eta| 1.0 / (12.0 * eta));
         let thinning = problem.shear_thinning.zip(ambient).map(|(law, eta)| (law, law.length(eta)));
         self.thinning = thinning.filter(|(_, length)| *length > 0.0);
-        self.warm(problem.lubricant.map_or(&[], Lubricant::viscosity_ratios), &problem.grid());
+        self.warm(problem.lubricant.map_or(&[], Lubricant::film), &problem.grid());
         let is_newtonian = self.thinning.is_none() && self.warmth.is_empty();
         let thinned = if is_newtonian { 0 } else { self.grid.len() };
         self.ratios.resize(thinned, NodeRatios::NEWTONIAN);
@@ -172,17 +173,17 @@ impl Discretisation {
         }
     }
 
-    /// Takes over the ratios of viscosity of the nodes of the grid `of` the problem, on a coarser grid those of
-    /// the nodes next to its own.
-    fn warm(&mut self, ratios: &[f64], of: &Grid) {
+    /// Takes over the temperatures of the films at the nodes of the grid `of` the problem, on a coarser grid
+    /// those of the nodes next to its own.
+    fn warm(&mut self, films: &[NodeWarmth], of: &Grid) {
         self.warmth.clear();
-        if ratios.len() == self.grid.len() {
-            self.warmth.extend_from_slice(ratios);
-        } else if !ratios.is_empty() {
+        if films.len() == self.grid.len() {
+            self.warmth.extend_from_slice(films);
+        } else if !films.is_empty() {
             let (nx, ny) = (self.grid.nx(), self.grid.ny());
             let near = |i: usize, n: usize, fine: usize| ((2 * i + 1) * fine / (2 * n)).min(fine - 1);
             let nodes = (0..ny).flat_map(|j| (0..nx).map(move |i| (i, j)));
-            let at = |(i, j)| ratios[near(j, ny, of.ny()) * of.nx() + near(i, nx, of.nx())];
+            let at = |(i, j)| films[near(j, ny, of.ny()) * of.nx() + near(i, nx, of.nx())];
             self.warmth.extend(nodes.map(at));
         }
     }
@@ -201,9 +202,9 @@ impl Discretisation {
         }
     }
 
-    /// The quantities of a node at fluid pressure `p` and film `h`.
+    /// The quantities of node `k` at fluid pressure `p` and film `h`.
     #[inline]
-    fn node_flow(&self, lubricant: &Lubricant, p: f64, h: f64) -> NodeFlow {
+    fn node_flow(&self, lubricant: &Lubricant, k: usize, p: f64, h: f64) -> NodeFlow {
         let point = lubricant.at(p);
         let floored = h.max(self.film_floor);
         let square = self.fluidity * floored * floored;
@@ -211,7 +212,11 @@ impl Discretisation {
         let (film, cube) = if is_closed { (0.0, 0.0) } else { (floored, square * floored) };
         let film_h = if h > self.film_floor { 1.0 } else { 0.0 };
         let cube_h = 3.0 * square * film_h;
-        let (density, density_p) = (point.density, point.density_slope);
+        let (mut density, mut density_p) = (point.density, point.density_slope);
+        if let Some(warm) = self.warmth.get(k).and_then(|films| lubricant.warm_at(films, p)) {
+            density_p = warm.density * (density_p + density * warm.density_slope);
+            density *= warm.density;
+        }
         match self.face_mobility {
             FaceMobility::Arithmetic => NodeFlow {
                 density,
@@ -240,15 +245,18 @@ impl Discretisation {
 
     /// `eta*/eta` of node `k` at fluid pressure `p` and film `h`.
     fn viscosity_ratios(&self, lubricant: &Lubricant, k: usize, p: f64, h: f64) -> NodeRatios {
-        let warmth = self.warmth.get(k).copied().unwrap_or(1.0);
-        let Some((law, length)) = self.thinning else { return NodeRatios::NEWTONIAN.times(warmth) };
+        let warm = self.warmth.get(k).and_then(|films| lubricant.warm_at(films, p));
+        let warmed = |ratios: NodeRatios| warm.map_or(ratios, |warm| ratios.warmed(&warm));
+        let Some((law, length)) = self.thinning else { return warmed(NodeRatios::NEWTONIAN) };
         let point = lubricant.at(p);
         let floored = h.max(self.film_floor);
         // Density over slope of the reduced pressure is the viscosity over that at ambient pressure.
-        let x = warmth * length / floored * (point.density / point.reduced_slope);
-        let by_pressure = point.density_slope / point.density - point.reduced_curvature / point.reduced_slope;
+        let (ratio, slope) = warm.map_or((1.0, 0.0), |warm| (warm.viscosity, warm.viscosity_slope));
+        let x = ratio * length / floored * (point.density / point.reduced_slope);
+        let by_pressure =
+            slope + point.density_slope / point.density - point.reduced_curvature / point.reduced_slope;
         let by_film = if h > self.film_floor { -1.0 / h } else { 0.0 };
-        law.node_ratios(x, [by_pressure, by_film]).times(warmth)
+        warmed(law.node_ratios(x, [by_pressure, by_film]))
     }
 
     /// Takes over fluid pressure and film of every node, and the masses of the previous time, where there is
@@ -284,7 +292,7 @@ impl Discretisation {
     /// Nodes, faces, and what entrainment carries beyond the nodes.
     fn update_faces(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
         for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
-            self.nodes[k] = self.node_flow(lubricant, p, h);
+            self.nodes[k] = self.node_flow(lubricant, k, p, h);
             self.masses[k] = self.nodes[k].density * h;
         }
         if !self.ratios.is_empty() {

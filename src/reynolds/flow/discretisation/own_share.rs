@@ -60,7 +60,7 @@ impl Discretisation {
         neighbours: &[HeldNeighbour; 4],
         (p, h): (f64, f64),
     ) -> ([f64; 2], [f64; 3]) {
-        let node = self.node_flow(lubricant, p, h);
+        let node = self.node_flow(lubricant, k, p, h);
         let ratios = self.viscosity_ratios(lubricant, k, p, h);
         ([node.density, node.density_p], self.flow_of(&node, &ratios, neighbours))
     }
