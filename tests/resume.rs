@@ -116,9 +116,9 @@ fn files_that_do_not_fit_are_refused() {
     assert!(matches!(refuse(b""), CheckpointError::Foreign { .. }));
     assert!(matches!(refuse(b"step,time_s\n1,2\n"), CheckpointError::Foreign { .. }));
     let mut newer = good.clone();
-    newer[20] = 6;
+    newer[20] = 7;
     let error = refuse(&newer);
-    assert!(matches!(error, CheckpointError::Newer { found: 6, known: 5, .. }), "{error}");
+    assert!(matches!(error, CheckpointError::Newer { found: 7, known: 6, .. }), "{error}");
     // Cut short anywhere, or a byte changed anywhere.
     for length in [20, 30, 36, 37, good.len() / 2, good.len() - 1] {
         let error = refuse(&good[..length]);

@@ -103,7 +103,8 @@ impl DoolittleTait {
         Self { temperature, ..*self }
     }
 
-    /// Volume at ambient pressure over that at `T_R`.
+    /// Volume at ambient pressure over that at `T_R`, `1 + a_V (T - T_R)`, not below that of the largest
+    /// compression.
     fn expanded(&self) -> f64 {
         let DoolittleTaitConstants { expansion, temperature, .. } = self.constants;
         (1.0 + expansion * (self.temperature - temperature)).max(SMALLEST)

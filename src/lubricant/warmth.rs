@@ -42,14 +42,18 @@ impl std::fmt::Debug for WarmTable {
 /// A temperature in the table: the first of its entries and the weights of all.
 #[derive(Debug, Clone, Copy)]
 struct Level {
+    /// The lowest of the entries.
     first: usize,
+    /// Lagrange's weights of the entries, which add up to one.
     weights: [f64; POINTS],
 }
 
 /// The temperatures of the film at a node, for its viscosity and for its density.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NodeWarmth {
+    /// That of its viscosity in the flow by pressure.
     viscosity: Level,
+    /// That of its density, the mean across the film.
     density: Level,
 }
 
@@ -57,14 +61,20 @@ pub(crate) struct NodeWarmth {
 /// pressure \[1/Pa\].
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WarmPoint {
+    /// `eta(p, T) / eta(p, T_bulk)`.
     pub(crate) viscosity: f64,
+    /// `d ln/dp` of that \[1/Pa\].
     pub(crate) viscosity_slope: f64,
+    /// `rho(p, T) / rho(p, T_bulk)`.
     pub(crate) density: f64,
+    /// `d ln/dp` of that \[1/Pa\].
     pub(crate) density_slope: f64,
 }
 
 impl WarmTable {
-    /// The table of laws that hold at the temperature `bulk` \[K\].
+    /// The table of laws that hold at the temperature `bulk` \[K\]. A viscosity that does not know temperature
+    /// has ratios of one, a density that does not those of its `expansivity` \[1/K\]. Asks each law once an
+    /// entry, some 130 000 times.
     pub(super) fn new(
         viscosity: &dyn ViscosityLaw,
         density: &dyn DensityLaw,
@@ -98,7 +108,8 @@ impl WarmTable {
         table
     }
 
-    /// A film of `flow` \[K\] for its viscosity and `mean` \[K\] for its density.
+    /// A film of the temperature `flow` \[K\] for its viscosity and `mean` \[K\] for its density, any finite
+    /// numbers: those beyond the table count as its first and last inner ones.
     pub(super) fn node(&self, flow: f64, mean: f64) -> NodeWarmth {
         let level = |temperature: f64| {
             let position = (temperature - self.bulk + BELOW) / STEP;
@@ -112,7 +123,8 @@ impl WarmTable {
         NodeWarmth { viscosity: level(flow), density: level(mean) }
     }
 
-    /// Ratios of a film at `pressure` \[Pa\].
+    /// Ratios of a film at `pressure` \[Pa\], any number: below zero as at zero, beyond the last entry as there.
+    /// They are continuous, their slopes jump from interval to interval.
     #[inline]
     pub(super) fn at(&self, node: &NodeWarmth, pressure: f64) -> WarmPoint {
         let position = (pressure.max(0.0) / INTERVAL).min(INTERVALS as f64);
@@ -138,6 +150,7 @@ impl WarmTable {
 /// otherwise jump by orders of magnitude where first one and then the other reaches its largest value.
 #[derive(Debug)]
 pub(crate) struct Saturating<'a> {
+    /// The law at the temperature of the bulk.
     law: &'a dyn ViscosityLaw,
     /// That pressure \[Pa\].
     end: f64,

@@ -131,6 +131,9 @@ pub(super) fn solve(
 }
 
 /// Temperature of the film of a contact, and what its solves start from.
+///
+/// A solve depends on the contact and on `start` alone: temperatures of surfaces are found anew from cool
+/// ones, so that a checkpoint holds `start` and nothing else. Only [`commit`](FilmHeat::commit) moves it.
 #[derive(Debug, Clone)]
 pub(super) struct FilmHeat {
     /// Thermal properties of the fluid.
@@ -191,7 +194,7 @@ impl FilmHeat {
         self.start = rises;
     }
 
-    /// Takes them away: the next solve starts from a cool film.
+    /// Takes them away: the next solve starts from a cool film, as that of a single contact does.
     pub(super) fn take_start(&mut self) -> Vec<f64> {
         let cool = vec![0.0; self.start.len()];
         std::mem::replace(&mut self.start, cool)
@@ -207,8 +210,9 @@ impl FilmHeat {
         self.temperature.surface_rises()
     }
 
-    /// Turns until contact and heat agree, until [`MAX_SOLVES`], or until a contact does not converge. The
-    /// report counts the work of all solves.
+    /// Turns until contact and heat agree, until [`MAX_SOLVES`], or until a contact does not converge even
+    /// close to the last one that did. The report counts the work of all solves, `friction` gets the stresses
+    /// of the film, and the fluid keeps the temperatures that the last contact was solved with.
     fn solve(
         &mut self,
         given: &Surroundings<'_>,

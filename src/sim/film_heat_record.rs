@@ -4,7 +4,9 @@ use std::io::{self, Write};
 
 use super::film_heat::FilmHeatNumbers;
 
-/// Temperatures and heat of the film in a step, under the names that `thermal.*` has in the JSON of a contact.
+/// Temperatures and heat of the film in a step, under the names that `thermal.*` has in the JSON of a contact:
+/// those of the contact that the step was solved for, at its start. The columns of `history.csv` have the same
+/// names with units, `film_heat_` before those that say little alone.
 ///
 /// ```
 /// use stribeck::sim::{MixedLubricationSim, Scene};
@@ -77,7 +79,8 @@ impl FilmHeatRecord {
         write!(out, ",{},{:e}", record.solves, record.change)
     }
 
-    /// The record of these numbers, in the order of the columns.
+    /// The record of these numbers, in the order of the columns. Solves are a whole number in files of the
+    /// crate; of another one the fraction is dropped.
     pub(super) fn from_numbers(numbers: [f64; NUMBERS]) -> Self {
         let [
             film_temperature_max,

@@ -1,5 +1,6 @@
 //! The temperature of the film in a contact.
 
+use super::streams::Streams;
 use super::{FilmSection, FilmThermal, SectionSolver};
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -118,16 +119,18 @@ impl HeatBalance {
 
 /// Temperatures of film and surfaces in a contact.
 ///
-/// A node is a [`FilmSection`]. Sections of a row, from its inlet on, are connected by the heat that the mean
-/// flow carries on, `C = rho c Q / dx` with the flow `Q` through the section along x, what is entrained less
-/// what pressure drives back, first order upwind: in an inlet that is far less than `u h`, and a flow of
-/// another discretisation than the contact has would be off by as much as there is. What goes to the
-/// surfaces heats them as [`FlashTemperature::rises_through_film`] has it. Film and surfaces are found in
-/// passes, one after the other, in which the surfaces of a node follow its heat in proportion.
+/// A node is a [`FilmSection`]. Sections of a row are connected by the heat that two streams carry,
+/// `C = rho c (Q+ + Q-) / dx`: layers that move on, `Q+`, bring the mean temperature of the node upstream,
+/// those that turn back, `Q-`, that of the node downstream, first order upwind. `Q+ - Q-` is the flow through
+/// the section, what is entrained less what pressure drives back: in an inlet a small difference, for which
+/// both must be those that the contact was solved with. The streams are those of a film of one viscosity.
+///
+/// What goes to the surfaces heats them as [`FlashTemperature::rises_through_film`] has it. Film and surfaces
+/// are found in passes, one after the other, in which the surfaces of a node follow its heat in proportion.
 ///
 /// Heat of the flow by pressure is the flow through a face times the drop of pressure over it, half to each
 /// of its nodes; that of compression `T a_V Q dp/dx`. Left out: heat along the film by conduction, what the
-/// flow across x carries, and that layers of the film move at speeds of their own.
+/// flow across x carries, and that layers have temperatures of their own.
 #[derive(Debug, Clone)]
 pub struct FilmTemperature {
     /// The grid of the contact.
@@ -358,57 +361,4 @@ impl FilmTemperature {
 /// box it is ambient half a cell beyond the outermost nodes.
 fn cells_to_next(i: usize, n: usize) -> f64 {
     if i == 0 || i + 2 == n { 1.5 } else { 1.0 }
-}
-
-/// Flows along x and back through a section whose layers move at `u [1 + S y - 6 b (1/4 - y^2)]`, `y` from
-/// -1/2 to 1/2 across the film: that of the surfaces, with the slide-roll ratio `S`, and the parabola of one
-/// viscosity under pressure, `b = 1 - Q/E` with the flow `Q` of the `E` that is entrained.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Streams {
-    /// Along x \[m^2/s\].
-    along: f64,
-    /// Against it \[m^2/s\].
-    back: f64,
-}
-
-impl Streams {
-    /// Of what is `entrained`, what goes `through` \[m^2/s\] and the slide-roll ratio `skew`.
-    fn new(entrained: f64, through: f64, skew: f64) -> Self {
-        let b = 1.0 - through / entrained;
-        let inside = skew * skew - 24.0 * b * (1.0 - 1.5 * b);
-        let back = if entrained > 0.0 && b > 0.0 && inside > 0.0 {
-            let root = |sign: f64| ((sign * inside.sqrt() - skew) / (12.0 * b)).clamp(-0.5, 0.5);
-            let flow = |y: f64| y * (2.0 * b * y * y + 0.5 * skew * y + 1.0 - 1.5 * b);
-            entrained * (flow(root(-1.0)) - flow(root(1.0))).max(0.0)
-        } else {
-            (-through).max(0.0)
-        };
-        Self { along: (through + back).max(0.0), back }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn streams_are_those_of_the_layers() {
-        for (through, skew) in
-            [(1.0, 0.0), (0.5, 0.0), (0.1, 0.0), (0.0, 2.0), (-0.4, 1.0), (0.3, 0.5), (1.3, 0.0)]
-        {
-            let b = 1.0 - through;
-            let n = 200_000;
-            let layers = (0..n).map(|i| (f64::from(i) + 0.5) / f64::from(n) - 0.5);
-            let speeds = layers.map(|y| 1.0 + skew * y - 6.0 * b * (0.25 - y * y));
-            let (along, back) =
-                speeds.fold((0.0, 0.0), |(along, back), u: f64| (along + u.max(0.0), back - u.min(0.0)));
-            let found = Streams::new(1.0, through, skew);
-            let scale = f64::from(n);
-            assert!((found.along - along / scale).abs() < 1e-8, "{through}, {skew}: {found:?}");
-            assert!((found.back - back / scale).abs() < 1e-8, "{through}, {skew}: {found:?}");
-        }
-        // Nothing turns back between surfaces of one speed unless a third of what is entrained does.
-        assert_eq!(Streams::new(1.0, 0.34, 0.0), Streams { along: 0.34, back: 0.0 });
-        assert_eq!(Streams::new(0.0, -0.1, 0.0), Streams { along: 0.0, back: 0.1 });
-    }
 }

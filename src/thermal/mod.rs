@@ -9,6 +9,7 @@ mod collocation;
 mod field;
 mod properties;
 mod section;
+mod streams;
 
 pub use field::{FilmFlow, FilmTemperature, HeatBalance};
 pub use properties::FilmThermal;

@@ -35,10 +35,10 @@ pub enum FilmProfile {
 ///
 /// with `du/dz = F(tau)/eta(p, T)` of the rheology, and `s` the heat that does not depend on its shear: that
 /// of the flow by pressure, `q_p` (in proportion to the square of the distance from the middle), that of
-/// compression, and less what the flow carries on, `C (T_m - T_up)`, both even across the film. `T_m` is the
+/// compression, and less what the flow carries on, `C (T_m - T_a)`, both even across the film. `T_m` is the
 /// mean across the film. With one viscosity across the film that is
 ///
-/// `T_m = (T_1 + T_2)/2 + h/(12 k) [tau u_s + q_c - C (T_m - T_up)] + h/(20 k) q_p`.
+/// `T_m = (T_1 + T_2)/2 + h/(12 k) [tau u_s + q_c - C (T_m - T_a)] + h/(20 k) q_p`.
 ///
 /// The surfaces may follow the heat that leaves the film: `T_i + R (q - q_0)`.
 #[derive(Debug, Clone, Copy)]
@@ -61,7 +61,7 @@ pub struct FilmSection<'a> {
     pub response: (f64, f64),
     /// Heat of the flow by pressure `q_p` and of compression `q_c` \[W/m^2\].
     pub other_heat: (f64, f64),
-    /// What the flow carries on: `C` \[W/(m^2 K)\] and the mean temperature upstream `T_up` \[K\].
+    /// What the flow carries on: `C` \[W/(m^2 K)\] and the temperature `T_a` that it comes with \[K\].
     pub carried: (f64, f64),
 }
 

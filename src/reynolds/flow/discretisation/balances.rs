@@ -103,7 +103,9 @@ impl Discretisation {
         (unit * inflow, unit * outflow)
     }
 
-    /// Overwrites `flows` with those at the last update.
+    /// Overwrites `flows` with those at the last update: flow by pressure through the faces to the east and to
+    /// the north, and the mean of all that goes through the two faces of a node along x \[m^2/s\]. Nodes at the
+    /// edge of the box have one face along x.
     pub(in crate::reynolds) fn film_flows(&self, flows: &mut FilmFlows) {
         let (nx, n) = (self.grid.nx(), self.grid.len());
         let (along, across) = (self.rate * self.grid.dx(), self.rate * self.grid.dy());
