@@ -3,7 +3,7 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::SolveReport;
-use stribeck::sim::{HertzContact, StepRecord};
+use stribeck::sim::{FilmHeatRecord, HertzContact, StepRecord};
 
 use crate::convert::dictionary;
 
@@ -46,6 +46,7 @@ pub(crate) fn hertz_dict<'py>(py: Python<'py>, hertz: &HertzContact) -> PyResult
 /// One row of a history: names of [`StepRecord`], those of pairs with `_ball` and `_disc`.
 pub(crate) fn record_dict<'py>(py: Python<'py>, record: &StepRecord) -> PyResult<Bound<'py, PyDict>> {
     let report = &record.report;
+    let heat = |number: fn(&FilmHeatRecord) -> f64| record.film_heat.as_ref().map_or(f64::NAN, number);
     Ok(dictionary!(py, {
         "step": record.step,
         "time": record.time,
@@ -79,6 +80,14 @@ pub(crate) fn record_dict<'py>(py: Python<'py>, record: &StepRecord) -> PyResult
         "entrainment_speed": record.motion.entrainment_speed,
         "slide_roll_ratio": record.motion.slide_roll_ratio,
         "bulk_temperature": record.bulk_temperature,
+        "film_temperature_max": heat(|heat| heat.film_temperature_max),
+        "film_temperature_mean_central": heat(|heat| heat.film_temperature_mean_central),
+        "surface_rise_ball": heat(|heat| heat.surface_rises[0]),
+        "surface_rise_disc": heat(|heat| heat.surface_rises[1]),
+        "film_heat": heat(|heat| heat.heat),
+        "film_heat_imbalance": heat(|heat| heat.imbalance),
+        "film_heat_solves": heat(|heat| heat.solves as f64),
+        "film_heat_change": heat(|heat| heat.change),
         "minimum_gap": record.minimum_gap,
         "inflow": record.flow.map_or(f64::NAN, |flow| flow.inflow),
         "outflow": record.flow.map_or(f64::NAN, |flow| flow.outflow),

@@ -20,6 +20,7 @@ UNITS = {
     "dy": "m",
     "entrainment_speed": "m/s",
     "film_cutoff": "m",
+    "film_heat": "W",
     "flash_rise": "K",
     "force": "N",
     "half_width": "m",
@@ -39,7 +40,7 @@ UNITS = {
     "time": "s",
     "time_step": "s",
 }
-_PREFIXES = {"rq_": "m", "mean_wear_": "m", "max_wear_": "m", "mean_film_": "m", "track_": "m"}
+_PREFIXES = {"film_temperature_": "K", "surface_rise_": "K", "rq_": "m", "mean_wear_": "m", "max_wear_": "m", "mean_film_": "m", "track_": "m"}
 _PATHS = {
     "film.central": "m",
     "film.lambda": "",

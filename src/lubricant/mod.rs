@@ -118,7 +118,10 @@ pub trait DensityLaw: Debug + Send + Sync {
     fn slope(&self, pressure: f64) -> f64;
 
     /// Density at `pressure` \[Pa\] and `temperature` \[K\] over that at ambient pressure and the temperature of
-    /// the law; none (the default) for a law that does not know temperature.
+    /// the law; none (the default) for a law that does not know temperature. With
+    /// [`at_temperature`](Self::at_temperature) this is `ratio_at(0, T)` times the `ratio` of the law at `T`: that
+    /// one counts from ambient pressure at its own temperature. Films with a temperature of their own take it
+    /// ([`Lubricant::set_film_temperatures`]).
     fn ratio_at(&self, _pressure: f64, _temperature: f64) -> Option<f64> {
         None
     }

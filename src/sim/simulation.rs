@@ -218,6 +218,10 @@ impl MixedLubricationSim {
         if self.step == 0 && record.composite_rq == 0.0 {
             self.warnings.extend(warnings::excess_pressure(record.max_pressure, self.contact.hertz.p_max));
         }
+        if let (0, Some(heat)) = (self.step, record.film_heat) {
+            let hot = warnings::hot_film(heat.film_temperature_max, record.bulk_temperature);
+            self.warnings.extend(hot);
+        }
         self.step += 1;
         Ok(record)
     }

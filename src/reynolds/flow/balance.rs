@@ -38,8 +38,12 @@ impl FlowBalance {
     }
 }
 
-/// Flows in a film at ambient density, a metre of width \[m^2/s\], one value a node; see
-/// [`Evaluation::film_flows`](crate::reynolds::Evaluation::film_flows).
+/// Flows in a film at ambient density, a metre of width \[m^2/s\], one value a node, positive along the axes;
+/// see [`Evaluation::film_flows`](crate::reynolds::Evaluation::film_flows).
+///
+/// Flow by pressure is that of the face law with shear thinning and the viscosity of warm films; what is
+/// entrained through a node is `through` less the mean of `east` at its two faces along x. Heat of a film
+/// needs both: in an inlet they nearly cancel.
 ///
 /// ```
 /// use stribeck::reynolds::FilmFlows;

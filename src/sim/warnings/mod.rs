@@ -8,7 +8,7 @@ mod solved;
 
 use std::fmt;
 
-pub(super) use solved::{after_solve, excess_pressure};
+pub(super) use solved::{after_solve, excess_pressure, hot_film};
 
 use super::hertz::HertzContact;
 use super::scene::{BODIES, Scene};

@@ -18,17 +18,19 @@ pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> 
     let smooth = scene.is_smooth() && solution.composite_rq == 0.0;
     let pressure =
         smooth.then(|| excess_pressure(solution.contact.max_pressure, solution.hertz.p_max)).flatten();
-    pressure.into_iter().chain(hot_film(scene, solution)).chain(mesh_errors(scene, solution)).collect()
+    let film = solution.film_heat.as_ref().zip(scene.conditions(0.0).ok());
+    let film = film.and_then(|(heat, conditions)| hot_film(heat.maximum, conditions.bulk_temperature));
+    pressure.into_iter().chain(film).chain(mesh_errors(scene, solution)).collect()
 }
 
-/// A film so warm that no law of viscosity was fitted to it.
-fn hot_film(scene: &Scene, solution: &ContactSolution) -> Option<Warning> {
-    let heat = solution.film_heat.as_ref()?;
-    let rise = heat.maximum - scene.conditions(0.0).ok()?.bulk_temperature;
+/// A film whose largest temperature \[K\] is so far above that of the `bulk` that no law of viscosity was
+/// fitted to it.
+pub(in crate::sim) fn hot_film(largest: f64, bulk: f64) -> Option<Warning> {
+    let rise = largest - bulk;
     (rise > LARGEST_RISE).then(|| {
         Warning::new(
             "thermal.film_temperature_max",
-            heat.maximum,
+            largest,
             format!(
                 "the film is {} K above the bulk temperature: laws of viscosity by temperature hold over some {LARGEST_RISE} K",
                 short(rise)
