@@ -46,7 +46,7 @@ impl FilmFlow<'_> {
     /// carry.
     fn streams(&self, k: usize, nx: usize) -> Streams {
         let (through, east) = (self.flows.through[k], &self.flows.east);
-        let before = if k % nx > 0 { east[k - 1] } else { east[k] };
+        let before = if k.is_multiple_of(nx) { east[k] } else { east[k - 1] };
         let after = if k % nx + 1 < nx { east[k] } else { before };
         let (speed, sliding) = self.speeds;
         let skew = if speed > 0.0 { sliding / speed } else { 0.0 };

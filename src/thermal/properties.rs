@@ -27,7 +27,7 @@ pub struct FilmThermal {
     pub conductivity: f64,
     /// Heat capacity of a volume `rho c` \[J/(m^3 K)\].
     pub heat_capacity: f64,
-    /// Thermal expansivity of the volume `a_V` \[1/K\], for heat of compression.
+    /// Thermal expansivity of the volume `a_V` \[1/K\], for heat of compression and for the density of films.
     pub expansivity: f64,
     /// How the temperature across the film is found.
     pub profile: super::FilmProfile,

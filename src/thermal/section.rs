@@ -281,7 +281,7 @@ impl FilmSection<'_> {
             let now = excess(temperature);
             let step = now * (temperature - last) / (now - last_excess);
             if !step.is_finite() {
-                return if now == last_excess { near } else { temperature };
+                return last;
             }
             (last, last_excess) = (temperature, now);
             temperature = (temperature - step).clamp(0.5 * temperature, 2.0 * temperature);

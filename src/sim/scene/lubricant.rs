@@ -61,7 +61,7 @@ pub struct LubricantSpec {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub supplied_film: Option<f64>,
     /// Thermal properties, with which the film has a temperature of its own; absent: the bulk temperature.
-    /// Single contacts only; needs a viscosity that knows temperature.
+    /// Needs a viscosity that knows temperature.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub thermal: Option<FilmThermal>,
 }
