@@ -12,7 +12,7 @@ use std::process::{Child, Command, Stdio};
 use std::sync::OnceLock;
 
 use stribeck::elastic::HalfSpace;
-use stribeck::sim::scene::{Flash, PlasticSpec};
+use stribeck::sim::scene::{FilmElasticSpec, Flash, PlasticSpec};
 use stribeck::sim::{
     CheckpointError, MixedLubricationSim, RunFolder, Scene, Schedule, SimBuilder, SimError, StepControl,
     StepRecord,
@@ -69,6 +69,15 @@ fn resumed_equals_uninterrupted(build: impl Fn() -> SimBuilder, time_step: f64) 
 #[test]
 fn wear_history_with_film() {
     resumed_equals_uninterrupted(|| MixedLubricationSim::builder(scene()), 60.0);
+}
+
+#[test]
+fn wear_history_with_a_compliant_film() {
+    let mut soft = scene();
+    soft.elastic.tribofilm = Some(FilmElasticSpec::new(30e9, 0.3));
+    resumed_equals_uninterrupted(|| MixedLubricationSim::builder(soft.clone()), 60.0);
+    (soft.lubricant, soft.solver.tolerance) = (None, 1e-6);
+    resumed_equals_uninterrupted(|| MixedLubricationSim::builder(soft.clone()), 300.0);
 }
 
 #[test]

@@ -101,4 +101,8 @@ impl ResponseApproximations for LineHalfSpace {
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         self.response.pressure_estimate(displacement, out)
     }
+
+    fn soften(&mut self, compliance: f64) {
+        self.response.soften(compliance);
+    }
 }

@@ -4,24 +4,28 @@
 //! first influence coefficients; [`ResponseApproximations`] are what makes them faster. [`HalfSpace`] is the
 //! default (Boussinesq half-space, Love's influence coefficients, DC-FFT convolution), [`LineHalfSpace`] its
 //! plane-strain counterpart for line contacts, [`LayeredHalfSpace`] either of them with a bonded [`Layer`];
-//! [`direct_displacement`] is the slow direct sum that it is checked against. [`subsurface_stress`] and
+//! [`WithLocalCompliance`] adds to any of them what a thin [`BondedFilm`] gives way. [`direct_displacement`] is the slow direct sum that it is checked against. [`subsurface_stress`] and
 //! [`stress_extremes`] are the stresses below the surface, [`LayeredStress`] those in and below a layer.
 
+mod bonded_film;
 mod direct;
 mod dry;
 mod half_space;
 mod layered;
 mod line;
+mod local_compliance;
 mod response;
 mod subsurface;
 
 use std::fmt::Debug;
 
+pub use bonded_film::BondedFilm;
 pub use direct::direct_displacement;
 pub use dry::{DryOutcome, DryProblem, DrySolver};
 pub use half_space::HalfSpace;
 pub use layered::{Layer, LayerStressExtremes, LayeredHalfSpace, LayeredStress, LayeredStressExtremes};
 pub use line::LineHalfSpace;
+pub use local_compliance::WithLocalCompliance;
 pub use subsurface::{Extreme, StressExtremes, StressField, stress_extremes, subsurface_stress};
 
 use crate::error::InputError;
@@ -30,8 +34,8 @@ use crate::grid::Grid;
 /// The displacement of both surfaces together as a linear function of pressure.
 ///
 /// Contract: `displacement` is linear in the pressure, symmetric (the influence of node a on b is that of b
-/// on a), translation invariant and positive; solvers rely on all four. It must not allocate after the first
-/// call.
+/// on a), positive and translation invariant but for [`self_influence`](Self::self_influence); solvers rely
+/// on all four. It must not allocate after the first call.
 ///
 /// # Examples
 ///
@@ -78,6 +82,12 @@ pub trait DeformationModel: Debug + Send + Sync {
     /// most [`NEAR`]): line relaxations solve for these implicitly.
     fn influence(&self, di: usize, dj: usize) -> f64;
 
+    /// The displacement of node `node` under unit pressure of its own \[m/Pa\]; `influence(0, 0)` (the default)
+    /// where it is that of all nodes. Where it is not, `influence(0, 0)` stands for all of them.
+    fn self_influence(&self, _node: usize) -> f64 {
+        self.influence(0, 0)
+    }
+
     /// The same bodies on another grid, for starts on coarser grids and multigrid; none (the default) where
     /// the model lives on one grid alone: then `Multigrid` refuses it and `Auto` takes Newton's method.
     fn on_grid(&self, _grid: Grid) -> Option<Box<dyn DeformationModel>> {
@@ -119,6 +129,37 @@ pub trait ResponseApproximations {
     /// # Errors
     /// [`InputError::Shape`] when a slice does not fit the grid.
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError>;
+
+    /// From now on `pressure_estimate` is that of bodies whose nodes give way each by `compliance` \[m/Pa\] times
+    /// its pressure too, of the bodies alone where that is zero. By default it stays that of the bodies alone,
+    /// which costs iterations.
+    fn soften(&mut self, _compliance: f64) {}
+}
+
+impl DeformationModel for Box<dyn DeformationModel> {
+    fn grid(&self) -> Grid {
+        (**self).grid()
+    }
+
+    fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
+        (**self).displacement(pressure, out)
+    }
+
+    fn influence(&self, di: usize, dj: usize) -> f64 {
+        (**self).influence(di, dj)
+    }
+
+    fn self_influence(&self, node: usize) -> f64 {
+        (**self).self_influence(node)
+    }
+
+    fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
+        (**self).on_grid(grid)
+    }
+
+    fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
+        (**self).approximations()
+    }
 }
 
 /// What solvers ask of a model, approximations or not.

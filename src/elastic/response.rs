@@ -24,6 +24,8 @@ pub(super) struct ElasticResponse {
     periodic: Convolution<f32>,
     /// In single precision, times the self-influence.
     inverse: Convolution<f32>,
+    /// The same with a local compliance of all nodes; none without.
+    softened: Option<Convolution<f32>>,
     /// Self-influence `K(0, 0)` \[m/Pa\].
     own: f64,
 }
@@ -38,7 +40,8 @@ impl ElasticResponse {
             grid,
             estimate: Convolution::new(Arc::new(plan.to_single(1.0 / own))),
             periodic: Convolution::new(Arc::new(periodic.to_single(1.0 / own))),
-            inverse: Convolution::new(Arc::new(periodic.inverse().to_single(own))),
+            inverse: Convolution::new(Arc::new(periodic.inverse_with(0.0).to_single(own))),
+            softened: None,
             convolution: Convolution::new(Arc::new(plan)),
             own,
         }
@@ -70,14 +73,29 @@ impl ElasticResponse {
         in_single(&mut self.periodic, self.grid, ("pressure", pressure), self.own, out)
     }
 
-    /// Pressures that a displacement needs on the periodic grid: the spectrum of the kernel inverted by its
-    /// modulus.
+    /// Adds a local `compliance` \[m/Pa\] of all nodes to what estimated pressures belong to, in place of that
+    /// before.
+    pub(super) fn soften(&mut self, compliance: f64) {
+        if compliance == 0.0 {
+            self.softened = None;
+            return;
+        }
+        let plan = self.periodic.plan().inverse_with(compliance / self.own);
+        match &mut self.softened {
+            Some(softened) => softened.take(plan),
+            None => self.softened = Some(Convolution::new(Arc::new(plan))),
+        }
+    }
+
+    /// Pressures that a displacement needs on the periodic grid: the spectrum of the kernel, and of a local
+    /// compliance, inverted by its modulus.
     pub(super) fn pressure_estimate(
         &mut self,
         displacement: &[f64],
         out: &mut [f64],
     ) -> Result<(), InputError> {
-        in_single(&mut self.inverse, self.grid, ("displacement", displacement), 1.0 / self.own, out)
+        let inverse = self.softened.as_mut().unwrap_or(&mut self.inverse);
+        in_single(inverse, self.grid, ("displacement", displacement), 1.0 / self.own, out)
     }
 }
 

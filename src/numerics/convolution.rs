@@ -17,6 +17,7 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftNum, FftPlanner};
 
 use super::lanes::{lanes_for, share_lines};
+use super::spectrum::Spectrum;
 use super::transpose::{BLOCK, transpose};
 
 /// A number that transforms are done in; fields are always of double precision.
@@ -74,79 +75,6 @@ pub(crate) struct ConvolutionPlan<T: Precision = f64> {
     spectrum: Spectrum<T>,
 }
 
-/// Spectrum of a kernel, column by column (`[kx][ky]`).
-#[derive(Clone)]
-enum Spectrum<T> {
-    /// Of a kernel that mirrors itself along both axes: real, the first half of each column.
-    Symmetric(Vec<T>),
-    /// Of any other kernel: whole columns.
-    General(Vec<Complex<T>>),
-}
-
-/// Share of the largest value below which a difference from a symmetric spectrum is rounding.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
-
-impl Spectrum<f64> {
-    /// Of columns of `length` values.
-    fn new(values: Vec<Complex<f64>>, length: usize) -> Self {
-        let rounding = ROUNDING * values.iter().fold(0.0_f64, |largest, value| largest.max(value.norm()));
-        let mirrored = |column: &[Complex<f64>]| {
-            (0..length).all(|k| (column[k] - column[(length - k) % length].conj()).norm() <= rounding)
-                && column.iter().all(|value| value.im.abs() <= rounding)
-        };
-        if values.chunks_exact(length).all(mirrored) {
-            let half = |column: &[Complex<f64>]| -> Vec<f64> {
-                column[..=length / 2].iter().map(|value| value.re).collect()
-            };
-            Self::Symmetric(values.chunks_exact(length).flat_map(half).collect())
-        } else {
-            Self::General(values)
-        }
-    }
-
-    /// The same spectrum with `each` applied to real and imaginary parts.
-    fn map<U: Precision>(&self, each: impl Fn(f64) -> U) -> Spectrum<U> {
-        match self {
-            Self::Symmetric(values) => Spectrum::Symmetric(values.iter().map(|&value| each(value)).collect()),
-            Self::General(values) => Spectrum::General(
-                values.iter().map(|value| Complex::new(each(value.re), each(value.im))).collect(),
-            ),
-        }
-    }
-
-    /// Puts `factor / |K|` in place of each value `K`; a value of zero counts as the smallest normal number.
-    fn reciprocal(&mut self, factor: f64) {
-        let reciprocal = |modulus: f64| factor / modulus.max(f64::MIN_POSITIVE);
-        match self {
-            Self::Symmetric(values) => values.iter_mut().for_each(|value| *value = reciprocal(value.abs())),
-            Self::General(values) => {
-                values.iter_mut().for_each(|value| *value = Complex::new(reciprocal(value.norm()), 0.0));
-            }
-        }
-    }
-}
-
-impl<T: Precision> Spectrum<T> {
-    /// Multiplies column `kx` of a field by that of the kernel.
-    fn multiply(&self, kx: usize, column: &mut [Complex<T>]) {
-        let length = column.len();
-        match self {
-            Self::Symmetric(values) => {
-                let half = length / 2 + 1;
-                let kernel = &values[kx * half..(kx + 1) * half];
-                let (low, high) = column.split_at_mut(half);
-                low.iter_mut().zip(kernel).for_each(|(value, &k)| *value = *value * k);
-                let mirrored = kernel.iter().skip(1).rev().skip(usize::from(length.is_multiple_of(2)));
-                high.iter_mut().zip(mirrored).for_each(|(value, &k)| *value = *value * k);
-            }
-            Self::General(values) => {
-                let kernel = &values[kx * length..(kx + 1) * length];
-                column.iter_mut().zip(kernel).for_each(|(value, k)| *value = *value * k);
-            }
-        }
-    }
-}
-
 impl<T: Precision> fmt::Debug for ConvolutionPlan<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("ConvolutionPlan")
@@ -184,16 +112,6 @@ impl ConvolutionPlan {
     /// nodes see each other the shortest way round. A quarter of the cost.
     pub(crate) fn periodic(nx: usize, ny: usize, kernel: impl Fn(isize, isize) -> f64) -> Self {
         Self::padded(nx, ny, [nx, ny], kernel)
-    }
-
-    /// The inverse of this convolution on its padded grid: one over the modulus of the spectrum of the
-    /// kernel. Of a periodic kernel that falls as `1/r` the inverse falls as `1/r^3`, so that the images
-    /// reach nothing but the edges.
-    pub(crate) fn inverse(&self) -> Self {
-        let mut plan = self.clone();
-        let scale = 1.0 / (plan.padded_x as f64 * plan.padded_y as f64);
-        plan.spectrum.reciprocal(scale * scale);
-        plan
     }
 
     /// The same in single precision, the kernel multiplied by `factor`: half the memory and about half the
@@ -259,6 +177,16 @@ impl<T: Precision> ConvolutionPlan<T> {
             columns_inverse: complex.plan_fft_inverse(padded_y),
             spectrum: Spectrum::General(Vec::new()),
         }
+    }
+
+    /// The inverse of this convolution plus `own` times the field on its padded grid: one over the modulus of
+    /// the spectrum of the kernel and `own`. Of a periodic kernel that falls as `1/r` the inverse falls as
+    /// `1/r^3`, so that the images reach nothing but the edges.
+    pub(crate) fn inverse_with(&self, own: f64) -> Self {
+        let mut plan = self.clone();
+        let scale = 1.0 / (plan.padded_x as f64 * plan.padded_y as f64);
+        plan.spectrum.reciprocal(scale * scale, own * scale);
+        plan
     }
 
     /// Values of the spectrum of a real row of `px` values: `px/2 + 1`.
@@ -330,6 +258,16 @@ impl<T: Precision> Convolution<T> {
     pub(crate) fn new(plan: Arc<ConvolutionPlan<T>>) -> Self {
         let work = Self::buffers(&plan);
         Self { plan, work }
+    }
+
+    /// What is fixed.
+    pub(crate) fn plan(&self) -> &ConvolutionPlan<T> {
+        &self.plan
+    }
+
+    /// Takes another plan for fields and padding of the same sizes.
+    pub(crate) fn take(&mut self, plan: ConvolutionPlan<T>) {
+        self.plan = Arc::new(plan);
     }
 
     /// Buffers of a plan, all zero.

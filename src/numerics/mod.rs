@@ -6,7 +6,7 @@
 //!
 //! | look for | in |
 //! |---|---|
-//! | displacements `u = K p` of a field of pressures | `convolution` |
+//! | displacements `u = K p` of a field of pressures | `convolution`, its kernels in `spectrum` |
 //! | spectra of periodic complex and real fields | `fft`, `real_fft` |
 //! | the factorised part of Newton's preconditioner | `grid_lu`, `tridiagonal` |
 //! | the linear solve of a Newton step | `gmres` |
@@ -21,6 +21,7 @@ mod gmres;
 mod grid_lu;
 mod lanes;
 mod real_fft;
+mod spectrum;
 mod transpose;
 mod tridiagonal;
 mod vectors;

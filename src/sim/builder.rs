@@ -320,6 +320,12 @@ impl SimBuilder {
             (None, Some(spec)) => Some(spec.law()?.into()),
             (None, None) => None,
         };
+        if growth.is_none() && scene.elastic.tribofilm.is_some() {
+            return Err(SimError::Input(InputError::Conflict {
+                field: "elastic.tribofilm".to_owned(),
+                reason: "the scene has no tribofilm".to_owned(),
+            }));
+        }
         let film_thickness = growth.as_ref().map(|law| law.maximum_thickness());
         let plasticity = match (self.plasticity.take(), scene.plastic) {
             (Some(model), _) => Some(PerBody::same(model)),

@@ -7,6 +7,7 @@
 use std::sync::atomic::Ordering;
 
 use super::builder::SimBuilder;
+use super::compliant_films::CompliantFilms;
 use super::film_heat;
 use super::formula::{FormulaFilm, formula_film, stated_film};
 use super::hertz::HertzContact;
@@ -16,7 +17,7 @@ use super::scene::{Motion, Scene};
 use super::solution::ContactSolution;
 use super::timetable::{Conditions, Timetable};
 use super::{SimError, own_laws, setup};
-use crate::elastic::{HalfSpace, LayeredHalfSpace, LineHalfSpace};
+use crate::elastic::{HalfSpace, LayeredHalfSpace, LineHalfSpace, WithLocalCompliance};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
@@ -39,8 +40,10 @@ pub(super) struct ContactModel {
     pub(super) hertz: HertzContact,
     /// Gap of the smooth, undeformed bodies \[m\].
     pub(super) form_gap: Vec<f64>,
-    /// Elastic bodies, asked once an iteration whether the solve is to end.
-    pub(super) deformation: Interruptible,
+    /// Elastic bodies, asked once an iteration whether the solve is to end, and tribofilms.
+    pub(super) deformation: WithLocalCompliance<Interruptible>,
+    /// Tribofilms with elastic constants of their own; none where they give way as the bodies do.
+    pub(super) films: Option<CompliantFilms>,
     /// The oil at its bulk temperature; none for a dry contact.
     pub(super) lubricant: Option<Lubricant>,
     /// The solver of the scene, or that of the user.
@@ -140,7 +143,7 @@ impl ContactModel {
         let mut form_gap = vec![0.0; grid.len()];
         scene.form.gap_into(&grid, &mut form_gap)?;
         let deformation = checked_deformation(scene, grid, overrides.deformation)?;
-        let deformation = Interruptible::new(deformation, overrides.interrupt);
+        let deformation = WithLocalCompliance::new(Interruptible::new(deformation, overrides.interrupt));
         let missing =
             [("viscosity", overrides.viscosity.is_some()), ("density", overrides.density.is_some())];
         if let (None, Some((law, _))) = (&scene.lubricant, missing.iter().find(|(_, given)| *given)) {
@@ -184,6 +187,7 @@ impl ContactModel {
             hertz,
             form_gap,
             deformation,
+            films: CompliantFilms::of(scene, grid.len())?,
             lubricant,
             confirms: overrides.solver.is_some(),
             solver: overrides.solver.map_or_else(|| setup::solver(scene), Ok)?,
@@ -316,7 +320,7 @@ impl ContactModel {
         squeeze: Option<Squeeze<'_>>,
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
-        let (heeded, rule, confirms) = (self.deformation.begin(), self.rule, self.confirms);
+        let (heeded, rule, confirms) = (self.deformation.bodies().begin(), self.rule, self.confirms);
         let mut film_flows = self.film_flows.take();
         let (mut problem, solver, mut evaluation) = self.problem(gap, limit, squeeze);
         let solved = solver.solve(&mut problem, state, &rule);

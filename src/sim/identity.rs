@@ -102,7 +102,8 @@ impl MixedLubricationSim {
     /// # Errors
     /// A scene that no file can hold.
     pub(super) fn identity(&self) -> Result<Identity, SimError> {
-        let influence = [0, 1, NEAR].map(|di| format!("{:e}", self.contact.deformation.influence(di, 0)));
+        let bodies = self.contact.deformation.bodies();
+        let influence = [0, 1, NEAR].map(|di| format!("{:e}", bodies.influence(di, 0)));
         let others = [
             ("squeeze", self.travel.squeeze.to_string()),
             ("solver", self.contact.solver.id().to_string()),

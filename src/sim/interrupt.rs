@@ -82,6 +82,10 @@ impl<M: DeformationModel + ?Sized> DeformationModel for Interruptible<M> {
         self.model.influence(di, dj)
     }
 
+    fn self_influence(&self, node: usize) -> f64 {
+        self.model.self_influence(node)
+    }
+
     fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
         let model = self.model.on_grid(grid)?;
         let Some(interrupt) = &self.interrupt else { return Some(model) };

@@ -28,6 +28,7 @@ mod body;
 mod builder;
 #[cfg(feature = "serde")]
 mod checkpoint;
+mod compliant_films;
 mod contact;
 mod course;
 pub mod ensemble;

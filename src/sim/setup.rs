@@ -48,6 +48,7 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     friction.shear_thinning(scene.motion.sliding_speed())?;
     scene.validate_materials()?;
     scene.layer()?;
+    scene.bonded_films()?;
     if let Some(stress) = scene.stress {
         stress.validate(scene)?;
     }

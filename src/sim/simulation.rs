@@ -284,6 +284,7 @@ impl MixedLubricationSim {
     pub(super) fn solve_at(&mut self, offsets: Offsets) -> Result<Solved, SimError> {
         let Self { contact, laws, state, placement, yielding, squeeze_memory, squeezed, .. } = self;
         placement.place(&self.bodies, &contact.form_gap, offsets)?;
+        contact.cover(&placement.films)?;
         let squeeze = if self.travel.squeeze { squeeze_memory.squeeze(self.step, squeezed)? } else { None };
         // A film that is squeezed was there a moment ago; roughness that has moved far makes the last
         // pressures no better a start than the dry contact.

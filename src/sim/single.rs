@@ -226,6 +226,7 @@ impl Prepared {
         let mut placement = Placement::new(grid);
         placement.place(&bodies, &model.form_gap, [Offset::default(); 2])?;
         let Placement { gap, films: tribofilms, depths, .. } = placement;
+        model.cover(&tribofilms)?;
         let limit = match &laws.plasticity {
             None => None,
             Some(plasticity) => {

@@ -50,6 +50,8 @@ impl CoarseFilms {
         unit[0] = 1.0 / body.influence(0, 0);
         let mut table = vec![0.0; n];
         body.displacement(&unit, &mut table)?;
+        // The first node stands for all of them.
+        table[0] += (body.influence(0, 0) - body.self_influence(0)) * unit[0];
         let (nx, ny) = (grid.nx().div_ceil(WIDTH), grid.ny().div_ceil(WIDTH));
         let mean = |di: isize, dj: isize| mean_influence(&grid, &table, [di, dj]);
         let pairs = (WIDTH * WIDTH) as f64;
@@ -62,7 +64,7 @@ impl CoarseFilms {
             block: (0..n).map(|k| (k / grid.nx() / WIDTH * nx + k % grid.nx() / WIDTH) as u32).collect(),
             influence: Convolution::new(Arc::new(ConvolutionPlan::periodic(nx, ny, kernel).to_single(1.0))),
             inverse: Convolution::new(Arc::new(
-                ConvolutionPlan::periodic(nx, ny, full).inverse().to_single(1.0),
+                ConvolutionPlan::periodic(nx, ny, full).inverse_with(0.0).to_single(1.0),
             )),
             excess: 1.0 - own,
             root: blocks(),

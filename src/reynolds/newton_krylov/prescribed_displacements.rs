@@ -28,7 +28,7 @@ pub(super) struct PrescribedDisplacements {
     /// None on a line, whose response has no length to fall off in.
     coarse: Option<CoarseFilms>,
     /// Influences of the body that the blocks are made for, their bits.
-    influences: [u64; 3],
+    influences: [u64; 4],
     pub(super) films: Vec<f64>,
     pub(super) pressures: Vec<f64>,
     scratch: Vec<f64>,
@@ -41,7 +41,7 @@ impl PrescribedDisplacements {
             nodes: Vec::with_capacity(n),
             weights: vec![0.0; n],
             coarse: None,
-            influences: [0; 3],
+            influences: [0; 4],
             films: vec![0.0; n],
             pressures: vec![0.0; n],
             scratch: vec![0.0; n],
@@ -50,7 +50,8 @@ impl PrescribedDisplacements {
 
     /// Takes the elastic response of `body`, once for each: no part of the work of a solve.
     pub(super) fn configure(&mut self, body: &mut dyn DeformationModel) -> Result<(), InputError> {
-        let influences = [(0, 0), (1, 0), (0, 1)].map(|(di, dj)| body.influence(di, dj).to_bits());
+        let [own, along, across] = [(0, 0), (1, 0), (0, 1)].map(|(di, dj)| body.influence(di, dj));
+        let influences = [own, along, across, body.self_influence(0)].map(f64::to_bits);
         if body.grid().ny() == 1 || (self.coarse.is_some() && self.influences == influences) {
             return Ok(());
         }

@@ -1,7 +1,7 @@
-//! Elastic constants of the pair and of a layer on the disc.
+//! Elastic constants of the pair, of a layer on the disc and of tribofilms.
 
 use super::Scene;
-use crate::elastic::Layer;
+use crate::elastic::{BondedFilm, Layer};
 use crate::error::InputError;
 use crate::with_fields::with_fields;
 
@@ -17,7 +17,47 @@ pub struct Elastic {
     /// A layer on the disc; none for a half-space.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub layer: Option<LayerSpec>,
+    /// What the tribofilms of both bodies are made of; none where they give way as the bodies do.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub tribofilm: Option<FilmElasticSpec>,
 }
+
+/// Elastic constants of tribofilms, which give way beyond the bodies by [`BondedFilm`].
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// use stribeck::sim::scene::FilmElasticSpec;
+/// let mut scene = Scene::azam_2019(32).with_tribofilm();
+/// scene.elastic.tribofilm = Some(FilmElasticSpec::new(30e9, 0.3));
+/// // Nanometres that a film of 100 nm gives way under 1 GPa.
+/// let [ball, disc] = scene.bonded_films()?.ok_or("no films")?;
+/// assert!((1e9 * 100e-9 * disc.compliance() - 2.24e-9).abs() < 1e-11);
+/// assert_eq!(ball, disc);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct FilmElasticSpec {
+    /// Young's modulus \[Pa\], below that of the bodies.
+    pub modulus: f64,
+    /// Poisson's ratio, at most 0.45.
+    pub poisson: f64,
+}
+
+impl FilmElasticSpec {
+    /// Films with Young's `modulus` \[Pa\] and Poisson's ratio `poisson`.
+    pub const fn new(modulus: f64, poisson: f64) -> Self {
+        Self { modulus, poisson }
+    }
+}
+
+with_fields!(FilmElasticSpec { with_modulus modulus: f64, with_poisson poisson: f64 });
+
+/// Poisson's ratio of bodies of which `E'` alone is known.
+const USUAL_POISSON: f64 = 0.3;
 
 /// A layer that is bonded to the disc, the substrate.
 ///
@@ -76,6 +116,7 @@ struct ElasticTable {
     /// `E'` \[Pa\].
     equivalent_modulus: Option<f64>,
     layer: Option<LayerSpec>,
+    tribofilm: Option<FilmElasticSpec>,
 }
 
 #[cfg(feature = "serde")]
@@ -84,11 +125,12 @@ impl TryFrom<ElasticTable> for Elastic {
 
     fn try_from(table: ElasticTable) -> Result<Self, Self::Error> {
         match table {
-            ElasticTable { equivalent_modulus: None, layer: None } => {
+            ElasticTable { equivalent_modulus: None, layer: None, tribofilm: None } => {
                 Err("missing field `equivalent_modulus`")
             }
-            ElasticTable { equivalent_modulus, layer } => {
-                Ok(Self { equivalent_modulus: equivalent_modulus.unwrap_or(f64::INFINITY), layer })
+            ElasticTable { equivalent_modulus, layer, tribofilm } => {
+                let equivalent_modulus = equivalent_modulus.unwrap_or(f64::INFINITY);
+                Ok(Self { equivalent_modulus, layer, tribofilm })
             }
         }
     }
@@ -103,7 +145,7 @@ fn is_infinite(modulus: &f64) -> bool {
 impl Elastic {
     /// Half-spaces of the equivalent modulus `E'` \[Pa\].
     pub fn new(equivalent_modulus: f64) -> Self {
-        Self { equivalent_modulus, layer: None }
+        Self { equivalent_modulus, layer: None, tribofilm: None }
     }
 
     /// Whether the table need not be written.
@@ -144,5 +186,32 @@ impl Scene {
         let poisson =
             substrate("substrate_poisson", spec.substrate_poisson, "poisson_ratio", disc.poisson())?;
         Layer::new(spec.thickness, [spec.modulus, spec.poisson], [modulus, poisson]).map(Some)
+    }
+
+    /// The tribofilms of ball and disc on what is below them, if they have constants of their own. A film lies
+    /// on the layer where the disc has one. Bodies of which `E'` alone is known are of one material with
+    /// Poisson's ratio 0.3; a ball opposite a layer has what `E'` leaves to it.
+    ///
+    /// # Errors
+    /// A value out of range, films that give way no more than what is below them.
+    pub fn bonded_films(&self) -> Result<Option<[BondedFilm; 2]>, InputError> {
+        let Some(spec) = self.elastic.tribofilm else { return Ok(None) };
+        let on = |substrate: [f64; 2]| BondedFilm::new([spec.modulus, spec.poisson], substrate);
+        let [ball, disc] = self.below_films()?;
+        Ok(Some([on(ball)?, on(disc)?]))
+    }
+
+    /// Young's modulus \[Pa\] and Poisson's ratio of ball and disc below their tribofilms.
+    fn below_films(&self) -> Result<[[f64; 2]; 2], InputError> {
+        let compliance = 2.0 / self.equivalent_modulus()?;
+        let layer = self.layer()?;
+        let of_disc = layer.map_or(0.5 * compliance, |layer| layer.compliances()[1]);
+        // What rounding leaves of a rigid ball is no body.
+        let of_ball = (compliance - of_disc).max(0.0);
+        let usual = |compliance: f64| [(1.0 - USUAL_POISSON * USUAL_POISSON) / compliance, USUAL_POISSON];
+        let [ball, disc] = self.materials.bodies().map(|body| body.young_modulus().zip(body.poisson()));
+        let [ball, disc] = [(ball, of_ball), (disc, of_disc)]
+            .map(|(known, compliance)| known.map_or_else(|| usual(compliance), Into::into));
+        Ok([ball, self.elastic.layer.map_or(disc, |layer| [layer.modulus, layer.poisson])])
     }
 }

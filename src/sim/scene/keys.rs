@@ -26,6 +26,7 @@ const KEYS: &[(&str, Dimension)] = &[
     ("elastic.layer.thickness", Length),
     ("elastic.layer.modulus", Pressure),
     ("elastic.layer.substrate_modulus", Pressure),
+    ("elastic.tribofilm.modulus", Pressure),
     ("materials.*.modulus", Pressure),
     ("materials.*.hardness", Pressure),
     ("materials.*.conductivity", Conductivity),

@@ -31,7 +31,7 @@ mod track;
 mod tribofilm;
 mod wear;
 
-pub use elastic::{Elastic, LayerSpec};
+pub use elastic::{Elastic, FilmElasticSpec, LayerSpec};
 pub use grid::GridSpec;
 pub use load::Load;
 pub use lubricant::{BarusConstants, LubricantSpec, ViscositySpec};

@@ -1,0 +1,83 @@
+//! The spectrum of the kernel of a convolution: half of it and real where the kernel is symmetric, products
+//! with spectra of fields, and its reciprocal.
+
+use num_complex::Complex;
+
+use super::convolution::Precision;
+
+/// Spectrum of a kernel, column by column (`[kx][ky]`).
+#[derive(Clone)]
+pub(super) enum Spectrum<T> {
+    /// Of a kernel that mirrors itself along both axes: real, the first half of each column.
+    Symmetric(Vec<T>),
+    /// Of any other kernel: whole columns.
+    General(Vec<Complex<T>>),
+}
+
+/// Share of the largest value below which a difference from a symmetric spectrum is rounding.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+impl Spectrum<f64> {
+    /// Of columns of `length` values.
+    pub(super) fn new(values: Vec<Complex<f64>>, length: usize) -> Self {
+        let rounding = ROUNDING * values.iter().fold(0.0_f64, |largest, value| largest.max(value.norm()));
+        let mirrored = |column: &[Complex<f64>]| {
+            (0..length).all(|k| (column[k] - column[(length - k) % length].conj()).norm() <= rounding)
+                && column.iter().all(|value| value.im.abs() <= rounding)
+        };
+        if values.chunks_exact(length).all(mirrored) {
+            let half = |column: &[Complex<f64>]| -> Vec<f64> {
+                column[..=length / 2].iter().map(|value| value.re).collect()
+            };
+            Self::Symmetric(values.chunks_exact(length).flat_map(half).collect())
+        } else {
+            Self::General(values)
+        }
+    }
+
+    /// The same spectrum with `each` applied to real and imaginary parts.
+    pub(super) fn map<U: Precision>(&self, each: impl Fn(f64) -> U) -> Spectrum<U> {
+        match self {
+            Self::Symmetric(values) => Spectrum::Symmetric(values.iter().map(|&value| each(value)).collect()),
+            Self::General(values) => Spectrum::General(
+                values.iter().map(|value| Complex::new(each(value.re), each(value.im))).collect(),
+            ),
+        }
+    }
+}
+
+impl<T: Precision> Spectrum<T> {
+    /// Puts `factor / (|K| + added)` in place of each value `K`; a value of zero counts as the smallest
+    /// normal number.
+    pub(super) fn reciprocal(&mut self, factor: f64, added: f64) {
+        let reciprocal = |modulus: f64| T::rounded(factor / (modulus.max(f64::MIN_POSITIVE) + added));
+        match self {
+            Self::Symmetric(values) => {
+                values.iter_mut().for_each(|value| *value = reciprocal(value.wide().abs()));
+            }
+            Self::General(values) => values.iter_mut().for_each(|value| {
+                let modulus = value.re.wide().hypot(value.im.wide());
+                *value = Complex::new(reciprocal(modulus), T::zero());
+            }),
+        }
+    }
+
+    /// Multiplies column `kx` of a field by that of the kernel.
+    pub(super) fn multiply(&self, kx: usize, column: &mut [Complex<T>]) {
+        let length = column.len();
+        match self {
+            Self::Symmetric(values) => {
+                let half = length / 2 + 1;
+                let kernel = &values[kx * half..(kx + 1) * half];
+                let (low, high) = column.split_at_mut(half);
+                low.iter_mut().zip(kernel).for_each(|(value, &k)| *value = *value * k);
+                let mirrored = kernel.iter().skip(1).rev().skip(usize::from(length.is_multiple_of(2)));
+                high.iter_mut().zip(mirrored).for_each(|(value, &k)| *value = *value * k);
+            }
+            Self::General(values) => {
+                let kernel = &values[kx * length..(kx + 1) * length];
+                column.iter_mut().zip(kernel).for_each(|(value, k)| *value = *value * k);
+            }
+        }
+    }
+}
