@@ -263,6 +263,21 @@ impl MixedLubricationSim {
         self.travel.offsets(self.draws, self.time, speeds, &self.contact.grid)
     }
 
+    /// Refuses what the solver of the next contact refuses before its first iteration.
+    pub(super) fn check_first_contact(&mut self) -> Result<(), SimError> {
+        let offsets = self.offsets()?;
+        let Self { bodies, contact, laws, state, placement, yielding, .. } = self;
+        placement.place(bodies, &contact.form_gap, offsets)?;
+        let limit = match &laws.plasticity {
+            None => None,
+            Some(models) => {
+                yielding.start(models, &placement.films, &placement.depths)?;
+                Some(yielding.limit.as_slice())
+            }
+        };
+        Ok(contact.check(&placement.gap, limit, state)?)
+    }
+
     /// Solves the contact of the bodies as they lie at `offsets`.
     pub(super) fn solve_at(&mut self, offsets: Offsets) -> Result<SolveReport, SimError> {
         let Self { contact, laws, state, placement, yielding, squeeze_memory, squeezed, .. } = self;
