@@ -162,7 +162,7 @@ fn mistakes_in_scene_files_are_named() {
 
 /// What a check says, and what a solve says: no error is none of both.
 fn assert_refused_by_both(name: &str, scene: &Scene) -> Option<String> {
-    let check = MixedLubricationSim::builder(scene.clone()).check();
+    let check = MixedLubricationSim::builder(scene.clone()).check_contact();
     let solve = solve_contact(scene);
     let [checked, solved] = [check.err(), solve.err()].map(|error| error.map(|error| error.to_string()));
     assert_eq!(checked, solved, "{name}");
@@ -209,6 +209,37 @@ fn what_a_solve_refuses_a_check_refuses() {
         let error = assert_refused_by_both(to, &Scene::from_toml(&text).unwrap()).unwrap_or_default();
         assert!(error.contains(word), "{to}: {error}");
     }
+}
+
+/// A history is refused by its check with the error of what it would come to.
+#[test]
+fn what_a_history_refuses_its_check_refuses() {
+    let mut refused = 0;
+    for (from, to, _) in MISTAKES {
+        let Ok(scene) = Scene::from_toml(&GOOD.replacen(from, to, 1)) else { continue };
+        let check = MixedLubricationSim::builder(scene.clone()).check().err().map(|error| error.to_string());
+        let built = MixedLubricationSim::builder(scene).build();
+        match built {
+            Err(error) => assert_eq!(check, Some(error.to_string()), "{to}"),
+            Ok(mut sim) => {
+                let Some(check) = check else { continue };
+                assert_eq!(check, sim.step(1.0).unwrap_err().to_string(), "{to}");
+            }
+        }
+        refused += 1;
+    }
+    assert!(refused >= 15, "{refused}");
+    // What the solver of the first step is not made for.
+    let paper = GOOD.replacen("[solver]", "[solver]\nkind = \"newton_krylov\"\ncontact = \"paper\"", 1);
+    let builder = || MixedLubricationSim::builder(Scene::from_toml(&paper).unwrap());
+    let check = builder().check().unwrap_err().to_string();
+    assert_eq!(check, builder().build().unwrap().step(1.0).unwrap_err().to_string());
+    // What a history alone refuses.
+    let mut scene = Scene::from_toml(GOOD).unwrap();
+    scene.track.radius_ball = Some(1e-6);
+    let builder = || MixedLubricationSim::builder(scene.clone());
+    let check = builder().check().unwrap_err().to_string();
+    assert!(check.contains("track.radius_ball") && builder().check_contact().is_ok(), "{check}");
 }
 
 #[test]

@@ -171,10 +171,6 @@ fn what_a_schedule_cannot_be_is_named() {
     assert!(error.contains("schedule.load.values[0] = 0"), "{error}");
     let error = load(&[(0.0, 20.0), (f64::NAN, 30.0)]);
     assert!(error.contains("schedule.load.times[1] = NaN"), "{error}");
-    let error = load(&[(0.0, 20.0), (10.0, 1e-9)]);
-    assert!(error.contains("no node lies within"), "a contact between the nodes: {error}");
-    let error = load(&[(0.0, 20.0), (10.0, 1e5)]);
-    assert!(error.contains("plastic.hardness"), "{error}");
     let error = refused(&|scene| {
         scene.schedule.load = Some(Schedule::Ramps { times: vec![0.0, 1.0], values: vec![20.0] });
     });
@@ -191,6 +187,24 @@ fn what_a_schedule_cannot_be_is_named() {
         scene.schedule.bulk_temperature = Some(Schedule::Constant { value: -3.0 });
     });
     assert!(error.contains("schedule.bulk_temperature.value = -3"), "{error}");
+}
+
+/// Loads of the schedule after the start are those of a history alone: one of a contact between the nodes,
+/// and one that the hardness does not carry.
+#[test]
+fn a_later_load_that_does_not_fit_is_refused_as_a_history_alone() {
+    let mut scene = scene();
+    (scene.load.hertz_pressure, scene.load.force) = (None, Some(20.0));
+    let plain = solve_contact(&scene).unwrap();
+    for (load, reason) in [(1e-9, "no node lies within"), (1e5, "plastic.hardness")] {
+        scene.schedule.load = Some(Schedule::steps(&[(0.0, 20.0), (10.0, load)]));
+        let builder = || MixedLubricationSim::builder(scene.clone());
+        let [checked, built] =
+            [builder().check().err(), builder().build().err()].map(|error| error.unwrap().to_string());
+        assert!(checked == built && checked.contains(reason), "{checked}");
+        builder().check_contact().unwrap();
+        assert_eq!(solve_contact(&scene).unwrap().state, plain.state);
+    }
 }
 
 const HEAD: &str = "[form]\nkind = \"sphere\"\nradius = 9.525e-3\n[elastic]\nequivalent_modulus = 229.67e9\n\

@@ -103,6 +103,48 @@ fn check_refuses_what_solve_refuses() {
     }
 }
 
+/// A scene that is one contact or one history alone is checked as that, and the other says why not.
+#[test]
+fn check_tells_contact_and_history_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    let heat = "density_b = 1.7e-9\ntemperature = 353.15\nroelands_s0 = 1.1\n[lubricant.thermal]\n";
+    let loads = "[schedule.load]\nkind = \"steps\"\ntimes = [0.0, 10.0]\nvalues = [20.0, 1e5]\n[solver]";
+    for (from, to, refused) in [
+        ("density_b = 1.7e-9", heat, "lubricant.thermal: "),
+        ("[solver]", "[track]\nradius_disc = 1e-6\n[solver]", "track.radius_disc = 1e-6: "),
+        ("[solver]", "[track]\nexposure = \"track\"\n[solver]", "track.radius_ball: "),
+        ("[solver]", loads, "plastic.hardness = "),
+    ] {
+        let scene = rough(folder.path(), &[(from, to)]);
+        let check = stribeck(&["check", text(&scene), "--json"]);
+        assert_eq!(check.status.code(), Some(0), "{check:?}");
+        let numbers = json_of(&check);
+        let why = numbers["refused"]["run"].as_str().unwrap();
+        assert!(why.starts_with(refused) && numbers["refused"]["solve"].is_null(), "{why}");
+        assert!(numbers["hertz"]["force"].as_f64().unwrap() < 60.0, "{numbers}");
+        assert_refused(&["run", text(&scene), "--steps", "1", "--time-step", "1"], &[why]);
+        let solve = stribeck(&["solve", text(&scene), "--json"]);
+        assert!(solve.status.code().is_some_and(|code| code < 2), "{solve:?}");
+        let report = String::from_utf8(stribeck(&["check", text(&scene)]).stdout).unwrap();
+        assert!(
+            report.starts_with("solve            yes") && report.contains("\nrun              no "),
+            "{report}"
+        );
+        assert!(report.contains(why), "{report}");
+    }
+    // Half of 8 cells do for no estimate; a history has none.
+    let estimate = rough(folder.path(), &[("= 32", "= 8"), ("[solver]", "[solver]\nestimate = true")]);
+    let check = stribeck(&["check", text(&estimate), "--json"]);
+    assert_eq!(check.status.code(), Some(0), "{check:?}");
+    let why = json_of(&check)["refused"]["solve"].as_str().unwrap().to_owned();
+    assert!(why.contains("solver.estimate") && json_of(&check)["refused"]["run"].is_null(), "{why}");
+    let solve = stribeck(&["solve", text(&estimate)]);
+    assert!(solve.status.code() == Some(2) && error_of(&solve).contains(&why), "{solve:?}");
+    // Cells that the solve picks are none for a history.
+    let line = stribeck(&["check", text(&repository("examples/scenes/line.toml")), "--json"]);
+    assert!(json_of(&line)["refused"]["run"].as_str().unwrap().contains("grid"), "{line:?}");
+}
+
 #[test]
 fn check_tells_what_to_expect() {
     let folder = tempfile::tempdir().unwrap();

@@ -176,7 +176,7 @@ fn map(options: &Options) -> Result<Vec<Job>, Box<dyn Error>> {
             .into_iter()
             .filter(|case| case.group != Group::Infeasible);
         for case in cases.step_by(every) {
-            let scene = case.scene();
+            let scene = case.scene()?;
             let cell = scene.grid()?.dx();
             let moves = case.cells > 0;
             let time_step = if moves { f64::from(case.cells) * cell / case.speed } else { 1e-3 };

@@ -92,6 +92,9 @@ fn options() -> Result<Option<Options>, lexopt::Error> {
             other => return Err(other.unexpected()),
         }
     }
+    if options.film_heat && options.lines {
+        return Err("--film-heat is for the scenes on 64 x 64 cells, which --lines leaves out".into());
+    }
     Ok(Some(options))
 }
 

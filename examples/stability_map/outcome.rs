@@ -104,7 +104,18 @@ pub(crate) struct Entry {
 }
 
 pub(crate) fn solve(case: &Case, solver: Solver) -> Entry {
-    let mut scene = case.scene();
+    let entry = |verdict, remark| Entry {
+        case: case.clone(),
+        solver,
+        verdict,
+        report: None,
+        numbers: [f64::NAN; 3],
+        remark,
+    };
+    let mut scene = match case.scene() {
+        Ok(scene) => scene,
+        Err(error) => return entry(Verdict::Refused, error.to_string()),
+    };
     scene.solver.tolerance = TOLERANCE;
     scene.solver.kind = match solver {
         Solver::Auto | Solver::PaperContact => SolverKind::Auto,
@@ -115,14 +126,6 @@ pub(crate) fn solve(case: &Case, solver: Solver) -> Entry {
         scene.solver.contact = ContactDefinition::UnifiedReynolds;
         scene.solver.max_iterations = SWEEPS;
     }
-    let entry = |verdict, remark| Entry {
-        case: case.clone(),
-        solver,
-        verdict,
-        report: None,
-        numbers: [f64::NAN; 3],
-        remark,
-    };
     let solved = if case.cells > 0 { in_time(case, scene) } else { at_once(&scene) };
     match solved {
         Err(SimError::NotConverged { source, step, .. }) => {

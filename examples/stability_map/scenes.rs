@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::PathBuf;
 
+use stribeck::InputError;
+use stribeck::analytic::HertzLine;
 use stribeck::sim::Scene;
 use stribeck::sim::scene::{
     FileRoughness, FlowThinning, GridSpec, LayerSpec, PlasticSpec, Roughness, RoughnessPair,
@@ -110,12 +112,14 @@ impl Case {
     }
 
     /// The scene of this case.
-    pub(crate) fn scene(&self) -> Scene {
+    pub(crate) fn scene(&self) -> Result<Scene, InputError> {
         let mut scene = Scene::azam_2019(self.nodes);
         let half = REFERENCE.1 * self.pressure / REFERENCE.0;
         scene.grid = GridSpec::Cells { nx: self.nodes, ny: self.nodes, x: [-half, half], y: [-half, half] };
         if self.group == Group::Line {
-            let half = LINE_HALF_BOX * 4.0 * ROLLER_RADIUS * self.pressure / scene.elastic.equivalent_modulus;
+            let modulus = scene.elastic.equivalent_modulus;
+            let hertz = HertzLine::from_max_pressure(ROLLER_RADIUS, modulus, self.pressure)?;
+            let half = LINE_HALF_BOX * hertz.half_width;
             scene.form = Form::Cylinder { radius: ROLLER_RADIUS };
             scene.grid = GridSpec::Row { nx: self.nodes, x: [-half, half] };
         }
@@ -135,7 +139,7 @@ impl Case {
             (oil.temperature, oil.roelands_s0) = (Some(353.15), Some(1.1));
             oil.thermal = Some(FilmThermal::default());
         }
-        scene
+        Ok(scene)
     }
 
     fn roughness(&self, body: usize) -> Roughness {

@@ -10,7 +10,7 @@
 use std::sync::Arc;
 
 use super::body::Body;
-use super::contact::{ContactModel, Overrides};
+use super::contact::{ContactModel, Overrides, validate_loads};
 use super::friction::boundary_law;
 use super::heat::Heat;
 use super::interrupt::Interrupt;
@@ -260,7 +260,7 @@ impl SimBuilder {
     /// Checks the scene and makes the simulation; what is not modelled is decided here once.
     ///
     /// # Errors
-    /// A scene or heights that do not fit.
+    /// A scene or heights that do not fit, a film that is to have a temperature of its own.
     pub fn build(mut self) -> Result<MixedLubricationSim, SimError> {
         self.scene.schedule.read_tables()?;
         #[cfg(feature = "serde")]
@@ -269,6 +269,7 @@ impl SimBuilder {
         let mut contact = ContactModel::new(&self.scene, overrides)?;
         let own_heights = self.own_heights();
         let timetable = Timetable::new(&self.scene)?;
+        validate_loads(&self.scene, &contact.grid, &timetable)?;
         exposure::validate(&self.scene, &timetable, &contact.grid)?;
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
@@ -282,6 +283,30 @@ impl SimBuilder {
         #[cfg(feature = "serde")]
         let sim = sim.with_own_parts(own_parts);
         Ok(sim)
+    }
+
+    /// Goes as far as [`build`](Self::build) and the first step of the history do before the first iteration
+    /// of its solver, and solves nothing. Returns the warnings that are known by then. What a single contact
+    /// refuses, [`check_contact`](Self::check_contact) tells.
+    ///
+    /// # Errors
+    /// What [`build`](Self::build) and the first step refuse, with the same error: what no contact can have,
+    /// and what a history alone has no place for, as a track shorter than the patch, a film temperature, or a
+    /// load of the schedule that the box does not hold or the hardness does not carry.
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut scene = Scene::azam_2019(32);
+    /// let builder = |scene: &Scene| MixedLubricationSim::builder(scene.clone());
+    /// assert_eq!(builder(&scene).check()?, scene.warnings());
+    /// scene.track.radius_disc = Some(1e-6); // a track that the patch does not fit on
+    /// assert!(builder(&scene).check().is_err() && builder(&scene).check_contact().is_ok());
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn check(self) -> Result<Vec<Warning>, SimError> {
+        let mut sim = self.build()?;
+        sim.check_first_contact()?;
+        Ok(sim.warnings)
     }
 
     /// Those of the scene but for roughness that `own_heights` replace, and those of heights that were given

@@ -126,8 +126,7 @@ impl ContactModel {
     /// The contact of `scene` at the start of its schedule, with `overrides` in place of its parts.
     ///
     /// # Errors
-    /// A scene out of range; a grid that does not hold the contact; a pressure limit that does not carry the
-    /// smallest or the largest load; parts that do not fit the scene.
+    /// A scene out of range; a grid that does not hold the contact; parts that do not fit the scene.
     pub(super) fn new(scene: &Scene, overrides: Overrides) -> Result<Self, SimError> {
         setup::validate(scene)?;
         let grid = scene.grid()?;
@@ -135,9 +134,6 @@ impl ContactModel {
         let conditions = timetable.at(0.0);
         let hertz = scene.hertz()?;
         setup::validate_box(&grid, &hertz, scene.form.is_line())?;
-        if scene.schedule.load.is_some() {
-            validate_loads(scene, &grid, &timetable)?;
-        }
         setup::validate_film_cutoff(scene)?;
         setup::validate_memory(&grid, scene.is_lubricated())?;
         let mut form_gap = vec![0.0; grid.len()];
@@ -389,7 +385,10 @@ pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {
 }
 
 /// Checks that grid and hardness do for the smallest and the largest load of the schedule.
-fn validate_loads(scene: &Scene, grid: &Grid, timetable: &Timetable) -> Result<(), InputError> {
+pub(super) fn validate_loads(scene: &Scene, grid: &Grid, timetable: &Timetable) -> Result<(), InputError> {
+    if scene.schedule.load.is_none() {
+        return Ok(());
+    }
     for load in timetable.loads() {
         let hertz = scene.hertz_under(load)?;
         setup::validate_box(grid, &hertz, scene.form.is_line())?;

@@ -279,6 +279,22 @@ impl MixedLubricationSim {
         self.travel.offsets(self.draws, self.time, speeds, &self.contact.grid)
     }
 
+    /// Refuses what the solver of the next contact refuses before its first iteration.
+    pub(super) fn check_first_contact(&mut self) -> Result<(), SimError> {
+        let offsets = self.offsets()?;
+        let Self { bodies, contact, laws, state, placement, yielding, .. } = self;
+        placement.place(bodies, &contact.form_gap, offsets)?;
+        contact.cover(&placement.films)?;
+        let limit = match &laws.plasticity {
+            None => None,
+            Some(models) => {
+                yielding.start(models, &placement.films, &placement.depths)?;
+                Some(yielding.limit.as_slice())
+            }
+        };
+        Ok(contact.check(&placement.gap, limit, state)?)
+    }
+
     /// Solves the contact of the bodies as they lie at `offsets`, with its shear stresses and, where the film
     /// has one, with its temperature.
     pub(super) fn solve_at(&mut self, offsets: Offsets) -> Result<Solved, SimError> {

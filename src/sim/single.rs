@@ -1,7 +1,7 @@
 //! Single contacts through the builder of simulations: one path for scenes, heights in memory, own parts and
 //! finer meshes.
 //!
-//! A single contact begins in one way for `check` and `solve` ([`SimBuilder::begin`]): all that can be
+//! A single contact begins in one way for `check_contact` and `solve` ([`SimBuilder::begin`]): all that can be
 //! refused is refused before the first iteration, with the same error for both. A scene with an accuracy or
 //! an estimate of errors becomes a series of meshes (`accuracy`), any other one mesh ([`Prepared`]).
 
@@ -63,21 +63,22 @@ impl SimBuilder {
     /// nothing. Returns the warnings that are known by then.
     ///
     /// # Errors
-    /// What [`solve`](Self::solve) refuses before its first iteration, with the same error.
+    /// What [`solve`](Self::solve) refuses before its first iteration, with the same error. What only a history
+    /// refuses is not refused here, that tells [`check`](Self::check).
     ///
     /// ```
     /// use stribeck::sim::{MixedLubricationSim, Scene};
     /// let mut scene = Scene::azam_2019(32);
-    /// let warnings = MixedLubricationSim::builder(scene.clone()).check()?;
+    /// let warnings = MixedLubricationSim::builder(scene.clone()).check_contact()?;
     /// assert_eq!(warnings, scene.warnings());
     /// scene.plastic.as_mut().unwrap().hardness = 1e6; // carries less than the load
-    /// let [checked, solved] =
-    ///     [MixedLubricationSim::builder(scene.clone()).check().err(), MixedLubricationSim::builder(scene).solve().err()]
-    ///         .map(|error| error.map(|error| error.to_string()));
+    /// let builder = || MixedLubricationSim::builder(scene.clone());
+    /// let [checked, solved] = [builder().check_contact().err(), builder().solve().err()]
+    ///     .map(|error| error.map(|error| error.to_string()));
     /// assert!(checked.is_some() && checked == solved);
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
-    pub fn check(self) -> Result<Vec<Warning>, SimError> {
+    pub fn check_contact(self) -> Result<Vec<Warning>, SimError> {
         Ok(match self.begin()? {
             Begun::Mesh(contact) => contact.warnings,
             Begun::Meshes(meshes) => meshes.into_warnings(),

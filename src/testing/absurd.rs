@@ -43,7 +43,7 @@ const ABSURD: [f64; 12] = [
 ///     let tree = stribeck::testing::absurd_scenes().new_tree(&mut runner);
 ///     let scene = tree.map_err(|reason| reason.to_string())?.current();
 ///     // Refused or not: it neither panics nor solves anything.
-///     if let Err(error) = MixedLubricationSim::builder(scene).check() {
+///     if let Err(error) = MixedLubricationSim::builder(scene).check_contact() {
 ///         assert!(!error.to_string().is_empty());
 ///     }
 /// }

@@ -68,12 +68,12 @@ impl Archard {
     /// A negative coefficient, `filmed` above `bare`, a thickness or hardness that is not positive, a value
     /// not finite.
     pub fn new(bare: f64, filmed: f64, reference_thickness: f64, hardness: f64) -> Result<Self, InputError> {
-        InputError::require_non_negative("bare_coefficient", bare)?;
+        InputError::require_non_negative("coefficient", bare)?;
         InputError::require(
             filmed.is_finite() && (0.0..=bare).contains(&filmed),
-            "filmed_coefficient",
+            "film_coefficient",
             filmed,
-            "finite, >= 0 and not above the bare coefficient",
+            "finite, >= 0 and not above that of the bare surface",
         )?;
         InputError::require_positive("reference_thickness", reference_thickness)?;
         InputError::require_positive("hardness", hardness)?;

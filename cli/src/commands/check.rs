@@ -1,4 +1,5 @@
-//! `stribeck check`: what a scene models and what to expect of it, without solving.
+//! `stribeck check`: whether a scene can be solved and run, what it models and what to expect of it, without
+//! solving.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -6,8 +7,8 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 use stribeck::InputError;
 use stribeck::metrics::{composite_rq, height_statistics};
-use stribeck::sim::scene::{Exposure, Flash, GridSpec, Roughness, Scene};
-use stribeck::sim::{FormulaFilm, HertzContact, MixedLubricationSim, Warning};
+use stribeck::sim::scene::{Exposure, Flash, GridSpec, Roughness, Scene, TrackSpec};
+use stribeck::sim::{FormulaFilm, HertzContact, MixedLubricationSim, SimError, Warning};
 
 use crate::output::{self, Outcome};
 
@@ -35,8 +36,15 @@ struct Part {
     why: String,
 }
 
+/// Why a scene is refused as a single contact, and as a history; none of it where it is not.
+struct Refusals {
+    solve: Option<SimError>,
+    run: Option<SimError>,
+}
+
 /// What is known of a scene before it is solved.
 struct Expected {
+    refusals: Refusals,
     parts: Vec<Part>,
     hertz: HertzContact,
     formula: Option<FormulaFilm>,
@@ -63,17 +71,23 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
 }
 
 impl Expected {
+    /// # Errors
+    /// That of a single contact, where neither it nor a history can be made of the scene.
     fn of(scene: &Scene) -> Result<Self, Box<dyn Error>> {
-        let warnings = MixedLubricationSim::builder(scene.clone()).check()?;
+        let builder = || MixedLubricationSim::builder(scene.clone());
+        let (warnings, refusals) = match (builder().check_contact(), builder().check()) {
+            (Err(solve), Err(_)) => return Err(solve.into()),
+            (Ok(warnings), run) => (warnings, Refusals { solve: None, run: run.err() }),
+            (Err(solve), Ok(warnings)) => (warnings, Refusals { solve: Some(solve), run: None }),
+        };
         let picks_grid = matches!(scene.grid, GridSpec::Accuracy { .. });
         let hertz = scene.hertz()?;
         let mut on_grid = scene.clone();
         if picks_grid {
             on_grid.grid = own_grid(scene, &hertz);
         }
-        // A history has none, and is asked here for what it has beside the contact.
-        if let Some(oil) = &mut on_grid.lubricant {
-            oil.thermal = None;
+        if refusals.run.is_some() {
+            leave_contact(&mut on_grid)?;
         }
         let sim = MixedLubricationSim::builder(on_grid).build()?;
         let mut rq = [0.0; 2];
@@ -81,6 +95,7 @@ impl Expected {
             *rq = height_statistics(body.initial())?.sq;
         }
         Ok(Self {
+            refusals,
             parts: parts(scene, &sim)?,
             hertz,
             formula: scene.formula_film()?,
@@ -134,7 +149,9 @@ impl Expected {
                 "memory": self.memory(),
             })
         });
+        let refused = |error: &Option<SimError>| error.as_ref().map(ToString::to_string);
         Ok(json!({
+            "refused": { "solve": refused(&self.refusals.solve), "run": refused(&self.refusals.run) },
             "modelled": parts,
             "hertz": {
                 "radius": hertz.radius,
@@ -162,6 +179,14 @@ impl Expected {
 
     fn to_text(&self) -> String {
         let mut text = String::new();
+        let whole = [("solve", &self.refusals.solve), ("run", &self.refusals.run)];
+        for (command, refusal) in whole {
+            let (sign, why) = match refusal {
+                None => ("yes", format!("`stribeck {command}` takes it")),
+                Some(error) => ("no ", error.to_string()),
+            };
+            text += &format!("{command:<16} {sign}  {why}\n");
+        }
         for part in &self.parts {
             let sign = if part.modelled { "yes" } else { "no " };
             text += &format!("{:<16} {sign}  {}\n", part.what, part.why);
@@ -211,6 +236,18 @@ impl Expected {
             "film             {film:.2} nm in the middle by formula (Moes M {m:.1}, L {l:.3}); {rq}; {regime}\n"
         )
     }
+}
+
+/// Takes from `scene` what only a history may refuse: it is then looked at as it stands at the start.
+fn leave_contact(scene: &mut Scene) -> Result<(), InputError> {
+    let start = scene.conditions(0.0)?;
+    (scene.load.force, scene.load.hertz_pressure) = (Some(start.load), None);
+    (scene.motion, scene.thermal.bulk_temperature) = (start.motion, start.bulk_temperature);
+    (scene.schedule, scene.track) = (Default::default(), TrackSpec::default());
+    if let Some(oil) = &mut scene.lubricant {
+        oil.thermal = None;
+    }
+    Ok(())
 }
 
 /// Cells on which a scene is looked at that picks its own.

@@ -120,25 +120,9 @@ impl WearSpec {
         })
     }
 
-    /// Checks the constants.
+    /// Checks the constants as the law itself does.
     pub(in crate::sim) fn validate(&self) -> Result<(), InputError> {
-        match *self {
-            Self::Archard(spec) => {
-                InputError::require_non_negative("wear.coefficient", spec.coefficient)?;
-                InputError::require(
-                    (0.0..=spec.coefficient).contains(&spec.film_coefficient),
-                    "wear.film_coefficient",
-                    spec.film_coefficient,
-                    "between 0 and wear.coefficient",
-                )?;
-                InputError::require_positive("wear.hardness", spec.hardness)?;
-                match spec.film_hardness {
-                    Some(film) => InputError::require_positive("wear.film_hardness", film),
-                    None => Ok(()),
-                }
-            }
-            Self::FrictionalEnergy(_) => self.law(1.0, None).map(|_| ()),
-        }
+        self.law(self.hardness().unwrap_or(1.0), None).map(|_| ())
     }
 }
 
