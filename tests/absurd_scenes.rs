@@ -12,7 +12,9 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use stribeck::Status;
-use stribeck::sim::scene::{ArchardSpec, GridSpec, Load, PlasticSpec, SolverKind, WearSpec};
+use stribeck::sim::scene::{
+    ArchardSpec, FilmElasticSpec, GridSpec, Load, PlasticSpec, SolverKind, TribofilmSpec, WearSpec,
+};
 use stribeck::sim::{MixedLubricationSim, Scene, SimError, solve_contact};
 use stribeck::surface::Form;
 use stribeck::testing::{absurd_scenes, pressures, scenes};
@@ -171,6 +173,7 @@ fn every_number() -> String {
         .replace("max_iterations = 20000", "max_iterations = 300")
         .replace("10e-6", "1e-4")
         .replace("[grid]", "alpha = 1.5e-8\n[grid]")
+        .replace("[load]", "[elastic.tribofilm]\nmodulus = 30e9\npoisson = 0.3\n[load]")
         .replace("[friction]", "hardening_modulus = 1e16\n[friction]")
         .replace("[tribofilm]", "eyring_stress = 5e6\n[tribofilm]")
         .replace("[track]", "film_hardness = 2e9\n[track]")
@@ -309,6 +312,13 @@ fn absurd_by_hand() -> Vec<(String, Scene)> {
             let scene = changed(|s| (s.solver.kind, s.solver.film_cutoff) = (kind, film_cutoff));
             list.push((format!("{kind:?}, cut-off of {film_cutoff:e} m"), scene));
         }
+    }
+    for modulus in [5e-324, 1e-300, 1e-100, 1.0, 1e6] {
+        let scene = changed(|s| {
+            s.tribofilm = Some(TribofilmSpec::default());
+            s.elastic.tribofilm = Some(FilmElasticSpec::new(modulus, 0.3));
+        });
+        list.push((format!("film of {modulus:e} Pa"), scene));
     }
     for speed in [5e-324, 1e-30, 1e6, 1e30, 1e300] {
         list.push((format!("{speed:e} m/s"), changed(|s| s.motion.entrainment_speed = speed)));

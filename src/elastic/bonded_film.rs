@@ -74,6 +74,12 @@ impl BondedFilm {
         let stretched = modulus / (1.0 - poisson * poisson) * shrinkage * shrinkage;
         let compliance = 1.0 / confined_modulus - 2.0 * poisson / (1.0 - poisson) * shrinkage - stretched;
         InputError::require(
+            compliance.is_finite(),
+            "elastic.tribofilm.modulus",
+            modulus,
+            "of which the reciprocal is a finite number",
+        )?;
+        InputError::require(
             compliance > 0.0,
             "elastic.tribofilm.modulus",
             modulus,
