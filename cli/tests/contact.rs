@@ -107,10 +107,8 @@ fn check_refuses_what_solve_refuses() {
 #[test]
 fn check_tells_contact_and_history_apart() {
     let folder = tempfile::tempdir().unwrap();
-    let heat = "density_b = 1.7e-9\ntemperature = 353.15\nroelands_s0 = 1.1\n[lubricant.thermal]\n";
     let loads = "[schedule.load]\nkind = \"steps\"\ntimes = [0.0, 10.0]\nvalues = [20.0, 1e5]\n[solver]";
     for (from, to, refused) in [
-        ("density_b = 1.7e-9", heat, "lubricant.thermal: "),
         ("[solver]", "[track]\nradius_disc = 1e-6\n[solver]", "track.radius_disc = 1e-6: "),
         ("[solver]", "[track]\nexposure = \"track\"\n[solver]", "track.radius_ball: "),
         ("[solver]", loads, "plastic.hardness = "),
