@@ -66,7 +66,7 @@ def column_name(header: str) -> str:
     """The name of a record for the column of a history file: without its unit."""
     odd = {"h_avg_m": "average_film", "contact_area_ratio": "area_ratio", "contact_load_ratio": "load_ratio",
            "rq_composite_m": "composite_rq"}
-    units = r"_(m3_s|m_s|m3|pa|m|s|k|n)$"
+    units = r"_(m3_s|m_s|m3|pa|m|s|k|n|w)$"
     return odd.get(header) or re.sub(units, "", header)
 
 
