@@ -1,6 +1,9 @@
 //! Viscosity by pressure and temperature, shear stress by rate and pressure, and scenes that use them.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
+#[path = "common/free_volume.rs"]
+mod free_volume;
+
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -12,17 +15,7 @@ use stribeck::sim::scene::{Flash, Schedule, ViscositySpec};
 use stribeck::sim::{MixedLubricationSim, Scene, SimError, solve_contact};
 use stribeck::testing::{density_law, viscosity_law};
 
-const FREE_VOLUME: DoolittleTaitConstants = DoolittleTaitConstants {
-    viscosity: 0.02,
-    temperature: 313.15,
-    b: 4.0,
-    r0: 0.65,
-    epsilon: -8e-4,
-    k0_slope: 11.0,
-    k00: 9e9,
-    beta: 6e-3,
-    expansion: 8e-4,
-};
+use free_volume::FREE_VOLUME;
 
 const GLASS: ImprovedYasutomiConstants = ImprovedYasutomiConstants {
     glass_viscosity: 1e12,

@@ -1,12 +1,14 @@
 //! Temperature of the film: sections against exact solutions, contacts against their limits.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
+#[path = "common/free_volume.rs"]
+mod free_volume;
+
 use stribeck::Grid;
 use stribeck::analytic::{ShearedLayer, ThermalInlet};
 use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{
-    Barus, DensityLaw, DoolittleTait, DoolittleTaitConstants, DowsonHigginson, Lubricant, Rheology,
-    ViscosityLaw,
+    Barus, DensityLaw, DoolittleTait, DowsonHigginson, Lubricant, Rheology, ViscosityLaw,
 };
 use stribeck::reynolds::{
     ContactSolver, ContactState, LubricatedContact, NewtonKrylov, ShearThinning, StoppingRule,
@@ -16,6 +18,8 @@ use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
 use stribeck::thermal::{FilmProfile, FilmSection, FilmThermal, SectionSolver};
 use stribeck::tribochem::{FlashTemperature, ThermalBody};
+
+use free_volume::FREE_VOLUME;
 
 const PROFILES: [FilmProfile; 2] = [FilmProfile::Parabola, FilmProfile::Collocation];
 const BULK: f64 = 313.15;
@@ -233,18 +237,7 @@ fn a_film_of_one_temperature_is_the_isothermal_film_at_it() {
 /// pressure makes of it.
 #[test]
 fn densities_know_temperature_by_their_law_or_by_the_expansivity() {
-    let law = DoolittleTait::new(DoolittleTaitConstants {
-        viscosity: 0.02,
-        temperature: 313.15,
-        b: 4.0,
-        r0: 0.65,
-        epsilon: -8e-4,
-        k0_slope: 11.0,
-        k00: 9e9,
-        beta: 6e-3,
-        expansion: 8e-4,
-    })
-    .unwrap();
+    let law = DoolittleTait::new(FREE_VOLUME).unwrap();
     let mut oil = Lubricant::new(law, law);
     oil.set_film_temperatures(313.15, &[353.15], &[353.15], 0.0).unwrap();
     for pressure in [0.0, 1e8, 7e8] {

@@ -4,8 +4,9 @@
 //! first influence coefficients; [`ResponseApproximations`] are what makes them faster. [`HalfSpace`] is the
 //! default (Boussinesq half-space, Love's influence coefficients, DC-FFT convolution), [`LineHalfSpace`] its
 //! plane-strain counterpart for line contacts, [`LayeredHalfSpace`] either of them with a bonded [`Layer`];
-//! [`WithLocalCompliance`] adds to any of them what a thin [`BondedFilm`] gives way. [`direct_displacement`] is the slow direct sum that it is checked against. [`subsurface_stress`] and
-//! [`stress_extremes`] are the stresses below the surface, [`LayeredStress`] those in and below a layer.
+//! [`WithLocalCompliance`] adds to any of them what a thin [`BondedFilm`] gives way. [`direct_displacement`] is
+//! the slow direct sum that the half-space is checked against. [`subsurface_stress`] and [`stress_extremes`] are
+//! the stresses below the surface, [`LayeredStress`] those in and below a layer.
 
 mod bonded_film;
 mod direct;

@@ -29,7 +29,7 @@ use table::FluidTable;
 pub use thermal_roelands::ThermalRoelands;
 pub(crate) use thinning::Thinning;
 use warmth::WarmTable;
-pub(crate) use warmth::{NodeWarmth, Saturating, WarmPoint};
+pub(crate) use warmth::{LEAST_TEMPERATURE, NodeWarmth, Saturating, WarmPoint};
 
 use crate::error::InputError;
 

@@ -11,7 +11,7 @@ const LEVELS: usize = 64;
 /// The lowest entry below the temperature of the law \[K\].
 const BELOW: f64 = 30.0;
 /// Least temperature that a law is asked for \[K\].
-const LEAST: f64 = 1.0;
+pub(crate) const LEAST_TEMPERATURE: f64 = 1.0;
 /// Entries that a value is interpolated from.
 const POINTS: usize = 4;
 /// Halvings to the pressure at which a viscosity ends.
@@ -92,7 +92,7 @@ impl WarmTable {
         let (mut cool, mut warm) = (vec![0.0; pressures.len()], vec![0.0; pressures.len()]);
         viscosity.fill(&pressures, &mut cool);
         for level in 0..LEVELS {
-            let temperature = (bulk - BELOW + STEP * level as f64).max(LEAST);
+            let temperature = (bulk - BELOW + STEP * level as f64).max(LEAST_TEMPERATURE);
             if let Some(law) = viscosity.at_temperature(temperature) {
                 law.fill(&pressures, &mut warm);
                 for (i, (warm, cool)) in warm.iter().zip(&cool).enumerate() {

@@ -260,7 +260,7 @@ impl SimBuilder {
     /// Checks the scene and makes the simulation; what is not modelled is decided here once.
     ///
     /// # Errors
-    /// A scene or heights that do not fit, a film that is to have a temperature of its own.
+    /// A scene or heights that do not fit.
     pub fn build(mut self) -> Result<MixedLubricationSim, SimError> {
         self.scene.schedule.read_tables()?;
         #[cfg(feature = "serde")]
@@ -291,8 +291,8 @@ impl SimBuilder {
     ///
     /// # Errors
     /// What [`build`](Self::build) and the first step refuse, with the same error: what no contact can have,
-    /// and what a history alone has no place for, as a track shorter than the patch, a film temperature, or a
-    /// load of the schedule that the box does not hold or the hardness does not carry.
+    /// and what a history alone has no place for, as a track shorter than the patch, or a load of the schedule
+    /// that the box does not hold or the hardness does not carry.
     ///
     /// ```
     /// use stribeck::sim::{MixedLubricationSim, Scene};

@@ -16,7 +16,7 @@ use super::scene::Scene;
 use super::solution::is_known;
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::lubricant::{Saturating, ViscosityLaw};
+use crate::lubricant::{LEAST_TEMPERATURE, Saturating, ViscosityLaw};
 use crate::metrics;
 use crate::report::{SolveReport, Status};
 use crate::reynolds::ContactState;
@@ -29,8 +29,6 @@ const MAX_SOLVES: usize = 40;
 const TOLERANCE: f64 = 5e-3;
 /// Largest relative change of the density of a film, by its thermal expansion.
 const DENSITY_TOLERANCE: f64 = 5e-4;
-/// Least temperature that a viscosity is asked for \[K\].
-const LEAST: f64 = 1.0;
 /// Halvings of the way from the last contact that converged.
 const MAX_RETREATS: usize = 4;
 /// Share of the way to the new viscosities that is gone in a direction of which nothing is known.
@@ -314,7 +312,7 @@ impl FilmHeat {
         let mut largest = mean.iter().fold(0.0_f64, |most, change| most.max(per_kelvin * change.abs()));
         for (k, (change, pressure)) in flow.iter().zip(&state.fluid_pressure).enumerate() {
             let at = |temperature| law.viscosity_at(*pressure, temperature);
-            let used = (bulk + self.used[k]).max(LEAST);
+            let used = (bulk + self.used[k]).max(LEAST_TEMPERATURE);
             if let (Some(old), Some(new)) = (at(used), at(used + change)) {
                 largest = largest.max((new / old).ln().abs());
             }

@@ -40,22 +40,10 @@ pub struct FilmHeatRecord {
     pub change: f64,
 }
 
-/// Numbers of a record.
-const NUMBERS: usize = 8;
+/// Numbers of a record, a column each.
+pub(super) const NUMBERS: usize = 8;
 
 impl FilmHeatRecord {
-    /// Names of the columns, with units.
-    pub(super) const COLUMNS: [&'static str; NUMBERS] = [
-        "film_temperature_max_k",
-        "film_temperature_mean_central_k",
-        "surface_rise_ball_k",
-        "surface_rise_disc_k",
-        "film_heat_w",
-        "film_heat_imbalance",
-        "film_heat_solves",
-        "film_heat_change",
-    ];
-
     /// Those of a film.
     pub(super) fn of(heat: &FilmHeatNumbers) -> Self {
         Self {

@@ -52,8 +52,8 @@ impl Passage<'_> {
         }
     }
 
-    /// What a node of a `body`, which lies where its offset says, feels: that of the node of the contact it stands on, or,
-    /// short of it by a fraction of a cell, linear between that and the one before.
+    /// What a node of a `body`, which lies where its offset says, feels: that of the node of the contact it
+    /// stands on, or, short of it by a fraction of a cell, linear between that and the one before.
     fn on_body(&self, body: usize, node: usize) -> RubbingPoint {
         let offset: Offset = self.offsets[body];
         let (nx, ny) = (self.grid.nx(), self.grid.ny());

@@ -6,7 +6,7 @@
 
 use std::io::{self, Write};
 
-use super::film_heat_record::FilmHeatRecord;
+use super::film_heat_record::{self, FilmHeatRecord};
 use super::scene::Motion;
 use crate::error::InputError;
 use crate::report::{Residuals, SolveReport, Status, Work};
@@ -250,7 +250,7 @@ impl StepRecord {
         let (friction_boundary, friction_fluid, load) = (number()?, number()?, number()?);
         let motion = Motion { entrainment_speed: number()?, slide_roll_ratio: number()? };
         let bulk_temperature = number()?;
-        let mut heat = [0.0; FilmHeatRecord::COLUMNS.len()];
+        let mut heat = [0.0; film_heat_record::NUMBERS];
         let mut is_empty = true;
         for number in &mut heat {
             let (column, cell) = next()?;

@@ -244,9 +244,6 @@ fn leave_contact(scene: &mut Scene) -> Result<(), InputError> {
     (scene.load.force, scene.load.hertz_pressure) = (Some(start.load), None);
     (scene.motion, scene.thermal.bulk_temperature) = (start.motion, start.bulk_temperature);
     (scene.schedule, scene.track) = (Default::default(), TrackSpec::default());
-    if let Some(oil) = &mut scene.lubricant {
-        oil.thermal = None;
-    }
     Ok(())
 }
 

@@ -39,7 +39,7 @@ use super::face_mobility::{Direction, FaceMobility};
 use super::node::NodeFlow;
 use super::shear_thinning::{NodeRatios, ShearThinning};
 use crate::grid::Grid;
-use crate::lubricant::{Lubricant, NodeWarmth};
+use crate::lubricant::{Lubricant, NodeWarmth, WarmPoint};
 use crate::reynolds::problem::{LubricatedContact, interior};
 
 /// Quantities of the nodes and faces at the current pressure and film, and the coefficients of the balance.
@@ -202,9 +202,15 @@ impl Discretisation {
         }
     }
 
-    /// The quantities of node `k` at fluid pressure `p` and film `h`.
+    /// Ratios to the laws at node `k` under fluid pressure `p`; none where films have their temperature.
     #[inline]
-    fn node_flow(&self, lubricant: &Lubricant, k: usize, p: f64, h: f64) -> NodeFlow {
+    fn warm_at(&self, lubricant: &Lubricant, k: usize, p: f64) -> Option<WarmPoint> {
+        self.warmth.get(k).and_then(|films| lubricant.warm_at(films, p))
+    }
+
+    /// The quantities of a node at fluid pressure `p` and film `h`, the film `warm` or not.
+    #[inline]
+    fn node_flow(&self, lubricant: &Lubricant, warm: Option<WarmPoint>, p: f64, h: f64) -> NodeFlow {
         let point = lubricant.at(p);
         let floored = h.max(self.film_floor);
         let square = self.fluidity * floored * floored;
@@ -213,7 +219,7 @@ impl Discretisation {
         let film_h = if h > self.film_floor { 1.0 } else { 0.0 };
         let cube_h = 3.0 * square * film_h;
         let (mut density, mut density_p) = (point.density, point.density_slope);
-        if let Some(warm) = self.warmth.get(k).and_then(|films| lubricant.warm_at(films, p)) {
+        if let Some(warm) = warm {
             density_p = warm.density * (density_p + density * warm.density_slope);
             density *= warm.density;
         }
@@ -243,9 +249,8 @@ impl Discretisation {
         }
     }
 
-    /// `eta*/eta` of node `k` at fluid pressure `p` and film `h`.
-    fn viscosity_ratios(&self, lubricant: &Lubricant, k: usize, p: f64, h: f64) -> NodeRatios {
-        let warm = self.warmth.get(k).and_then(|films| lubricant.warm_at(films, p));
+    /// `eta*/eta` of a node at fluid pressure `p` and film `h`, the film `warm` or not.
+    fn viscosity_ratios(&self, lubricant: &Lubricant, warm: Option<WarmPoint>, p: f64, h: f64) -> NodeRatios {
         let warmed = |ratios: NodeRatios| warm.map_or(ratios, |warm| ratios.warmed(&warm));
         let Some((law, length)) = self.thinning else { return warmed(NodeRatios::NEWTONIAN) };
         let point = lubricant.at(p);
@@ -292,12 +297,11 @@ impl Discretisation {
     /// Nodes, faces, and what entrainment carries beyond the nodes.
     fn update_faces(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
         for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
-            self.nodes[k] = self.node_flow(lubricant, k, p, h);
+            let warm = self.warm_at(lubricant, k, p);
+            self.nodes[k] = self.node_flow(lubricant, warm, p, h);
             self.masses[k] = self.nodes[k].density * h;
-        }
-        if !self.ratios.is_empty() {
-            for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
-                self.ratios[k] = self.viscosity_ratios(lubricant, k, p, h);
+            if !self.ratios.is_empty() {
+                self.ratios[k] = self.viscosity_ratios(lubricant, warm, p, h);
             }
         }
         self.update_entrainment();
