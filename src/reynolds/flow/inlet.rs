@@ -50,23 +50,8 @@ impl Inlet {
         // `rise` is `2 h_0^2 I`, each quantity with its derivatives by `Y` and by `R`.
         let y = fall / next;
         let one = 1.0 + y;
-        let (even, even_y) = (y, 1.0);
         let ratio = ((up - next) / fall).max(EVEN);
-        let root = (1.0 + GROWTH * y).cbrt();
-        let g = SMALL * y / (root * root).powi(2) / root;
-        let g_y = g * (1.0 / y - 5.0 / 3.0 * GROWTH / (1.0 + GROWTH * y));
-        let (edge, edge_y) = (2.0 * one * one * g, 2.0 * one * (2.0 * g + one * g_y));
-        let (rise, rise_y, rise_ratio) = if ratio < AT_NODE {
-            // The fourth power leaves the order of films that fall nearly evenly; rough contacts do not feel
-            // it.
-            let root = (ratio - EVEN) / (AT_NODE - EVEN);
-            let (weight, weight_ratio) = (root.powi(4), 4.0 * root.powi(3) / (AT_NODE - EVEN));
-            (even + weight * (edge - even), even_y + weight * (edge_y - even_y), weight_ratio * (edge - even))
-        } else {
-            let power = ratio.cbrt().powi(2);
-            let place = 1.0 / (power - 1.0);
-            (place * edge, place * edge_y, -2.0 / 3.0 * power / ratio * place * place * edge)
-        };
+        let (rise, rise_y, rise_ratio) = if ratio == EVEN { (y, 1.0, 0.0) } else { edge_rise(y, ratio) };
         // Oblique edges count where the film falls steeply: smooth films keep their order.
         let slant = 1.0 - alignment;
         let (share, share_y) = (1.0 - slant * y / one, -slant / (one * one));
@@ -82,6 +67,24 @@ impl Inlet {
             by_next: (ratio - 1.0) * by_up - factor_y * own / (next * next),
         }
     }
+}
+
+/// `2 h_0^2 I` in front of an edge, or between that and a film that falls evenly, with its derivatives.
+fn edge_rise(y: f64, ratio: f64) -> (f64, f64, f64) {
+    let (one, grown) = (1.0 + y, 1.0 + GROWTH * y);
+    let root = grown.cbrt();
+    let g = SMALL * y / (root * root * grown);
+    let g_y = g * (1.0 / y - 5.0 / 3.0 * GROWTH / grown);
+    let (edge, edge_y) = (2.0 * one * one * g, 2.0 * one * (2.0 * g + one * g_y));
+    if ratio < AT_NODE {
+        // The fourth power leaves the order of films that fall nearly evenly; rough contacts do not feel it.
+        let place = (ratio - EVEN) / (AT_NODE - EVEN);
+        let (weight, weight_ratio) = (place.powi(4), 4.0 * place.powi(3) / (AT_NODE - EVEN));
+        return (y + weight * (edge - y), 1.0 + weight * (edge_y - 1.0), weight_ratio * (edge - y));
+    }
+    let power = ratio.cbrt().powi(2);
+    let place = 1.0 / (power - 1.0);
+    (place * edge, place * edge_y, -2.0 / 3.0 * power / ratio * place * place * edge)
 }
 
 #[cfg(test)]

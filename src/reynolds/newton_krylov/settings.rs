@@ -60,7 +60,8 @@ pub struct NewtonSettings {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct PocketSettings {
-    /// Newton steps in a window; 0 leaves pockets to the steps of the whole.
+    /// Newton steps in a window at most; 0 leaves pockets to the steps of the whole. No more are taken once the
+    /// nodes of the window lack less than what [`share`](Self::share) leaves of all.
     pub steps: u32,
     /// Cells along each side of a window; at least 8.
     pub side: usize,

@@ -166,6 +166,9 @@ impl Window {
                 least = lack;
                 self.best.copy_from_slice(&self.nodes);
             }
+            if least < (1.0 - settings.share) * before {
+                break;
+            }
         }
         least < before
     }

@@ -34,8 +34,8 @@ impl Discretisation {
             c * mobility * slope
         };
         [
-            towards(k + 1, self.coefficient_east(k), self.east[k]),
-            towards(k + self.grid.nx(), self.coefficient_north(k), self.north[k]),
+            towards(k + 1, self.east_coefficients[k], self.east[k]),
+            towards(k + self.grid.nx(), self.north_coefficients[k], self.north[k]),
         ]
     }
 
@@ -82,21 +82,14 @@ impl Discretisation {
         let (mut inflow, mut outflow) = (0.0, 0.0);
         let mut count = |out: f64| if out > 0.0 { outflow += out } else { inflow -= out };
         for first in inner_rows(&self.grid).map(|j| j * nx) {
-            let through = |k: usize| {
-                let drop = self.nodes[k].potential - self.nodes[k + 1].potential;
-                self.wedge * self.carried[k] + self.coefficient_east(k) * self.east[k] * drop
-            };
+            let through = |k: usize| self.wedge * self.carried[k] + self.east_flow[k];
             count(-through(first));
             count(through(first + nx - 2));
         }
         if self.grid.ny() > 1 {
-            let through = |k: usize| {
-                let drop = self.nodes[k].potential - self.nodes[k + nx].potential;
-                self.coefficient_north(k) * self.north[k] * drop
-            };
             for i in 1..nx - 1 {
-                count(-through(i));
-                count(through(n - 2 * nx + i));
+                count(-self.north_flow[i]);
+                count(self.north_flow[n - 2 * nx + i]);
             }
         }
         let unit = self.rate * self.grid.cell_area();
@@ -111,12 +104,11 @@ impl Discretisation {
         let (along, across) = (self.rate * self.grid.dx(), self.rate * self.grid.dy());
         flows.resize(n);
         for k in 0..n {
-            let drop = |o: usize| self.nodes[k].potential - self.nodes[o].potential;
             if k % nx + 1 < nx {
-                flows.east[k] = along * self.coefficient_east(k) * self.east[k] * drop(k + 1);
+                flows.east[k] = along * self.east_flow[k];
             }
             if k + nx < n {
-                flows.north[k] = across * self.coefficient_north(k) * self.north[k] * drop(k + nx);
+                flows.north[k] = across * self.north_flow[k];
             }
         }
         // What enters and leaves the outermost nodes from without is not known.

@@ -22,12 +22,12 @@ impl Discretisation {
     /// Derivatives of the flow by pressure through the face to the east of node `k`, its film over that of
     /// the node and the factor of the inlet held: by both pressures, then by both films.
     pub(in crate::reynolds) fn east_flow_derivatives(&self, k: usize) -> [f64; 4] {
-        self.flow_derivatives(k, k + 1, self.coefficient_east(k), self.along(k))
+        self.flow_derivatives(k, k + 1, self.east_coefficients[k], self.along(k))
     }
 
     /// Those of the face to the north.
     pub(in crate::reynolds) fn north_flow_derivatives(&self, k: usize) -> [f64; 4] {
-        self.flow_derivatives(k, k + self.grid.nx(), self.coefficient_north(k), Direction::Across)
+        self.flow_derivatives(k, k + self.grid.nx(), self.north_coefficients[k], Direction::Across)
     }
 
     /// Derivatives of the flow through the face of coefficient `c` between nodes `k` and `o`: by both
@@ -61,7 +61,7 @@ impl Discretisation {
         }
         // Nothing upstream enters at the inlet.
         let (up, own, next) = (&self.nodes[k - column.min(1)], &self.nodes[k], &self.nodes[k + 1]);
-        let film = self.face_film(k);
+        let film = self.face_film(k, column);
         let own_film = self.masses[k] / own.density;
         let by_films = |density: f64| [film.by_own, film.by_next, film.by_up].map(|by| density * by);
         let (by_densities, by_films) = match self.scheme {
@@ -70,7 +70,7 @@ impl Discretisation {
                 ([0.5 * own_film, -0.5 * up_film], [0.5 * own.density, 0.0, -0.5 * up.density])
             }
             Scheme::Limited if column > 0 => {
-                let DensityRise { rise, by_density, by_own_film, by_up_film } = self.density_rise(k);
+                let DensityRise { rise, by_density, by_own_film, by_up_film } = self.density_rise(k, column);
                 let whole = own_film + film.beyond;
                 let [by_own, by_next, by_up] = by_films(own.density + rise);
                 (
@@ -84,9 +84,9 @@ impl Discretisation {
         // The film of the face over that of the node is `1 + beyond / film`.
         let mut by_flow = [0.0; 3];
         if face.by_face_film != 0.0 {
-            let drop = self.coefficient_east(k) * (own.potential - next.potential);
+            let drop = self.east_coefficients[k] * (own.potential - next.potential);
             let (per_film, per_inlet) = (drop * face.by_face_film / own.film, drop * face.by_inlet);
-            let inlet = self.inlet(k);
+            let inlet = &self.inlets[k];
             by_flow = [
                 per_film * (film.by_own - film.beyond / own.film) + per_inlet * inlet.by_own,
                 per_film * film.by_next + per_inlet * inlet.by_next,

@@ -14,30 +14,52 @@ use super::{Discretisation, Scheme};
 const EDGE_SHARE: f64 = 2.0 / 3.0;
 
 impl Discretisation {
-    /// What entrainment carries through faces beyond what their first nodes hold, and the inlets.
-    pub(super) fn update_entrainment(&mut self) {
-        for k in 0..self.nodes.len() {
-            let film = self.face_film(k);
-            self.inlets[k] = self.inlet(k).factor;
-            let own = &self.nodes[k];
-            self.face_films[k] = if film.beyond == 0.0 { 1.0 } else { 1.0 + film.beyond / own.film };
-            self.beyond[k] = match self.scheme {
-                Scheme::FirstOrder => 0.0,
-                Scheme::Limited => {
-                    let rise = self.density_rise(k).rise;
-                    own.density * film.beyond + rise * (self.masses[k] / own.density + film.beyond)
-                }
-                Scheme::SecondOrder if k % self.grid.nx() == 0 => own.density * film.beyond,
-                Scheme::SecondOrder => 0.5 * (self.masses[k] - self.masses[k - 1]),
-            };
+    /// Takes `c` of the faces between columns and between rows.
+    pub(super) fn set_coefficients(&mut self, along: f64, across: f64) {
+        let (nx, ny) = (self.grid.nx(), self.grid.ny());
+        let at_edge = |i: usize, n: usize| i == 0 || i + 2 == n;
+        let share = |i: usize, n: usize| if at_edge(i, n) { EDGE_SHARE } else { 1.0 };
+        for (k, c) in self.east_coefficients.iter_mut().enumerate() {
+            *c = share(k % nx, nx) * along;
+        }
+        for (k, c) in self.north_coefficients.iter_mut().enumerate() {
+            *c = share(k / nx, ny) * across;
         }
     }
 
-    /// Density of the face to the east of node `k` beyond that of the node, extrapolated from the nodes
-    /// upstream.
+    /// What entrainment carries through faces beyond what their first nodes hold, and the inlets.
+    pub(super) fn update_entrainment(&mut self) {
+        let nx = self.grid.nx();
+        for first in (0..self.nodes.len()).step_by(nx) {
+            for column in 0..nx {
+                self.update_face(first + column, column);
+            }
+        }
+    }
+
+    /// The same of the face to the east of node `k` in `column`.
     #[inline]
-    pub(super) fn density_rise(&self, k: usize) -> DensityRise {
-        if k.is_multiple_of(self.grid.nx()) {
+    fn update_face(&mut self, k: usize, column: usize) {
+        let film = self.face_film(k, column);
+        self.inlets[k] = self.inlet(k, column);
+        let own = &self.nodes[k];
+        self.face_films[k] = if film.beyond == 0.0 { 1.0 } else { 1.0 + film.beyond / own.film };
+        self.beyond[k] = match self.scheme {
+            Scheme::FirstOrder => 0.0,
+            Scheme::Limited => {
+                let rise = self.density_rise(k, column).rise;
+                own.density * film.beyond + rise * (self.masses[k] / own.density + film.beyond)
+            }
+            Scheme::SecondOrder if column == 0 => own.density * film.beyond,
+            Scheme::SecondOrder => 0.5 * (self.masses[k] - self.masses[k - 1]),
+        };
+    }
+
+    /// Density of the face to the east of node `k` in `column` beyond that of the node, extrapolated from the
+    /// nodes upstream.
+    #[inline]
+    pub(super) fn density_rise(&self, k: usize, column: usize) -> DensityRise {
+        if column == 0 {
             return DensityRise::default();
         }
         let (own, up) = (&self.nodes[k], &self.nodes[k - 1]);
@@ -45,10 +67,9 @@ impl Discretisation {
         DensityRise::new((own.density, own.film), (up.density, up_film))
     }
 
-    /// The film of the face to the east of node `k`; that of the node itself of first order.
+    /// The film of the face to the east of node `k` in `column`; that of the node itself of first order.
     #[inline]
-    pub(super) fn face_film(&self, k: usize) -> FaceFilm {
-        let column = k % self.grid.nx();
+    pub(super) fn face_film(&self, k: usize, column: usize) -> FaceFilm {
         if self.scheme == Scheme::FirstOrder || column + 1 == self.grid.nx() {
             return FaceFilm::default();
         }
@@ -60,10 +81,9 @@ impl Discretisation {
         }
     }
 
-    /// The inlet at the face to the east of node `k`.
+    /// The inlet at the face to the east of node `k` in `column`.
     #[inline]
-    pub(super) fn inlet(&self, k: usize) -> Inlet {
-        let column = k % self.grid.nx();
+    fn inlet(&self, k: usize, column: usize) -> Inlet {
         if self.face_mobility != FaceMobility::Inlet || column == 0 || column + 1 == self.grid.nx() {
             return Inlet::NONE;
         }
@@ -74,7 +94,7 @@ impl Discretisation {
     #[inline]
     pub(super) fn along(&self, k: usize) -> Direction {
         if self.wedge > 0.0 {
-            Direction::Along(self.face_films[k], self.inlets[k])
+            Direction::Along(self.face_films[k], self.inlets[k].factor)
         } else {
             Direction::AlongAtRest
         }
@@ -90,32 +110,16 @@ impl Discretisation {
         flow.thinned(self.ratios[a].of(direction), self.ratios[b].of(direction))
     }
 
-    /// `c` of the face to the east of node `k`.
-    #[inline]
-    pub(super) fn coefficient_east(&self, k: usize) -> f64 {
-        let column = k % self.grid.nx();
-        let at_edge = column == 0 || column + 2 == self.grid.nx();
-        if at_edge { EDGE_SHARE * self.face_x } else { self.face_x }
-    }
-
-    /// `c` of the face to the north of node `k`.
-    #[inline]
-    pub(super) fn coefficient_north(&self, k: usize) -> f64 {
-        let nx = self.grid.nx();
-        let at_edge = k < nx || k + 2 * nx >= self.grid.len();
-        if at_edge { EDGE_SHARE * self.face_y } else { self.face_y }
-    }
-
     /// Neighbours of node `k` (east, west, north, south) with coefficients and mobilities of the faces;
     /// across a line contact they are the node itself.
     #[inline]
     pub(super) fn neighbours(&self, k: usize) -> [(usize, f64, f64); 4] {
         let nx = if self.grid.ny() == 1 { 0 } else { self.grid.nx() };
         [
-            (k + 1, self.coefficient_east(k), self.east[k]),
-            (k - 1, self.coefficient_east(k - 1), self.east[k - 1]),
-            (k + nx, self.coefficient_north(k), self.north[k]),
-            (k - nx, self.coefficient_north(k - nx), self.north[k - nx]),
+            (k + 1, self.east_coefficients[k], self.east[k]),
+            (k - 1, self.east_coefficients[k - 1], self.east[k - 1]),
+            (k + nx, self.north_coefficients[k], self.north[k]),
+            (k - nx, self.north_coefficients[k - nx], self.north[k - nx]),
         ]
     }
 }

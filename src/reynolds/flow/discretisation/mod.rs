@@ -36,6 +36,7 @@ pub(in crate::reynolds) use window::MARGIN;
 use super::cavitation::Cavitation;
 use super::entrainment::Scheme;
 use super::face_mobility::{Direction, FaceMobility};
+use super::inlet::Inlet;
 use super::node::NodeFlow;
 use super::shear_thinning::{NodeRatios, ShearThinning};
 use crate::grid::Grid;
@@ -59,10 +60,10 @@ pub(in crate::reynolds) struct Discretisation {
     film_floor: f64,
     /// Film below which pressure moves nothing \[m\]; no such film in hard contact.
     closed_film: f64,
-    /// `c` of the faces between columns \[s/m^2\].
-    face_x: f64,
-    /// `c` of the faces between rows \[s/m^2\].
-    face_y: f64,
+    /// `c` of the faces to the east of the nodes \[s/m^2\].
+    east_coefficients: Vec<f64>,
+    /// And to the north.
+    north_coefficients: Vec<f64>,
     /// `w`.
     wedge: f64,
     /// `s`; zero without a squeeze term.
@@ -82,8 +83,8 @@ pub(in crate::reynolds) struct Discretisation {
     beyond: Vec<f64>,
     /// Film over that of the first node, of these faces.
     face_films: Vec<f64>,
-    /// Factors of the inlets at the faces to the east.
-    inlets: Vec<f64>,
+    /// The inlets at the faces to the east.
+    inlets: Vec<Inlet>,
     /// Squares of the cosines between the flow and the gradient of the undeformed gap, at these faces.
     alignments: Vec<f64>,
     /// `M` of the faces to the east \[m\].
@@ -96,6 +97,10 @@ pub(in crate::reynolds) struct Discretisation {
     east: Vec<f64>,
     /// And to the north.
     north: Vec<f64>,
+    /// Flow by pressure through the faces to the east \[m\].
+    east_flow: Vec<f64>,
+    /// And to the north.
+    north_flow: Vec<f64>,
     /// Shear thinning and the film in which the fluid at ambient pressure has `x = 1` \[m\]; none where it
     /// is Newtonian.
     thinning: Option<(ShearThinning, f64)>,
@@ -116,8 +121,8 @@ impl Discretisation {
             supply: f64::INFINITY,
             film_floor: 0.0,
             closed_film: f64::NEG_INFINITY,
-            face_x: 0.0,
-            face_y: 0.0,
+            east_coefficients: zeros(),
+            north_coefficients: zeros(),
             wedge: 0.0,
             squeeze: 0.0,
             pseudo_transient: 0.0,
@@ -130,10 +135,12 @@ impl Discretisation {
             content: vec![1.0; grid.len()],
             passed: zeros(),
             face_films: vec![1.0; grid.len()],
-            inlets: vec![1.0; grid.len()],
+            inlets: vec![Inlet::NONE; grid.len()],
             alignments: vec![1.0; grid.len()],
             east: zeros(),
             north: zeros(),
+            east_flow: zeros(),
+            north_flow: zeros(),
             thinning: None,
             warmth: Vec::new(),
             ratios: Vec::new(),
@@ -154,8 +161,8 @@ impl Discretisation {
         self.film_floor = 0.5 * problem.contact_film();
         self.closed_film = if problem.is_paper() { problem.contact_film() } else { f64::NEG_INFINITY };
         self.rate = speed / dx;
-        self.face_x = 1.0 / (speed * dx);
-        self.face_y = if self.grid.ny() == 1 { 0.0 } else { dx / (speed * dy * dy) };
+        let across = if self.grid.ny() == 1 { 0.0 } else { dx / (speed * dy * dy) };
+        self.set_coefficients(1.0 / (speed * dx), across);
         self.wedge = problem.entrainment_speed / speed;
         self.squeeze = grid_speed / speed;
         self.pseudo_transient = 0.0;
@@ -308,9 +315,13 @@ impl Discretisation {
         let (nx, n) = (self.grid.nx(), self.grid.len());
         for k in 0..n - 1 {
             self.east[k] = self.face_flow(k, k + 1, self.along(k)).mobility;
+            let drop = self.nodes[k].potential - self.nodes[k + 1].potential;
+            self.east_flow[k] = self.east_coefficients[k] * self.east[k] * drop;
         }
         for k in 0..n - nx {
             self.north[k] = self.face_flow(k, k + nx, Direction::Across).mobility;
+            let drop = self.nodes[k].potential - self.nodes[k + nx].potential;
+            self.north_flow[k] = self.north_coefficients[k] * self.north[k] * drop;
         }
     }
 
@@ -346,13 +357,13 @@ impl Discretisation {
     }
 
     /// Flow by pressure out of node `k`.
+    #[inline]
     fn pressure_outflow(&self, k: usize) -> f64 {
-        let own = self.nodes[k].potential;
-        let mut sum = 0.0;
-        for (o, c, mobility) in self.neighbours(k) {
-            sum += c * mobility * (own - self.nodes[o].potential);
+        let along = self.east_flow[k] - self.east_flow[k - 1];
+        if self.grid.ny() == 1 {
+            return along;
         }
-        sum
+        along + (self.north_flow[k] - self.north_flow[k - self.grid.nx()])
     }
 
     /// What node `k` holds, `theta rho/rho_0 h` \[m\].

@@ -20,7 +20,8 @@ fn laws() -> impl Iterator<Item = ShearThinning> {
 /// pressure in a film of `length`.
 fn row(face_mobility: FaceMobility, law: ShearThinning, length: f64) -> Discretisation {
     let mut fluid = Discretisation::new(Grid::from_edges(5, 1, [0.0, 5e-5], [-0.5, 0.5]).unwrap());
-    (fluid.face_mobility, fluid.face_x, fluid.fluidity) = (face_mobility, 1.0, 1.0 / (12.0 * 0.04));
+    (fluid.face_mobility, fluid.fluidity) = (face_mobility, 1.0 / (12.0 * 0.04));
+    fluid.set_coefficients(1.0, 0.0);
     fluid.thinning = Some((law, length));
     fluid.ratios = vec![NodeRatios::NEWTONIAN; 5];
     fluid
@@ -194,7 +195,8 @@ fn balances_in_a_window_are_those_of_the_whole() {
             let mut whole = Discretisation::new(grid);
             (whole.face_mobility, whole.scheme, whole.cavitation) =
                 (face_mobility, scheme, Cavitation::MassConserving);
-            (whole.face_x, whole.face_y, whole.fluidity) = (3e4, 2e4, 1.0 / (12.0 * 0.04));
+            whole.fluidity = 1.0 / (12.0 * 0.04);
+            whole.set_coefficients(3e4, 2e4);
             (whole.wedge, whole.squeeze, whole.rate) = (1.0, 0.2, 1e5);
             whole.align(&film);
             whole.update(&oil, &pressure, &film, Some(&previous));

@@ -21,7 +21,6 @@ impl Discretisation {
         self.cavitation = whole.cavitation;
         self.film_floor = whole.film_floor;
         self.closed_film = whole.closed_film;
-        (self.face_x, self.face_y) = (whole.face_x, whole.face_y);
         (self.wedge, self.squeeze) = (whole.wedge, whole.squeeze);
         self.pseudo_transient = whole.pseudo_transient;
         (self.fluidity, self.rate) = (whole.fluidity, whole.rate);
@@ -33,7 +32,13 @@ impl Discretisation {
         for j in 0..self.grid.ny() {
             let there = first + j * stride..first + j * stride + nx;
             let here = j * nx..(j + 1) * nx;
-            self.alignments[here.clone()].copy_from_slice(&whole.alignments[there.clone()]);
+            for (own, whole) in [
+                (&mut self.alignments, &whole.alignments),
+                (&mut self.east_coefficients, &whole.east_coefficients),
+                (&mut self.north_coefficients, &whole.north_coefficients),
+            ] {
+                own[here.clone()].copy_from_slice(&whole[there.clone()]);
+            }
             if !whole.warmth.is_empty() {
                 self.warmth.extend_from_slice(&whole.warmth[there.clone()]);
             }
