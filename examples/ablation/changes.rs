@@ -21,8 +21,6 @@ pub(crate) const CHANGES: &[Change] = &[
     change("least_krylov_tolerance x 10", |s| s.least_krylov_tolerance *= 10.0),
     change("largest_change off", |s| s.largest_change = 1e9),
     change("largest_change x 0.5", |s| s.largest_change *= 0.5),
-    change("film_reduction: 0.25", |s| s.film_reduction = 0.25),
-    change("film_reduction: 0.7", |s| s.film_reduction = 0.7),
     change("first_contact_film: 1 (no film homotopy)", |s| {
         s.attempts.iter_mut().for_each(|attempt| attempt.first_contact_film = 1.0);
     }),
@@ -31,20 +29,13 @@ pub(crate) const CHANGES: &[Change] = &[
     }),
     change("near_below x 0.1", |s| s.near_below *= 0.1),
     change("near_below x 10", |s| s.near_below *= 10.0),
-    change("growth[0] off", |s| s.growth[0] = (1e9, 0)),
-    change("growth[1] off", |s| s.growth[1] = s.growth[0]),
-    change("growth[2] off", |s| s.growth[2] = s.growth[0]),
-    change("growth all off", |s| s.growth = [(1e9, 0); 3]),
-    change("growth all as the first", |s| s.growth = [s.growth[0]; 3]),
-    change("growth all as the second", |s| s.growth = [s.growth[1]; 3]),
-    change("shorter: 0.25", |s| s.shorter = 0.25),
+    change("growth off", |s| s.growth = 1e9),
+    change("growth: 1", |s| s.growth = 1.0),
+    change("growth: 4", |s| s.growth = 4.0),
+    change("halvings x 2", |s| s.halvings *= 2),
     change("patience x 2", |s| s.patience *= 2),
     change("patience off", |s| s.patience = u32::MAX),
     change("tighter off", |s| s.tighter = 1.0),
-    change("trust_change off", |s| s.trust_change = (1.0 - 1e-12, 1.0)),
-    change("trust_change wide", |s| s.trust_change = (0.1, 10.0)),
-    change("least_trust x 0.1", |s| s.least_trust *= 0.1),
-    change("least_trust x 10", |s| s.least_trust *= 10.0),
     change("trust x 0.5", |s| s.attempts.iter_mut().for_each(|attempt| attempt.trust *= 0.5)),
     change("trust x 3", |s| s.attempts.iter_mut().for_each(|attempt| attempt.trust *= 3.0)),
     change("gentle off", |s| s.attempts.iter_mut().for_each(|attempt| attempt.gentle = false)),
@@ -56,14 +47,10 @@ pub(crate) const CHANGES: &[Change] = &[
     }),
     change("unforeseen x 0.5", |s| s.attempts.iter_mut().for_each(|attempt| attempt.unforeseen *= 0.5)),
     change("unforeseen off", |s| s.attempts.iter_mut().for_each(|attempt| attempt.unforeseen = 1e9)),
-    change("careful_below off", |s| s.attempts.iter_mut().for_each(|attempt| attempt.careful_below = 0.0)),
-    change("careful_below everywhere", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.careful_below = 1e9);
-    }),
-    change("start_tolerance: 0.1", |s| {
+    change("start_tolerance x 3", |s| {
         s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance = 0.1);
     }),
-    change("start_tolerance: 0.003", |s| {
+    change("start_tolerance x 0.1", |s| {
         s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance = 0.003);
     }),
     change("krylov_tolerance: 0.03", |s| {

@@ -11,9 +11,6 @@ use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 use crate::strategy::Strategy;
 
-/// Cells in a reference half-width up to which dry starts need no more than their tolerance.
-const START_CELLS: f64 = 40.0;
-
 impl Workspace {
     /// Solves from the state as it is if it carries pressure and is near; else, and again where that stalls,
     /// from the dry contact; at last by another way. Leaves the best state.
@@ -134,9 +131,8 @@ impl Workspace {
         self.newton(problem, state, stop, attempt, homotopy)
     }
 
-    /// The dry contact under the film cut-off of the problem, to the gap error `tolerance` or, on meshes
-    /// finer than [`START_CELLS`], less in proportion: the same error of films is a larger one of the
-    /// pressures of single nodes there.
+    /// The dry contact under the film cut-off of the problem, to the gap error `tolerance` over the cells in a
+    /// half-width: the same error of films is a larger one of the pressures of single nodes on finer meshes.
     pub(super) fn start_dry(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -145,7 +141,7 @@ impl Workspace {
     ) -> Result<(), ReynoldsError> {
         state.pressure.fill(0.0);
         let cells = problem.reference_half_widths.0 / problem.grid().dx();
-        self.work += self.start.run(problem, state, tolerance * (START_CELLS / cells).min(1.0))?;
+        self.work += self.start.run(problem, state, tolerance / cells)?;
         Ok(())
     }
 }

@@ -7,8 +7,6 @@ use super::settings::{Attempt, NewtonSettings};
 #[derive(Debug)]
 pub(super) struct Globalisation {
     attempt: Attempt,
-    /// Pressure that trusts count in \[Pa\].
-    reference_pressure: f64,
     largest_trust: f64,
     pub(super) elimination: Elimination,
     pub(super) krylov_tolerance: f64,
@@ -24,7 +22,6 @@ impl Globalisation {
         let largest_trust = attempt.trust * reference_pressure;
         Self {
             attempt,
-            reference_pressure,
             largest_trust,
             elimination: Elimination { trust: largest_trust, opens_together: attempt.gentle },
             krylov_tolerance: attempt.krylov_tolerance,
@@ -68,24 +65,14 @@ impl Globalisation {
         term
     }
 
-    /// Growth of the `residual` above which a step is taken again, and how often.
-    pub(super) fn growth(&self, residual: f64, settings: &NewtonSettings) -> (f64, u32) {
-        let [anywhere, careful, swinging] = settings.growth;
-        if self.swings {
-            swinging
-        } else if residual < self.attempt.careful_below {
-            careful
-        } else {
-            anywhere
-        }
+    /// Growth of the residual above which a step is taken again: none once steps have swung.
+    pub(super) fn growth(&self, settings: &NewtonSettings) -> f64 {
+        if self.swings { 1.0 } else { settings.growth }
     }
 
-    /// Adapts the trust to the share of the films that a step did not foresee.
-    pub(super) fn adapt(&mut self, unforeseen: f64, settings: &NewtonSettings) {
-        let (shorter, longer) = settings.trust_change;
-        let change = self.attempt.unforeseen / unforeseen;
-        self.elimination.trust = (self.elimination.trust * change.clamp(shorter, longer))
-            .max(settings.least_trust * self.reference_pressure)
-            .min(self.largest_trust);
+    /// Adapts the trust to the share of the films that a step did not foresee: at most half or twice the last.
+    pub(super) fn adapt(&mut self, unforeseen: f64) {
+        let change = (self.attempt.unforeseen / unforeseen).clamp(0.5, 2.0);
+        self.elimination.trust = (self.elimination.trust * change).min(self.largest_trust);
     }
 }

@@ -40,8 +40,8 @@ impl Homotopy {
         arrives
     }
 
-    /// The next contact film.
-    pub(super) fn go_on(&self, problem: &mut LubricatedContact<'_>, settings: &NewtonSettings) {
-        problem.film_cutoff = (settings.film_reduction * problem.film_cutoff).max(self.film_cutoff);
+    /// The next contact film, half of the present one.
+    pub(super) fn go_on(&self, problem: &mut LubricatedContact<'_>) {
+        problem.film_cutoff = (0.5 * problem.film_cutoff).max(self.film_cutoff);
     }
 }

@@ -90,7 +90,7 @@ impl Workspace {
         self.work.iterations += 1;
         let (before, is_on) = (self.residuals.max(), homotopy.is_on(problem));
         if is_on {
-            homotopy.go_on(problem, &self.settings);
+            homotopy.go_on(problem);
             self.coupled.fluid.configure(problem);
             self.coupled.fluid.set_cavitation(homotopy.condition);
             // The flow follows below.
@@ -103,9 +103,9 @@ impl Workspace {
             return Ok(false);
         };
         self.work.inner_iterations += krylov_steps;
-        let growth = globalisation.growth(before, &self.settings);
+        let growth = globalisation.growth(&self.settings);
         self.residuals = self.advance_carefully(problem, state, globalisation.elimination, before, growth)?;
-        globalisation.adapt(self.unforeseen_share(state, problem.contact_film()), &self.settings);
+        globalisation.adapt(self.unforeseen_share(state, problem.contact_film()));
         Ok(true)
     }
 }

@@ -22,33 +22,24 @@ pub struct NewtonSettings {
     /// Largest pressure change of one step, in reference pressures times the cells in a reference half-width;
     /// above 0. What a node changes of its own film is then the same on all meshes.
     pub largest_change: f64,
-    /// Contact film of a Newton step over that of the step before, down to the one of the problem (film
-    /// homotopy); between 0 and 1.
-    pub film_reduction: f64,
     /// The residual below which a state is near the solution: one that is given is taken for a start, the
     /// pseudo-transient term falls in proportion to the residual, and cavitation is that of the problem; above
     /// 0. Near the solution a step in time holds back the approach, and the whole contact with it.
     pub near_below: f64,
-    /// Growth of the residual above which a step is taken again at [`shorter`](Self::shorter) length, and how
-    /// often at most: anywhere, below [`Attempt::careful_below`], and after [`patience`](Self::patience)
-    /// steps without a new best residual.
-    pub growth: [(f64, u32); 3],
-    /// Length of a step that is taken again over the one before; between 0 and 1.
-    pub shorter: f64,
-    /// Steps without a new best residual after which the largest trust is halved, the third bound of
-    /// [`growth`](Self::growth) holds, and linear systems are solved to the share [`tighter`](Self::tighter)
-    /// of their tolerance, down to [`least_krylov_tolerance`](Self::least_krylov_tolerance); at least 1. What
-    /// linear systems leave in a pocket of one node may be all that decides whether its fluid cavitates, and
-    /// it then does in every other step.
+    /// Growth of the residual above which a step is taken again at half its length; at least 1.
+    pub growth: f64,
+    /// How often at most.
+    pub halvings: u32,
+    /// Steps without a new best residual after which the largest trust is halved, steps may not let the
+    /// residual grow any more, and linear systems are solved to the share [`tighter`](Self::tighter) of their
+    /// tolerance, down to [`least_krylov_tolerance`](Self::least_krylov_tolerance); at least 1. What linear
+    /// systems leave in a pocket of one node may be all that decides whether its fluid cavitates, and it then
+    /// does in every other step.
     pub patience: u32,
     /// Above 0, at most 1.
     pub tighter: f64,
     /// Linear residual below which no more is asked of a step; between 0 and 1.
     pub least_krylov_tolerance: f64,
-    /// Bounds of the change of the trust from step to step: below 1, above 1.
-    pub trust_change: (f64, f64),
-    /// Least trust in reference pressures; above 0.
-    pub least_trust: f64,
     /// What is done about pockets between the steps.
     pub pockets: PocketSettings,
 }
@@ -96,10 +87,7 @@ pub struct Attempt {
     /// Share of the films by which all nodes together may change them as they leave what the linear step
     /// foresees; above 0. Above it the trust of the next step is smaller.
     pub unforeseen: f64,
-    /// The residual below which no step may make it grow by more than the second bound of
-    /// [`NewtonSettings::growth`]; at least 0.
-    pub careful_below: f64,
-    /// Gap error of the dry start where a half-width has 40 cells or fewer, else less in proportion; above 0.
+    /// Gap error of the dry start times the cells in a half-width; above 0.
     pub start_tolerance: f64,
     /// Reduction of the linear residual in each Newton step; between 0 and 1.
     pub krylov_tolerance: f64,
@@ -120,8 +108,7 @@ const FIRST: Attempt = Attempt {
     first_contact_film: 30.0,
     pseudo_transient: (0.3, 0.85),
     unforeseen: 0.3,
-    careful_below: 30.0,
-    start_tolerance: 0.03,
+    start_tolerance: 0.6,
     krylov_tolerance: 0.3,
     most_steps: 80,
 };
@@ -133,8 +120,7 @@ pub(super) const STEADILY: Attempt = Attempt {
     first_contact_film: 30.0,
     pseudo_transient: STEADY,
     unforeseen: 0.5,
-    careful_below: 0.0,
-    start_tolerance: 1e-7,
+    start_tolerance: 4e-6,
     krylov_tolerance: 0.01,
     most_steps: 60,
 };
@@ -147,15 +133,12 @@ impl Default for NewtonSettings {
             follows_time: true,
             krylov_steps: 100,
             largest_change: 0.05,
-            film_reduction: 0.5,
             near_below: 100.0,
-            growth: [(4.0, 1), (2.0, 3), (1.0, 2)],
-            shorter: 0.5,
+            growth: 2.0,
+            halvings: 2,
             patience: 5,
             tighter: 0.2,
             least_krylov_tolerance: 0.01,
-            trust_change: (0.3, 2.0),
-            least_trust: 0.001,
             pockets: PocketSettings::default(),
         }
     }
@@ -188,26 +171,16 @@ impl NewtonSettings {
         count("patience", f64::from(self.patience))?;
         let share = |field: &str, share: f64| require_share(&format!("newton.{field}"), share);
         share("least_krylov_tolerance", self.least_krylov_tolerance)?;
-        share("film_reduction", self.film_reduction)?;
-        share("shorter", self.shorter)?;
-        share("trust_change[0]", self.trust_change.0)?;
         InputError::require(
             self.tighter > 0.0 && self.tighter <= 1.0,
             "newton.tighter",
             self.tighter,
             "above 0 and at most 1",
         )?;
-        let at_least_one = |field: &str, value: f64| {
-            let holds = value.is_finite() && value >= 1.0;
-            InputError::require(holds, &format!("newton.{field}"), value, "finite and at least 1")
-        };
-        at_least_one("trust_change[1]", self.trust_change.1)?;
-        for (index, (growth, _)) in self.growth.iter().enumerate() {
-            at_least_one(&format!("growth[{index}]"), *growth)?;
-        }
+        let grows = self.growth.is_finite() && self.growth >= 1.0;
+        InputError::require(grows, "newton.growth", self.growth, "finite and at least 1")?;
         InputError::require_positive("newton.largest_change", self.largest_change)?;
         InputError::require_positive("newton.near_below", self.near_below)?;
-        InputError::require_positive("newton.least_trust", self.least_trust)?;
         self.pockets.validate()?;
         self.attempts
             .iter()
@@ -250,7 +223,6 @@ impl Attempt {
             "at least 0 and below 1",
         )?;
         InputError::require_positive(&format!("{at}.unforeseen"), self.unforeseen)?;
-        InputError::require_non_negative(&format!("{at}.careful_below"), self.careful_below)?;
         InputError::require_positive(&format!("{at}.start_tolerance"), self.start_tolerance)?;
         require_share(&format!("{at}.krylov_tolerance"), self.krylov_tolerance)?;
         InputError::require(
@@ -283,8 +255,7 @@ mod tests {
         };
         assert_eq!(field(|s| s.attempts.clear()), "newton.attempts");
         assert_eq!(field(|s| s.patience = 0), "newton.patience");
-        assert_eq!(field(|s| s.shorter = f64::NAN), "newton.shorter");
-        assert_eq!(field(|s| s.growth[2].0 = 0.5), "newton.growth[2]");
+        assert_eq!(field(|s| s.growth = 0.5), "newton.growth");
         assert_eq!(field(|s| s.near_below = -1.0), "newton.near_below");
         assert_eq!(field(|s| s.attempts[1].trust = 0.0), "newton.attempts[1].trust");
         assert_eq!(field(|s| s.pockets.side = 7), "newton.pockets.side");

@@ -30,25 +30,25 @@ impl Workspace {
         self.coupled.flow(problem, lubricant, &state.fluid_pressure, &self.flow_film);
     }
 
-    /// Takes the step, or a shorter one if the residual `before` jumps under it; returns the residuals that
-    /// it leaves.
+    /// Takes the step, or half of it, again and again, if the residual `before` grows under it by more than
+    /// the factor `growth`; returns the residuals that it leaves.
     pub(super) fn advance_carefully(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         elimination: Elimination,
         before: f64,
-        (growth, most_times): (f64, u32),
+        growth: f64,
     ) -> Result<Residuals, ReynoldsError> {
         self.before.keep(&self.coupled, state);
         let mut length = 1.0;
         self.advance(problem, state, elimination, length)?;
         let mut residuals = self.coupled.residuals(problem, state);
-        for _ in 0..most_times {
+        for _ in 0..self.settings.halvings {
             if residuals.max() <= growth * before {
                 break;
             }
-            length *= self.settings.shorter;
+            length *= 0.5;
             self.before.restore(&mut self.coupled, problem, state);
             self.close_contact(problem, state);
             self.advance(
