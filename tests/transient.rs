@@ -4,6 +4,7 @@
 
 use std::f64::consts::PI;
 
+use rayon::prelude::*;
 use stribeck::analytic::HertzPoint;
 use stribeck::elastic::{DeformationModel, HalfSpace, LineHalfSpace};
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
@@ -203,14 +204,13 @@ fn second_order_in_time_is_of_second_order_and_first_order_is_not() {
 /// (Venner and Lubrecht 2000). Sixteen cells a wave and more; waves of eleven cells are damped by the scheme.
 #[test]
 fn waves_under_a_ball_are_flattened_by_the_master_curve() {
-    for (moes_load, wave, cells) in
-        [(5.0, 0.75, 1.0), (20.0, 1.0, 1.0), (100.0, 1.0, 1.0), (100.0, 2.0, 2.0), (100.0, 3.0, 2.0)]
-    {
+    let cases = [(5.0, 0.75, 1.0), (20.0, 1.0, 1.0), (100.0, 1.0, 1.0), (100.0, 2.0, 2.0), (100.0, 3.0, 2.0)];
+    cases.into_par_iter().for_each(|(moes_load, wave, cells)| {
         let n: f64 = wave * (moes_load / 10.0_f64).sqrt();
         let curve = 1.0 / (1.0 + 0.15 * n + 0.015 * n * n);
         let found = Rolling::ball(moes_load, 128).amplitude(wave, cells, true);
         assert!((found - curve).abs() < 0.08, "n {n}: {found}, master curve {curve}");
-    }
+    });
 }
 
 /// A dent on a surface at half the entrainment speed: what it does to the film at the inlet travels ahead of
