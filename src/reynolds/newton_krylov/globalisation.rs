@@ -65,9 +65,16 @@ impl Globalisation {
         term
     }
 
-    /// Growth of the residual above which a step is taken again: none once steps have swung.
-    pub(super) fn growth(&self, settings: &NewtonSettings) -> f64 {
-        if self.swings { 1.0 } else { settings.growth }
+    /// Growth of the residual above which a step is taken again: none once steps have swung, any where the step
+    /// `eases_films`, as the residual then is one of other equations than that before.
+    pub(super) fn growth(&self, eases_films: bool, settings: &NewtonSettings) -> f64 {
+        if eases_films {
+            f64::INFINITY
+        } else if self.swings {
+            1.0
+        } else {
+            settings.growth
+        }
     }
 
     /// Adapts the trust to the share of the films that a step did not foresee: at most half or twice the last.

@@ -18,7 +18,8 @@ impl Homotopy {
         self.eases_films(problem) || self.condition != problem.cavitation
     }
 
-    fn eases_films(&self, problem: &LubricatedContact<'_>) -> bool {
+    /// Whether the contact film is not yet that of the problem.
+    pub(super) fn eases_films(&self, problem: &LubricatedContact<'_>) -> bool {
         problem.film_cutoff > self.film_cutoff
     }
 

@@ -89,6 +89,7 @@ impl Workspace {
     ) -> Result<bool, ReynoldsError> {
         self.work.iterations += 1;
         let (before, is_on) = (self.residuals.max(), homotopy.is_on(problem));
+        let eases_films = homotopy.eases_films(problem);
         if is_on {
             homotopy.go_on(problem);
             self.coupled.fluid.configure(problem);
@@ -103,7 +104,7 @@ impl Workspace {
             return Ok(false);
         };
         self.work.inner_iterations += krylov_steps;
-        let growth = globalisation.growth(&self.settings);
+        let growth = globalisation.growth(eases_films, &self.settings);
         self.residuals = self.advance_carefully(problem, state, globalisation.elimination, before, growth)?;
         globalisation.adapt(self.unforeseen_share(state, problem.contact_film()));
         Ok(true)

@@ -26,7 +26,8 @@ pub struct NewtonSettings {
     /// pseudo-transient term falls in proportion to the residual, and cavitation is that of the problem; above
     /// 0. Near the solution a step in time holds back the approach, and the whole contact with it.
     pub near_below: f64,
-    /// Growth of the residual above which a step is taken again at half its length; at least 1.
+    /// Growth of the residual above which a step is taken again at half its length, unless it lowers the contact
+    /// film, as the residual then is one of other equations than that before; at least 1.
     pub growth: f64,
     /// How often at most.
     pub halvings: u32,
@@ -135,7 +136,7 @@ impl Default for NewtonSettings {
             largest_change: 0.05,
             near_below: 100.0,
             growth: 2.0,
-            halvings: 2,
+            halvings: 3,
             patience: 5,
             tighter: 0.2,
             least_krylov_tolerance: 0.01,
