@@ -48,10 +48,10 @@ pub(crate) const CHANGES: &[Change] = &[
     change("unforeseen x 0.5", |s| s.attempts.iter_mut().for_each(|attempt| attempt.unforeseen *= 0.5)),
     change("unforeseen off", |s| s.attempts.iter_mut().for_each(|attempt| attempt.unforeseen = 1e9)),
     change("start_tolerance x 3", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance = 0.1);
+        s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance *= 3.0);
     }),
     change("start_tolerance x 0.1", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance = 0.003);
+        s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance *= 0.1);
     }),
     change("krylov_tolerance: 0.03", |s| {
         s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.03);
