@@ -62,7 +62,8 @@ impl Evaluation {
     }
 
     /// Overwrites `flows` with those through the cells at the pressures and films of `state` as they are, by
-    /// the face law and the entrainment of the problem; zeros without a lubricant. No elastic displacement.
+    /// the face law and the entrainment of the problem; zeros without a lubricant. Returns what
+    /// [`flow_balance`](Self::flow_balance) does. No elastic displacement.
     ///
     /// # Errors
     /// As of [`evaluate`](Self::evaluate).
@@ -71,13 +72,14 @@ impl Evaluation {
         problem: &LubricatedContact<'_>,
         state: &ContactState,
         flows: &mut FilmFlows,
-    ) -> Result<(), ReynoldsError> {
-        if self.update(problem, state)? {
+    ) -> Result<Option<FlowBalance>, ReynoldsError> {
+        let balance = self.flow_balance(problem, state)?;
+        if balance.is_some() {
             self.coupled.fluid.film_flows(flows);
         } else {
             flows.resize(state.film.len());
         }
-        Ok(())
+        Ok(balance)
     }
 
     /// Takes over the fluid of `state`; whether there is any.

@@ -326,10 +326,10 @@ impl ContactModel {
         };
         let interrupted = heeded.load(Ordering::Relaxed);
         let measured = match (&solved, evaluation) {
-            (Ok(_), Some(evaluation)) if !interrupted => {
-                let flows = film_flows.as_mut().map(|flows| evaluation.film_flows(&problem, state, flows));
-                flows.unwrap_or(Ok(())).and_then(|()| evaluation.flow_balance(&problem, state))
-            }
+            (Ok(_), Some(evaluation)) if !interrupted => match &mut film_flows {
+                Some(flows) => evaluation.film_flows(&problem, state, flows),
+                None => evaluation.flow_balance(&problem, state),
+            },
             _ => Ok(None),
         };
         self.film_flows = film_flows;
