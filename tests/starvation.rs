@@ -129,10 +129,10 @@ fn solvers_agree_or_end_as_stalled() {
             assert!((solution.film.central / film - 1.0).abs() < 1e-5, "{kind:?} at {supply:e}");
         }
         for kind in unable {
-            // Multigrid says that the mesh is too coarse where its best state touches.
             let status = solve(supply, kind).report.status;
-            let has_stalled = matches!(status, Status::Stalled | Status::MeshTooCoarse);
-            assert!(has_stalled, "{kind:?} at {supply:e}: {status:?}");
+            // Multigrid says that the mesh is too coarse where its best state touches.
+            let touches = kind == Multigrid && status == Status::MeshTooCoarse;
+            assert!(touches || status == Status::Stalled, "{kind:?} at {supply:e}: {status:?}");
         }
     }
 }
