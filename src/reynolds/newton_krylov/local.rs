@@ -11,6 +11,9 @@ const MAX_STEPS: u32 = 60;
 /// Relative change of the pressure with which the last step of a local solve ends: the error is about its
 /// square.
 const LAST_CHANGE: f64 = 1e-6;
+/// Relative distance from the pressure foreseen within which a root is the one foreseen: what linear systems
+/// that are solved well leave.
+const FORESEEN: f64 = 0.01;
 /// Pressure flow over entrainment of the own elastic response below which the film of a node is what the
 /// fluid carries to it.
 const CARRIED: f64 = 3.0;
@@ -20,7 +23,9 @@ const CARRIED: f64 = 3.0;
 pub(super) struct Forecast {
     /// Total pressure \[Pa\].
     pub(super) pressure: f64,
-    /// Film at that pressure without plastic depth \[m\].
+    /// Pressure of its fluid \[Pa\].
+    pub(super) fluid_pressure: f64,
+    /// Film at the total pressure without plastic depth \[m\].
     pub(super) elastic_film: f64,
     /// Plastic depth of a node whose fluid is at the limit \[m\].
     pub(super) depth: f64,
@@ -129,7 +134,7 @@ impl<'a> Local<'a> {
     /// Along one coordinate `v` all states of a node line up: cavitated (`v <= 0`), contact with fluid
     /// pressure `v`, open with pressure `v` once that exceeds the pressure `touch` at which the film is the
     /// contact film, and fluid at the limit with plastic depth `(v - limit)` times the self-influence. The
-    /// share grows along it.
+    /// share grows along it, but where a node that opens lets in more than it passes on.
     pub(super) fn eliminate(&self, material: Material, forecast: Forecast) -> NodeState {
         let Material { contact_film, limit, own_influence, elimination } = material;
         let touch = forecast.pressure + (contact_film - forecast.elastic_film) / own_influence;
@@ -145,9 +150,13 @@ impl<'a> Local<'a> {
                 + if v > opening { by_film * own_influence } else { 0.0 };
             (share - forecast.share, slope)
         };
-        let v = root(value, forecast.pressure);
-        // Pressures move films far away: a node may not leave the forecast, which knows of all, by much.
-        let mut v = v.min(forecast.pressure.max(0.0) + forecast.depth / own_influence + elimination.trust);
+        let mut v = root(value, forecast.fluid_pressure);
+        // Pressures move films far away: a node may not leave the forecast, which knows of all, by much. But
+        // where its share falls at that bound, the next linear step would lead it back.
+        let most = forecast.pressure.max(0.0) + forecast.depth / own_influence + elimination.trust;
+        if v > most && value(most).1 >= 0.0 {
+            v = most;
+        }
         if v > opening {
             v = v.max(forecast.pressure.min(limit) - elimination.trust).max(opening);
         }
@@ -179,8 +188,9 @@ impl<'a> Local<'a> {
     }
 }
 
-/// Root of a growing function, zero if it is not negative there; by Newton steps from `start` inside a
-/// bracket.
+/// Root of a function that grows nearly everywhere, zero if it is not negative there; by Newton steps from
+/// `start` inside a bracket. Where it falls at `start`, a root within [`FORESEEN`] of that is taken: nodes around
+/// hold it in place.
 fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
     // Most starts are close to the root: zero is looked at only where steps lead there.
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -191,8 +201,11 @@ fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
         }
         (low, v) = (0.0, 1.0);
     }
-    for _ in 0..MAX_STEPS {
+    for step in 0..MAX_STEPS {
         let (f, slope) = value(v);
+        if step == 0 && slope <= 0.0 && (f / slope).abs() < FORESEEN * v {
+            return v - f / slope;
+        }
         if f < 0.0 {
             low = v;
         } else {

@@ -163,7 +163,7 @@ impl BlockPreconditioner {
         }
     }
 
-    /// Prepares the border: what the blocks make of the column of the approach.
+    /// Prepares the border: what the blocks make of the column of the approach, which moves all films alike.
     pub(super) fn border(
         &mut self,
         unknowns: &mut Unknowns,
@@ -174,7 +174,9 @@ impl BlockPreconditioner {
         let n = unknowns.len();
         let (mut column, mut border) = (std::mem::take(&mut self.column), std::mem::take(&mut self.border));
         unknowns.approach_column(linearisation, &mut column[..n]);
+        self.given.by_blocks_alone = true;
         let result = self.blocks(unknowns, coupled, problem, &column[..n], &mut border[..n]);
+        self.given.by_blocks_alone = false;
         border[n - 1] = 0.0;
         self.border_load = unknowns.load(&border[..n]) as f32;
         (self.column, self.border) = (column, border);

@@ -32,6 +32,8 @@ pub(super) struct PrescribedDisplacements {
     pub(super) films: Vec<f64>,
     pub(super) pressures: Vec<f64>,
     scratch: Vec<f64>,
+    /// Whether the blocks alone are asked where solids screen: enough for films that are wide.
+    pub(super) by_blocks_alone: bool,
 }
 
 impl PrescribedDisplacements {
@@ -45,6 +47,7 @@ impl PrescribedDisplacements {
             films: vec![0.0; n],
             pressures: vec![0.0; n],
             scratch: vec![0.0; n],
+            by_blocks_alone: false,
         }
     }
 
@@ -89,7 +92,11 @@ impl PrescribedDisplacements {
         let own = body.influence(0, 0);
         let mut coarse = coarse.as_mut().filter(|_| screened);
         if let Some(coarse) = &mut coarse {
-            cost += UNPADDED + coarse.add_pressures(nodes, weights, films, pressures);
+            let in_blocks = coarse.add_pressures(nodes, weights, films, pressures);
+            if self.by_blocks_alone {
+                return Ok(in_blocks);
+            }
+            cost += UNPADDED + in_blocks;
             body.displacement_periodic(pressures, scratch)?;
             for &k in &*nodes {
                 films[k as usize] -= scratch[k as usize] / own;

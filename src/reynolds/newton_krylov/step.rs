@@ -113,6 +113,7 @@ impl Workspace {
             let change = unknowns.node(k);
             let material = Material { contact_film, limit: limit_of(problem, k), own_influence, elimination };
             let pressure = state.pressure[k] + length * change.pressure;
+            let fluid_pressure = state.fluid_pressure[k] + length * change.fluid_pressure;
             let elastic_film = coupled.elastic_film[k] + length * change.elastic_film;
             let depth = match kind.fluid {
                 Fluid::AtLimit => {
@@ -127,7 +128,8 @@ impl Workspace {
                         if kind.has_balance() { 0.0 } else { coupled.balance[k] + length * change.balance };
                     let changes = [length * change.fluid_pressure, length * change.film];
                     let share = local.foreseen_share(self.flow_film[k], changes, imbalance);
-                    local.eliminate(material, Forecast { pressure, elastic_film, depth, share })
+                    let forecast = Forecast { pressure, fluid_pressure, elastic_film, depth, share };
+                    local.eliminate(material, forecast)
                 }
                 _ => material.eliminate_dry(kind.fluid, pressure, elastic_film),
             };

@@ -213,7 +213,7 @@ impl Window {
         }
         let previous = previous(problem, &self.previous_mass);
         for q in (0..self.grid.len()).filter(|&q| self.chosen[q]) {
-            let NodeState { kind, pressure, .. } = self.nodes[q];
+            let NodeState { kind, pressure, fluid_pressure, .. } = self.nodes[q];
             let change = f64::from(self.pressure_change[q]) * problem.reference_pressure;
             let film_change = f64::from(self.film_change[q]) * film_unit;
             let own_change = if kind.solid == Solid::Open { [change, film_change] } else { [0.0; 2] };
@@ -232,6 +232,7 @@ impl Window {
             };
             let forecast = Forecast {
                 pressure: pressure + own_change[0],
+                fluid_pressure: fluid_pressure + change,
                 elastic_film: self.elastic_film[q] + own_change[1],
                 depth: 0.0,
                 share: local.foreseen_share(self.film[q], [change, film_change], imbalance),
