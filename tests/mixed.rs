@@ -125,8 +125,9 @@ fn the_rims_of_pockets_hold() {
 }
 
 /// Linear systems to 30 % may send the fluid of a pocket of one node in and out of cavitation, step by step.
-/// Solved better where that happens, and by steps under which no residual grows, they end it: 139 steps with
-/// Reynolds' condition, 102 with the default flow.
+/// Solved better where that happens, and by steps under which no residual grows, they end it within the two
+/// attempts of 80 and 160 steps: 186 steps in all with the default flow, 139 with Reynolds' condition. Roundings
+/// decide about the first attempt.
 #[test]
 fn pockets_do_not_go_round_in_cycles() {
     let rough = scene(64, 0.1, 300e-9, 10e-6, 2e9, Some(2e9));
@@ -136,7 +137,7 @@ fn pockets_do_not_go_round_in_cycles() {
     simple.solver.cavitation = Some(Cavitation::Reynolds);
     for scene in [rough, simple] {
         let report = solve_soundly(&scene, "pockets").report;
-        assert!(report.work.iterations <= 170, "{report:?}");
+        assert!(report.work.iterations <= 240, "{report:?}");
     }
 }
 
