@@ -85,6 +85,29 @@ fn single_contacts_take_the_parts_of_histories() {
 }
 
 #[test]
+fn a_history_begins_where_it_is_told_to() {
+    let scene = scene();
+    let builder = || MixedLubricationSim::builder(scene.clone()).motion(AtRest);
+    let start = builder().solve().unwrap().state;
+    let told = || builder().contact_start(start.clone());
+    let (mut cold, mut warm) = (builder().build().unwrap(), told().build().unwrap());
+    let (first, short) = (cold.step(60.0).unwrap(), warm.step(60.0).unwrap());
+    assert!(short.report.work.convolutions < 0.5 * first.report.work.convolutions);
+    assert!((short.lambda / first.lambda - 1.0).abs() < 1e-3, "{} {}", short.lambda, first.lambda);
+    let single = told().solve().unwrap();
+    assert_eq!(single.report, short.report, "the single contact takes the same way");
+    assert_eq!(single.state.pressure, warm.state().pressure);
+    let mut again = told().build().unwrap();
+    again.step(60.0).unwrap();
+    assert_eq!(again.step(60.0).unwrap(), warm.step(60.0).unwrap());
+    let mut small = scene.clone();
+    small.grid = Scene::azam_2019(16).grid;
+    let other = MixedLubricationSim::builder(small).solve().unwrap().state;
+    assert!(builder().contact_start(other.clone()).check().is_err());
+    assert!(builder().contact_start(other).build().unwrap().step(60.0).is_err());
+}
+
+#[test]
 fn a_single_contact_of_several_meshes_takes_no_own_parts() {
     let mut scene = scene();
     scene.solver.estimate = true;

@@ -70,7 +70,7 @@ pub struct SimBuilder {
     pub(super) heights: [Option<Vec<f64>>; 2],
     /// Bodies from earlier runs.
     pub(super) starts: [Option<BodyStart>; 2],
-    /// Pressures that a single contact starts from.
+    /// What a single contact, or the first one of a history, starts from.
     pub(super) contact_start: Option<ContactState>,
 }
 
@@ -230,10 +230,10 @@ impl SimBuilder {
         self
     }
 
-    /// Starts [`solve`](Self::solve) from the pressures of an earlier solution on the same grid. Newton's
-    /// method forgets them where their residual is above
-    /// [`NewtonSettings::near_below`](crate::reynolds::NewtonSettings::near_below). The first step of a
-    /// history starts from the bodies alone.
+    /// Starts [`solve`](Self::solve), or the first step of a history, from the pressures of an earlier
+    /// solution on the same grid. Newton's method forgets them where their residual is above
+    /// [`NewtonSettings::near_below`](crate::reynolds::NewtonSettings::near_below). Later steps start from
+    /// the bodies alone.
     #[must_use]
     pub fn contact_start(mut self, state: ContactState) -> Self {
         self.contact_start = Some(state);
@@ -279,7 +279,8 @@ impl SimBuilder {
         let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion().into());
         let travel = Travel { motion, squeeze: self.squeeze };
         let whole = (self.scene, timetable, warnings);
-        let sim = MixedLubricationSim::assemble(whole, contact, bodies, laws, heat, travel)?;
+        let mut sim = MixedLubricationSim::assemble(whole, contact, bodies, laws, heat, travel)?;
+        sim.contact_start = self.contact_start;
         #[cfg(feature = "serde")]
         let sim = sim.with_own_parts(own_parts);
         Ok(sim)

@@ -98,6 +98,8 @@ pub struct MixedLubricationSim {
     pub(super) bodies: [Body; 2],
     /// Solution of the last step.
     pub(super) state: ContactState,
+    /// What the solver of the first step starts from; none for a cold start.
+    pub(super) contact_start: Option<ContactState>,
     /// Masses of the last two contacts.
     pub(super) squeeze_memory: SqueezeMemory,
     /// Time that has passed \[s\].
@@ -142,6 +144,7 @@ impl MixedLubricationSim {
         let grid = contact.grid;
         Ok(Self {
             state: ContactState::new(&grid),
+            contact_start: None,
             squeeze_memory: SqueezeMemory::new(grid.len()),
             placement: Placement::new(grid),
             yielding: Yielding::new(grid.len()),
@@ -282,7 +285,7 @@ impl MixedLubricationSim {
     /// Refuses what the solver of the next contact refuses before its first iteration.
     pub(super) fn check_first_contact(&mut self) -> Result<(), SimError> {
         let offsets = self.offsets()?;
-        let Self { bodies, contact, laws, state, placement, yielding, .. } = self;
+        let Self { bodies, contact, laws, state, contact_start, placement, yielding, .. } = self;
         placement.place(bodies, &contact.form_gap, offsets)?;
         contact.cover(&placement.films)?;
         let limit = match &laws.plasticity {
@@ -292,7 +295,7 @@ impl MixedLubricationSim {
                 Some(yielding.limit.as_slice())
             }
         };
-        Ok(contact.check(&placement.gap, limit, state)?)
+        Ok(contact.check(&placement.gap, limit, contact_start.as_ref().unwrap_or(state))?)
     }
 
     /// Solves the contact of the bodies as they lie at `offsets`, with its shear stresses and, where the film
@@ -304,8 +307,10 @@ impl MixedLubricationSim {
         let squeeze = if self.travel.squeeze { squeeze_memory.squeeze(self.step, squeezed)? } else { None };
         // A film that is squeezed was there a moment ago; roughness that has moved far makes the last
         // pressures no better a start than the dry contact.
-        if squeeze.is_none() {
-            state.pressure.fill(0.0);
+        match self.contact_start.as_ref().filter(|_| self.step == 0) {
+            Some(start) => state.clone_from(start),
+            None if squeeze.is_none() => state.pressure.fill(0.0),
+            None => {}
         }
         if let Some(heat) = &mut self.film_heat {
             heat.move_at(contact.motion.surface_speeds(), &contact.grid)?;
