@@ -1,14 +1,15 @@
 //! Numbers, dictionaries and arrays between both languages.
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyList, PyString};
 use serde::Serialize;
 use stribeck::Grid;
+use stribeck::units::Dimension;
 use toml::{Table, Value};
 
-use crate::error::raise;
+use crate::error::{raise, value};
 
 /// A field as an array of shape `(ny, nx)`.
 pub(crate) fn field<'py, T: numpy::Element + Copy>(
@@ -52,15 +53,14 @@ pub(crate) fn contiguous<'a, T: numpy::Element>(
 pub(crate) fn table(dict: &Bound<'_, PyDict>, inside: &str) -> PyResult<Table> {
     let mut table = Table::new();
     for (key, entry) in dict {
-        let key: String = key.extract().map_err(|_| {
-            PyTypeError::new_err(format!(
-                "a key of {} is no string",
-                if inside.is_empty() { "the scene" } else { inside }
-            ))
+        let name = key.extract::<String>().map_err(|_| {
+            let table = if inside.is_empty() { "scene" } else { inside };
+            let message = format!("{table}: the key {} is no text", shown(&key));
+            raise(key.py(), "SceneError", &message, Some(table), Some(key.clone()))
         })?;
-        let path = if inside.is_empty() { key.clone() } else { format!("{inside}.{key}") };
+        let path = if inside.is_empty() { name.clone() } else { format!("{inside}.{name}") };
         if !entry.is_none() {
-            table.insert(key, toml_value(&entry, &path)?);
+            table.insert(name, toml_value(&entry, &path)?);
         }
     }
     Ok(table)
@@ -72,7 +72,10 @@ fn toml_value(entry: &Bound<'_, PyAny>, path: &str) -> PyResult<Value> {
         return Ok(Value::Table(table(dict, path)?));
     }
     if let Ok(text) = entry.cast::<PyString>() {
-        return Ok(Value::String(text.extract()?));
+        return text.extract().map(Value::String).map_err(|_| {
+            let message = format!("{path} = {}: the text has lone surrogates", shown(entry));
+            raise(py, "SceneError", &message, Some(path), Some(entry.clone()))
+        });
     }
     if entry.is_instance_of::<PyBool>() {
         return Ok(Value::Boolean(entry.extract()?));
@@ -103,6 +106,32 @@ fn toml_value(entry: &Bound<'_, PyAny>, path: &str) -> PyResult<Value> {
     }
     let message = format!("{path}: a value of the type {} has no place in a scene", entry.get_type().name()?);
     Err(raise(py, "SceneError", &message, Some(path), Some(entry.clone())))
+}
+
+/// A value as Python shows it.
+fn shown(value: &Bound<'_, PyAny>) -> String {
+    value.repr().map_or_else(|_| String::new(), |text| text.to_string_lossy().into_owned())
+}
+
+/// The dimensions of the quantities that functions take.
+const DIMENSIONS: [Dimension; 9] = [
+    Dimension::Length,
+    Dimension::Pressure,
+    Dimension::InversePressure,
+    Dimension::Force,
+    Dimension::ForcePerLength,
+    Dimension::Speed,
+    Dimension::Viscosity,
+    Dimension::Time,
+    Dimension::Temperature,
+];
+
+/// The number that `text` is, with a unit of the dimension whose SI unit is `unit`.
+#[pyfunction]
+pub(crate) fn quantity(py: Python<'_>, field: &str, text: &str, unit: &str) -> PyResult<f64> {
+    let dimension = DIMENSIONS.into_iter().find(|known| known.unit_names().next() == Some(unit));
+    let dimension = dimension.ok_or_else(|| PyValueError::new_err(format!("no unit: {unit}")))?;
+    value(py, dimension.parse(field, text))
 }
 
 /// A table as a dictionary.

@@ -50,15 +50,19 @@ fn input(py: Python<'_>, kind: &str, error: &InputError) -> PyErr {
         InputError::NotFinite { field, index, value } => {
             raise(py, kind, &message, Some(&format!("{field}[{index}]")), number(*value))
         }
-        // Some fields bring their value along: `load.force = 5`.
-        InputError::Conflict { field, .. } => match field.split_once(" = ") {
+        // Some fields bring their value along, `load.force = 5`, and some reasons begin with it: `load: 5 N is
+        // more than`.
+        InputError::Conflict { field, reason } => match field.split_once(" = ") {
             Some((field, value)) => {
                 let value = value.trim_matches('"');
                 let number = value.parse().ok().and_then(number);
                 let text = || value.into_pyobject(py).ok().map(Bound::into_any);
                 raise(py, kind, &message, Some(field), number.or_else(text))
             }
-            None => raise(py, kind, &message, Some(field), None),
+            None => {
+                let first = reason.split(' ').next().and_then(|word| word.parse().ok());
+                raise(py, kind, &message, Some(field), first.and_then(number))
+            }
         },
         _ => raise(py, kind, &message, None, None),
     }
@@ -73,11 +77,17 @@ impl ForPython for SurfaceError {
             Self::UnknownFormat { path }
             | Self::Corrupt { path, .. }
             | Self::Unsupported { path, .. }
-            | Self::NotFinite { path, .. } => Some(path.display().to_string()),
-            _ => None,
+            | Self::NotFinite { path, .. } => path.display().to_string(),
+            // What the surface lacks is its property of that name.
+            Self::NoSpacing => return raise(py, "SurfaceError", &message, Some("dx"), None),
+            Self::AllUndefined { points } | Self::Undefined { points } => {
+                let points = points.into_pyobject(py).ok().map(Bound::into_any);
+                return raise(py, "SurfaceError", &message, Some("undefined"), points);
+            }
+            _ => return raise(py, "SurfaceError", &message, Some("heights"), None),
         };
-        let value = path.as_ref().and_then(|path| path.into_pyobject(py).ok()).map(Bound::into_any);
-        raise(py, "SurfaceError", &message, path.as_ref().map(|_| "path"), value)
+        let value = path.into_pyobject(py).ok().map(Bound::into_any);
+        raise(py, "SurfaceError", &message, Some("path"), value)
     }
 }
 
@@ -93,11 +103,14 @@ fn io(py: Python<'_>, path: &str, message: &str, source: &std::io::Error) -> PyE
 impl ForPython for CheckpointError {
     fn for_python(self, py: Python<'_>) -> PyErr {
         let message = self.to_string();
-        match &self {
-            Self::Io { path, source } => io(py, &path.display().to_string(), &message, source),
-            Self::Other { part, .. } => raise(py, "CheckpointError", &message, Some(part), None),
-            _ => raise(py, "CheckpointError", &message, Some("path"), None),
-        }
+        let (field, path) = match &self {
+            Self::Io { path, source } => return io(py, &path.display().to_string(), &message, source),
+            Self::Other { path, part } => (part.as_str(), path),
+            Self::Foreign { path } | Self::Newer { path, .. } | Self::Damaged { path, .. } => ("path", path),
+            _ => return raise(py, "CheckpointError", &message, Some("path"), None),
+        };
+        let value = path.display().to_string().into_pyobject(py).ok().map(Bound::into_any);
+        raise(py, "CheckpointError", &message, Some(field), value)
     }
 }
 

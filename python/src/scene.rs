@@ -37,7 +37,7 @@ impl Scene {
     fn from_dict(py: Python<'_>, tables: &Bound<'_, PyDict>) -> PyResult<Self> {
         let text = toml::to_string(&table(tables, "")?);
         let text = text.map_err(|error| raise(py, "SceneError", &error.to_string(), None, None))?;
-        Self::from_toml(py, &text)
+        value(py, sim::Scene::from_toml(&text).map_err(without_line)).map(Self)
     }
 
     /// A scene from the text of a scene file.
@@ -86,6 +86,18 @@ impl Scene {
 
     fn __eq__(&self, other: &Self) -> bool {
         self.0 == other.0
+    }
+}
+
+/// The error without the number of a line, of a text that nobody has written.
+fn without_line(error: sim::SimError) -> sim::SimError {
+    match error {
+        sim::SimError::Scene { reason } => {
+            let rest = reason.strip_prefix("line ").and_then(|rest| rest.split_once(": "));
+            let reason = rest.map_or(reason.as_str(), |(_, rest)| rest).to_owned();
+            sim::SimError::Scene { reason }
+        }
+        other => other,
     }
 }
 

@@ -7,14 +7,14 @@ use std::sync::{Mutex, TryLockError};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stribeck::sim::{CheckpointError, MixedLubricationSim, SimError, StepControl, StepRecord};
+use stribeck::sim::{CheckpointError, MixedLubricationSim, SimError, StepControl, StepRecord, Warning};
 
 use crate::convert::{dictionary, field, list, on_grid};
 use crate::error::{ForPython, raise, value};
 use crate::laws::Failure;
 use crate::record::record_dict;
 use crate::scene::{Cells, Scene, conditions_dict};
-use crate::solution::{Parts, parts_of};
+use crate::solution::{Parts, Start, parts_of};
 use crate::start::BodyStart;
 
 #[pyclass(frozen, module = "stribeck._stribeck")]
@@ -26,7 +26,34 @@ pub(crate) struct Simulation {
 struct Run {
     sim: MixedLubricationSim,
     /// Those of all steps since the start or the last checkpoint: a signal may come before Python sees one.
-    records: Vec<StepRecord>,
+    records: Vec<Taken>,
+}
+
+impl Run {
+    /// Keeps the record of a step with the warnings that it has added to the `known` ones.
+    fn keep(&mut self, record: StepRecord, known: usize) -> Taken {
+        let warnings = self.sim.warnings().get(known..).unwrap_or_default().to_vec();
+        let taken = Taken { record, warnings };
+        self.records.push(taken.clone());
+        taken
+    }
+}
+
+/// A step that was taken.
+#[derive(Clone)]
+struct Taken {
+    record: StepRecord,
+    /// Those that no step before has said.
+    warnings: Vec<Warning>,
+}
+
+/// A record and the warnings of its step.
+type RecordParts<'py> = (Bound<'py, PyDict>, Bound<'py, PyAny>);
+
+impl Taken {
+    fn parts<'py>(&self, py: Python<'py>) -> PyResult<RecordParts<'py>> {
+        Ok((record_dict(py, &self.record)?, list(py, &self.warnings)?))
+    }
 }
 
 type Arrays<'py> = Bound<'py, PyDict>;
@@ -77,8 +104,18 @@ impl Simulation {
 #[pymethods]
 impl Simulation {
     #[new]
-    fn new(py: Python<'_>, scene: &Scene, parts: Parts<'_>, squeeze: bool) -> PyResult<Self> {
+    #[pyo3(signature = (scene, parts, squeeze, start=None))]
+    fn new(
+        py: Python<'_>,
+        scene: &Scene,
+        parts: Parts<'_>,
+        squeeze: bool,
+        start: Option<Start<'_>>,
+    ) -> PyResult<Self> {
         let mut builder = parts.builder(py, scene)?;
+        if let Some(start) = start {
+            builder = builder.contact_start(start.state(py, scene)?);
+        }
         if squeeze {
             builder = builder.with_squeeze();
         }
@@ -90,14 +127,14 @@ impl Simulation {
         Ok(Self { run: Mutex::new(run) })
     }
 
-    fn step<'py>(&self, py: Python<'py>, time_step: f64, depth: f64) -> PyResult<Bound<'py, PyDict>> {
+    fn step<'py>(&self, py: Python<'py>, time_step: f64, depth: f64) -> PyResult<RecordParts<'py>> {
         let control = StepControl::new(time_step, depth);
-        let record = self.act(py, |run| {
+        let taken = self.act(py, |run| {
+            let known = run.sim.warnings().len();
             let record = run.sim.step_within(&control)?;
-            run.records.push(record.clone());
-            Ok::<_, SimError>(record)
+            Ok::<_, SimError>(run.keep(record, known))
         })?;
-        record_dict(py, &record)
+        taken.parts(py)
     }
 
     /// One step towards the time `end`; none where it is reached.
@@ -107,28 +144,28 @@ impl Simulation {
         end: f64,
         time_step: f64,
         depth: f64,
-    ) -> PyResult<Option<Bound<'py, PyDict>>> {
+    ) -> PyResult<Option<RecordParts<'py>>> {
         let control = StepControl::new(time_step, depth);
-        let record = self.act(py, |run| {
+        let taken = self.act(py, |run| {
+            let known = run.sim.warnings().len();
             let mut first = None;
             run.sim.run_until(end, &control, &mut |_: &MixedLubricationSim, record: &StepRecord| {
                 first = Some(record.clone());
                 ControlFlow::Break(())
             })?;
-            run.records.extend(first.clone());
-            Ok::<_, SimError>(first)
+            Ok::<_, SimError>(first.map(|record| run.keep(record, known)))
         })?;
-        record.map(|record| record_dict(py, &record)).transpose()
+        taken.map(|taken| taken.parts(py)).transpose()
     }
 
     /// The records from the `first` on.
-    fn records<'py>(&self, py: Python<'py>, first: usize) -> PyResult<Vec<Bound<'py, PyDict>>> {
+    fn records<'py>(&self, py: Python<'py>, first: usize) -> PyResult<Vec<RecordParts<'py>>> {
         let run = match self.run.try_lock() {
             Ok(run) => run,
             Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
             Err(TryLockError::WouldBlock) => return Err(Self::busy(py)),
         };
-        run.records.iter().skip(first).map(|record| record_dict(py, record)).collect()
+        run.records.iter().skip(first).map(|taken| taken.parts(py)).collect()
     }
 
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {

@@ -81,7 +81,7 @@ pub(crate) struct Start<'py> {
 
 impl Start<'_> {
     /// The state; its mass belongs to a squeeze, which a single contact has not.
-    fn state(&self, py: Python<'_>, scene: &Scene) -> PyResult<ContactState> {
+    pub(crate) fn state(&self, py: Python<'_>, scene: &Scene) -> PyResult<ContactState> {
         let grid = value(py, scene.0.grid())?;
         let part =
             |name: &str, array| -> PyResult<Vec<f64>> { Ok(on_grid(py, name, array, &grid)?.to_vec()) };

@@ -25,6 +25,7 @@ from .errors import (
     StribeckError,
     StribeckWarning,
     SurfaceError,
+    UnknownNameError,
 )
 from .history import Body, BodyStart, History, Record, Simulation
 from .scene import Grid, Scene
@@ -53,6 +54,7 @@ __all__ = [
     "StribeckError",
     "StribeckWarning",
     "SurfaceError",
+    "UnknownNameError",
     "__version__",
     "analytic",
     "laws",

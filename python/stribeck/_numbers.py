@@ -7,6 +7,8 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from .errors import unknown
+
 #: Units by the last part of a name; names that are not here have none.
 UNITS = {
     "approach": "m",
@@ -75,7 +77,10 @@ class Numbers(Mapping[str, Any]):
         object.__setattr__(self, "_values", wrapped)
 
     def __getitem__(self, key: str) -> Any:
-        return self._values[key]
+        try:
+            return self._values[key]
+        except (KeyError, TypeError):
+            raise unknown("name", key, self._values) from None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._values)

@@ -1,69 +1,103 @@
-"""Closed-form solutions of contacts; all SI."""
+"""Closed-form solutions of contacts; numbers are SI, or text with a unit."""
 
 from __future__ import annotations
 
+from ._arguments import Quantity, number, numbers, optional_number
 from ._numbers import Numbers
 from . import _stribeck
 
 __all__ = ["equivalent_modulus", "hertz_line", "hertz_point", "line_films", "point_films", "westergaard"]
 
 
-def equivalent_modulus(first: tuple[float, float], second: tuple[float, float]) -> float:
+def equivalent_modulus(first: tuple[Quantity, float], second: tuple[Quantity, float]) -> float:
     """``E'`` [Pa] of two bodies, each by its Young's modulus [Pa] and Poisson's ratio: ``2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2``."""
-    return _stribeck.equivalent_modulus(list(first), list(second))
+    units = ("Pa", "1")
+    return _stribeck.equivalent_modulus(numbers("first", first, units), numbers("second", second, units))
 
 
 def hertz_point(
-    radius_x: float,
-    radius_y: float | None = None,
+    radius_x: Quantity,
+    radius_y: Quantity | None = None,
     *,
-    equivalent_modulus: float,
-    load: float | None = None,
-    max_pressure: float | None = None,
+    equivalent_modulus: Quantity,
+    load: Quantity | None = None,
+    max_pressure: Quantity | None = None,
 ) -> Numbers:
     """The contact of radii [m] by its load [N] or its maximum pressure [Pa]: ``half_width_x``, ``half_width_y`` [m], ``pressure``, ``mean_pressure``
     [Pa], ``force`` [N], ``area`` [m^2], ``approach`` [m]."""
-    second = radius_x if radius_y is None else radius_y
-    return Numbers(_stribeck.hertz_point(radius_x, second, equivalent_modulus, load, max_pressure))
+    return Numbers(
+        _stribeck.hertz_point(
+            number("radius_x", radius_x, "m"),
+            number("radius_y", radius_x if radius_y is None else radius_y, "m"),
+            number("equivalent_modulus", equivalent_modulus, "Pa"),
+            optional_number("load", load, "N"),
+            optional_number("max_pressure", max_pressure, "Pa"),
+        )
+    )
 
 
 def hertz_line(
-    radius: float, *, equivalent_modulus: float, load: float | None = None, max_pressure: float | None = None
+    radius: Quantity, *, equivalent_modulus: Quantity, load: Quantity | None = None, max_pressure: Quantity | None = None
 ) -> Numbers:
     """The contact of parallel cylinders by its load [N/m] or its maximum pressure [Pa]: ``half_width`` [m], ``pressure`` [Pa], ``force`` [N/m]."""
-    return Numbers(_stribeck.hertz_line(radius, equivalent_modulus, load, max_pressure))
+    return Numbers(
+        _stribeck.hertz_line(
+            number("radius", radius, "m"),
+            number("equivalent_modulus", equivalent_modulus, "Pa"),
+            optional_number("load", load, "N/m"),
+            optional_number("max_pressure", max_pressure, "Pa"),
+        )
+    )
 
 
 def point_films(
     *,
-    entrainment_speed: float,
-    viscosity: float,
-    pressure_viscosity: float,
-    equivalent_modulus: float,
-    radius: float,
-    load: float,
+    entrainment_speed: Quantity,
+    viscosity: Quantity,
+    pressure_viscosity: Quantity,
+    equivalent_modulus: Quantity,
+    radius: Quantity,
+    load: Quantity,
     ellipticity: float = 1.0,
 ) -> Numbers:
     """Film formulas of a point contact: ``hamrock_dowson_central``, ``hamrock_dowson_minimum``, ``moes_central`` [m] and ``moes.m``, ``moes.l``.
     Speed in m/s, viscosity in Pa s, pressure-viscosity coefficient in 1/Pa, radius in m, load in N."""
-    oil = [viscosity, pressure_viscosity]
-    return Numbers(_stribeck.point_films(entrainment_speed, oil, [equivalent_modulus, radius], load, ellipticity))
+    speed = number("entrainment_speed", entrainment_speed, "m/s")
+    oil, solid = _oil(viscosity, pressure_viscosity), _solid(equivalent_modulus, radius)
+    loads = number("load", load, "N"), number("ellipticity", ellipticity, "1")
+    return Numbers(_stribeck.point_films(speed, oil, solid, *loads))
 
 
 def line_films(
     *,
-    entrainment_speed: float,
-    viscosity: float,
-    pressure_viscosity: float,
-    equivalent_modulus: float,
-    radius: float,
-    load: float,
+    entrainment_speed: Quantity,
+    viscosity: Quantity,
+    pressure_viscosity: Quantity,
+    equivalent_modulus: Quantity,
+    radius: Quantity,
+    load: Quantity,
 ) -> Numbers:
     """Film formulas of a line contact: ``dowson_toyoda_central``, ``dowson_minimum``, ``moes_central`` [m] and ``moes.m``, ``moes.l``. Load in N/m."""
-    oil = [viscosity, pressure_viscosity]
-    return Numbers(_stribeck.line_films(entrainment_speed, oil, [equivalent_modulus, radius], load))
+    speed = number("entrainment_speed", entrainment_speed, "m/s")
+    oil, solid = _oil(viscosity, pressure_viscosity), _solid(equivalent_modulus, radius)
+    return Numbers(_stribeck.line_films(speed, oil, solid, number("load", load, "N/m")))
 
 
-def westergaard(*, amplitude: float, wavelength: float, equivalent_modulus: float, mean_pressure: float) -> Numbers:
+def westergaard(*, amplitude: Quantity, wavelength: Quantity, equivalent_modulus: Quantity, mean_pressure: Quantity) -> Numbers:
     """The dry contact of a wavy surface with a flat: ``full_contact_pressure`` [Pa] and ``contact_half_width`` [m] under ``mean_pressure`` [Pa]."""
-    return Numbers(_stribeck.westergaard(amplitude, wavelength, equivalent_modulus, mean_pressure))
+    return Numbers(
+        _stribeck.westergaard(
+            number("amplitude", amplitude, "m"),
+            number("wavelength", wavelength, "m"),
+            number("equivalent_modulus", equivalent_modulus, "Pa"),
+            number("mean_pressure", mean_pressure, "Pa"),
+        )
+    )
+
+
+def _oil(viscosity: Quantity, pressure_viscosity: Quantity) -> list[float]:
+    return [number("viscosity", viscosity, "Pa s"), number("pressure_viscosity", pressure_viscosity, "1/Pa")]
+
+
+def _solid(equivalent_modulus: Quantity, radius: Quantity) -> list[float]:
+    return [number("equivalent_modulus", equivalent_modulus, "Pa"), number("radius", radius, "m")]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterable
 from typing import Any
 
 __all__ = [
@@ -19,6 +20,7 @@ __all__ = [
     "StribeckError",
     "StribeckWarning",
     "SurfaceError",
+    "UnknownNameError",
 ]
 
 
@@ -48,6 +50,13 @@ class SceneError(InputError):
 
 class SurfaceError(InputError):
     """A measured surface or its file that cannot be used; ``value`` is the path."""
+
+
+class UnknownNameError(InputError, KeyError):
+    """A name that a table of numbers, a history or a solution has not; the message lists those that it has."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
 
 
 class SolverError(StribeckError):
@@ -103,23 +112,6 @@ def say(items: list[StribeckWarning], depth: int) -> None:
         warnings.warn(item, stacklevel=depth + 1)
 
 
-def number(field: str, value: Any, unit: str) -> float:
-    """The value as a number; text with a unit is for scenes alone."""
-    try:
-        if isinstance(value, str | bytes):
-            raise TypeError
-        return float(value)
-    except (TypeError, ValueError):
-        raise InputError(f"{field} = {value!r}: must be a number in {unit}", field=field, value=value) from None
-
-
-def instance(field: str, value: Any, kind: type | tuple[type, ...], words: str) -> None:
-    """Refuses what is none of ``kind``, which ``words`` name."""
-    if not isinstance(value, kind):
-        raise InputError(f"{field} = {value!r}: must be {words}", field=field, value=value)
-
-
-def function(field: str, value: Any) -> None:
-    """Refuses what can be called by nobody."""
-    if value is not None and not callable(value):
-        raise InputError(f"{field} = {value!r}: must be a function", field=field, value=value)
+def unknown(field: str, name: Any, known: Iterable[str]) -> UnknownNameError:
+    """The error of a ``name`` that is none of those ``known``."""
+    return UnknownNameError(f"{field} = {name!r}: must be one of {', '.join(known)}", field=field, value=name)

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from ._arguments import text
 from ._numbers import Numbers
 
 if TYPE_CHECKING:
@@ -229,8 +230,9 @@ class ContactSolver(Protocol):
     The crate evaluates the state that is left: residuals above twice the tolerance are no solution, whatever is returned, and the status is
     ``unconfirmed``. What is found depends on problem and state alone."""
 
-    def solve(self, problem: ContactProblem, state: ContactState) -> bool | None:
-        """Leaves the best state found in ``state``; returns False where it has not converged."""
+    def solve(self, problem: ContactProblem, state: ContactState) -> bool:
+        """Leaves the best state found in ``state``; returns True where it has converged and False where it has not. Anything else is a
+        :class:`~stribeck.LawError`."""
 
 
 @dataclass(frozen=True)
@@ -260,6 +262,9 @@ def _callable(law: Any, method: str, field: str) -> Any:
     """The method of the law, or the law itself where it is a function."""
     from .errors import LawError
 
+    if isinstance(law, type):
+        kind = law.__name__
+        raise LawError(f"the {field} is the class {kind}: give an instance of it, as {kind}()", field=field, value=law)
     call = getattr(law, method, law)
     if not callable(call):
         kind = type(law).__name__
@@ -278,15 +283,12 @@ def _growth(law: Any) -> tuple[str, Any, float] | None:
 
     if law is None:
         return None
+    call = _callable(law, "rate", "growth law")
     largest = getattr(law, "maximum_thickness", None)
-    try:
-        thickness = float(largest)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        thickness = float("nan")
-    if not 0.0 < thickness < float("inf"):
+    if not isinstance(largest, int | float | np.integer | np.floating) or not 0.0 < largest < float("inf"):
         message = f"growth law: maximum_thickness = {largest!r} [m]: must be finite and > 0"
         raise LawError(message, field="maximum_thickness", value=largest)
-    return identity(law), _callable(law, "rate", "growth law"), thickness
+    return identity(law), call, float(largest)
 
 
 def _of_pressure(law: Any, method: str, field: str) -> tuple[str, Any, bool] | None:
@@ -301,7 +303,7 @@ def _motion(law: Any) -> tuple[str, Any, str] | None:
     """A motion with the places that it visits."""
     if law is None:
         return None
-    return identity(law), _callable(law, "offset", "motion"), str(getattr(law, "visits", "track"))
+    return identity(law), _callable(law, "offset", "motion"), text("motion.visits", getattr(law, "visits", "track"))
 
 
 def _solver(law: Any) -> tuple[str, Any] | None:

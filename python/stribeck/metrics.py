@@ -1,12 +1,11 @@
-"""Numbers that describe surfaces, films and contacts. Arrays have the shape ``(ny, nx)``; all SI."""
+"""Numbers that describe surfaces, films and contacts. Arrays have the shape ``(ny, nx)``; numbers are SI, or text with a unit."""
 
 from __future__ import annotations
-
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from ._arguments import Quantity, array, mask, number, text
 from ._numbers import Numbers
 from . import _stribeck
 from .surface import Boundary
@@ -24,39 +23,38 @@ __all__ = [
 ]
 
 
-def _heights(values: npt.ArrayLike) -> Any:
-    from .solution import _array
-
-    return _array("heights", values)
+def _cell(dx: Quantity, dy: Quantity | None) -> tuple[float, float]:
+    return number("dx", dx, "m"), number("dy", dx if dy is None else dy, "m")
 
 
 def height_statistics(heights: npt.ArrayLike) -> Numbers:
     """``mean``, ``sa``, ``sq``, ``sp``, ``sv``, ``sz`` [m], ``ssk`` and ``sku`` (ISO 25178-2)."""
-    return Numbers(_stribeck.height_statistics(_heights(heights)))
+    return Numbers(_stribeck.height_statistics(array("heights", heights)))
 
 
 def bearing(heights: npt.ArrayLike, *, peaks: float = 0.1, valleys: float = 0.8) -> Numbers:
     """Core and volume parameters ``sk``, ``spk``, ``svk`` [m], ``smr1``, ``smr2``, ``vmp``, ``vmc``, ``vvc``, ``vvv`` [m^3/m^2] (ISO 25178-2)."""
-    return Numbers(_stribeck.bearing(_heights(heights), peaks, valleys))
+    return Numbers(_stribeck.bearing(array("heights", heights), number("peaks", peaks, "1"), number("valleys", valleys, "1")))
 
 
-def hybrid_parameters(heights: npt.ArrayLike, dx: float, dy: float | None = None) -> Numbers:
+def hybrid_parameters(heights: npt.ArrayLike, dx: Quantity, dy: Quantity | None = None) -> Numbers:
     """Root mean square gradient ``sdq`` and developed area ``sdr`` (ISO 25178-2), points ``dx`` and ``dy`` [m] apart."""
-    return Numbers(_stribeck.hybrid_parameters(_heights(heights), dx, dx if dy is None else dy))
+    return Numbers(_stribeck.hybrid_parameters(array("heights", heights), *_cell(dx, dy)))
 
 
 def spatial_parameters(
-    heights: npt.ArrayLike, dx: float, dy: float | None = None, *, threshold: float = 0.2, boundary: Boundary = "periodic"
+    heights: npt.ArrayLike, dx: Quantity, dy: Quantity | None = None, *, threshold: float = 0.2, boundary: Boundary = "periodic"
 ) -> Numbers:
     """Correlation length ``sal`` [m] and texture aspect ``str`` (ISO 25178-2); None where the surface is too small to tell."""
-    return Numbers(_stribeck.spatial_parameters(_heights(heights), dx, dx if dy is None else dy, threshold, boundary))
+    chosen = number("threshold", threshold, "1"), text("boundary", boundary)
+    return Numbers(_stribeck.spatial_parameters(array("heights", heights), *_cell(dx, dy), *chosen))
 
 
 def radial_spectrum(
-    heights: npt.ArrayLike, dx: float, dy: float | None = None, *, boundary: Boundary = "periodic"
+    heights: npt.ArrayLike, dx: Quantity, dy: Quantity | None = None, *, boundary: Boundary = "periodic"
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
     """Wavenumbers and the radially averaged power spectral density at them, two arrays of one length."""
-    wavenumber, density = _stribeck.radial_spectrum(_heights(heights), dx, dx if dy is None else dy, boundary)
+    wavenumber, density = _stribeck.radial_spectrum(array("heights", heights), *_cell(dx, dy), text("boundary", boundary))
     return wavenumber, density
 
 
@@ -64,34 +62,31 @@ def contact_statistics(
     in_contact: npt.ArrayLike,
     solid_pressure: npt.ArrayLike,
     *,
-    dx: float,
-    dy: float | None = None,
-    load: float,
-    half_width_x: float,
-    half_width_y: float | None = None,
+    dx: Quantity,
+    dy: Quantity | None = None,
+    load: Quantity,
+    half_width_x: Quantity,
+    half_width_y: Quantity | None = None,
 ) -> Numbers:
     """``area``, ``corrected_area`` [m^2], ``area_ratio``, ``corrected_area_ratio`` (of the Hertz ellipse) and ``load_ratio`` of solid contact."""
-    from .solution import _array
-
-    mask = np.ascontiguousarray(in_contact, dtype=bool)
-    cell = [dx, dx if dy is None else dy]
-    widths = [half_width_x, half_width_x if half_width_y is None else half_width_y]
-    return Numbers(_stribeck.contact_statistics(mask, _array("solid_pressure", solid_pressure), cell, load, widths))
+    fields = mask("in_contact", in_contact), array("solid_pressure", solid_pressure)
+    other = half_width_x if half_width_y is None else half_width_y
+    widths = [number("half_width_x", half_width_x, "m"), number("half_width_y", other, "m")]
+    return Numbers(_stribeck.contact_statistics(*fields, _cell(dx, dy), number("load", load, "N"), widths))
 
 
 def contact_patches(
-    in_contact: npt.ArrayLike, *, dx: float, dy: float | None = None, boundary: Boundary = "open"
+    in_contact: npt.ArrayLike, *, dx: Quantity, dy: Quantity | None = None, boundary: Boundary = "open"
 ) -> Numbers:
     """Connected patches of contact: their ``areas`` [m^2], ``perimeter`` [m] and ``corrected_area`` [m^2]."""
-    cell = [dx, dx if dy is None else dy]
-    return Numbers(_stribeck.contact_patches(np.ascontiguousarray(in_contact, dtype=bool), cell, boundary))
+    return Numbers(_stribeck.contact_patches(mask("in_contact", in_contact), _cell(dx, dy), text("boundary", boundary)))
 
 
-def composite_rq(first: float, second: float) -> float:
+def composite_rq(first: Quantity, second: Quantity) -> float:
     """``sqrt(first^2 + second^2)`` [m]."""
-    return float(np.hypot(first, second))
+    return float(np.hypot(number("first", first, "m"), number("second", second, "m")))
 
 
-def lambda_ratio(film: float, composite_rq: float) -> float:
+def lambda_ratio(film: Quantity, composite_rq: Quantity) -> float:
     """Film over composite roughness, both in m."""
-    return _stribeck.lambda_ratio(film, composite_rq)
+    return _stribeck.lambda_ratio(number("film", film, "m"), number("composite_rq", composite_rq, "m"))

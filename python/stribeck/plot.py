@@ -1,4 +1,4 @@
-"""Pictures with matplotlib, which is optional: ``pip install "stribeck[plot]"``. Each function draws into ``ax`` or axes of its own and returns them."""
+"""Pictures with matplotlib, which is optional: ``pip install matplotlib``. Each function draws into ``ax`` or axes of its own and returns them."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from ._numbers import unit
+from .errors import unknown
 from .history import History
 from .solution import Solution
 
@@ -32,8 +33,14 @@ def _axes(ax: Axes | None) -> Axes:
     try:
         import matplotlib.pyplot as plt
     except ImportError as error:
-        raise ImportError('stribeck.plot needs matplotlib: pip install "stribeck[plot]"') from error
+        raise ImportError("stribeck.plot needs matplotlib: pip install matplotlib") from error
     return plt.subplots(layout="constrained")[1]
+
+
+def _field(solution: Solution, name: str) -> Any:
+    if name not in solution.fields:
+        raise unknown("field", name, solution.fields)
+    return solution.fields[name]
 
 
 def _label(name: str, shown: str) -> str:
@@ -43,11 +50,12 @@ def _label(name: str, shown: str) -> str:
 
 def map(solution: Solution, name: str = "film", *, ax: Axes | None = None, **options: Any) -> Axes:  # noqa: A001
     """A field of a solution over x and y in micrometres; ``options`` go to ``imshow``."""
+    values = _field(solution, name)
     axes = _axes(ax)
     grid = solution.grid
     scale, shown = _SHOWN.get(name, (1.0, ""))
     extent = tuple(1e6 * edge for edge in (*grid["x"], *grid["y"]))
-    image = axes.imshow(solution.fields[name] * scale, origin="lower", extent=extent, **options)
+    image = axes.imshow(values * scale, origin="lower", extent=extent, **options)
     axes.figure.colorbar(image, ax=axes, label=_label(name, shown))
     axes.set_xlabel("x, um")
     axes.set_ylabel("y, um")
@@ -58,14 +66,16 @@ def profile(
     solution: Solution, names: str | Sequence[str] = "film", *, along: str = "x", ax: Axes | None = None, **options: Any
 ) -> Axes:
     """Fields along the row or column next to the middle of the contact; ``options`` go to ``plot``."""
+    if along not in ("x", "y"):
+        raise unknown("along", along, ("x", "y"))
+    chosen = [names] if isinstance(names, str) else list(names)
+    fields = [_field(solution, name) for name in chosen]
     axes = _axes(ax)
     grid = solution.grid
     positions, across = (grid.nodes_x, grid.nodes_y) if along == "x" else (grid.nodes_y, grid.nodes_x)
     middle = int(abs(across).argmin())
-    chosen = [names] if isinstance(names, str) else list(names)
-    for name in chosen:
+    for name, field in zip(chosen, fields, strict=True):
         scale, shown = _SHOWN.get(name, (1.0, ""))
-        field = solution.fields[name]
         line = field[middle, :] if along == "x" else field[:, middle]
         axes.plot(1e6 * positions, scale * line, label=_label(name, shown), **options)
     axes.set_xlabel(f"{along}, um")
@@ -80,10 +90,11 @@ def history(
     records: History, names: str | Sequence[str] = "friction_coefficient", *, ax: Axes | None = None, **options: Any
 ) -> Axes:
     """Columns of a history over time in seconds; ``options`` go to ``plot``."""
-    axes = _axes(ax)
     chosen = [names] if isinstance(names, str) else list(names)
-    for name in chosen:
-        axes.plot(records["time"], records[name], label=_label(name, unit(name)), **options)
+    columns = [records[name] for name in chosen]
+    axes = _axes(ax)
+    for name, column in zip(chosen, columns, strict=True):
+        axes.plot(records["time"], column, label=_label(name, unit(name)), **options)
     axes.set_xlabel("time, s")
     if len(chosen) == 1:
         axes.set_ylabel(_label(chosen[0], unit(chosen[0])))

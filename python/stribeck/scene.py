@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ._arguments import Quantity, instance, number, numbers, path, text, truth, whole
 from ._numbers import Numbers
 from ._stribeck import Cells, Scene as _Scene
-from .errors import SceneError, StribeckWarning, found, instance
+from .errors import SceneError, StribeckWarning, found
 
 __all__ = ["Grid", "Scene"]
 
@@ -23,9 +24,10 @@ class Grid(Numbers):
     __slots__ = ()
 
     @classmethod
-    def box(cls, nx: int, ny: int, x: tuple[float, float], y: tuple[float, float]) -> Grid:
+    def box(cls, nx: int, ny: int, x: tuple[Quantity, Quantity], y: tuple[Quantity, Quantity]) -> Grid:
         """``nx`` x ``ny`` cells that fill the box between the edges ``x`` and ``y`` [m]."""
-        return cls(Cells((ny, nx), list(x), list(y)).to_dict())
+        edges = numbers("x", x, ("m", "m")), numbers("y", y, ("m", "m"))
+        return cls(Cells((whole("ny", ny), whole("nx", nx)), *edges).to_dict())
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -70,7 +72,7 @@ class Scene:
     """A contact in tables and keys as in a scene file (``docs/scene.md``), all SI.
 
     ``Scene(source)`` takes a dictionary, the text of a scene file, a path to one or another scene; ``Scene(form={...}, load={...},
-    grid={...})`` takes tables by name. Both may be combined: tables by name come on top (see :meth:`replace`). Paths in a scene file
+    grid={...})`` takes tables by name. A string with a line break is text, and so is one with ``=`` unless it names a file. Both may be combined: tables by name come on top (see :meth:`replace`). Paths in a scene file
     are relative to its folder, in a dictionary or text to the working directory.
 
     Raises :class:`~stribeck.SceneError` naming the key that does not fit, :class:`~stribeck.FileError` for a file that cannot be read.
@@ -92,18 +94,18 @@ class Scene:
             self._raw = source._raw
         elif isinstance(source, Mapping):
             self._raw = _of_tables(source)
-        elif isinstance(source, str) and ("\n" in source or "=" in source):
-            self._raw = _Scene.from_toml(source)
+        elif _is_text(source):
+            self._raw = _Scene.from_toml(text("scene", source))
         else:
             instance("scene", source, (str, os.PathLike), "a path, a text, a dictionary or a scene")
-            self._raw = _Scene.load(os.fspath(source))
+            self._raw = _Scene.load(path("scene", source))
         if tables:
             self._raw = self.replace(**tables)._raw
 
     @classmethod
     def azam_2019(cls, n: int = 128, *, tribofilm: bool = False) -> Scene:
         """The scene of Azam et al. (2019): a steel ball on a rough disc in base oil at 80 C, on ``n`` x ``n`` cells."""
-        return cls._of(_Scene.azam_2019(n, tribofilm))
+        return cls._of(_Scene.azam_2019(whole("n", n), truth("tribofilm", tribofilm)))
 
     @classmethod
     def _of(cls, raw: _Scene) -> Scene:
@@ -136,9 +138,9 @@ class Scene:
         """The smooth dry contact: ``radius``, ``half_width_x``, ``half_width_y`` [m], ``pressure`` [Pa], ``force`` [N]."""
         return Numbers(self._raw.hertz())
 
-    def conditions(self, time: float = 0.0) -> Numbers:
+    def conditions(self, time: Quantity = 0.0) -> Numbers:
         """``load`` [N], ``entrainment_speed`` [m/s], ``slide_roll_ratio`` and ``bulk_temperature`` [K] at ``time`` [s]."""
-        return Numbers(self._raw.conditions(time))
+        return Numbers(self._raw.conditions(number("time", time, "s")))
 
     @property
     def warnings(self) -> list[StribeckWarning]:
@@ -165,6 +167,11 @@ def as_scene(source: Scene | Mapping[str, Any] | str | os.PathLike[str]) -> Scen
     return source if isinstance(source, Scene) else Scene(source)
 
 
+def _is_text(source: Any) -> bool:
+    """Whether a string is the text of a scene file and not the path of one."""
+    return isinstance(source, str) and ("\n" in source or ("=" in source and not os.path.exists(source)))
+
+
 def _of_tables(tables: Mapping[str, Any]) -> _Scene:
     plain = _plain(tables)
     try:
@@ -172,14 +179,16 @@ def _of_tables(tables: Mapping[str, Any]) -> _Scene:
     except SceneError as error:
         if error.value is None and error.field is not None:
             error.value = _at(plain, error.field)
+            if error.value is not None:
+                error.args = (f"{error.field} = {error.value!r}: {error}",)
         raise
 
 
-def _at(tables: Any, path: str) -> Any:
-    for key in path.split("."):
+def _at(tables: Any, key: str) -> Any:
+    for part in key.split("."):
         if not isinstance(tables, dict):
             return None
-        tables = tables.get(key)
+        tables = tables.get(part)
     return tables
 
 

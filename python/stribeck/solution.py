@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ._arguments import instance, named, optional_array, path as _path, text
 from ._numbers import Numbers
 from ._stribeck import BodyStart, solve as _solve
-from .errors import InputError, NotConvergedError, StribeckWarning, found, instance, say
+from .errors import InputError, NotConvergedError, StribeckWarning, found, say
 from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw, compiled
 from .scene import Grid, Scene, as_scene
 
@@ -79,7 +80,7 @@ class Solution(Numbers):
     def save_fields(self, path: str | os.PathLike[str]) -> None:
         """Writes the fields as a NumPy archive, with the positions ``x`` and ``y`` of the nodes [m]."""
         arrays: dict[str, Any] = {"x": self.grid.nodes_x, "y": self.grid.nodes_y, **self.fields}
-        np.savez_compressed(path, **arrays)
+        np.savez_compressed(_path("path", path), **arrays)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.to_dict(), self.fields)
@@ -111,10 +112,6 @@ def solve(
     for what cannot be solved.
     """
     raw = with_solver(as_scene(scene), solver)._raw
-    first = None
-    if start is not None:
-        instance("start", start, Solution, "a solution on the same grid")
-        first = {**start.fields, "approach": start["approach"]}
     laws = {
         "friction": friction,
         "deformation": deformation,
@@ -123,15 +120,25 @@ def solve(
         "plasticity": plasticity,
         "solver": solver,
     }
-    numbers, fields = _solve(raw, parts(heights, bodies, laws), first)
+    given = parts(heights, bodies, laws)
+    with named(given):
+        numbers, fields = _solve(raw, given, first_state(start))
     solution = Solution(numbers, fields)
     say(solution.warnings, 2)
     return solution
 
 
+def first_state(start: Any) -> dict[str, Any] | None:
+    """Fields and approach of the solution that a contact starts from."""
+    if start is None:
+        return None
+    instance("start", start, Solution, "a solution on the same grid")
+    return {**start.fields, "approach": start["approach"]}
+
+
 def with_solver(scene: Scene, solver: Any) -> Scene:
     """The scene with the solver of this name, if it is one."""
-    return scene.replace(solver={"kind": solver}) if isinstance(solver, str) else scene
+    return scene.replace(solver={"kind": text("solver", solver)}) if isinstance(solver, str) else scene
 
 
 def parts(
@@ -146,8 +153,8 @@ def parts(
         if body is not None:
             instance(f"bodies ({name})", body, BodyStart, "a BodyStart, as Simulation.starts() gives them")
     return {
-        "ball_heights": _optional("ball heights", ball),
-        "disc_heights": _optional("disc heights", disc),
+        "ball_heights": optional_array("ball heights", ball),
+        "disc_heights": optional_array("disc heights", disc),
         "ball_start": ball_start,
         "disc_start": disc_start,
         "laws": compiled(laws),
@@ -158,9 +165,9 @@ def _both(heights: Heights) -> tuple[Any, Any]:
     if heights is None:
         return None, None
     if isinstance(heights, Mapping):
-        stray = set(heights) - {"ball", "disc"}
-        if stray:
-            raise InputError(f"heights: unknown body {sorted(stray)[0]!r}", field="heights", value=sorted(stray)[0])
+        for name in heights:
+            if name not in ("ball", "disc"):
+                raise InputError(f"heights: unknown body {name!r}, expected ball and disc", field="heights", value=name)
         return heights.get("ball"), heights.get("disc")
     return _two("heights", heights) if isinstance(heights, tuple) else (None, heights)
 
@@ -173,21 +180,3 @@ def _two(name: str, bodies: Any) -> tuple[Any, Any]:
         raise InputError(f"{name}: {len(bodies)} bodies, expected ball and disc", field=name, value=len(bodies))
     ball, disc = bodies
     return ball, disc
-
-
-def _optional(name: str, values: Any) -> npt.NDArray[np.float64] | None:
-    return None if values is None else _array(name, values)
-
-
-def _array(name: str, values: Any) -> npt.NDArray[np.float64]:
-    try:
-        if np.iscomplexobj(values):
-            raise TypeError("complex numbers")
-        array = np.ascontiguousarray(values, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise InputError(f"{name}: not an array of numbers ({error})", field=name, value=values) from None
-    if array.ndim != 2:
-        from .errors import ShapeError
-
-        raise ShapeError(f"{name} has {array.ndim} axes, expected (ny, nx)", field=name, value=array.shape)
-    return array

@@ -1,5 +1,5 @@
 """Surfaces: measured ones and their preparation, generated ones. Heights are in metres and point out of the body; arrays have the shape
-``(ny, nx)``, x along the flow."""
+``(ny, nx)``, x along the flow. Lengths are numbers in metres, or text with a unit."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
+from ._arguments import Quantity, array, cells, mask, number, optional_number, path as _path, text, truth, whole, wholes
 from ._stribeck import Surface as _Surface, generate as _generate, texture as _texture
+from .errors import unknown
 from .scene import Grid
 
 __all__ = ["Surface", "dimples", "generate", "grooves", "read"]
@@ -27,15 +29,14 @@ class Surface:
     def __init__(
         self,
         heights: npt.ArrayLike,
-        dx: float | None = None,
-        dy: float | None = None,
+        dx: Quantity | None = None,
+        dy: Quantity | None = None,
         defined: npt.ArrayLike | None = None,
     ) -> None:
         """Heights [m] of the shape ``(ny, nx)``, spacing [m] and which points are defined; ``dy`` is ``dx`` unless given."""
-        from .solution import _array
-
-        mask = None if defined is None else np.ascontiguousarray(defined, dtype=bool)
-        self._raw = _Surface(_array("heights", heights), dx, dy, mask)
+        known = None if defined is None else mask("defined", defined)
+        spacing = optional_number("dx", dx, "m"), optional_number("dy", dy, "m")
+        self._raw = _Surface(array("heights", heights), *spacing, known)
 
     @classmethod
     def _of(cls, raw: Any) -> Surface:
@@ -74,9 +75,9 @@ class Surface:
         """Number of undefined points."""
         return self._raw.undefined
 
-    def with_spacing(self, dx: float, dy: float | None = None) -> Surface:
+    def with_spacing(self, dx: Quantity, dy: Quantity | None = None) -> Surface:
         """The same heights with other distances of the points [m]."""
-        return self._of(self._raw.with_spacing(dx, dx if dy is None else dy))
+        return self._of(self._raw.with_spacing(number("dx", dx, "m"), number("dy", dx if dy is None else dy, "m")))
 
     def fill_undefined(self) -> Surface:
         """Undefined points filled from their neighbours."""
@@ -88,32 +89,32 @@ class Surface:
 
     def remove_polynomial(self, degree: int) -> Surface:
         """Without the polynomial of least squares."""
-        return self._of(self._raw.remove_polynomial(degree))
+        return self._of(self._raw.remove_polynomial(whole("degree", degree)))
 
     def remove_sphere(self) -> tuple[Surface, float]:
         """Without the sphere of least squares, and its radius [m]."""
         raw, radius = self._raw.remove_sphere()
         return self._of(raw), radius
 
-    def s_filter(self, cutoff: float, boundary: Boundary = "open") -> Surface:
+    def s_filter(self, cutoff: Quantity, boundary: Boundary = "open") -> Surface:
         """Without waves shorter than about ``cutoff`` [m] (Gaussian filter)."""
-        return self._of(self._raw.s_filter(cutoff, boundary))
+        return self._of(self._raw.s_filter(number("cutoff", cutoff, "m"), text("boundary", boundary)))
 
-    def l_filter(self, cutoff: float, boundary: Boundary = "open") -> Surface:
+    def l_filter(self, cutoff: Quantity, boundary: Boundary = "open") -> Surface:
         """Without waves longer than about ``cutoff`` [m] (Gaussian filter)."""
-        return self._of(self._raw.l_filter(cutoff, boundary))
+        return self._of(self._raw.l_filter(number("cutoff", cutoff, "m"), text("boundary", boundary)))
 
-    def set_rq(self, rq: float) -> Surface:
+    def set_rq(self, rq: Quantity) -> Surface:
         """Scaled to the root mean square height ``rq`` [m]."""
-        return self._of(self._raw.set_rq(rq))
+        return self._of(self._raw.set_rq(number("rq", rq, "m")))
 
-    def taper(self, width: float) -> Surface:
+    def taper(self, width: Quantity) -> Surface:
         """With edges that fade to the mean over ``width`` [m]."""
-        return self._of(self._raw.taper(width))
+        return self._of(self._raw.taper(number("width", width, "m")))
 
     def crop(self, first: tuple[int, int], nx: int, ny: int) -> Surface:
         """``nx`` x ``ny`` points from the column and row ``first`` on."""
-        return self._of(self._raw.crop(list(first), nx, ny))
+        return self._of(self._raw.crop(wholes("first", first, 2), whole("nx", nx), whole("ny", ny)))
 
     def rotated_90(self) -> Surface:
         """Turned by a quarter."""
@@ -121,15 +122,15 @@ class Surface:
 
     def fit_to_grid(self, grid: Grid) -> Field:
         """Levelled, filled, mirrored until it covers ``grid``, and resampled: heights [m] of the shape ``(ny, nx)``."""
-        return self._raw.fit_to_grid(grid._cells)
+        return self._raw.fit_to_grid(cells(grid))
 
     def resample(self, grid: Grid) -> Field:
         """Resampled to ``grid``, which it must cover: heights [m] of the shape ``(ny, nx)``."""
-        return self._raw.resample(grid._cells)
+        return self._raw.resample(cells(grid))
 
     def write(self, path: str | os.PathLike[str]) -> None:
         """Writes the surface; the format is that of the name: ``.x3p``, ``.npy`` or ``.txt``."""
-        self._raw.write(os.fspath(path))
+        self._raw.write(_path("path", path))
 
     def __repr__(self) -> str:
         spacing = "unknown spacing" if self.dx is None or self.dy is None else f"{self.dx * 1e6:g} x {self.dy * 1e6:g} um apart"
@@ -139,12 +140,26 @@ class Surface:
 def read(path: str | os.PathLike[str]) -> Surface:
     """Reads a file of an instrument: x3p, sur, sdf, plu, al3d, npy or text. Raises :class:`~stribeck.SurfaceError` or
     :class:`~stribeck.FileError`, whose ``value`` is the path."""
-    return Surface._of(_Surface.read(os.fspath(path)))
+    return Surface._of(_Surface.read(_path("path", path)))
+
+
+#: Lengths and numbers that describe a random surface, with their units.
+_OPTIONS = {
+    "length_x": "m",
+    "length_y": "m",
+    "hurst": "1",
+    "roll_off": "m",
+    "shortest": "m",
+    "longest": "m",
+    "skewness": "1",
+    "kurtosis": "1",
+}
+_LARGEST_SEED = 2**64 - 1
 
 
 def generate(
     grid: Grid,
-    rq: float,
+    rq: Quantity,
     *,
     kind: Literal["gaussian", "exponential", "self_affine"] = "gaussian",
     seed: int = 0,
@@ -155,25 +170,40 @@ def generate(
     Options of ``gaussian`` and ``exponential``: ``length_x``, ``length_y``, where the autocorrelation is 10 % [m] (``length`` for both). Of
     ``self_affine``: ``hurst``, ``roll_off``, ``shortest`` and ``longest`` [m]. Of all: ``skewness`` and ``kurtosis``, ``boundary`` ("periodic" or "open")
     and ``exact_rq`` (True: this very surface has ``rq``; False: the mean over seeds).
-    """
-    from .errors import InputError, number
 
+    Raises :class:`~stribeck.InputError` with the option in ``field``.
+    """
     length = options.pop("length", None)
     if length is not None:
         options = {"length_x": length, "length_y": length, **options}
-    known = {"length_x", "length_y", "hurst", "roll_off", "shortest", "longest", "skewness", "kurtosis", "boundary", "exact_rq"}
-    for name in options:
-        if name not in known:
-            raise InputError(f"{name}: no option of a random surface, which are {', '.join(sorted(known))}", field=name)
-    return _generate(grid._cells, kind, number("roughness.rq", rq, "m"), seed, options)
+    taken: dict[str, Any] = {}
+    for name, value in options.items():
+        if name in _OPTIONS:
+            taken[name] = optional_number(f"roughness.{name}", value, _OPTIONS[name])
+        elif name == "exact_rq":
+            taken[name] = truth(name, value)
+        elif name == "boundary":
+            taken[name] = text(name, value)
+        else:
+            raise unknown("option", name, [*_OPTIONS, "length", "boundary", "exact_rq"])
+    heights = number("roughness.rq", rq, "m")
+    return _generate(cells(grid), text("kind", kind), heights, whole("seed", seed, most=_LARGEST_SEED), taken)
 
 
-def dimples(grid: Grid, *, radius: float, depth: float, pitch: float, seed: int | None = None) -> Field:
+def dimples(grid: Grid, *, radius: Quantity, depth: Quantity, pitch: Quantity, seed: int | None = None) -> Field:
     """Round dimples [m]: on a square lattice, or with a ``seed`` at random within its squares."""
     layout = "square" if seed is None else "random"
-    return _texture(grid._cells, "dimples", [radius, depth, pitch], layout, seed or 0)
+    start = 0 if seed is None else whole("seed", seed, most=_LARGEST_SEED)
+    return _texture(cells(grid), "dimples", _sizes(radius=radius, depth=depth, pitch=pitch), layout, start)
 
 
-def grooves(grid: Grid, *, width: float, depth: float, pitch: float, direction: Literal["x", "y", "crossed"] = "y") -> Field:
+def grooves(
+    grid: Grid, *, width: Quantity, depth: Quantity, pitch: Quantity, direction: Literal["x", "y", "crossed"] = "y"
+) -> Field:
     """Straight grooves [m] along x, along y or both."""
-    return _texture(grid._cells, "grooves", [width, depth, pitch], direction, 0)
+    sizes = _sizes(width=width, depth=depth, pitch=pitch)
+    return _texture(cells(grid), "grooves", sizes, text("direction", direction), 0)
+
+
+def _sizes(**sizes: Quantity) -> list[float]:
+    return [number(name, size, "m") for name, size in sizes.items()]

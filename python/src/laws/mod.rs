@@ -106,7 +106,7 @@ impl Function {
     fn take(&self, given: &Bound<'_, PyAny>, did: &str, out: &mut [f64]) -> PyResult<()> {
         let py = given.py();
         let numpy = py.import("numpy")?;
-        let array = numpy.call_method1("asarray", (given, "float64"));
+        let array = py.import("stribeck._arguments")?.call_method1("floats", (given,));
         let array = array.map_err(|_| {
             let kind = given.get_type().to_string();
             let message = format!("{did} a value of the type {kind}, expected numbers");

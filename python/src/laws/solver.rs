@@ -58,7 +58,12 @@ impl Solver {
         let given = state_of_arrays(py, &grid, state)?;
         let returned = self.function.call(py, vec![problem.into_any(), given.clone()])?;
         read_state(&self.function, &given, state)?;
-        Ok(returned.is_none() || returned.is_truthy()?)
+        returned.extract().map_err(|_| {
+            let found = returned.repr().map_or_else(|_| String::new(), |text| text.to_string());
+            let message =
+                format!("must return True where it has converged and False where not, it returned {found}");
+            self.function.refused(py, &message, returned)
+        })
     }
 }
 

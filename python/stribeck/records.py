@@ -1,0 +1,105 @@
+"""What a history leaves: records of its steps, and its bodies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from ._numbers import Numbers, table
+from .errors import StribeckWarning, found
+
+__all__ = ["Body", "History", "Record"]
+
+_TEXTS = {"solver": "U32", "status": "U16"}
+_WHOLES = {"step", "attempts", "iterations", "inner_iterations"}
+_SHOWN = ("step", "time", "lambda", "area_ratio", "load_ratio", "friction_coefficient", "mean_wear_disc", "mean_film_disc")
+
+
+class Record(Numbers):
+    """The numbers of one step, all SI: ``time``, ``load_ratio``, ``lambda_``, ``friction_coefficient``, ``mean_wear_disc`` and so
+    on, as in the columns of a history file. What is not modelled is NaN. ``warnings`` is what this step has found that is unlikely
+    to be meant or to hold; no later step repeats it."""
+
+    __slots__ = ("warnings",)
+
+    warnings: list[StribeckWarning]
+
+    def __init__(self, values: Mapping[str, Any], warnings: Sequence[StribeckWarning] = ()) -> None:
+        super().__init__(values)
+        object.__setattr__(self, "warnings", list(warnings))
+
+    @classmethod
+    def _of(cls, raw: tuple[dict[str, Any], list[dict[str, Any]]]) -> Record:
+        numbers, warnings = raw
+        return cls(numbers, found(warnings))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.to_dict(), self.warnings)
+
+
+class Body(Numbers):
+    """One body: ``initial``, ``surface``, ``wear``, ``plastic_depth`` and ``tribofilm`` of the shape ``(ny, nx)`` and ``worn_profile``, the worn
+    depth across the track, of the shape ``(ny,)`` [m]. At every node ``surface = initial - wear - plastic_depth + tribofilm``."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return f"<Body of {self['surface'].shape[1]} x {self['surface'].shape[0]} nodes: {', '.join(self)}>"
+
+
+class History(Sequence[Record]):
+    """The records of a run. ``history["load_ratio"]`` is a column, ``history[-1]`` the last record, ``history.to_numpy()`` a structured array."""
+
+    def __init__(self, records: Sequence[Record] = (), stopped: bool = False) -> None:
+        self._records = list(records)
+        #: Whether the callback ended the run.
+        self.stopped = stopped
+
+    def __len__(self) -> int:
+        return len(self._records)
+
+    @overload
+    def __getitem__(self, key: int) -> Record: ...
+    @overload
+    def __getitem__(self, key: slice) -> History: ...
+    @overload
+    def __getitem__(self, key: str) -> npt.NDArray[Any]: ...
+    def __getitem__(self, key: int | slice | str) -> Any:
+        if isinstance(key, str):
+            return np.array([record[key] for record in self._records])
+        if isinstance(key, slice):
+            return History(self._records[key], self.stopped)
+        return self._records[key]
+
+    def __iter__(self) -> Iterator[Record]:
+        return iter(self._records)
+
+    def append(self, record: Record) -> None:
+        """Adds a record."""
+        self._records.append(record)
+
+    def to_numpy(self) -> npt.NDArray[np.void]:
+        """A structured array, a field for each name of a record, of the shape ``(steps,)``; ``pandas.DataFrame`` takes it."""
+        if not self._records:
+            return np.empty(0, dtype=[("step", np.int64)])
+        names = list(self._records[0])
+        kinds = [(name, _TEXTS.get(name, np.int64 if name in _WHOLES else np.float64)) for name in names]
+        return np.array([tuple(record[name] for name in names) for record in self._records], dtype=kinds)
+
+    def to_dict(self) -> dict[str, npt.NDArray[Any]]:
+        """Columns by name."""
+        rows = self.to_numpy()
+        return {name: rows[name] for name in rows.dtype.names or ()}
+
+    def __repr__(self) -> str:
+        if not self._records:
+            return "<History without steps>"
+        last = self._records[-1]
+        return f"<History of {len(self)} steps until {last['time']:g} s, load ratio {last['load_ratio']:.4g}>"
+
+    def _repr_html_(self) -> str:
+        rows = self._records if len(self) <= 20 else [*self._records[:10], *self._records[-10:]]
+        return table(([f"{record[name]:.5g}" for name in _SHOWN] for record in rows), _SHOWN)
