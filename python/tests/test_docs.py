@@ -1,0 +1,30 @@
+"""The page of the documentation: what it shows runs, each block after the one before."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+import stribeck
+
+
+def test_the_page_runs_as_it_is_pasted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(), re.DOTALL)
+    assert len(blocks) == 6
+    monkeypatch.chdir(tmp_path)
+    # The files that the page speaks of.
+    scene = stribeck.Scene.azam_2019(32)
+    Path("scene.toml").write_text(scene.to_toml())
+    heights = stribeck.surface.generate(scene.grid, 20e-9, length=60e-6)
+    stribeck.surface.Surface(heights, scene.grid.dx, scene.grid.dy).write("disc.x3p")
+    # As of a module of its own, which the laws in it are named by.
+    names: dict[str, object] = {"__name__": "page"}
+    for block in blocks:
+        exec(compile(block, "docs/python.md", "exec"), names)
+    assert capsys.readouterr().out.count("load.force -3.0") == 1
