@@ -4,9 +4,11 @@
 
 use std::path::Path;
 
+use stribeck::RubbingPoint;
 use stribeck::sim::scene::{FileRoughness, GridSpec, Roughness};
 use stribeck::sim::{MixedLubricationSim, Scene, Schedule, solve_contact};
 use stribeck::surface::write_npy;
+use stribeck::wear::WearLaw;
 
 /// A scene without mistakes: rough, in oil, of a few cells.
 const GOOD: &str = r#"
@@ -407,4 +409,29 @@ fn a_run_has_each_warning_once() {
     sim.step(1.0).unwrap();
     let fields: Vec<&str> = sim.warnings().iter().map(|warning| warning.field.as_str()).collect();
     assert_eq!(fields, ["pressure.max"]);
+}
+
+#[test]
+fn wear_that_is_too_deep_is_said_once() {
+    let mut scene = Scene::azam_2019(16);
+    (scene.lubricant, scene.roughness) = (None, Default::default());
+    let mut sim = MixedLubricationSim::builder(scene).wear_law(WornAway).build().unwrap();
+    assert!(sim.warnings().is_empty(), "{:?}", sim.warnings());
+    sim.step(1e-9).unwrap();
+    assert!(sim.warnings().is_empty(), "a nanometre is nothing: {:?}", sim.warnings());
+    sim.step(1e-3).unwrap();
+    sim.step(1e-9).unwrap();
+    let fields: Vec<&str> = sim.warnings().iter().map(|warning| warning.field.as_str()).collect();
+    assert_eq!(fields, ["wear.max"]);
+    assert!(sim.warnings()[0].value > 2e-5, "{:?}", sim.warnings());
+}
+
+/// A metre in a second.
+#[derive(Debug)]
+struct WornAway;
+
+impl WearLaw for WornAway {
+    fn depth_rate(&self, _at: &RubbingPoint, _film_thickness: f64) -> f64 {
+        1.0
+    }
 }

@@ -91,6 +91,8 @@ fn a_history_begins_where_it_is_told_to() {
     let start = builder().solve().unwrap().state;
     let told = || builder().contact_start(start.clone());
     let (mut cold, mut warm) = (builder().build().unwrap(), told().build().unwrap());
+    let standing = [&mut cold, &mut warm].map(|sim| sim.solve_under(&sim.conditions()).unwrap().report);
+    assert_eq!(standing[0], standing[1], "other contacts know nothing of it");
     let (first, short) = (cold.step(60.0).unwrap(), warm.step(60.0).unwrap());
     assert!(short.report.work.convolutions < 0.5 * first.report.work.convolutions);
     assert!((short.lambda / first.lambda - 1.0).abs() < 1e-3, "{} {}", short.lambda, first.lambda);

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -201,3 +202,21 @@ def test_what_a_step_has_found_is_said_once() -> None:
         assert [warning.field for warning in first.warnings] == ["pressure.max"] and second.warnings == []
         assert [len(record.warnings) for record in simulation.history] == [1, 0]
     assert "warnings" not in first
+    assert [str(warning) for warning in pickle.loads(pickle.dumps(first)).warnings] == [str(first.warnings[0])]
+
+
+def test_a_simulation_starts_from_a_solution() -> None:
+    scene = Scene.azam_2019(32).replace(track={"motion": "at_rest"})
+    solution = stribeck.solve(scene)
+    cold, warm = stribeck.Simulation(scene).step(60.0), stribeck.Simulation(scene, start=solution).step(60.0)
+    assert warm.convolutions < 0.5 * cold.convolutions
+    assert warm.load_ratio == pytest.approx(cold.load_ratio, rel=1e-3)
+    other = stribeck.solve(Scene.azam_2019(16))
+    refused(stribeck.ShapeError, lambda: stribeck.Simulation(scene, start=other), "start pressure")
+
+
+def test_wear_of_metres_is_said(dry: Scene) -> None:
+    simulation = stribeck.Simulation(dry, wear=lambda at, film: 1.0)
+    with pytest.warns(stribeck.StribeckWarning, match="wear.max") as said:
+        record = simulation.step("1 min")
+    assert len(said) == len(record.warnings) == 1 and record.warnings[0].value == max(record.max_wear_ball, record.max_wear_disc) > 1.0

@@ -225,6 +225,11 @@ impl MixedLubricationSim {
             let hot = warnings::hot_film(heat.film_temperature_max, record.bulk_temperature);
             self.warnings.extend(hot);
         }
+        if self.warnings.iter().all(|warning| warning.field != warnings::DEEP_WEAR) {
+            let [ball, disc] = record.max_wear;
+            let half_width = self.contact.hertz.a_x.min(self.contact.hertz.a_y);
+            self.warnings.extend(warnings::deep_wear(ball.max(disc), half_width));
+        }
         self.step += 1;
         Ok(record)
     }

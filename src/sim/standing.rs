@@ -36,12 +36,14 @@ impl MixedLubricationSim {
         setup::validate_box(&self.contact.grid, &hertz, self.scene.form.is_line())?;
         let state = std::mem::replace(&mut self.state, ContactState::new(&self.contact.grid));
         let squeeze = std::mem::take(&mut self.travel.squeeze);
+        let start = self.contact_start.take();
         let film = self.film_heat.as_mut().map(FilmHeat::take_start);
         let solved = self.solve_standing(conditions);
         if let (Some(heat), Some(film)) = (&mut self.film_heat, film) {
             heat.set_start(film);
         }
         self.travel.squeeze = squeeze;
+        self.contact_start = start;
         self.state = state;
         self.contact.put_under(&self.scene, &self.conditions())?;
         solved

@@ -8,7 +8,7 @@ mod solved;
 
 use std::fmt;
 
-pub(super) use solved::{after_solve, excess_pressure, hot_film};
+pub(super) use solved::{DEEP_WEAR, after_solve, deep_wear, excess_pressure, hot_film};
 
 use super::hertz::HertzContact;
 use super::scene::{BODIES, Scene};

@@ -9,6 +9,10 @@ use crate::sim::solution::ContactSolution;
 const LARGEST_PRESSURE: f64 = 2.0;
 /// Largest rise of a film above the bulk temperature \[K\].
 const LARGEST_RISE: f64 = 100.0;
+/// Deepest wear over the half-width of the contact.
+const DEEPEST_WEAR: f64 = 0.1;
+/// The number of the warning about it.
+pub(in crate::sim) const DEEP_WEAR: &str = "wear.max";
 /// Largest estimate of an error that goes without a warning.
 const LARGEST_ERROR: f64 = 0.1;
 
@@ -53,6 +57,18 @@ pub(in crate::sim) fn excess_pressure(largest: f64, hertz: f64) -> Option<Warnin
             ),
             "check that the box holds the contact and the cells its film".to_owned(),
         )
+    })
+}
+
+/// A node of a body worn by `depth` \[m\], which is much for a contact of `half_width` \[m\].
+pub(in crate::sim) fn deep_wear(depth: f64, half_width: f64) -> Option<Warning> {
+    (depth > DEEPEST_WEAR * half_width).then(|| {
+        let message = format!(
+            "a node has worn by {} times the half-width of the contact, surfaces are taken for shallow",
+            short(depth / half_width)
+        );
+        let remedy = "check the unit of the wear coefficient and the time step".to_owned();
+        Warning::new(DEEP_WEAR, depth, message, remedy)
     })
 }
 
