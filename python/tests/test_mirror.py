@@ -12,7 +12,7 @@ from conftest import ROOT, SCENES, run_example, run_json
 import stribeck
 
 
-@pytest.mark.parametrize("name", ["smooth", "rough", "rough_dry", "line"])
+@pytest.mark.parametrize("name", ["smooth", "rough", "rough_dry", "line", "coated", "ground_disc"])
 def test_solve_is_the_example_solve(name: str, tmp_path) -> None:
     path, fields = SCENES / f"{name}.toml", tmp_path / "fields.npz"
     expected = run_json("solve", str(path), "--fields", str(fields))
@@ -36,11 +36,12 @@ def test_solve_is_the_example_solve(name: str, tmp_path) -> None:
             np.testing.assert_array_equal(solution.fields[field], values, err_msg=field)
 
 
-def test_a_history_is_the_example_history(tmp_path) -> None:
-    path, csv = SCENES / "dry_history.toml", tmp_path / "history.csv"
-    expected = run_json("history", str(path), "--steps", "4", "--time-step", "30", "--csv", str(csv))
+@pytest.mark.parametrize(("name", "steps"), [("dry_history", 4), ("rough", 2), ("running_in", 3)])
+def test_a_history_is_the_example_history(name: str, steps: int, tmp_path) -> None:
+    path, csv = SCENES / f"{name}.toml", tmp_path / "history.csv"
+    expected = run_json("history", str(path), "--steps", str(steps), "--time-step", "30", "--csv", str(csv))
     simulation = stribeck.Simulation(path)
-    history = simulation.run(4, 30.0)
+    history = simulation.run(steps, 30.0)
     last = history[-1]
     assert last.friction_coefficient == expected["friction"]["coefficient"]
     assert last.lambda_ == expected["film"]["lambda"]

@@ -1,0 +1,106 @@
+"""More examples of the crate in Python: to the last bit where they print it, else to their digits."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import run_example
+
+import stribeck
+from stribeck.laws import ContactProblem, ContactState
+from test_use import HalfSpaceByNumpy
+
+
+def test_members_of_an_ensemble_are_simulations(tmp_path: Path) -> None:
+    lines = run_example("ensemble", str(tmp_path)).splitlines()
+    assert len(lines) == 6
+    for line in lines:
+        name, told = line.split(maxsplit=1)
+        pressure, seed = float(name.split("_")[0]) * 1e9, int(name.rsplit("_", 1)[1])
+        scene = stribeck.Scene.azam_2019(32, tribofilm=True).replace(
+            load={"hertz_pressure": pressure}, solver={"tolerance": 1e-3}, track={"seed": seed}
+        )
+        if pressure < 0.0:
+            with pytest.raises(stribeck.InputError) as caught:
+                stribeck.Simulation(scene)
+            assert told == str(caught.value)
+            continue
+        last = stribeck.Simulation(scene).run(4, 60.0)[-1]
+        words = told.replace(",", "").split()
+        assert words[0] == "4"
+        assert [float(words[3]), float(words[6])] == [last.mean_wear_disc, last.mean_film_disc]
+
+
+def thermal_scene(speed: float, ratio: float) -> stribeck.Scene:
+    """The scene of the example `thermal_film`."""
+    bulk = 313.15
+    scene = stribeck.Scene.azam_2019(32).replace(roughness=None, plastic=None, load={"hertz_pressure": 0.8e9})
+    return scene.replace(
+        motion={"entrainment_speed": speed, "slide_roll_ratio": ratio},
+        thermal={"bulk_temperature": bulk},
+        friction={"eyring_stress": 5e6},
+        grid={"nx": 32, "ny": 32, "x": [-0.35e-3, 0.2e-3], "y": [-0.22e-3, 0.22e-3]},
+        lubricant={"eta0": 0.04, "alpha": 18e-9, "formula_alpha": None, "temperature": bulk, "roelands_s0": 1.1},
+    )
+
+
+def test_films_with_a_temperature_are_those_of_their_example(tmp_path: Path) -> None:
+    rows = [line.split() for line in run_example("thermal_film", "--quick", "--out", str(tmp_path)).splitlines()[1:10]]
+    for row in rows:
+        scene = thermal_scene(float(row[0]), float(row[1]))
+        warm = [scene.replace(lubricant={"thermal": {"profile": profile}}) for profile in ("parabola", "collocation")]
+        solutions = [stribeck.solve(each).require_converged() for each in (scene, *warm)]
+        assert [f"{each.film.central * 1e9:.1f}" for each in solutions] == row[2:5]
+        assert [f"{each.friction.coefficient:.4f}" for each in solutions] == row[7:10]
+
+
+def test_a_coating_in_python_is_that_of_its_example() -> None:
+    scene = stribeck.Scene.azam_2019(96).replace(
+        roughness=None, plastic=None, wear=None, motion={"entrainment_speed": 5.0}, solver={"tolerance": 1e-4}
+    )
+    steel = HalfSpaceByNumpy(scene, scene.to_dict()["elastic"]["equivalent_modulus"])
+    for row in [line.split() for line in run_example("custom_deformation").splitlines()[1:]]:
+        compliance = float(row[0]) * 1e-6 / 5e9
+        record = stribeck.Simulation(scene, deformation=lambda p, c=compliance: steel.displacement(p) + c * p).step(1.0)
+        assert record.max_pressure * 1e-9 == pytest.approx(float(row[2]), abs=1.1e-3)
+        assert record.average_film * 1e9 == pytest.approx(float(row[4]), rel=1e-3)
+
+
+class SteepestDescent:
+    """The solver of the example `custom_solver`, which counts its convolutions."""
+
+    def __init__(self) -> None:
+        self.convolutions = 0
+
+    def solve(self, problem: ContactProblem, state: ContactState) -> bool:
+        inner = np.zeros(problem.grid.shape, bool)
+        inner[1:-1, 1:-1] = True
+        cell = problem.grid.dx * problem.grid.dy
+        if not (state.pressure > 0.0).any():
+            state.pressure[inner] = problem.reference_pressure
+        for _ in range(problem.max_iterations + 1):
+            state.pressure *= problem.load / (state.pressure.sum() * cell)
+            residuals = problem.evaluate(state)
+            self.convolutions += 2
+            if max(residuals.values()) <= problem.tolerance:
+                return True
+            level = state.film[state.pressure > 0.0].mean()
+            step = np.where(inner & ((state.pressure > 0.0) | (state.film < level)), level - state.film, 0.0)
+            state.approach += level - problem.contact_film
+            length = (step**2).sum() / (step * problem.displacement(step)).sum()
+            state.pressure[:] = np.maximum(state.pressure + length * step, 0.0)
+        return False
+
+
+def test_a_solver_in_python_takes_the_steps_of_that_in_its_example() -> None:
+    scene = stribeck.Scene.azam_2019(48).replace(lubricant=None, plastic=None)
+    for tolerance, own, crate in [line.split() for line in run_example("custom_solver").splitlines()[1:]]:
+        solver, wanted = SteepestDescent(), scene.replace(solver={"tolerance": float(tolerance)})
+        mine = stribeck.Simulation(wanted, solver=solver).step(10.0)
+        usual = stribeck.Simulation(wanted).step(10.0)
+        assert mine.area_ratio == pytest.approx(usual.area_ratio, rel=0.05)
+        # Sums in another order may take a step more or less.
+        assert solver.convolutions == pytest.approx(int(own), rel=0.02)
+        assert usual.convolutions == float(crate)
