@@ -201,8 +201,8 @@ class Simulation:
         depth: Quantity = math.inf,
         callback: Callable[[Simulation, Record], bool | np.bool_ | None] | None = None,
     ) -> History:
-        """Steps until the time ``end`` [s], none longer than ``time_step`` or across an entry of the scene's schedule; ``callback`` is as in
-        :meth:`run`."""
+        """Steps until the time ``end`` [s], none longer than ``time_step`` or across an entry of the scene's schedule; ``callback``
+        is as in :meth:`run`."""
         function("callback", callback)
         end, time_step, depth = number("end", end, "s"), number("time_step", time_step, "s"), number("step.depth", depth, "m")
         history = History()

@@ -1,4 +1,5 @@
-"""Pictures with matplotlib, which is optional: ``pip install matplotlib``. Each function draws into ``ax`` or axes of its own and returns them."""
+"""Pictures with matplotlib, which is optional: ``pip install matplotlib``. Each function draws into ``ax`` or axes of its own and
+returns them; a field or a column that is not there is a :class:`~stribeck.UnknownNameError`."""
 
 from __future__ import annotations
 

@@ -41,8 +41,8 @@ class Record(Numbers):
 
 
 class Body(Numbers):
-    """One body: ``initial``, ``surface``, ``wear``, ``plastic_depth`` and ``tribofilm`` of the shape ``(ny, nx)`` and ``worn_profile``, the worn
-    depth across the track, of the shape ``(ny,)`` [m]. At every node ``surface = initial - wear - plastic_depth + tribofilm``."""
+    """One body: ``initial``, ``surface``, ``wear``, ``plastic_depth`` and ``tribofilm`` of the shape ``(ny, nx)`` and
+    ``worn_profile``, the worn depth across the track, of the shape ``(ny,)`` [m]. At every node ``surface = initial - wear - plastic_depth + tribofilm``."""
 
     __slots__ = ()
 
@@ -51,7 +51,8 @@ class Body(Numbers):
 
 
 class History(Sequence[Record]):
-    """The records of a run. ``history["load_ratio"]`` is a column, ``history[-1]`` the last record, ``history.to_numpy()`` a structured array."""
+    """The records of a run. ``history["load_ratio"]`` is a column, ``history[-1]`` the last record, ``history.to_numpy()`` a
+    structured array."""
 
     def __init__(self, records: Sequence[Record] = (), stopped: bool = False) -> None:
         self._records = list(records)

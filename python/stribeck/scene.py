@@ -72,8 +72,9 @@ class Scene:
     """A contact in tables and keys as in a scene file (``docs/scene.md``), all SI.
 
     ``Scene(source)`` takes a dictionary, the text of a scene file, a path to one or another scene; ``Scene(form={...}, load={...},
-    grid={...})`` takes tables by name. A string with a line break is text, and so is one with ``=`` unless it names a file. Both may be combined: tables by name come on top (see :meth:`replace`). Paths in a scene file
-    are relative to its folder, in a dictionary or text to the working directory.
+    grid={...})`` takes tables by name. A string with a line break is text, and so is one with ``=`` unless it names a file. Both may
+    be combined: tables by name come on top (see :meth:`replace`). Paths in a scene file are relative to its folder, in a dictionary
+    or text to the working directory.
 
     Raises :class:`~stribeck.SceneError` naming the key that does not fit, :class:`~stribeck.FileError` for a file that cannot be read.
     Values out of range are found when the scene is used.

@@ -53,9 +53,10 @@ def test_text_with_a_unit_is_a_number(dry: Scene) -> None:
         ("radius_x", "1 kg", lambda s: analytic.hertz_point("1 kg", equivalent_modulus=2e11, load=50.0)),
         ("radius_x", [1], lambda s: analytic.hertz_point([1], equivalent_modulus=2e11, load=50.0)),
         ("ellipticity", "1", lambda s: analytic.point_films(
-            entrainment_speed=1.0, viscosity=0.04, pressure_viscosity=2e-8, equivalent_modulus=2e11, radius=0.01, load=50.0, ellipticity="1")),
+            entrainment_speed=1.0, viscosity=0.04, pressure_viscosity=2e-8, equivalent_modulus=2e11, radius=0.01, load=50.0, ellipticity="1"
+        )),
         ("exact_rq", "yes", lambda s: surface.generate(s.grid, 1e-8, length=6e-5, exact_rq="yes")),
-        ("option", "lenght", lambda s: surface.generate(s.grid, 1e-8, lenght=6e-5)),
+        ("option", "size", lambda s: surface.generate(s.grid, 1e-8, size=6e-5)),
         ("path", None, lambda s: stribeck.Simulation(s).restore(None)),
         ("path", None, lambda s: surface.read(None)),
         ("scene", "", lambda s: stribeck.solve("")),
@@ -106,7 +107,8 @@ def test_errors_carry_what_they_are_about(dry: Scene, tmp_path: Path) -> None:
     assert soft.value == pytest.approx(dry.hertz().force)
     refused(stribeck.SurfaceError, lambda: surface.Surface(FLAT).remove_sphere(), "dx")
     holed = surface.Surface(FLAT, 1e-6, defined=np.eye(16) == 0)
-    assert refused(stribeck.SurfaceError, lambda: holed.resample(stribeck.Grid.box(8, 8, (0.0, 8e-6), (0.0, 8e-6))), "undefined").value == 16
+    box = stribeck.Grid.box(8, 8, (0.0, 8e-6), (0.0, 8e-6))
+    assert refused(stribeck.SurfaceError, lambda: holed.resample(box), "undefined").value == 16
 
 
 def test_arrays_hold_numbers_and_no_masked_ones(dry: Scene) -> None:
