@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._stribeck import quantity
-from .errors import InputError, ShapeError, StribeckError
+from .errors import FileError, InputError, ShapeError, StribeckError
 
 if TYPE_CHECKING:
     from ._stribeck import Cells
@@ -96,7 +96,7 @@ def text(field: str, value: Any) -> str:
     """Text that can be written as UTF-8."""
     if isinstance(value, str) and not any("\ud800" <= letter <= "\udfff" for letter in value):
         return value
-    raise refused(field, value, "text without lone surrogates")
+    raise refused(field, value, "text without lone surrogates" if isinstance(value, str) else "text")
 
 
 def path(field: str, value: Any) -> str:
@@ -109,6 +109,17 @@ def path(field: str, value: Any) -> str:
     if not found:
         raise refused(field, value, "the path of a file, it is empty")
     return found
+
+
+@contextmanager
+def writing(place: str) -> Iterator[None]:
+    """What the system refuses of the file at ``place`` from within is a :class:`~stribeck.FileError`."""
+    try:
+        yield
+    except OSError as error:
+        failed = FileError(f"{place}: {error.strerror}", field="path", value=place)
+        failed.errno = error.errno
+        raise failed from None
 
 
 def instance(field: str, value: Any, kind: type | tuple[type, ...], words: str) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import instance, named, optional_array, path as _path, text
+from ._arguments import instance, named, optional_array, path as _path, refused, text, writing
 from ._numbers import Numbers
 from ._stribeck import BodyStart, solve as _solve
 from .errors import InputError, NotConvergedError, StribeckWarning, found, say
@@ -19,6 +19,10 @@ from .scene import Grid, Scene, as_scene
 __all__ = ["Report", "Solution", "solve"]
 
 Heights = npt.ArrayLike | tuple[npt.ArrayLike | None, npt.ArrayLike | None] | Mapping[str, npt.ArrayLike | None] | None
+
+
+#: Fields that a solve can start from.
+_STARTS = {"pressure", "fluid_pressure", "film", "theta", "plastic_depth", "in_contact"}
 
 
 class Report(Numbers):
@@ -80,7 +84,9 @@ class Solution(Numbers):
     def save_fields(self, path: str | os.PathLike[str]) -> None:
         """Writes the fields as a NumPy archive, with the positions ``x`` and ``y`` of the nodes [m]."""
         arrays: dict[str, Any] = {"x": self.grid.nodes_x, "y": self.grid.nodes_y, **self.fields}
-        np.savez_compressed(_path("path", path), **arrays)
+        place = _path("path", path)
+        with writing(place):
+            np.savez_compressed(place, **arrays)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.to_dict(), self.fields)
@@ -133,6 +139,8 @@ def first_state(start: Any) -> dict[str, Any] | None:
     if start is None:
         return None
     instance("start", start, Solution, "a solution on the same grid")
+    if not _STARTS <= start.fields.keys():
+        raise refused("start", start, f"a solution with the fields {', '.join(sorted(_STARTS))}")
     return {**start.fields, "approach": start["approach"]}
 
 

@@ -95,6 +95,9 @@ def test_names_that_are_not_there(dry: Scene) -> None:
 
 
 def test_errors_carry_what_they_are_about(dry: Scene, tmp_path: Path) -> None:
+    nowhere = str(tmp_path / "none" / "fields.npz")
+    error = refused(stribeck.FileError, lambda: stribeck.solve(dry).save_fields(nowhere), "path")
+    assert error.value == nowhere and error.errno == 2
     (tmp_path / "foreign").write_bytes(b"no checkpoint" * 9)
     error = refused(stribeck.CheckpointError, lambda: stribeck.Simulation(dry).restore(tmp_path / "foreign"), "path")
     assert error.value == str(tmp_path / "foreign")
@@ -215,6 +218,8 @@ def test_a_simulation_starts_from_a_solution() -> None:
     assert warm.load_ratio == pytest.approx(cold.load_ratio, rel=1e-3)
     other = stribeck.solve(Scene.azam_2019(16))
     refused(stribeck.ShapeError, lambda: stribeck.Simulation(scene, start=other), "start pressure")
+    bare = stribeck.Solution(solution.to_dict())
+    assert "theta" in str(refused(stribeck.InputError, lambda: stribeck.solve(scene, start=bare), "start"))
 
 
 def test_wear_of_metres_is_said(dry: Scene) -> None:
