@@ -90,6 +90,7 @@ pub mod lubricant;
 pub mod metrics;
 mod numerics;
 pub mod plastic;
+mod regular_file;
 mod report;
 pub mod reynolds;
 mod rubbing;

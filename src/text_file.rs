@@ -1,27 +1,18 @@
-//! Text files from strangers: read whole, and refused where they are too large for it.
-//!
-//! Scene files, tables of schedules and measured films are read through it: their size is known before memory is taken.
+//! Text files from strangers: scene files, tables of schedules and measured films.
 
-use std::fs::File;
-use std::io::{Error, ErrorKind, Read};
+use std::io::{Error, ErrorKind, Result};
 use std::path::Path;
+
+use crate::regular_file;
 
 /// Bytes of the largest file that is read.
 const LARGEST: u64 = 1 << 24;
 
-/// The text of a file of at most 16 MB; memory is taken for what the file really holds.
-pub(crate) fn read(path: &Path) -> std::io::Result<String> {
-    let file = File::open(path)?;
-    let too_large = |size: String| {
-        let message = format!("the file has {size} bytes, at most {LARGEST} are read");
-        Err(Error::new(ErrorKind::FileTooLarge, message))
-    };
-    let size = file.metadata()?.len();
-    if size > LARGEST {
-        return too_large(size.to_string());
-    }
-    let mut text = String::new();
-    file.take(LARGEST + 1).read_to_string(&mut text)?;
-    // Pipes and devices do not tell their size.
-    if text.len() as u64 > LARGEST { too_large(format!("more than {LARGEST}")) } else { Ok(text) }
+/// The text of a file of at most 16 MB.
+///
+/// # Errors
+/// What is no file, is larger, cannot be read or is not text.
+pub(crate) fn read(path: &Path) -> Result<String> {
+    let bytes = regular_file::read(path, LARGEST)?;
+    String::from_utf8(bytes).map_err(|_| Error::new(ErrorKind::InvalidData, "the file is not text in UTF-8"))
 }

@@ -264,22 +264,43 @@ fn a_lie_about_the_size_costs_no_memory() {
     }
 }
 
+/// An x3p archive of `bytes` zeros; its description is that of a small one after `change`.
+fn bomb(bytes: usize, change: impl Fn(&str) -> String) -> Vec<u8> {
+    use std::io::{Read, Write};
+    let mut archive = zip::ZipArchive::new(std::fs::File::open(data("cut.x3p")).unwrap()).unwrap();
+    let mut xml = String::new();
+    archive.by_name("main.xml").unwrap().read_to_string(&mut xml).unwrap();
+    let xml = change(&xml);
+    let mut writer = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    let zeros = vec![0; bytes];
+    for (name, content) in [("main.xml", xml.as_bytes()), ("bindata/data.bin", &zeros)] {
+        writer.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
+        writer.write_all(content).unwrap();
+    }
+    writer.finish().unwrap().into_inner()
+}
+
 /// 64 MiB of zeros deflate to 64 kB: what comes out is held against what the description says before more is
 /// taken.
 #[test]
 fn a_bomb_is_cut_short() {
-    use std::io::{Read, Write};
-    let mut archive = zip::ZipArchive::new(std::fs::File::open(data("cut.x3p")).unwrap()).unwrap();
-    let mut xml = Vec::new();
-    archive.by_name("main.xml").unwrap().read_to_end(&mut xml).unwrap();
-    let mut writer = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
-    let zeros = vec![0; 1 << 26];
-    for (name, content) in [("main.xml", &xml), ("bindata/data.bin", &zeros)] {
-        writer.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
-        writer.write_all(content).unwrap();
-    }
-    let file = writer.finish().unwrap().into_inner();
+    let file = bomb(1 << 26, str::to_owned);
     let (result, most) = weighed(|| read_bytes(&file, "bomb"));
     assert!(result.unwrap_err().to_string().contains("more than the expected"));
+    assert!(most < BUFFERS, "{most} bytes");
+}
+
+/// Zeros as the description says shrink to a thousandth, as no measurement does.
+#[test]
+fn a_bomb_that_tells_its_size_is_refused() {
+    let large = |xml: &str| {
+        let (before, rest) = xml.split_once("<SizeX>").unwrap();
+        let (_, after) = rest.split_once("<SizeZ>").unwrap();
+        format!("{before}<SizeX>4096</SizeX><SizeY>4096</SizeY><SizeZ>{after}")
+    };
+    let file = bomb(8 << 24, large);
+    let (result, most) = weighed(|| read_bytes(&file, "bomb"));
+    let error = result.unwrap_err().to_string();
+    assert!(error.contains("134217728 bytes of heights, more than 200 times as many"), "{error}");
     assert!(most < BUFFERS, "{most} bytes");
 }

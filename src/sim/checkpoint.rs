@@ -21,6 +21,7 @@ use super::squeeze_memory::SqueezeMemory;
 use super::whole_file;
 use crate::error::InputError;
 use crate::plastic::PlasticDepth;
+use crate::regular_file;
 use crate::reynolds::ContactState;
 use crate::tribochem::{FilmGrowthLaw, Tribofilm};
 use crate::wear::WearDepth;
@@ -367,9 +368,9 @@ impl MixedLubricationSim {
     }
 }
 
-/// The bytes of a file.
+/// The bytes of a file; a checkpoint is as large as its grid asks for.
 fn read(path: &Path) -> Result<Vec<u8>, CheckpointError> {
-    std::fs::read(path).map_err(|source| CheckpointError::Io { path: path.to_owned(), source })
+    regular_file::read(path, u64::MAX).map_err(|source| CheckpointError::Io { path: path.to_owned(), source })
 }
 
 /// Whether two fields agree to the last bit.

@@ -15,6 +15,7 @@ use super::scene::BODIES;
 use super::simulation::MixedLubricationSim;
 use super::{SimError, whole_file};
 use crate::error::InputError;
+use crate::regular_file;
 use crate::reynolds::ContactState;
 
 /// Writes a run into a folder, as an [`Observer`] or called by one.
@@ -145,7 +146,8 @@ impl RunFolder {
     /// The history of the folder at `path`, to read and write.
     fn open_history(path: &Path) -> Result<BufWriter<File>, SimError> {
         let file = path.join("history.csv");
-        let opened = File::options().read(true).write(true).open(&file);
+        let opened = regular_file::size(&file);
+        let opened = opened.and_then(|_| File::options().read(true).write(true).open(&file));
         opened.map(BufWriter::new).map_err(|source| SimError::Io { path: file, source })
     }
 

@@ -11,6 +11,7 @@ use super::SimError;
 use super::start::BodyStart;
 use crate::error::InputError;
 use crate::grid::Grid;
+use crate::regular_file;
 use crate::surface::read_bytes;
 
 /// Bytes of an array beside its numbers, at most.
@@ -29,7 +30,7 @@ impl BodyStart {
     pub fn read_npz(path: impl AsRef<Path>, name: &str, grid: Grid) -> Result<Self, SimError> {
         let path = path.as_ref();
         let io = |source| SimError::Io { path: path.to_owned(), source };
-        let archive = ZipArchive::new(File::open(path).map_err(io)?);
+        let archive = ZipArchive::new(regular_file::open(path).map_err(io)?);
         let mut archive = archive.map_err(|error| io(error.into()))?;
         let mut array = |part: &str| read_array(&mut archive, path, &format!("{name}_{part}"), &grid);
         let Some(initial) = array("initial_m")? else {

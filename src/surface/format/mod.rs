@@ -16,8 +16,6 @@ mod sur;
 mod text;
 mod x3p;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 pub use npy::write_npy;
@@ -27,6 +25,7 @@ pub use x3p::write_x3p;
 use self::source::Source;
 use super::error::SurfaceError;
 use super::measured::Heights;
+use crate::regular_file;
 
 /// Larger files are refused: more than the text of [`crate::Grid::MAX_NODES`] heights.
 const MAX_FILE: u64 = 1 << 31;
@@ -56,11 +55,12 @@ const MAX_FILE: u64 = 1 << 31;
 /// Gwyddion (`Width: 10 um`), SPIP (`x-length`, `z-unit`) and this crate; the first channel.
 ///
 /// No file, however damaged, should make it panic; memory is taken for points that the file really holds, at
-/// most [`crate::Grid::MAX_NODES`].
+/// most [`crate::Grid::MAX_NODES`]. Heights of more than 64 MB that are packed into less than a two-hundredth of
+/// their size are refused: those of measurements are noisy and hardly shrink.
 ///
 /// # Errors
-/// [`SurfaceError`] with the path and what is wrong: the file cannot be opened, is of no known format,
-/// damaged, holds a part that is not supported, or a height that is not finite.
+/// [`SurfaceError`] with the path and what is wrong: the file cannot be opened, is a pipe, a device or a folder,
+/// is of no known format, damaged, holds a part that is not supported, or a height that is not finite.
 ///
 /// ```
 /// use stribeck::surface::{read, write_npy};
@@ -74,8 +74,7 @@ const MAX_FILE: u64 = 1 << 31;
 pub fn read(path: impl AsRef<Path>) -> Result<Heights, SurfaceError> {
     let path = path.as_ref();
     let io = |source| SurfaceError::Io { path: path.to_owned(), source };
-    let mut bytes = Vec::new();
-    File::open(path).map_err(io)?.take(MAX_FILE + 1).read_to_end(&mut bytes).map_err(io)?;
+    let bytes = regular_file::read(path, MAX_FILE).map_err(io)?;
     read_bytes(&bytes, path)
 }
 

@@ -5,6 +5,12 @@ use std::path::Path;
 use crate::grid::Grid;
 use crate::surface::{Heights, LengthUnit, SurfaceError};
 
+/// Bytes of heights over bytes of the file, at most: heights with the noise of an instrument shrink to a half at
+/// best, those that are rounded or undefined over most of the area to some hundredth.
+const MAX_EXPANSION: usize = 200;
+/// Bytes of heights that are always taken: synthetic surfaces may be flat.
+const ALWAYS_UNPACKED: usize = 1 << 26;
+
 /// A file being read.
 #[derive(Clone, Copy)]
 pub(super) struct Source<'a> {
@@ -112,6 +118,17 @@ impl<'a> Source<'a> {
         Grid::centred(nx, ny, dx, dy)
             .map(|_| ())
             .map_err(|error| self.corrupt(format!("{nx} x {ny} points: {error}")))
+    }
+
+    /// Refuses compressed heights that take `expected` bytes where the file is too small for measured ones.
+    pub(super) fn require_noise(&self, expected: usize) -> Result<(), SurfaceError> {
+        let packed = self.bytes.len();
+        if expected <= ALWAYS_UNPACKED || expected / MAX_EXPANSION <= packed {
+            return Ok(());
+        }
+        Err(self.unsupported(format!(
+            "{packed} bytes that claim to hold {expected} bytes of heights, more than {MAX_EXPANSION} times as many"
+        )))
     }
 
     /// The surface, if all that is defined is finite.

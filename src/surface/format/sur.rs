@@ -68,6 +68,7 @@ pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
     let Header { nx, ny, number, .. } = header;
     let expected = nx * ny * number.size();
     let stored = if source.bytes.starts_with(MAGIC_COMPRESSED) {
+        source.require_noise(expected)?;
         number.decode(&decompress(source, header.data, expected)?)
     } else {
         let what = format!("the data of {nx} x {ny} points");

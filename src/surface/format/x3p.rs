@@ -79,7 +79,9 @@ pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
     let stored = match points {
         Points::List(values) => values,
         Points::Part(name) => {
-            number.decode(&context.exact_part(&mut archive, &name, nx, ny, nx * ny * number.size())?)
+            let expected = nx * ny * number.size();
+            source.require_noise(expected)?;
+            number.decode(&context.exact_part(&mut archive, &name, nx, ny, expected)?)
         }
     };
     let mut defined: Vec<bool> = stored.iter().map(|value| !value.is_nan()).collect();

@@ -1,0 +1,45 @@
+//! Files from strangers: read whole where they are files of a known size, refused else.
+//!
+//! Scenes, checkpoints, surfaces, tables and archives are opened through here: pipes would be waited for without end, devices read
+//! without end.
+
+use std::fs::{self, File};
+use std::io::{Error, ErrorKind, Read, Result};
+use std::path::Path;
+
+/// The size of the file at `path` \[bytes\].
+///
+/// # Errors
+/// What is not there, and what is no file.
+pub(crate) fn size(path: &Path) -> Result<u64> {
+    let found = fs::metadata(path)?;
+    if found.is_file() {
+        return Ok(found.len());
+    }
+    let what = if found.is_dir() { "this is a folder" } else { "this is a pipe or a device" };
+    Err(Error::new(ErrorKind::InvalidInput, format!("{what}, give a file")))
+}
+
+/// The file at `path`, to read.
+///
+/// # Errors
+/// As of [`size`], and a file that cannot be opened.
+#[cfg(all(feature = "formats", feature = "npz"))]
+pub(crate) fn open(path: &Path) -> Result<File> {
+    size(path).and_then(|_| File::open(path))
+}
+
+/// The content of a file of at most `largest` bytes.
+///
+/// # Errors
+/// As of [`size`], a file that is larger, and one that cannot be read.
+pub(crate) fn read(path: &Path, largest: u64) -> Result<Vec<u8>> {
+    let size = size(path)?;
+    if size > largest {
+        let message = format!("the file has {size} bytes, at most {largest} are read");
+        return Err(Error::new(ErrorKind::FileTooLarge, message));
+    }
+    let mut bytes = Vec::new();
+    File::open(path)?.take(size).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
