@@ -56,6 +56,8 @@ pub enum Dimension {
     Angle,
     /// In J/(m^3 K): heat capacity of a volume.
     HeatCapacity,
+    /// A part of something: its unit is per cent, without one it is a number.
+    Ratio,
 }
 
 /// How a number in a unit becomes one in SI units.
@@ -155,6 +157,8 @@ const ANGLE: Units = &[(&["rad"], Ten(0)), (&["deg"], Times(std::f64::consts::PI
 /// Heat capacities of a volume.
 const HEAT_CAPACITY: Units =
     &[(&["J/(m^3 K)", "J/m^3/K"], Ten(0)), (&["kJ/(m^3 K)"], Ten(3)), (&["MJ/(m^3 K)"], Ten(6))];
+/// Ratios.
+const RATIO: Units = &[(&["%"], Ten(-2))];
 
 impl Dimension {
     /// The name in words.
@@ -178,6 +182,7 @@ impl Dimension {
             Self::VolumePerEnergy => "volume per energy",
             Self::Angle => "angle",
             Self::HeatCapacity => "heat capacity of a volume",
+            Self::Ratio => "ratio",
         }
     }
 
@@ -202,6 +207,7 @@ impl Dimension {
             Self::VolumePerEnergy => VOLUME_PER_ENERGY,
             Self::Angle => ANGLE,
             Self::HeatCapacity => HEAT_CAPACITY,
+            Self::Ratio => RATIO,
         }
     }
 

@@ -112,6 +112,14 @@ const MISTAKES: [(&str, &str, &[&str]); 41] = [
     ("roelands_z = 0.68", "roelands_z = 0.68\ndensity_a = 0.6", &["lubricant.density_a = 0.6", "0.6 1/GPa"]),
     ("rq = 130e-9", "rq = 130.0", &["roughness.disc.rq = 130", "130 nm = 1.3e-7 m"]),
     ("rq = 130e-9", "rq = 0.13", &["roughness.disc.rq = 0.13", "0.13 um = 1.3e-7 m"]),
+    ("rq = 130e-9", "rq = \"50 um\"", &["roughness.disc.rq = 5e-5", "did you mean 50 nm = 5e-8 m?"]),
+    (
+        "kind = \"sphere\"\nradius = 9.525e-3",
+        "kind = \"ellipsoid\"\nradius_x = 9.525e-3\nradius_y = \"1e9 mm\"",
+        &["form.radius_y = 1000000", "it is taken in m, of which 0.01 is usual"],
+    ),
+    ("roelands_z = 0.68", "roelands_z = 6.8", &["lubricant.roelands_z = 6.8", "0.6 is usual"]),
+    ("[plastic]", "[wear]\ncoefficient = 1\n[plastic]", &["wear.coefficient = 1", "1e-6 is usual"]),
     ("length_x = 64e-6", "length_x = 64", &["roughness.disc.length_x = 64", "at most"]),
     ("hardness = 6e9", "hardness = 6", &["plastic.hardness = 6", "6 GPa"]),
     ("= 353.15", "= 80", &["thermal.bulk_temperature = 80", "80 degC = 353.15 K"]),
@@ -251,10 +259,18 @@ fn all_missing_keys_are_named_at_once() {
     let parts =
         ["`form.radius`", "`lubricant.eta0`", "`grid.ny`", "`roughness.disc.rq`", "`plastic.hardness`"];
     assert_named("five keys", &end_of(&text), &parts);
-    assert_named("an empty file", &end_of(""), &["missing", "`form`", "`load`", "`grid`"]);
+    assert_named("an empty file", &end_of(""), &["missing", "`form`", "`elastic`", "`load`", "`grid`"]);
+    let pure = GOOD.replace("eta0 = 0.004\n", "").replace("[elastic]\nequivalent_modulus = 229.67e9\n", "");
+    assert_named("no modulus", &end_of(&pure), &["missing keys", "`elastic`", "`lubricant.eta0`"]);
+    let dry_start = "[lubricant]\nroelands_z = 0.68\n";
+    assert_named(
+        "an oil alone",
+        &end_of(dry_start),
+        &["`form`", "`elastic`", "`load`", "`motion`", "`lubricant.eta0`", "`grid`"],
+    );
     let cylinder = "[form]\nkind = \"cylinder\"\n[load]\nforce = 1e5\n[grid]\nnx = 100\n";
     let end = end_of(cylinder);
-    assert_named("a cylinder", &end, &["`form.radius`", "`grid.x`"]);
+    assert_named("a cylinder", &end, &["`form.radius`", "`elastic`", "`grid.x`"]);
     assert!(!end.contains("grid.y") && !end.contains("grid.ny"), "{end}");
 }
 

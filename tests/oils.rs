@@ -7,12 +7,17 @@ mod free_volume;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use stribeck::Status;
 use stribeck::lubricant::{
     DensityLaw, DoolittleTait, DoolittleTaitConstants, ImprovedYasutomi, ImprovedYasutomiConstants, Rheology,
     Roelands, ThermalRoelands, ViscosityLaw,
 };
-use stribeck::sim::scene::{Flash, Schedule, ViscositySpec};
+use stribeck::sim::scene::{
+    BarusConstants, Elastic, Flash, GridSpec, Load, LubricantSpec, Motion, RoughnessPair, Schedule,
+    ViscositySpec,
+};
 use stribeck::sim::{MixedLubricationSim, Scene, SimError, solve_contact};
+use stribeck::surface::Form;
 use stribeck::testing::{density_law, viscosity_law};
 
 use free_volume::FREE_VOLUME;
@@ -209,6 +214,40 @@ fn every_law_is_solved_from_a_scene() {
 
 /// Films of a history follow the schedule of the bulk temperature where the law knows temperature, and come
 /// back.
+#[test]
+fn an_oil_that_does_not_thicken_is_solved() {
+    let soft = |form: Form| {
+        let mut scene = Scene::azam_2019(24);
+        (scene.form, scene.elastic, scene.plastic) = (form, Elastic::new(10e6), None);
+        scene.roughness = RoughnessPair::default();
+        (scene.load, scene.motion) = (Load::force(1.0), Motion::new(0.1, 0.0));
+        let thin = ViscositySpec::Barus(BarusConstants { eta0: 0.04, alpha: 0.0 });
+        scene.lubricant = Some(LubricantSpec::roelands(0.0, 0.0).with_viscosity(Some(thin)));
+        let side = 4.0 * scene.hertz().unwrap().a_x;
+        let edges = [-side, side];
+        scene.grid = GridSpec::Cells { nx: 24, ny: 24, x: edges, y: edges };
+        scene
+    };
+    let radius = 9.525e-3;
+    for form in
+        [Form::Sphere { radius }, Form::Ellipsoid { radius_x: radius, radius_y: 2.0 * radius, angle: 0.0 }]
+    {
+        let scene = soft(form);
+        let solution = solve_contact(&scene).unwrap();
+        let formula = scene.formula_film().unwrap().unwrap().central;
+        assert_eq!(solution.report.status, Status::Converged);
+        let (m, l) = solution.moes.unwrap();
+        assert!(m > 0.0 && l == 0.0, "{m} {l}");
+        let ratio = solution.film.central / formula;
+        assert!((0.6..1.6).contains(&ratio), "{form:?}: {ratio}");
+    }
+    let mut wrong = soft(Form::Sphere { radius });
+    let law = ViscositySpec::Barus(BarusConstants { eta0: 0.04, alpha: -1.0 });
+    wrong.lubricant = wrong.lubricant.map(|oil| oil.with_viscosity(Some(law)));
+    let error = solve_contact(&wrong).unwrap_err().to_string();
+    assert_eq!(error, "lubricant.viscosity.alpha = -1: must be finite and >= 0");
+}
+
 #[test]
 fn histories_follow_the_bulk_temperature() {
     let mut scene = scene();

@@ -29,7 +29,7 @@ pub struct FilmConditions {
     pub entrainment_speed: f64,
     /// Viscosity at ambient pressure \[Pa s\].
     pub viscosity: f64,
-    /// Pressure-viscosity coefficient \[1/Pa\].
+    /// Pressure-viscosity coefficient \[1/Pa\]; zero of an oil that does not thicken under pressure.
     pub pressure_viscosity: f64,
     /// Equivalent modulus `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`.
     pub equivalent_modulus: f64,
@@ -45,18 +45,24 @@ impl FilmConditions {
     /// Checks every field.
     ///
     /// # Errors
-    /// [`InputError::Value`] naming the first field that is not finite and positive.
+    /// [`InputError::Value`] naming the first field that is not finite and positive; `pressure_viscosity` may be zero.
     pub fn validate(&self) -> Result<(), InputError> {
         let fields = [
             ("entrainment_speed", self.entrainment_speed),
             ("viscosity", self.viscosity),
-            ("pressure_viscosity", self.pressure_viscosity),
             ("equivalent_modulus", self.equivalent_modulus),
             ("radius", self.radius),
             ("load", self.load),
             ("ellipticity", self.ellipticity),
         ];
-        fields.into_iter().try_for_each(|(field, value)| InputError::require_positive(field, value))
+        fields.into_iter().try_for_each(|(field, value)| InputError::require_positive(field, value))?;
+        InputError::require_non_negative("pressure_viscosity", self.pressure_viscosity)
+    }
+
+    /// Checks every field for a formula that needs an oil that thickens under pressure.
+    fn validate_thickening(&self) -> Result<(), InputError> {
+        InputError::require_positive("pressure_viscosity", self.pressure_viscosity)?;
+        self.validate()
     }
 
     /// Speed parameter `U = eta0 u/(E' R)` of Hamrock and Dowson, with the mean speed.
@@ -127,7 +133,7 @@ impl FilmConditions {
     /// Source: Hamrock, B. J. and Dowson, D. (1977), Journal of Lubrication Technology 99, 264-276.
     ///
     /// # Errors
-    /// See [`FilmConditions::validate`].
+    /// See [`FilmConditions::validate`]; an oil that does not thicken under pressure.
     ///
     /// ```
     /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, viscosity: 0.004,
@@ -136,7 +142,7 @@ impl FilmConditions {
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn hamrock_dowson_central(&self) -> Result<f64, InputError> {
-        self.validate()?;
+        self.validate_thickening()?;
         let side = 1.0 - 0.61 * (-0.73 * self.ellipticity).exp();
         Ok(2.69 * self.radius * self.powers(0.67, 0.53, -0.067) * side)
     }
@@ -145,7 +151,7 @@ impl FilmConditions {
     /// as [`FilmConditions::hamrock_dowson_central`].
     ///
     /// # Errors
-    /// See [`FilmConditions::validate`].
+    /// See [`FilmConditions::validate`]; an oil that does not thicken under pressure.
     ///
     /// ```
     /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, viscosity: 0.004,
@@ -154,9 +160,30 @@ impl FilmConditions {
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn hamrock_dowson_minimum(&self) -> Result<f64, InputError> {
-        self.validate()?;
+        self.validate_thickening()?;
         let side = 1.0 - (-0.68 * self.ellipticity).exp();
         Ok(3.63 * self.radius * self.powers(0.68, 0.49, -0.073) * side)
+    }
+
+    /// Central film thickness \[m\] of soft bodies in an oil that does not thicken under pressure:
+    /// `h = 7.32 R U^0.64 W^-0.22 (1 - 0.72 exp(-0.28 k))`. `pressure_viscosity` is not used.
+    ///
+    /// Source: Hamrock, B. J. and Dowson, D. (1978), Journal of Lubrication Technology 100, 236-245.
+    ///
+    /// # Errors
+    /// See [`FilmConditions::validate`].
+    ///
+    /// ```
+    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, viscosity: 0.004,
+    /// #     pressure_viscosity: 0.0, equivalent_modulus: 10e6, radius: 9.525e-3, load: 1.0, ellipticity: 1.0 };
+    /// let ratio = scene.hamrock_dowson_soft()? / scene.moes_central()?;
+    /// assert!((0.7..1.3).contains(&ratio), "{ratio}");
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    pub fn hamrock_dowson_soft(&self) -> Result<f64, InputError> {
+        self.validate()?;
+        let side = 1.0 - 0.72 * (-0.28 * self.ellipticity).exp();
+        Ok(7.32 * self.radius * self.powers(0.64, 0.0, -0.22) * side)
     }
 
     fn powers(&self, speed: f64, material: f64, load: f64) -> f64 {

@@ -28,7 +28,7 @@ pub struct LineFilmConditions {
     pub entrainment_speed: f64,
     /// Viscosity at ambient pressure \[Pa s\].
     pub viscosity: f64,
-    /// Pressure-viscosity coefficient \[1/Pa\].
+    /// Pressure-viscosity coefficient \[1/Pa\]; zero of an oil that does not thicken under pressure.
     pub pressure_viscosity: f64,
     /// Equivalent modulus `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`.
     pub equivalent_modulus: f64,
@@ -42,17 +42,23 @@ impl LineFilmConditions {
     /// Checks every field.
     ///
     /// # Errors
-    /// [`InputError::Value`] naming the first field that is not finite and positive.
+    /// [`InputError::Value`] naming the first field that is not finite and positive; `pressure_viscosity` may be zero.
     pub fn validate(&self) -> Result<(), InputError> {
         let fields = [
             ("entrainment_speed", self.entrainment_speed),
             ("viscosity", self.viscosity),
-            ("pressure_viscosity", self.pressure_viscosity),
             ("equivalent_modulus", self.equivalent_modulus),
             ("radius", self.radius),
             ("load", self.load),
         ];
-        fields.into_iter().try_for_each(|(field, value)| InputError::require_positive(field, value))
+        fields.into_iter().try_for_each(|(field, value)| InputError::require_positive(field, value))?;
+        InputError::require_non_negative("pressure_viscosity", self.pressure_viscosity)
+    }
+
+    /// Checks every field for a formula that needs an oil that thickens under pressure.
+    fn validate_thickening(&self) -> Result<(), InputError> {
+        InputError::require_positive("pressure_viscosity", self.pressure_viscosity)?;
+        self.validate()
     }
 
     /// Speed parameter `U = eta0 u/(E' R)`, with the mean speed.
@@ -122,7 +128,7 @@ impl LineFilmConditions {
     /// 60-65.
     ///
     /// # Errors
-    /// See [`LineFilmConditions::validate`].
+    /// See [`LineFilmConditions::validate`]; an oil that does not thicken under pressure.
     ///
     /// ```
     /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, viscosity: 0.04,
@@ -131,7 +137,7 @@ impl LineFilmConditions {
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn dowson_toyoda_central(&self) -> Result<f64, InputError> {
-        self.validate()?;
+        self.validate_thickening()?;
         Ok(3.06 * self.radius * self.powers(0.69, 0.56, -0.10))
     }
 
@@ -141,7 +147,7 @@ impl LineFilmConditions {
     /// Source: Dowson, D. (1968), Proceedings of the Institution of Mechanical Engineers 182 (3A), 151-167.
     ///
     /// # Errors
-    /// See [`LineFilmConditions::validate`].
+    /// See [`LineFilmConditions::validate`]; an oil that does not thicken under pressure.
     ///
     /// ```
     /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, viscosity: 0.04,
@@ -150,7 +156,7 @@ impl LineFilmConditions {
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn dowson_minimum(&self) -> Result<f64, InputError> {
-        self.validate()?;
+        self.validate_thickening()?;
         Ok(2.65 * self.radius * self.powers(0.70, 0.54, -0.13))
     }
 

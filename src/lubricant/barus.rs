@@ -31,8 +31,8 @@ impl Barus {
     /// # Errors
     /// `eta0` not positive, `alpha` negative, or one of them not finite.
     pub fn new(eta0: f64, alpha: f64) -> Result<Self, InputError> {
-        InputError::require_positive("lubricant.eta0", eta0)?;
-        InputError::require_non_negative("lubricant.alpha", alpha)?;
+        InputError::require_positive("eta0", eta0)?;
+        InputError::require_non_negative("alpha", alpha)?;
         Ok(Self { eta0, alpha })
     }
 }

@@ -70,6 +70,8 @@ pub struct SimBuilder {
     pub(super) heights: [Option<Vec<f64>>; 2],
     /// Bodies from earlier runs.
     pub(super) starts: [Option<BodyStart>; 2],
+    /// Rq in the files of measured surfaces, once they are read \[m\].
+    measured_rq: [Option<f64>; 2],
     /// What a single contact, or the first one of a history, starts from.
     pub(super) contact_start: Option<ContactState>,
 }
@@ -95,6 +97,7 @@ impl SimBuilder {
             squeeze: false,
             heights: [None, None],
             starts: [None, None],
+            measured_rq: [None, None],
             contact_start: None,
         }
     }
@@ -330,6 +333,8 @@ impl SimBuilder {
                     &contact.grid,
                     &contact.hertz,
                 ));
+                let measured = self.measured_rq[index];
+                found.extend(measured.and_then(|rq| warnings::lost_rq(index, bodies[index].initial(), rq)));
             }
         }
         let mut warnings = scene.warnings();
@@ -401,7 +406,11 @@ impl SimBuilder {
         let roughness = [&roughness.ball, &roughness.disc][index];
         let initial = match heights {
             Some(heights) => heights,
-            None => setup::heights(roughness, &contact.grid, name)?,
+            None => {
+                let rough = setup::heights(roughness, &contact.grid, name)?;
+                self.measured_rq[index] = rough.measured_rq;
+                rough.heights
+            }
         };
         let field = format!("{name} heights");
         InputError::require_len(&field, &initial, contact.grid.len())?;

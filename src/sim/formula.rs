@@ -24,7 +24,9 @@ use crate::lubricant::ViscosityLaw;
 pub struct FormulaFilm {
     /// Moes parameters `(M, L)`.
     pub moes: (f64, f64),
-    /// Central film, Hamrock and Dowson of a point contact, Dowson and Toyoda of a line contact \[m\].
+    /// Central film, Hamrock and Dowson of a point contact, Dowson and Toyoda of a line contact; of an oil that
+    /// does not thicken under pressure that for all regimes, of an elliptic contact Hamrock and Dowson's of
+    /// soft bodies \[m\].
     pub central: f64,
     /// Central film by the formulas of Moes for all regimes; none of an elliptic contact \[m\].
     pub all_regimes: Option<f64>,
@@ -62,6 +64,7 @@ pub(super) fn formula_film(
     let Some(law) = viscosity else { return Ok(None) };
     let equivalent_modulus = scene.equivalent_modulus()?;
     let (viscosity, pressure_viscosity) = (law.viscosity(0.0), alpha.unwrap_or_else(|| law.log_slope(0.0)));
+    let thickens = pressure_viscosity > 0.0;
     let ((radius, _), load) = (scene.form.radii_of_entrainment(), hertz.load);
     Ok(Some(if scene.form.is_line() {
         let line = LineFilmConditions {
@@ -72,10 +75,11 @@ pub(super) fn formula_film(
             radius,
             load: load / LINE_LENGTH,
         };
+        let all_regimes = line.moes_central()?;
         FormulaFilm {
             moes: (line.moes_load(), line.moes_lubricant()),
-            central: line.dowson_toyoda_central()?,
-            all_regimes: Some(line.moes_central()?),
+            central: if thickens { line.dowson_toyoda_central()? } else { all_regimes },
+            all_regimes: Some(all_regimes),
         }
     } else {
         let point = FilmConditions {
@@ -87,10 +91,15 @@ pub(super) fn formula_film(
             load,
             ellipticity: ellipticity(scene, hertz)?,
         };
+        let all_regimes = point.moes_central().ok();
         FormulaFilm {
             moes: (point.moes_load(), point.moes_lubricant()),
-            central: point.hamrock_dowson_central()?,
-            all_regimes: point.moes_central().ok(),
+            central: match all_regimes {
+                _ if thickens => point.hamrock_dowson_central()?,
+                Some(film) => film,
+                None => point.hamrock_dowson_soft()?,
+            },
+            all_regimes,
         }
     }))
 }

@@ -171,15 +171,24 @@ pub(super) fn validate_hardness(hardness: f64, grid: &Grid, hertz: &HertzContact
     })
 }
 
-/// Heights of one body on the grid \[m\].
-pub(super) fn heights(roughness: &Roughness, grid: &Grid, body: &str) -> Result<Vec<f64>, SimError> {
+/// The rough surface of one body.
+pub(super) struct RoughBody {
+    /// Heights on the grid \[m\].
+    pub(super) heights: Vec<f64>,
+    /// Rq of the measurement that they are taken from \[m\]; none where they are those of the scene.
+    pub(super) measured_rq: Option<f64>,
+}
+
+/// Heights of one body on the grid.
+pub(super) fn heights(roughness: &Roughness, grid: &Grid, body: &str) -> Result<RoughBody, SimError> {
     let generated = match roughness {
         Roughness::None => Ok(vec![0.0; grid.len()]),
         Roughness::Random(surface) => surface.generate(grid),
         Roughness::Texture(texture) => texture.generate(grid),
         Roughness::File(file) => return measured(file, grid, body),
     };
-    Ok(generated.map_err(|error| of_body(error, body))?)
+    let heights = generated.map_err(|error| of_body(error, body))?;
+    Ok(RoughBody { heights, measured_rq: None })
 }
 
 /// The error of a roughness with the body's key in front of the field.
@@ -192,12 +201,13 @@ fn of_body(mut error: InputError, body: &str) -> InputError {
 }
 
 #[cfg(feature = "formats")]
-fn measured(file: &FileRoughness, grid: &Grid, body: &str) -> Result<Vec<f64>, SimError> {
+fn measured(file: &FileRoughness, grid: &Grid, body: &str) -> Result<RoughBody, SimError> {
     if let Some(rq) = file.rq {
         InputError::require_non_negative(&format!("roughness.{body}.rq"), rq)?;
     }
     let unusable = |reason: String| InputError::Conflict { field: format!("roughness.{body}.path"), reason };
     let surface = crate::surface::read(&file.path).map_err(|error| unusable(error.to_string()))?;
+    let mut measured_rq = None;
     let mut heights = if surface.dx().is_none() {
         if (surface.nx(), surface.ny()) != (grid.nx(), grid.ny()) {
             return Err(SimError::Input(unusable(format!(
@@ -211,19 +221,23 @@ fn measured(file: &FileRoughness, grid: &Grid, body: &str) -> Result<Vec<f64>, S
         }
         surface.heights().to_vec()
     } else {
-        surface.fit_to_grid(grid).map_err(|error| unusable(format!("{}: {error}", file.path.display())))?
+        let unfit = |error| unusable(format!("{}: {error}", file.path.display()));
+        let level = surface.levelled().map_err(unfit)?;
+        measured_rq = Some(crate::metrics::height_statistics(level.heights())?.sq);
+        level.mean_free_on(grid).map_err(unfit)?
     };
     if let Some(rq) = file.rq {
         rescale(&mut heights, grid.nx(), |_| true, rq).ok_or_else(|| InputError::Conflict {
             field: format!("roughness.{body}.rq"),
             reason: "a flat surface cannot be rescaled".to_owned(),
         })?;
+        measured_rq = None;
     }
-    Ok(heights)
+    Ok(RoughBody { heights, measured_rq })
 }
 
 #[cfg(not(feature = "formats"))]
-fn measured(file: &FileRoughness, _grid: &Grid, body: &str) -> Result<Vec<f64>, SimError> {
+fn measured(file: &FileRoughness, _grid: &Grid, body: &str) -> Result<RoughBody, SimError> {
     Err(SimError::Input(InputError::Conflict {
         field: format!("roughness.{body}.path"),
         reason: format!("{}: the feature `formats` reads files and is not enabled", file.path.display()),
@@ -243,7 +257,10 @@ pub(super) fn viscosity(
 /// Checked whether the scene uses it or not.
 fn viscosity_law(spec: &LubricantSpec, temperature: f64) -> Result<Box<dyn ViscosityLaw>, InputError> {
     Ok(match spec.viscosity {
-        Some(ViscositySpec::Barus(constants)) => Box::new(Barus::new(constants.eta0, constants.alpha)?),
+        Some(ViscositySpec::Barus(constants)) => {
+            let law = Barus::new(constants.eta0, constants.alpha);
+            Box::new(law.map_err(|error| error.within("lubricant.viscosity"))?)
+        }
         Some(ViscositySpec::DoolittleTait(constants)) => Box::new(DoolittleTait::new(constants)?),
         Some(ViscositySpec::ImprovedYasutomi(constants)) => {
             Box::new(ImprovedYasutomi::new(constants, temperature)?)

@@ -298,10 +298,20 @@ impl Heights {
     /// # Ok::<(), stribeck::surface::SurfaceError>(())
     /// ```
     pub fn fit_to_grid(&self, grid: &Grid) -> Result<Vec<f64>, SurfaceError> {
+        self.levelled()?.mean_free_on(grid)
+    }
+
+    /// The surface without holes and without its plane.
+    pub(crate) fn levelled(&self) -> Result<Self, SurfaceError> {
         let mut level = self.clone();
         level.fill_undefined()?;
         level.remove_plane()?;
-        let mut heights = level.resample_mirrored(grid)?;
+        Ok(level)
+    }
+
+    /// What the cells of `grid` see of a [levelled](Self::levelled) surface, about its mean \[m\].
+    pub(crate) fn mean_free_on(&self, grid: &Grid) -> Result<Vec<f64>, SurfaceError> {
+        let mut heights = self.resample_mirrored(grid)?;
         let mean = heights.iter().sum::<f64>() / heights.len() as f64;
         heights.iter_mut().for_each(|z| *z -= mean);
         Ok(heights)

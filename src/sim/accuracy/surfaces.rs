@@ -17,7 +17,7 @@ impl Surfaces {
     /// Those of `scene` on `grid`.
     pub(super) fn new(scene: &Scene, grid: &Grid) -> Result<Self, SimError> {
         let of = |roughness, name| -> Result<Heights, SimError> {
-            let heights = setup::heights(roughness, grid, name)?;
+            let heights = setup::heights(roughness, grid, name)?.heights;
             Ok(Heights::new(grid.nx(), grid.ny(), None, heights, None)?)
         };
         Ok(Self { bodies: [of(&scene.roughness.ball, "ball")?, of(&scene.roughness.disc, "disc")?] })

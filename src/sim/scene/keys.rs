@@ -13,7 +13,7 @@ use crate::error::InputError;
 use crate::units::Dimension;
 use Dimension::{
     Angle, Conductivity, Diffusivity, Energy, Force, ForcePerLength, HeatCapacity, InversePressure, Length,
-    Pressure, PressurePerLength, Rate, Speed, Temperature, Time, Viscosity, Volume, VolumePerEnergy,
+    Pressure, PressurePerLength, Rate, Ratio, Speed, Temperature, Time, Viscosity, Volume, VolumePerEnergy,
 };
 
 /// Every key that has a dimension; `*` stands for the name of a body. Loads are per length in a line contact.
@@ -34,6 +34,7 @@ const KEYS: &[(&str, Dimension)] = &[
     ("load.hertz_pressure", Pressure),
     ("load.force", Force),
     ("motion.entrainment_speed", Speed),
+    ("motion.slide_roll_ratio", Ratio),
     ("lubricant.eta0", Viscosity),
     ("lubricant.roelands_p0", Pressure),
     ("lubricant.temperature", Temperature),
@@ -55,6 +56,7 @@ const KEYS: &[(&str, Dimension)] = &[
     ("lubricant.viscosity.b1", InversePressure),
     ("grid.x", Length),
     ("grid.y", Length),
+    ("grid.accuracy", Ratio),
     ("roughness.*.rq", Length),
     ("roughness.*.length_x", Length),
     ("roughness.*.length_y", Length),
@@ -68,6 +70,9 @@ const KEYS: &[(&str, Dimension)] = &[
     ("plastic.hardness", Pressure),
     ("plastic.film_hardness", Pressure),
     ("plastic.hardening_modulus", PressurePerLength),
+    ("friction.boundary_coefficient", Ratio),
+    ("friction.film_coefficient", Ratio),
+    ("friction.limiting_stress_coefficient", Ratio),
     ("friction.covering_thickness", Length),
     ("friction.limiting_shear_stress", Pressure),
     ("friction.eyring_stress", Pressure),
@@ -94,6 +99,8 @@ const KEYS: &[(&str, Dimension)] = &[
     ("schedule.entrainment_speed.value", Speed),
     ("schedule.entrainment_speed.values", Speed),
     ("schedule.entrainment_speed.times", Time),
+    ("schedule.slide_roll_ratio.value", Ratio),
+    ("schedule.slide_roll_ratio.values", Ratio),
     ("schedule.slide_roll_ratio.times", Time),
     ("schedule.bulk_temperature.value", Temperature),
     ("schedule.bulk_temperature.values", Temperature),
@@ -101,6 +108,7 @@ const KEYS: &[(&str, Dimension)] = &[
     ("stress.deepest", Length),
     ("stress.yield_strength", Pressure),
     ("solver.film_cutoff", Length),
+    ("solver.accuracy", Ratio),
 ];
 
 /// What the key at `path` of a scene file holds; none where it has no dimension or there is no such key.

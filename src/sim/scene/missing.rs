@@ -1,7 +1,8 @@
 //! All keys that a scene file lacks: the parser tells the first alone.
 //!
 //! A table that is given is looked through for the keys that its kind or law cannot do without; a table that
-//! is not given is missing only where every scene has it (`form`, `load`, `grid`).
+//! is not given is missing only where every scene has it (`form`, `load`, `grid`), `elastic` where no materials
+//! give the moduli, `motion` where there is an oil.
 
 use toml::{Table, Value};
 
@@ -22,7 +23,9 @@ pub(super) fn keys(scene: &Table) -> Vec<String> {
             let absent = keys.iter().filter(|key| !given.contains_key(**key));
             missing.extend(absent.map(|key| format!("{table}.{key}")));
         }
-        None if ["form", "load", "grid"].contains(&table) => missing.push(table.to_owned()),
+        None if ["form", "load", "grid", "elastic", "motion"].contains(&table) => {
+            missing.push(table.to_owned())
+        }
         None => {}
     };
     let kind = |table: &str| find(scene, table).and_then(|given| given.get("kind")).and_then(Value::as_str);
@@ -34,10 +37,17 @@ pub(super) fn keys(scene: &Table) -> Vec<String> {
             &["kind", "radius"]
         },
     );
-    let pair = !scene.contains_key("materials");
-    look("elastic", if pair { &["equivalent_modulus"] } else { &[] });
+    // Materials give the modulus, and a layer stands on either.
+    if !scene.contains_key("materials") {
+        look("elastic", &["equivalent_modulus"]);
+    }
     look("elastic.layer", &["thickness", "modulus", "poisson"]);
-    look("load", &[]);
+    let scheduled = |key: &str| find(scene, "schedule").is_some_and(|schedule| schedule.contains_key(key));
+    let loaded = find(scene, "load").is_some_and(|load| load.contains_key("hertz_pressure"));
+    look("load", if loaded || scheduled("load") { &[] } else { &["force"] });
+    if scene.contains_key("lubricant") && !scheduled("entrainment_speed") {
+        look("motion", &["entrainment_speed"]);
+    }
     match find(scene, "lubricant.viscosity") {
         None => look("lubricant", &["eta0", "roelands_z"]),
         Some(viscosity) => look(

@@ -14,6 +14,10 @@ use super::hertz::HertzContact;
 use super::scene::{BODIES, Scene};
 use crate::error::legible;
 use crate::grid::Grid;
+use crate::metrics::height_statistics;
+
+/// Share of the Rq of a measured surface that its way onto the grid may cost without a word.
+const LARGEST_LOSS: f64 = 0.1;
 
 /// Something in a scene, or in its solution, that is allowed but unlikely to be meant or to hold.
 ///
@@ -74,6 +78,24 @@ pub(super) fn of_heights(body: usize, heights: &[f64], grid: &Grid, hertz: &Hert
     let mut list = plausible::height(&field, heights, hertz.a_x.min(hertz.a_y));
     list.extend(mesh::measured_waves(&field, heights, grid));
     list
+}
+
+/// The warning about `heights` \[m\] on the grid that have lost much of the `measured` Rq \[m\] of their file.
+pub(super) fn lost_rq(body: usize, heights: &[f64], measured: f64) -> Option<Warning> {
+    let left = height_statistics(heights).ok()?.sq;
+    (left < (1.0 - LARGEST_LOSS) * measured).then(|| {
+        let nanometres = |rq: f64| format!("{:.1}", 1e9 * rq);
+        Warning::new(
+            format!("roughness.{} Rq", BODIES[body]),
+            left,
+            format!(
+                "of an Rq of {} nm in the file {} nm are left on the grid, whose cells average short waves and whose box cuts long ones",
+                nanometres(measured),
+                nanometres(left)
+            ),
+            "take smaller cells, or give the `rq` that the surface is to have on the grid".to_owned(),
+        )
+    })
 }
 
 /// The number with at most seven digits.

@@ -2,7 +2,8 @@
 //!
 //! Each quantity has a range that engineering contacts stay in with room to spare, and a usual size. A value
 //! outside is tried in the other units that people write: the one that comes closest to the usual size, by
-//! the logarithm, is offered. A new key is an entry in one of the lists below, with a range of its own where
+//! the logarithm, is offered. A length of no size that people write as a number alone was given with a unit:
+//! then the unit a thousand times smaller or larger is offered. A new key is an entry in one of the lists below, with a range of its own where
 //! none fits.
 
 use super::{Warning, short};
@@ -18,23 +19,34 @@ struct Unit {
     name: &'static str,
     /// The others: name, factor and offset.
     others: &'static [(&'static str, f64, f64)],
+    /// Smallest and largest number that people write in one of them; beyond, a unit was given and is wrong.
+    numbers: [f64; 2],
 }
 
-const PASCAL: Unit = Unit { name: "Pa", others: &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)] };
-const PER_PASCAL: Unit = Unit { name: "1/Pa", others: &[("1/GPa", 1e-9, 0.0), ("1/MPa", 1e-6, 0.0)] };
-const METRE: Unit = Unit { name: "m", others: &[("nm", 1e-9, 0.0), ("um", 1e-6, 0.0), ("mm", 1e-3, 0.0)] };
-const METRE_PER_SECOND: Unit = Unit { name: "m/s", others: &[("mm/s", 1e-3, 0.0)] };
-const PASCAL_SECOND: Unit = Unit { name: "Pa s", others: &[("mPa s", 1e-3, 0.0)] };
-const KELVIN: Unit = Unit { name: "K", others: &[("degC", 1.0, 273.15)] };
-const NEWTON: Unit = Unit { name: "N", others: &[("mN", 1e-3, 0.0), ("uN", 1e-6, 0.0)] };
-const DIFFUSIVITY: Unit = Unit { name: "m^2/s", others: &[("mm^2/s", 1e-6, 0.0)] };
-const CONDUCTIVITY: Unit = Unit { name: "W/(m K)", others: &[] };
-const JOULE: Unit =
-    Unit { name: "J", others: &[("eV", 1.602176634e-19, 0.0), ("kJ/mol", 1.66053906717e-21, 0.0)] };
-const VOLUME_PER_ENERGY: Unit = Unit { name: "m^3/J", others: &[("mm^3/J", 1e-9, 0.0)] };
-const HEAT_CAPACITY: Unit =
-    Unit { name: "J/(m^3 K)", others: &[("kJ/(m^3 K)", 1e3, 0.0), ("MJ/(m^3 K)", 1e6, 0.0)] };
-const PURE: Unit = Unit { name: "", others: &[("%", 0.01, 0.0)] };
+/// A quantity of which any number may be written.
+const fn unit(name: &'static str, others: &'static [(&'static str, f64, f64)]) -> Unit {
+    Unit { name, others, numbers: [0.0, f64::INFINITY] }
+}
+
+const PASCAL: Unit = unit("Pa", &[("GPa", 1e9, 0.0), ("MPa", 1e6, 0.0)]);
+const PER_PASCAL: Unit = unit("1/Pa", &[("1/GPa", 1e-9, 0.0), ("1/MPa", 1e-6, 0.0)]);
+const METRE: Unit = Unit {
+    name: "m",
+    others: &[("nm", 1e-9, 0.0), ("um", 1e-6, 0.0), ("mm", 1e-3, 0.0)],
+    numbers: [1e-3, 1e5],
+};
+const METRE_PER_SECOND: Unit = unit("m/s", &[("mm/s", 1e-3, 0.0)]);
+const PASCAL_SECOND: Unit = unit("Pa s", &[("mPa s", 1e-3, 0.0)]);
+const KELVIN: Unit = unit("K", &[("degC", 1.0, 273.15)]);
+const NEWTON: Unit = unit("N", &[("mN", 1e-3, 0.0), ("uN", 1e-6, 0.0)]);
+const DIFFUSIVITY: Unit = unit("m^2/s", &[("mm^2/s", 1e-6, 0.0)]);
+const CONDUCTIVITY: Unit = unit("W/(m K)", &[]);
+const JOULE: Unit = unit("J", &[("eV", 1.602176634e-19, 0.0), ("kJ/mol", 1.66053906717e-21, 0.0)]);
+const VOLUME_PER_ENERGY: Unit = unit("m^3/J", &[("mm^3/J", 1e-9, 0.0)]);
+const HEAT_CAPACITY: Unit = unit("J/(m^3 K)", &[("kJ/(m^3 K)", 1e3, 0.0), ("MJ/(m^3 K)", 1e6, 0.0)]);
+const RATIO: Unit = unit("", &[("%", 0.01, 0.0)]);
+/// Numbers that nobody gives in per cent.
+const PURE: Unit = unit("", &[]);
 
 /// What a quantity may plausibly be, and what it is like as a rule.
 /// Zero is left to the errors, signs are ignored.
@@ -67,7 +79,7 @@ const FORCE: Plausible = plausible(1e-9, 1e7, 50.0, &NEWTON);
 /// Entrainment speeds.
 const SPEED: Plausible = plausible(1e-9, 200.0, 0.3, &METRE_PER_SECOND);
 /// Beyond 2 the surfaces move against each other.
-const SLIDE_ROLL_RATIO: Plausible = plausible(0.0, 2.0, 0.1, &PURE);
+const SLIDE_ROLL_RATIO: Plausible = plausible(0.0, 2.0, 0.1, &RATIO);
 /// Thicker than the heaviest gear oils at 40 degC.
 const VISCOSITY: Plausible = plausible(1e-5, 2.0, 0.01, &PASCAL_SECOND);
 /// Pressure-viscosity coefficients.
@@ -83,13 +95,13 @@ const FILM: Plausible = plausible(1e-10, 1e-4, 1e-7, &METRE);
 /// Hardnesses, up to that of diamond.
 const HARDNESS: Plausible = plausible(1e6, 1.5e11, 6e9, &PASCAL);
 /// Coefficients of friction.
-const FRICTION: Plausible = plausible(0.0, 2.0, 0.1, &PURE);
+const FRICTION: Plausible = plausible(0.0, 2.0, 0.1, &RATIO);
 /// Shear stresses of fluids: limiting, and of Eyring.
 const STRESS: Plausible = plausible(1e4, 1e10, 5e7, &PASCAL);
 /// Thicknesses of tribofilms.
 const TRIBOFILM: Plausible = plausible(1e-10, 1e-5, 1e-7, &METRE);
-/// Archard's coefficients.
-const WEAR: Plausible = plausible(0.0, 1.0, 1e-6, &PURE);
+/// Archard's coefficients, up to that of bare metals without oil.
+const WEAR: Plausible = plausible(0.0, 0.02, 1e-6, &PURE);
 /// Worn volumes per energy of friction.
 const WEAR_PER_ENERGY: Plausible = plausible(0.0, 1e-9, 1e-16, &VOLUME_PER_ENERGY);
 /// Up to 10 eV.
@@ -123,14 +135,9 @@ impl Plausible {
         let unit = self.unit.name;
         let [low, high] = [self.low, self.high].map(short);
         let (side, bound) = if size > self.high { ("above", high) } else { ("below", low) };
-        let meant = self.unit.others.iter().map(|(name, factor, offset)| (name, value * factor + offset));
-        let distance = |si: f64| (si.abs() / self.usual).ln().abs();
-        let best = meant
-            .filter(|(_, si)| (self.low..=self.high).contains(&si.abs()))
-            .min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)));
-        let remedy = match best {
-            Some((name, si)) => {
-                format!("did you mean {} {name} = {} {unit}?", short(value), short(si)).replace(" ?", "?")
+        let remedy = match self.guess(value) {
+            Some((number, name, si)) => {
+                format!("did you mean {} {name} = {} {unit}?", short(number), short(si)).replace(" ?", "?")
             }
             None if unit.is_empty() => format!("{} is usual", short(self.usual)),
             None => format!("it is taken in {unit}, of which {} is usual", short(self.usual)),
@@ -142,6 +149,23 @@ impl Plausible {
             message.replace("  ", " ").replace(" ,", ",").trim_end().to_owned(),
             remedy,
         ))
+    }
+}
+
+impl Plausible {
+    /// What is rather meant by the implausible `value`: number, unit and value in the SI unit.
+    fn guess(&self, value: f64) -> Option<(f64, &'static str, f64)> {
+        let Unit { others, numbers: [least, most], .. } = self.unit;
+        let fits = |si: f64| (self.low..=self.high).contains(&si.abs());
+        let distance = |si: f64| (si.abs() / self.usual).ln().abs();
+        if (*least..*most).contains(&value.abs()) {
+            let meant = others.iter().map(|(name, factor, offset)| (value, *name, value * factor + offset));
+            return meant.filter(|(.., si)| fits(*si)).min_by(|a, b| distance(a.2).total_cmp(&distance(b.2)));
+        }
+        let slips = [1e-3, 1e3].map(|slip| slip * value).into_iter().filter(|si| fits(*si));
+        let best = slips.min_by(|a, b| distance(*a).total_cmp(&distance(*b)))?;
+        let mut shown = others.iter().map(|(name, factor, _)| (best / factor, *name, best));
+        shown.find(|(number, ..)| (1.0 - 1e-9..1e3).contains(&number.abs()))
     }
 }
 
