@@ -102,6 +102,14 @@ impl Residuals {
     }
 }
 
+impl fmt::Display for Residuals {
+    /// The three by name.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { mass, load, complementarity } = self;
+        write!(f, "mass {mass:.1e}, load {load:.1e}, complementarity {complementarity:.1e}")
+    }
+}
+
 /// Work done, by cause.
 ///
 /// # Examples
@@ -140,6 +148,7 @@ impl AddAssign for Work {
 /// use stribeck::{Residuals, SolveReport, SolverId, Status};
 /// let report = SolveReport::new(SolverId::Custom("mine"), Status::Stalled, Residuals::default());
 /// assert_eq!(report.status.to_string(), "stalled");
+/// assert!(report.to_string().starts_with("stalled by mine; residuals mass 0.0e0, load 0.0e0"));
 /// let error = report.require_converged().unwrap_err();
 /// assert!(error.to_string().starts_with("mine ended as stalled"));
 /// ```
@@ -227,6 +236,18 @@ impl SolveReport {
             Status::Converged => Ok(()),
             _ => Err(NotConverged { report: Box::new(self.clone()) }),
         }
+    }
+}
+
+impl fmt::Display for SolveReport {
+    /// Status, solver, residuals and work in one line.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { solver, status, residuals, work, .. } = self;
+        write!(
+            f,
+            "{status} by {solver}; residuals {residuals}; {} iterations, {:.0} convolutions",
+            work.iterations, work.convolutions
+        )
     }
 }
 

@@ -80,7 +80,7 @@ fn the_scene_without_mistakes_has_no_warning() {
 }
 
 /// A line of the scene, what a mistake makes of it, and what must be said.
-const MISTAKES: [(&str, &str, &[&str]); 41] = [
+const MISTAKES: [(&str, &str, &[&str]); 45] = [
     // Units.
     ("radius = 9.525e-3", "radius = 9.525", &["form.radius = 9.525", "did you mean 9.525 mm = 0.009525 m?"]),
     ("= 229.67e9", "= 229.67", &["elastic.equivalent_modulus = 229.67", "did you mean 229.67 GPa"]),

@@ -219,7 +219,7 @@ fn messages_have_no_names_of_types() {
         assert_ne!(text, SI, "{from}");
         let message = Scene::from_toml(&text).unwrap_err().to_string();
         assert!(message.contains(words) && message.starts_with("line "), "{to}: {message}");
-        for jargon in ["f64", "usize", "u64", "struct", "sequence", "boolean", "string"] {
+        for jargon in ["f64", "usize", "u64", "struct", "sequence", "boolean", "string", "invalid", "field"] {
             assert!(!message.contains(jargon), "{to}: {message}");
         }
     }

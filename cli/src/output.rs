@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::fmt::Display;
 use std::io::{self, Write};
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -101,6 +102,29 @@ pub(crate) fn quantity(dimension: Dimension, field: &str, text: &str) -> Result<
 pub(crate) fn positive(dimension: Dimension, field: &str, text: &str) -> Result<f64, InputError> {
     let value = quantity(dimension, field, text)?;
     require(value > 0.0, field, value, "finite and > 0")
+}
+
+/// The value of an option that counts something.
+pub(crate) fn count<N: TryFrom<u64>>(
+    field: &str,
+    text: &str,
+    range: RangeInclusive<u64>,
+) -> Result<N, InputError> {
+    let number = text.trim().parse().ok().filter(|number| range.contains(number));
+    number.and_then(|number| N::try_from(number).ok()).ok_or_else(|| {
+        let [least, most] = [range.start(), range.end()];
+        let to = if *most == u64::MAX { String::new() } else { format!(" to {most}") };
+        InputError::Conflict {
+            field: format!("{field} = \"{text}\""),
+            reason: format!("must be a whole number from {least}{to}"),
+        }
+    })
+}
+
+/// The value of an option that is a ratio of any sign: a number, or one in per cent.
+pub(crate) fn ratio(field: &str, text: &str) -> Result<f64, InputError> {
+    let value = quantity(Dimension::Ratio, field, text)?;
+    require(true, field, value, "finite")
 }
 
 /// The `value` of `field`, if it is finite and `holds`.

@@ -107,11 +107,23 @@ impl Numbers {
     pub(crate) fn to_text(&self) -> String {
         let [nx, ny] = self.size;
         let mut text = format!("points     {nx} x {ny}, {} undefined\n", self.undefined);
-        text += &format!("unit       {}\n", self.unit.as_deref().unwrap_or("none, taken as m"));
+        let unit = self.unit.as_deref().unwrap_or("none, taken as m");
+        text += &format!("file       heights in {unit}\n");
         for (key, value) in self.lengths().iter().chain(&self.parameters) {
-            text += &format!("{key:<10} {}\n", value.map_or_else(|| "-".to_owned(), |v| format!("{v:.6e}")));
+            let unit = unit_of(key);
+            let value = value.map_or_else(|| "-".to_owned(), |v| format!("{v:.6e}{unit}"));
+            text += &format!("{key:<10} {value}\n");
         }
         text
+    }
+}
+
+/// The unit of a parameter in the report, with a space before it.
+fn unit_of(key: &str) -> &'static str {
+    match key {
+        "ssk" | "sku" | "sdq" | "sdr" | "str" | "smr1" | "smr2" => "",
+        "vmp" | "vmc" | "vvc" | "vvv" => " m^3/m^2",
+        _ => " m",
     }
 }
 

@@ -52,6 +52,10 @@ fn solve_has_the_numbers_of_the_library_and_draws_them() {
     assert!(std::fs::read(&fields).unwrap().starts_with(b"PK"));
     let report = String::from_utf8(stribeck(&["solve", text(&scene)]).stdout).unwrap();
     assert!(report.starts_with("converged by") && report.contains("\nfriction "), "{report}");
+    assert!(
+        report.contains("composite Rq") && report.contains("lambda") && report.contains("of the fluid"),
+        "{report}"
+    );
 }
 
 #[test]
@@ -182,7 +186,7 @@ fn check_tells_what_to_expect() {
 fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
-    let rough = ["--cells", "32"].as_slice();
+    let rough = ["--cells", "32", "--slide-roll-ratio", "5%"].as_slice();
     let smooth =
         ["--roughness", "0", "--radius", "12.7 mm", "--load", "30", "--speed", "200 mm/s"].as_slice();
     for options in [rough, smooth] {
@@ -222,6 +226,18 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     assert_refused(&swims, &["--speed = 10", "more load"]);
     let length = ["init", text(&path), "--length", "1 um", "--force"];
     assert_refused(&length, &["--length = 1 um", "--cells"]);
+    for (option, value, words) in [
+        ("--alpha", "12", "--alpha = 12: "),
+        ("--radius", "9.525", "did you mean 9.525 mm"),
+        ("--radius", "-3mm", "--radius = -0.003: must be"),
+        ("--slide-roll-ratio", "fast", "--slide-roll-ratio"),
+        ("--cells", "-1", "--cells = \"-1\": must be a whole number from 16 to 2048"),
+    ] {
+        let output = stribeck(&["init", text(&path), option, value]);
+        assert!(output.status.code() == Some(2) && error_of(&output).contains(words), "{output:?}");
+    }
+    let thin = ["init", text(&path), "--speed", "20", "--eta0", "0.5", "--roughness", "0"];
+    assert_refused(&thin, &["a warning", "formula"]);
     let unit = ["init", text(&path), "--load", "5 kg"];
     assert_refused(&unit, &["--load = \"5 kg\"", "N"]);
     assert!(!path.exists());

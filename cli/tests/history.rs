@@ -94,10 +94,14 @@ fn bad_input_ends_with_2_and_an_unsolved_contact_with_1() {
     let thrice = ["run", text(&path), "--steps", "2", "--time-step", "1", "--duration", "2"];
     assert_refused(&thrice, &["twice"]);
     for wrong in ["0", "-1", "nan", "5 m"] {
-        let option = format!("--time-step={wrong}");
-        let output = stribeck(&["run", text(&path), "--steps", "2", &option]);
+        let output = stribeck(&["run", text(&path), "--steps", "2", "--time-step", wrong]);
         assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{output:?}");
         assert!(error_of(&output).contains("--time-step"), "{output:?}");
+    }
+    for (wrong, words) in [("-1", "--steps = \"-1\": must be a whole number from 1"), ("1.5", "whole number")]
+    {
+        let output = stribeck(&["run", text(&path), "--time-step", "1", "--steps", wrong]);
+        assert!(output.status.code() == Some(2) && error_of(&output).contains(words), "{output:?}");
     }
     let mut hopeless = scene();
     hopeless.solver.max_iterations = 0;
@@ -106,4 +110,45 @@ fn bad_input_ends_with_2_and_an_unsolved_contact_with_1() {
     let output = stribeck(&["run", text(&path), "--steps", "2", "--time-step", "1", "--json"]);
     assert_eq!((output.status.code(), output.stdout.len()), (Some(1), 0), "{output:?}");
     assert!(error_of(&output).contains("error: the contact of step 0 was not solved"), "{output:?}");
+}
+
+#[test]
+fn a_run_is_written_over_on_request_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = written(&scene(), folder.path());
+    let out = folder.path().join("run");
+    let arguments = ["run", text(&path), "--steps", "2", "--time-step", "1", "--out", text(&out)];
+    assert!(stribeck(&arguments).status.success());
+    let before = std::fs::read(out.join("history.csv")).unwrap();
+    let refused = stribeck(&arguments);
+    let message = error_of(&refused);
+    assert_eq!(refused.status.code(), Some(2), "{message}");
+    assert!(message.contains("--resume goes on with it, --force writes over it"), "{message}");
+    assert_eq!(std::fs::read(out.join("history.csv")).unwrap(), before);
+    assert!(stribeck(&[&arguments[..], &["--force"]].concat()).status.success());
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_ends_with_a_checkpoint() {
+    use std::process::{Command, Stdio};
+
+    let folder = tempfile::tempdir().unwrap();
+    let path = written(&scene(), folder.path());
+    let out = folder.path().join("run");
+    let arguments = ["run", text(&path), "--steps", "1000000", "--time-step", "1", "--out", text(&out)];
+    let mut command = Command::new(env!("CARGO_BIN_EXE_stribeck"));
+    let run = command.args(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    while std::fs::metadata(out.join("history.csv")).map_or(0, |found| found.len()) < 5000 {
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    assert!(Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap().success());
+    let output = run.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let message = error_of(&output);
+    assert!(message.contains("of 1000000 steps") && message.contains("--resume"), "{message}");
+    let rows = std::fs::read_to_string(out.join("history.csv")).unwrap().lines().count() - 1;
+    let more = (rows + 1).to_string();
+    let resumed = ["run", text(&path), "--steps", &more, "--time-step", "1", "--out", text(&out), "--resume"];
+    assert!(stribeck(&resumed).status.success());
 }

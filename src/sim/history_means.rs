@@ -107,11 +107,17 @@ impl HistoryMeans {
 }
 
 impl fmt::Display for HistoryMeans {
-    /// One line a number.
+    /// One line a number, with its unit.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, ((table, key), mean)) in self.named().enumerate() {
             let end = if index == 0 { "" } else { "\n" };
-            write!(f, "{end}{:<28} {mean:.6e}", format!("{table}.{key}"))?;
+            let unit = match (table, key) {
+                ("pressure", _) => " Pa",
+                ("plastic", _) => " m^3",
+                ("contact" | "friction", _) | (_, "lambda" | "formula_lambda") => "",
+                _ => " m",
+            };
+            write!(f, "{end}{:<28} {mean:.6e}{unit}", format!("{table}.{key}"))?;
         }
         Ok(())
     }

@@ -15,11 +15,7 @@ impl fmt::Display for ContactSolution {
         let Self { report, grid, hertz, .. } = self;
         let (residuals, work) = (report.residuals, report.work);
         writeln!(f, "{} by {} on {} x {} nodes", report.status, report.solver, grid.nx(), grid.ny())?;
-        writeln!(
-            f,
-            "residuals  mass {:.1e}, load {:.1e}, complementarity {:.1e}",
-            residuals.mass, residuals.load, residuals.complementarity
-        )?;
+        writeln!(f, "residuals  {residuals}")?;
         writeln!(
             f,
             "work       {} iterations, {} inner, {:.0} convolutions",
@@ -35,7 +31,12 @@ impl fmt::Display for ContactSolution {
             hertz.a_y * 1e6
         )?;
         self.write_film(f)?;
-        writeln!(f, "friction   {:.4}", self.friction_coefficient)?;
+        self.write_roughness(f)?;
+        writeln!(
+            f,
+            "friction   {:.4}: {:.4} of solid contact, {:.4} of the fluid",
+            self.friction_coefficient, self.friction_boundary, self.friction_fluid
+        )?;
         self.write_flow(f)?;
         writeln!(f, "approach   {:.3} nm", self.state.approach * 1e9)?;
         self.write_errors(f)?;
@@ -69,6 +70,18 @@ impl ContactSolution {
             contact.load_ratio * 100.0,
             contact.plastic_area * 1e12
         )
+    }
+
+    /// Composite roughness and the film over it.
+    fn write_roughness(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.composite_rq == 0.0 {
+            return writeln!(f, "roughness  none");
+        }
+        write!(f, "roughness  composite Rq {:.2} nm", self.composite_rq * 1e9)?;
+        match self.lambda {
+            Some(lambda) => writeln!(f, ", lambda {lambda:.3} (mean film over it)"),
+            None => writeln!(f),
+        }
     }
 
     /// What flows through the box, a metre of contact where it is a line.

@@ -4,7 +4,7 @@ use stribeck::Grid;
 use stribeck::reynolds::ContactState;
 use stribeck::sim::HertzContact;
 
-use crate::picture::{BLUE, Chart, GREEN, Line, Map, Maps, Panel, VERMILION, XScale, extremes};
+use crate::picture::{BLUE, Chart, GREEN, Line, Map, Maps, Panel, VERMILION, XScale, extremes, inner};
 
 /// A contact as it is drawn.
 pub(crate) struct Seen<'a> {
@@ -27,10 +27,12 @@ pub(crate) fn maps<'a>(seen: &Seen<'a>) -> Maps<'a> {
         range: (0.0, if highest > 0.0 { highest } else { 1.0 }),
         outline,
     };
-    let film_name = if seen.lubricated { "film (nm)" } else { "gap (nm)" };
+    let (most, thickest) = (round_up(1e9 * thick_film(seen)), 1e9 * extremes(state.film.iter().copied()).1);
+    let cut = if thickest > most { format!(", yellow: {most} and more") } else { String::new() };
+    let film_name = format!("{}{cut}", film_name(seen));
     let largest_pressure = extremes(state.pressure.iter().copied()).1;
     let mut maps = vec![
-        map(film_name, &state.film, 1e9, round_up(1e9 * thick_film(seen)), true),
+        map(&film_name, &state.film, 1e9, most, true),
         map("pressure (GPa)", &state.pressure, 1e-9, round_up(1e-9 * largest_pressure), true),
     ];
     if seen.lubricated {
@@ -48,13 +50,15 @@ pub(crate) fn maps<'a>(seen: &Seen<'a>) -> Maps<'a> {
 pub(crate) fn profile(seen: &Seen<'_>) -> Chart {
     let (grid, state) = (&seen.grid, seen.state);
     let row = (0..grid.ny()).min_by(|a, b| grid.y(*a).abs().total_cmp(&grid.y(*b).abs())).unwrap_or(0);
-    let nodes = row * grid.nx()..(row + 1) * grid.nx();
+    // The ends hold what the boundary says.
+    let columns = inner(grid.nx());
+    let nodes = row * grid.nx() + columns.start..row * grid.nx() + columns.end;
     let line = |name, colour, values: &[f64], factor: f64| Line {
         name,
         colour,
         points: nodes
             .clone()
-            .zip(0..)
+            .zip(columns.clone())
             .filter_map(|(node, i)| values.get(node).map(|value| (1e6 * grid.x(i), factor * value)))
             .collect(),
     };
@@ -62,14 +66,12 @@ pub(crate) fn profile(seen: &Seen<'_>) -> Chart {
     if seen.lubricated {
         pressures.push(line("fluid", BLUE, &state.fluid_pressure, 1e-9));
     }
-    let film_name = if seen.lubricated { "film (nm)" } else { "gap (nm)" };
+    let highest = 2e9 * thick_film(seen);
+    let film = line("", BLUE, &state.film, 1e9);
+    let cut = if film.points.iter().any(|(_, film)| *film > highest) { ", cut off" } else { "" };
     let mut panels = vec![
         Panel { y_label: "pressure (GPa)".to_owned(), lines: pressures, highest: None },
-        Panel {
-            y_label: film_name.to_owned(),
-            lines: vec![line("", BLUE, &state.film, 1e9)],
-            highest: Some(2e9 * thick_film(seen)),
-        },
+        Panel { y_label: format!("{}{cut}", film_name(seen)), lines: vec![film], highest: Some(highest) },
     ];
     if seen.lubricated {
         panels.push(Panel {
@@ -80,6 +82,11 @@ pub(crate) fn profile(seen: &Seen<'_>) -> Chart {
     }
     let title = format!("{}: profile at y = {:.1} µm", seen.title, 1e6 * grid.y(row));
     Chart { title, x_label: "x (µm)", x_scale: XScale::Linear, panels }
+}
+
+/// What films are called.
+fn film_name(seen: &Seen<'_>) -> &'static str {
+    if seen.lubricated { "film (nm)" } else { "gap (nm)" }
 }
 
 /// A film \[m\] that few nodes of the Hertz contact exceed: what lies outside of it is thicker by far.

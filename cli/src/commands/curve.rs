@@ -26,13 +26,16 @@ pub(crate) struct Options {
     /// Scene file
     scene: PathBuf,
     /// Lowest entrainment speed, "0.001" or "1 mm/s" [default: a hundredth of that of the scene]
-    #[arg(long, value_parser = |text: &str| output::positive(Dimension::Speed, "--from", text))]
+    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::positive(Dimension::Speed, "--from", text))]
     from: Option<f64>,
     /// Highest entrainment speed [default: a hundred times that of the scene]
-    #[arg(long, value_parser = |text: &str| output::positive(Dimension::Speed, "--to", text))]
+    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::positive(Dimension::Speed, "--to", text))]
     to: Option<f64>,
     /// Number of speeds, evenly spread over their logarithms
-    #[arg(long, default_value_t = POINTS, value_parser = clap::value_parser!(u32).range(2..=1000))]
+    #[arg(
+        long, default_value_t = POINTS, allow_hyphen_values = true,
+        value_parser = |text: &str| output::count::<u32>("--points", text, 2..=1000)
+    )]
     points: u32,
     #[command(flatten)]
     output: Output,
@@ -103,19 +106,11 @@ fn solve(options: &Options, scene: &Scene, speeds: &[f64]) -> Result<Vec<Point>,
     bar.set_style(ProgressStyle::with_template("{wide_bar} {pos} of {len} speeds, {eta} left")?);
     bar.tick();
     let mut points = Vec::with_capacity(speeds.len());
-    // The scene's own warnings were printed; those of a speed and its solution follow, each once.
-    let mut said: Vec<String> = scene.warnings().into_iter().map(|warning| warning.field).collect();
     for &speed in speeds {
         let mut scene = scene.clone();
         scene.motion.entrainment_speed = speed;
         scene.schedule.entrainment_speed = None;
         let solution = solve_contact(&scene).map_err(|error| output::in_scene(&options.scene, &error))?;
-        for warning in &solution.warnings {
-            if !said.contains(&warning.field) {
-                output::complain("warning", &format!("at {speed:.4e} m/s: {warning}"));
-                said.push(warning.field.clone());
-            }
-        }
         let status = solution.report.status;
         if status != Status::Converged {
             output::complain("warning", &format!("{speed:.4e} m/s is left out of the curve: {status}"));
@@ -124,7 +119,25 @@ fn solve(options: &Options, scene: &Scene, speeds: &[f64]) -> Result<Vec<Point>,
         bar.inc(1);
     }
     bar.finish_and_clear();
+    warn(scene, &points);
     Ok(points)
+}
+
+/// The warnings of the speeds and their solutions, each once, beside those of the scene: with the first speed
+/// that has it unless all speeds share it.
+fn warn(scene: &Scene, points: &[Point]) {
+    let mut said: Vec<String> = scene.warnings().into_iter().map(|warning| warning.field).collect();
+    for point in points {
+        for warning in &point.solution.warnings {
+            if said.contains(&warning.field) {
+                continue;
+            }
+            let shared = points.iter().all(|point| point.solution.warnings.contains(warning));
+            let speed = if shared { String::new() } else { format!("at {:.4e} m/s: ", point.speed) };
+            output::complain("warning", &format!("{speed}{warning}"));
+            said.push(warning.field.clone());
+        }
+    }
 }
 
 fn converged(points: &[Point]) -> impl Iterator<Item = &Point> {

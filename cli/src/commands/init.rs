@@ -7,7 +7,9 @@ use std::io::{self, BufRead, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use stribeck::InputError;
-use stribeck::sim::{MixedLubricationSim, Scene};
+use stribeck::sim::scene::{Load, LubricantSpec, Roughness};
+use stribeck::sim::{MixedLubricationSim, Scene, Warning};
+use stribeck::surface::Form;
 use stribeck::units::Dimension;
 
 use crate::output::{self, Outcome};
@@ -35,31 +37,37 @@ pub(crate) struct Options {
     #[arg(default_value = "scene.toml")]
     file: PathBuf,
     /// Radius of the ball [default: 9.525 mm]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
     radius: Option<String>,
     /// Load [default: 20 N]
-    #[arg(long, value_name = "FORCE")]
+    #[arg(long, allow_hyphen_values = true, value_name = "FORCE")]
     load: Option<String>,
     /// Viscosity of the oil at ambient pressure and the temperature of the contact [default: 10 mPa s]
-    #[arg(long, value_name = "VISCOSITY")]
+    #[arg(long, allow_hyphen_values = true, value_name = "VISCOSITY")]
     eta0: Option<String>,
     /// Pressure-viscosity coefficient of the oil [default: 18 1/GPa]
-    #[arg(long, value_name = "ONE OVER PRESSURE")]
+    #[arg(long, allow_hyphen_values = true, value_name = "ONE OVER PRESSURE")]
     alpha: Option<String>,
     /// Mean speed of the two surfaces [default: 0.5 m/s]
-    #[arg(long, value_name = "SPEED")]
+    #[arg(long, allow_hyphen_values = true, value_name = "SPEED")]
     speed: Option<String>,
     /// Sliding speed over mean speed [default: 0.1]
-    #[arg(long, allow_hyphen_values = true)]
+    #[arg(
+        long, value_name = "RATIO", allow_hyphen_values = true,
+        value_parser = |text: &str| output::ratio("--slide-roll-ratio", text)
+    )]
     slide_roll_ratio: Option<f64>,
     /// Root mean square height of the disc, 0 for a smooth one [default: 50 nm]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
     roughness: Option<String>,
     /// Length over which the heights forget each other [default: four cells]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
     length: Option<String>,
     /// Cells along each side of the box [default: 64, smooth 128]
-    #[arg(long, value_parser = clap::value_parser!(u32).range(16..=2048))]
+    #[arg(
+        long, allow_hyphen_values = true,
+        value_parser = |text: &str| output::count::<u32>("--cells", text, 16..=2048)
+    )]
     cells: Option<u32>,
     /// Write over a file that is there
     #[arg(long)]
@@ -68,6 +76,18 @@ pub(crate) struct Options {
     #[arg(long)]
     json: bool,
 }
+
+/// A question, the option that answers it, its default and what it asks for.
+type Question = (&'static str, &'static str, &'static str, Dimension);
+
+const RADIUS: Question = ("Radius of the ball", "--radius", "9.525 mm", Dimension::Length);
+const LOAD: Question = ("Load", "--load", "20 N", Dimension::Force);
+const ETA0: Question = ("Viscosity of the oil", "--eta0", "10 mPa s", Dimension::Viscosity);
+const ALPHA: Question =
+    ("Pressure-viscosity coefficient of the oil", "--alpha", "18 1/GPa", Dimension::InversePressure);
+const SPEED: Question = ("Mean speed of the surfaces", "--speed", "0.5 m/s", Dimension::Speed);
+const ROUGHNESS: Question =
+    ("Root mean square height of the disc (0 for a smooth one)", "--roughness", "50 nm", Dimension::Length);
 
 /// A quantity as it was written, and in SI units.
 struct Quantity {
@@ -87,18 +107,45 @@ struct Answers {
 }
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
-    let answers = answers(options)?;
-    let text = scene(options, &answers)?;
-    // What is written here must be read there.
-    let written = Scene::from_toml(&text)?;
-    let sim = MixedLubricationSim::builder(written).build()?;
+    let ask = options.is_empty() && io::stdin().is_terminal();
+    let mut answers = answers(options, ask, None)?;
+    let (text, sim) = loop {
+        match written(options, &answers) {
+            Ok(done) => break done,
+            // The answers are offered again.
+            Err(error) if ask => {
+                output::complain("error", &error.to_string());
+                answers = self::answers(options, ask, Some(&answers))?;
+            }
+            Err(error) => return Err(error),
+        }
+    };
     write(&options.file, &text, options.force)?;
-    output::warn(sim.warnings());
     if options.json {
         output::print(&serde_json::to_value(sim.scene())?)?;
     }
     output::report_files(std::slice::from_ref(&options.file), options.json)?;
     Ok(Outcome::Converged)
+}
+
+/// The text of the scene file and what is built of it: what is written here must be read there, and be solved
+/// without a warning.
+fn written(options: &Options, answers: &Answers) -> Result<(String, MixedLubricationSim), Box<dyn Error>> {
+    let text = scene(options, answers)?;
+    let sim = MixedLubricationSim::builder(Scene::from_toml(&text)?).build()?;
+    match sim.warnings().first() {
+        None => Ok((text, sim)),
+        Some(warning) => Err(format!("the contact would be solved with a warning: {warning}").into()),
+    }
+}
+
+impl Options {
+    /// Whether none of the options that describe the contact is given.
+    fn is_empty(&self) -> bool {
+        let given =
+            [&self.radius, &self.load, &self.eta0, &self.alpha, &self.speed, &self.roughness, &self.length];
+        given.into_iter().all(Option::is_none) && (self.slide_roll_ratio, self.cells) == (None, None)
+    }
 }
 
 fn write(file: &Path, text: &str, force: bool) -> Result<(), String> {
@@ -110,59 +157,103 @@ fn write(file: &Path, text: &str, force: bool) -> Result<(), String> {
     })
 }
 
-fn answers(options: &Options) -> Result<Answers, Box<dyn Error>> {
-    let given = [
-        &options.radius,
-        &options.load,
-        &options.eta0,
-        &options.alpha,
-        &options.speed,
-        &options.roughness,
-        &options.length,
-    ];
-    let none =
-        given.into_iter().all(Option::is_none) && (options.slide_roll_ratio, options.cells) == (None, None);
-    let ask = none && io::stdin().is_terminal();
-    let quantity = |question: &str, key: &str, option: &Option<String>, default: &str, dimension| {
-        let text = match option {
-            Some(text) => text.clone(),
-            None if ask => answer(question, default)?,
-            None => default.to_owned(),
-        };
-        let value = if key == "--roughness" {
-            let value = output::quantity(dimension, key, &text)?;
-            output::require(value >= 0.0, key, value, "finite and >= 0")?
-        } else {
-            output::positive(dimension, key, &text)?
-        };
-        Ok::<_, Box<dyn Error>>(Quantity { text, value })
+/// What the options say, and the rest by default; where `ask`, the answers to questions, which offer those of
+/// `before`.
+fn answers(options: &Options, ask: bool, before: Option<&Answers>) -> Result<Answers, Box<dyn Error>> {
+    let quantity = |(question, key, default, dimension): Question,
+                    option: &Option<String>,
+                    last: fn(&Answers) -> &Quantity| {
+        let take = |text: String| checked(key, dimension, &text).map(|value| Quantity { text, value });
+        match option {
+            Some(text) => take(text.clone()),
+            None if ask => asked(question, before.map_or(default, |answers| &last(answers).text), take),
+            None => take(default.to_owned()),
+        }
     };
-    let o = options;
-    let radius = quantity("Radius of the ball", "--radius", &o.radius, "9.525 mm", Dimension::Length)?;
-    let load = quantity("Load", "--load", &o.load, "20 N", Dimension::Force)?;
-    let eta0 = quantity("Viscosity of the oil", "--eta0", &o.eta0, "10 mPa s", Dimension::Viscosity)?;
-    let alpha = "Pressure-viscosity coefficient of the oil";
-    let alpha = quantity(alpha, "--alpha", &o.alpha, "18 1/GPa", Dimension::InversePressure)?;
-    let speed = quantity("Mean speed of the surfaces", "--speed", &o.speed, "0.5 m/s", Dimension::Speed)?;
+    let (o, ratio) = (options, |text: String| Ok(output::ratio("--slide-roll-ratio", &text)?));
+    let radius = quantity(RADIUS, &o.radius, |answers| &answers.radius)?;
+    let load = quantity(LOAD, &o.load, |answers| &answers.load)?;
+    let eta0 = quantity(ETA0, &o.eta0, |answers| &answers.eta0)?;
+    let alpha = quantity(ALPHA, &o.alpha, |answers| &answers.alpha)?;
+    let speed = quantity(SPEED, &o.speed, |answers| &answers.speed)?;
+    let last = before.map_or_else(|| "0.1".to_owned(), |answers| answers.slide_roll_ratio.to_string());
     let slide_roll_ratio = match o.slide_roll_ratio {
         Some(ratio) => ratio,
-        None if ask => answer("Sliding speed over mean speed", "0.1")?
-            .parse()
-            .map_err(|_| "--slide-roll-ratio must be a number without a unit")?,
-        None => 0.1,
+        None if ask => asked("Sliding speed over mean speed", &last, ratio)?,
+        None => ratio(last)?,
     };
-    let rq = "Root mean square height of the disc (0 for a smooth one)";
-    let roughness = quantity(rq, "--roughness", &o.roughness, "50 nm", Dimension::Length)?;
+    let roughness = quantity(ROUGHNESS, &o.roughness, |answers| &answers.roughness)?;
     Ok(Answers { radius, load, eta0, alpha, speed, slide_roll_ratio, roughness })
 }
 
-/// The answer to a question on the terminal; an empty one is the default.
-fn answer(question: &str, default: &str) -> io::Result<String> {
-    write!(io::stderr(), "{question} [{default}]: ")?;
-    let mut line = String::new();
-    io::stdin().lock().read_line(&mut line)?;
-    let answer = line.trim();
-    Ok(if answer.is_empty() { default } else { answer }.to_owned())
+/// The value in `text` of the option `key`, refused where it is rather that of another unit.
+fn checked(key: &str, dimension: Dimension, text: &str) -> Result<f64, Box<dyn Error>> {
+    let value = if key == "--roughness" {
+        let value = output::quantity(dimension, key, text)?;
+        output::require(value >= 0.0, key, value, "finite and >= 0")?
+    } else {
+        output::positive(dimension, key, text)?
+    };
+    match implausible(key, value) {
+        None => Ok(value),
+        Some(warning) => Err(format!("{key} = {text}: {}; {}", warning.message, warning.remedy).into()),
+    }
+}
+
+/// The warning of a scene that has this value alone.
+fn implausible(key: &str, value: f64) -> Option<Warning> {
+    let mut scene = Scene::azam_2019(16);
+    let oil = LubricantSpec::roelands(0.01, 0.68);
+    let field = match key {
+        "--radius" => {
+            scene.form = Form::Sphere { radius: value };
+            "form.radius"
+        }
+        "--load" => {
+            scene.load = Load::force(value);
+            "load.force"
+        }
+        "--eta0" => {
+            scene.lubricant = Some(oil.with_eta0(value));
+            "lubricant.eta0"
+        }
+        "--alpha" => {
+            scene.lubricant = Some(oil.with_alpha(Some(value)));
+            "lubricant.alpha"
+        }
+        "--speed" => {
+            scene.motion.entrainment_speed = value;
+            "motion.entrainment_speed"
+        }
+        _ => {
+            scene.roughness.disc = Roughness::gaussian(value, 1e-4, 1);
+            "roughness.disc.rq"
+        }
+    };
+    let warnings = scene.warnings().into_iter();
+    warnings
+        .filter(|warning| warning.remedy.starts_with("did you mean"))
+        .find(|warning| warning.field == field)
+}
+
+/// The answer to a question on the terminal, asked again until `take` takes it; an empty one is the default.
+fn asked<T>(
+    question: &str,
+    default: &str,
+    take: impl Fn(String) -> Result<T, Box<dyn Error>>,
+) -> Result<T, Box<dyn Error>> {
+    loop {
+        write!(io::stderr(), "{question} [{default}]: ")?;
+        let mut line = String::new();
+        if io::stdin().lock().read_line(&mut line)? == 0 {
+            return Err("the answers end before the last question".into());
+        }
+        let answer = line.trim();
+        match take(if answer.is_empty() { default } else { answer }.to_owned()) {
+            Ok(taken) => return Ok(taken),
+            Err(error) => output::complain("error", &error.to_string()),
+        }
+    }
 }
 
 /// The text of the scene file.

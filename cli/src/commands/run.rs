@@ -4,7 +4,9 @@ use std::error::Error;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -16,6 +18,11 @@ use super::contact_pictures::{Seen, maps};
 use crate::output::{self, Outcome};
 use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, VERMILION, XScale};
 
+/// Set by the first interruption from the keyboard.
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+/// Exit status of a program that an interruption ends.
+const KILLED: i32 = 130;
+
 /// Steps of a history whose time alone is known.
 const STEPS: u64 = 100;
 
@@ -25,13 +32,13 @@ pub(crate) struct Options {
     /// Scene file
     scene: PathBuf,
     /// Number of steps [default: what the time needs, or 100]
-    #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::count::<u64>("--steps", text, 1..=u64::MAX))]
     steps: Option<u64>,
     /// Length of a step, "10" or "10 s" [default: an equal share of the time]
-    #[arg(long, value_parser = |text: &str| output::positive(Dimension::Time, "--time-step", text))]
+    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::positive(Dimension::Time, "--time-step", text))]
     time_step: Option<f64>,
     /// Time of the history, "7200" or "2 h" [default: the last entry of the schedules]
-    #[arg(long, value_parser = |text: &str| output::positive(Dimension::Time, "--duration", text))]
+    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::positive(Dimension::Time, "--duration", text))]
     duration: Option<f64>,
     /// Folder of the run: scene, history, checkpoint, fields and pictures
     #[arg(long, value_name = "FOLDER")]
@@ -39,8 +46,14 @@ pub(crate) struct Options {
     /// Go on from the checkpoint in the folder of the run
     #[arg(long, requires = "out")]
     resume: bool,
+    /// Write over the run that is in the folder
+    #[arg(long, requires = "out", conflicts_with = "resume")]
+    force: bool,
     /// Steps between checkpoints [default: a twentieth of the steps]
-    #[arg(long, requires = "out", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(
+        long, requires = "out", allow_hyphen_values = true,
+        value_parser = |text: &str| output::count::<u64>("--checkpoint-every", text, 1..=u64::MAX)
+    )]
     checkpoint_every: Option<u64>,
     /// Write a row for each step as comma-separated values
     #[arg(long, value_name = "OUT.csv", conflicts_with = "resume")]
@@ -76,10 +89,21 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let known = sim.warnings().len();
     let (steps, time_step) = plan(options, &sim)?;
     let mut log = Log::new(options, &mut sim, steps)?;
+    // The first one ends the run after the present step, the second at once.
+    ctrlc::set_handler(|| {
+        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+            process::exit(KILLED);
+        }
+        output::complain("interrupted", "the run ends after this step; once more ends it at once");
+    })?;
     let outcome = sim.run(steps.saturating_sub(sim.steps()), time_step, &mut log);
     let files = log.finish(options, &sim)?;
     output::warn(sim.warnings().iter().skip(known));
     let status = match outcome {
+        Ok(_) if sim.steps() < steps => {
+            output::complain("error", &interrupted(options, sim.steps(), steps));
+            Outcome::NotConverged
+        }
         Ok(_) => Outcome::Converged,
         Err(error @ SimError::NotConverged { .. }) => {
             output::complain("error", &error.to_string());
@@ -117,6 +141,25 @@ fn plan(options: &Options, sim: &MixedLubricationSim) -> Result<(u64, f64), Stri
     }
 }
 
+/// What is left of a run that was interrupted, and how it goes on.
+fn interrupted(options: &Options, done: u64, steps: u64) -> String {
+    let rest = match &options.out {
+        Some(folder) => {
+            format!("the same command with --resume goes on from the checkpoint in {}", folder.display())
+        }
+        None => "with --out FOLDER it would have left a checkpoint".to_owned(),
+    };
+    format!("interrupted after {done} of {steps} steps; {rest}")
+}
+
+/// Refuses a folder in which there is a run.
+fn refuse_a_run(folder: &Path) -> Result<(), String> {
+    if !["history.csv", "checkpoint"].iter().any(|file| folder.join(file).exists()) {
+        return Ok(());
+    }
+    Err(format!("{}: there is a run; --resume goes on with it, --force writes over it", folder.display()))
+}
+
 /// The last time that a schedule of the scene names \[s\].
 fn last_entry(sim: &MixedLubricationSim) -> Option<f64> {
     let schedules = &sim.scene().schedule;
@@ -141,7 +184,12 @@ impl Log {
             Some(path) if options.resume => {
                 RunFolder::resume(path, sim, every).map(|(folder, records)| (Some(folder), records))?
             }
-            Some(path) => (Some(RunFolder::create(path, sim, every)?), Vec::new()),
+            Some(path) => {
+                if !options.force {
+                    refuse_a_run(path)?;
+                }
+                (Some(RunFolder::create(path, sim, every)?), Vec::new())
+            }
             None => (None, Vec::new()),
         };
         let mut means = HistoryMeans::new(steps);
@@ -227,7 +275,9 @@ impl Observer for Log {
             self.failure = Some(error);
             return ControlFlow::Break(());
         }
-        self.folder.as_mut().map_or(ControlFlow::Continue(()), |folder| folder.after_step(sim, record))
+        let flow =
+            self.folder.as_mut().map_or(ControlFlow::Continue(()), |folder| folder.after_step(sim, record));
+        if INTERRUPTED.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { flow }
     }
 }
 

@@ -1,12 +1,14 @@
 //! Fields seen from above, side by side, each with axes and a colour bar.
 
+use std::ops::Range;
+
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use stribeck::Grid;
 use stribeck::sim::HertzContact;
 
-use super::{Drawn, Picture, TEXT_SIZE, TITLE_SIZE, colour, text, tick};
+use super::{Drawn, Picture, TEXT_SIZE, TITLE_SIZE, colour, inner, text, tick};
 
 /// Width of a field, of the axis and the margin on its left and of the bar with its numbers on its right, in
 /// pixels.
@@ -17,6 +19,8 @@ const BAR: i32 = 112;
 /// Of these the bar itself.
 const BAR_LEFT: u32 = 10;
 const BAR_NUMBERS: u32 = 76;
+/// Distance of the numbers from it.
+const BAR_TICK: u32 = 6;
 const HEAD: i32 = 40;
 const TOP: u32 = 34;
 const BOTTOM: u32 = 46;
@@ -37,7 +41,7 @@ pub(crate) struct Map<'a> {
     pub(crate) outline: bool,
 }
 
-/// Fields of one grid.
+/// Fields of one grid, without the nodes of its rim.
 pub(crate) struct Maps<'a> {
     pub(crate) title: String,
     pub(crate) grid: Grid,
@@ -86,12 +90,12 @@ impl Maps<'_> {
         B::ErrorType: 'static,
     {
         let grid = &self.grid;
-        let edges = |first: f64, size: f64, step: f64| {
-            let low = (first - 0.5 * step) * 1e6;
-            low..low + size * 1e6
+        let edges = |first: f64, step: f64, places: Range<usize>| {
+            let edge = |place: usize| (first + (place as f64 - 0.5) * step) * 1e6;
+            edge(places.start)..edge(places.end)
         };
-        let x = edges(grid.x(0), grid.size_x(), grid.dx());
-        let y = edges(grid.y(0), grid.size_y(), grid.dy());
+        let x = edges(grid.x(0), grid.dx(), inner(grid.nx()));
+        let y = edges(grid.y(0), grid.dy(), inner(grid.ny()));
         let (x_number, y_number) = (tick(&x), tick(&y));
         let middle = (MARGIN + LEFT + FIELD / 2) as i32;
         let title = text(TEXT_SIZE + 1).pos(Pos::new(HPos::Center, VPos::Center));
@@ -136,12 +140,15 @@ impl Maps<'_> {
         let [stride_x, stride_y] = [nx, ny].map(|n| n.div_ceil(CELLS).max(1));
         let (half_x, half_y) = (0.5 * self.grid.dx(), 0.5 * self.grid.dy());
         let mut rectangles = Vec::new();
-        for (j, row) in map.values.chunks_exact(nx).enumerate().step_by(stride_y) {
-            let shown: Vec<(usize, f64)> = row.iter().copied().enumerate().step_by(stride_x).collect();
-            let last_row = (j + stride_y - 1).min(ny - 1);
+        let (columns, rows) = (inner(nx), inner(ny));
+        let lines = map.values.chunks_exact(nx).enumerate().take(rows.end).skip(rows.start);
+        for (j, row) in lines.step_by(stride_y) {
+            let nodes = row.iter().copied().enumerate().take(columns.end).skip(columns.start);
+            let shown: Vec<(usize, f64)> = nodes.step_by(stride_x).collect();
+            let last_row = (j + stride_y - 1).min(rows.end - 1);
             for run in shown.chunk_by(|a, b| shade(a.1).total_cmp(&shade(b.1)).is_eq()) {
                 let (Some(first), Some(last)) = (run.first(), run.last()) else { continue };
-                let end = (last.0 + stride_x - 1).min(nx - 1);
+                let end = (last.0 + stride_x - 1).min(columns.end - 1);
                 let corners = [
                     ((self.grid.x(first.0) - half_x) * 1e6, (self.grid.y(j) - half_y) * 1e6),
                     ((self.grid.x(end) + half_x) * 1e6, (self.grid.y(last_row) + half_y) * 1e6),
@@ -176,6 +183,7 @@ where
         .disable_mesh()
         .x_labels(0)
         .y_labels(6)
+        .set_tick_mark_size(LabelAreaPosition::Right, BAR_TICK)
         .y_label_formatter(&|v| number(v))
         .label_style(text(TEXT_SIZE - 1))
         .draw()?;

@@ -92,6 +92,11 @@ pub(crate) fn extremes(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
         .unwrap_or((0.0, 0.0))
 }
 
+/// The places along a side of `n` nodes without its ends, which hold what the boundary says.
+pub(crate) fn inner(n: usize) -> Range<usize> {
+    if n > 2 { 1..n - 1 } else { 0..n }
+}
+
 /// Digits of tick labels that tell them apart over `range`.
 fn tick(range: &Range<f64>) -> impl Fn(&f64) -> String + use<> {
     let (width, largest) = (range.end - range.start, range.start.abs().max(range.end.abs()));

@@ -145,7 +145,7 @@ where
         .caption(&map.title, text(TEXT_SIZE + 1))
         .margin(10)
         .x_label_area_size(38)
-        .y_label_area_size(58)
+        .y_label_area_size(80)
         .build_cartesian_2d(map.x.clone(), map.y.clone())?;
     chart
         .configure_mesh()

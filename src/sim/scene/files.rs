@@ -34,7 +34,7 @@ impl Scene {
         Self::deserialize(tree).map_err(|error| {
             let message = in_one_line(&text, error);
             let absent = match text.parse() {
-                Ok(table) if message.contains("missing field") => missing::keys(&table),
+                Ok(table) if message.contains("missing key") => missing::keys(&table),
                 _ => Vec::new(),
             };
             scene(if absent.len() > 1 { format!("missing keys: `{}`", absent.join("`, `")) } else { message })
@@ -69,7 +69,7 @@ impl Scene {
 }
 
 /// What the parser calls things, and what a reader of scene files does.
-const WORDS: [(&str, &str); 16] = [
+const WORDS: [(&str, &str); 21] = [
     ("expected f64", "expected a number"),
     ("expected usize", "expected a whole number from 0"),
     ("expected u64", "expected a whole number from 0"),
@@ -77,15 +77,20 @@ const WORDS: [(&str, &str); 16] = [
     ("expected a sequence", "expected a list"),
     ("expected path string", "expected text"),
     ("wanted string or table", "expected text"),
-    ("invalid type: sequence", "invalid type: list"),
-    ("invalid type: boolean", "invalid type:"),
-    ("invalid type: string", "invalid type: text"),
-    ("invalid type: map", "invalid type: table"),
+    ("invalid type: sequence", "a list"),
+    ("invalid type: boolean ", ""),
+    ("invalid type: string", "text"),
+    ("invalid type: map", "a table"),
     ("expected an array of length 2", "expected a list of two numbers"),
     ("floating point", "number"),
-    ("invalid type: integer", "invalid type: whole number"),
-    ("invalid value: integer", "invalid value: whole number"),
+    ("invalid type: integer", "whole number"),
+    ("invalid value: integer", "whole number"),
+    ("invalid type: ", ""),
+    ("invalid value: ", ""),
+    ("invalid length ", "length "),
     ("unknown variant", "unknown value"),
+    ("unknown field", "unknown key"),
+    ("missing field", "missing key"),
 ];
 
 /// The message without names of types of this crate.
