@@ -5,23 +5,23 @@
 //!
 //! | equation | meaning |
 //! |---|---|
-//! | $h = g - \delta + K p + d$ | film: undeformed gap less approach, elastic displacement, plastic depth |
-//! | $0 \le p_{f} \perp F \ge 0$, $F = u \partial_{x} (\rho h) + \partial_{t} (\rho h) - \nabla \cdot (\rho h^3/(12 \eta) \nabla p_{f})$ | Reynolds balance or cavitation |
-//! | $0 \le p - p_{f} \perp h - h_{cut} \ge 0$ | solid contact or none |
-//! | $0 \le H - p \perp d \ge 0$ | elastic or yielded |
-//! | $\int p \mathrm{d}A = W$ | load balance |
-//! | $z = z_{0} - w - d + f$ on each body | the surfaces of the next step: wear, plastic depth, tribofilm |
+//! | `h = g - δ + K p + d` | film: undeformed gap less approach, elastic displacement, plastic depth |
+//! | `0 ≤ p_f ⊥ F ≥ 0`, `F = u ∂(ρh)/∂x + ∂(ρh)/∂t - ∇·(ρh³/(12η) ∇p_f)` | Reynolds balance or cavitation |
+//! | `0 ≤ p - p_f ⊥ h - h_cut ≥ 0` | solid contact or none |
+//! | `0 ≤ H - p ⊥ d ≥ 0` | elastic or yielded |
+//! | `∫ p dA = W` | load balance |
+//! | `z = z_0 - w - d + f` on each body | the surfaces of the next step: wear, plastic depth, tribofilm |
 //!
-//! Of two terms around $\perp$ neither is negative and one is zero.
+//! Of two terms around `⊥` neither is negative and one is zero.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | `p`, `p_f` | total and fluid pressure | Pa |
 //! | `h`, `h_cut` | film thickness, film at which solids touch | m |
-//! | `g`, `delta` | gap of the undeformed bodies at first touch; rigid-body approach, positive is closer | m |
+//! | `g`, `δ` | gap of the undeformed bodies at first touch; rigid-body approach, positive is closer | m |
 //! | `K` | elastic displacement of both bodies per pressure | m/Pa |
 //! | `u` | entrainment speed, mean of both surfaces, along +x | m/s |
-//! | `eta`, `rho` | viscosity, density over that at ambient pressure | Pa s, 1 |
+//! | `η`, `ρ` | viscosity, density over that at ambient pressure | Pa s, 1 |
 //! | `H` | hardness of the softer surface | Pa |
 //! | `W` | load | N |
 //! | `z`, `w`, `d`, `f` | height of a body, worn depth, plastic depth, tribofilm | m |
