@@ -7,7 +7,7 @@ use std::path::Path;
 use stribeck::RubbingPoint;
 use stribeck::sim::scene::{FileRoughness, GridSpec, Roughness};
 use stribeck::sim::{MixedLubricationSim, Scene, Schedule, solve_contact};
-use stribeck::surface::write_npy;
+use stribeck::surface::{Heights, write_npy, write_text};
 use stribeck::wear::WearLaw;
 
 /// A scene without mistakes: rough, in oil, of a few cells.
@@ -352,6 +352,21 @@ fn files_of_heights_that_do_not_fit_are_named() {
         "short waves",
         &with_disc(&path("fine.npy")),
         &["grid.nx = 24", "roughness.disc", "three cells"],
+    );
+    // Points at a quarter of the cells, long waves that stay and short ones that do not.
+    let spacing = Some([0.5e-3 / 96.0; 2]);
+    let measured = |period: f64| -> Vec<f64> {
+        (0..96 * 96).map(|k| 1e-7 * (std::f64::consts::TAU * (k % 96) as f64 / period).sin()).collect()
+    };
+    for (name, period) in [("long.txt", 32.0), ("short.txt", 6.0)] {
+        let heights = Heights::new(96, 96, spacing, measured(period), None).unwrap();
+        write_text(path(name), &heights).unwrap();
+    }
+    assert!(!with_disc(&path("long.txt")).contains("in the file"));
+    assert_named(
+        "lost",
+        &with_disc(&path("short.txt")),
+        &["roughness.disc Rq", "Rq of 70.", "smaller cells"],
     );
 }
 

@@ -69,7 +69,7 @@ impl Scene {
 }
 
 /// What the parser calls things, and what a reader of scene files does.
-const WORDS: [(&str, &str); 21] = [
+const WORDS: [(&str, &str); 23] = [
     ("expected f64", "expected a number"),
     ("expected usize", "expected a whole number from 0"),
     ("expected u64", "expected a whole number from 0"),
@@ -88,6 +88,8 @@ const WORDS: [(&str, &str); 21] = [
     ("invalid type: ", ""),
     ("invalid value: ", ""),
     ("invalid length ", "length "),
+    ("number too large to fit in target type", "the number is too large"),
+    ("invalid digit found in string", "not a whole number"),
     ("unknown variant", "unknown value"),
     ("unknown field", "unknown key"),
     ("missing field", "missing key"),

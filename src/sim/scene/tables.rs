@@ -196,7 +196,7 @@ pub(super) fn refuse_strays(tag: &str, given: &[(&str, bool)], known: &[&str]) -
     match given.iter().find(|(key, present)| *present && !known.contains(key)) {
         None => Ok(()),
         Some((key, _)) => Err(match known {
-            [] => format!("unknown field `{key}`, {tag} has no other fields"),
+            [] => format!("unknown field `{key}`, {tag} has no other keys"),
             _ => format!("unknown field `{key}`, {tag} has `{}`", known.join("`, `")),
         }),
     }
@@ -211,6 +211,9 @@ pub(super) fn required<T>(key: &str, value: Option<T>) -> Result<T, String> {
 pub(super) mod seed {
     use serde::de::Error;
     use serde::{Deserialize, Deserializer, Serializer};
+
+    /// What the error of another value says.
+    const A_SEED: &str = "a seed is a whole number from 0 to 2^64 - 1";
 
     /// A seed as it is written.
     #[derive(Deserialize)]
@@ -243,8 +246,8 @@ pub(super) mod seed {
     pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
         match Seed::deserialize(deserializer) {
             Ok(Seed::Number(number)) => Ok(number),
-            Ok(Seed::Text(text)) => text.parse().map_err(D::Error::custom),
-            Err(_) => Err(D::Error::custom("invalid seed, expected a whole number from 0 to 2^64 - 1")),
+            Ok(Seed::Text(text)) => text.parse().map_err(|_| D::Error::custom(A_SEED)),
+            Err(_) => Err(D::Error::custom(A_SEED)),
         }
     }
 

@@ -1,0 +1,153 @@
+//! What the user wants: options, or answers to questions on the terminal.
+
+use std::error::Error;
+use std::io::{self, BufRead, Write};
+
+use stribeck::sim::scene::{Load, LubricantSpec, Roughness};
+use stribeck::sim::{Scene, Warning};
+use stribeck::surface::Form;
+use stribeck::units::Dimension;
+
+use super::Options;
+use crate::output;
+
+/// A question, the option that answers it, its default and what it asks for.
+type Question = (&'static str, &'static str, &'static str, Dimension);
+
+const RADIUS: Question = ("Radius of the ball", "--radius", "9.525 mm", Dimension::Length);
+const LOAD: Question = ("Load", "--load", "20 N", Dimension::Force);
+const ETA0: Question = ("Viscosity of the oil", "--eta0", "10 mPa s", Dimension::Viscosity);
+const ALPHA: Question =
+    ("Pressure-viscosity coefficient of the oil", "--alpha", "18 1/GPa", Dimension::InversePressure);
+const SPEED: Question = ("Mean speed of the surfaces", "--speed", "0.5 m/s", Dimension::Speed);
+const ROUGHNESS: Question =
+    ("Root mean square height of the disc (0 for a smooth one)", "--roughness", "50 nm", Dimension::Length);
+
+/// A quantity as it was written, and in SI units.
+pub(super) struct Quantity {
+    pub(super) text: String,
+    pub(super) value: f64,
+}
+
+/// What a scene is made of.
+pub(super) struct Answers {
+    pub(super) radius: Quantity,
+    pub(super) load: Quantity,
+    pub(super) eta0: Quantity,
+    pub(super) alpha: Quantity,
+    pub(super) speed: Quantity,
+    pub(super) slide_roll_ratio: f64,
+    pub(super) roughness: Quantity,
+}
+
+impl Options {
+    /// Whether none of the options that describe the contact is given.
+    pub(super) fn is_empty(&self) -> bool {
+        let given =
+            [&self.radius, &self.load, &self.eta0, &self.alpha, &self.speed, &self.roughness, &self.length];
+        given.into_iter().all(Option::is_none) && (self.slide_roll_ratio, self.cells) == (None, None)
+    }
+}
+
+/// What the options say, and the rest by default; where `ask`, the answers to questions, which offer those of
+/// `before`.
+pub(super) fn answers(
+    options: &Options,
+    ask: bool,
+    before: Option<&Answers>,
+) -> Result<Answers, Box<dyn Error>> {
+    let quantity = |(question, key, default, dimension): Question,
+                    option: &Option<String>,
+                    last: fn(&Answers) -> &Quantity| {
+        let take = |text: String| checked(key, dimension, &text).map(|value| Quantity { text, value });
+        match option {
+            Some(text) => take(text.clone()),
+            None if ask => asked(question, before.map_or(default, |answers| &last(answers).text), take),
+            None => take(default.to_owned()),
+        }
+    };
+    let (o, ratio) = (options, |text: String| Ok(output::ratio("--slide-roll-ratio", &text)?));
+    let radius = quantity(RADIUS, &o.radius, |answers| &answers.radius)?;
+    let load = quantity(LOAD, &o.load, |answers| &answers.load)?;
+    let eta0 = quantity(ETA0, &o.eta0, |answers| &answers.eta0)?;
+    let alpha = quantity(ALPHA, &o.alpha, |answers| &answers.alpha)?;
+    let speed = quantity(SPEED, &o.speed, |answers| &answers.speed)?;
+    let last = before.map_or_else(|| "0.1".to_owned(), |answers| answers.slide_roll_ratio.to_string());
+    let slide_roll_ratio = match o.slide_roll_ratio {
+        Some(ratio) => ratio,
+        None if ask => asked("Sliding speed over mean speed", &last, ratio)?,
+        None => ratio(last)?,
+    };
+    let roughness = quantity(ROUGHNESS, &o.roughness, |answers| &answers.roughness)?;
+    Ok(Answers { radius, load, eta0, alpha, speed, slide_roll_ratio, roughness })
+}
+
+/// The value in `text` of the option `key`, refused where it is rather that of another unit.
+fn checked(key: &str, dimension: Dimension, text: &str) -> Result<f64, Box<dyn Error>> {
+    let value = if key == "--roughness" {
+        let value = output::quantity(dimension, key, text)?;
+        output::require(value >= 0.0, key, value, "finite and >= 0")?
+    } else {
+        output::positive(dimension, key, text)?
+    };
+    match implausible(key, value) {
+        None => Ok(value),
+        Some(warning) => Err(format!("{key} = {text}: {}; {}", warning.message, warning.remedy).into()),
+    }
+}
+
+/// The warning of a scene that has this value alone.
+fn implausible(key: &str, value: f64) -> Option<Warning> {
+    let mut scene = Scene::azam_2019(16);
+    let oil = LubricantSpec::roelands(0.01, 0.68);
+    let field = match key {
+        "--radius" => {
+            scene.form = Form::Sphere { radius: value };
+            "form.radius"
+        }
+        "--load" => {
+            scene.load = Load::force(value);
+            "load.force"
+        }
+        "--eta0" => {
+            scene.lubricant = Some(oil.with_eta0(value));
+            "lubricant.eta0"
+        }
+        "--alpha" => {
+            scene.lubricant = Some(oil.with_alpha(Some(value)));
+            "lubricant.alpha"
+        }
+        "--speed" => {
+            scene.motion.entrainment_speed = value;
+            "motion.entrainment_speed"
+        }
+        _ => {
+            scene.roughness.disc = Roughness::gaussian(value, 1e-4, 1);
+            "roughness.disc.rq"
+        }
+    };
+    let warnings = scene.warnings().into_iter();
+    warnings
+        .filter(|warning| warning.remedy.starts_with("did you mean"))
+        .find(|warning| warning.field == field)
+}
+
+/// The answer to a question on the terminal, asked again until `take` takes it; an empty one is the default.
+fn asked<T>(
+    question: &str,
+    default: &str,
+    take: impl Fn(String) -> Result<T, Box<dyn Error>>,
+) -> Result<T, Box<dyn Error>> {
+    loop {
+        write!(io::stderr(), "{question} [{default}]: ")?;
+        let mut line = String::new();
+        if io::stdin().lock().read_line(&mut line)? == 0 {
+            return Err("the answers end before the last question".into());
+        }
+        let answer = line.trim();
+        match take(if answer.is_empty() { default } else { answer }.to_owned()) {
+            Ok(taken) => return Ok(taken),
+            Err(error) => output::complain("error", &error.to_string()),
+        }
+    }
+}
