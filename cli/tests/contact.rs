@@ -213,7 +213,7 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     std::fs::remove_file(&path).unwrap();
     // A very thick one a wider box, and one that a ball swims on is refused.
     let thick =
-        ["init", text(&path), "--roughness", "0", "--load", "5", "--speed", "2", "--eta0", "400 mPa s"];
+        ["init", text(&path), "--roughness", "0", "--load", "5", "--speed", "2", "--eta0", "300 mPa s"];
     let output = stribeck(&thick);
     assert!(output.status.success(), "{output:?}");
     let scene = Scene::load(&path).unwrap();
@@ -236,8 +236,8 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
         let output = stribeck(&["init", text(&path), option, value]);
         assert!(output.status.code() == Some(2) && error_of(&output).contains(words), "{output:?}");
     }
-    let thin = ["init", text(&path), "--speed", "20", "--eta0", "0.5", "--roughness", "0"];
-    assert_refused(&thin, &["a warning", "formula"]);
+    let fast = ["init", text(&path), "--speed", "20", "--eta0", "0.5", "--roughness", "0"];
+    assert_refused(&fast, &["a warning: central film by formula", "less speed"]);
     let unit = ["init", text(&path), "--load", "5 kg"];
     assert_refused(&unit, &["--load = \"5 kg\"", "N"]);
     assert!(!path.exists());

@@ -27,6 +27,8 @@ const CELLS_IN_LENGTH: f64 = 4.0;
 const FEWEST_IN_LENGTH: f64 = 3.0;
 /// Young's modulus \[Pa\] and Poisson's ratio of steel.
 const STEEL: (f64, f64) = (210e9, 0.3);
+/// What the warning about the film formula is about.
+const FORMULA: &str = "central film by formula";
 /// Pressure that steel carries before it yields for good \[Pa\].
 const HARDNESS: &str = "6 GPa";
 
@@ -108,10 +110,14 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
 fn written(options: &Options, answers: &Answers) -> Result<(String, MixedLubricationSim), Box<dyn Error>> {
     let text = scene(options, answers)?;
     let sim = MixedLubricationSim::builder(Scene::from_toml(&text)?).build()?;
-    match sim.warnings().first() {
-        None => Ok((text, sim)),
-        Some(warning) => Err(format!("the contact would be solved with a warning: {warning}").into()),
-    }
+    let Some(warning) = sim.warnings().first() else { return Ok((text, sim)) };
+    let remedy = if warning.field == FORMULA {
+        "less speed or viscosity, or more load"
+    } else {
+        warning.remedy.as_str()
+    };
+    let (field, message) = (&warning.field, &warning.message);
+    Err(format!("the contact would be solved with a warning: {field}: {message}; {remedy}").into())
 }
 
 fn write(file: &Path, text: &str, force: bool) -> Result<(), String> {
