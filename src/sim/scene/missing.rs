@@ -24,7 +24,7 @@ pub(super) fn keys(scene: &Table) -> Vec<String> {
             missing.extend(absent.map(|key| format!("{table}.{key}")));
         }
         None if ["form", "load", "grid", "elastic", "motion"].contains(&table) => {
-            missing.push(table.to_owned())
+            missing.push(table.to_owned());
         }
         None => {}
     };
