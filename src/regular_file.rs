@@ -1,7 +1,7 @@
 //! Files from strangers: read whole where they are files of a known size, refused else.
 //!
-//! Scenes, checkpoints, surfaces, tables and archives are opened through here: pipes would be waited for without end, devices read
-//! without end.
+//! Scenes, checkpoints, surfaces, tables and archives are opened through here: pipes would be waited for
+//! without end, devices read without end.
 
 use std::fs::{self, File};
 use std::io::{Error, ErrorKind, Read, Result};

@@ -42,7 +42,8 @@ impl LineFilmConditions {
     /// Checks every field.
     ///
     /// # Errors
-    /// [`InputError::Value`] naming the first field that is not finite and positive; `pressure_viscosity` may be zero.
+    /// [`InputError::Value`] naming the first field that is not finite and positive; `pressure_viscosity` may
+    /// be zero.
     pub fn validate(&self) -> Result<(), InputError> {
         let fields = [
             ("entrainment_speed", self.entrainment_speed),

@@ -3,8 +3,8 @@
 //! Each quantity has a range that engineering contacts stay in with room to spare, and a usual size. A value
 //! outside is tried in the other units that people write: the one that comes closest to the usual size, by
 //! the logarithm, is offered. A length of no size that people write as a number alone was given with a unit:
-//! then the unit a thousand times smaller or larger is offered. A new key is an entry in one of the lists below, with a range of its own where
-//! none fits.
+//! then the unit a thousand times smaller or larger is offered. A new key is an entry in one of the lists
+//! below, with a range of its own where none fits.
 
 use super::{Warning, short};
 use crate::metrics::height_statistics;

@@ -55,12 +55,12 @@ const MAX_FILE: u64 = 1 << 31;
 /// Gwyddion (`Width: 10 um`), SPIP (`x-length`, `z-unit`) and this crate; the first channel.
 ///
 /// No file, however damaged, should make it panic; memory is taken for points that the file really holds, at
-/// most [`crate::Grid::MAX_NODES`]. Heights of more than 64 MB that are packed into less than a two-hundredth of
-/// their size are refused: those of measurements are noisy and hardly shrink.
+/// most [`crate::Grid::MAX_NODES`]. Heights of more than 64 MB that are packed into less than a
+/// two-hundredth of their size are refused: those of measurements are noisy and hardly shrink.
 ///
 /// # Errors
-/// [`SurfaceError`] with the path and what is wrong: the file cannot be opened, is a pipe, a device or a folder,
-/// is of no known format, damaged, holds a part that is not supported, or a height that is not finite.
+/// [`SurfaceError`] with the path and what is wrong: the file cannot be opened, is a pipe, a device or a
+/// folder, is of no known format, damaged, holds a part that is not supported, or a height that is not finite.
 ///
 /// ```
 /// use stribeck::surface::{read, write_npy};
