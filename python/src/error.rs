@@ -169,7 +169,7 @@ impl ForPython for SimError {
 fn scene(py: Python<'_>, reason: &str) -> PyErr {
     let quoted = |words: &str| words.split('`').nth(1).map(str::to_owned);
     let place = reason.rsplit_once(" in `").and_then(|(_, end)| end.strip_suffix('`'));
-    let key = ["unknown field ", "missing field ", "missing key ", "missing keys: "]
+    let key = ["unknown key ", "missing key ", "missing keys: "]
         .iter()
         .find_map(|words| reason.split_once(words))
         .and_then(|(_, rest)| quoted(&format!(" {rest}")));
