@@ -109,7 +109,7 @@ fn toml_value(entry: &Bound<'_, PyAny>, path: &str) -> PyResult<Value> {
 }
 
 /// A value as Python shows it.
-fn shown(value: &Bound<'_, PyAny>) -> String {
+pub(crate) fn shown(value: &Bound<'_, PyAny>) -> String {
     value.repr().map_or_else(|_| String::new(), |text| text.to_string_lossy().into_owned())
 }
 

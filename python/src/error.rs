@@ -1,5 +1,6 @@
 //! Errors of the crate as exceptions of `stribeck.errors`, with field and value.
 
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::reynolds::ReynoldsError;
@@ -40,11 +41,11 @@ impl ForPython for InputError {
 
 fn input(py: Python<'_>, kind: &str, error: &InputError) -> PyErr {
     let message = error.to_string();
-    let number = |value: f64| value.into_pyobject(py).ok().map(Bound::into_any);
+    let number = |value: f64| value.into_bound_py_any(py).ok();
     match error {
         InputError::Value { field, value, .. } => raise(py, kind, &message, Some(field), number(*value)),
         InputError::Shape { field, found, .. } => {
-            let found = found.into_pyobject(py).ok().map(Bound::into_any);
+            let found = found.into_bound_py_any(py).ok();
             raise(py, kind, &message, Some(field), found)
         }
         InputError::NotFinite { field, index, value } => {
@@ -56,7 +57,7 @@ fn input(py: Python<'_>, kind: &str, error: &InputError) -> PyErr {
             Some((field, value)) => {
                 let value = value.trim_matches('"');
                 let number = value.parse().ok().and_then(number);
-                let text = || value.into_pyobject(py).ok().map(Bound::into_any);
+                let text = || value.into_bound_py_any(py).ok();
                 raise(py, kind, &message, Some(field), number.or_else(text))
             }
             None => {
@@ -81,19 +82,18 @@ impl ForPython for SurfaceError {
             // What the surface lacks is its property of that name.
             Self::NoSpacing => return raise(py, "SurfaceError", &message, Some("dx"), None),
             Self::AllUndefined { points } | Self::Undefined { points } => {
-                let points = points.into_pyobject(py).ok().map(Bound::into_any);
+                let points = points.into_bound_py_any(py).ok();
                 return raise(py, "SurfaceError", &message, Some("undefined"), points);
             }
             _ => return raise(py, "SurfaceError", &message, Some("heights"), None),
         };
-        let value = path.into_pyobject(py).ok().map(Bound::into_any);
+        let value = path.into_bound_py_any(py).ok();
         raise(py, "SurfaceError", &message, Some("path"), value)
     }
 }
 
 fn io(py: Python<'_>, path: &str, message: &str, source: &std::io::Error) -> PyErr {
-    let error =
-        raise(py, "FileError", message, Some("path"), path.into_pyobject(py).ok().map(Bound::into_any));
+    let error = raise(py, "FileError", message, Some("path"), path.into_bound_py_any(py).ok());
     if let Some(number) = source.raw_os_error() {
         let _ = error.value(py).setattr("errno", number);
     }
@@ -109,7 +109,7 @@ impl ForPython for CheckpointError {
             Self::Foreign { path } | Self::Newer { path, .. } | Self::Damaged { path, .. } => ("path", path),
             _ => return raise(py, "CheckpointError", &message, Some("path"), None),
         };
-        let value = path.display().to_string().into_pyobject(py).ok().map(Bound::into_any);
+        let value = path.display().to_string().into_bound_py_any(py).ok();
         raise(py, "CheckpointError", &message, Some(field), value)
     }
 }
@@ -122,13 +122,7 @@ impl ForPython for NotConverged {
 
 fn not_converged(py: Python<'_>, message: &str, source: &NotConverged) -> PyErr {
     let status = source.report.status.to_string();
-    let error = raise(
-        py,
-        "NotConvergedError",
-        message,
-        Some("status"),
-        status.into_pyobject(py).ok().map(Bound::into_any),
-    );
+    let error = raise(py, "NotConvergedError", message, Some("status"), status.into_bound_py_any(py).ok());
     if let Ok(report) = report_dict(py, &source.report) {
         let _ = error.value(py).setattr("report", report);
     }
@@ -147,10 +141,10 @@ impl ForPython for SimError {
             Self::Reynolds(error) => {
                 let (field, value) = match &error {
                     ReynoldsError::WrongSolver { solver, .. } => {
-                        (Some("solver.kind"), solver.to_string().into_pyobject(py).ok().map(Bound::into_any))
+                        (Some("solver.kind"), solver.to_string().into_bound_py_any(py).ok())
                     }
                     ReynoldsError::EdgeContact { x, y } => {
-                        (Some("grid"), (*x, *y).into_pyobject(py).ok().map(Bound::into_any))
+                        (Some("grid"), (*x, *y).into_bound_py_any(py).ok())
                     }
                     _ => (Some("grid"), None),
                 };

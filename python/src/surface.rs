@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use numpy::{PyArray2, PyReadonlyArray2};
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::surface::{
@@ -29,7 +30,7 @@ pub(crate) fn boundary(py: Python<'_>, name: &str) -> PyResult<Boundary> {
 
 fn unknown(py: Python<'_>, field: &str, name: &str, known: &str) -> PyErr {
     let message = format!("{field} = {name:?}: must be {known}");
-    raise(py, "InputError", &message, Some(field), name.into_pyobject(py).ok().map(Bound::into_any))
+    raise(py, "InputError", &message, Some(field), name.into_bound_py_any(py).ok())
 }
 
 impl Surface {

@@ -13,7 +13,7 @@ use stribeck::reynolds::{
 use stribeck::{Grid, InputError, SolveReport, SolverId, Status};
 
 use super::{Deformation, Failure, Function};
-use crate::convert::{dictionary, field};
+use crate::convert::{dictionary, field, shown};
 use crate::error::{raise, value};
 use crate::scene::grid_dict;
 
@@ -59,7 +59,7 @@ impl Solver {
         let returned = self.function.call(py, vec![problem.into_any(), given.clone()])?;
         read_state(&self.function, &given, state)?;
         returned.extract().map_err(|_| {
-            let found = returned.repr().map_or_else(|_| String::new(), |text| text.to_string());
+            let found = shown(&returned);
             let message =
                 format!("must return True where it has converged and False where not, it returned {found}");
             self.function.refused(py, &message, returned)

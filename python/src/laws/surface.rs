@@ -6,6 +6,7 @@ use stribeck::surface::{Offset, RoughnessMotion, Visits};
 use stribeck::{Grid, InputError};
 
 use super::{Failure, Function};
+use crate::convert::shown;
 use crate::error::raise;
 use crate::scene::grid_dict;
 
@@ -106,7 +107,7 @@ impl Motion {
         offset.filter(|(.., fraction)| (0.0..=1.0).contains(fraction)).ok_or_else(|| {
             let message =
                 "must return whole columns, columns and rows, or both and a fraction of a column from 0 to 1";
-            let found = returned.repr().map_or_else(|_| String::new(), |text| text.to_string());
+            let found = shown(&returned);
             self.function.refused(py, &format!("{message}, not {found}"), returned)
         })
     }

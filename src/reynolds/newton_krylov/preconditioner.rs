@@ -4,7 +4,7 @@
 use super::contact_distance::ContactDistance;
 use super::fluid_block::FluidBlock;
 use super::linearisation::Linearisation;
-use super::prescribed_displacements::PrescribedDisplacements;
+use super::prescribed_displacements::{Inverse, PrescribedDisplacements};
 use super::unknowns::Unknowns;
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -174,9 +174,8 @@ impl BlockPreconditioner {
         let n = unknowns.len();
         let (mut column, mut border) = (std::mem::take(&mut self.column), std::mem::take(&mut self.border));
         unknowns.approach_column(linearisation, &mut column[..n]);
-        self.given.by_blocks_alone = true;
-        let result = self.blocks(unknowns, coupled, problem, &column[..n], &mut border[..n]);
-        self.given.by_blocks_alone = false;
+        let into = &mut border[..n];
+        let result = self.blocks(unknowns, coupled, problem, &column[..n], into, Inverse::Blocks);
         border[n - 1] = 0.0;
         self.border_load = unknowns.load(&border[..n]) as f32;
         (self.column, self.border) = (column, border);
@@ -193,7 +192,7 @@ impl BlockPreconditioner {
         out: &mut [f32],
     ) -> Result<(), InputError> {
         let last = unknowns.len() - 1;
-        self.blocks(unknowns, coupled, problem, r, out)?;
+        self.blocks(unknowns, coupled, problem, r, out, Inverse::Nodes)?;
         let excess = unknowns.load(out) as f32 - r[last];
         let approach = if self.border_load == 0.0 { 0.0 } else { excess / self.border_load };
         for (o, b) in out[..last].iter_mut().zip(&self.border) {
@@ -203,6 +202,7 @@ impl BlockPreconditioner {
         Ok(())
     }
 
+    /// The blocks without the border, of `r` into `out`.
     fn blocks(
         &mut self,
         unknowns: &Unknowns,
@@ -210,6 +210,7 @@ impl BlockPreconditioner {
         problem: &mut LubricatedContact<'_>,
         r: &[f32],
         out: &mut [f32],
+        inverse: Inverse,
     ) -> Result<(), InputError> {
         let (balanced, open, contact) = (unknowns.balanced(), unknowns.open(), unknowns.contact());
         if problem.lubricant.is_some() {
@@ -230,7 +231,7 @@ impl BlockPreconditioner {
             films[k] = f64::from(self.response[k] * self.fluid[k]);
             pressures[k] = f64::from((1.0 - self.film_share[k].powi(2)) * self.fluid[k]);
         }
-        coupled.convolutions += self.given.solve(problem.deformation, self.screened)?;
+        coupled.convolutions += self.given.solve(problem.deformation, self.screened, inverse)?;
         let found = &self.given.pressures;
         let (fluid, pressures) = out.split_at_mut(balanced.len());
         let (in_open, in_others) = fluid.split_at_mut(open.len());

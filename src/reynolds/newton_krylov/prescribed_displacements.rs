@@ -13,6 +13,15 @@ const YIELDING: f64 = 0.9;
 /// what single nodes add to it would have to be carried by the whole contact.
 const FOUND: f64 = 0.6;
 
+/// How far the rough inverse goes where solids screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Inverse {
+    /// Blocks of nodes alone: enough for films that are wide.
+    Blocks,
+    /// Blocks, and the nodes with what these leave.
+    Nodes,
+}
+
 /// Finds the pressures of nodes whose films are given under given pressures of all others.
 ///
 /// Blocks of nodes come first (see [`CoarseFilms`]): they take the wide displacements, of which the inverse
@@ -32,8 +41,6 @@ pub(super) struct PrescribedDisplacements {
     pub(super) films: Vec<f64>,
     pub(super) pressures: Vec<f64>,
     scratch: Vec<f64>,
-    /// Whether the blocks alone are asked where solids screen: enough for films that are wide.
-    pub(super) by_blocks_alone: bool,
 }
 
 impl PrescribedDisplacements {
@@ -47,7 +54,6 @@ impl PrescribedDisplacements {
             films: vec![0.0; n],
             pressures: vec![0.0; n],
             scratch: vec![0.0; n],
-            by_blocks_alone: false,
         }
     }
 
@@ -83,6 +89,7 @@ impl PrescribedDisplacements {
         &mut self,
         body: &mut dyn DeformationModel,
         screened: bool,
+        inverse: Inverse,
     ) -> Result<f64, InputError> {
         let Self { nodes, weights, coarse, films, pressures, scratch, .. } = self;
         if nodes.is_empty() {
@@ -93,7 +100,7 @@ impl PrescribedDisplacements {
         let mut coarse = coarse.as_mut().filter(|_| screened);
         if let Some(coarse) = &mut coarse {
             let in_blocks = coarse.add_pressures(nodes, weights, films, pressures);
-            if self.by_blocks_alone {
+            if inverse == Inverse::Blocks {
                 return Ok(in_blocks);
             }
             cost += UNPADDED + in_blocks;

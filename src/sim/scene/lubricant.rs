@@ -179,9 +179,7 @@ impl TryFrom<LubricantTable> for LubricantSpec {
             && let Some((key, _)) =
                 of_roelands.iter().find(|(_, value)| value.is_some_and(|value| value != 0.0))
         {
-            return Err(format!(
-                "unknown field `{key}`, `viscosity` gives another law than that of Roelands"
-            ));
+            return Err(format!("unknown key `{key}`, `viscosity` gives another law than that of Roelands"));
         }
         let usual = Self::roelands(needed("eta0", table.eta0)?, needed("roelands_z", table.roelands_z)?);
         Ok(Self {

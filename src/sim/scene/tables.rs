@@ -196,8 +196,8 @@ pub(super) fn refuse_strays(tag: &str, given: &[(&str, bool)], known: &[&str]) -
     match given.iter().find(|(key, present)| *present && !known.contains(key)) {
         None => Ok(()),
         Some((key, _)) => Err(match known {
-            [] => format!("unknown field `{key}`, {tag} has no other keys"),
-            _ => format!("unknown field `{key}`, {tag} has `{}`", known.join("`, `")),
+            [] => format!("unknown key `{key}`, {tag} has no other keys"),
+            _ => format!("unknown key `{key}`, {tag} has `{}`", known.join("`, `")),
         }),
     }
 }
