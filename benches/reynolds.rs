@@ -32,13 +32,18 @@ fn pieces(criterion: &mut Criterion) {
             Roelands::new(0.004, 0.68, 1.96e8).unwrap(),
             DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap(),
         );
-        let mut problem =
-            LubricatedContact::new(&gap, &mut body, hertz.load, (hertz.a_x, hertz.a_y), hertz.p_max)
-                .with_lubricant(Some(&oil))
-                .with_entrainment_speed(scene.motion.entrainment_speed)
-                .with_scheme(Scheme::default())
-                .with_face_mobility(FaceMobility::default())
-                .with_reference_film(60e-9);
+        let mut problem = LubricatedContact::new(
+            &gap,
+            &mut body,
+            hertz.force,
+            (hertz.half_width_x, hertz.half_width_y),
+            hertz.pressure,
+        )
+        .with_lubricant(Some(&oil))
+        .with_entrainment_speed(scene.motion.entrainment_speed)
+        .with_scheme(Scheme::default())
+        .with_face_mobility(FaceMobility::default())
+        .with_reference_film(60e-9);
         let mut start = ContactState::new(&grid);
         let none = StoppingRule::new(1e-12, 0);
         let once = none.with_max_iterations(1);

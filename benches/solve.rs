@@ -24,7 +24,7 @@ fn ball(moes_load: f64, n: usize) -> Scene {
     scene.motion.entrainment_speed = 0.5 * speed * MODULUS / 0.04;
     scene.roughness = Default::default();
     scene.plastic = None;
-    let a = scene.hertz().unwrap().a_x;
+    let a = scene.hertz().unwrap().half_width_x;
     scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-4.5 * a, 1.5 * a], y: [-3.0 * a, 3.0 * a] };
     scene
 }

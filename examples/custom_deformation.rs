@@ -65,7 +65,7 @@ fn main() -> Result<(), SimError> {
         assert_eq!(stribeck::testing::deformation_model(&mut coated), Ok(()));
         let mut sim = MixedLubricationSim::builder(scene.clone()).deformation(coated).build()?;
         let record = sim.step(1.0)?;
-        let (peak, film) = (record.max_pressure, record.average_film);
+        let (peak, film) = (record.pressure.max, record.film.mean_central);
         println!("{:11.1} um {:14.3} GPa {:10.2} nm", thickness * 1e6, peak * 1e-9, film * 1e9);
         peaks.push(peak);
     }

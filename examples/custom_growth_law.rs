@@ -25,7 +25,7 @@ impl FilmGrowthLaw for PowerDriven {
 fn main() -> Result<(), SimError> {
     let mut sim = MixedLubricationSim::builder(Scene::azam_2019(32)).growth_law(PowerDriven).build()?;
     sim.run(6, 600.0, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-        println!("{:5.0} s  mean film on the disc {:6.2} nm", record.time, record.mean_film[1] * 1e9);
+        println!("{:5.0} s  mean film on the disc {:6.2} nm", record.time, record.tribofilm.disc_mean * 1e9);
         ControlFlow::Continue(())
     })?;
     Ok(())

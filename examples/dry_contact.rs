@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 "{load:9.0} {:14.1} {:14.3} {:18.2} {}",
                 contact.area * 1e12,
                 contact.area / hertz.area,
-                contact.max_pressure * 1e-9,
+                solution.pressure.max * 1e-9,
                 if plastic.is_some() { "yields" } else { "elastic" }
             );
             areas.push(contact.area);

@@ -57,8 +57,8 @@ fn main() -> Result<(), Box<dyn Error>> {
                 "{:18} {} steps, wear {:.17e} m, film {:.17e} m",
                 member.name,
                 outcome.records.len(),
-                last.mean_wear[1],
-                last.mean_film[1]
+                last.wear.disc_mean,
+                last.tribofilm.disc_mean
             ),
             (Some(error), _) => println!("{:18} {error}", member.name),
             (None, None) => println!("{:18} no steps", member.name),

@@ -130,7 +130,7 @@ fn in_scene(path: &Path, error: &dyn Error) -> String {
 fn csv_file(path: &Path) -> Result<BufWriter<File>, Box<dyn Error>> {
     let file = File::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
     let mut csv = BufWriter::new(file);
-    writeln!(csv, "{}", StepRecord::CSV_HEADER)?;
+    writeln!(csv, "{}", StepRecord::csv_header())?;
     Ok(csv)
 }
 

@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut scene = Scene::azam_2019(64).with_tribofilm();
     scene.form = Form::Sphere { radius: 1e-3 };
     scene.load.hertz_pressure = Some(0.8e9);
-    let a = scene.hertz()?.a_x;
+    let a = scene.hertz()?.half_width_x;
     scene.grid = GridSpec::Cells { nx: 64, ny: 64, x: [-2.0 * a, 2.0 * a], y: [-2.0 * a, 2.0 * a] };
     scene.solver.tolerance = 1e-3;
 
@@ -55,10 +55,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!(
             "{:8.0} {:9.3} {:11.3} {:13.2} {:10.2}",
             step.time,
-            step.lambda,
-            step.load_ratio,
-            1e9 * step.rq[1],
-            1e9 * step.mean_film[1]
+            step.film.lambda.unwrap_or(f64::NAN),
+            step.contact.load_ratio,
+            1e9 * step.roughness.disc_rq,
+            1e9 * step.tribofilm.disc_mean
         );
         ControlFlow::Continue(())
     })?;

@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     scene.plastic = None;
     scene.load.hertz_pressure = Some(0.5e9);
     let hertz = scene.hertz()?;
-    let a = hertz.a_x;
+    let a = hertz.half_width_x;
     // Room for the inlet.
     scene.grid = GridSpec::Cells { nx: 96, ny: 64, x: [-4.0 * a, 2.0 * a], y: [-2.5 * a, 2.5 * a] };
     let oil = Roelands::new(0.04, 0.6, 1.96e8)?;
@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             pressure_viscosity: oil.log_slope(0.0),
             equivalent_modulus: scene.elastic.equivalent_modulus,
             radius: scene.form.radii().0,
-            load: hertz.load,
+            load: hertz.force,
             ellipticity: 1.0,
         };
         let [central, minimum] = [formula.hamrock_dowson_central()?, formula.hamrock_dowson_minimum()?];

@@ -90,7 +90,7 @@ fn formula(speed: f64, slide_roll_ratio: f64, modulus: f64) -> Result<f64, Box<d
 }
 
 fn rise(solution: &ContactSolution) -> f64 {
-    solution.film_heat.as_ref().map_or(0.0, |heat| heat.maximum - BULK)
+    solution.thermal.as_ref().map_or(0.0, |heat| heat.film_temperature_max - BULK)
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
@@ -107,7 +107,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
             let ratio = 2.0 * f64::from(step) / f64::from(steps);
             let solved = solve(nodes, speed, ratio)?;
             let film = [0, 1, 2].map(|k| solved[k].film.central * 1e9);
-            let friction = [0, 1, 2].map(|k| solved[k].friction_coefficient);
+            let friction = [0, 1, 2].map(|k| solved[k].friction.coefficient);
             let modulus = scene(nodes, speed, ratio).equivalent_modulus()?;
             println!(
                 "{speed:<4} {ratio:<5.2} {:7.1} {:7.1} {:7.1} {:6.3} {:6.3}   {:.4} {:.4} {:.4}  {:6.2} {:6.2}",

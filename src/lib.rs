@@ -58,8 +58,9 @@
 //! })?;
 //! let last = &history[3];
 //! assert_eq!(last.time, 240.0);
-//! assert!(last.load_ratio > 0.0 && last.load_ratio < 1.0, "mixed lubrication: solids carry a part of the load");
-//! assert!(last.mean_film[1] > history[0].mean_film[1], "the film grows");
+//! let solids = last.contact.load_ratio;
+//! assert!(solids > 0.0 && solids < 1.0, "mixed lubrication: solids carry a part of the load");
+//! assert!(last.tribofilm.disc_mean > history[0].tribofilm.disc_mean, "the film grows");
 //! assert!(sim.ledger_residual()? < 1e-20, "every nanometre is accounted for");
 //! # Ok::<(), stribeck::sim::SimError>(())
 //! ```

@@ -23,7 +23,7 @@ use crate::strategy::Strategy;
 /// // Too few: a status, not an error, and the state is the best one found.
 /// let solution = solve_contact(&scene)?;
 /// assert_eq!(solution.report.status, Status::MaxIterations);
-/// assert!(solution.report.residuals.is_finite());
+/// assert!(solution.report.residual.is_finite());
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,6 +43,14 @@ pub enum Status {
     /// A solver from outside of the crate says that it has converged, but the residuals of its state, as the
     /// crate evaluates them, are above the tolerance.
     Unconfirmed,
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Status {
+    /// As it is displayed.
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
 }
 
 impl fmt::Display for Status {
@@ -73,6 +81,7 @@ impl fmt::Display for Status {
 /// assert!(!residuals.is_finite());
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Residuals {
     /// Sum of the absolute mass imbalances of the cells that hold fluid under pressure, of all cells where
@@ -121,6 +130,7 @@ impl fmt::Display for Residuals {
 /// assert_eq!(work.convolutions, 24.5);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Work {
     /// Elastic convolutions in equivalents of the finest grid: a coarser one counts by its share of nodes, a
@@ -153,6 +163,7 @@ impl AddAssign for Work {
 /// assert!(error.to_string().starts_with("mine ended as stalled"));
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 #[must_use = "a solve that did not converge is a status, not an error"]
 pub struct SolveReport {
@@ -161,7 +172,7 @@ pub struct SolveReport {
     /// How the solve ended.
     pub status: Status,
     /// Residuals of the state that was returned.
-    pub residuals: Residuals,
+    pub residual: Residuals,
     /// Of dry contacts: what the energy lies above its minimum at most, over the elastic energy
     /// ([`DryOutcome::energy_error`](crate::elastic::DryOutcome::energy_error)). It holds whatever the solver
     /// did. None with a lubricant, which has no energy to minimise, and from solvers that do not tell.
@@ -174,16 +185,17 @@ pub struct SolveReport {
     /// they may be those of other equations than the problem's: of thicker contact films, of Reynolds'
     /// condition, of a contact on the way in time. Where one start is all that a solve needs, the last are
     /// those of the state. Empty from solvers that do not tell, [`Dry`](crate::reynolds::Dry) among them.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub residual_history: Vec<Residuals>,
 }
 
 impl SolveReport {
     /// A report with nothing beside these.
-    pub fn new(solver: SolverId, status: Status, residuals: Residuals) -> Self {
+    pub fn new(solver: SolverId, status: Status, residual: Residuals) -> Self {
         Self {
             solver,
             status,
-            residuals,
+            residual,
             energy_error: None,
             work: Work::default(),
             strategy: None,
@@ -242,10 +254,10 @@ impl SolveReport {
 impl fmt::Display for SolveReport {
     /// Status, solver, residuals and work in one line.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { solver, status, residuals, work, .. } = self;
+        let Self { solver, status, residual, work, .. } = self;
         write!(
             f,
-            "{status} by {solver}; residuals {residuals}; {} iterations, {:.0} convolutions",
+            "{status} by {solver}; residuals {residual}; {} iterations, {:.0} convolutions",
             work.iterations, work.convolutions
         )
     }
@@ -255,7 +267,7 @@ impl fmt::Display for SolveReport {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error(
     "{} ended as {} with residuals mass {:.2e}, load {:.2e}, complementarity {:.2e}",
-    report.solver, report.status, report.residuals.mass, report.residuals.load, report.residuals.complementarity
+    report.solver, report.status, report.residual.mass, report.residual.load, report.residual.complementarity
 )]
 #[non_exhaustive]
 pub struct NotConverged {

@@ -61,6 +61,14 @@ impl SolverId {
     }
 }
 
+#[cfg(feature = "serde")]
+impl serde::Serialize for SolverId {
+    /// As it is displayed.
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
 impl fmt::Display for SolverId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())

@@ -25,6 +25,14 @@ pub enum Strategy {
     InTime,
 }
 
+#[cfg(feature = "serde")]
+impl serde::Serialize for Strategy {
+    /// As it is displayed.
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
 impl fmt::Display for Strategy {
     /// `attempt_1`, `from_reynolds`, `in_time`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -33,15 +33,15 @@ fn outcome(scene: &Scene, heights: usize) -> Result<String, String> {
                 if !fields.into_iter().flatten().all(|value| value.is_finite()) {
                     return Err("a field that is not finite as success".to_owned());
                 }
-                if !solution.contact.max_pressure.is_finite() || !solution.film.central.is_finite() {
+                if !solution.pressure.max.is_finite() || !solution.film.central.is_finite() {
                     return Err("a number that is not finite as success".to_owned());
                 }
-                if report.residuals.max() > scene.solver.tolerance {
-                    return Err(format!("converged with {:?}", report.residuals));
+                if report.residual.max() > scene.solver.tolerance {
+                    return Err(format!("converged with {:?}", report.residual));
                 }
                 let load = state.pressure.iter().sum::<f64>() * solution.grid.cell_area();
-                if (load / solution.hertz.load - 1.0).abs() > 2.0 * scene.solver.tolerance + 1e-12 {
-                    return Err(format!("converged with {load} N instead of {} N", solution.hertz.load));
+                if (load / solution.hertz.force - 1.0).abs() > 2.0 * scene.solver.tolerance + 1e-12 {
+                    return Err(format!("converged with {load} N instead of {} N", solution.hertz.force));
                 }
             }
             report.status.to_string()
@@ -60,13 +60,13 @@ fn outcome(scene: &Scene, heights: usize) -> Result<String, String> {
         Ok(mut sim) => match sim.step(10.0).and_then(|_| sim.step(10.0)) {
             Ok(record) => {
                 let numbers = [
-                    record.lambda,
-                    record.load_ratio,
-                    record.max_pressure,
-                    record.mean_wear[0],
-                    record.mean_film[1],
-                    record.friction_coefficient,
-                    record.rq[1],
+                    record.film.lambda.unwrap_or(0.0),
+                    record.contact.load_ratio,
+                    record.pressure.max,
+                    record.wear.ball_mean,
+                    record.tribofilm.disc_mean,
+                    record.friction.coefficient,
+                    record.roughness.disc_rq,
                 ];
                 if !numbers.iter().all(|value| value.is_finite()) {
                     return Err(format!("a record that is not finite: {record:?}"));

@@ -50,8 +50,8 @@ fn solved(scene: &Scene) -> ContactSolution {
 fn estimates_hold_against_known_films() {
     for (m, l, central, minimum) in [(20.0, 10.0, 0.4325, 0.2928), (100.0, 10.0, 0.1372, 0.0735)] {
         let solution = solved(&contact(m, l, 0.05));
-        let (moes_load, moes_lubricant) = solution.moes.unwrap();
-        assert!((moes_load / m - 1.0).abs() < 1e-6 && (moes_lubricant / l - 1.0).abs() < 1e-6);
+        let moes = solution.moes.unwrap();
+        assert!((moes.m / m - 1.0).abs() < 1e-6 && (moes.l / l - 1.0).abs() < 1e-6);
         let unit = solution.hertz.radius.powi(2) / RADIUS;
         let estimate = solution.error_estimate.unwrap();
         assert!(estimate.central_film <= 0.05, "{estimate:?}");
@@ -76,7 +76,7 @@ fn dry_contacts_are_estimated_by_their_pressure() {
             scene.lubricant = None;
             let solution = solved(&scene);
             let estimate = solution.error_estimate.unwrap();
-            let error = (solution.contact.max_pressure / 1e9 - 1.0).abs();
+            let error = (solution.pressure.max / 1e9 - 1.0).abs();
             assert!(error <= estimate.max_pressure.max(1e-3 * accuracy), "{form:?}: {error:e}, {estimate:?}");
             assert!(estimate.max_pressure <= accuracy);
             assert!(estimate.central_film == 0.0 && estimate.minimum_film == 0.0);
@@ -176,7 +176,7 @@ fn as_files(of: &Scene, n: usize, folder: &Path) -> RoughnessPair {
 
 fn four(solution: &ContactSolution) -> [f64; 4] {
     let contact = solution.contact;
-    [contact.load_ratio, contact.area_ratio, solution.film.mean_central, solution.friction_coefficient]
+    [contact.load_ratio, contact.area_ratio, solution.film.mean_central, solution.friction.coefficient]
 }
 
 fn four_estimates(estimate: &ErrorEstimate) -> [f64; 4] {
@@ -274,7 +274,11 @@ fn a_self_affine_surface_picks_its_own_cells() {
     let of_mesh = |field: &str| field.starts_with("error_estimate.");
     assert!(solution.warnings.iter().all(|warning| of_mesh(&warning.field)), "{:?}", solution.warnings);
     // The heights of the first mesh are kept: the height asked for is that of all meshes.
-    assert!((solution.composite_rq / 100e-9 - 1.0).abs() < 0.3, "{}", solution.composite_rq);
+    assert!(
+        (solution.roughness.composite_rq / 100e-9 - 1.0).abs() < 0.3,
+        "{}",
+        solution.roughness.composite_rq
+    );
     let message = |surface: RandomSurface| {
         let mut scene = scene.clone();
         scene.roughness.disc = Roughness::Random(surface);

@@ -46,14 +46,22 @@ fn hertz_circular_is_the_contact_of_the_paper() {
     let modulus = equivalent_modulus([209e9, 0.3], [209e9, 0.3]).unwrap();
     assert_relative_eq!(modulus, 229.67e9, max_relative = 2e-6);
     let contact = HertzPoint::from_max_pressure(9.525e-3, 9.525e-3, 229.67e9, 1.15e9).unwrap();
-    assert_relative_eq!(contact.a_x, 149.83e-6, max_relative = 5e-5);
-    assert_relative_eq!(contact.load, 54.07, max_relative = 1e-4);
+    assert_relative_eq!(contact.half_width_x, 149.83e-6, max_relative = 5e-5);
+    assert_relative_eq!(contact.force, 54.07, max_relative = 1e-4);
     assert_relative_eq!(contact.mean_pressure(), 0.767e9, max_relative = 1e-3);
     assert_relative_eq!(contact.approach, 2357e-9, max_relative = 1e-4);
-    assert_relative_eq!(contact.approach, contact.a_x * contact.a_x / 9.525e-3, max_relative = 1e-14);
-    let back = HertzPoint::from_load(9.525e-3, 9.525e-3, 229.67e9, contact.load).unwrap();
-    assert_relative_eq!(back.p_max, 1.15e9, max_relative = 1e-14);
-    assert_relative_eq!(back.a_x, (1.5 * back.load * 9.525e-3 / 229.67e9).cbrt(), max_relative = 1e-14);
+    assert_relative_eq!(
+        contact.approach,
+        contact.half_width_x * contact.half_width_x / 9.525e-3,
+        max_relative = 1e-14
+    );
+    let back = HertzPoint::from_load(9.525e-3, 9.525e-3, 229.67e9, contact.force).unwrap();
+    assert_relative_eq!(back.pressure, 1.15e9, max_relative = 1e-14);
+    assert_relative_eq!(
+        back.half_width_x,
+        (1.5 * back.force * 9.525e-3 / 229.67e9).cbrt(),
+        max_relative = 1e-14
+    );
 }
 
 /// `(Rx, Ry, long semi-axis, short, p_max, approach)` for E' = 2.3e11 Pa and 50 N, from
@@ -71,11 +79,11 @@ fn hertz_elliptical_agrees_with_high_precision_values() {
         let along = HertzPoint::from_load(rx, ry, 230e9, 50.0).unwrap();
         let across = HertzPoint::from_load(ry, rx, 230e9, 50.0).unwrap();
         for (contact, a_x, a_y) in [(along, long, short), (across, short, long)] {
-            assert_relative_eq!(contact.a_x, a_x, max_relative = 1e-13);
-            assert_relative_eq!(contact.a_y, a_y, max_relative = 1e-13);
-            assert_relative_eq!(contact.p_max, p_max, max_relative = 1e-13);
+            assert_relative_eq!(contact.half_width_x, a_x, max_relative = 1e-13);
+            assert_relative_eq!(contact.half_width_y, a_y, max_relative = 1e-13);
+            assert_relative_eq!(contact.pressure, p_max, max_relative = 1e-13);
             assert_relative_eq!(contact.approach, approach, max_relative = 1e-13);
-            assert_relative_eq!(contact.load, 50.0, max_relative = 1e-13);
+            assert_relative_eq!(contact.force, 50.0, max_relative = 1e-13);
         }
     }
 }
@@ -86,8 +94,10 @@ fn hertz_pressure_deforms_the_half_space_into_the_shape_of_the_body() {
     // approach
     let contact = HertzPoint::from_load(20e-3, 8e-3, 230e9, 50.0).unwrap();
     let n = 200;
-    let (hx, hy) = (contact.a_x / f64::from(n), contact.a_y / f64::from(n));
-    for (x, y) in [(0.0, 0.0), (0.6 * contact.a_x, 0.0), (0.0, 0.6 * contact.a_y), (0.4e-4, 0.3e-4)] {
+    let (hx, hy) = (contact.half_width_x / f64::from(n), contact.half_width_y / f64::from(n));
+    for (x, y) in
+        [(0.0, 0.0), (0.6 * contact.half_width_x, 0.0), (0.0, 0.6 * contact.half_width_y), (0.4e-4, 0.3e-4)]
+    {
         let mut displacement = 0.0;
         for j in -n..n {
             for i in -n..n {
@@ -106,10 +116,14 @@ fn hertz_limits_and_near_circles() {
     for excess in [1e-15, 1e-12, 1e-8, 1e-4] {
         let near = HertzPoint::from_load(10e-3 * (1.0 + excess), 10e-3, 230e9, 50.0).unwrap();
         // to first order the ratio of the axes goes with the power 2/3 of the ratio of the radii
-        assert_relative_eq!(near.a_x / near.a_y, 1.0 + 2.0 / 3.0 * excess, epsilon = 1e-15 + excess * excess);
+        assert_relative_eq!(
+            near.half_width_x / near.half_width_y,
+            1.0 + 2.0 / 3.0 * excess,
+            epsilon = 1e-15 + excess * excess
+        );
     }
     let line = HertzPoint::from_load(1e5, 1e-2, 230e9, 50.0).unwrap();
-    assert!(line.a_x / line.a_y > 1e3);
+    assert!(line.half_width_x / line.half_width_y > 1e3);
 }
 
 #[test]

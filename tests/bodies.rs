@@ -55,9 +55,9 @@ fn the_softer_body_yields() {
         let mut sim = MixedLubricationSim::builder(scene.clone()).motion(AtRest).build().unwrap();
         let record = &run(&mut sim, 1)[0];
         let single = solve_contact(&scene).unwrap();
-        assert_eq!(single.contact.max_pressure, record.max_pressure);
+        assert_eq!(single.pressure.max, record.pressure.max);
         let volumes = sim.bodies().each_ref().map(|body| body.plastic_depth().iter().sum::<f64>());
-        (record.max_pressure, volumes)
+        (record.pressure.max, volumes)
     };
     let (pressure, [ball, disc]) = plastic(Some(3e9), None);
     assert!(pressure == 3e9 && ball > 0.0 && disc == 0.0, "{pressure} {ball} {disc}");
@@ -80,7 +80,7 @@ fn the_harder_body_wears_less() {
     (scene.tribofilm, scene.plastic) = (None, None);
     scene.materials.ball.hardness = Some(12e9);
     let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
-    let [ball, disc] = run(&mut sim, 2)[1].mean_wear;
+    let [ball, disc] = run(&mut sim, 2)[1].wear.mean();
     assert!((disc / ball - 2.0).abs() < 1e-9, "{ball} {disc}");
 }
 
@@ -162,7 +162,7 @@ fn bodies_go_on_where_another_run_ended() {
         .map(|name| BodyStart::read_npz(folder.path().join("fields.npz"), name, grid).unwrap());
     assert_eq!(read, starts);
     let next = &run(&mut first, 1)[0];
-    assert!(next.mean_film[1] > 0.0 && next.plastic_volume > 0.0, "{next:?}");
+    assert!(next.tribofilm.disc_mean > 0.0 && next.plastic.volume > 0.0, "{next:?}");
     let [ball, disc] = starts;
     let mut second = build().ball_start(ball).disc_start(disc).build().unwrap();
     assert_eq!((second.time(), second.steps()), (0.0, 0));
@@ -178,7 +178,7 @@ fn bodies_go_on_where_another_run_ended() {
     let [ball, _] = second.starts();
     let law = ThermalArrhenius::new(200e-9, 1e-3, 0.1).unwrap();
     let third = build().growth_law(law).ball_start(ball).build().unwrap();
-    assert_eq!(third.bodies()[0].film_thickness(), second.bodies()[0].film_thickness());
+    assert_eq!(third.bodies()[0].tribofilm(), second.bodies()[0].tribofilm());
 }
 
 #[test]
@@ -225,11 +225,11 @@ fn starts_that_do_not_fit_are_named() {
     assert!(read("ball").unwrap_err().to_string().contains("fields.npz"));
     std::fs::write(&path, b"no archive").unwrap();
     assert!(read("ball").unwrap_err().to_string().contains("fields.npz"));
-    write_npz(&path, &small, &[("ball_initial_m", &[0.0; 256])]).unwrap();
+    write_npz(&path, &small, &[("ball_initial", &[0.0; 256])]).unwrap();
     let error = read("disc").unwrap_err().to_string();
-    assert!(error.contains("disc_initial_m"), "{error}");
+    assert!(error.contains("disc_initial"), "{error}");
     let error = read("ball").unwrap_err().to_string();
-    assert!(error.contains("ball_initial_m") && error.contains("16 x 16"), "{error}");
-    write_npz(&path, &grid, &[("ball_initial_m", &vec![1e-9; n])]).unwrap();
+    assert!(error.contains("ball_initial") && error.contains("16 x 16"), "{error}");
+    write_npz(&path, &grid, &[("ball_initial", &vec![1e-9; n])]).unwrap();
     assert_eq!(read("ball").unwrap(), BodyStart::new(grid, vec![1e-9; n]));
 }

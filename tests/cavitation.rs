@@ -36,9 +36,9 @@ fn problem<'a>(
     LubricatedContact::new(
         &solution.gap,
         body,
-        solution.hertz.load,
-        (solution.hertz.a_x, solution.hertz.a_y),
-        solution.hertz.p_max,
+        solution.hertz.force,
+        (solution.hertz.half_width_x, solution.hertz.half_width_y),
+        solution.hertz.pressure,
     )
     .with_lubricant(Some(oil))
     .with_entrainment_speed(scene.motion.entrainment_speed)
@@ -60,7 +60,7 @@ fn assert_evaluates(scene: &Scene, solution: &ContactSolution) {
     let mut evaluation = Evaluation::new(solution.grid);
     let residuals = evaluation.evaluate(&mut problem, &mut state).unwrap();
     assert!(residuals.max() < 1e-5, "{residuals:?}");
-    assert_eq!(state.content, solution.state.content);
+    assert_eq!(state.theta, solution.state.theta);
     assert_eq!(evaluation.flow_balance(&problem, &solution.state).unwrap(), solution.flow);
 }
 
@@ -80,9 +80,9 @@ fn what_flows_into_a_rough_contact_flows_out() {
     let flow = solution.flow.unwrap();
     assert!(flow.imbalance <= scene.solver.tolerance, "{flow:?}");
     let state = &solution.state;
-    let partly = state.content.iter().filter(|content| **content < 1.0).count();
+    let partly = state.theta.iter().filter(|content| **content < 1.0).count();
     assert!(partly > 100, "{partly} nodes are not filled");
-    for (content, pressure) in state.content.iter().zip(&state.fluid_pressure) {
+    for (content, pressure) in state.theta.iter().zip(&state.fluid_pressure) {
         assert!(
             (0.0..=1.0).contains(content) && (*pressure <= 0.0 || *content >= 1.0),
             "{content}, {pressure}"
@@ -115,7 +115,7 @@ fn the_mass_residual_bounds_the_imbalance_of_the_box() {
         for tolerance in [1e-4, 1e-8] {
             scene.solver.tolerance = tolerance;
             let solution = solved(&scene);
-            let (flow, mass) = (solution.flow.unwrap(), solution.report.residuals.mass);
+            let (flow, mass) = (solution.flow.unwrap(), solution.report.residual.mass);
             assert!(flow.imbalance <= mass + 1e-13, "{flow:?}, mass residual {mass:e}");
         }
     }
@@ -141,7 +141,7 @@ fn what_is_stored_is_no_imbalance() {
     report.require_converged().unwrap();
     let flow = Evaluation::new(solution.grid).flow_balance(&problem, &state).unwrap().unwrap();
     assert!((flow.outflow / flow.inflow - 1.0).abs() > 1e-3, "{flow:?}");
-    assert!(flow.imbalance <= report.residuals.mass + 1e-13, "{flow:?}, {report:?}");
+    assert!(flow.imbalance <= report.residual.mass + 1e-13, "{flow:?}, {report:?}");
 }
 
 /// Nothing reforms behind a smooth contact.
@@ -166,9 +166,9 @@ fn smooth_films_do_not_depend_on_the_condition() {
 #[test]
 fn contents_beyond_one_are_refused() {
     let mut state = ContactState::new(&stribeck::Grid::centred(8, 8, 1e-6, 1e-6).unwrap());
-    state.content[3] = 1.5;
+    state.theta[3] = 1.5;
     let error = state.validate(&stribeck::Grid::centred(8, 8, 1e-6, 1e-6).unwrap()).unwrap_err().to_string();
-    assert!(error.contains("state.content") && error.contains("1.5"), "{error}");
+    assert!(error.contains("state.theta") && error.contains("1.5"), "{error}");
 }
 
 /// Nothing of a solve by another scheme is left in a solver that is used again.

@@ -248,7 +248,7 @@ fn scenes_without_film_are_bit_identical() {
     // A film without a compliance is height alone, and one with it gives way.
     let (hard, soft) = (covered(&scene(32), |_| 1e-7), covered(&soft(32), |_| 1e-7));
     assert!(bits(&hard.state.pressure) != bits(&soft.state.pressure));
-    assert!(soft.contact.max_pressure < hard.contact.max_pressure * (1.0 + 1e-9));
+    assert!(soft.pressure.max < hard.pressure.max * (1.0 + 1e-9));
 }
 
 /// Gaps of a dry contact are those of the pressures that it found: `gap + K p + c p - approach`.
@@ -270,7 +270,7 @@ fn dry_scene_has_the_gaps_of_its_pressures() {
     }
     // Asperities carry less where they rest on the film.
     scene.elastic.tribofilm = None;
-    assert!(solution.contact.max_pressure < 0.99 * covered(&scene, thickness).contact.max_pressure);
+    assert!(solution.pressure.max < 0.99 * covered(&scene, thickness).pressure.max);
 }
 
 /// All solvers find the same smooth film.
@@ -286,7 +286,7 @@ fn solvers_agree() {
     let found = [SolverKind::NewtonKrylov, SolverKind::Multigrid, SolverKind::SemiSystem].map(|kind| {
         scene.solver.kind = kind;
         let solution = covered(&scene, |_| 1e-7);
-        (solution.film.central, solution.contact.max_pressure)
+        (solution.film.central, solution.pressure.max)
     });
     for (film, pressure) in &found[1..] {
         assert!((film / found[0].0 - 1.0).abs() < 1e-3, "{found:?}");
@@ -305,7 +305,10 @@ fn histories_converge_for_the_same_work() {
     let (without, with) = (history(&scene(64), 24), history(&soft(64), 24));
     // The first contact is bare.
     assert_eq!(without[0], with[0]);
-    assert!(without[23].mean_film[1] > 20e-9 && without[1].load_ratio != with[1].load_ratio);
+    assert!(
+        without[23].tribofilm.disc_mean > 20e-9
+            && without[1].contact.load_ratio != with[1].contact.load_ratio
+    );
     assert!(records_converged(&with) && records_converged(&without));
     let median = |records: &[StepRecord]| {
         let mut iterations: Vec<u64> = records.iter().map(|r| r.report.work.iterations).collect();

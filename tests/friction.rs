@@ -29,10 +29,10 @@ fn friction_follows_the_tribofilm() {
             .build()
             .unwrap();
         let record = sim.step(1.0).unwrap();
-        let sum = record.friction_boundary + record.friction_fluid;
-        assert!((sum / record.friction_coefficient - 1.0).abs() < 1e-14);
-        assert!(record.load_ratio > 0.01 && record.friction_fluid > 0.0, "{record:?}");
-        record.friction_boundary / record.load_ratio
+        let sum = record.friction.boundary + record.friction.fluid;
+        assert!((sum / record.friction.coefficient - 1.0).abs() < 1e-14);
+        assert!(record.contact.load_ratio > 0.01 && record.friction.fluid > 0.0, "{record:?}");
+        record.friction.boundary / record.contact.load_ratio
     };
     for (covered, thickness, expected) in [
         (None, 50e-9, 0.08),
@@ -72,8 +72,8 @@ fn friction_of_the_user_takes_the_place_of_the_scenes() {
     let scene = dry(32);
     let mut sim = MixedLubricationSim::builder(scene.clone()).boundary_friction(Soap).build().unwrap();
     let record = sim.step(1.0).unwrap();
-    let mu = record.friction_coefficient;
-    assert!(mu > 0.05 && mu < 0.1 && record.friction_fluid == 0.0 && record.friction_boundary == mu, "{mu}");
+    let mu = record.friction.coefficient;
+    assert!(mu > 0.05 && mu < 0.1 && record.friction.fluid == 0.0 && record.friction.boundary == mu, "{mu}");
     let mut sim = MixedLubricationSim::builder(scene).boundary_friction(Wild).build().unwrap();
     let before = sim.bodies().clone();
     let error = sim.step(1.0).unwrap_err().to_string();
@@ -137,13 +137,12 @@ fn the_record_tells_the_truth() {
     for step in 0..4 {
         let before = rq(&sim);
         let record = sim.step(200.0).unwrap();
-        for (rq, before) in record.rq.into_iter().zip(before) {
+        for (rq, before) in record.roughness.rq().into_iter().zip(before) {
             assert!((rq - before).abs() <= 1e-12 * before, "step {step}: {rq} and {before}");
         }
-        assert_eq!(record.lambda, record.average_film / record.composite_rq);
-        let thickest =
-            sim.bodies().iter().flat_map(|body| body.film_thickness()).copied().fold(0.0, f64::max);
-        assert!(record.max_pressure <= 2.5e9 && record.max_pressure > 2e9, "{record:?} under {thickest} m");
+        assert_eq!(record.film.lambda, Some(record.film.mean_central / record.roughness.composite_rq));
+        let thickest = sim.bodies().iter().flat_map(|body| body.tribofilm()).copied().fold(0.0, f64::max);
+        assert!(record.pressure.max <= 2.5e9 && record.pressure.max > 2e9, "{record:?} under {thickest} m");
         if step > 0 {
             assert!(rq(&sim) != before, "the step changes the surfaces");
         }
@@ -153,7 +152,7 @@ fn the_record_tells_the_truth() {
         let mut scene = scene.clone();
         scene.lubricant.as_mut().unwrap().formula_alpha = alpha;
         let record = MixedLubricationSim::builder(scene).build().unwrap().step(1.0).unwrap();
-        (record.formula_lambda, record.average_film)
+        (record.film.formula_lambda.unwrap(), record.film.mean_central)
     };
     let (by_slope, stated) = (formula(None), formula(Some(2.0 * 1.4393e-8)));
     assert!((stated.0 / by_slope.0 / 2.0_f64.powf(0.53) - 1.0).abs() < 1e-4, "{stated:?} {by_slope:?}");

@@ -42,16 +42,16 @@ fn json_holds_the_means_of_the_last_tenth() {
     let mean =
         |value: fn(&stribeck::sim::StepRecord) -> f64| 0.5 * (value(&records[18]) + value(&records[19]));
     for (path, expected) in [
-        ("/contact/area_ratio", mean(|r| r.area_ratio)),
-        ("/contact/load_ratio", mean(|r| r.load_ratio)),
-        ("/film/mean_central", mean(|r| r.average_film)),
-        ("/friction/coefficient", mean(|r| r.friction_coefficient)),
-        ("/pressure/max", mean(|r| r.max_pressure)),
-        ("/wear/ball_in_contact", mean(|r| r.track_wear[0])),
-        ("/wear/disc_in_contact", mean(|r| r.track_wear[1])),
-        ("/tribofilm/ball_in_contact", mean(|r| r.track_film[0])),
-        ("/tribofilm/disc_in_contact", mean(|r| r.track_film[1])),
-        ("/roughness/ball_rq", mean(|r| r.rq[0])),
+        ("/contact/area_ratio", mean(|r| r.contact.area_ratio)),
+        ("/contact/load_ratio", mean(|r| r.contact.load_ratio)),
+        ("/film/mean_central", mean(|r| r.film.mean_central)),
+        ("/friction/coefficient", mean(|r| r.friction.coefficient)),
+        ("/pressure/max", mean(|r| r.pressure.max)),
+        ("/wear/ball_in_contact", mean(|r| r.wear.ball_in_contact)),
+        ("/wear/disc_in_contact", mean(|r| r.wear.disc_in_contact)),
+        ("/tribofilm/ball_in_contact", mean(|r| r.tribofilm.ball_in_contact)),
+        ("/tribofilm/disc_in_contact", mean(|r| r.tribofilm.disc_in_contact)),
+        ("/roughness/ball_rq", mean(|r| r.roughness.ball_rq)),
     ] {
         assert!((number(path) / expected - 1.0).abs() < 1e-9, "{path}: {} is not {expected}", number(path));
     }

@@ -3,9 +3,9 @@
 use approx::assert_relative_eq;
 use stribeck::lubricant::Rheology;
 use stribeck::metrics::{
-    AreaCorrelation, Axis, BearingCurve, average_central_film, composite_rq, contact_patches,
-    contact_statistics, friction_coefficient, height_histogram, height_statistics, hybrid_parameters,
-    lambda_ratio, minimum_film, minimum_gap, profile_spectrum, radial_spectrum, viscous_shear_into,
+    AreaCorrelation, Axis, BearingCurve, composite_rq, contact_patches, contact_statistics,
+    friction_coefficient, height_histogram, height_statistics, hybrid_parameters, lambda_ratio,
+    mean_central_film, minimum_film, minimum_gap, profile_spectrum, radial_spectrum, viscous_shear_into,
 };
 use stribeck::{Boundary, Grid};
 
@@ -127,22 +127,22 @@ fn heights_must_be_finite_and_present() {
 }
 
 #[test]
-fn average_film_is_that_of_the_clipped_centre() {
+fn the_mean_film_is_that_of_the_clipped_centre() {
     let grid = Grid::centred(200, 150, 1e-6, 1e-6).unwrap();
     // film x^2 + y^2: mean over a disc of radius r is r^2/2
     let film: Vec<f64> = grid.nodes().map(|(x, y)| x * x + y * y).collect();
-    let average = average_central_film(&grid, &film, 60e-6, 60e-6).unwrap();
+    let average = mean_central_film(&grid, &film, 60e-6, 60e-6).unwrap();
     assert_relative_eq!(average, 0.5 * 40e-6f64.powi(2), max_relative = 2e-3);
     // elliptical: mean of x^2 is (2/3 a_x)^2/4
     let film: Vec<f64> = grid.nodes().map(|(x, _)| x * x).collect();
-    let average = average_central_film(&grid, &film, 90e-6, 45e-6).unwrap();
+    let average = mean_central_film(&grid, &film, 90e-6, 45e-6).unwrap();
     assert_relative_eq!(average, 0.25 * 60e-6f64.powi(2), max_relative = 5e-3);
     // negative gaps count as zero
     let film: Vec<f64> = grid.nodes().map(|(x, _)| if x < 0.0 { -1.0 } else { 1.0 }).collect();
-    assert_relative_eq!(average_central_film(&grid, &film, 60e-6, 60e-6).unwrap(), 0.5, max_relative = 1e-12);
-    assert!(average_central_film(&grid, &film, 1e-9, 1e-9).is_err());
-    assert!(average_central_film(&grid, &film[1..], 1e-6, 1e-6).is_err());
-    assert!(average_central_film(&grid, &film, 0.0, 1e-6).is_err());
+    assert_relative_eq!(mean_central_film(&grid, &film, 60e-6, 60e-6).unwrap(), 0.5, max_relative = 1e-12);
+    assert!(mean_central_film(&grid, &film, 1e-9, 1e-9).is_err());
+    assert!(mean_central_film(&grid, &film[1..], 1e-6, 1e-6).is_err());
+    assert!(mean_central_film(&grid, &film, 0.0, 1e-6).is_err());
 }
 
 #[test]

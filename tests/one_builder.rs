@@ -36,11 +36,11 @@ fn the_single_contact_is_that_of_the_first_step() {
     let mut sim = MixedLubricationSim::builder(scene).motion(AtRest).build().unwrap();
     let record = sim.step(1.0).unwrap();
     assert_eq!(solution.report, record.report);
-    assert_eq!(solution.film.mean_central, record.average_film);
-    assert_eq!(solution.contact.load_ratio, record.load_ratio);
-    assert_eq!(solution.friction_coefficient, record.friction_coefficient);
-    assert_eq!(solution.composite_rq, record.composite_rq);
-    assert_eq!(solution.lambda, Some(record.lambda));
+    assert_eq!(solution.film.mean_central, record.film.mean_central);
+    assert_eq!(solution.contact.load_ratio, record.contact.load_ratio);
+    assert_eq!(solution.friction.coefficient, record.friction.coefficient);
+    assert_eq!(solution.roughness.composite_rq, record.roughness.composite_rq);
+    assert_eq!(solution.film, record.film);
     assert_eq!(solution.state.pressure, sim.state().pressure);
 }
 
@@ -54,12 +54,12 @@ fn heights_in_memory_are_as_good_as_the_scene_that_makes_them() {
     let given =
         MixedLubricationSim::builder(bare.clone()).ball_heights(ball).disc_heights(disc).solve().unwrap();
     assert_eq!(named.state, given.state);
-    assert_eq!(named.friction_coefficient, given.friction_coefficient);
-    assert_eq!(given.discretisation, named.discretisation, "rough surfaces, wherever they come from");
+    assert_eq!(named.friction.coefficient, given.friction.coefficient);
+    assert_eq!(given.face_mobility, named.face_mobility, "rough surfaces, wherever they come from");
     let smooth = solve_contact(&bare).unwrap();
-    assert_eq!(smooth.lambda, None, "smooth surfaces have no ratio");
+    assert_eq!(smooth.film.lambda, None, "smooth surfaces have no ratio");
     let flat = MixedLubricationSim::builder(bare).disc_heights(vec![0.0; 32 * 32]).solve().unwrap();
-    assert_eq!(flat.discretisation, smooth.discretisation);
+    assert_eq!(flat.face_mobility, smooth.face_mobility);
     assert_eq!(flat.state, smooth.state);
 }
 
@@ -70,8 +70,8 @@ fn single_contacts_take_the_parts_of_histories() {
     let own = build().solve().unwrap();
     let slippery = build().boundary_friction(ConstantFriction::new(0.0).unwrap()).solve().unwrap();
     assert_eq!(slippery.state, own.state);
-    assert_eq!(slippery.friction_boundary, 0.0);
-    assert_eq!(slippery.friction_fluid, own.friction_fluid);
+    assert_eq!(slippery.friction.boundary, 0.0);
+    assert_eq!(slippery.friction.fluid, own.friction.fluid);
     let thick = build().viscosity(Barus::new(0.4, 1e-8).unwrap()).solve().unwrap();
     assert!(thick.contact.load_ratio < 0.1 * own.contact.load_ratio, "{}", thick.contact.load_ratio);
     let [_, disc] = heights(&scene);
@@ -81,7 +81,9 @@ fn single_contacts_take_the_parts_of_histories() {
     // A disc that is worn flat is a smooth one.
     let lowest = disc.iter().copied().fold(f64::INFINITY, f64::min);
     let worn = start().with_wear(disc.iter().map(|z| z - lowest).collect());
-    assert!(build().disc_start(worn).solve().unwrap().composite_rq < 0.5 * own.composite_rq);
+    assert!(
+        build().disc_start(worn).solve().unwrap().roughness.composite_rq < 0.5 * own.roughness.composite_rq
+    );
 }
 
 #[test]
@@ -95,7 +97,7 @@ fn a_history_begins_where_it_is_told_to() {
     assert_eq!(standing[0], standing[1], "other contacts know nothing of it");
     let (first, short) = (cold.step(60.0).unwrap(), warm.step(60.0).unwrap());
     assert!(short.report.work.convolutions < 0.5 * first.report.work.convolutions);
-    assert!((short.lambda / first.lambda - 1.0).abs() < 1e-3, "{} {}", short.lambda, first.lambda);
+    assert!((short.film.mean_central / first.film.mean_central - 1.0).abs() < 1e-3, "{short:?} {first:?}");
     let single = told().solve().unwrap();
     assert_eq!(single.report, short.report, "the single contact takes the same way");
     assert_eq!(single.state.pressure, warm.state().pressure);

@@ -52,25 +52,25 @@ fn reloading_below_the_past_load_is_elastic() {
     let (grid, hertz, hardness) = (scene.grid().unwrap(), scene.hertz().unwrap(), 3e9);
     let mut body = HalfSpace::new(grid, 229.67e9).unwrap();
     let gap = solve_contact(&scene).unwrap().gap;
-    let first = press(&gap, &mut body, hertz.load, hardness);
+    let first = press(&gap, &mut body, hertz.force, hardness);
     let yielded = first.plastic_depth.iter().filter(|d| **d > 0.0).count();
     assert!(yielded > 50, "{yielded} nodes");
     // A contact that nowhere exceeds the hardness has at least this area.
     let area = first.pressure.iter().filter(|p| **p > 0.0).count() as f64 * grid.cell_area();
-    assert!(area >= hertz.load / hardness, "{area}");
+    assert!(area >= hertz.force / hardness, "{area}");
     let flattened: Vec<f64> = gap.iter().zip(&first.plastic_depth).map(|(g, d)| g + d).collect();
     for share in [0.3, 0.7, 0.95] {
-        let again = press(&flattened, &mut body, share * hertz.load, hardness);
+        let again = press(&flattened, &mut body, share * hertz.force, hardness);
         let most = again.plastic_depth.iter().copied().fold(0.0, f64::max);
         assert_eq!(most, 0.0, "at {share} of the load");
         assert!(again.pressure.iter().all(|p| *p <= hardness), "at {share} of the load");
     }
     // The same load finds the same contact, and a higher one yields again.
-    let same = press(&flattened, &mut body, hertz.load, hardness);
+    let same = press(&flattened, &mut body, hertz.force, hardness);
     let most = same.plastic_depth.iter().copied().fold(0.0, f64::max);
     assert!(most < 1e-13, "{most}");
     assert!((same.approach / first.approach - 1.0).abs() < 1e-6);
-    let more = press(&flattened, &mut body, 1.1 * hertz.load, hardness);
+    let more = press(&flattened, &mut body, 1.1 * hertz.force, hardness);
     assert!(more.plastic_depth.iter().copied().fold(0.0, f64::max) > 1e-10);
 }
 
@@ -83,8 +83,8 @@ fn contact_area_is_never_below_that_of_full_yielding() {
         solution.report.require_converged().unwrap();
         let hertz = solution.hertz;
         let touching = solution.state.pressure.iter().filter(|p| **p > 0.0).count() as f64;
-        let ratio = touching * solution.grid.cell_area() / (PI * hertz.a_x * hertz.a_y);
-        let bound = hertz.load / (hardness * PI * hertz.a_x * hertz.a_y);
+        let ratio = touching * solution.grid.cell_area() / (PI * hertz.half_width_x * hertz.half_width_y);
+        let bound = hertz.force / (hardness * PI * hertz.half_width_x * hertz.half_width_y);
         println!("{hardness:e} Pa: area {ratio:.3}, bound {bound:.3}");
         assert!(ratio >= bound);
     }
@@ -102,9 +102,9 @@ fn a_hardening_contact_meets_its_law_and_then_stays_elastic() {
     let mut soft = still(&scene).plasticity(perfect).build().unwrap();
     let mut hard = still(&scene).plasticity(hardening).build().unwrap();
     let (soft_first, hard_first) = (soft.step(1.0).unwrap(), hard.step(1.0).unwrap());
-    assert!(hard_first.plastic_volume > 0.0);
-    assert!(hard_first.plastic_volume < 0.9 * soft_first.plastic_volume, "{hard_first:?} {soft_first:?}");
-    assert!(hard_first.max_pressure > 1.02 * hardness, "{}", hard_first.max_pressure);
+    assert!(hard_first.plastic.volume > 0.0);
+    assert!(hard_first.plastic.volume < 0.9 * soft_first.plastic.volume, "{hard_first:?} {soft_first:?}");
+    assert!(hard_first.pressure.max > 1.02 * hardness, "{}", hard_first.pressure.max);
     let [ball, disc] = hard.bodies();
     for k in 0..hard.grid().len() {
         let depth = ball.plastic_depth()[k];
@@ -120,9 +120,9 @@ fn a_hardening_contact_meets_its_law_and_then_stays_elastic() {
     // The key of the scene does the same.
     scene.plastic.as_mut().unwrap().hardening_modulus = Some(modulus);
     let mut named = still(&scene).build().unwrap();
-    assert_eq!(named.step(1.0).unwrap().plastic_volume, hard_first.plastic_volume);
+    assert_eq!(named.step(1.0).unwrap().plastic.volume, hard_first.plastic.volume);
     let hard_second = hard.step(1.0).unwrap();
-    let more = hard_second.plastic_volume / hard_first.plastic_volume - 1.0;
+    let more = hard_second.plastic.volume / hard_first.plastic.volume - 1.0;
     assert!((0.0..2e-3).contains(&more), "{more}");
 }
 
@@ -134,7 +134,7 @@ fn steps_by_depth_keep_to_it_and_add_up() {
     let mut shortest = f64::INFINITY;
     sim.run_until(300.0, &control, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
         let disc = &sim.bodies()[1];
-        for (before, now) in [(&mut wear, disc.wear_depth()), (&mut film, disc.film_thickness())] {
+        for (before, now) in [(&mut wear, disc.wear()), (&mut film, disc.tribofilm())] {
             for (before, now) in before.iter_mut().zip(now) {
                 assert!((now - *before).abs() <= 2e-9, "{} in {} s", now - *before, record.time_step);
                 *before = *now;
@@ -163,7 +163,7 @@ fn the_error_of_long_steps_falls_with_their_length() {
     let worn = |time_step: f64| {
         let mut sim = MixedLubricationSim::builder(dry(32)).motion(AtRest).build().unwrap();
         let _ = run_until(&mut sim, 240.0, StepControl::fixed(time_step));
-        sim.bodies()[1].wear_depth().to_vec()
+        sim.bodies()[1].wear().to_vec()
     };
     let exact = worn(1.25);
     let scale = exact.iter().map(|depth| depth * depth).sum::<f64>().sqrt();
@@ -190,11 +190,11 @@ fn convected_roughness_wears_by_force_and_distance() {
     let time_step = 0.3 * sim.grid().dx() / 0.0975;
     let records = run_until(&mut sim, 6.0 * time_step, StepControl::fixed(time_step));
     assert_eq!(records.len(), 6);
-    let (load, area) = (sim.hertz().load, sim.grid().size_x() * sim.grid().size_y());
+    let (load, area) = (sim.hertz().force, sim.grid().size_x() * sim.grid().size_y());
     // The contact clock: the middle of the track ages by the time of the test.
-    let exposed = sim.time() * sim.grid().size_x() / (2.0 * sim.hertz().a_x);
+    let exposed = sim.time() * sim.grid().size_x() / (2.0 * sim.hertz().half_width_x);
     let expected = 5.45e-8 * load * 0.005 * exposed / (6e9 * area);
-    for wear in records[5].mean_wear {
+    for wear in records[5].wear.mean() {
         assert!((wear / expected - 1.0).abs() < 2e-6, "{wear} {expected}");
     }
     assert!(sim.ledger_residual().unwrap() < 1e-20);
@@ -222,7 +222,7 @@ fn a_steady_film_feels_no_squeeze_and_a_passing_wave_does() {
     let ((steady, _), (transient, _)) = (run(None, false, 4.0), run(None, true, 4.0));
     assert!(transient.iter().all(|record| record.report.status == Status::Converged));
     for (a, b) in steady.iter().zip(&transient) {
-        assert!((a.average_film / b.average_film - 1.0).abs() < 1e-4, "{a:?} {b:?}");
+        assert!((a.film.mean_central / b.film.mean_central - 1.0).abs() < 1e-4, "{a:?} {b:?}");
     }
     let grid = scene.grid().unwrap();
     let wave: Vec<f64> = grid.nodes().map(|(x, _)| 20e-9 * (2.0 * PI * x / 125e-6).cos()).collect();
@@ -266,7 +266,7 @@ fn friction_is_boundary_on_solids_and_shear_on_fluid() {
     let mu = |scene: &Scene| {
         let solution = solve_contact(scene).unwrap();
         solution.report.require_converged().unwrap();
-        solution.friction_coefficient
+        solution.friction.coefficient
     };
     assert!((mu(&scene) / 0.115 - 1.0).abs() < 1e-5, "{}", mu(&scene));
     scene.motion.slide_roll_ratio = 0.0;
@@ -300,7 +300,7 @@ fn heat_comes_from_solids_and_from_fluid() {
     scene.thermal.flash = Flash::On;
     let mut sim = MixedLubricationSim::builder(scene.clone()).build().unwrap();
     let record = sim.step(1e-3).unwrap();
-    assert_eq!(record.load_ratio, 0.0);
+    assert_eq!(record.contact.load_ratio, 0.0);
     let rise = record.flash_rise.unwrap();
     assert!(rise > 1.0, "{rise}");
     // Without the fluid's stress there is none.

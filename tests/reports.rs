@@ -27,7 +27,7 @@ fn a_solve_from_one_start_tells_the_residuals_of_each_step() {
         report.require_converged().unwrap();
         assert_eq!(report.strategy, strategy, "{kind:?}");
         assert_eq!(report.residual_history.len() as u64, report.work.iterations + 1, "{kind:?}");
-        assert_eq!(report.residual_history.last(), Some(&report.residuals), "{kind:?}");
+        assert_eq!(report.residual_history.last(), Some(&report.residual), "{kind:?}");
         let start = report.residual_history.first().unwrap();
         assert!(start.max() > 1e3 * scene.solver.tolerance, "{kind:?}: {start:?}");
     }
@@ -42,7 +42,7 @@ fn sweeps_tell_theirs() {
     scene.solver.max_iterations = 20;
     let report = solve_contact(&scene).unwrap().report;
     assert_eq!(report.residual_history.len(), 21);
-    assert!(report.residual_history.contains(&report.residuals), "{report:?}");
+    assert!(report.residual_history.contains(&report.residual), "{report:?}");
 }
 
 #[test]
@@ -60,7 +60,7 @@ fn newton(scene: Scene, change: fn(&mut NewtonSettings)) -> SolveReport {
     let builder = MixedLubricationSim::builder(scene);
     let report = builder.solver(NewtonKrylov::with_settings(settings).unwrap()).solve().unwrap().report;
     report.require_converged().unwrap();
-    assert_eq!(report.residual_history.last(), Some(&report.residuals));
+    assert_eq!(report.residual_history.last(), Some(&report.residual));
     assert!(report.residual_history.len() as u64 > report.work.iterations, "each start adds one");
     report
 }

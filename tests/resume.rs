@@ -41,7 +41,7 @@ fn ignore(_: &MixedLubricationSim, _: &StepRecord) -> ControlFlow<()> {
 fn bits(sim: &MixedLubricationSim) -> Vec<u64> {
     let state = sim.state();
     let fields = sim.bodies().iter().flat_map(|body| {
-        [body.surface(), body.wear_depth(), body.plastic_depth(), body.film_thickness(), body.initial()]
+        [body.surface(), body.wear(), body.plastic_depth(), body.tribofilm(), body.initial()]
     });
     let contact = [&state.pressure, &state.fluid_pressure, &state.film, &state.mass, &state.plastic_depth];
     let mut bits: Vec<u64> = fields.flatten().map(|value| value.to_bits()).collect();
@@ -236,7 +236,7 @@ fn folder_of_a_run() {
     assert!(run.contains(env!("CARGO_PKG_VERSION")) && run.contains("AlongTrack { seed: 0 }"), "{run}");
 
     // A history that does not reach the checkpoint.
-    fs::write(parts.join("history.csv"), format!("{}\n", StepRecord::CSV_HEADER)).unwrap();
+    fs::write(parts.join("history.csv"), format!("{}\n", StepRecord::csv_header())).unwrap();
     let error = RunFolder::resume(&parts, &mut build(), 2).unwrap_err();
     assert!(matches!(error, SimError::Input(_)) && error.to_string().contains("history.csv"), "{error}");
 }

@@ -31,7 +31,7 @@ fn records(sim: &mut MixedLubricationSim, end: f64, control: &StepControl) -> Ve
 
 #[test]
 fn a_schedule_of_the_scenes_own_values_changes_no_bit() {
-    let load = scene().hertz().unwrap().load;
+    let load = scene().hertz().unwrap().force;
     let mut constant = scene();
     constant.load.hertz_pressure = None;
     constant.load.force = Some(load);
@@ -68,18 +68,18 @@ fn records_hold_what_holds_at_their_time_and_no_step_crosses_an_entry() {
         assert!((record.motion.entrainment_speed - speed).abs() < 1e-12, "{record:?}");
         assert_eq!(record.motion.slide_roll_ratio, 0.5);
         assert!((record.bulk_temperature - (350.0 + 0.5 * start)).abs() < 1e-9, "{record:?}");
-        assert!(record.report.residuals.load <= 1e-4, "{record:?}");
+        assert!(record.report.residual.load <= 1e-4, "{record:?}");
     }
     // The load ratios are those of the load that holds: the pressures sum to it.
     let carried = sim.state().pressure.iter().sum::<f64>() * sim.grid().cell_area();
     assert!((carried / 60.0 - 1.0).abs() < 2e-4, "{carried}");
-    assert!((sim.hertz().load - 60.0).abs() < 1e-9 && sim.conditions().load == 60.0);
+    assert!((sim.hertz().force - 60.0).abs() < 1e-9 && sim.conditions().load == 60.0);
     // The first contact is the one of the scene at the start.
     let mut fixed = MixedLubricationSim::builder(scene.clone()).motion(AtRest).build().unwrap();
     let first = fixed.step(1.0).unwrap();
     let single = solve_contact(&scene).unwrap();
-    assert_eq!(first.load_ratio, single.contact.load_ratio);
-    assert_eq!((first.average_film, first.load), (single.film.mean_central, 20.0));
+    assert_eq!(first.contact.load_ratio, single.contact.load_ratio);
+    assert_eq!((first.film.mean_central, first.load), (single.film.mean_central, 20.0));
 }
 
 #[test]
@@ -89,14 +89,14 @@ fn wear_follows_load_and_distance_of_the_schedule() {
     scene.schedule.load = Some(Schedule::steps(&[(0.0, 20.0), (30.0, 40.0)]));
     scene.schedule.slide_roll_ratio = Some(Schedule::steps(&[(0.0, 0.05), (15.0, 0.1)]));
     let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
-    let half_width = sim.hertz().a_x;
+    let half_width = sim.hertz().half_width_x;
     let records = records(&mut sim, 60.0, &StepControl::fixed(60.0));
     assert_eq!(records.len(), 3);
     // The box is met as rarely as the contact of the load that holds is shorter, which grows with the third
     // root.
     let work = 20.0 * 0.005 * 15.0 + 20.0 * 0.01 * 15.0 + 40.0 * 0.01 * 30.0 / 2.0_f64.cbrt();
     let expected = 5.45e-8 * work / (6e9 * 2.0 * half_width * sim.grid().size_y());
-    for wear in records[2].mean_wear {
+    for wear in records[2].wear.mean() {
         assert!((wear / expected - 1.0).abs() < 1e-4, "{wear} instead of {expected}");
     }
 }
@@ -134,7 +134,7 @@ fn a_hotter_bulk_grows_film_faster() {
         let mut scene = scene();
         scene.schedule.bulk_temperature = Some(Schedule::steps(&[(0.0, 353.15), (10.0, temperature)]));
         let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
-        records(&mut sim, 20.0, &StepControl::fixed(10.0)).pop().unwrap().mean_film[1]
+        records(&mut sim, 20.0, &StepControl::fixed(10.0)).pop().unwrap().tribofilm.disc_mean
     };
     let (hot, usual) = (film(450.0), film(353.15));
     assert!(hot > 1.05 * usual && hot < 1.3 * usual, "{hot} and {usual}");
@@ -269,10 +269,10 @@ fn running_in_lowers_friction_of_mixed_contacts() {
             (conditions.load, conditions.motion.entrainment_speed) = (20.0, speed);
             let solution = sim.solve_under(&conditions).unwrap();
             solution.report.require_converged().unwrap();
-            assert!((solution.hertz.load / 20.0 - 1.0).abs() < 1e-12);
-            let sum = solution.friction_boundary + solution.friction_fluid;
-            assert!((sum / solution.friction_coefficient - 1.0).abs() < 1e-14);
-            (solution.friction_coefficient, solution.contact.load_ratio)
+            assert!((solution.hertz.force / 20.0 - 1.0).abs() < 1e-12);
+            let sum = solution.friction.boundary + solution.friction.fluid;
+            assert!((sum / solution.friction.coefficient - 1.0).abs() < 1e-14);
+            (solution.friction.coefficient, solution.contact.load_ratio)
         })
     };
     let new = sweep(&mut sim);

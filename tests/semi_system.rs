@@ -22,7 +22,7 @@ fn solve(scene: &Scene, kind: SolverKind) -> ContactSolution {
     scene.solver.kind = kind;
     let solution = solve_contact(&scene).unwrap();
     assert_eq!(solution.report.status, Status::Converged, "{:?}", solution.report);
-    assert!(solution.report.residuals.max() <= scene.solver.tolerance, "{:?}", solution.report);
+    assert!(solution.report.residual.max() <= scene.solver.tolerance, "{:?}", solution.report);
     solution
 }
 
@@ -84,6 +84,6 @@ fn steps_that_do_not_suffice_are_a_status() {
     scene.solver.max_iterations = 5;
     let solution = solve_contact(&scene).unwrap();
     assert_eq!(solution.report.status, Status::MaxIterations);
-    assert!(solution.report.residuals.max() > scene.solver.tolerance, "{:?}", solution.report);
+    assert!(solution.report.residual.max() > scene.solver.tolerance, "{:?}", solution.report);
     assert_eq!(solution.report.work.iterations, 5);
 }

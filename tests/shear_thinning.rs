@@ -18,7 +18,7 @@ fn ball(n: usize) -> Scene {
     scene.motion.entrainment_speed = 1.0;
     scene.motion.slide_roll_ratio = 0.5;
     scene.lubricant = Some(scene.lubricant.unwrap().with_eta0(0.04).with_alpha(Some(20e-9)));
-    let a = scene.hertz().unwrap().a_x;
+    let a = scene.hertz().unwrap().half_width_x;
     scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-4.5 * a, 1.5 * a], y: [-3.0 * a, 3.0 * a] };
     scene
 }
@@ -67,7 +67,7 @@ fn without_being_asked_for_it_thins_friction_alone() {
     friction.friction.eyring_stress = Some(5e6);
     let (newtonian, eyring) = (solve(&scene), solve(&friction));
     assert_eq!(newtonian.state, eyring.state);
-    assert!(eyring.friction_coefficient < newtonian.friction_coefficient);
+    assert!(eyring.friction.coefficient < newtonian.friction.coefficient);
 }
 
 /// The minimum, at the rim, first grows by 0.2 % as the constriction eases, on finer grids too.

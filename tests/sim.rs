@@ -44,9 +44,9 @@ fn every_step_keeps_the_account_and_the_residuals() {
     let end = sim
         .run(6, 120.0, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
             assert!(sim.ledger_residual().unwrap() < 1e-21, "account of step {}", record.step);
-            assert!(record.report.residuals.max() <= 1e-4, "{:?}", record.report);
-            assert!(record.minimum_gap > 0.9e-9, "gap {}", record.minimum_gap);
-            let now = [record.mean_wear[0], record.mean_wear[1], record.plastic_volume];
+            assert!(record.report.residual.max() <= 1e-4, "{:?}", record.report);
+            assert!(record.film.minimum_gap > 0.9e-9, "gap {}", record.film.minimum_gap);
+            let now = [record.wear.ball_mean, record.wear.disc_mean, record.plastic.volume];
             assert!(now.iter().zip(&last).all(|(now, last)| now >= last), "{now:?} after {last:?}");
             last = now;
             ControlFlow::Continue(())
@@ -61,9 +61,9 @@ fn every_step_keeps_the_account_and_the_residuals() {
     let records = run(&mut sim, 4, 100.0);
     // The middle of the track ages by the time of the test: the mean is that of a strip as long as the
     // contact.
-    let area = 2.0 * sim.hertz().a_x * sim.grid().size_y();
-    let expected = 5.45e-8 * sim.hertz().load * 0.005 * 400.0 / (6e9 * area);
-    for wear in records[3].mean_wear {
+    let area = 2.0 * sim.hertz().half_width_x * sim.grid().size_y();
+    let expected = 5.45e-8 * sim.hertz().force * 0.005 * 400.0 / (6e9 * area);
+    for wear in records[3].wear.mean() {
         assert!((wear / expected - 1.0).abs() < 1e-6, "{wear} instead of {expected}");
     }
 }
@@ -76,8 +76,8 @@ fn equal_seeds_give_equal_histories_and_others_do_not() {
     };
     assert_eq!(history(5), history(5));
     // The first contact is that of the scene, the second one elsewhere.
-    assert_eq!(history(5)[0].average_film, history(6)[0].average_film);
-    assert_ne!(history(5)[1].average_film, history(6)[1].average_film);
+    assert_eq!(history(5)[0].film.mean_central, history(6)[0].film.mean_central);
+    assert_ne!(history(5)[1].film.mean_central, history(6)[1].film.mean_central);
 }
 
 #[test]
@@ -102,7 +102,7 @@ fn a_failed_step_changes_nothing() {
     assert_eq!((sim.time(), sim.steps()), (0.0, 0));
     for (body, old) in sim.bodies().iter().zip(&before) {
         assert_eq!(body.surface(), old.surface());
-        assert_eq!(body.wear_depth(), old.wear_depth());
+        assert_eq!(body.wear(), old.wear());
     }
 }
 
@@ -123,7 +123,7 @@ fn a_broken_law_is_an_error_and_changes_nothing() {
     assert!(sim.step(10.0).is_err());
     for (body, old) in sim.bodies().iter().zip(&before) {
         assert_eq!(body.surface(), old.surface());
-        assert_eq!(body.film_thickness(), old.film_thickness());
+        assert_eq!(body.tribofilm(), old.tribofilm());
     }
 }
 
@@ -188,7 +188,7 @@ fn a_solver_that_lies_changes_nothing() {
     match sim.step(10.0) {
         Err(SimError::NotConverged { source, .. }) => {
             assert_eq!(source.report.status, Status::Unconfirmed);
-            assert!((source.report.residuals.load - 0.1).abs() < 1e-4, "{source}");
+            assert!((source.report.residual.load - 0.1).abs() < 1e-4, "{source}");
         }
         other => panic!("{other:?}"),
     }
@@ -236,9 +236,9 @@ fn laws_of_the_user_take_the_place_of_the_scene() {
     let mut own = MixedLubricationSim::builder(scene()).wear_law(slow).build().unwrap();
     let mut usual = MixedLubricationSim::builder(scene()).build().unwrap();
     let (own, usual) = (&run(&mut own, 1, 10.0)[0], &run(&mut usual, 1, 10.0)[0]);
-    assert!(own.mean_wear[1] < 0.02 * usual.mean_wear[1]);
+    assert!(own.wear.disc_mean < 0.02 * usual.wear.disc_mean);
     // The contact of the first step knows nothing of wear.
-    assert_eq!(own.max_pressure, usual.max_pressure);
+    assert_eq!(own.pressure.max, usual.pressure.max);
 }
 
 #[test]

@@ -22,7 +22,7 @@ fn roller() -> Scene {
     scene.form = Form::Cylinder { radius: 0.01 };
     scene.load = Load::hertz_pressure(0.6e9);
     scene.motion.entrainment_speed = 1.0;
-    let a = scene.hertz().unwrap().a_x;
+    let a = scene.hertz().unwrap().half_width_x;
     scene.grid = GridSpec::Row { nx: 256, x: [-4.0 * a, 2.0 * a] };
     scene
 }
@@ -44,7 +44,7 @@ fn solved(scene: &Scene) -> ContactSolution {
 fn central_mass(scene: &Scene, solution: &ContactSolution) -> f64 {
     let oil = scene.lubricant.unwrap();
     let density = DowsonHigginson::new(oil.density_a, oil.density_b).unwrap();
-    density.ratio(solution.contact.central_pressure) * solution.film.central
+    density.ratio(solution.pressure.central) * solution.film.central
 }
 
 #[test]
@@ -95,7 +95,7 @@ fn what_is_supplied_arrives() {
             dry_rows += 1;
             assert!((out / supply - 1.0).abs() < 1e-12, "{out:e} in row {j}");
         }
-        assert!((state.content[row.start] - supply / state.film[row.start]).abs() < 1e-12, "row {j}");
+        assert!((state.theta[row.start] - supply / state.film[row.start]).abs() < 1e-12, "row {j}");
     }
     assert!(dry_rows > 10, "{dry_rows}");
     let flow = solution.flow.unwrap();

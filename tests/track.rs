@@ -56,7 +56,7 @@ fn the_first_contact_is_that_of_solve_contact() {
         let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
         let record = sim.step(10.0).unwrap();
         assert_eq!(sim.state().pressure, single.state.pressure, "{motion:?}");
-        assert_eq!(record.load_ratio, single.contact.load_ratio, "{motion:?}");
+        assert_eq!(record.contact.load_ratio, single.contact.load_ratio, "{motion:?}");
     }
 }
 
@@ -69,15 +69,19 @@ fn wear_of_the_track_is_that_of_force_and_distance_in_any_box() {
             let mut scene = smooth(columns, 32);
             scene.track.motion = motion;
             let (sim, record) = run(scene, 40, 10.0 + 1.37e-3);
-            let square = 4.0 * sim.hertz().a_x.powi(2);
-            let expected = 5.45e-8 * sim.hertz().load * 0.005 * sim.time() / (6e9 * square);
-            for wear in record.track_wear {
+            let square = 4.0 * sim.hertz().half_width_x.powi(2);
+            let expected = 5.45e-8 * sim.hertz().force * 0.005 * sim.time() / (6e9 * square);
+            for wear in record.wear.in_contact() {
                 // A contact that wears grows beyond its width, by a node at most.
                 close(wear, expected, 0.02);
             }
             // Nothing else is worn: the mean over the box holds to rounding.
-            let strip = 2.0 * sim.hertz().a_x * sim.grid().size_y();
-            close(record.mean_wear[0], 5.45e-8 * sim.hertz().load * 0.005 * sim.time() / (6e9 * strip), 1e-5);
+            let strip = 2.0 * sim.hertz().half_width_x * sim.grid().size_y();
+            close(
+                record.wear.ball_mean,
+                5.45e-8 * sim.hertz().force * 0.005 * sim.time() / (6e9 * strip),
+                1e-5,
+            );
         }
     }
 }
@@ -88,13 +92,14 @@ fn on_a_track_a_point_ages_while_the_contact_passes() {
     let mut scene = rough(32, 32).with_tribofilm();
     scene.track.exposure = Exposure::Track;
     (scene.track.radius_ball, scene.track.radius_disc) = (Some(9.525e-3), Some(23e-3));
-    let share = [9.525e-3, 23e-3].map(|radius| scene.hertz().unwrap().a_x / (std::f64::consts::PI * radius));
+    let share =
+        [9.525e-3, 23e-3].map(|radius| scene.hertz().unwrap().half_width_x / (std::f64::consts::PI * radius));
     let track = run(scene, 3, 10.0).1;
     for body in [0, 1] {
         // The surfaces hardly change: film and wear are those of the time in the contact, small against what
         // they end at.
-        close(track.track_wear[body], share[body] * clock.track_wear[body], 0.05);
-        close(track.track_film[body], share[body] * clock.track_film[body], 0.1);
+        close(track.wear.in_contact()[body], share[body] * clock.wear.in_contact()[body], 0.05);
+        close(track.tribofilm.in_contact()[body], share[body] * clock.tribofilm.in_contact()[body], 0.1);
     }
 }
 
@@ -110,16 +115,16 @@ fn a_body_that_does_not_move_stays_in_the_contact() {
         scene.track.radius_ball = Some(9.525e-3);
         let (sim, record) = run(scene, 10, 1.0);
         let area = sim.grid().size_x() * sim.grid().size_y();
-        let worn = 5.45e-8 * sim.hertz().load * 0.2 * sim.time() / (6e9 * area);
-        close(record.mean_wear[1], worn, 1e-5);
+        let worn = 5.45e-8 * sim.hertz().force * 0.2 * sim.time() / (6e9 * area);
+        close(record.wear.disc_mean, worn, 1e-5);
         let of_ball = match exposure {
-            Exposure::ContactClock => sim.grid().size_x() / (2.0 * sim.hertz().a_x),
+            Exposure::ContactClock => sim.grid().size_x() / (2.0 * sim.hertz().half_width_x),
             _ => sim.grid().size_x() / (2.0 * std::f64::consts::PI * 9.525e-3),
         };
-        close(record.mean_wear[0], worn * of_ball, 1e-5);
+        close(record.wear.ball_mean, worn * of_ball, 1e-5);
         // The disc is worn where the contact is and nowhere else.
         let grid = sim.grid();
-        let depths = grid.nodes().zip(sim.bodies()[1].wear_depth());
+        let depths = grid.nodes().zip(sim.bodies()[1].wear());
         let outside: Vec<f64> =
             depths.filter(|((x, y), _)| x.hypot(*y) > 2e-4).map(|(_, depth)| *depth).collect();
         assert!(outside.len() > 100 && outside.iter().all(|depth| *depth == 0.0));
@@ -129,9 +134,9 @@ fn a_body_that_does_not_move_stays_in_the_contact() {
 #[test]
 fn smooth_bodies_stay_smooth() {
     let (_, record) = run(smooth(32, 32), 720, 10.0);
-    println!("Rq {:?} m after {:?} m of wear", record.rq, record.track_wear);
-    assert!(record.track_wear[0] > 150e-9);
-    assert!(record.rq.iter().all(|rq| *rq < 1e-9), "{:?}", record.rq);
+    println!("Rq {:?} m after {:?} m of wear", record.roughness.rq(), record.wear.in_contact());
+    assert!(record.wear.ball_in_contact > 150e-9);
+    assert!(record.roughness.rq().iter().all(|rq| *rq < 1e-9), "{:?}", record.roughness.rq());
 }
 
 /// Ball, disc, wear ratio.
@@ -140,9 +145,9 @@ fn roughness_and_wear_do_not_depend_on_the_number_of_steps() {
     let [coarse, fine] = [720_u32, 2880].map(|steps| {
         let at_end = |scene| run(scene, u64::from(steps), 7200.0 / f64::from(steps)).1;
         let [bare, filmed] = [at_end(rough(32, 32)), at_end(rough(32, 32).with_tribofilm())];
-        let ratio = |body: usize| filmed.track_wear[body] / bare.track_wear[body];
-        println!("{steps} steps: Rq {:?}, wear ratios {} {}", bare.rq, ratio(0), ratio(1));
-        [bare.rq[0], bare.rq[1], filmed.rq[1], ratio(0), ratio(1)]
+        let ratio = |body: usize| filmed.wear.in_contact()[body] / bare.wear.in_contact()[body];
+        println!("{steps} steps: Rq {:?}, wear ratios {} {}", bare.roughness.rq(), ratio(0), ratio(1));
+        [bare.roughness.ball_rq, bare.roughness.disc_rq, filmed.roughness.disc_rq, ratio(0), ratio(1)]
     });
     for (a, b) in coarse.into_iter().zip(fine) {
         close(a, b, 0.03);
@@ -158,12 +163,12 @@ fn the_groove_is_no_roughness() {
     let disc = &sim.bodies()[1];
     let profile = sim.worn_profile(disc);
     assert_eq!(profile.len(), 32);
-    close(profile.iter().sum::<f64>() / 32.0, record.mean_wear[1], 1e-12);
+    close(profile.iter().sum::<f64>() / 32.0, record.wear.disc_mean, 1e-12);
     assert!(profile[16] > 100e-9 && profile[0] == 0.0, "{profile:?}");
     let deepest = disc.surface().iter().copied().fold(0.0, f64::min);
-    assert!(deepest < -100e-9 && record.rq[1] < 5e-9, "{deepest} {:?}", record.rq);
+    assert!(deepest < -100e-9 && record.roughness.disc_rq < 5e-9, "{deepest} {:?}", record.roughness.rq());
     assert_eq!(met.len() % 32, 0);
-    close(stribeck::metrics::height_statistics(&met).unwrap().sq, record.rq[1], 1e-6);
+    close(stribeck::metrics::height_statistics(&met).unwrap().sq, record.roughness.disc_rq, 1e-6);
 }
 
 /// Bodies and contacts of all entries of a schedule count.

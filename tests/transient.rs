@@ -75,7 +75,7 @@ impl Rolling {
         let speed_sum = (10.0 / (ALPHA * MODULUS)).powi(4);
         let load = moes_load * speed_sum.powf(0.75) * MODULUS * RADIUS * RADIUS;
         let hertz = HertzPoint::from_load(RADIUS, RADIUS, MODULUS, load).unwrap();
-        let a = hertz.a_x;
+        let a = hertz.half_width_x;
         let grid = Grid::from_edges(n, n, [-4.5 * a, 1.5 * a], [-3.0 * a, 3.0 * a]).unwrap();
         Self {
             grid,
@@ -83,7 +83,7 @@ impl Rolling {
             oil: oil(),
             solver: Auto::new(),
             half_width: a,
-            pressure: hertz.p_max,
+            pressure: hertz.pressure,
             speed: 0.5 * speed_sum * MODULUS * RADIUS / ETA0,
             load,
             reference_film: 0.1 * a * a / RADIUS,

@@ -111,7 +111,7 @@ struct Scene {
 impl Scene {
     fn new(nx: usize, ny: usize, rq: f64) -> Self {
         let hertz = HertzPoint::from_max_pressure(9.525e-3, 9.525e-3, 229.67e9, 1.15e9).unwrap();
-        let half = 3.0 * hertz.a_x;
+        let half = 3.0 * hertz.half_width_x;
         let grid = Grid::from_edges(nx, ny, [-half, half], [-half, half]).unwrap();
         let spec = RoughnessSpec {
             autocorrelation: Autocorrelation::Gaussian,
@@ -134,9 +134,9 @@ impl Scene {
         LubricatedContact::new(
             &self.gap,
             &mut self.body,
-            self.hertz.load,
-            (self.hertz.a_x, self.hertz.a_y),
-            self.hertz.p_max,
+            self.hertz.force,
+            (self.hertz.half_width_x, self.hertz.half_width_y),
+            self.hertz.pressure,
         )
         .with_lubricant(lubricant)
         .with_entrainment_speed(0.5)

@@ -156,13 +156,13 @@ fn check_tells_what_to_expect() {
     let numbers = json_of(&output);
     let scene = Scene::load(&path).unwrap();
     let (hertz, film) = (scene.hertz().unwrap(), scene.formula_film().unwrap().unwrap());
-    assert_eq!(numbers["hertz"]["half_width_x"], hertz.a_x);
-    assert_eq!(numbers["moes"]["m"], film.moes.0);
+    assert_eq!(numbers["hertz"]["half_width_x"], hertz.half_width_x);
+    assert_eq!(numbers["moes"]["m"], film.moes.m);
     assert_eq!(numbers["film"]["formula_central"], film.central);
     let rq = numbers["roughness"]["composite_rq"].as_f64().unwrap();
     assert!((rq / 20e-9_f64.hypot(130e-9) - 1.0).abs() < 1e-9, "{rq}");
     assert_eq!(numbers["film"]["formula_lambda"], film.central / rq);
-    assert_eq!(numbers["grid"]["cells_in_half_width"], hertz.a_x / scene.grid().unwrap().dx());
+    assert_eq!(numbers["grid"]["cells_in_half_width"], hertz.half_width_x / scene.grid().unwrap().dx());
     assert_eq!(numbers["warnings"], serde_json::to_value(scene.warnings()).unwrap());
     let warnings = error_of(&output);
     assert!(!scene.warnings().is_empty());
@@ -218,7 +218,7 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     assert!(output.status.success(), "{output:?}");
     let scene = Scene::load(&path).unwrap();
     let (grid, hertz) = (scene.grid().unwrap(), scene.hertz().unwrap());
-    assert!(-grid.x(0) > 8.0 * hertz.a_x && grid.nx() < 300, "{grid:?}");
+    assert!(-grid.x(0) > 8.0 * hertz.half_width_x && grid.nx() < 300, "{grid:?}");
     let solution = solve_contact(&scene).unwrap();
     assert!(solution.report.require_converged().is_ok(), "{:?}", solution.report);
     std::fs::remove_file(&path).unwrap();
@@ -269,14 +269,14 @@ fn the_curve_is_that_of_its_speeds() {
     scene.motion.entrainment_speed = points[1]["entrainment_speed"].as_f64().unwrap();
     assert!((scene.motion.entrainment_speed / 0.2 - 1.0).abs() < 1e-12);
     let solution = solve_contact(&scene).unwrap();
-    assert_eq!(points[1]["friction"]["coefficient"], solution.friction_coefficient);
+    assert_eq!(points[1]["friction"]["coefficient"], solution.friction.coefficient);
     assert_eq!(points[1]["contact"]["load_ratio"], solution.contact.load_ratio);
     let lambda = solution.film.mean_central / 20e-9_f64.hypot(130e-9);
     // Ball and disc are drawn apart, and by chance heights of one follow those of the other a little.
     assert!((points[1]["film"]["lambda"].as_f64().unwrap() / lambda - 1.0).abs() < 0.1);
     let table = std::fs::read_to_string(folder.path().join("rough_curve.csv")).unwrap();
     let row: Vec<&str> = table.lines().nth(2).unwrap().split(',').collect();
-    assert_eq!(row[1].parse::<f64>().unwrap(), solution.friction_coefficient);
+    assert_eq!(row[1].parse::<f64>().unwrap(), solution.friction.coefficient);
     assert_eq!(table.lines().count(), 4);
     assert_pictures(folder.path(), "rough_curve", &["Stribeck curve", "entrainment speed (m/s)", "friction"]);
 }

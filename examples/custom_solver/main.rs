@@ -16,7 +16,10 @@ fn main() -> Result<(), SimError> {
         let crates = step(MixedLubricationSim::builder(scene.clone()))?;
         let [mine, theirs] = [&own, &crates].map(|step| step.report.work.convolutions);
         println!("{tolerance:9.0e} {mine:19} {theirs:21}");
-        assert!((own.area_ratio / crates.area_ratio - 1.0).abs() < 0.05, "both find the same contact");
+        assert!(
+            (own.contact.area_ratio / crates.contact.area_ratio - 1.0).abs() < 0.05,
+            "both find the same contact"
+        );
     }
     Ok(())
 }

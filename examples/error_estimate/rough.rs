@@ -104,7 +104,7 @@ impl Contact {
 /// Load ratio, area ratio, mean film and friction.
 fn numbers(solution: &ContactSolution) -> [f64; 4] {
     let contact = solution.contact;
-    [contact.load_ratio, contact.area_ratio, solution.film.mean_central, solution.friction_coefficient]
+    [contact.load_ratio, contact.area_ratio, solution.film.mean_central, solution.friction.coefficient]
 }
 
 pub(crate) fn run(options: &Options) -> Result<(), Box<dyn Error>> {

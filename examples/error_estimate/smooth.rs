@@ -77,7 +77,7 @@ fn contact(moes_load: f64, moes_lubricant: f64) -> Scene {
 }
 
 fn numbers(solution: &ContactSolution) -> [f64; 3] {
-    [solution.film.central, solution.film.minimum, solution.contact.max_pressure]
+    [solution.film.central, solution.film.minimum, solution.pressure.max]
 }
 
 /// Numbers of the truth: extrapolated from meshes two and four times finer (from the solution's own and the

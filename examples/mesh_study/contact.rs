@@ -120,7 +120,7 @@ pub(crate) fn solve(job: &Job, folder: &Path) -> Result<Row, Box<dyn Error>> {
         job: *job,
         status: report.status.to_string(),
         ran: report.solver.to_string(),
-        residuals: [report.residuals.mass, report.residuals.load, report.residuals.complementarity],
+        residuals: [report.residual.mass, report.residual.load, report.residual.complementarity],
         iterations: report.work.iterations,
         convolutions: report.work.convolutions,
         gap: solution.film.minimum_gap,
@@ -128,7 +128,7 @@ pub(crate) fn solve(job: &Job, folder: &Path) -> Result<Row, Box<dyn Error>> {
             solution.contact.area_ratio,
             solution.contact.load_ratio,
             solution.film.mean_central,
-            solution.friction_coefficient,
+            solution.friction.coefficient,
         ],
     })
 }

@@ -108,7 +108,7 @@ fn scattered_legend(pair: Pair<'_>) -> Vec<(Pen, String)> {
 
 fn ball_roughness(pair: Pair<'_>) -> Figure {
     let clock = Clock::new(pair);
-    let lines = clock.smooth(pair, Pen::strong, |r| 1e9 * r.rq[0]);
+    let lines = clock.smooth(pair, Pen::strong, |r| 1e9 * r.roughness.ball_rq);
     Figure {
         title: "Roughness of the ball".to_owned(),
         x_label: clock.label,
@@ -120,7 +120,7 @@ fn ball_roughness(pair: Pair<'_>) -> Figure {
 
 fn formula_lambda(pair: Pair<'_>) -> Figure {
     let clock = Clock::new(pair);
-    let lines = clock.smooth(pair, Pen::strong, |r| r.formula_lambda);
+    let lines = clock.smooth(pair, Pen::strong, |r| r.film.formula_lambda.unwrap_or(f64::NAN));
     Figure {
         title: "\u{3bb} ratio by the film formula of Hamrock and Dowson".to_owned(),
         x_label: clock.label,
@@ -132,8 +132,8 @@ fn formula_lambda(pair: Pair<'_>) -> Figure {
 
 fn film_and_roughness(pair: Pair<'_>) -> Figure {
     let clock = Clock::new(pair);
-    let mut roughness = clock.smooth(pair, Pen::strong, |r| 1e9 * r.rq[1]);
-    roughness.extend(clock.smooth(pair, Pen::dashed, |r| 1e9 * r.rq[0]));
+    let mut roughness = clock.smooth(pair, Pen::strong, |r| 1e9 * r.roughness.disc_rq);
+    roughness.extend(clock.smooth(pair, Pen::dashed, |r| 1e9 * r.roughness.ball_rq));
     let mut legend = scattered_legend(pair);
     legend.push((Pen::strong(BLACK), "Rq of the disc".to_owned()));
     legend.push((Pen::dashed(BLACK), "Rq of the ball".to_owned()));
@@ -143,7 +143,7 @@ fn film_and_roughness(pair: Pair<'_>) -> Figure {
         x_scale: XScale::FromZero,
         legend,
         panels: vec![
-            Panel { y_label: "h_avg, nm", lines: clock.scattered(pair, |r| 1e9 * r.average_film) },
+            Panel { y_label: "h_avg, nm", lines: clock.scattered(pair, |r| 1e9 * r.film.mean_central) },
             Panel { y_label: "Rq, nm", lines: roughness },
         ],
     }
@@ -156,7 +156,10 @@ fn lambda(pair: Pair<'_>) -> Figure {
         x_label: clock.label,
         x_scale: XScale::FromZero,
         legend: scattered_legend(pair),
-        panels: vec![Panel { y_label: "\u{3bb} = h_avg / Rq", lines: clock.scattered(pair, |r| r.lambda) }],
+        panels: vec![Panel {
+            y_label: "\u{3bb} = h_avg / Rq",
+            lines: clock.scattered(pair, |r| r.film.lambda.unwrap_or(f64::NAN)),
+        }],
     }
 }
 
@@ -168,15 +171,15 @@ fn contact(pair: Pair<'_>) -> Figure {
         x_scale: XScale::FromZero,
         legend: scattered_legend(pair),
         panels: vec![
-            Panel { y_label: "area ratio", lines: clock.scattered(pair, |r| r.area_ratio) },
-            Panel { y_label: "load ratio", lines: clock.scattered(pair, |r| r.load_ratio) },
+            Panel { y_label: "area ratio", lines: clock.scattered(pair, |r| r.contact.area_ratio) },
+            Panel { y_label: "load ratio", lines: clock.scattered(pair, |r| r.contact.load_ratio) },
         ],
     }
 }
 
 fn wear(pair: Pair<'_>) -> Figure {
     let clock = Clock::new(pair);
-    let lines = clock.smooth(pair, Pen::strong, |r| 1e9 * r.mean_wear[1]);
+    let lines = clock.smooth(pair, Pen::strong, |r| 1e9 * r.wear.disc_mean);
     Figure {
         title: "Wear depth of the disc, mean over its patch".to_owned(),
         x_label: clock.label,

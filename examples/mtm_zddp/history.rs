@@ -52,7 +52,7 @@ pub(crate) fn run(
     let last_contact = folder.last_contact().cloned();
     folder.finish(&sim)?;
     if let Some(contact) = &last_contact {
-        let fields: [(&str, &[f64]); 2] = [("pressure_pa", &contact.pressure), ("film_m", &contact.film)];
+        let fields: [(&str, &[f64]); 2] = [("pressure", &contact.pressure), ("film", &contact.film)];
         write_vtk(path.join("contact.vtk"), &sim.grid(), &fields)?;
     }
     for (file, extension) in [("history.csv", "csv"), ("fields.npz", "npz")] {

@@ -29,7 +29,7 @@ struct Map<'a> {
 /// Draws the three maps of `history` side by side, within 1.2 Hertz radii.
 pub(crate) fn draw(history: &History, path: &Path) -> Result<(), Box<dyn Error>> {
     let Some(contact) = &history.last_contact else { return Ok(()) };
-    let film = history.sim.bodies()[1].film_thickness();
+    let film = history.sim.bodies()[1].tribofilm();
     let thickest = film.iter().copied().fold(0.0, f64::max);
     let maps = [
         Map { title: "film thickness", field: &contact.film, factor: 1e9, darkest: 200.0, unit: "nm" },
@@ -58,7 +58,7 @@ fn draw_map(
     map: &Map<'_>,
     left: i32,
 ) -> Result<(), Box<dyn Error>> {
-    let (grid, radius) = (history.sim.grid(), history.sim.hertz().a_x);
+    let (grid, radius) = (history.sim.grid(), history.sim.hertz().half_width_x);
     let text = |size: u32| ("sans-serif", size).into_font().color(&BLACK);
     let centred = |size: u32| text(size).pos(Pos::new(HPos::Center, VPos::Center));
     root.draw(&Text::new(map.title, (left + EDGE / 2, ABOVE / 2), centred(20)))?;
@@ -85,7 +85,7 @@ fn draw_map(
         }
     }
     // The film is seen on the patch of the disc, wherever that stands in the contact.
-    if std::ptr::eq(map.field, history.sim.bodies()[1].film_thickness()) {
+    if std::ptr::eq(map.field, history.sim.bodies()[1].tribofilm()) {
         return draw_scale(root, map, left);
     }
     let ring = (0..=120).map(|k| (f64::from(k) * std::f64::consts::TAU / 120.0).sin_cos());

@@ -17,31 +17,31 @@ const WINDOW: f64 = 0.05;
 /// Draws `figure1.svg` to `figure8.svg` into `folder`.
 pub(crate) fn draw_all(results: &Results, folder: &Path) -> Result<(), Box<dyn Error>> {
     let figures = [
-        over_time(results, "Roughness of the ball", &[("Rq of the ball, nm", 1e9, |r| r.rq[0])]),
+        over_time(results, "Roughness of the ball", &[("Rq of the ball, nm", 1e9, |r| r.roughness.ball_rq)]),
         over_time(
             results,
             "\u{3bb} ratio by the film formula of Hamrock and Dowson",
-            &[("\u{3bb}_OLD = h_c / Rq", 1.0, |r| r.formula_lambda)],
+            &[("\u{3bb}_OLD = h_c / Rq", 1.0, |r| r.film.formula_lambda.unwrap_or(f64::NAN))],
         ),
         over_time(
             results,
             "Average film within 2/3 of the contact radius, and composite roughness",
-            &[("h_avg, nm", 1e9, |r| r.average_film), ("Rq, nm", 1e9, |r| r.composite_rq)],
+            &[("h_avg, nm", 1e9, |r| r.film.mean_central), ("Rq, nm", 1e9, |r| r.roughness.composite_rq)],
         ),
         over_time(
             results,
             "\u{3bb} ratio by the average film",
-            &[("\u{3bb} = h_avg / Rq", 1.0, |r| r.lambda)],
+            &[("\u{3bb} = h_avg / Rq", 1.0, |r| r.film.lambda.unwrap_or(f64::NAN))],
         ),
         over_time(
             results,
             "Solid contact: share of the Hertz area and of the load",
-            &[("area ratio", 1.0, |r| r.area_ratio), ("load ratio", 1.0, |r| r.load_ratio)],
+            &[("area ratio", 1.0, |r| r.contact.area_ratio), ("load ratio", 1.0, |r| r.contact.load_ratio)],
         ),
         over_time(
             results,
             "Wear depth of the disc, mean over the width of its track",
-            &[("wear depth, nm", 1e9, |r| r.track_wear[1])],
+            &[("wear depth, nm", 1e9, |r| r.wear.disc_in_contact)],
         ),
         profiles(results),
         bearing(results),

@@ -60,21 +60,21 @@ impl Results {
 struct Quantity(&'static str, &'static str, f64, usize, Value, bool);
 
 const QUANTITIES: [Quantity; 15] = [
-    Quantity("Rq of the ball", "nm", 1e9, 1, |r| r.rq[0], false),
-    Quantity("Rq of the disc", "nm", 1e9, 1, |r| r.rq[1], false),
-    Quantity("h_avg", "nm", 1e9, 1, |r| r.average_film, false),
-    Quantity("lambda", "1", 1.0, 3, |r| r.lambda, false),
-    Quantity("lambda_OLD", "1", 1.0, 4, |r| r.formula_lambda, false),
-    Quantity("area ratio", "1", 1.0, 3, |r| r.area_ratio, false),
-    Quantity("load ratio", "1", 1.0, 3, |r| r.load_ratio, false),
-    Quantity("friction coefficient", "1", 1.0, 4, |r| r.friction_coefficient, false),
-    Quantity("largest pressure", "GPa", 1e-9, 2, |r| r.max_pressure, false),
-    Quantity("wear of the ball, track", "nm", 1e9, 1, |r| r.track_wear[0], true),
-    Quantity("wear of the disc, track", "nm", 1e9, 1, |r| r.track_wear[1], true),
-    Quantity("wear of the disc, deepest", "nm", 1e9, 1, |r| r.max_wear[1], true),
-    Quantity("tribofilm of the ball, track", "nm", 1e9, 1, |r| r.track_film[0], true),
-    Quantity("tribofilm of the disc, track", "nm", 1e9, 1, |r| r.track_film[1], true),
-    Quantity("volume flattened", "um^3", 1e18, 1, |r| r.plastic_volume, true),
+    Quantity("Rq of the ball", "nm", 1e9, 1, |r| r.roughness.ball_rq, false),
+    Quantity("Rq of the disc", "nm", 1e9, 1, |r| r.roughness.disc_rq, false),
+    Quantity("h_avg", "nm", 1e9, 1, |r| r.film.mean_central, false),
+    Quantity("lambda", "1", 1.0, 3, |r| r.film.lambda.unwrap_or(f64::NAN), false),
+    Quantity("lambda_OLD", "1", 1.0, 4, |r| r.film.formula_lambda.unwrap_or(f64::NAN), false),
+    Quantity("area ratio", "1", 1.0, 3, |r| r.contact.area_ratio, false),
+    Quantity("load ratio", "1", 1.0, 3, |r| r.contact.load_ratio, false),
+    Quantity("friction coefficient", "1", 1.0, 4, |r| r.friction.coefficient, false),
+    Quantity("largest pressure", "GPa", 1e-9, 2, |r| r.pressure.max, false),
+    Quantity("wear of the ball, track", "nm", 1e9, 1, |r| r.wear.ball_in_contact, true),
+    Quantity("wear of the disc, track", "nm", 1e9, 1, |r| r.wear.disc_in_contact, true),
+    Quantity("wear of the disc, deepest", "nm", 1e9, 1, |r| r.wear.disc_max, true),
+    Quantity("tribofilm of the ball, track", "nm", 1e9, 1, |r| r.tribofilm.ball_in_contact, true),
+    Quantity("tribofilm of the disc, track", "nm", 1e9, 1, |r| r.tribofilm.disc_in_contact, true),
+    Quantity("volume flattened", "um^3", 1e18, 1, |r| r.plastic.volume, true),
 ];
 
 impl Quantity {
@@ -219,7 +219,7 @@ pub(crate) fn summary(all: &[Results]) -> String {
         }
     }
     row(&mut text, "wear of the disc with film over without", all, |results| {
-        let wear: Value = |record| record.track_wear[1];
+        let wear: Value = |record| record.wear.disc_in_contact;
         cell(results.spread(|pair| pair.with.at(PARTS, wear) / pair.without.at(PARTS, wear)), 3)
     });
     text

@@ -50,8 +50,8 @@ fn sweep(sim: &mut MixedLubricationSim, count: u32) -> Result<Sweep, Box<dyn Err
             continue;
         }
         let lambda = solution.film.mean_central / rq;
-        let (friction, solids) = (solution.friction_coefficient, solution.contact.load_ratio);
-        curve.push((decade, [friction, solution.friction_boundary, solids, lambda]));
+        let (friction, solids) = (solution.friction.coefficient, solution.contact.load_ratio);
+        curve.push((decade, [friction, solution.friction.boundary, solids, lambda]));
     }
     Ok(curve)
 }

@@ -164,7 +164,7 @@ fn verdict(status: Status) -> Verdict {
 
 fn at_once(scene: &Scene) -> Result<Solved, SimError> {
     let solution = solve_contact(scene)?;
-    let load = (solution.hertz.load, solution.grid.cell_area());
+    let load = (solution.hertz.force, solution.grid.cell_area());
     Ok(Solved {
         report: solution.report,
         numbers: [solution.film.minimum_gap, solution.contact.load_ratio, solution.contact.area_ratio],
@@ -181,10 +181,10 @@ fn in_time(case: &Case, scene: Scene) -> Result<Solved, SimError> {
     loop {
         let record = sim.step(time_step)?;
         let state = sim.state();
-        let fault = fault(&checked, state, (sim.hertz().load, grid.cell_area()));
+        let fault = fault(&checked, state, (sim.hertz().force, grid.cell_area()));
         if fault.is_some() || record.step + 1 >= u64::from(STEPS) {
             let gap = state.film.iter().copied().fold(f64::INFINITY, f64::min);
-            let numbers = [gap, record.load_ratio, record.area_ratio];
+            let numbers = [gap, record.contact.load_ratio, record.contact.area_ratio];
             return Ok(Solved { report: record.report, numbers, fault });
         }
     }
@@ -233,13 +233,13 @@ pub(crate) fn table(entries: &[Entry]) -> String {
             entry.solver, lengths[0], lengths[1], entry.verdict
         );
         let _ = match &entry.report {
-            Some(SolveReport { solver, strategy, residuals, work, .. }) => write!(
+            Some(SolveReport { solver, strategy, residual, work, .. }) => write!(
                 text,
                 ",{solver},{},{:.2e},{:.2e},{:.2e},{},{:.0}",
                 strategy.map_or_else(String::new, |strategy| strategy.to_string()),
-                residuals.mass,
-                residuals.load,
-                residuals.complementarity,
+                residual.mass,
+                residual.load,
+                residual.complementarity,
                 work.iterations,
                 work.convolutions
             ),

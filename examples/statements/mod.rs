@@ -55,7 +55,7 @@ pub(crate) fn bearing_heights(sim: &MixedLubricationSim, heights: &[f64]) -> Res
 
 /// `film` along y through x = 0, inside the Hertz contact.
 pub(crate) fn film_profile(sim: &MixedLubricationSim, film: &[f64]) -> Vec<(f64, f64)> {
-    let (grid, radius) = (sim.grid(), sim.hertz().a_y);
+    let (grid, radius) = (sim.grid(), sim.hertz().half_width_y);
     let inside = (0..grid.ny()).map(|j| grid.y(j)).filter(|y| y.abs() <= radius);
     inside.map(|y| (y, grid.interpolate(film, 0.0, y).unwrap_or(f64::NAN))).collect()
 }
@@ -106,12 +106,12 @@ const HARDNESS: f64 = 6e9;
 /// Share of the initial height within which the peaks of two bearing curves count as the same.
 const SAME_PEAKS: f64 = 0.1;
 
-const LAMBDA: Value = |r| r.lambda;
-const LAMBDA_OLD: Value = |r| r.formula_lambda;
-const AREA: Value = |r| r.area_ratio;
-const LOAD: Value = |r| r.load_ratio;
-const PRESSURE: Value = |r| r.max_pressure;
-const WEAR: Value = |r| r.track_wear[1];
+const LAMBDA: Value = |r| r.film.lambda.unwrap_or(f64::NAN);
+const LAMBDA_OLD: Value = |r| r.film.formula_lambda.unwrap_or(f64::NAN);
+const AREA: Value = |r| r.contact.area_ratio;
+const LOAD: Value = |r| r.contact.load_ratio;
+const PRESSURE: Value = |r| r.pressure.max;
+const WEAR: Value = |r| r.wear.disc_in_contact;
 
 /// A statement of every tenth.
 const fn always(text: &'static str, holds: fn(&Pair, usize) -> bool) -> Statement {
@@ -135,12 +135,12 @@ const fn end(text: &'static str, holds: fn(&Pair, usize) -> bool) -> Statement {
 
 /// All of them, in the order of the paper's figures.
 pub(crate) const STATEMENTS: [Statement; 27] = [
-    always("Rq of the ball higher with film", |p, k| higher(p, k, |r| r.rq[0])),
-    always("Rq of the disc higher with film", |p, k| higher(p, k, |r| r.rq[1])),
+    always("Rq of the ball higher with film", |p, k| higher(p, k, |r| r.roughness.ball_rq)),
+    always("Rq of the disc higher with film", |p, k| higher(p, k, |r| r.roughness.disc_rq)),
     always("lambda_OLD lower with film", |p, k| p.with.mean(k, LAMBDA_OLD) < p.without.mean(k, LAMBDA_OLD)),
     change("lambda_OLD keeps rising, with film", |p, k| rises(&p.with, k, LAMBDA_OLD)),
     change("lambda_OLD keeps rising, without", |p, k| rises(&p.without, k, LAMBDA_OLD)),
-    always("h_avg higher with film", |p, k| higher(p, k, |r| r.average_film)),
+    always("h_avg higher with film", |p, k| higher(p, k, |r| r.film.mean_central)),
     always("lambda higher with film", |p, k| higher(p, k, LAMBDA)),
     change("lambda below its first tenth, with film", |p, k| below_first(&p.with, k, LAMBDA)),
     change("lambda below its first tenth, without", |p, k| below_first(&p.without, k, LAMBDA)),
@@ -162,7 +162,7 @@ pub(crate) const STATEMENTS: [Statement; 27] = [
         text: "nodes of the first contact at 6 GPa",
         parts: 1..=1,
         curves: false,
-        holds: |p, _| p.without.records.first().is_some_and(|r| r.max_pressure >= HARDNESS * (1.0 - 1e-9)),
+        holds: |p, _| p.without.records.first().is_some_and(|r| r.pressure.max >= HARDNESS * (1.0 - 1e-9)),
     },
     change("largest pressure below its first tenth, with film", |p, k| below_first(&p.with, k, PRESSURE)),
     end("largest pressure near 2 GPa in the end, with film", |p, k| {

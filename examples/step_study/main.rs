@@ -40,12 +40,24 @@ struct Case {
 }
 
 const CASES: [Case; 3] = [
-    Case { name: "smooth", label: "Rq smooth, nm", value: |r| 1e9 * r.rq[0], rough: false, film: false },
-    Case { name: "bare", label: "Rq rough, nm", value: |r| 1e9 * r.rq[0], rough: true, film: false },
+    Case {
+        name: "smooth",
+        label: "Rq smooth, nm",
+        value: |r| 1e9 * r.roughness.ball_rq,
+        rough: false,
+        film: false,
+    },
+    Case {
+        name: "bare",
+        label: "Rq rough, nm",
+        value: |r| 1e9 * r.roughness.ball_rq,
+        rough: true,
+        film: false,
+    },
     Case {
         name: "film",
         label: "flattened, \u{b5}m\u{b3}",
-        value: |r| 1e18 * r.plastic_volume,
+        value: |r| 1e18 * r.plastic.volume,
         rough: true,
         film: true,
     },
@@ -64,8 +76,10 @@ fn end(scene: &Scene, steps: u32) -> Result<Option<StepRecord>, SimError> {
         },
     )?;
     // The record has the roughness before the last step.
-    for (rq, body) in last.iter_mut().flat_map(|record| &mut record.rq).zip(sim.bodies()) {
-        *rq = height_statistics(&sim.track_roughness(body.surface())?)?.sq;
+    if let Some(StepRecord { roughness, .. }) = &mut last {
+        for (rq, body) in [&mut roughness.ball_rq, &mut roughness.disc_rq].into_iter().zip(sim.bodies()) {
+            *rq = height_statistics(&sim.track_roughness(body.surface())?)?.sq;
+        }
     }
     Ok(last)
 }
@@ -80,10 +94,10 @@ fn line(
     let mut points = Vec::new();
     for steps in STEPS {
         let Some(record) = end(scene, steps)? else { continue };
-        let (rq, wear) = (record.rq, record.track_wear);
+        let (rq, wear) = (record.roughness.rq(), record.wear.in_contact());
         let row = format!(
             "{},{name},{},{steps},{:e},{:e},{:e},{:e},{:e}",
-            case.name, scene.track.seed, rq[0], rq[1], wear[0], wear[1], record.plastic_volume
+            case.name, scene.track.seed, rq[0], rq[1], wear[0], wear[1], record.plastic.volume
         );
         println!("{row}");
         writeln!(table, "{row}")?;

@@ -35,7 +35,7 @@ use steepest_descent::SteepestDescent;
 use stribeck::analytic::FilmConditions;
 use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};
-use stribeck::metrics::{average_central_film, friction_coefficient, viscous_shear_into};
+use stribeck::metrics::{friction_coefficient, mean_central_film, viscous_shear_into};
 use stribeck::reynolds::{
     Auto, ContactSolver, ContactState, Dry, FaceMobility, LubricatedContact, Multigrid, NewtonKrylov,
     SemiSystem, StoppingRule,
@@ -187,7 +187,7 @@ fn ball(moes_load: f64, n: usize) -> Scene {
     scene.roughness = Default::default();
     scene.plastic = None;
     if let Ok(hertz) = scene.hertz() {
-        let a = hertz.a_x;
+        let a = hertz.half_width_x;
         scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-4.5 * a, 1.5 * a], y: [-3.0 * a, 3.0 * a] };
     }
     scene
@@ -285,24 +285,29 @@ fn solve(
             pressure_viscosity: oil.pressure_viscosity_coefficient(),
             equivalent_modulus: modulus,
             radius: scene.form.radii().0,
-            load: hertz.load,
+            load: hertz.force,
             ellipticity: 1.0,
         }
         .hamrock_dowson_central()?,
     };
     let limit = scene.plastic.map(|plastic| vec![plastic.hardness; grid.len()]);
     let face_mobility = if name == WEDGE { FaceMobility::Wedge } else { scene.face_mobility() };
-    let mut problem =
-        LubricatedContact::new(&gap, &mut body, hertz.load, (hertz.a_x, hertz.a_y), hertz.p_max)
-            .with_lubricant(oil.as_ref())
-            .with_entrainment_speed(scene.motion.entrainment_speed)
-            .with_pressure_limit(limit.as_deref())
-            .with_film_cutoff(scene.solver.film_cutoff)
-            .with_contact(scene.solver.contact)
-            .with_scheme(scene.scheme())
-            .with_face_mobility(face_mobility)
-            .with_cavitation(scene.cavitation())
-            .with_reference_film(reference_film);
+    let mut problem = LubricatedContact::new(
+        &gap,
+        &mut body,
+        hertz.force,
+        (hertz.half_width_x, hertz.half_width_y),
+        hertz.pressure,
+    )
+    .with_lubricant(oil.as_ref())
+    .with_entrainment_speed(scene.motion.entrainment_speed)
+    .with_pressure_limit(limit.as_deref())
+    .with_film_cutoff(scene.solver.film_cutoff)
+    .with_contact(scene.solver.contact)
+    .with_scheme(scene.scheme())
+    .with_face_mobility(face_mobility)
+    .with_cavitation(scene.cavitation())
+    .with_reference_film(reference_film);
     let stop = StoppingRule::default().with_tolerance(tolerance);
     let (start, mut repeats) = (Stopwatch::start(), 0.0);
     let (state, report) = loop {
@@ -314,14 +319,14 @@ fn solve(
         }
     };
     let seconds = start.seconds() / repeats;
-    let mean = average_central_film(&grid, &state.film, hertz.a_x, hertz.a_y)?;
+    let mean = mean_central_film(&grid, &state.film, hertz.half_width_x, hertz.half_width_y)?;
     let touching = state.in_contact.iter().filter(|flag| **flag).count() as f64 * grid.cell_area();
     let solid: f64 = (0..grid.len()).map(|k| state.solid_pressure(k)).sum::<f64>() * grid.cell_area();
     let under_pressure = state.film.iter().zip(&state.pressure).filter(|(_, p)| **p > 0.0);
     let minimum = under_pressure.fold(f64::INFINITY, |least, (h, _)| least.min(*h));
     let values = match case.name {
         "dry_rough" => [touching, mean],
-        "mixed" => [solid / hertz.load, friction(&scene, problem.lubricant, &grid, &state, hertz.load)?],
+        "mixed" => [solid / hertz.force, friction(&scene, problem.lubricant, &grid, &state, hertz.force)?],
         _ => [grid.interpolate(&state.film, 0.0, 0.0)?, minimum],
     };
     Ok((report, seconds, values))

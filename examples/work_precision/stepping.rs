@@ -48,7 +48,7 @@ fn history(cells: usize, end: f64, control: &StepControl) -> Result<Outcome, Box
     let (mut convolutions, mut values) = (0.0, [0.0; 2]);
     sim.run_until(end, control, &mut |_: &MixedLubricationSim, record: &StepRecord| {
         convolutions += record.report.work.convolutions;
-        values = [record.mean_wear[1], record.mean_film[1]];
+        values = [record.wear.disc_mean, record.tribofilm.disc_mean];
         ControlFlow::Continue(())
     })?;
     Ok(Outcome { steps: sim.steps(), seconds: watch.seconds(), convolutions, values })

@@ -59,9 +59,9 @@ fn hertz_point<'py>(
         |pressure| HertzPoint::from_max_pressure(radius_x, radius_y, equivalent_modulus, pressure),
     )?;
     Ok(dictionary!(py, {
-        "half_width_x": contact.a_x,
-        "half_width_y": contact.a_y,
-        "pressure": contact.p_max,
+        "half_width_x": contact.half_width_x,
+        "half_width_y": contact.half_width_y,
+        "pressure": contact.pressure,
         "mean_pressure": contact.mean_pressure(),
         "force": contact.load,
         "area": contact.area(),
@@ -87,7 +87,7 @@ fn hertz_line<'py>(
     )?;
     Ok(dictionary!(py, {
         "half_width": contact.half_width,
-        "pressure": contact.p_max,
+        "pressure": contact.pressure,
         "force": contact.load,
     }))
 }

@@ -27,6 +27,7 @@ fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<start::BodyStart>()?;
     module.add_class::<surface::Surface>()?;
     module.add_function(wrap_pyfunction!(convert::quantity, module)?)?;
+    module.add_function(wrap_pyfunction!(record::columns, module)?)?;
     module.add_function(wrap_pyfunction!(solution::solve, module)?)?;
     module.add_function(wrap_pyfunction!(surface::generate, module)?)?;
     module.add_function(wrap_pyfunction!(surface::texture, module)?)?;

@@ -6,9 +6,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::sim;
 
-use crate::convert::{dict, dictionary, list, table};
+use crate::convert::{dict, dictionary, list, named, table};
 use crate::error::{raise, value};
-use crate::record::hertz_dict;
 
 /// The cells of a contact.
 #[pyclass(frozen, module = "stribeck._stribeck")]
@@ -69,7 +68,7 @@ impl Scene {
     }
 
     fn hertz<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        hertz_dict(py, &value(py, self.0.hertz())?)
+        named(py, &value(py, self.0.hertz())?)
     }
 
     fn grid(&self, py: Python<'_>) -> PyResult<Cells> {

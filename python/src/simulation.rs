@@ -9,10 +9,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::sim::{CheckpointError, MixedLubricationSim, SimError, StepControl, StepRecord, Warning};
 
-use crate::convert::{dictionary, field, list, on_grid};
+use crate::convert::{dictionary, field, list, named, on_grid};
 use crate::error::{ForPython, raise, value};
 use crate::laws::Failure;
-use crate::record::record_dict;
 use crate::scene::{Cells, Scene, conditions_dict};
 use crate::solution::{Parts, Start, parts_of};
 use crate::start::BodyStart;
@@ -52,7 +51,7 @@ type RecordParts<'py> = (Bound<'py, PyDict>, Bound<'py, PyAny>);
 
 impl Taken {
     fn parts<'py>(&self, py: Python<'py>) -> PyResult<RecordParts<'py>> {
-        Ok((record_dict(py, &self.record)?, list(py, &self.warnings)?))
+        Ok((named(py, &self.record)?, list(py, &self.warnings)?))
     }
 }
 
@@ -263,9 +262,9 @@ impl Simulation {
                     Ok(dictionary!(py, {
                         "initial": array(body.initial())?,
                         "surface": array(body.surface())?,
-                        "wear": array(body.wear_depth())?,
+                        "wear": array(body.wear())?,
                         "plastic_depth": array(body.plastic_depth())?,
-                        "tribofilm": array(body.film_thickness())?,
+                        "tribofilm": array(body.tribofilm())?,
                         "worn_profile": numpy::PyArray1::from_vec(py, sim.worn_profile(body)),
                     }))
                 })
@@ -281,7 +280,7 @@ impl Simulation {
                 "pressure": field(py, &grid, &state.pressure)?,
                 "fluid_pressure": field(py, &grid, &state.fluid_pressure)?,
                 "film": field(py, &grid, &state.film)?,
-                "theta": field(py, &grid, &state.content)?,
+                "theta": field(py, &grid, &state.theta)?,
                 "plastic_depth": field(py, &grid, &state.plastic_depth)?,
                 "in_contact": field(py, &grid, &state.in_contact)?,
             }))

@@ -89,7 +89,7 @@ impl Start<'_> {
         state.pressure = part("start pressure", &self.pressure)?;
         state.fluid_pressure = part("start fluid_pressure", &self.fluid_pressure)?;
         state.film = part("start film", &self.film)?;
-        state.content = part("start theta", &self.theta)?;
+        state.theta = part("start theta", &self.theta)?;
         state.plastic_depth = part("start plastic_depth", &self.plastic_depth)?;
         state.in_contact = on_grid(py, "start in_contact", &self.in_contact, &grid)?.to_vec();
         state.approach = self.approach;

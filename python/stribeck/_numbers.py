@@ -7,63 +7,39 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from ._stribeck import columns
 from .errors import unknown
 
-#: Units by the last part of a name; names that are not here have none.
-UNITS = {
+#: Units of the columns of a history.
+COLUMNS = dict(columns())
+#: Units of other names by their last part; names that are not here have none.
+_UNITS = {
+    "angle": "rad",
     "approach": "m",
     "area": "m^2",
-    "average_film": "m",
-    "bulk_temperature": "K",
-    "central_film": "",
-    "composite_rq": "m",
-    "corrected_area": "m^2",
+    "depth": "m",
     "dx": "m",
     "dy": "m",
-    "entrainment_speed": "m/s",
-    "film_cutoff": "m",
-    "film_heat": "W",
-    "flash_rise": "K",
     "force": "N",
     "half_width": "m",
     "half_width_x": "m",
     "half_width_y": "m",
-    "inflow": "m^3/s",
-    "mean_central": "m",
-    "mean_pressure": "Pa",
-    "max_pressure": "Pa",
-    "minimum": "m",
-    "minimum_gap": "m",
-    "outflow": "m^3/s",
-    "plastic_area": "m^2",
-    "plastic_volume": "m^3",
+    "pressure": "Pa",
     "radius": "m",
     "seconds": "s",
-    "time": "s",
-    "time_step": "s",
-}
-_PREFIXES = {"film_temperature_": "K", "surface_rise_": "K", "rq_": "m", "mean_wear_": "m", "max_wear_": "m", "mean_film_": "m", "track_": "m"}
-_PATHS = {
-    "film.central": "m",
-    "film.lambda": "",
-    "pressure.max": "Pa",
-    "pressure.central": "Pa",
-    "hertz.pressure": "Pa",
-    "load": "N",
+    "stress": "Pa",
+    "x": "m",
+    "y": "m",
 }
 
 
 def unit(path: str) -> str:
     """The unit of the number with the name ``path``, empty for ratios and counts."""
-    if path.startswith(("error_estimate.", "residual.")):
-        return ""
-    if path in _PATHS:
-        return _PATHS[path]
-    last = path.rsplit(".", 1)[-1]
-    for prefix, named in _PREFIXES.items():
-        if last.startswith(prefix):
-            return named
-    return UNITS.get(last, "")
+    if path in COLUMNS:
+        return COLUMNS[path]
+    if path == "entrainment_speed":
+        return COLUMNS["motion.entrainment_speed"]
+    return "" if path.startswith("error_estimate.") else _UNITS.get(path.rsplit(".", 1)[-1], "")
 
 
 class Numbers(Mapping[str, Any]):

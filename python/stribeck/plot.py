@@ -88,7 +88,7 @@ def profile(
 
 
 def history(
-    records: History, names: str | Sequence[str] = "friction_coefficient", *, ax: Axes | None = None, **options: Any
+    records: History, names: str | Sequence[str] = "friction.coefficient", *, ax: Axes | None = None, **options: Any
 ) -> Axes:
     """Columns of a history over time in seconds; ``options`` go to ``plot``."""
     chosen = [names] if isinstance(names, str) else list(names)

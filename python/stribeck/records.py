@@ -2,26 +2,36 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, overload
+from typing import Any, ClassVar, overload
 
 import numpy as np
 import numpy.typing as npt
 
-from ._numbers import Numbers, table
-from .errors import StribeckWarning, found
+from ._numbers import COLUMNS, Numbers, table
+from .errors import StribeckWarning, found, unknown
 
 __all__ = ["Body", "History", "Record"]
 
 _TEXTS = {"solver": "U32", "status": "U16"}
-_WHOLES = {"step", "attempts", "iterations", "inner_iterations"}
-_SHOWN = ("step", "time", "lambda", "area_ratio", "load_ratio", "friction_coefficient", "mean_wear_disc", "mean_film_disc")
+_WHOLES = {"step", "attempts", "work.iterations", "work.inner_iterations"}
+_SHOWN = (
+    "step",
+    "time",
+    "film.lambda",
+    "contact.area_ratio",
+    "contact.load_ratio",
+    "friction.coefficient",
+    "wear.disc_mean",
+    "tribofilm.disc_mean",
+)
 
 
 class Record(Numbers):
-    """The numbers of one step, all SI: ``time``, ``load_ratio``, ``lambda_``, ``friction_coefficient``, ``mean_wear_disc`` and so
-    on, as in the columns of a history file. What is not modelled is NaN. ``warnings`` is what this step has found that is unlikely
-    to be meant or to hold; no later step repeats it."""
+    """The numbers of one step, all SI, under the names of a solution: ``time``, ``contact.load_ratio``, ``film.lambda_``,
+    ``friction.coefficient``, ``wear.disc_mean`` and so on. What is not modelled is None. ``warnings`` is what this step has found
+    that is unlikely to be meant or to hold; no later step repeats it."""
 
     __slots__ = ("warnings",)
 
@@ -39,6 +49,15 @@ class Record(Numbers):
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.to_dict(), self.warnings)
 
+    def column(self, name: str) -> Any:
+        """The value of the column ``name``, as ``"film.mean_central"``; NaN where it is not modelled."""
+        if name not in COLUMNS:
+            raise unknown("column", name, COLUMNS)
+        value: Any = self
+        for part in name.split("."):
+            value = None if value is None else value[part]
+        return math.nan if value is None else value
+
 
 class Body(Numbers):
     """One body: ``initial``, ``surface``, ``wear``, ``plastic_depth`` and ``tribofilm`` of the shape ``(ny, nx)`` and
@@ -51,8 +70,11 @@ class Body(Numbers):
 
 
 class History(Sequence[Record]):
-    """The records of a run. ``history["load_ratio"]`` is a column, ``history[-1]`` the last record, ``history.to_numpy()`` a
-    structured array."""
+    """The records of a run. ``history["contact.load_ratio"]`` is a column, ``history[-1]`` the last record, ``history.to_numpy()``
+    a structured array."""
+
+    #: Names of the columns and their units, empty for ratios, counts and words.
+    columns: ClassVar[dict[str, str]] = COLUMNS
 
     def __init__(self, records: Sequence[Record] = (), stopped: bool = False) -> None:
         self._records = list(records)
@@ -70,7 +92,7 @@ class History(Sequence[Record]):
     def __getitem__(self, key: str) -> npt.NDArray[Any]: ...
     def __getitem__(self, key: int | slice | str) -> Any:
         if isinstance(key, str):
-            return np.array([record[key] for record in self._records])
+            return np.array([record.column(key) for record in self._records])
         if isinstance(key, slice):
             return History(self._records[key], self.stopped)
         return self._records[key]
@@ -83,12 +105,10 @@ class History(Sequence[Record]):
         self._records.append(record)
 
     def to_numpy(self) -> npt.NDArray[np.void]:
-        """A structured array, a field for each name of a record, of the shape ``(steps,)``; ``pandas.DataFrame`` takes it."""
-        if not self._records:
-            return np.empty(0, dtype=[("step", np.int64)])
-        names = list(self._records[0])
-        kinds = [(name, _TEXTS.get(name, np.int64 if name in _WHOLES else np.float64)) for name in names]
-        return np.array([tuple(record[name] for name in names) for record in self._records], dtype=kinds)
+        """A structured array of the shape ``(steps,)``, a field for each column: ``array["film.mean_central"]``; what is not
+        modelled is NaN. ``pandas.DataFrame`` takes it."""
+        kinds = [(name, _TEXTS.get(name, np.int64 if name in _WHOLES else np.float64)) for name in COLUMNS]
+        return np.array([tuple(record.column(name) for name in COLUMNS) for record in self._records], dtype=kinds)
 
     def to_dict(self) -> dict[str, npt.NDArray[Any]]:
         """Columns by name."""
@@ -99,8 +119,8 @@ class History(Sequence[Record]):
         if not self._records:
             return "<History without steps>"
         last = self._records[-1]
-        return f"<History of {len(self)} steps until {last['time']:g} s, load ratio {last['load_ratio']:.4g}>"
+        return f"<History of {len(self)} steps until {last['time']:g} s, load ratio {last['contact']['load_ratio']:.4g}>"
 
     def _repr_html_(self) -> str:
         rows = self._records if len(self) <= 20 else [*self._records[:10], *self._records[-10:]]
-        return table(([f"{record[name]:.5g}" for name in _SHOWN] for record in rows), _SHOWN)
+        return table(([f"{record.column(name):.5g}" for name in _SHOWN] for record in rows), _SHOWN)

@@ -215,7 +215,7 @@ def test_a_simulation_starts_from_a_solution() -> None:
     solution = stribeck.solve(scene)
     cold, warm = stribeck.Simulation(scene).step(60.0), stribeck.Simulation(scene, start=solution).step(60.0)
     assert warm.convolutions < 0.5 * cold.convolutions
-    assert warm.load_ratio == pytest.approx(cold.load_ratio, rel=1e-3)
+    assert warm.contact.load_ratio == pytest.approx(cold.contact.load_ratio, rel=1e-3)
     other = stribeck.solve(Scene.azam_2019(16))
     refused(stribeck.ShapeError, lambda: stribeck.Simulation(scene, start=other), "start pressure")
     bare = stribeck.Solution(solution.to_dict())

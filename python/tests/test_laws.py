@@ -40,7 +40,7 @@ def test_the_oil_in_python_is_that_of_the_crate(barus_scene: stribeck.Scene) -> 
     assert own.moes.l == pytest.approx(usual.moes.l, rel=1e-3)
     simulation = stribeck.Simulation(barus_scene, viscosity=barus, density=dowson_higginson)
     record = simulation.step(60.0)
-    assert record.load_ratio == pytest.approx(stribeck.Simulation(barus_scene).step(60.0).load_ratio, rel=1e-4)
+    assert record.contact.load_ratio == pytest.approx(stribeck.Simulation(barus_scene).step(60.0).contact.load_ratio, rel=1e-4)
     fork = simulation.fork()
     assert same(fork.step(60.0), simulation.step(60.0))
 
@@ -65,7 +65,7 @@ def test_laws_follow_the_bulk_temperature(barus_scene: stribeck.Scene) -> None:
     assert thin.film.central / cool.film.central == pytest.approx(np.exp(-0.6 * 0.67), rel=0.05)
     schedule = {"bulk_temperature": {"kind": "steps", "times": [0.0, 60.0], "values": [353.15, 373.15]}}
     simulation = stribeck.Simulation(smooth.replace(schedule=schedule), viscosity=Thinning())
-    films = [simulation.step(60.0).average_film for _ in range(2)]
+    films = [simulation.step(60.0).film.mean_central for _ in range(2)]
     assert films[1] < 0.8 * films[0]
 
 
@@ -79,7 +79,7 @@ def test_plasticity_in_python(rough: stribeck.Scene) -> None:
     law = Hardening(lambda film, depth: 2e9 + 1e16 * np.maximum(depth, 0.0))
     simulation = stribeck.Simulation(elastic, plasticity=law)
     found = simulation.run(2, 60.0)
-    assert found["plastic_volume"] == pytest.approx(expected["plastic_volume"], rel=1e-6)
+    assert found["plastic.volume"] == pytest.approx(expected["plastic.volume"], rel=1e-6)
     assert simulation.bodies[1].plastic_depth.max() > 0.0
 
 
@@ -101,7 +101,7 @@ def test_motion_in_python(rough: stribeck.Scene) -> None:
     rest = stribeck.Simulation(dry.replace(track={"motion": "at_rest"}))
     assert same(still.run(2, 60.0)[1], rest.run(2, 60.0)[1])
     between = stribeck.Simulation(dry, motion=Motion(lambda *_: (3, 0, 0.5)))
-    assert between.step(60.0).load_ratio > 0.0
+    assert between.step(60.0).contact.load_ratio > 0.0
 
 
 @pytest.mark.parametrize(

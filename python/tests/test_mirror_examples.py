@@ -30,7 +30,7 @@ def test_members_of_an_ensemble_are_simulations(tmp_path: Path) -> None:
         last = stribeck.Simulation(scene).run(4, 60.0)[-1]
         words = told.replace(",", "").split()
         assert words[0] == "4"
-        assert [float(words[3]), float(words[6])] == [last.mean_wear_disc, last.mean_film_disc]
+        assert [float(words[3]), float(words[6])] == [last.wear.disc_mean, last.tribofilm.disc_mean]
 
 
 def thermal_scene(speed: float, ratio: float) -> stribeck.Scene:
@@ -64,8 +64,8 @@ def test_a_coating_in_python_is_that_of_its_example() -> None:
     for row in [line.split() for line in run_example("custom_deformation").splitlines()[1:]]:
         compliance = float(row[0]) * 1e-6 / 5e9
         record = stribeck.Simulation(scene, deformation=lambda p, c=compliance: steel.displacement(p) + c * p).step(1.0)
-        assert record.max_pressure * 1e-9 == pytest.approx(float(row[2]), abs=1.1e-3)
-        assert record.average_film * 1e9 == pytest.approx(float(row[4]), rel=1e-3)
+        assert record.pressure.max * 1e-9 == pytest.approx(float(row[2]), abs=1.1e-3)
+        assert record.film.mean_central * 1e9 == pytest.approx(float(row[4]), rel=1e-3)
 
 
 class SteepestDescent:

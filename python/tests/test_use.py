@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import math
 import pickle
 import threading
 import tracemalloc
@@ -137,7 +138,7 @@ def test_schedules_and_bounds_of_steps(rough: stribeck.Scene) -> None:
     assert history["entrainment_speed"].tolist() == [0.1, 0.1, 0.2]
     assert simulation.conditions.entrainment_speed == 0.2
     short = stribeck.Simulation(rough).step(1e4, depth=1e-9)
-    assert short.time_step < 1e4 and max(short.max_wear_ball, short.max_wear_disc) <= 1e-9
+    assert short.time_step < 1e4 and max(short.wear.ball_max, short.wear.disc_max) <= 1e-9
     faster = simulation.solve_under(entrainment_speed=2.0)
     assert faster.contact.load_ratio < simulation.solve_under().contact.load_ratio
     assert simulation.steps == 3
@@ -146,10 +147,10 @@ def test_schedules_and_bounds_of_steps(rough: stribeck.Scene) -> None:
 def test_records_are_a_structured_array(rough: stribeck.Scene) -> None:
     history = stribeck.Simulation(rough).run(2, 60.0)
     table = history.to_numpy()
-    assert table.shape == (2,) and table["load_ratio"][1] == history[1].load_ratio == history["load_ratio"][1]
+    assert table.shape == (2,) and table["contact.load_ratio"][1] == history[1].contact.load_ratio == history["contact.load_ratio"][1]
     assert table["status"].tolist() == ["converged"] * 2
-    assert list(history.to_dict()) == list(table.dtype.names) == list(history[0])
-    assert "load_ratio" in history._repr_html_() and "120 s" in repr(history)
+    assert list(history.to_dict()) == list(table.dtype.names) and math.isnan(table["thermal.heat"][0])
+    assert "contact.load_ratio" in history._repr_html_() and "120 s" in repr(history)
     assert history[0].to_dict()["step"] == 0
     assert stribeck.History().to_numpy().size == 0
 
@@ -362,7 +363,7 @@ def test_deformation_in_python(rough: stribeck.Scene, dry: bool) -> None:
     assert own.film.mean_central == pytest.approx(usual.film.mean_central, rel=1e-4, abs=1e-12)
     simulation = stribeck.Simulation(scene, deformation=model)
     record = simulation.step(60.0)
-    assert record.load_ratio == pytest.approx(stribeck.Simulation(scene).step(60.0).load_ratio, rel=1e-3)
+    assert record.contact.load_ratio == pytest.approx(stribeck.Simulation(scene).step(60.0).contact.load_ratio, rel=1e-3)
     fork = simulation.fork()
     assert same(fork.step(60.0), simulation.step(60.0))
 

@@ -32,15 +32,15 @@ pub fn equivalent_modulus(first: [f64; 2], second: [f64; 2]) -> Result<f64, Inpu
 
 /// A dry, smooth, frictionless point contact of bodies whose gap is `x^2/(2 Rx) + y^2/(2 Ry)`.
 ///
-/// Pressure `p = p_max sqrt(1 - (x/a_x)^2 - (y/a_y)^2)`. With `k` the ratio of the short semi-axis `b` to the
+/// Pressure `p = pressure sqrt(1 - (x/half_width_x)^2 - (y/half_width_y)^2)`. With `k` the ratio of the short semi-axis `b` to the
 /// long one `a`, `e^2 = 1 - k^2`, `K` and `E` the complete elliptic integrals of modulus `e` and
 /// `s = (K - E)/(e^2 K)`:
 ///
 /// * the ratio of the radii fixes `k`: `R_long / R_short = (1 - s)/(k^2 s)`,
-/// * load `W = pi E' a^3 / (6 R_long K s)`, maximum pressure `p_max = 3 W / (2 pi a b)`,
+/// * load `W = pi E' a^3 / (6 R_long K s)`, maximum pressure `pressure = 3 W / (2 pi a b)`,
 /// * approach `a^2 / (2 R_long s)`.
 ///
-/// For `Rx = Ry = R` these are `a^3 = 3 W R / (2 E')`, `p_max = a E' / (pi R)` and `a^2 / R`. The elliptic
+/// For `Rx = Ry = R` these are `a^3 = 3 W R / (2 E')`, `pressure = a E' / (pi R)` and `a^2 / R`. The elliptic
 /// integrals come from the arithmetic-geometric mean and `k` from a bracketed root, both to rounding: no
 /// fitted formula.
 ///
@@ -50,8 +50,8 @@ pub fn equivalent_modulus(first: [f64; 2], second: [f64; 2]) -> Result<f64, Inpu
 /// ```
 /// use stribeck::analytic::HertzPoint;
 /// let ball = HertzPoint::from_max_pressure(9.525e-3, 9.525e-3, 229.67e9, 1.15e9)?;
-/// assert!((ball.a_x - 149.83e-6).abs() < 0.01e-6);
-/// assert!((ball.load - 54.07).abs() < 0.01);
+/// assert!((ball.half_width_x - 149.83e-6).abs() < 0.01e-6);
+/// assert!((ball.force - 54.07).abs() < 0.01);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,13 +64,13 @@ pub struct HertzPoint {
     /// Equivalent modulus `E'` \[Pa\].
     pub equivalent_modulus: f64,
     /// Load \[N\].
-    pub load: f64,
+    pub force: f64,
     /// Maximum pressure \[Pa\].
-    pub p_max: f64,
+    pub pressure: f64,
     /// Semi-axis of the contact along x \[m\].
-    pub a_x: f64,
+    pub half_width_x: f64,
     /// Semi-axis of the contact along y \[m\].
-    pub a_y: f64,
+    pub half_width_y: f64,
     /// Approach of distant points of the two bodies \[m\].
     pub approach: f64,
 }
@@ -99,7 +99,7 @@ impl HertzPoint {
     /// ```
     /// use stribeck::analytic::HertzPoint;
     /// let contact = HertzPoint::from_load(20e-3, 10e-3, 230e9, 50.0)?;
-    /// assert!(contact.a_x > contact.a_y);
+    /// assert!(contact.half_width_x > contact.half_width_y);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn from_load(
@@ -125,7 +125,7 @@ impl HertzPoint {
     /// ```
     /// use stribeck::analytic::HertzPoint;
     /// let contact = HertzPoint::from_max_pressure(10e-3, 10e-3, 230e9, 1e9)?;
-    /// assert!((contact.a_x / (std::f64::consts::PI * 10e-3 * 1e9 / 230e9) - 1.0).abs() < 1e-14);
+    /// assert!((contact.half_width_x / (std::f64::consts::PI * 10e-3 * 1e9 / 230e9) - 1.0).abs() < 1e-14);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn from_max_pressure(
@@ -147,13 +147,14 @@ impl HertzPoint {
     /// ```
     /// use stribeck::analytic::HertzPoint;
     /// let contact = HertzPoint::from_max_pressure(10e-3, 10e-3, 230e9, 1e9)?;
-    /// assert!((contact.pressure_at(0.0, 0.0) / contact.p_max - 1.0).abs() < 1e-15);
-    /// assert!(contact.pressure_at(1.1 * contact.a_x, 0.0).abs() < 1e-300);
+    /// assert!((contact.pressure_at(0.0, 0.0) / contact.pressure - 1.0).abs() < 1e-15);
+    /// assert!(contact.pressure_at(1.1 * contact.half_width_x, 0.0).abs() < 1e-300);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     #[must_use]
     pub fn pressure_at(&self, x: f64, y: f64) -> f64 {
-        self.p_max * (1.0 - (x / self.a_x).powi(2) - (y / self.a_y).powi(2)).max(0.0).sqrt()
+        self.pressure
+            * (1.0 - (x / self.half_width_x).powi(2) - (y / self.half_width_y).powi(2)).max(0.0).sqrt()
     }
 
     /// Mean pressure \[Pa\], two thirds of the maximum.
@@ -166,10 +167,10 @@ impl HertzPoint {
     /// ```
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
-        self.p_max * 2.0 / 3.0
+        self.pressure * 2.0 / 3.0
     }
 
-    /// Contact area `pi a_x a_y` \[m^2\].
+    /// Contact area `pi half_width_x half_width_y` \[m^2\].
     ///
     /// ```
     /// # use stribeck::analytic::HertzPoint;
@@ -179,7 +180,7 @@ impl HertzPoint {
     /// ```
     #[must_use]
     pub fn area(&self) -> f64 {
-        PI * self.a_x * self.a_y
+        PI * self.half_width_x * self.half_width_y
     }
 }
 
@@ -209,20 +210,21 @@ impl Shape {
         long: f64,
     ) -> Result<HertzPoint, InputError> {
         let short = self.axis_ratio * long;
-        let (a_x, a_y) = if radius_x >= radius_y { (long, short) } else { (short, long) };
-        let p_max = modulus * long / (4.0 * self.radius_long * self.axis_ratio * self.integral * self.share);
-        let load = 2.0 / 3.0 * PI * a_x * a_y * p_max;
-        for (field, value) in [("contact semi-axis", short), ("max_pressure", p_max), ("load", load)] {
+        let (half_width_x, half_width_y) = if radius_x >= radius_y { (long, short) } else { (short, long) };
+        let pressure =
+            modulus * long / (4.0 * self.radius_long * self.axis_ratio * self.integral * self.share);
+        let load = 2.0 / 3.0 * PI * half_width_x * half_width_y * pressure;
+        for (field, value) in [("contact semi-axis", short), ("max_pressure", pressure), ("load", load)] {
             InputError::require_positive(field, value)?;
         }
         Ok(HertzPoint {
             radius_x,
             radius_y,
             equivalent_modulus: modulus,
-            load,
-            p_max,
-            a_x,
-            a_y,
+            force: load,
+            pressure,
+            half_width_x,
+            half_width_y,
             approach: long * long / (2.0 * self.radius_long * self.share),
         })
     }

@@ -6,8 +6,8 @@ use crate::error::InputError;
 
 /// A dry, smooth, frictionless line contact of bodies whose gap is `x^2/(2 R)`, plane strain.
 ///
-/// Pressure `p = p_max sqrt(1 - (x/a)^2)`, with the load per length `w` \[N/m\]:
-/// `a^2 = 8 w R/(pi E')`, `p_max = 2 w/(pi a) = a E'/(4 R)`. For two cylinders `1/R = 1/R1 + 1/R2`.
+/// Pressure `p = pressure sqrt(1 - (x/a)^2)`, with the load per length `w` \[N/m\]:
+/// `a^2 = 8 w R/(pi E')`, `pressure = 2 w/(pi a) = a E'/(4 R)`. For two cylinders `1/R = 1/R1 + 1/R2`.
 ///
 /// Source: Hertz, H. (1882), Journal fuer die reine und angewandte Mathematik 92, 156-171; Johnson, K. L.
 /// (1985), Contact Mechanics, section 4.2.
@@ -16,7 +16,7 @@ use crate::error::InputError;
 /// use stribeck::analytic::HertzLine;
 /// let roller = HertzLine::from_load(10e-3, 230e9, 1e5)?;
 /// assert!((roller.half_width - 105.2e-6).abs() < 0.1e-6);
-/// assert!((roller.p_max - 605.1e6).abs() < 0.1e6);
+/// assert!((roller.pressure - 605.1e6).abs() < 0.1e6);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,9 +27,9 @@ pub struct HertzLine {
     /// Equivalent modulus `E'` \[Pa\].
     pub equivalent_modulus: f64,
     /// Load per length \[N/m\].
-    pub load: f64,
+    pub force: f64,
     /// Maximum pressure \[Pa\].
-    pub p_max: f64,
+    pub pressure: f64,
     /// Half-width `a` of the contact \[m\].
     pub half_width: f64,
 }
@@ -43,7 +43,7 @@ impl HertzLine {
     /// ```
     /// use stribeck::analytic::HertzLine;
     /// let contact = HertzLine::from_load(10e-3, 230e9, 2e5)?;
-    /// assert!((contact.p_max / (contact.half_width * 230e9 / 40e-3) - 1.0).abs() < 1e-14);
+    /// assert!((contact.pressure / (contact.half_width * 230e9 / 40e-3) - 1.0).abs() < 1e-14);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn from_load(radius: f64, equivalent_modulus: f64, load: f64) -> Result<Self, InputError> {
@@ -62,8 +62,8 @@ impl HertzLine {
     /// ```
     /// use stribeck::analytic::HertzLine;
     /// let contact = HertzLine::from_max_pressure(10e-3, 230e9, 1e9)?;
-    /// let same = HertzLine::from_load(10e-3, 230e9, contact.load)?;
-    /// assert!((same.p_max / 1e9 - 1.0).abs() < 1e-14);
+    /// let same = HertzLine::from_load(10e-3, 230e9, contact.force)?;
+    /// assert!((same.pressure / 1e9 - 1.0).abs() < 1e-14);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn from_max_pressure(
@@ -79,12 +79,13 @@ impl HertzLine {
 
     /// The contact of half-width `half_width`.
     fn of(radius: f64, equivalent_modulus: f64, half_width: f64) -> Result<Self, InputError> {
-        let p_max = half_width / radius * equivalent_modulus / 4.0;
-        let load = 0.5 * PI * half_width * p_max;
-        for (field, value) in [("contact half-width", half_width), ("max_pressure", p_max), ("load", load)] {
+        let pressure = half_width / radius * equivalent_modulus / 4.0;
+        let load = 0.5 * PI * half_width * pressure;
+        for (field, value) in [("contact half-width", half_width), ("max_pressure", pressure), ("load", load)]
+        {
             InputError::require_positive(field, value)?;
         }
-        Ok(Self { radius, equivalent_modulus, load, p_max, half_width })
+        Ok(Self { radius, equivalent_modulus, force: load, pressure, half_width })
     }
 
     /// Pressure \[Pa\] at the distance `x` \[m\] from the middle; zero outside the contact.
@@ -97,7 +98,7 @@ impl HertzLine {
     /// ```
     #[must_use]
     pub fn pressure_at(&self, x: f64) -> f64 {
-        self.p_max * (1.0 - (x / self.half_width).powi(2)).max(0.0).sqrt()
+        self.pressure * (1.0 - (x / self.half_width).powi(2)).max(0.0).sqrt()
     }
 
     /// Approach \[m\] of the two bodies, displacements counted from the distance `reference` \[m\] as in
@@ -115,6 +116,6 @@ impl HertzLine {
     pub fn approach(&self, reference: f64) -> Result<f64, InputError> {
         InputError::require_positive("reference", reference)?;
         let logarithm = (2.0 * reference / self.half_width).ln();
-        Ok(4.0 * self.load / (PI * self.equivalent_modulus) * (logarithm + 0.5))
+        Ok(4.0 * self.force / (PI * self.equivalent_modulus) * (logarithm + 0.5))
     }
 }

@@ -4,10 +4,10 @@ use super::ellipse::Ellipse;
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Share of the Hertz radii within which the average film is taken.
+/// Share of the Hertz radii within which the mean film is taken.
 pub(crate) const CENTRAL: f64 = 2.0 / 3.0;
 
-/// Average film \[m\] of the centre: mean of `max(film, 0)` over the nodes with
+/// Mean film \[m\] of the centre: that of `max(film, 0)` over the nodes with
 /// `(x/a_x)^2 + (y/a_y)^2 <= (2/3)^2`, for Hertz semi-axes `a_x`, `a_y` \[m\] centred on the origin of the
 /// grid.
 ///
@@ -19,18 +19,18 @@ pub(crate) const CENTRAL: f64 = 2.0 / 3.0;
 /// region.
 ///
 /// ```
-/// use stribeck::{Grid, metrics::average_central_film};
+/// use stribeck::{Grid, metrics::mean_central_film};
 /// let grid = Grid::centred(16, 16, 1e-6, 1e-6)?;
-/// let average = average_central_film(&grid, &[5e-9; 256], 6e-6, 6e-6)?;
-/// assert!((average - 5e-9).abs() < 1e-20);
+/// let mean = mean_central_film(&grid, &[5e-9; 256], 6e-6, 6e-6)?;
+/// assert!((mean - 5e-9).abs() < 1e-20);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
-pub fn average_central_film(grid: &Grid, film: &[f64], a_x: f64, a_y: f64) -> Result<f64, InputError> {
-    average_film_in(grid, film, &Ellipse::upright(a_x, a_y)?)
+pub fn mean_central_film(grid: &Grid, film: &[f64], a_x: f64, a_y: f64) -> Result<f64, InputError> {
+    mean_central_film_in(grid, film, &Ellipse::upright(a_x, a_y)?)
 }
 
 /// The same of an ellipse that may be turned.
-pub(crate) fn average_film_in(grid: &Grid, film: &[f64], ellipse: &Ellipse) -> Result<f64, InputError> {
+pub(crate) fn mean_central_film_in(grid: &Grid, film: &[f64], ellipse: &Ellipse) -> Result<f64, InputError> {
     InputError::require_len("film", film, grid.len())?;
     InputError::require_finite("film", film)?;
     let (mut sum, mut count) = (0.0, 0_usize);

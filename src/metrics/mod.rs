@@ -9,7 +9,7 @@
 //! | hybrid | [`HybridParameters`]: gradient and developed area (ISO 25178-2) |
 //! | correlation | [`AreaCorrelation`], [`SpatialParameters`] (ISO 25178-2) |
 //! | spectrum | [`radial_spectrum`], [`profile_spectrum`] |
-//! | film | [`average_central_film`], [`minimum_film`], [`minimum_gap`], [`lambda_ratio`] |
+//! | film | [`mean_central_film`], [`minimum_film`], [`minimum_gap`], [`lambda_ratio`] |
 //! | contact | [`contact_statistics`], [`peak`] |
 //! | patches | [`contact_patches`] |
 //! | friction | [`viscous_shear_into`], [`friction_coefficient`] |
@@ -35,8 +35,8 @@ pub(crate) use contact::statistics_in;
 pub use contact::{ContactStatistics, contact_statistics};
 pub use correlation::{AreaCorrelation, SpatialParameters};
 pub(crate) use ellipse::Ellipse;
-pub(crate) use film::{CENTRAL, average_film_in, is_central};
-pub use film::{average_central_film, lambda_ratio, minimum_film, minimum_gap};
+pub(crate) use film::{CENTRAL, is_central, mean_central_film_in};
+pub use film::{lambda_ratio, mean_central_film, minimum_film, minimum_gap};
 pub use friction::{friction_coefficient, viscous_shear_into};
 pub use histogram::{HeightHistogram, height_histogram};
 pub use hybrid::{HybridParameters, hybrid_parameters};

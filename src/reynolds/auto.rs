@@ -186,7 +186,7 @@ impl Auto {
         if first.status == Status::Converged {
             return Ok(first);
         }
-        let is_near = first.status != Status::MeshTooCoarse && first.residuals.max() < HAND_OVER.residual;
+        let is_near = first.status != Status::MeshTooCoarse && first.residual.max() < HAND_OVER.residual;
         if !is_near && let Some(given) = &self.kept {
             state.clone_from(given);
         }
@@ -215,8 +215,8 @@ impl Auto {
         let kept = self.kept.get_or_insert_with(|| state.clone());
         kept.clone_from(state);
         let second = self.sweeps.solve(problem, state, stop)?;
-        let off_load = second.residuals.load > first.residuals.load.max(stop.tolerance);
-        if second.residuals.max() <= first.residuals.max() && !off_load {
+        let off_load = second.residual.load > first.residual.load.max(stop.tolerance);
+        if second.residual.max() <= first.residual.max() && !off_load {
             return Ok(second.preceded_by(first));
         }
         state.clone_from(kept);

@@ -165,14 +165,14 @@ impl Coupled {
     pub(super) fn refresh(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let Some(lubricant) = problem.lubricant else {
             state.mass.fill(0.0);
-            state.content.fill(1.0);
+            state.theta.fill(1.0);
             return;
         };
         self.flow(problem, lubricant, &state.fluid_pressure, &state.film);
         for (k, mass) in state.mass.iter_mut().enumerate() {
             *mass = self.fluid.held_mass(k);
         }
-        state.content.copy_from_slice(self.fluid.content());
+        state.theta.copy_from_slice(self.fluid.content());
     }
 
     /// Fluid quantities and balances of a flow through `film`.

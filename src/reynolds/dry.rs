@@ -126,14 +126,14 @@ pub(super) fn hertzian_on(grid: &Grid, problem: &LubricatedContact<'_>, pressure
 /// use stribeck::reynolds::{ContactSolver, ContactState, Dry, LubricatedContact, StoppingRule};
 /// use stribeck::Grid;
 /// let hertz = HertzPoint::from_max_pressure(1e-2, 1e-2, 230e9, 1e9)?;
-/// let grid = Grid::centred(64, 64, 3.0 * hertz.a_x / 64.0, 3.0 * hertz.a_x / 64.0)?;
+/// let grid = Grid::centred(64, 64, 3.0 * hertz.half_width_x / 64.0, 3.0 * hertz.half_width_x / 64.0)?;
 /// let gap: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / 0.02).collect();
 /// let mut body = HalfSpace::new(grid, 230e9)?;
-/// let mut problem = LubricatedContact::new(&gap, &mut body, hertz.load, (hertz.a_x, hertz.a_y), hertz.p_max);
+/// let mut problem = LubricatedContact::new(&gap, &mut body, hertz.force, (hertz.half_width_x, hertz.half_width_y), hertz.pressure);
 /// let mut state = ContactState::new(&grid);
 /// Dry::new().solve(&mut problem, &mut state, &StoppingRule::default())?.require_converged()?;
 /// let peak = state.pressure.iter().copied().fold(0.0, f64::max);
-/// assert!((peak / hertz.p_max - 1.0).abs() < 0.01);
+/// assert!((peak / hertz.pressure - 1.0).abs() < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Default)]

@@ -133,11 +133,11 @@ impl<'a> Squeeze<'a> {
 /// use stribeck::Grid;
 /// let (radius, modulus) = (9.525e-3, 230e9);
 /// let hertz = HertzPoint::from_max_pressure(radius, radius, modulus, 0.5e9)?;
-/// let grid = Grid::centred(64, 64, 5.0 * hertz.a_x / 64.0, 5.0 * hertz.a_x / 64.0)?;
+/// let grid = Grid::centred(64, 64, 5.0 * hertz.half_width_x / 64.0, 5.0 * hertz.half_width_x / 64.0)?;
 /// let gap: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / (2.0 * radius)).collect();
 /// let oil = Lubricant::new(Roelands::new(0.04, 0.6, 1.96e8)?, DowsonHigginson::new(0.6e-9, 1.7e-9)?);
 /// let mut body = HalfSpace::new(grid, modulus)?;
-/// let mut problem = LubricatedContact::new(&gap, &mut body, hertz.load, (hertz.a_x, hertz.a_y), hertz.p_max)
+/// let mut problem = LubricatedContact::new(&gap, &mut body, hertz.force, (hertz.half_width_x, hertz.half_width_y), hertz.pressure)
 ///     .with_lubricant(Some(&oil))
 ///     .with_entrainment_speed(1.0)
 ///     .with_reference_film(200e-9);
@@ -145,7 +145,7 @@ impl<'a> Squeeze<'a> {
 /// let report = Auto::new().solve(&mut problem, &mut state, &StoppingRule::default())?;
 /// report.require_converged()?;
 /// let carried = state.pressure.iter().sum::<f64>() * grid.cell_area();
-/// assert!((carried / hertz.load - 1.0).abs() < 1e-5);
+/// assert!((carried / hertz.force - 1.0).abs() < 1e-5);
 /// assert!(!state.in_contact.contains(&true));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

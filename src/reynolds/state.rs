@@ -1,7 +1,7 @@
 //! The solution of a contact, and what a restart needs.
 //!
 //! A solve starts from the pressures and the approach of the state that it is given and overwrites all of it.
-//! `film`, `plastic_depth`, `content`, `mass` and `in_contact` follow from pressures and problem: of a
+//! `film`, `plastic_depth`, `theta`, `mass` and `in_contact` follow from pressures and problem: of a
 //! converged state they are what the equations make of them, to the tolerance.
 
 use crate::error::InputError;
@@ -34,7 +34,7 @@ pub struct ContactState {
     /// Plastic depth that this solve found, not yet applied to any surface \[m\].
     pub plastic_depth: Vec<f64>,
     /// Share `theta` of the gap that is filled with fluid, 1 under pressure.
-    pub content: Vec<f64>,
+    pub theta: Vec<f64>,
     /// `theta rho/rho_0 h`, to be carried into the squeeze term of a following transient solve \[m\].
     pub mass: Vec<f64>,
     /// Whether the node is in solid contact.
@@ -50,7 +50,7 @@ impl Clone for ContactState {
             fluid_pressure: self.fluid_pressure.clone(),
             film: self.film.clone(),
             plastic_depth: self.plastic_depth.clone(),
-            content: self.content.clone(),
+            theta: self.theta.clone(),
             mass: self.mass.clone(),
             in_contact: self.in_contact.clone(),
             approach: self.approach,
@@ -63,7 +63,7 @@ impl Clone for ContactState {
         self.fluid_pressure.clone_from(&source.fluid_pressure);
         self.film.clone_from(&source.film);
         self.plastic_depth.clone_from(&source.plastic_depth);
-        self.content.clone_from(&source.content);
+        self.theta.clone_from(&source.theta);
         self.mass.clone_from(&source.mass);
         self.in_contact.clone_from(&source.in_contact);
         self.approach = source.approach;
@@ -79,7 +79,7 @@ impl ContactState {
             fluid_pressure: zeros(),
             film: zeros(),
             plastic_depth: zeros(),
-            content: vec![1.0; grid.len()],
+            theta: vec![1.0; grid.len()],
             mass: zeros(),
             in_contact: vec![false; grid.len()],
             approach: 0.0,
@@ -104,13 +104,13 @@ impl ContactState {
             ("state.fluid_pressure", &self.fluid_pressure),
             ("state.film", &self.film),
             ("state.plastic_depth", &self.plastic_depth),
-            ("state.content", &self.content),
+            ("state.theta", &self.theta),
             ("state.mass", &self.mass),
         ] {
             InputError::require_len(field, values, grid.len())?;
         }
-        if let Some(&content) = self.content.iter().find(|c| !(0.0..=1.0).contains(*c)) {
-            InputError::require(false, "state.content", content, "from 0 to 1")?;
+        if let Some(&theta) = self.theta.iter().find(|c| !(0.0..=1.0).contains(*c)) {
+            InputError::require(false, "state.theta", theta, "from 0 to 1")?;
         }
         if self.in_contact.len() != grid.len() {
             return Err(InputError::Shape {

@@ -22,8 +22,8 @@ use crate::wear::{SurfaceLedger, Volumes, WearDepth};
 /// sim.step(60.0)?;
 /// let disc = &sim.bodies()[1];
 /// for k in 0..16 * 16 {
-///     let lost = disc.wear_depth()[k] + disc.plastic_depth()[k];
-///     let surface = disc.initial()[k] - lost + disc.film_thickness()[k];
+///     let lost = disc.wear()[k] + disc.plastic_depth()[k];
+///     let surface = disc.initial()[k] - lost + disc.tribofilm()[k];
 ///     assert!((disc.surface()[k] - surface).abs() < 1e-20);
 /// }
 /// # Ok::<(), stribeck::sim::SimError>(())
@@ -92,7 +92,7 @@ impl Body {
     }
 
     /// Worn depth \[m\].
-    pub fn wear_depth(&self) -> &[f64] {
+    pub fn wear(&self) -> &[f64] {
         self.wear.values()
     }
 
@@ -102,7 +102,7 @@ impl Body {
     }
 
     /// Thickness of the tribofilm \[m\]; zeros without one.
-    pub fn film_thickness(&self) -> &[f64] {
+    pub fn tribofilm(&self) -> &[f64] {
         self.film.as_ref().map_or(&self.no_film, Tribofilm::thickness)
     }
 
@@ -111,7 +111,7 @@ impl Body {
     /// # Errors
     /// Never for a body of a simulation: its fields have one length.
     pub fn ledger(&self) -> Result<SurfaceLedger<'_>, InputError> {
-        SurfaceLedger::new(&self.initial, self.wear_depth(), self.plastic_depth(), self.film_thickness())
+        SurfaceLedger::new(&self.initial, self.wear(), self.plastic_depth(), self.tribofilm())
     }
 
     /// Volumes worn, flattened and grown \[m^3\] on cells of `cell_area` \[m^2\].

@@ -45,7 +45,7 @@ use crate::wear::WearLaw;
 ///     .disc_heights(vec![0.0; 16 * 16]) // a smooth disc under the rough ball of the scene
 ///     .build()?;
 /// assert_eq!(sim.bodies()[1].surface(), [0.0; 16 * 16]);
-/// assert!(sim.step(10.0)?.mean_wear[1] > 0.0);
+/// assert!(sim.step(10.0)?.wear.disc_mean > 0.0);
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 #[derive(Debug)]

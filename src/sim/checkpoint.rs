@@ -146,7 +146,7 @@ impl<'a> BodyPart<'a> {
         Self {
             initial: body.initial().into(),
             surface: body.surface().into(),
-            wear: body.wear_depth().into(),
+            wear: body.wear().into(),
             plastic: body.plastic_depth().into(),
             film: body
                 .film
@@ -176,9 +176,9 @@ impl<'a> BodyPart<'a> {
         for (field, values) in [
             ("initial heights", body.initial()),
             ("surface", body.surface()),
-            ("wear", body.wear_depth()),
+            ("wear", body.wear()),
             ("plastic depth", body.plastic_depth()),
-            ("tribofilm", body.film_thickness()),
+            ("tribofilm", body.tribofilm()),
         ] {
             InputError::require_len(field, values, n)?;
             InputError::require_finite(field, values)?;

@@ -279,7 +279,7 @@ impl ContactModel {
             lubricant: self.lubricant.as_ref(),
             entrainment_speed: self.motion.entrainment_speed,
             squeeze,
-            load: self.hertz.load,
+            load: self.hertz.force,
             pressure_limit: limit,
             film_cutoff: self.film_cutoff,
             contact: self.contact,
@@ -289,7 +289,7 @@ impl ContactModel {
             supplied_film: self.supplied_film,
             shear_thinning: self.shear_thinning,
             reference_half_widths: self.hertz.half_extents().into(),
-            reference_pressure: self.hertz.p_max,
+            reference_pressure: self.hertz.pressure,
             reference_film,
         };
         (problem, self.solver.as_mut(), self.evaluation.as_mut())
@@ -354,11 +354,11 @@ fn confirmed(
     if report.status != Status::Converged {
         return Ok(report);
     }
-    let residuals = evaluation.evaluate(problem, state)?;
+    let residual = evaluation.evaluate(problem, state)?;
     // No number is no solution either.
-    let holds = residuals.max() <= CONFIRMED * rule.tolerance && residuals.is_finite();
+    let holds = residual.max() <= CONFIRMED * rule.tolerance && residual.is_finite();
     let status = if holds { Status::Converged } else { Status::Unconfirmed };
-    Ok(SolveReport { status, residuals, ..report })
+    Ok(SolveReport { status, residual, ..report })
 }
 
 /// Solves the single contact of `scene`, surfaces as they are. With an accuracy the contact is solved on
@@ -377,7 +377,7 @@ fn confirmed(
 /// scene.plastic = None; // elastic
 /// let solution = solve_contact(&scene)?;
 /// solution.report.require_converged().unwrap();
-/// assert!((solution.contact.max_pressure / 1.15e9 - 1.0).abs() < 3e-3);
+/// assert!((solution.pressure.max / 1.15e9 - 1.0).abs() < 3e-3);
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {

@@ -100,7 +100,8 @@ pub(super) fn ageing(
         let spread = match visits {
             Visits::Stays => 1.0,
             Visits::Patch if grid.ny() > 1 => {
-                grid.size_x() * grid.size_y() / (std::f64::consts::PI * hertz.a_x * hertz.a_y)
+                grid.size_x() * grid.size_y()
+                    / (std::f64::consts::PI * hertz.half_width_x * hertz.half_width_y)
             }
             Visits::Passing | Visits::Track | Visits::Patch => grid.size_x() / (2.0 * half_chord),
         };

@@ -12,6 +12,7 @@ use super::contact::ContactModel;
 use super::friction::FrictionFields;
 use super::laws::Laws;
 use super::mixing::Mixing;
+use super::numbers::ThermalNumbers;
 use super::scene::Scene;
 use super::solution::is_known;
 use crate::error::InputError;
@@ -24,7 +25,7 @@ use crate::thermal::{FilmFlow, FilmTemperature, FilmThermal, HeatBalance};
 use crate::tribochem::ThermalBody;
 
 /// Solves of the contact at most.
-const MAX_SOLVES: usize = 40;
+const MAX_SOLVES: u64 = 40;
 /// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat makes.
 const TOLERANCE: f64 = 5e-3;
 /// Largest relative change of the density of a film, by its thermal expansion.
@@ -34,42 +35,9 @@ const MAX_RETREATS: usize = 4;
 /// Share of the way to the new viscosities that is gone in a direction of which nothing is known.
 const STEP: f64 = 0.5;
 
-/// Film temperature of a solved contact.
-///
-/// # Examples
-///
-/// ```
-/// use stribeck::sim::{Scene, solve_contact};
-/// use stribeck::thermal::FilmThermal;
-/// let mut scene = Scene::azam_2019(32);
-/// // A viscosity that knows temperature: 4 mPa s hold at 80 C.
-/// scene.lubricant = scene.lubricant.map(|oil| {
-///     let known = oil.with_temperature(Some(353.15)).with_roelands_s0(Some(1.1));
-///     known.with_thermal(Some(FilmThermal::default()))
-/// });
-/// let heat = solve_contact(&scene)?.film_heat.ok_or("not asked for")?;
-/// assert!(heat.maximum > 353.15 && heat.balance.imbalance() < 0.01);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct FilmHeatNumbers {
-    /// Mean temperature across the film at every node \[K\].
-    pub temperature: Vec<f64>,
-    /// Largest temperature of the film \[K\].
-    pub maximum: f64,
-    /// Mean over r <= 2a/3 \[K\].
-    pub mean_central: f64,
-    /// Largest rises of the surfaces of ball and disc above the bulk temperature \[K\].
-    pub surface_rises: [f64; 2],
-    /// Heat of the contact.
-    pub balance: HeatBalance,
-    /// Solves of the contact.
-    pub solves: usize,
-    /// Largest difference of `ln eta` at a node between what the contact was solved with and what its heat
-    /// makes, or ten times that of its thermal expansion where this is more.
-    pub change: f64,
-}
+/// The report of a contact, with the numbers of its film's temperature and that of every node \[K\] where
+/// the film has one.
+pub(super) type Solved = (SolveReport, Option<(ThermalNumbers, Vec<f64>)>);
 
 /// Whether films have a temperature of their own.
 pub(super) fn is_asked(scene: &Scene) -> bool {
@@ -115,7 +83,7 @@ pub(super) fn solve(
     heat: Option<&mut FilmHeat>,
     (model, state, friction): Contact<'_>,
     solve_once: SolveOnce<'_>,
-) -> Result<(SolveReport, Option<FilmHeatNumbers>), SimError> {
+) -> Result<Solved, SimError> {
     match heat {
         Some(heat) => heat.solve(given, (model, state, friction), solve_once),
         None => {
@@ -216,7 +184,7 @@ impl FilmHeat {
         given: &Surroundings<'_>,
         (model, state, friction): Contact<'_>,
         solve_once: SolveOnce<'_>,
-    ) -> Result<(SolveReport, Option<FilmHeatNumbers>), SimError> {
+    ) -> Result<Solved, SimError> {
         self.temperature.forget();
         self.used.copy_from_slice(&self.start);
         let is_cool = self.start.iter().all(|rise| *rise == 0.0);
@@ -320,23 +288,30 @@ impl FilmHeat {
         largest
     }
 
-    /// Numbers of the film as it is, after so many `solves` and with the last `change`.
+    /// Numbers and temperatures of the film as it is, after so many `solves` and with the last `change`.
     fn numbers(
         &self,
         model: &ContactModel,
         balance: HeatBalance,
-        (solves, change): (usize, f64),
-    ) -> Result<FilmHeatNumbers, InputError> {
+        (solves, change): (u64, f64),
+    ) -> Result<(ThermalNumbers, Vec<f64>), InputError> {
         let temperature = self.temperature.mean().to_vec();
         let largest = |values: &[f64]| values.iter().fold(0.0_f64, |largest, value| largest.max(*value));
-        Ok(FilmHeatNumbers {
-            maximum: largest(&temperature),
-            mean_central: metrics::average_film_in(&model.grid, &temperature, &model.hertz.ellipse())?,
-            surface_rises: self.temperature.surface_rises().map(largest),
-            temperature,
-            balance,
+        let [surface_rise_ball, surface_rise_disc] = self.temperature.surface_rises().map(largest);
+        let numbers = ThermalNumbers {
+            film_temperature_max: largest(&temperature),
+            film_temperature_mean_central: metrics::mean_central_film_in(
+                &model.grid,
+                &temperature,
+                &model.hertz.ellipse(),
+            )?,
+            surface_rise_ball,
+            surface_rise_disc,
+            heat: balance.generated,
+            imbalance: balance.imbalance(),
             solves,
             change,
-        })
+        };
+        Ok((numbers, temperature))
     }
 }

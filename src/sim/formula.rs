@@ -1,6 +1,7 @@
 //! The film formulas on a scene.
 
 use super::hertz::{HertzContact, LINE_LENGTH};
+use super::numbers::Moes;
 use super::scene::Scene;
 use super::setup;
 use super::timetable::Conditions;
@@ -22,8 +23,8 @@ use crate::lubricant::ViscosityLaw;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FormulaFilm {
-    /// Moes parameters `(M, L)`.
-    pub moes: (f64, f64),
+    /// Moes' parameters.
+    pub moes: Moes,
     /// Central film, Hamrock and Dowson of a point contact, Dowson and Toyoda of a line contact; of an oil that
     /// does not thicken under pressure that for all regimes, of an elliptic contact Hamrock and Dowson's of
     /// soft bodies \[m\].
@@ -65,7 +66,7 @@ pub(super) fn formula_film(
     let equivalent_modulus = scene.equivalent_modulus()?;
     let (viscosity, pressure_viscosity) = (law.viscosity(0.0), alpha.unwrap_or_else(|| law.log_slope(0.0)));
     let thickens = pressure_viscosity > 0.0;
-    let ((radius, _), load) = (scene.form.radii_of_entrainment(), hertz.load);
+    let ((radius, _), load) = (scene.form.radii_of_entrainment(), hertz.force);
     Ok(Some(if scene.form.is_line() {
         let line = LineFilmConditions {
             entrainment_speed,
@@ -77,7 +78,7 @@ pub(super) fn formula_film(
         };
         let all_regimes = line.moes_central()?;
         FormulaFilm {
-            moes: (line.moes_load(), line.moes_lubricant()),
+            moes: Moes { m: line.moes_load(), l: line.moes_lubricant() },
             central: if thickens { line.dowson_toyoda_central()? } else { all_regimes },
             all_regimes: Some(all_regimes),
         }
@@ -93,7 +94,7 @@ pub(super) fn formula_film(
         };
         let all_regimes = point.moes_central().ok();
         FormulaFilm {
-            moes: (point.moes_load(), point.moes_lubricant()),
+            moes: Moes { m: point.moes_load(), l: point.moes_lubricant() },
             central: match all_regimes {
                 _ if thickens => point.hamrock_dowson_central()?,
                 Some(film) => film,
@@ -109,11 +110,11 @@ pub(super) fn formula_film(
 /// Taylor (1985), Proceedings of the Royal Society A 397, 271-294, reduce oblique entrainment.
 pub(super) fn ellipticity(scene: &Scene, hertz: &HertzContact) -> Result<f64, InputError> {
     if hertz.angle == 0.0 {
-        return Ok(hertz.a_y / hertz.a_x);
+        return Ok(hertz.half_width_y / hertz.half_width_x);
     }
     let (along, across) = scene.form.radii_of_entrainment();
-    let sections = HertzPoint::from_load(along, across, scene.equivalent_modulus()?, hertz.load)?;
-    Ok(sections.a_y / sections.a_x)
+    let sections = HertzPoint::from_load(along, across, scene.equivalent_modulus()?, hertz.force)?;
+    Ok(sections.half_width_y / sections.half_width_x)
 }
 
 /// Central film by formula, by the coefficient that is stated for it, else the slope of the law; zero without

@@ -6,6 +6,7 @@
 //! heat.
 
 use super::contact::ContactModel;
+use super::numbers::FrictionNumbers;
 use super::scene::{FrictionSpec, Scene};
 use crate::boundary_friction::{BoundaryFriction, ConstantFriction, FilmFriction};
 use crate::error::InputError;
@@ -15,22 +16,6 @@ use crate::reynolds::ContactState;
 
 /// Points of the mean over a Hertz contact.
 const MEAN_POINTS: u32 = 32;
-
-/// Friction coefficient of a contact and its parts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct FrictionShares {
-    /// Friction force over load; zero without sliding.
-    pub(super) coefficient: f64,
-    /// Part of the coefficient that solid contact makes.
-    pub(super) boundary: f64,
-    /// Part of the coefficient that shear of the fluid makes.
-    pub(super) fluid: f64,
-}
-
-impl FrictionShares {
-    /// Of a contact whose state is not known.
-    pub(super) const UNKNOWN: Self = Self { coefficient: f64::NAN, boundary: f64::NAN, fluid: f64::NAN };
-}
 
 /// The law of solid contact in a scene whose tribofilm has the largest thickness `full` \[m\].
 pub(super) fn boundary_law(
@@ -133,11 +118,11 @@ impl FrictionFields {
     }
 
     /// Friction force over load and its parts; zero without sliding.
-    pub(super) fn shares(&self, contact: &ContactModel) -> Result<FrictionShares, InputError> {
+    pub(super) fn numbers(&self, contact: &ContactModel) -> Result<FrictionNumbers, InputError> {
         InputError::require_finite("solid_pressure", &self.solid)?;
         InputError::require_finite("viscous_shear", &self.shear)?;
         if self.sliding <= 0.0 {
-            return Ok(FrictionShares { coefficient: 0.0, boundary: 0.0, fluid: 0.0 });
+            return Ok(FrictionNumbers::default());
         }
         // About the coefficient of the first node: exact where the law is a constant.
         let reference = self.boundary.first().copied().unwrap_or(0.0);
@@ -145,12 +130,8 @@ impl FrictionFields {
         let beyond: f64 = nodes.map(|(coefficient, solid)| (coefficient - reference) * solid).sum();
         let boundary = reference * self.solid.iter().sum::<f64>() + beyond;
         let fluid = self.shear.iter().sum::<f64>();
-        let (area, load) = (contact.grid.cell_area(), contact.hertz.load);
-        Ok(FrictionShares {
-            coefficient: (boundary + fluid) * area / load,
-            boundary: boundary * area / load,
-            fluid: fluid * area / load,
-        })
+        let area = contact.grid.cell_area();
+        Ok(FrictionNumbers::of(boundary * area, fluid * area, contact.hertz.force))
     }
 }
 

@@ -113,20 +113,20 @@ fn estimated_rise(
     laws: &Laws,
 ) -> Result<f64, InputError> {
     let hertz = contact.hertz_under(scene, conditions.load)?;
-    let (motion, mean) = (conditions.motion, 2.0 / 3.0 * hertz.p_max);
+    let (motion, mean) = (conditions.motion, 2.0 / 3.0 * hertz.pressure);
     let (sliding, speeds) = (motion.sliding_speed(), motion.surface_speeds());
     let full = laws.growth.as_ref().map_or(0.0, |law| law.maximum_thickness());
     // Bare or covered.
     let coefficient = [0.0, full].map(|film| laws.friction.coefficient(mean, sliding, [film; 2]));
     let coefficient = coefficient[0].max(coefficient[1]);
     InputError::require_non_negative("boundary friction of the law", coefficient)?;
-    let mut flux = coefficient * 2.0 / 3.0 * hertz.p_max * (speeds[0] - speeds[1]).abs();
+    let mut flux = coefficient * 2.0 / 3.0 * hertz.pressure * (speeds[0] - speeds[1]).abs();
     if let Some(lubricant) = &contact.lubricant {
         let law = Some(lubricant.viscosity());
         let film = formula_film(scene, &hertz, motion.entrainment_speed, law, None)?;
         let film = film.map_or(0.0, |film| film.central);
         let rheology = scene.friction.rheology()?;
-        let stress = mean_fluid_stress(lubricant, &rheology, hertz.p_max, film, sliding);
+        let stress = mean_fluid_stress(lubricant, &rheology, hertz.pressure, film, sliding);
         flux = flux.max(stress * sliding);
     }
     estimate_rise_under_flux(scene.thermal_bodies(), speeds, flux, hertz.radius)

@@ -16,19 +16,20 @@ pub(super) const LINE_LENGTH: f64 = 1.0;
 /// ```
 /// use stribeck::sim::Scene;
 /// let hertz = Scene::azam_2019(32).hertz()?;
-/// assert!((hertz.load / (2.0 / 3.0 * hertz.p_max * hertz.area) - 1.0).abs() < 1e-12);
-/// assert!((hertz.radius_squared(hertz.a_x, 0.0) - 1.0).abs() < 1e-12);
+/// assert!((hertz.force / (2.0 / 3.0 * hertz.pressure * hertz.area) - 1.0).abs() < 1e-12);
+/// assert!((hertz.radius_squared(hertz.half_width_x, 0.0) - 1.0).abs() < 1e-12);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct HertzContact {
     /// Semi-axis along x, of a turned ellipse along the first axis of its form; half-width of a line contact
     /// \[m\].
-    pub a_x: f64,
+    pub half_width_x: f64,
     /// Semi-axis along y, of a turned ellipse along the second axis of its form; half a metre of a line
     /// contact \[m\].
-    pub a_y: f64,
+    pub half_width_y: f64,
     /// Angle from x to the first axis \[rad\].
     pub angle: f64,
     /// Geometric mean of the semi-axes; half-width of a line contact \[m\].
@@ -36,9 +37,9 @@ pub struct HertzContact {
     /// Contact area \[m^2\].
     pub area: f64,
     /// Maximum pressure \[Pa\].
-    pub p_max: f64,
+    pub pressure: f64,
     /// Load \[N\].
-    pub load: f64,
+    pub force: f64,
 }
 
 impl HertzContact {
@@ -54,28 +55,36 @@ impl HertzContact {
 
     /// The rim of the contact.
     pub(super) fn ellipse(&self) -> Ellipse {
-        Ellipse::turned(self.a_x, self.a_y, self.angle)
+        Ellipse::turned(self.half_width_x, self.half_width_y, self.angle)
     }
 }
 
 impl From<HertzPoint> for HertzContact {
     fn from(point: HertzPoint) -> Self {
-        let HertzPoint { a_x, a_y, p_max, load, .. } = point;
-        Self { a_x, a_y, angle: 0.0, radius: (a_x * a_y).sqrt(), area: PI * a_x * a_y, p_max, load }
+        let HertzPoint { half_width_x, half_width_y, pressure, force, .. } = point;
+        Self {
+            half_width_x,
+            half_width_y,
+            angle: 0.0,
+            radius: (half_width_x * half_width_y).sqrt(),
+            area: PI * half_width_x * half_width_y,
+            pressure,
+            force,
+        }
     }
 }
 
 impl From<HertzLine> for HertzContact {
     fn from(line: HertzLine) -> Self {
-        let a_x = line.half_width;
+        let half_width_x = line.half_width;
         Self {
-            a_x,
-            a_y: 0.5 * LINE_LENGTH,
+            half_width_x,
+            half_width_y: 0.5 * LINE_LENGTH,
             angle: 0.0,
-            radius: a_x,
-            area: 2.0 * a_x * LINE_LENGTH,
-            p_max: line.p_max,
-            load: line.load * LINE_LENGTH,
+            radius: half_width_x,
+            area: 2.0 * half_width_x * LINE_LENGTH,
+            pressure: line.pressure,
+            force: line.force * LINE_LENGTH,
         }
     }
 }

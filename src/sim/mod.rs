@@ -28,6 +28,7 @@ mod body;
 mod builder;
 #[cfg(feature = "serde")]
 mod checkpoint;
+mod columns;
 mod compliant_films;
 mod contact;
 mod course;
@@ -35,7 +36,6 @@ pub mod ensemble;
 mod error;
 mod exposure;
 mod film_heat;
-mod film_heat_record;
 mod formula;
 mod friction;
 mod heat;
@@ -48,6 +48,7 @@ mod laws;
 mod mixing;
 #[cfg(feature = "npz")]
 mod npz;
+mod numbers;
 mod observer;
 mod own_laws;
 mod owned;
@@ -86,8 +87,6 @@ pub use builder::SimBuilder;
 pub use checkpoint::CheckpointError;
 pub use contact::solve_contact;
 pub use error::SimError;
-pub use film_heat::FilmHeatNumbers;
-pub use film_heat_record::FilmHeatRecord;
 pub use formula::FormulaFilm;
 pub use hertz::HertzContact;
 pub use history_means::HistoryMeans;
@@ -95,6 +94,10 @@ pub use history_means::HistoryMeans;
 pub use history_means::HistoryNumbers;
 #[cfg(feature = "npz")]
 pub use npz::write_npz;
+pub use numbers::{
+    ContactNumbers, DepthNumbers, FilmNumbers, FrictionNumbers, Moes, PlasticNumbers, PressureNumbers,
+    RoughnessNumbers, StressNumbers, ThermalNumbers,
+};
 pub use observer::Observer;
 pub use record::StepRecord;
 #[cfg(all(feature = "serde", feature = "npz"))]
@@ -102,7 +105,7 @@ pub use run_folder::RunFolder;
 pub use runs::RunEnd;
 pub use scene::{Scene, Schedule};
 pub use simulation::MixedLubricationSim;
-pub use solution::{ContactNumbers, ContactSolution, FilmNumbers, StressNumbers};
+pub use solution::ContactSolution;
 pub use start::BodyStart;
 pub use step_control::StepControl;
 pub use timetable::Conditions;

@@ -21,7 +21,7 @@ use super::simulation::MixedLubricationSim;
 /// struct UntilWorn;
 /// impl Observer for UntilWorn {
 ///     fn after_step(&mut self, _sim: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()> {
-///         if record.max_wear[1] > 1e-9 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+///         if record.wear.disc_max > 1e-9 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 ///     }
 /// }
 /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;

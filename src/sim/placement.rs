@@ -96,7 +96,7 @@ impl Placement {
             for (gap, z) in self.gap.iter_mut().zip(&self.heights) {
                 *gap -= z;
             }
-            blend_shifted(body.film_thickness(), nx, ny, offset, &mut self.films[index])?;
+            blend_shifted(body.tribofilm(), nx, ny, offset, &mut self.films[index])?;
             blend_shifted(body.plastic_depth(), nx, ny, offset, &mut self.depths[index])?;
         }
         Ok(())

@@ -24,7 +24,7 @@ use crate::reynolds::ContactState;
 /// |---|---|
 /// | `scene.toml` | the scene |
 /// | `run.toml` | version of the crate, motion of the roughness and its seed |
-/// | `history.csv` | a line per step ([`StepRecord::CSV_HEADER`]) |
+/// | `history.csv` | a line per step ([`StepRecord::csv_header()`]) |
 /// | `checkpoint` | the simulation after the last multiple of `every` steps and at the end |
 /// | `fields.npz` | heights, wear, plastic depth and tribofilm of both bodies, pressures and film; at the end |
 ///
@@ -97,7 +97,7 @@ impl RunFolder {
         let motion = format!("{:?}", sim.motion());
         let run = RunTable { stribeck: env!("CARGO_PKG_VERSION"), motion, squeeze: sim.has_squeeze() };
         let run = toml::to_string(&run).map_err(|error| SimError::Scene { reason: error.to_string() })?;
-        let header = format!("{}\n", StepRecord::CSV_HEADER);
+        let header = format!("{}\n", StepRecord::csv_header());
         for (name, text) in
             [("scene.toml", &sim.scene().to_toml()?), ("run.toml", &run), ("history.csv", &header)]
         {
@@ -161,7 +161,14 @@ impl RunFolder {
         };
         let mut lines = text.split_inclusive('\n');
         let mut records = Vec::new();
-        let mut length = lines.next().map_or(0, str::len);
+        let header = lines.next().unwrap_or_default();
+        if header.trim_end() != StepRecord::csv_header() {
+            return Err(SimError::Input(InputError::Conflict {
+                field: file.display().to_string(),
+                reason: "its columns are those of another version, which can continue the run".to_owned(),
+            }));
+        }
+        let mut length = header.len();
         while (records.len() as u64) < steps {
             let Some(line) = lines.next().and_then(|line| line.strip_suffix('\n')) else {
                 return Err(short(&records));
@@ -203,22 +210,23 @@ impl RunFolder {
         }
         let [ball, disc] = sim.bodies();
         let mut fields = vec![
-            ("ball_initial_m", ball.initial()),
-            ("ball_surface_m", ball.surface()),
-            ("ball_wear_m", ball.wear_depth()),
-            ("ball_plastic_m", ball.plastic_depth()),
-            ("ball_tribofilm_m", ball.film_thickness()),
-            ("disc_initial_m", disc.initial()),
-            ("disc_surface_m", disc.surface()),
-            ("disc_wear_m", disc.wear_depth()),
-            ("disc_plastic_m", disc.plastic_depth()),
-            ("disc_tribofilm_m", disc.film_thickness()),
+            ("ball_initial", ball.initial()),
+            ("ball_surface", ball.surface()),
+            ("ball_wear", ball.wear()),
+            ("ball_plastic_depth", ball.plastic_depth()),
+            ("ball_tribofilm", ball.tribofilm()),
+            ("disc_initial", disc.initial()),
+            ("disc_surface", disc.surface()),
+            ("disc_wear", disc.wear()),
+            ("disc_plastic_depth", disc.plastic_depth()),
+            ("disc_tribofilm", disc.tribofilm()),
         ];
         if let Some(contact) = &self.last_contact {
             fields.extend([
-                ("pressure_pa", contact.pressure.as_slice()),
-                ("fluid_pressure_pa", &contact.fluid_pressure),
-                ("film_m", &contact.film),
+                ("pressure", contact.pressure.as_slice()),
+                ("fluid_pressure", &contact.fluid_pressure),
+                ("film", &contact.film),
+                ("theta", &contact.theta),
             ]);
         }
         let states = film_states(sim);

@@ -15,7 +15,7 @@ use crate::lubricant::{
     Barus, DensityLaw, DoolittleTait, DowsonHigginson, ImprovedYasutomi, Roelands, ThermalRoelands,
     ViscosityLaw,
 };
-use crate::metrics::average_film_in;
+use crate::metrics::mean_central_film_in;
 use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule};
 #[cfg(feature = "formats")]
 use crate::surface::rescale;
@@ -123,12 +123,12 @@ pub(super) fn validate_box(grid: &Grid, hertz: &HertzContact, is_line: bool) -> 
         }
     }
     let zeros = vec![0.0; grid.len()];
-    average_film_in(grid, &zeros, &hertz.ellipse()).map_err(|_| InputError::Conflict {
+    mean_central_film_in(grid, &zeros, &hertz.ellipse()).map_err(|_| InputError::Conflict {
         field: "grid".to_owned(),
         reason: format!(
             "no node lies within two thirds of the Hertz half-widths {:.6e} x {:.6e} m, the cells are {:.6e} x {:.6e} m",
-            hertz.a_x,
-            hertz.a_y,
+            hertz.half_width_x,
+            hertz.half_width_y,
             grid.dx(),
             grid.dy()
         ),
@@ -159,14 +159,14 @@ pub(super) fn validate_hardness(hardness: f64, grid: &Grid, hertz: &HertzContact
     let rows = if grid.ny() == 1 { 1 } else { grid.ny().saturating_sub(2) };
     let nodes = grid.nx().saturating_sub(2) * rows;
     let largest = hardness * nodes as f64 * grid.cell_area();
-    if nodes == 0 || hertz.load < largest {
+    if nodes == 0 || hertz.force < largest {
         return Ok(());
     }
     Err(InputError::Conflict {
         field: format!("plastic.hardness = {}", legible(hardness)),
         reason: format!(
             "the box carries less than {largest:.6e} N at this pressure, the load is {:.6e} N",
-            hertz.load
+            hertz.force
         ),
     })
 }

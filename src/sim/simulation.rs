@@ -16,33 +16,27 @@ use super::SimError;
 use super::body::Body;
 use super::contact::ContactModel;
 use super::exposure;
-use super::film_heat::{self, FilmHeat, FilmHeatNumbers, Surroundings};
-use super::film_heat_record::FilmHeatRecord;
+use super::film_heat::{self, FilmHeat, Solved, Surroundings};
 use super::friction::FrictionFields;
 use super::heat::Heat;
 use super::laws::Laws;
+use super::numbers::{DepthNumbers, Numbers, PlasticNumbers};
 use super::passage::{Marks, Passage};
 use super::placement::{Offsets, Placement, Travel};
 use super::record::StepRecord;
 use super::scene::Scene;
-use super::solution::{contact_numbers, film_numbers};
 use super::squeeze_memory::SqueezeMemory;
 use super::step_control::StepControl;
 use super::timetable::{Conditions, Timetable};
 use super::warnings::{self, Warning};
 use super::yielding::Yielding;
 use crate::error::InputError;
-use crate::metrics;
-use crate::report::SolveReport;
 use crate::reynolds::ContactState;
 
 /// Positions of the roughness that a step tries before it gives up.
 const MAX_ATTEMPTS: u32 = 8;
 /// Attempts to find the length of a step.
 const MAX_CUTS: usize = 40;
-
-/// A solved contact: its report, and numbers of a film with a temperature of its own.
-pub(super) type Solved = (SolveReport, Option<FilmHeatNumbers>);
 
 /// A rough lubricated contact whose surfaces flatten, grow a tribofilm and wear as they rub.
 ///
@@ -59,7 +53,7 @@ pub(super) type Solved = (SolveReport, Option<FilmHeatNumbers>);
 /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(32).with_tribofilm()).build()?;
 /// let mut wear = Vec::new();
 /// let end = sim.run(3, 10.0, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-///     wear.push(record.mean_wear[1]);
+///     wear.push(record.wear.disc_mean);
 ///     ControlFlow::Continue(())
 /// })?;
 /// assert_eq!(end, RunEnd::Finished);
@@ -77,7 +71,7 @@ pub(super) type Solved = (SolveReport, Option<FilmHeatNumbers>);
 /// sim.step(60.0)?;
 /// let mut other = sim.clone();
 /// let short = std::thread::spawn(move || other.step(10.0)).join().expect("no panic")?;
-/// assert!(sim.step(60.0)?.mean_wear[1] > short.mean_wear[1]);
+/// assert!(sim.step(60.0)?.wear.disc_mean > short.wear.disc_mean);
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -218,17 +212,17 @@ impl MixedLubricationSim {
             heat.commit();
         }
         self.squeeze_memory.keep(&self.state.mass, time_step);
-        if self.step == 0 && record.composite_rq == 0.0 {
-            self.warnings.extend(warnings::excess_pressure(record.max_pressure, self.contact.hertz.p_max));
+        if self.step == 0 && record.roughness.composite_rq == 0.0 {
+            self.warnings.extend(warnings::excess_pressure(record.pressure.max, self.contact.hertz.pressure));
         }
-        if let (0, Some(heat)) = (self.step, record.film_heat) {
+        if let (0, Some(heat)) = (self.step, record.thermal) {
             let hot = warnings::hot_film(heat.film_temperature_max, record.bulk_temperature);
             self.warnings.extend(hot);
         }
         if self.warnings.iter().all(|warning| warning.field != warnings::DEEP_WEAR) {
-            let [ball, disc] = record.max_wear;
-            let half_width = self.contact.hertz.a_x.min(self.contact.hertz.a_y);
-            self.warnings.extend(warnings::deep_wear(ball.max(disc), half_width));
+            let half_width = self.contact.hertz.half_width_x.min(self.contact.hertz.half_width_y);
+            self.warnings
+                .extend(warnings::deep_wear(record.wear.ball_max.max(record.wear.disc_max), half_width));
         }
         self.step += 1;
         Ok(record)
@@ -257,8 +251,8 @@ impl MixedLubricationSim {
     /// Largest change of wear or film of any node since the backup \[m\].
     fn largest_change(&self) -> f64 {
         let fields = self.bodies.iter().zip(&self.backup).flat_map(|(now, before)| {
-            let wear = now.wear_depth().iter().zip(before.wear_depth());
-            wear.chain(now.film_thickness().iter().zip(before.film_thickness()))
+            let wear = now.wear().iter().zip(before.wear());
+            wear.chain(now.tribofilm().iter().zip(before.tribofilm()))
         });
         fields.fold(0.0, |largest, (now, before)| largest.max((now - before).abs()))
     }
@@ -357,12 +351,6 @@ impl MixedLubricationSim {
         Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
     }
 
-    /// Means of a field of both bodies over the width of the track.
-    fn means_on_track(&self, field: fn(&Body) -> &[f64]) -> Result<[f64; 2], InputError> {
-        let [ball, disc] = &self.bodies;
-        Ok([self.mean_on_track(field(ball))?, self.mean_on_track(field(disc))?])
-    }
-
     /// The record of the step of length `time_step` that the bodies have just taken, whose contact was solved
     /// under `conditions` on surfaces of roughness `rq`.
     fn record(
@@ -372,57 +360,31 @@ impl MixedLubricationSim {
         (conditions, rq): (Conditions, [f64; 2]),
         time_step: f64,
     ) -> Result<StepRecord, SimError> {
-        let state = &self.state;
-        let film = film_numbers(&self.contact, state)?;
         let limit = self.laws.plasticity.is_some().then_some(self.yielding.limit.as_slice());
-        let contact = contact_numbers(&self.contact, state, &self.friction.solid, limit)?;
-        let friction = self.friction.shares(&self.contact)?;
-        let composite_rq = metrics::composite_rq(rq[0], rq[1]);
-        let over_rq = |film: f64| if composite_rq > 0.0 { film / composite_rq } else { 0.0 };
-        let carrying = state.pressure.iter().filter(|p| **p > 0.0).count().max(1);
-        let [ball, disc] = &self.bodies;
-        let area = self.contact.grid.cell_area();
+        let numbers = Numbers::of(&self.contact, &self.state, Some(&self.friction), limit, rq)?;
+        let depths = |field: fn(&Body) -> &[f64]| {
+            DepthNumbers::of(self.bodies.each_ref().map(field), |values| self.mean_on_track(values))
+        };
         Ok(StepRecord {
             step: self.step,
             time: self.time + time_step,
             time_step,
-            rq,
-            composite_rq,
-            average_film: film.mean_central,
-            lambda: over_rq(film.mean_central),
-            formula_lambda: over_rq(self.contact.stated_film),
-            area_ratio: contact.area_ratio,
-            load_ratio: contact.load_ratio,
-            max_pressure: contact.max_pressure,
-            mean_pressure: state.pressure.iter().sum::<f64>() / carrying as f64,
-            mean_wear: [ball, disc].map(|body| mean(body.wear_depth())),
-            max_wear: [ball, disc].map(|body| largest(body.wear_depth())),
-            mean_film: [ball, disc].map(|body| mean(body.film_thickness())),
-            track_wear: self.means_on_track(Body::wear_depth)?,
-            track_film: self.means_on_track(Body::film_thickness)?,
-            plastic_volume: ball.volumes(area)?.plastic + disc.volumes(area)?.plastic,
-            flash_rise,
-            friction_coefficient: friction.coefficient,
-            friction_boundary: friction.boundary,
-            friction_fluid: friction.fluid,
             load: conditions.load,
             motion: conditions.motion,
             bulk_temperature: conditions.bulk_temperature,
-            film_heat: heat.as_ref().map(FilmHeatRecord::of),
-            minimum_gap: film.minimum_gap,
+            roughness: numbers.roughness,
+            film: numbers.film,
+            pressure: numbers.pressure,
+            contact: numbers.contact,
+            friction: numbers.friction,
             flow: self.contact.flow,
+            thermal: heat.map(|(numbers, _)| numbers),
+            flash_rise,
+            wear: depths(Body::wear)?,
+            tribofilm: depths(Body::tribofilm)?,
+            plastic: PlasticNumbers::of(&self.bodies, self.contact.grid.cell_area())?,
             attempts,
             report,
         })
     }
-}
-
-/// Mean of a field over the patch.
-fn mean(field: &[f64]) -> f64 {
-    field.iter().sum::<f64>() / field.len() as f64
-}
-
-/// Largest value of a field, zero at least.
-fn largest(field: &[f64]) -> f64 {
-    field.iter().copied().fold(0.0, f64::max)
 }

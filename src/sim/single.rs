@@ -13,9 +13,10 @@ use super::film_heat::{self, FilmHeat, Surroundings};
 use super::friction::FrictionFields;
 use super::interrupt::Interrupt;
 use super::laws::Laws;
+use super::numbers::{Numbers, StressNumbers};
 use super::placement::Placement;
 use super::scene::{GridSpec, Scene};
-use super::solution::{ContactSolution, Numbers, StressNumbers, is_known};
+use super::solution::{ContactSolution, is_known};
 use super::track::track_rq;
 use super::warnings::Warning;
 use super::yielding::Yielding;
@@ -264,11 +265,12 @@ impl Prepared {
             model.solve(&gap, limit.as_deref(), None, state)
         };
         let contact = (&mut model, &mut state, &mut friction);
-        let (report, film_heat) = film_heat::solve(&given, film_heat.as_mut(), contact, &mut once)?;
-        let known = is_known(&state);
-        let numbers = Numbers::of(&model, &state, known.then_some(&friction), limit.as_deref())?;
-        let stress = if known { StressNumbers::of(&scene, &model, &state, &friction)? } else { None };
-        let solution = model.solution((report, state), gap, numbers, self.rq);
-        Ok(ContactSolution { stress, film_heat, warnings: self.warnings, ..solution })
+        let solved = film_heat::solve(&given, film_heat.as_mut(), contact, &mut once)?;
+        let known = is_known(&state).then_some(&friction);
+        let numbers = Numbers::of(&model, &state, known, limit.as_deref(), self.rq)?;
+        let stress =
+            known.map(|fields| StressNumbers::of(&scene, &model, &state, fields)).transpose()?.flatten();
+        let solution = model.solution(solved, state, gap, known, numbers);
+        Ok(ContactSolution { stress, warnings: self.warnings, ..solution })
     }
 }

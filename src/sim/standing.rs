@@ -2,9 +2,10 @@
 
 use super::SimError;
 use super::film_heat::FilmHeat;
+use super::numbers::Numbers;
 use super::setup;
 use super::simulation::MixedLubricationSim;
-use super::solution::{ContactSolution, Numbers, is_known};
+use super::solution::{ContactSolution, is_known};
 use super::timetable::Conditions;
 use super::track::track_rq;
 use crate::error::InputError;
@@ -52,18 +53,15 @@ impl MixedLubricationSim {
     /// Solves and measures the contact under `conditions`; the caller puts back what it changes.
     fn solve_standing(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
         self.contact.put_under(&self.scene, conditions)?;
-        let (report, film_heat) = self.solve_at([Offset::default(); 2])?;
-        let Self { contact, placement, friction, yielding, laws, state, .. } = self;
-        let known = is_known(state);
+        let solved = self.solve_at([Offset::default(); 2])?;
+        let Self { contact, placement, friction, yielding, laws, state, bodies, .. } = self;
+        let half_width = contact.hertz.half_extents()[1];
+        let rq = bodies.each_ref().map(|body| track_rq(&contact.grid, half_width, body.surface()));
+        let known = is_known(state).then_some(&*friction);
         let limit = laws.plasticity.is_some().then_some(yielding.limit.as_slice());
-        let numbers = Numbers::of(contact, state, known.then_some(&*friction), limit)?;
-        let gap = placement.gap.clone();
+        let numbers = Numbers::of(contact, state, known, limit, rq)?;
         let state = std::mem::replace(state, ContactState::new(&contact.grid));
-        let rq = self
-            .bodies
-            .each_ref()
-            .map(|body| track_rq(&contact.grid, contact.hertz.half_extents()[1], body.surface()));
-        Ok(ContactSolution { film_heat, ..contact.solution((report, state), gap, numbers, rq) })
+        Ok(contact.solution(solved, state, placement.gap.clone(), known, numbers))
     }
 }
 

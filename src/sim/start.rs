@@ -52,9 +52,9 @@ impl MixedLubricationSim {
                 states: body.film.as_ref().map(|film| film.states().to_vec()),
                 ..BodyStart::new(self.grid(), body.initial().to_vec())
             }
-            .with_wear(body.wear_depth().to_vec())
+            .with_wear(body.wear().to_vec())
             .with_plastic_depth(body.plastic_depth().to_vec())
-            .with_film(body.film_thickness().to_vec())
+            .with_film(body.tribofilm().to_vec())
         })
     }
 }

@@ -18,8 +18,8 @@ use crate::surface::read_bytes;
 const HEADER: u64 = 1 << 16;
 
 impl BodyStart {
-    /// The body that an npz archive holds as the arrays `NAME_initial_m`, `NAME_wear_m`, `NAME_plastic_m` and
-    /// `NAME_tribofilm_m` of shape `(ny, nx)`, as `fields.npz` of a [`RunFolder`](super::RunFolder) does for
+    /// The body that an npz archive holds as the arrays `NAME_initial`, `NAME_wear`, `NAME_plastic_depth` and
+    /// `NAME_tribofilm` of shape `(ny, nx)`, as `fields.npz` of a [`RunFolder`](super::RunFolder) does for
     /// the names `ball` and `disc`. All but the first may be missing. The states of a film are taken from
     /// `NAME_tribofilm_state_0` and so on where they are there. The archive does not tell the size of its
     /// cells: `grid` is the one that it was written on.
@@ -33,16 +33,16 @@ impl BodyStart {
         let archive = ZipArchive::new(regular_file::open(path).map_err(io)?);
         let mut archive = archive.map_err(|error| io(error.into()))?;
         let mut array = |part: &str| read_array(&mut archive, path, &format!("{name}_{part}"), &grid);
-        let Some(initial) = array("initial_m")? else {
+        let Some(initial) = array("initial")? else {
             return Err(SimError::Input(InputError::Conflict {
-                field: format!("{name}_initial_m"),
+                field: format!("{name}_initial"),
                 reason: format!("{} has no such array", path.display()),
             }));
         };
         let mut start = Self::new(grid, initial);
-        start.wear = array("wear_m")?.unwrap_or(start.wear);
-        start.plastic = array("plastic_m")?.unwrap_or(start.plastic);
-        start.tribofilm = array("tribofilm_m")?.unwrap_or(start.tribofilm);
+        start.wear = array("wear")?.unwrap_or(start.wear);
+        start.plastic = array("plastic_depth")?.unwrap_or(start.plastic);
+        start.tribofilm = array("tribofilm")?.unwrap_or(start.tribofilm);
         let mut states: Vec<Vec<f64>> = Vec::new();
         while let Some(state) = array(&format!("tribofilm_state_{}", states.len()))? {
             states.push(state);

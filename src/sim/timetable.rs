@@ -15,7 +15,7 @@ use crate::error::InputError;
 /// conditions.motion.entrainment_speed = 1.0;
 /// // The bodies as they stand under another speed, without a step:
 /// let faster = sim.clone().solve_under(&conditions)?;
-/// assert!(faster.moes.map(|(m, _)| m) < sim.scene().formula_film()?.map(|film| film.moes.0));
+/// assert!(faster.moes.map(|moes| moes.m) < sim.scene().formula_film()?.map(|film| film.moes.m));
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,7 +77,7 @@ impl Timetable {
         let temperatures = &schedules.bulk_temperature;
         let temperature = course("bulk_temperature", temperatures, positive, "finite and > 0")?;
         let base = Conditions {
-            load: scene.load.force.unwrap_or(scene.constant_hertz()?.load),
+            load: scene.load.force.unwrap_or(scene.constant_hertz()?.force),
             motion: scene.motion,
             bulk_temperature: scene.thermal.bulk_temperature,
         };

@@ -38,7 +38,7 @@ impl MixedLubricationSim {
     /// Worn depth of `body` across the track, one value per row of the grid: the mean along x \[m\].
     pub fn worn_profile(&self, body: &Body) -> Vec<f64> {
         let nx = self.contact.grid.nx();
-        body.wear_depth().chunks_exact(nx).map(|row| row.iter().sum::<f64>() / nx as f64).collect()
+        body.wear().chunks_exact(nx).map(|row| row.iter().sum::<f64>() / nx as f64).collect()
     }
 
     /// Roughness on the track \[m\]: of `heights`, one value per node of a body's patch, the rows within
@@ -56,7 +56,7 @@ impl MixedLubricationSim {
     /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(32)).build()?;
     /// let roughness = sim.track_roughness(sim.bodies()[1].surface())?;
     /// let record = sim.step(10.0)?;
-    /// assert!((height_statistics(&roughness)?.sq / record.rq[1] - 1.0).abs() < 1e-9);
+    /// assert!((height_statistics(&roughness)?.sq / record.roughness.disc_rq - 1.0).abs() < 1e-9);
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
     pub fn track_roughness(&self, heights: &[f64]) -> Result<Vec<f64>, InputError> {

@@ -10,8 +10,8 @@ use super::SimError;
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Writes `fields` on `grid` as point data of a legacy VTK file (structured points, binary, 64 bit floats,
-/// lengths in m), which `ParaView` and `VisIt` open. Names must not hold blanks.
+/// Writes `fields` on `grid` as point data of a legacy VTK file (rectilinear grid, binary, 64 bit floats,
+/// positions of the nodes in m), which `ParaView` and `VisIt` open. Names must not hold blanks.
 ///
 /// Source: VTK file formats, Kitware, legacy format 3.0.
 ///
@@ -23,7 +23,7 @@ use crate::grid::Grid;
 /// # let folder = tempfile::tempdir()?;
 /// # let path = folder.path().join("fields.vtk");
 /// let grid = stribeck::Grid::centred(3, 2, 1e-6, 1e-6)?;
-/// stribeck::sim::write_vtk(&path, &grid, &[("film_m", &[1e-9; 6]), ("pressure_pa", &[0.0; 6])])?;
+/// stribeck::sim::write_vtk(&path, &grid, &[("film", &[1e-9; 6]), ("pressure", &[0.0; 6])])?;
 /// assert!(std::fs::read(&path)?.starts_with(b"# vtk DataFile Version 3.0\n"));
 /// let error = stribeck::sim::write_vtk(&path, &grid, &[("film m", &[1e-9; 6])]).unwrap_err();
 /// assert_eq!(error.to_string(), "field name \"film m\": every field needs its own name, without blanks");
@@ -45,20 +45,26 @@ pub fn write_vtk(path: impl AsRef<Path>, grid: &Grid, fields: &[(&str, &[f64])])
 /// Header and fields.
 fn write(path: &Path, grid: &Grid, fields: &[(&str, &[f64])]) -> std::io::Result<()> {
     let mut out = BufWriter::new(File::create(path)?);
-    writeln!(out, "# vtk DataFile Version 3.0\nstribeck\nBINARY\nDATASET STRUCTURED_POINTS")?;
+    writeln!(out, "# vtk DataFile Version 3.0\nstribeck\nBINARY\nDATASET RECTILINEAR_GRID")?;
     writeln!(out, "DIMENSIONS {} {} 1", grid.nx(), grid.ny())?;
-    writeln!(out, "ORIGIN {:e} {:e} 0", grid.x(0), grid.y(0))?;
-    writeln!(out, "SPACING {:e} {:e} {:e}", grid.dx(), grid.dy(), grid.dy())?;
+    let x: Vec<f64> = (0..grid.nx()).map(|i| grid.x(i)).collect();
+    let y: Vec<f64> = (0..grid.ny()).map(|j| grid.y(j)).collect();
+    for (axis, positions) in [("X", &x[..]), ("Y", &y), ("Z", &[0.0])] {
+        writeln!(out, "{axis}_COORDINATES {} double", positions.len())?;
+        write_values(&mut out, positions)?;
+    }
     writeln!(out, "POINT_DATA {}", grid.len())?;
-    let mut bytes = Vec::with_capacity(grid.nx() * size_of::<f64>());
     for (name, field) in fields {
         writeln!(out, "SCALARS {name} double 1\nLOOKUP_TABLE default")?;
-        for row in field.chunks(grid.nx()) {
-            bytes.clear();
-            bytes.extend(row.iter().flat_map(|value| value.to_be_bytes()));
-            out.write_all(&bytes)?;
-        }
-        writeln!(out)?;
+        write_values(&mut out, field)?;
     }
     out.flush()
+}
+
+/// Big-endian numbers and the end of their line.
+fn write_values(out: &mut impl Write, values: &[f64]) -> std::io::Result<()> {
+    for value in values {
+        out.write_all(&value.to_be_bytes())?;
+    }
+    writeln!(out)
 }

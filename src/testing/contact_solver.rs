@@ -77,7 +77,7 @@ impl Case {
     /// The case, with an oil of 40 mPa s where it is `lubricated`.
     fn new(lubricated: bool) -> Result<Self, InputError> {
         let hertz = HertzPoint::from_max_pressure(RADIUS, RADIUS, MODULUS, HERTZ_PRESSURE)?;
-        let spacing = 4.0 * hertz.a_x / NODES as f64;
+        let spacing = 4.0 * hertz.half_width_x / NODES as f64;
         let grid = Grid::centred(NODES, NODES, spacing, spacing)?;
         let mut gap = vec![0.0; grid.len()];
         Form::Sphere { radius: RADIUS }.gap_into(&grid, &mut gap)?;
@@ -101,7 +101,7 @@ impl Case {
             lubricant: self.lubricant.as_ref(),
             entrainment_speed: SPEED,
             squeeze: None,
-            load: self.hertz.load,
+            load: self.hertz.force,
             pressure_limit: None,
             film_cutoff: CUTOFF,
             contact: Default::default(),
@@ -110,8 +110,8 @@ impl Case {
             cavitation: Default::default(),
             supplied_film: None,
             shear_thinning: None,
-            reference_half_widths: (self.hertz.a_x, self.hertz.a_y),
-            reference_pressure: self.hertz.p_max,
+            reference_half_widths: (self.hertz.half_width_x, self.hertz.half_width_y),
+            reference_pressure: self.hertz.pressure,
             reference_film: if self.lubricant.is_some() { 400e-9 } else { 0.0 },
         };
         solver.solve(&mut problem, state, rule)
@@ -141,15 +141,15 @@ impl Case {
             format!("{report:?}")
         })?;
         contract.require(
-            report.residuals.max() <= rule.tolerance,
+            report.residual.max() <= rule.tolerance,
             "converged means within the rule",
             || format!("{report:?}"),
         )?;
         let load = state.pressure.iter().sum::<f64>() * self.grid.cell_area();
         contract.require(
-            close(load, self.hertz.load, self.hertz.load, 2.0 * rule.tolerance),
+            close(load, self.hertz.force, self.hertz.force, 2.0 * rule.tolerance),
             "pressure carries the load",
-            || format!("{load} of {} N", self.hertz.load),
+            || format!("{load} of {} N", self.hertz.force),
         )?;
         let cutoff = if self.lubricant.is_some() { CUTOFF } else { 0.0 };
         for (k, (&p, &fluid)) in state.pressure.iter().zip(&state.fluid_pressure).enumerate() {
@@ -163,7 +163,7 @@ impl Case {
                 format!("node {k}: film {h:e} m")
             })?;
         }
-        let peak = state.pressure.iter().copied().fold(0.0, f64::max) / self.hertz.p_max;
+        let peak = state.pressure.iter().copied().fold(0.0, f64::max) / self.hertz.pressure;
         // A thick film rounds the contact of Hertz and adds a pressure spike.
         let accepted = if self.lubricant.is_some() { 0.8..1.5 } else { 0.99..1.01 };
         contract.require(accepted.contains(&peak), "the largest pressure is that of Hertz", || {

@@ -22,7 +22,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (grid, hertz) = (scene.grid()?, scene.hertz()?);
     let pressure: Vec<f64> = grid
         .nodes()
-        .map(|(x, y)| hertz.p_max * (1.0 - (x / hertz.a_x).powi(2) - (y / hertz.a_y).powi(2)).max(0.0).sqrt())
+        .map(|(x, y)| {
+            hertz.pressure
+                * (1.0 - (x / hertz.half_width_x).powi(2) - (y / hertz.half_width_y).powi(2)).max(0.0).sqrt()
+        })
         .collect();
     let mut body = HalfSpace::new(grid, scene.elastic.equivalent_modulus)?;
     let mut displacement = vec![0.0; grid.len()];

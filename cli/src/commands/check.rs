@@ -153,14 +153,8 @@ impl Expected {
         Ok(json!({
             "refused": { "solve": refused(&self.refusals.solve), "run": refused(&self.refusals.run) },
             "modelled": parts,
-            "hertz": {
-                "radius": hertz.radius,
-                "half_width_x": hertz.a_x,
-                "half_width_y": hertz.a_y,
-                "pressure": hertz.p_max,
-                "force": hertz.load,
-            },
-            "moes": self.formula.map(|formula| json!({ "m": formula.moes.0, "l": formula.moes.1 })),
+            "hertz": hertz,
+            "moes": self.formula.map(|formula| formula.moes),
             "film": {
                 "formula_central": self.formula.map(|formula| formula.central),
                 "formula_lambda": self.lambda(),
@@ -194,10 +188,10 @@ impl Expected {
         let hertz = &self.hertz;
         text += &format!(
             "Hertz            {:.4} GPa, {:.4} N, half-widths {:.2} x {:.2} um\n",
-            hertz.p_max * 1e-9,
-            hertz.load,
-            hertz.a_x * 1e6,
-            hertz.a_y * 1e6
+            hertz.pressure * 1e-9,
+            hertz.force,
+            hertz.half_width_x * 1e6,
+            hertz.half_width_y * 1e6
         );
         text += &self.film_text();
         let (grid, [inlet, outlet]) = (self.sim.grid(), self.room());
@@ -220,7 +214,7 @@ impl Expected {
         let [ball, disc] = self.rq.map(|rq| 1e9 * rq);
         let rq = format!("Rq of ball and disc {ball:.1} and {disc:.1} nm");
         let Some(formula) = self.formula else { return format!("film             none, dry; {rq}\n") };
-        let (film, (m, l)) = (1e9 * formula.central, formula.moes);
+        let (film, m, l) = (1e9 * formula.central, formula.moes.m, formula.moes.l);
         let regime = match self.lambda() {
             None => "smooth: a full film where it is thicker than the contact film".to_owned(),
             Some(lambda) => {

@@ -36,7 +36,7 @@ pub(crate) fn maps<'a>(seen: &Seen<'a>) -> Maps<'a> {
         map("pressure (GPa)", &state.pressure, 1e-9, round_up(1e-9 * largest_pressure), true),
     ];
     if seen.lubricated {
-        maps.push(map("content of the gap, theta", &state.content, 1.0, 1.0, true));
+        maps.push(map("content of the gap, theta", &state.theta, 1.0, 1.0, true));
     }
     if let Some(film) = seen.tribofilm {
         let thickest = extremes(film.iter().copied()).1;
@@ -76,7 +76,7 @@ pub(crate) fn profile(seen: &Seen<'_>) -> Chart {
     if seen.lubricated {
         panels.push(Panel {
             y_label: "theta".to_owned(),
-            lines: vec![line("", GREEN, &state.content, 1.0)],
+            lines: vec![line("", GREEN, &state.theta, 1.0)],
             highest: None,
         });
     }

@@ -151,11 +151,12 @@ fn table(points: &[Point]) -> String {
     );
     for point in converged(points) {
         let solution = &point.solution;
-        let lambda = point.solution.lambda.map_or_else(|| "-".to_owned(), |lambda| format!("{lambda:.3}"));
+        let lambda =
+            point.solution.film.lambda.map_or_else(|| "-".to_owned(), |lambda| format!("{lambda:.3}"));
         text += &format!(
             "{:11.4e} {:9.4} {:14.4} {:9.2} {lambda:>9}\n",
             point.speed,
-            solution.friction_coefficient,
+            solution.friction.coefficient,
             solution.contact.load_ratio,
             1e9 * solution.film.mean_central
         );
@@ -166,15 +167,15 @@ fn table(points: &[Point]) -> String {
 /// The curve in SI units.
 fn csv(points: &[Point]) -> Result<String, std::fmt::Error> {
     let mut text =
-        "entrainment_speed_m_per_s,friction_coefficient,load_ratio,mean_film_m,lambda\n".to_owned();
+        "motion_entrainment_speed_m_s,friction_coefficient,contact_load_ratio,film_mean_central_m,film_lambda\n".to_owned();
     for point in converged(points) {
         let solution = &point.solution;
-        let lambda = point.solution.lambda.map_or_else(String::new, |lambda| format!("{lambda:e}"));
+        let lambda = point.solution.film.lambda.map_or_else(String::new, |lambda| format!("{lambda:e}"));
         writeln!(
             text,
             "{:e},{:e},{:e},{:e},{lambda}",
             point.speed,
-            solution.friction_coefficient,
+            solution.friction.coefficient,
             solution.contact.load_ratio,
             solution.film.mean_central
         )?;
@@ -206,12 +207,12 @@ fn chart(options: &Options, points: &[Point]) -> Chart {
         highest: None,
     };
     let mut panels = vec![
-        panel("friction", |point| Some(point.solution.friction_coefficient)),
+        panel("friction", |point| Some(point.solution.friction.coefficient)),
         panel("load on solids", |point| Some(point.solution.contact.load_ratio)),
         panel("film (nm)", |point| Some(1e9 * point.solution.film.mean_central)),
     ];
-    if points.iter().any(|point| point.solution.lambda.is_some()) {
-        panels.push(panel("film / Rq", |point| point.solution.lambda));
+    if points.iter().any(|point| point.solution.film.lambda.is_some()) {
+        panels.push(panel("film / Rq", |point| point.solution.film.lambda));
     }
     Chart {
         title: format!("Stribeck curve of {}", output::stem(&options.scene)),

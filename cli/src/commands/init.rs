@@ -133,7 +133,7 @@ fn write(file: &Path, text: &str, force: bool) -> Result<(), String> {
 fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>> {
     let bodies = bodies(answers)?;
     let trial = Scene::from_toml(&format!("{bodies}{}", grid([1.0; 2], [16; 2])))?;
-    let half_width = trial.hertz()?.a_x;
+    let half_width = trial.hertz()?.half_width_x;
     let smooth = answers.roughness.value == 0.0;
     let cells = options.cells.unwrap_or(if smooth { 128 } else { 64 });
     let inlet = half_width * flooded_inlet(&trial, half_width)?;

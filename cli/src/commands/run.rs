@@ -197,7 +197,7 @@ impl Log {
         let csv = options.csv.as_ref().map(|path| -> Result<_, Box<dyn Error>> {
             let file = File::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
             let mut csv = BufWriter::new(file);
-            writeln!(csv, "{}", StepRecord::CSV_HEADER)?;
+            writeln!(csv, "{}", StepRecord::csv_header())?;
             Ok(csv)
         });
         let last = folder.as_ref().and_then(|folder| folder.last_contact().cloned());
@@ -240,7 +240,7 @@ impl Log {
         let chart = history(&name, &self.records);
         let mut files = picture::write(&chart, out, &format!("{name}_history"))?.to_vec();
         if let Some(state) = self.last.as_ref().filter(|_| sim.grid().ny() > 1) {
-            let film = sim.scene().tribofilm.map(|_| sim.bodies()[1].film_thickness());
+            let film = sim.scene().tribofilm.map(|_| sim.bodies()[1].tribofilm());
             let time = self.records.last().map_or(0.0, |record| record.time);
             let seen = Seen {
                 title: format!("{name} after {time:.0} s"),
@@ -259,7 +259,7 @@ impl Log {
 impl Observer for Log {
     fn after_step(&mut self, sim: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()> {
         let done = record.step + 1;
-        self.bar.set_message(format!(", friction {:.4}", record.friction_coefficient));
+        self.bar.set_message(format!(", friction {:.4}", record.friction.coefficient));
         self.bar.set_position(done);
         // Without a terminal a line after each tenth of the steps.
         if self.bar.is_hidden() && (done.is_multiple_of(self.steps.div_ceil(10)) || done == self.steps) {
@@ -290,23 +290,23 @@ fn history(name: &str, records: &[StepRecord]) -> Chart {
     };
     let panel = |y_label: &str, lines| Panel { y_label: y_label.to_owned(), lines, highest: None };
     let mut panels = vec![
-        panel("friction", vec![line("", BLUE, |r| r.friction_coefficient)]),
-        panel("load on solids", vec![line("", BLUE, |r| r.load_ratio)]),
-        panel("film / Rq", vec![line("", BLUE, |r| r.lambda)]),
+        panel("friction", vec![line("", BLUE, |r| r.friction.coefficient)]),
+        panel("load on solids", vec![line("", BLUE, |r| r.contact.load_ratio)]),
+        panel("film / Rq", vec![line("", BLUE, |r| r.film.lambda.unwrap_or(f64::NAN))]),
     ];
     let grows =
         |value: fn(&StepRecord) -> [f64; 2]| records.iter().any(|r| value(r).iter().any(|v| *v > 0.0));
-    if grows(|r| r.track_wear) {
+    if grows(|r| r.wear.in_contact()) {
         let lines = vec![
-            line("ball", VERMILION, |r| 1e9 * r.track_wear[0]),
-            line("disc", GREEN, |r| 1e9 * r.track_wear[1]),
+            line("ball", VERMILION, |r| 1e9 * r.wear.ball_in_contact),
+            line("disc", GREEN, |r| 1e9 * r.wear.disc_in_contact),
         ];
         panels.push(panel("worn (nm)", lines));
     }
-    if grows(|r| r.track_film) {
+    if grows(|r| r.tribofilm.in_contact()) {
         let lines = vec![
-            line("ball", VERMILION, |r| 1e9 * r.track_film[0]),
-            line("disc", GREEN, |r| 1e9 * r.track_film[1]),
+            line("ball", VERMILION, |r| 1e9 * r.tribofilm.ball_in_contact),
+            line("disc", GREEN, |r| 1e9 * r.tribofilm.disc_in_contact),
         ];
         panels.push(panel("tribofilm (nm)", lines));
     }

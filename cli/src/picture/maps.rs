@@ -108,7 +108,7 @@ impl Maps<'_> {
             .build_cartesian_2d(x, y)?;
         chart.draw_series(self.rectangles(map))?;
         if map.outline {
-            let (a, b) = (self.hertz.a_x * 1e6, self.hertz.a_y * 1e6);
+            let (a, b) = (self.hertz.half_width_x * 1e6, self.hertz.half_width_y * 1e6);
             let (sin, cos) = self.hertz.angle.sin_cos();
             let ring = (0..=120).map(|k| (f64::from(k) * std::f64::consts::TAU / 120.0).sin_cos());
             let rim = ring.map(|(s, c)| (cos * a * c - sin * b * s, sin * a * c + cos * b * s));

@@ -72,16 +72,21 @@ pub(crate) fn solve(run: Run, start: Option<ContactState>) -> Result<(Row, Conta
     );
     let limit = vec![plastic.hardness; grid.len()];
     let mut deformation = HalfSpace::new(grid, scene.elastic.equivalent_modulus)?;
-    let mut problem =
-        LubricatedContact::new(&gap, &mut deformation, hertz.load, (hertz.a_x, hertz.a_y), hertz.p_max)
-            .with_lubricant(Some(&lubricant))
-            .with_entrainment_speed(run.speed)
-            .with_pressure_limit(Some(&limit))
-            .with_film_cutoff(scene.solver.film_cutoff)
-            .with_contact(ContactDefinition::Hard)
-            .with_scheme(scene.scheme())
-            .with_face_mobility(scene.face_mobility())
-            .with_cavitation(scene.cavitation());
+    let mut problem = LubricatedContact::new(
+        &gap,
+        &mut deformation,
+        hertz.force,
+        (hertz.half_width_x, hertz.half_width_y),
+        hertz.pressure,
+    )
+    .with_lubricant(Some(&lubricant))
+    .with_entrainment_speed(run.speed)
+    .with_pressure_limit(Some(&limit))
+    .with_film_cutoff(scene.solver.film_cutoff)
+    .with_contact(ContactDefinition::Hard)
+    .with_scheme(scene.scheme())
+    .with_face_mobility(scene.face_mobility())
+    .with_cavitation(scene.cavitation());
     let mut state = start.unwrap_or_else(|| ContactState::new(&grid));
     let report = NewtonKrylov::new().solve(
         &mut problem,
@@ -128,8 +133,14 @@ fn numbers(
 ) -> Result<[f64; 4], Box<dyn Error>> {
     let hertz = scene.hertz()?;
     let solid: Vec<f64> = (0..grid.len()).map(|k| state.solid_pressure(k)).collect();
-    let contact =
-        metrics::contact_statistics(&grid, &state.in_contact, &solid, hertz.load, hertz.a_x, hertz.a_y)?;
+    let contact = metrics::contact_statistics(
+        &grid,
+        &state.in_contact,
+        &solid,
+        hertz.force,
+        hertz.half_width_x,
+        hertz.half_width_y,
+    )?;
     let mut viscosity = vec![0.0; grid.len()];
     lubricant.viscosity().fill(&state.fluid_pressure, &mut viscosity);
     let mut shear = vec![0.0; grid.len()];
@@ -145,8 +156,8 @@ fn numbers(
     Ok([
         contact.area_ratio,
         contact.load_ratio,
-        metrics::average_central_film(&grid, &state.film, hertz.a_x, hertz.a_y)?,
-        metrics::friction_coefficient(&grid, boundary, &solid, &shear, hertz.load)?,
+        metrics::mean_central_film(&grid, &state.film, hertz.half_width_x, hertz.half_width_y)?,
+        metrics::friction_coefficient(&grid, boundary, &solid, &shear, hertz.force)?,
     ])
 }
 
@@ -169,7 +180,7 @@ pub(crate) fn finer(state: &ContactState, n: usize) -> ContactState {
     finer.fluid_pressure = linear(&state.fluid_pressure);
     finer.film = linear(&state.film);
     finer.plastic_depth = linear(&state.plastic_depth);
-    finer.content = linear(&state.content);
+    finer.theta = linear(&state.theta);
     finer.mass = linear(&state.mass);
     finer.in_contact = nodes().map(|(i, j)| state.in_contact[j / 2 * n + i / 2]).collect();
     finer

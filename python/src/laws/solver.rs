@@ -98,7 +98,7 @@ fn state_of_arrays<'py>(py: Python<'py>, grid: &Grid, state: &ContactState) -> P
         "fluid_pressure": field(py, grid, &state.fluid_pressure)?,
         "film": field(py, grid, &state.film)?,
         "plastic_depth": field(py, grid, &state.plastic_depth)?,
-        "theta": field(py, grid, &state.content)?,
+        "theta": field(py, grid, &state.theta)?,
         "in_contact": field(py, grid, &state.in_contact)?,
         "approach": state.approach,
     });
@@ -111,7 +111,7 @@ fn read_state(function: &Function, given: &Bound<'_, PyAny>, state: &mut Contact
         ("pressure", &mut state.pressure),
         ("fluid_pressure", &mut state.fluid_pressure),
         ("plastic_depth", &mut state.plastic_depth),
-        ("theta", &mut state.content),
+        ("theta", &mut state.theta),
     ] {
         function.take(&given.getattr(name)?, &format!("left as state.{name}"), out)?;
     }

@@ -64,6 +64,7 @@ pub struct LayeredStress {
 
 /// The largest stresses in a layer and at its bond.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct LayerStressExtremes {
     /// Largest stress of von Mises in the layer.

@@ -16,18 +16,21 @@ use crate::grid::Grid;
 /// let pressure: Vec<f64> = grid.nodes().map(|(x, _)| if x.abs() < 1.0 { 1e9 } else { 0.0 }).collect();
 /// let depths: Vec<f64> = (0..20).map(|k| 0.1 * f64::from(k)).collect();
 /// let largest = stress_extremes(&grid, 0.3, &depths, &pressure, None)?.orthogonal_shear;
-/// assert!((largest.place.0.abs() - 1.0).abs() < 0.1);
+/// assert!((largest.x.abs() - 1.0).abs() < 0.1);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Extreme {
     /// The stress \[Pa\], between depths at the peak of a parabola.
     pub stress: f64,
     /// Its depth \[m\].
     pub depth: f64,
-    /// The node above it \[m\].
-    pub place: (f64, f64),
+    /// Position along x \[m\].
+    pub x: f64,
+    /// Position along y \[m\].
+    pub y: f64,
 }
 
 /// The largest stresses below a surface.
@@ -102,8 +105,8 @@ pub(in crate::elastic) fn over(grid: &Grid, depths: &[f64], values: &[(usize, f6
         .iter()
         .enumerate()
         .fold((0, (0, 0.0)), |best, (k, value)| if value.1 > best.1.1 { (k, *value) } else { best });
-    let place = (grid.x(node % grid.nx()), grid.y(node / grid.nx()));
-    let mut extreme = Extreme { stress, depth: depths[k], place };
+    let (x, y) = (grid.x(node % grid.nx()), grid.y(node / grid.nx()));
+    let mut extreme = Extreme { stress, depth: depths[k], x, y };
     if (1..depths.len() - 1).contains(&k) {
         let (before, after) = (depths[k] - depths[k - 1], depths[k + 1] - depths[k]);
         let slopes = [(stress - values[k - 1].1) / before, (values[k + 1].1 - stress) / after];

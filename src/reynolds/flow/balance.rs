@@ -14,10 +14,11 @@
 /// use stribeck::sim::{Scene, solve_contact};
 /// let solution = solve_contact(&Scene::azam_2019(32))?;
 /// let flow = solution.flow.ok_or("a dry contact")?;
-/// assert!(flow.inflow > 0.0 && flow.imbalance <= solution.report.residuals.mass + 1e-12);
+/// assert!(flow.inflow > 0.0 && flow.imbalance <= solution.report.residual.mass + 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct FlowBalance {
     /// What enters \[m^3/s\].

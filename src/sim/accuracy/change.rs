@@ -45,12 +45,12 @@ pub(super) fn estimate(coarse: &ContactSolution, fine: &ContactSolution) -> Opti
     let fluid = 1.0 - fine.contact.load_ratio.min(coarse.contact.load_ratio);
     let load_ratio = sides.min(fluid.max(0.0));
     let edge = fine.contact.area_ratio - fine.contact.corrected_area_ratio;
-    let friction = fine.friction_coefficient;
+    let friction = fine.friction.coefficient;
     let of_friction = |stress: f64| if friction > 0.0 { stress / friction } else { 0.0 };
     Some(ErrorEstimate {
         central_film: POINT * relative(|solution| solution.film.central),
         minimum_film: POINT * relative(|solution| solution.film.minimum),
-        max_pressure: POINT * relative(|solution| solution.contact.max_pressure),
+        max_pressure: POINT * relative(|solution| solution.pressure.max),
         mean_film: if fine.film.mean_central <= NO_FILM * fine.state.approach.abs() {
             0.0
         } else {

@@ -39,6 +39,7 @@ use crate::report::Work;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct ErrorEstimate {
     /// Of the central film; 0 in a smooth dry contact, whose film is none.

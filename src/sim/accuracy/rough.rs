@@ -175,7 +175,7 @@ pub(super) fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, S
     let hertz = scene.hertz()?;
     let Waves { lengths: [along_x, along_y], rq } = waves(scene)?;
     let plan = Plan::of(scene, &hertz, accuracy)?;
-    let depth = GAP_BEYOND * hertz.a_x.powi(2) / scene.form.radii().0;
+    let depth = GAP_BEYOND * hertz.half_width_x.powi(2) / scene.form.radii().0;
     let reach = 1.0 + (REACH * rq / depth).powf(2.0 / 3.0) + ROOM;
     let [half_x, half_y] = hertz.half_extents();
     let x = [-plan.inlet.max(reach) * half_x, plan.outlet.max(reach) * half_x];

@@ -84,8 +84,8 @@ impl Plan {
             let (side, cell) = (1.5, 0.25 * accuracy.sqrt());
             return Ok(Self { inlet: side, outlet: side, side, cell, box_error: 0.0 });
         };
-        let film = formulas.central * scene.form.radii().0 / hertz.a_x.powi(2);
-        let constant = 1.5 * (formulas.moes.0 / 20.0).max(1.0).powf(0.2);
+        let film = formulas.central * scene.form.radii().0 / hertz.half_width_x.powi(2);
+        let constant = 1.5 * (formulas.moes.m / 20.0).max(1.0).powf(0.2);
         let [line, point] = BOX_CONSTANT;
         let flooded = if scene.form.is_line() { line } else { point } * film.powf(BOX_BY_FILM);
         let inlet = (BOX_SHARE * accuracy / flooded).powf(1.0 / BOX_BY_INLET).max(2.5);
@@ -166,7 +166,7 @@ impl Picked {
         let plan = Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?;
         let temperature = scene.conditions(0.0)?.bulk_temperature;
         let exponent =
-            setup::viscosity(scene, temperature)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.p_max);
+            setup::viscosity(scene, temperature)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.pressure);
         let spike_growth = SPIKE_GROWTH * (exponent / SHARP).min(1.0).powi(2);
         let on = |level| -> Result<Scene, InputError> {
             Ok(Scene { grid: plan.cells(&hertz, level, scene.form.is_line())?, ..scene.clone() })
@@ -235,7 +235,7 @@ impl Meshes {
             let solution = contact.solve()?;
             work.add(&solution);
             if solution.report.status == Status::Converged {
-                numbers.push([solution.film.central, solution.film.minimum, solution.contact.max_pressure]);
+                numbers.push([solution.film.central, solution.film.minimum, solution.pressure.max]);
             } else {
                 // A mesh too coarse for a film, or one that is not solved, says nothing of the others.
                 numbers.clear();
@@ -266,7 +266,7 @@ impl Meshes {
             let of = |k: usize| relative_error(coarsest.map(|c| c[k]), middle[k], finest[k]);
             let film = |k, share| if lubricated { of(k) + share * box_error } else { 0.0 };
             let spike = highest_spike(&self.finest);
-            let overtaken = (1.0 + spike_growth) * spike / self.finest.contact.max_pressure - 1.0;
+            let overtaken = (1.0 + spike_growth) * spike / self.finest.pressure.max - 1.0;
             ErrorEstimate {
                 central_film: film(0, 1.0),
                 minimum_film: film(1, BOX_MINIMUM),
@@ -284,7 +284,7 @@ impl Meshes {
 fn highest_spike(solution: &ContactSolution) -> f64 {
     let (nx, ny) = (solution.grid.nx(), solution.grid.ny());
     let row = solution.state.pressure.chunks_exact(nx).nth(ny / 2).unwrap_or_default();
-    let behind = |i: usize| solution.grid.x(i) > SPIKE_FROM * solution.hertz.a_x;
+    let behind = |i: usize| solution.grid.x(i) > SPIKE_FROM * solution.hertz.half_width_x;
     row.windows(3)
         .enumerate()
         .filter(|(i, p)| behind(i + 1) && p[1] > p[0] && p[1] >= p[2])

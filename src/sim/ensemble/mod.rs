@@ -93,7 +93,7 @@ pub struct Outcome {
 ///     })
 ///     .into();
 /// let outcomes = ensemble::run(&members, 2);
-/// let wear = |k: usize| outcomes[k].records[0].mean_wear[1];
+/// let wear = |k: usize| outcomes[k].records[0].wear.disc_mean;
 /// assert!(wear(0) < wear(2));
 /// // The second cannot be built; the others do not mind.
 /// assert_eq!(

@@ -17,8 +17,8 @@ use crate::sim::hertz::HertzContact;
 /// use stribeck::sim::scene::Load;
 /// let mut scene = Scene::azam_2019(32);
 /// let hertz = scene.hertz()?;
-/// scene.load = Load::force(hertz.load);
-/// assert!((scene.hertz()?.p_max / 1.15e9 - 1.0).abs() < 1e-12);
+/// scene.load = Load::force(hertz.force);
+/// assert!((scene.hertz()?.pressure / 1.15e9 - 1.0).abs() < 1e-12);
 /// scene.load.hertz_pressure = Some(1e9);
 /// assert!(scene.hertz().unwrap_err().to_string().contains("not both"));
 /// # Ok::<(), stribeck::InputError>(())

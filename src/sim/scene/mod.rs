@@ -67,7 +67,7 @@ use crate::surface::Form;
 /// scene.load = Load::force(20.0);
 /// scene.motion = Motion::new(0.5, 0.1);
 /// scene.plastic = Some(PlasticSpec::new(4e9));
-/// assert!((scene.hertz()?.load - 20.0).abs() < 1e-9);
+/// assert!((scene.hertz()?.force - 20.0).abs() < 1e-9);
 /// assert!(scene.is_lubricated());
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
@@ -134,8 +134,8 @@ impl Scene {
     /// ```
     /// let scene = stribeck::sim::Scene::azam_2019(128);
     /// let hertz = scene.hertz()?;
-    /// assert!((hertz.a_x - 149.83e-6).abs() < 0.01e-6);
-    /// assert!((hertz.load - 54.07).abs() < 0.01);
+    /// assert!((hertz.half_width_x - 149.83e-6).abs() < 0.01e-6);
+    /// assert!((hertz.force - 54.07).abs() < 0.01);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     pub fn azam_2019(n: usize) -> Self {

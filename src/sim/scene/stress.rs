@@ -14,7 +14,7 @@ use crate::error::InputError;
 /// scene.lubricant = None;
 /// scene.stress = Some(StressSpec::default());
 /// let stress = solve_contact(&scene)?.stress.ok_or("none was asked for")?;
-/// assert!(stress.largest.von_mises.stress > stress.largest.orthogonal_shear.stress);
+/// assert!(stress.von_mises.stress > stress.orthogonal_shear.stress);
 /// assert!(stress.yield_ratio.is_none()); // no strength was given
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -68,7 +68,7 @@ pub enum TrackMotion {
 ///     let mut scene = Scene::azam_2019(16);
 ///     scene.track.exposure = exposure;
 ///     (scene.track.radius_ball, scene.track.radius_disc) = (Some(9e-3), Some(20e-3));
-///     Ok(MixedLubricationSim::builder(scene).build()?.step(10.0)?.mean_wear[1])
+///     Ok(MixedLubricationSim::builder(scene).build()?.step(10.0)?.wear.disc_mean)
 /// };
 /// // A point of the track is in the contact for a small share of the time.
 /// assert!(worn(Exposure::Track)? < 0.01 * worn(Exposure::ContactClock)?);

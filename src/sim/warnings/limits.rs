@@ -28,11 +28,11 @@ pub(super) fn of_models(scene: &Scene) -> Vec<Warning> {
 /// The contact that is as wide as the bodies are curved.
 fn slope(scene: &Scene, hertz: &HertzContact) -> Option<Warning> {
     let (radius_x, radius_y) = scene.form.radii();
-    let ratio = (hertz.a_x / radius_x).max(hertz.a_y / radius_y);
+    let ratio = (hertz.half_width_x / radius_x).max(hertz.half_width_y / radius_y);
     (ratio > LARGEST_SLOPE).then(|| {
         let (field, value) = match scene.load.hertz_pressure {
             Some(pressure) if scene.schedule.load.is_none() => ("load.hertz_pressure", pressure),
-            _ => ("load.force", hertz.load),
+            _ => ("load.force", hertz.force),
         };
         Warning::new(
             field,

@@ -75,7 +75,7 @@ impl Scene {
 /// Those of `heights` \[m\] that a file or a caller has given for the `body`.
 pub(super) fn of_heights(body: usize, heights: &[f64], grid: &Grid, hertz: &HertzContact) -> Vec<Warning> {
     let field = format!("roughness.{}", BODIES[body]);
-    let mut list = plausible::height(&field, heights, hertz.a_x.min(hertz.a_y));
+    let mut list = plausible::height(&field, heights, hertz.half_width_x.min(hertz.half_width_y));
     list.extend(mesh::measured_waves(&field, heights, grid));
     list
 }

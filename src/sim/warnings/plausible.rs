@@ -271,7 +271,7 @@ fn oil(oil: &LubricantSpec) -> Vec<Entry> {
 
 /// Rq of both bodies, against the Hertz contact.
 fn roughness(scene: &Scene) -> Vec<Entry> {
-    let half_width = scene.hertz().map_or(f64::INFINITY, |hertz| hertz.a_x.min(hertz.a_y));
+    let half_width = scene.hertz().map_or(f64::INFINITY, |hertz| hertz.half_width_x.min(hertz.half_width_y));
     let bodies = BODIES.into_iter().zip([&scene.roughness.ball, &scene.roughness.disc]);
     bodies.map(|(name, body)| (format!("roughness.{name}.rq"), body.rq(), largest_rq(half_width))).collect()
 }

@@ -19,11 +19,11 @@ const LARGEST_ERROR: f64 = 0.1;
 /// Warnings about the finished `solution` of `scene`.
 pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
     // Heights in memory may be rough in a scene that says nothing of roughness.
-    let smooth = scene.is_smooth() && solution.composite_rq == 0.0;
-    let pressure =
-        smooth.then(|| excess_pressure(solution.contact.max_pressure, solution.hertz.p_max)).flatten();
-    let film = solution.film_heat.as_ref().zip(scene.conditions(0.0).ok());
-    let film = film.and_then(|(heat, conditions)| hot_film(heat.maximum, conditions.bulk_temperature));
+    let smooth = scene.is_smooth() && solution.roughness.composite_rq == 0.0;
+    let pressure = smooth.then(|| excess_pressure(solution.pressure.max, solution.hertz.pressure)).flatten();
+    let film = solution.thermal.as_ref().zip(scene.conditions(0.0).ok());
+    let film =
+        film.and_then(|(heat, conditions)| hot_film(heat.film_temperature_max, conditions.bulk_temperature));
     pressure.into_iter().chain(film).chain(mesh_errors(scene, solution)).collect()
 }
 

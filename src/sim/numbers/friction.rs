@@ -1,0 +1,25 @@
+//! Friction over load.
+
+/// Friction coefficient of a contact and its parts: boundary friction under the solid pressure and shear of the
+/// fluid, over the load.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct FrictionNumbers {
+    /// Friction force over load; zero without sliding.
+    pub coefficient: f64,
+    /// Part of the coefficient that solid contact makes.
+    pub boundary: f64,
+    /// Part of the coefficient that shear of the fluid makes.
+    pub fluid: f64,
+}
+
+impl FrictionNumbers {
+    /// Of a contact whose state is not known.
+    pub(super) const UNKNOWN: Self = Self { coefficient: f64::NAN, boundary: f64::NAN, fluid: f64::NAN };
+
+    /// Of the forces `boundary` and `fluid` \[N\] under `load` \[N\].
+    pub(in crate::sim) fn of(boundary: f64, fluid: f64, load: f64) -> Self {
+        Self { coefficient: (boundary + fluid) / load, boundary: boundary / load, fluid: fluid / load }
+    }
+}
