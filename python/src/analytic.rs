@@ -63,7 +63,7 @@ fn hertz_point<'py>(
         "half_width_y": contact.half_width_y,
         "pressure": contact.pressure,
         "mean_pressure": contact.mean_pressure(),
-        "force": contact.load,
+        "force": contact.force,
         "area": contact.area(),
         "approach": contact.approach,
     }))
@@ -88,7 +88,7 @@ fn hertz_line<'py>(
     Ok(dictionary!(py, {
         "half_width": contact.half_width,
         "pressure": contact.pressure,
-        "force": contact.load,
+        "force": contact.force,
     }))
 }
 

@@ -48,6 +48,9 @@ pub(crate) fn contiguous<'a, T: numpy::Element>(
     })
 }
 
+/// Dictionaries and lists within each other that a scene never needs: what contains itself ends here.
+const MAX_PATH: usize = 16;
+
 /// A dictionary of strings, numbers, truth values, lists and dictionaries as a table; keys whose value is
 /// None are left out.
 pub(crate) fn table(dict: &Bound<'_, PyDict>, inside: &str) -> PyResult<Table> {
@@ -68,6 +71,11 @@ pub(crate) fn table(dict: &Bound<'_, PyDict>, inside: &str) -> PyResult<Table> {
 
 fn toml_value(entry: &Bound<'_, PyAny>, path: &str) -> PyResult<Value> {
     let py = entry.py();
+    if path.matches(['.', '[']).count() > MAX_PATH {
+        let (field, _) = path.split_once(['.', '[']).unwrap_or((path, ""));
+        let message = format!("{field}: a dictionary or list contains itself");
+        return Err(raise(py, "SceneError", &message, Some(field), None));
+    }
     if let Ok(dict) = entry.cast::<PyDict>() {
         return Ok(Value::Table(table(dict, path)?));
     }

@@ -80,7 +80,7 @@ impl Scene {
     }
 
     fn conditions<'py>(&self, py: Python<'py>, time: f64) -> PyResult<Bound<'py, PyDict>> {
-        conditions_dict(py, &value(py, self.0.conditions(time))?)
+        named(py, &value(py, self.0.conditions(time))?)
     }
 
     fn __eq__(&self, other: &Self) -> bool {
@@ -98,15 +98,6 @@ fn without_line(error: sim::SimError) -> sim::SimError {
         }
         other => other,
     }
-}
-
-pub(crate) fn conditions_dict<'py>(py: Python<'py>, now: &sim::Conditions) -> PyResult<Bound<'py, PyDict>> {
-    Ok(dictionary!(py, {
-        "load": now.load,
-        "entrainment_speed": now.motion.entrainment_speed,
-        "slide_roll_ratio": now.motion.slide_roll_ratio,
-        "bulk_temperature": now.bulk_temperature,
-    }))
 }
 
 /// Counts, cell sizes and edges of a grid.

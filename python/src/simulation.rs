@@ -12,7 +12,7 @@ use stribeck::sim::{CheckpointError, MixedLubricationSim, SimError, StepControl,
 use crate::convert::{dictionary, field, list, named, on_grid};
 use crate::error::{ForPython, raise, value};
 use crate::laws::Failure;
-use crate::scene::{Cells, Scene, conditions_dict};
+use crate::scene::{Cells, Scene};
 use crate::solution::{Parts, Start, parts_of};
 use crate::start::BodyStart;
 
@@ -242,7 +242,7 @@ impl Simulation {
     fn about<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.look(py, |sim| {
             Ok(dictionary!(py, {
-                "conditions": conditions_dict(py, &sim.conditions())?,
+                "conditions": named(py, &sim.conditions())?,
                 "motion": format!("{:?}", sim.motion()),
                 "flash_estimate": sim.flash_estimate(),
                 "models_flash_temperature": sim.models_flash_temperature(),

@@ -81,6 +81,15 @@ impl Surface {
         let name = path.extension().and_then(|end| end.to_str()).unwrap_or_default().to_lowercase();
         match name.as_str() {
             "x3p" => value(py, surface::write_x3p(path, surface)),
+            "npy" if surface.undefined() > 0 => {
+                let message = format!(
+                    "path = {}: an npy file cannot tell the {} undefined points; call fill_undefined first or \
+                     write x3p",
+                    path.display(),
+                    surface.undefined()
+                );
+                Err(raise(py, "InputError", &message, Some("path"), path.into_bound_py_any(py).ok()))
+            }
             "npy" => value(py, surface::write_npy(path, surface.nx(), surface.ny(), surface.heights())),
             "txt" | "csv" => value(py, surface::write_text(path, surface)),
             _ => Err(unknown(

@@ -136,7 +136,7 @@ class Simulation:
 
     @property
     def conditions(self) -> Numbers:
-        """What acts on the contact now: ``load`` [N], ``entrainment_speed`` [m/s], ``slide_roll_ratio``, ``bulk_temperature`` [K]."""
+        """What acts on the contact now: ``load`` [N], ``motion.entrainment_speed`` [m/s], ``motion.slide_roll_ratio``, ``bulk_temperature`` [K]."""
         return Numbers(self._raw.about()["conditions"])
 
     @property

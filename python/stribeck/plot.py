@@ -45,7 +45,7 @@ def _field(solution: Solution, name: str) -> Any:
 
 
 def _label(name: str, shown: str) -> str:
-    words = name.replace("_", " ")
+    words = name.replace("_", " ").replace(".", " ")
     return f"{words}, {shown}" if shown else words
 
 

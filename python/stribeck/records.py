@@ -52,7 +52,7 @@ class Record(Numbers):
     def column(self, name: str) -> Any:
         """The value of the column ``name``, as ``"film.mean_central"``; NaN where it is not modelled."""
         if name not in COLUMNS:
-            raise unknown("column", name, COLUMNS)
+            raise unknown("name", name, COLUMNS)
         value: Any = self
         for part in name.split("."):
             value = None if value is None else value[part]

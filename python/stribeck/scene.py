@@ -17,6 +17,10 @@ from .errors import SceneError, StribeckWarning, found
 __all__ = ["Grid", "Scene"]
 
 
+#: Tables within each other that a scene never needs.
+_MAX_DEPTH = 16
+
+
 class Grid(Numbers):
     """Cells of a contact: counts ``nx``, ``ny``, sizes ``dx``, ``dy`` and outer edges ``x``, ``y`` [m]. Fields have the shape
     ``(ny, nx)``; x is along the flow."""
@@ -193,8 +197,10 @@ def _at(tables: Any, key: str) -> Any:
     return tables
 
 
-def _plain(tables: Mapping[str, Any]) -> dict[str, Any]:
-    return {k: _plain(v) if isinstance(v, Mapping) else v for k, v in tables.items()}
+def _plain(tables: Mapping[str, Any], depth: int = 0) -> dict[str, Any]:
+    if depth > _MAX_DEPTH:
+        raise SceneError("scene: a dictionary contains itself", field="scene")
+    return {k: _plain(v, depth + 1) if isinstance(v, Mapping) else v for k, v in tables.items()}
 
 
 def _merged(base: dict[str, Any], changes: Mapping[str, Any], path: tuple[str, ...]) -> dict[str, Any]:

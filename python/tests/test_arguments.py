@@ -112,6 +112,7 @@ def test_errors_carry_what_they_are_about(dry: Scene, tmp_path: Path) -> None:
     holed = surface.Surface(FLAT, 1e-6, defined=np.eye(16) == 0)
     box = stribeck.Grid.box(8, 8, (0.0, 8e-6), (0.0, 8e-6))
     assert refused(stribeck.SurfaceError, lambda: holed.resample(box), "undefined").value == 16
+    refused(stribeck.InputError, lambda: holed.write(tmp_path / "holed.npy"), "path")
 
 
 def test_arrays_hold_numbers_and_no_masked_ones(dry: Scene) -> None:
@@ -214,7 +215,7 @@ def test_a_simulation_starts_from_a_solution() -> None:
     scene = Scene.azam_2019(32).replace(track={"motion": "at_rest"})
     solution = stribeck.solve(scene)
     cold, warm = stribeck.Simulation(scene).step(60.0), stribeck.Simulation(scene, start=solution).step(60.0)
-    assert warm.convolutions < 0.5 * cold.convolutions
+    assert warm.work.convolutions < 0.5 * cold.work.convolutions
     assert warm.contact.load_ratio == pytest.approx(cold.contact.load_ratio, rel=1e-3)
     other = stribeck.solve(Scene.azam_2019(16))
     refused(stribeck.ShapeError, lambda: stribeck.Simulation(scene, start=other), "start pressure")
@@ -226,4 +227,4 @@ def test_wear_of_metres_is_said(dry: Scene) -> None:
     simulation = stribeck.Simulation(dry, wear=lambda at, film: 1.0)
     with pytest.warns(stribeck.StribeckWarning, match="wear.max") as said:
         record = simulation.step("1 min")
-    assert len(said) == len(record.warnings) == 1 and record.warnings[0].value == max(record.max_wear_ball, record.max_wear_disc) > 1.0
+    assert len(said) == len(record.warnings) == 1 and record.warnings[0].value == max(record.wear.ball_max, record.wear.disc_max) > 1.0

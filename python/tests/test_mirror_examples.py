@@ -100,7 +100,7 @@ def test_a_solver_in_python_takes_the_steps_of_that_in_its_example() -> None:
         solver, wanted = SteepestDescent(), scene.replace(solver={"tolerance": float(tolerance)})
         mine = stribeck.Simulation(wanted, solver=solver).step(10.0)
         usual = stribeck.Simulation(wanted).step(10.0)
-        assert mine.area_ratio == pytest.approx(usual.area_ratio, rel=0.05)
+        assert mine.contact.area_ratio == pytest.approx(usual.contact.area_ratio, rel=0.05)
         # Sums in another order may take a step more or less.
         assert solver.convolutions == pytest.approx(int(own), rel=0.02)
-        assert usual.convolutions == float(crate)
+        assert usual.work.convolutions == float(crate)

@@ -51,6 +51,16 @@ def test_scenes_name_field_and_value(rough: stribeck.Scene, changes: dict, kind:
     assert isinstance(caught.value, stribeck.StribeckError)
 
 
+def test_what_contains_itself_is_refused(rough: stribeck.Scene) -> None:
+    table: dict = {}
+    table["table"] = table
+    items: list = []
+    items.append(items)
+    refused(stribeck.SceneError, lambda: stribeck.Scene({"form": table}), "scene")
+    refused(stribeck.SceneError, lambda: rough.replace(form=table), "scene")
+    refused(stribeck.SceneError, lambda: stribeck.Scene({"grid": {"x": items}}), "grid")
+
+
 def test_files_name_their_path(tmp_path: Path) -> None:
     missing = tmp_path / "no.toml"
     error = refused(stribeck.FileError, lambda: stribeck.solve(missing), "path")

@@ -135,8 +135,8 @@ def test_schedules_and_bounds_of_steps(rough: stribeck.Scene) -> None:
     simulation = stribeck.Simulation(rough.replace(schedule=schedule))
     history = simulation.run_until(150.0, 60.0)
     assert history["time"].tolist() == [60.0, 90.0, 150.0]
-    assert history["entrainment_speed"].tolist() == [0.1, 0.1, 0.2]
-    assert simulation.conditions.entrainment_speed == 0.2
+    assert history["motion.entrainment_speed"].tolist() == [0.1, 0.1, 0.2]
+    assert simulation.conditions.motion.entrainment_speed == 0.2
     short = stribeck.Simulation(rough).step(1e4, depth=1e-9)
     assert short.time_step < 1e4 and max(short.wear.ball_max, short.wear.disc_max) <= 1e-9
     faster = simulation.solve_under(entrainment_speed=2.0)
@@ -323,8 +323,8 @@ def test_pictures(rough: stribeck.Scene) -> None:
     axes = plot.profile(solution, ["film", "gap"], along="y")
     assert [line.get_label() for line in axes.lines] == ["film, nm", "gap, um"]
     history = stribeck.Simulation(rough).run(2, 60.0)
-    axes = plot.history(history, "max_wear_disc")
-    assert axes.get_ylabel() == "max wear disc, m" and axes.lines[0].get_xdata().tolist() == [60.0, 120.0]
+    axes = plot.history(history, "wear.disc_max")
+    assert axes.get_ylabel() == "wear disc max, m" and axes.lines[0].get_xdata().tolist() == [60.0, 120.0]
     plt.close("all")
 
 

@@ -38,6 +38,7 @@ pub use given_film::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
 pub use multigrid::Multigrid;
 pub use newton_krylov::{Attempt, NewtonKrylov, NewtonSettings, PocketSettings};
 pub use problem::{ContactDefinition, LubricatedContact, Squeeze};
+pub(crate) use problem::{LEAST_SPEED, SPEED_REQUIREMENT, require_speed};
 pub use semi_system::SemiSystem;
 pub use state::ContactState;
 use thiserror::Error;

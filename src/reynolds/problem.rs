@@ -291,9 +291,8 @@ impl LubricatedContact<'_> {
         )?;
         if self.lubricant.is_some() {
             InputError::require_positive("film_cutoff", self.film_cutoff)?;
-            InputError::require_non_negative("entrainment_speed", self.entrainment_speed)?;
-            if self.squeeze.is_none() {
-                InputError::require_positive("entrainment_speed", self.entrainment_speed)?;
+            if self.squeeze.is_none() || self.entrainment_speed != 0.0 {
+                require_speed("entrainment_speed", self.entrainment_speed)?;
             }
             let films = self.lubricant.map_or(&[][..], Lubricant::film);
             if !films.is_empty() {
@@ -342,4 +341,15 @@ pub(super) fn inner_rows(grid: &Grid) -> std::ops::Range<usize> {
 pub(super) fn interior(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
     let nx = grid.nx();
     inner_rows(grid).flat_map(move |j| (1..nx.saturating_sub(1)).map(move |i| j * nx + i))
+}
+
+/// Slowest entrainment of a film \[m/s\]: what slower ones carry is lost to rounding where Newton's method
+/// solves linear systems in single precision.
+pub(crate) const LEAST_SPEED: f64 = 1e-15;
+/// What [`require_speed`] asks for.
+pub(crate) const SPEED_REQUIREMENT: &str = "finite and >= 1e-15";
+
+/// Refuses an entrainment speed \[m/s\] that drags no film along.
+pub(crate) fn require_speed(field: &str, speed: f64) -> Result<(), InputError> {
+    InputError::require(speed.is_finite() && speed >= LEAST_SPEED, field, speed, SPEED_REQUIREMENT)
 }

@@ -16,7 +16,7 @@ use crate::lubricant::{
     ViscosityLaw,
 };
 use crate::metrics::mean_central_film_in;
-use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule};
+use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule, require_speed};
 #[cfg(feature = "formats")]
 use crate::surface::rescale;
 
@@ -31,7 +31,7 @@ const LARGEST_CUTOFF: f64 = 1e-3;
 pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     let speed = scene.motion.entrainment_speed;
     if scene.is_lubricated() && scene.schedule.entrainment_speed.is_none() {
-        InputError::require_positive("motion.entrainment_speed", speed)?;
+        require_speed("motion.entrainment_speed", speed)?;
     }
     InputError::require_non_negative("motion.entrainment_speed", speed)?;
     let ratio = scene.motion.slide_roll_ratio;

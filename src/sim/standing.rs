@@ -9,7 +9,7 @@ use super::solution::{ContactSolution, is_known};
 use super::timetable::Conditions;
 use super::track::track_rq;
 use crate::error::InputError;
-use crate::reynolds::ContactState;
+use crate::reynolds::{ContactState, require_speed};
 use crate::surface::Offset;
 
 impl MixedLubricationSim {
@@ -73,7 +73,7 @@ impl Conditions {
         let (speed, ratio) = (self.motion.entrainment_speed, self.motion.slide_roll_ratio);
         let field = "conditions.motion.entrainment_speed";
         if lubricated {
-            InputError::require_positive(field, speed)?;
+            require_speed(field, speed)?;
         }
         InputError::require_non_negative(field, speed)?;
         InputError::require(ratio.is_finite(), "conditions.motion.slide_roll_ratio", ratio, "finite")?;

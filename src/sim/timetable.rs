@@ -3,6 +3,7 @@
 use super::course::Course;
 use super::scene::{Motion, Scene, Schedule};
 use crate::error::InputError;
+use crate::reynolds::{LEAST_SPEED, SPEED_REQUIREMENT};
 
 /// What acts on a contact from outside.
 ///
@@ -19,6 +20,7 @@ use crate::error::InputError;
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Conditions {
     /// Normal load \[N\]; of a line contact that of one metre of its length.
@@ -68,7 +70,7 @@ impl Timetable {
         let load = course("load", &schedules.load, positive, "finite and > 0")?;
         let speeds = &schedules.entrainment_speed;
         let speed = if scene.is_lubricated() {
-            course("entrainment_speed", speeds, positive, "finite and > 0")?
+            course("entrainment_speed", speeds, |v| v.is_finite() && v >= LEAST_SPEED, SPEED_REQUIREMENT)?
         } else {
             course("entrainment_speed", speeds, |v| v.is_finite() && v >= 0.0, "finite and >= 0")?
         };
