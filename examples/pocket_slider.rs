@@ -100,8 +100,8 @@ fn to_json(solution: &GivenFilmSolution) -> String {
         "pressure_pocket_end": end,
         "load": solution.load,
         "reformation": solution.reformation(0),
-        "inflow": solution.inflow,
-        "outflow": solution.outflow,
+        "inflow": solution.flow.inflow,
+        "outflow": solution.flow.outflow,
     })
     .to_string()
 }
@@ -130,7 +130,7 @@ fn summary(solution: &GivenFilmSolution) -> String {
         format!("friction     {:.5} and {:.5} N/m", solution.friction[0], solution.friction[1]),
         format!(
             "flow         {:.6e} m^2/s in, {:.6e} m^2/s out, imbalance {:.1e}",
-            solution.inflow, solution.outflow, solution.imbalance
+            solution.flow.inflow, solution.flow.outflow, solution.flow.imbalance
         ),
     ]
     .join("\n")

@@ -15,8 +15,8 @@ fn oil(eta: f64, alpha: f64) -> Lubricant {
 fn solved(problem: &GivenFilm<'_>) -> GivenFilmSolution {
     let solution = problem.solve().unwrap();
     solution.report.require_converged().unwrap();
-    assert!(solution.imbalance <= 1e-10, "imbalance {:e}", solution.imbalance);
-    let pairs = solution.pressure.iter().zip(&solution.content);
+    assert!(solution.flow.imbalance <= 1e-10, "imbalance {:e}", solution.flow.imbalance);
+    let pairs = solution.pressure.iter().zip(&solution.theta);
     for (&p, &theta) in pairs {
         let p = p - problem.cavitation_pressure;
         assert!(p >= 0.0 && (0.0..=1.0).contains(&theta) && (p <= 0.0 || theta >= 1.0), "{p} {theta}");
@@ -136,7 +136,7 @@ impl PocketSlider {
             let p = found.pressure_at(x, 0).unwrap();
             assert!((p - exact).abs() < 1e-9 * exact.abs() + 1e-6, "{self:?}, {cells}: {p} at {x}, {exact}");
         }
-        for flow in [found.inflow, found.outflow] {
+        for flow in [found.flow.inflow, found.flow.outflow] {
             assert!(off(flow, exact.flow) < 1e-10, "{self:?}, {cells}: {flow}, {exact:?}");
         }
         assert!(off(found.load, exact.load) < order, "{self:?}, {cells}: {}, {exact:?}", found.load);
@@ -307,7 +307,7 @@ fn closed_sides_make_many_rows_one() {
     let lubricant = oil(ETA, 0.0);
     let (one, many) = (pad(1, &lubricant, [1.0, 0.0], false), pad(5, &lubricant, [1.0, 0.0], false));
     assert!((one.load / many.load - 1.0).abs() < 1e-9);
-    assert!((one.inflow / many.inflow - 1.0).abs() < 1e-9);
+    assert!((one.flow.inflow / many.flow.inflow - 1.0).abs() < 1e-9);
 }
 
 #[test]
@@ -343,7 +343,7 @@ fn nothing_flows_without_entrainment() {
     let lubricant = oil(ETA, 0.0);
     let solution = solved(&GivenFilm::new(&film, &lubricant, [1.0, -1.0]).with_ambient_pressure(1e5));
     assert_eq!(solution.report.status, Status::Converged);
-    assert_eq!((solution.inflow, solution.imbalance), (0.0, 0.0));
+    assert_eq!((solution.flow.inflow, solution.flow.imbalance), (0.0, 0.0));
     assert!((solution.load - 10.0).abs() < 1e-9, "{}", solution.load);
     // eta (u_1 - u_0) / h over the area.
     assert!((solution.friction[0] + 2.0).abs() < 1e-9, "{:?}", solution.friction);

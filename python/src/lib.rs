@@ -5,6 +5,7 @@
 mod analytic;
 mod convert;
 mod error;
+mod given_film;
 mod interrupt;
 mod laws;
 mod metrics;
@@ -26,9 +27,11 @@ fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<simulation::Simulation>()?;
     module.add_class::<start::BodyStart>()?;
     module.add_class::<surface::Surface>()?;
+    module.add_class::<given_film::SolvedFilm>()?;
     module.add_function(wrap_pyfunction!(convert::quantity, module)?)?;
     module.add_function(wrap_pyfunction!(record::columns, module)?)?;
     module.add_function(wrap_pyfunction!(solution::solve, module)?)?;
+    module.add_function(wrap_pyfunction!(given_film::solve_film, module)?)?;
     module.add_function(wrap_pyfunction!(surface::generate, module)?)?;
     module.add_function(wrap_pyfunction!(surface::texture, module)?)?;
     analytic::register(module)?;

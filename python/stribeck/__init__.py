@@ -27,6 +27,7 @@ from .errors import (
     SurfaceError,
     UnknownNameError,
 )
+from .film import GivenFilm, given_film
 from .history import Body, BodyStart, History, Record, Simulation
 from .scene import Grid, Scene
 from .solution import Report, Solution, solve
@@ -37,6 +38,7 @@ __all__ = [
     "BusyError",
     "CheckpointError",
     "FileError",
+    "GivenFilm",
     "Grid",
     "History",
     "InputError",
@@ -57,6 +59,7 @@ __all__ = [
     "UnknownNameError",
     "__version__",
     "analytic",
+    "given_film",
     "laws",
     "metrics",
     "solve",

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import run_example
+from conftest import run_example, run_json
 
 import stribeck
 from stribeck.laws import ContactProblem, ContactState
@@ -31,6 +31,31 @@ def test_members_of_an_ensemble_are_simulations(tmp_path: Path) -> None:
         words = told.replace(",", "").split()
         assert words[0] == "4"
         assert [float(words[3]), float(words[6])] == [last.wear.disc_mean, last.tribofilm.disc_mean]
+
+
+def test_a_slider_with_a_pocket_is_that_of_its_example() -> None:
+    def film(x: float, y: float) -> float:
+        pad = 1.05e-6 - 0.05e-6 * x / 10e-3
+        return pad + 1e-6 if 2e-3 < x < 5e-3 else pad
+
+    grid = stribeck.Grid.box(200, 1, (0.0, 10e-3), (0.0, 1.0))
+    oil = {"eta0": 0.01, "ambient_pressure": "0.1 MPa", "closed_sides": True}
+    for speed in (0.02, 0.2):
+        expected = run_json("pocket_slider", "--speed", str(speed), "--cells", "200")
+        slider = stribeck.given_film(film, grid, speeds=(speed, 0.0), **oil)
+        assert slider.status == "converged" and slider.flow.imbalance <= 1e-10
+        found = [slider.pressure_at("2 mm"), slider.pressure_at("5 mm"), slider.load, slider.reformation()]
+        assert [*found, slider.flow.inflow, slider.flow.outflow] == [
+            expected[name]
+            for name in ("pressure_pocket_start", "pressure_pocket_end", "load", "reformation", "inflow", "outflow")
+        ]
+    assert slider.pressure.shape == slider.theta.shape == (1, 200) and slider.pressure_at(0.0, 1) is None
+    flat = stribeck.given_film(np.full((1, 200), 1e-6), grid, speeds=(0.02, 0.0), **oil)
+    assert flat.load == pytest.approx(1e3)
+    with pytest.raises(stribeck.LawError, match="film"):
+        stribeck.given_film(lambda x, y: 1 / 0, grid, speeds=(1.0, 0.0), **oil)
+    with pytest.raises(stribeck.InputError, match="film"):
+        stribeck.given_film(lambda x, y: -1e-6, grid, speeds=(1.0, 0.0), **oil)
 
 
 def thermal_scene(speed: float, ratio: float) -> stribeck.Scene:

@@ -69,6 +69,16 @@ impl fmt::Debug for Function {
     }
 }
 
+/// What becomes of an `error` that the function `name` has raised.
+pub(crate) fn raised(py: Python<'_>, name: &str, error: PyErr) -> PyErr {
+    if !error.is_instance_of::<pyo3::exceptions::PyException>(py) {
+        return error;
+    }
+    let law = raise(py, "LawError", &format!("the {name} raised {error}"), Some(name), None);
+    law.set_cause(py, Some(error));
+    law
+}
+
 impl Function {
     fn new(name: &'static str, (identity, call): PyLaw, grid: Grid) -> Self {
         Self { name, identity, call, grid }
@@ -154,12 +164,7 @@ impl Function {
 
     /// What the law raised, as the cause of a typed error; what ends a program goes on as it is.
     fn raised(&self, py: Python<'_>, error: PyErr) -> PyErr {
-        if !error.is_instance_of::<pyo3::exceptions::PyException>(py) {
-            return error;
-        }
-        let law = raise(py, "LawError", &format!("the {} raised {error}", self.name), Some(self.name), None);
-        law.set_cause(py, Some(error));
-        law
+        raised(py, self.name, error)
     }
 
     /// A field, or a row where it is not one of the grid.

@@ -85,7 +85,7 @@ pub enum SideEdges {
 /// // 6 eta U L^2 / h_1^2 (ln 2 - 2/3) for films of 2 to 1.
 /// let exact = 6.0 * 0.01 * 1e-4 / 1e-12 * (2.0_f64.ln() - 2.0 / 3.0);
 /// assert!((solution.load / exact - 1.0).abs() < 1e-4);
-/// assert!(solution.imbalance <= 1e-10);
+/// assert!(solution.flow.imbalance <= 1e-10);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy)]

@@ -5,6 +5,7 @@ use super::newton::{self, Solved};
 use super::row::{Row, edges, lengths};
 use crate::grid::Grid;
 use crate::report::{Residuals, SolveReport, Status, Work};
+use crate::reynolds::FlowBalance;
 use crate::solver_id::SolverId;
 
 /// Pressure, content, forces and flows of a [`GivenFilm`].
@@ -35,22 +36,19 @@ use crate::solver_id::SolverId;
 pub struct GivenFilmSolution {
     /// Pressure at the nodes \[Pa\].
     pub pressure: Vec<f64>,
-    /// Content `theta` of the nodes: the share of the gap that is filled. In the cell in which the film
+    /// Content of the nodes: the share of the gap that is filled. In the cell in which the film
     /// reforms it says where.
-    pub content: Vec<f64>,
+    pub theta: Vec<f64>,
     /// Integral of the pressure over the box \[N\]; pressures count as they are, ambient ones too.
     pub load: f64,
     /// Shear force of the fluid on the lower and on the upper surface along +x \[N\].
     pub friction: [f64; 2],
-    /// Flow into the box \[m^3/s at the density of zero pressure\].
-    pub inflow: f64,
-    /// Flow out of the box \[m^3/s at the density of zero pressure\].
-    pub outflow: f64,
-    /// `|outflow - inflow| / inflow`; zero where nothing flows. At most 1e-10 where the solve converged.
-    pub imbalance: f64,
+    /// What flows into the box and out of it \[m^3/s at the density of zero pressure\]; the imbalance is at
+    /// most 1e-10 where the solve converged.
+    pub flow: FlowBalance,
     /// Newton steps on grids coarser than that of the film.
     pub coarse_steps: u64,
-    /// How the solve ended: `residuals.mass` is the sum of the absolute imbalances of all cells over the
+    /// How the solve ended: `residual.mass` is the sum of the absolute imbalances of all cells over the
     /// inflow, `work.iterations` counts Newton steps on the grid of the film, `work.inner_iterations`
     /// substitutions.
     pub report: SolveReport,
@@ -120,12 +118,10 @@ fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
     let [west, east] = edges(grid);
     GivenFilmSolution {
         pressure: vec![pressure; grid.len()],
-        content: vec![1.0; grid.len()],
+        theta: vec![1.0; grid.len()],
         load: pressure * grid.size_x() * grid.size_y(),
         friction: [drag, -drag],
-        inflow: 0.0,
-        outflow: 0.0,
-        imbalance: 0.0,
+        flow: FlowBalance::default(),
         coarse_steps: 0,
         report: report(Status::Converged, 0.0, 0, 0),
         grid,
@@ -144,12 +140,14 @@ fn moving(problem: &GivenFilm<'_>, speed: f64) -> GivenFilmSolution {
     let sum = |of: fn(&Row) -> f64| rows.iter().map(of).sum::<f64>() * grid.dy();
     GivenFilmSolution {
         pressure: (0..).zip(&unknowns).map(|(k, &s)| balance.pressure(k, s)).collect(),
-        content: unknowns.iter().map(|&s| 1.0 + s.min(0.0)).collect(),
+        theta: unknowns.iter().map(|&s| 1.0 + s.min(0.0)).collect(),
         load: sum(Row::load),
         friction: [sum(|row| row.friction[0]), sum(|row| row.friction[1])],
-        inflow: through.inflow * unit,
-        outflow: through.outflow * unit,
-        imbalance: through.imbalance(),
+        flow: FlowBalance {
+            inflow: through.inflow * unit,
+            outflow: through.outflow * unit,
+            imbalance: through.imbalance(),
+        },
         coarse_steps,
         report: report(status, residual, steps, substitutions),
         grid,
@@ -168,7 +166,7 @@ impl GivenFilmSolution {
     /// The same with x turned round.
     fn mirror(&mut self) {
         let nx = self.grid.nx();
-        for field in [&mut self.pressure, &mut self.content] {
+        for field in [&mut self.pressure, &mut self.theta] {
             field.chunks_exact_mut(nx).for_each(<[f64]>::reverse);
         }
         self.friction = self.friction.map(|force| -force);

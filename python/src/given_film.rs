@@ -1,0 +1,97 @@
+//! Rigid surfaces with a film that is given.
+
+use numpy::{PyArray2, PyReadonlyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use stribeck::Grid;
+use stribeck::lubricant::{Barus, Incompressible, Lubricant};
+use stribeck::reynolds::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
+use stribeck::sim::SimError;
+
+use crate::convert::{dictionary, field, named, on_grid};
+use crate::error::value;
+use crate::laws::{Failure, raised};
+use crate::scene::Cells;
+
+/// Films at the nodes, or a function of a place.
+#[derive(FromPyObject)]
+pub(crate) enum Film<'py> {
+    Nodes(PyReadonlyArray2<'py, f64>),
+    Function(Bound<'py, PyAny>),
+}
+
+impl Film<'_> {
+    fn thickness(&self, py: Python<'_>, grid: Grid) -> PyResult<FilmThickness> {
+        let film = match self {
+            Self::Nodes(film) => FilmThickness::from_nodes(grid, on_grid(py, "film", film, &grid)?),
+            Self::Function(function) => FilmThickness::from_function(grid, |x, y| {
+                let film = function.call1((x, y)).and_then(|film| film.extract());
+                film.unwrap_or_else(|error| {
+                    Failure.keep(error);
+                    f64::NAN
+                })
+            }),
+        };
+        match Failure.take() {
+            Some(error) => Err(raised(py, "film", error)),
+            None => value(py, film),
+        }
+    }
+}
+
+/// A solved film, of which places along a row can be asked.
+#[pyclass(frozen, module = "stribeck._stribeck")]
+pub(crate) struct SolvedFilm(GivenFilmSolution);
+
+#[pymethods]
+impl SolvedFilm {
+    fn numbers<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let numbers = named(py, &self.0.report)?;
+        numbers.set_item("load", self.0.load)?;
+        let [lower, upper] = self.0.friction;
+        numbers.set_item("friction", dictionary!(py, { "lower": lower, "upper": upper }))?;
+        numbers.set_item("flow", named(py, &self.0.flow)?)?;
+        Ok(numbers)
+    }
+
+    fn pressure<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        field(py, &self.0.grid(), &self.0.pressure)
+    }
+
+    fn theta<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        field(py, &self.0.grid(), &self.0.theta)
+    }
+
+    fn pressure_at(&self, x: f64, row: usize) -> Option<f64> {
+        self.0.pressure_at(x, row)
+    }
+
+    fn reformation(&self, row: usize) -> Option<f64> {
+        self.0.reformation(row)
+    }
+}
+
+/// Solves for pressure and content in `film` on the cells `on`, of an oil of `(eta0, alpha)` between edges of
+/// `(ambient_pressure, cavitation_pressure, closed_sides)`.
+#[pyfunction]
+pub(crate) fn solve_film(
+    py: Python<'_>,
+    on: &Cells,
+    film: Film<'_>,
+    speeds: [f64; 2],
+    oil: (f64, f64),
+    edges: (f64, f64, bool),
+) -> PyResult<SolvedFilm> {
+    let ((eta0, alpha), (ambient, cavitation, closed_sides)) = (oil, edges);
+    let film = film.thickness(py, on.0)?;
+    let oil = Lubricant::new(value(py, Barus::new(eta0, alpha))?, Incompressible);
+    let sides = if closed_sides { SideEdges::Closed } else { SideEdges::Ambient };
+    let solved = py.detach(|| {
+        GivenFilm::new(&film, &oil, speeds)
+            .with_ambient_pressure(ambient)
+            .with_cavitation_pressure(cavitation)
+            .with_sides(sides)
+            .solve()
+    });
+    value(py, solved.map_err(SimError::from)).map(SolvedFilm)
+}

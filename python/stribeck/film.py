@@ -1,0 +1,73 @@
+"""Rigid surfaces with a film that is given: textured bearings and sliders, without a contact."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ._arguments import Quantity, array, number, numbers, truth, whole
+from ._numbers import Numbers
+from ._stribeck import solve_film
+from .scene import Grid
+
+__all__ = ["GivenFilm", "given_film"]
+
+
+class GivenFilm(Numbers):
+    """A film between rigid surfaces. ``load`` [N], ``friction.lower`` and ``friction.upper`` [N], the shear forces along +x on both
+    surfaces, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``pressure`` [Pa]
+    and ``theta``, the share of the gap that is filled, are arrays of the shape ``(ny, nx)``."""
+
+    __slots__ = ("_solved", "pressure", "theta")
+
+    pressure: npt.NDArray[np.float64]
+    theta: npt.NDArray[np.float64]
+
+    def __init__(self, solved: Any) -> None:
+        super().__init__(solved.numbers())
+        object.__setattr__(self, "_solved", solved)
+        object.__setattr__(self, "pressure", solved.pressure())
+        object.__setattr__(self, "theta", solved.theta())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        raise TypeError("a GivenFilm is not pickled; take to_dict(), pressure and theta")
+
+    def pressure_at(self, x: Quantity, row: int = 0) -> float | None:
+        """Pressure [Pa] at ``x`` [m] in a row of the grid; None for a row that it does not have."""
+        found: float | None = self._solved.pressure_at(number("x", x, "m"), whole("row", row))
+        return found
+
+    def reformation(self, row: int = 0) -> float | None:
+        """Where [m] the film reforms first along the flow in a row, within its cell; None where it does not."""
+        found: float | None = self._solved.reformation(whole("row", row))
+        return found
+
+
+def given_film(
+    film: npt.ArrayLike | Callable[[float, float], float],
+    grid: Grid,
+    *,
+    speeds: tuple[Quantity, Quantity],
+    eta0: Quantity,
+    alpha: Quantity = 0.0,
+    ambient_pressure: Quantity = 0.0,
+    cavitation_pressure: Quantity = 0.0,
+    closed_sides: bool = False,
+) -> GivenFilm:
+    """Pressure and content between two rigid surfaces, mass conserved where the film ruptures and reforms.
+
+    ``film`` [m] is an array of the shape ``(ny, nx)``, constant in each cell, or a function of ``x`` and ``y`` [m], which is asked point
+    by point and may jump anywhere between two nodes. ``grid`` is a ``Grid.box(...)``; one of a single row is a film that is wide along y.
+    ``speeds`` [m/s] are those of the lower and the upper surface along x, ``eta0`` [Pa s] and ``alpha`` [1/Pa] the viscosity
+    ``eta0 exp(alpha p)``. Pressure is ``ambient_pressure`` [Pa] at the edges and nowhere below ``cavitation_pressure`` [Pa]; with
+    ``closed_sides`` nothing flows through the edges across y.
+    """
+    lower, upper = numbers("speeds", speeds, ("m/s", "m/s"))
+    oil = number("eta0", eta0, "Pa s"), number("alpha", alpha, "1/Pa")
+    ambient, cavitation = number("ambient_pressure", ambient_pressure, "Pa"), number("cavitation_pressure", cavitation_pressure, "Pa")
+    given = film if callable(film) else array("film", film)
+    edges = ambient, cavitation, truth("closed_sides", closed_sides)
+    return GivenFilm(solve_film(grid._cells, given, [lower, upper], oil, edges))
