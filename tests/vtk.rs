@@ -1,5 +1,5 @@
 //! Fields written for the Visualization Toolkit, read back by another implementation of its format.
-#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
+#![expect(clippy::unwrap_used, reason = "tests")]
 
 use stribeck::Grid;
 use stribeck::sim::write_vtk;
