@@ -11,7 +11,6 @@ use std::fmt;
 /// use stribeck::sim::{Scene, solve_contact};
 /// let report = solve_contact(&Scene::azam_2019(32))?.report;
 /// assert_eq!(report.strategy.map(|way| way.to_string()), Some("attempt_1".to_owned()));
-/// assert_eq!(Strategy::InTime.to_string(), "in_time");
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,10 +18,6 @@ use std::fmt;
 pub enum Strategy {
     /// One of [`NewtonSettings::attempts`](crate::reynolds::NewtonSettings::attempts), counted from 1.
     Attempt(usize),
-    /// From the solution with Reynolds' condition to that of cavitation which conserves mass.
-    FromReynolds,
-    /// The fluid followed in time from the dry contact until it rests.
-    InTime,
 }
 
 #[cfg(feature = "serde")]
@@ -34,12 +29,10 @@ impl serde::Serialize for Strategy {
 }
 
 impl fmt::Display for Strategy {
-    /// `attempt_1`, `from_reynolds`, `in_time`.
+    /// `attempt_1` and so on.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Attempt(number) => write!(f, "attempt_{number}"),
-            Self::FromReynolds => f.write_str("from_reynolds"),
-            Self::InTime => f.write_str("in_time"),
         }
     }
 }

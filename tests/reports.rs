@@ -1,7 +1,7 @@
 //! What reports tell: the way to the solution, the residuals of each step.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
-use stribeck::reynolds::{Cavitation, ContactDefinition, NewtonKrylov, NewtonSettings};
+use stribeck::reynolds::{ContactDefinition, NewtonKrylov, NewtonSettings};
 use stribeck::sim::scene::SolverKind;
 use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
 use stribeck::{SolveReport, Strategy};
@@ -65,21 +65,10 @@ fn newton(scene: Scene, change: fn(&mut NewtonSettings)) -> SolveReport {
     report
 }
 
-/// Attempts of one step lead nowhere: the next one does, or the way in time.
+/// An attempt of one step leads nowhere: the next one does.
 #[test]
 fn the_way_that_led_to_the_solution_is_named() {
     let second = newton(smooth(32), |settings| settings.attempts[0].most_steps = 1);
     assert_eq!(second.strategy, Some(Strategy::Attempt(2)));
     assert_eq!(second.strategy.unwrap().to_string(), "attempt_2");
-    let all_short = |settings: &mut NewtonSettings| {
-        settings.attempts.truncate(1);
-        settings.attempts[0].most_steps = 1;
-    };
-    let mut scene = smooth(32);
-    scene.solver.cavitation = Some(Cavitation::Reynolds);
-    let in_time = newton(scene.clone(), all_short);
-    assert_eq!(in_time.strategy, Some(Strategy::InTime));
-    scene.solver.cavitation = Some(Cavitation::MassConserving);
-    let from_reynolds = newton(scene, all_short);
-    assert_eq!(from_reynolds.strategy, Some(Strategy::FromReynolds));
 }

@@ -45,7 +45,16 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let outcome = match Cli::parse().command {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) if error.use_stderr() => {
+            output::complain("error", &short(&error.to_string()));
+            return Outcome::Refused.into();
+        }
+        // Help and version.
+        Err(text) => text.exit(),
+    };
+    let outcome = match cli.command {
         Command::Solve(options) => solve::run(&options),
         Command::Run(options) => run::run(&options),
         Command::Curve(options) => curve::run(&options),
@@ -59,5 +68,17 @@ fn main() -> ExitCode {
             output::complain("error", &error.to_string());
             Outcome::Refused.into()
         }
+    }
+}
+
+/// What is wrong with the command line, without usage; of a value that an option refuses what the option says.
+fn short(error: &str) -> String {
+    let parts = error.split("\n\n").map(str::trim);
+    let told = parts.filter(|part| !part.starts_with("Usage:") && !part.starts_with("For more information"));
+    let text = told.collect::<Vec<_>>().join("; ");
+    let text = text.strip_prefix("error: ").unwrap_or(&text);
+    match text.split_once(">': ") {
+        Some((head, rest)) if head.starts_with("invalid value") => rest.to_owned(),
+        _ => text.to_owned(),
     }
 }

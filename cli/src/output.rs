@@ -51,7 +51,11 @@ pub(crate) struct Output {
 
 /// Writes `text` and the end of a line to standard output.
 pub(crate) fn print(text: &dyn Display) -> io::Result<()> {
-    writeln!(io::stdout(), "{text}")
+    match writeln!(io::stdout(), "{text}") {
+        // A reader that has enough, as `head`, is no fault.
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        written => written,
+    }
 }
 
 /// One line on standard error.

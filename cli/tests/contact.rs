@@ -237,7 +237,7 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
         assert!(output.status.code() == Some(2) && error_of(&output).contains(words), "{output:?}");
     }
     let fast = ["init", text(&path), "--speed", "20", "--eta0", "0.5", "--roughness", "0"];
-    assert_refused(&fast, &["a warning: central film by formula", "less speed"]);
+    assert_refused(&fast, &["a warning: film.formula_central", "less speed"]);
     let unit = ["init", text(&path), "--load", "5 kg"];
     assert_refused(&unit, &["--load = \"5 kg\"", "N"]);
     assert!(!path.exists());

@@ -100,7 +100,7 @@ const CASES: [Case; 9] = [
                 "kind = \"ellipsoid\"\nradius_x = 12e-3\nradius_y = 8e-3",
             ),
         ],
-        field: "central film by formula",
+        field: "film.formula_central",
         words: "outside the range of the formula",
         in_run: true,
     },

@@ -14,7 +14,6 @@ const fn change(name: &'static str, apply: fn(&mut NewtonSettings)) -> Change {
 
 pub(crate) const CHANGES: &[Change] = &[
     change("no attempt but the first", |s| s.attempts.truncate(1)),
-    change("no way in time", |s| s.follows_time = false),
     change("krylov_steps x 0.5", |s| s.krylov_steps /= 2),
     change("krylov_steps x 2", |s| s.krylov_steps *= 2),
     change("least_krylov_tolerance x 0.1", |s| s.least_krylov_tolerance *= 0.1),
@@ -38,7 +37,6 @@ pub(crate) const CHANGES: &[Change] = &[
     change("tighter off", |s| s.tighter = 1.0),
     change("trust x 0.5", |s| s.attempts.iter_mut().for_each(|attempt| attempt.trust *= 0.5)),
     change("trust x 3", |s| s.attempts.iter_mut().for_each(|attempt| attempt.trust *= 3.0)),
-    change("gentle off", |s| s.attempts.iter_mut().for_each(|attempt| attempt.gentle = false)),
     change("pseudo_transient off", |s| {
         s.attempts.iter_mut().for_each(|attempt| attempt.pseudo_transient = (0.0, 0.0));
     }),

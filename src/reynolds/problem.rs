@@ -263,11 +263,6 @@ impl LubricatedContact<'_> {
         LubricatedContact { deformation: &mut *self.deformation, ..*self }
     }
 
-    /// The same contact with the squeeze term `squeeze`.
-    pub(super) fn squeezed<'b>(&'b mut self, squeeze: Squeeze<'b>) -> LubricatedContact<'b> {
-        LubricatedContact { squeeze: Some(squeeze), ..self.copied() }
-    }
-
     /// Checks shapes and ranges of every field.
     ///
     /// # Errors

@@ -153,7 +153,7 @@ impl ContactModel {
             None => setup::viscosity(scene, temperature)?,
             Some(law) => {
                 let law = law.at_temperature(temperature).unwrap_or(law);
-                own_laws::require_viscosity(&*law)?;
+                own_laws::require_viscosity(&*law, temperature)?;
                 Some(law)
             }
         };

@@ -10,13 +10,24 @@ use crate::lubricant::{DensityLaw, ViscosityLaw};
 const PRESSURES: usize = 128;
 /// Distance of these pressures \[Pa\].
 const STEP: f64 = 1.6e8;
+/// Rise above the bulk temperature up to which they are asked, in steps of one \[K\].
+const WARMEST: u32 = 100;
 /// What rounding may take from a value that does not fall.
 const ROUNDING: f64 = 1e-12;
 
-/// Checks that viscosities are positive and do not fall with pressure.
-pub(super) fn require_viscosity(law: &dyn ViscosityLaw) -> Result<(), InputError> {
+/// Checks that viscosities are positive and do not fall with pressure, nor rise with temperature from the one
+/// of the bulk, `bulk` \[K\], where the law knows temperature.
+pub(super) fn require_viscosity(law: &dyn ViscosityLaw, bulk: f64) -> Result<(), InputError> {
     let field = "viscosity of the law";
-    require(field, "finite, above 0 and not falling with pressure", |p, out| law.fill(p, out))
+    require(field, "finite, above 0 and not falling with pressure", |p, out| law.fill(p, out))?;
+    let mut most = f64::INFINITY;
+    for temperature in (0..=WARMEST).map(|rise| bulk + f64::from(rise)) {
+        let Some(value) = law.viscosity_at(0.0, temperature) else { break };
+        let holds = value.is_finite() && value > 0.0 && value <= (1.0 + ROUNDING) * most;
+        InputError::require(holds, field, value, "finite, above 0 and not rising with temperature")?;
+        most = value;
+    }
+    Ok(())
 }
 
 /// Checks that densities are those of the fluid without pressure at first and do not fall.

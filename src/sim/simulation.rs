@@ -219,10 +219,9 @@ impl MixedLubricationSim {
             let hot = warnings::hot_film(heat.film_temperature_max, record.bulk_temperature);
             self.warnings.extend(hot);
         }
-        if self.warnings.iter().all(|warning| warning.field != warnings::DEEP_WEAR) {
-            let half_width = self.contact.hertz.half_width_x.min(self.contact.hertz.half_width_y);
-            self.warnings
-                .extend(warnings::deep_wear(record.wear.ball_max.max(record.wear.disc_max), half_width));
+        if self.warnings.iter().all(|warning| !warnings::DEEP_WEAR.contains(&warning.field.as_str())) {
+            let depths = [record.wear.ball_max, record.wear.disc_max];
+            self.warnings.extend(warnings::deep_wear(depths, self.half_width()));
         }
         self.step += 1;
         Ok(record)
@@ -234,6 +233,15 @@ impl MixedLubricationSim {
         for _ in 0..MAX_CUTS {
             self.commit(time_step, offsets)?;
             let change = self.largest_change();
+            if change.min(control.depth) > self.half_width() {
+                return Err(SimError::Input(InputError::Conflict {
+                    field: format!("time_step = {time_step:e}"),
+                    reason: format!(
+                        "a node would change by {change:e} m, more than the half-width of the contact: take shorter steps, or check \
+                         the coefficient of wear"
+                    ),
+                }));
+            }
             if change <= control.depth {
                 return Ok(time_step);
             }
@@ -246,6 +254,11 @@ impl MixedLubricationSim {
             field: format!("step.depth = {:?}", control.depth),
             reason: format!("the laws change a node by more than it even within {time_step:e} s"),
         }))
+    }
+
+    /// Smaller half-width of the Hertz contact \[m\].
+    fn half_width(&self) -> f64 {
+        self.contact.hertz.half_width_x.min(self.contact.hertz.half_width_y)
     }
 
     /// Largest change of wear or film of any node since the backup \[m\].

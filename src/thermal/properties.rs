@@ -2,6 +2,9 @@
 
 use crate::error::InputError;
 
+/// Above that of any liquid \[1/K\].
+const LARGEST_EXPANSIVITY: f64 = 0.01;
+
 /// Thermal properties of a lubricant, the same at all pressures and temperatures.
 ///
 /// Conductivity of mineral oils is 0.12 to 0.15 W/(m K) at ambient pressure and about twice that at 1 GPa:
@@ -54,12 +57,13 @@ impl FilmThermal {
     /// Checks the ranges.
     ///
     /// # Errors
-    /// A conductivity that is not finite and positive, a heat capacity or expansivity that is negative or not
-    /// finite.
+    /// A conductivity that is not finite and positive, a heat capacity that is negative or not finite, an
+    /// expansivity that is not from 0 to 0.01.
     pub fn validate(&self) -> Result<(), InputError> {
         InputError::require_positive("conductivity", self.conductivity)?;
         InputError::require_non_negative("heat_capacity", self.heat_capacity)?;
-        InputError::require_non_negative("expansivity", self.expansivity)
+        let is_possible = (0.0..=LARGEST_EXPANSIVITY).contains(&self.expansivity);
+        InputError::require(is_possible, "expansivity", self.expansivity, "from 0 to 0.01")
     }
 }
 

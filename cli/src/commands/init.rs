@@ -28,7 +28,7 @@ const FEWEST_IN_LENGTH: f64 = 3.0;
 /// Young's modulus \[Pa\] and Poisson's ratio of steel.
 const STEEL: (f64, f64) = (210e9, 0.3);
 /// What the warning about the film formula is about.
-const FORMULA: &str = "central film by formula";
+const FORMULA: &str = "film.formula_central";
 /// Pressure that steel carries before it yields for good \[Pa\].
 const HARDNESS: &str = "6 GPa";
 

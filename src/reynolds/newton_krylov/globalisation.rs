@@ -1,6 +1,5 @@
 //! How far a Newton step may go, by what the steps before it have made of the residual.
 
-use super::local::Elimination;
 use super::settings::{Attempt, NewtonSettings};
 
 /// Trust, pseudo-transient term and linear tolerance of the next step.
@@ -8,7 +7,8 @@ use super::settings::{Attempt, NewtonSettings};
 pub(super) struct Globalisation {
     attempt: Attempt,
     largest_trust: f64,
-    pub(super) elimination: Elimination,
+    /// How far a node may leave the forecast \[Pa\].
+    pub(super) trust: f64,
     pub(super) krylov_tolerance: f64,
     pseudo_transient: f64,
     lowest: f64,
@@ -23,7 +23,7 @@ impl Globalisation {
         Self {
             attempt,
             largest_trust,
-            elimination: Elimination { trust: largest_trust, opens_together: attempt.gentle },
+            trust: largest_trust,
             krylov_tolerance: attempt.krylov_tolerance,
             pseudo_transient: attempt.pseudo_transient.0,
             lowest: f64::INFINITY,
@@ -49,7 +49,7 @@ impl Globalisation {
         (self.largest_trust, self.fruitless, self.swings) = (0.5 * self.largest_trust, 0, true);
         let tighter = (settings.tighter * self.krylov_tolerance).max(settings.least_krylov_tolerance);
         self.krylov_tolerance = self.krylov_tolerance.min(tighter);
-        self.elimination.trust = self.elimination.trust.min(self.largest_trust);
+        self.trust = self.trust.min(self.largest_trust);
     }
 
     /// The pseudo-transient term of a step, full on the way of the `homotopy`.
@@ -80,6 +80,6 @@ impl Globalisation {
     /// Adapts the trust to the share of the films that a step did not foresee: at most half or twice the last.
     pub(super) fn adapt(&mut self, unforeseen: f64) {
         let change = (self.attempt.unforeseen / unforeseen).clamp(0.5, 2.0);
-        self.elimination.trust = (self.elimination.trust * change).min(self.largest_trust);
+        self.trust = (self.trust * change).min(self.largest_trust);
     }
 }

@@ -105,7 +105,7 @@ impl Workspace {
         };
         self.work.inner_iterations += krylov_steps;
         let growth = globalisation.growth(eases_films, &self.settings);
-        self.residuals = self.advance_carefully(problem, state, globalisation.elimination, before, growth)?;
+        self.residuals = self.advance_carefully(problem, state, globalisation.trust, before, growth)?;
         globalisation.adapt(self.unforeseen_share(state, problem.contact_film()));
         Ok(true)
     }

@@ -60,17 +60,8 @@ pub(super) struct Material {
     pub(super) limit: f64,
     /// Film per own pressure \[m/Pa\].
     pub(super) own_influence: f64,
-    pub(super) elimination: Elimination,
-}
-
-/// Bounds of the nonlinear elimination of the nodes in a step.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Elimination {
     /// How far the pressure may leave the forecast \[Pa\].
     pub(super) trust: f64,
-    /// Whether nodes whose film is carried to them open together, a streak at a time: each keeps the pressure
-    /// foreseen, and the next linear step, which knows of all, lifts them.
-    pub(super) opens_together: bool,
 }
 
 impl Material {
@@ -136,10 +127,12 @@ impl<'a> Local<'a> {
     /// contact film, and fluid at the limit with plastic depth `(v - limit)` times the self-influence. The
     /// share grows along it, but where a node that opens lets in more than it passes on.
     pub(super) fn eliminate(&self, material: Material, forecast: Forecast) -> NodeState {
-        let Material { contact_film, limit, own_influence, elimination } = material;
+        let Material { contact_film, limit, own_influence, trust } = material;
         let touch = forecast.pressure + (contact_film - forecast.elastic_film) / own_influence;
         let opening = touch.min(limit);
-        if elimination.opens_together && self.is_carried_open(material, forecast, opening) {
+        if self.is_carried_open(material, forecast, opening) {
+            // A streak of such nodes opens together: each keeps the pressure foreseen, and the next linear
+            // step, which knows of all, lifts them.
             let (pressure, kind) = (forecast.pressure, Kind { fluid: Fluid::Active, solid: Solid::Open });
             return NodeState { kind, pressure, fluid_pressure: pressure, depth: 0.0 };
         }
@@ -153,12 +146,12 @@ impl<'a> Local<'a> {
         let mut v = root(value, forecast.fluid_pressure);
         // Pressures move films far away: a node may not leave the forecast, which knows of all, by much. But
         // where its share falls at that bound, the next linear step would lead it back.
-        let most = forecast.pressure.max(0.0) + forecast.depth / own_influence + elimination.trust;
+        let most = forecast.pressure.max(0.0) + forecast.depth / own_influence + trust;
         if v > most && value(most).1 >= 0.0 {
             v = most;
         }
         if v > opening {
-            v = v.max(forecast.pressure.min(limit) - elimination.trust).max(opening);
+            v = v.max(forecast.pressure.min(limit) - trust).max(opening);
         }
         let fluid = if v <= 0.0 { Fluid::Cavitated } else { Fluid::Active };
         if v > limit {
@@ -240,12 +233,7 @@ fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
 mod tests {
     use super::*;
 
-    const MATERIAL: Material = Material {
-        contact_film: 1e-9,
-        limit: 2e9,
-        own_influence: 2e-17,
-        elimination: Elimination { trust: 1e8, opens_together: true },
-    };
+    const MATERIAL: Material = Material { contact_film: 1e-9, limit: 2e9, own_influence: 2e-17, trust: 1e8 };
 
     #[test]
     fn dry_nodes_open_touch_and_yield() {

@@ -3,7 +3,6 @@
 mod attempts;
 mod coarse_films;
 mod contact_distance;
-mod continuation;
 mod fluid_block;
 mod globalisation;
 mod homotopy;
@@ -53,8 +52,8 @@ use crate::strategy::Strategy;
 ///
 /// A state that carries no pressure, or whose residual is above [`NewtonSettings::near_below`], is started
 /// from the dry contact, which is close to the answer in mixed lubrication: the asperities already carry
-/// their load and the fluid fills what is left. A contact that stalls from there is followed in time, from
-/// the dry contact full of fluid until it rests.
+/// their load and the fluid fills what is left. Steps from there are steps in time at first; a contact that
+/// stalls is tried again in shorter ones.
 #[derive(Debug)]
 pub struct NewtonKrylov {
     fluid_block: fn(&Grid) -> Box<dyn FluidBlock>,
@@ -141,7 +140,7 @@ impl NewtonKrylov {
                 unknowns: Unknowns::new(grid),
                 linearisation: Linearisation::new(grid),
                 preconditioner: BlockPreconditioner::new(grid, (self.fluid_block)(&grid)),
-                gmres: Gmres::new(length, self.settings.krylov_steps),
+                gmres: Gmres::new(length, self.settings.krylov_steps(&grid)),
                 residual: vec![0.0; length],
                 step: vec![0.0; length],
                 start: DryStart::new(grid),

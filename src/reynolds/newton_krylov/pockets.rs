@@ -6,7 +6,6 @@
 //! Newton's method on small [`Window`]s in which films follow own pressures alone.
 
 use super::Workspace;
-use super::local::Elimination;
 use super::settings::PocketSettings;
 use super::window::Window;
 use crate::grid::Grid;
@@ -88,7 +87,7 @@ impl Workspace {
         &mut self,
         problem: &LubricatedContact<'_>,
         state: &mut ContactState,
-        elimination: Elimination,
+        trust: f64,
     ) {
         let settings = self.settings.pockets;
         let Some(lubricant) = problem.lubricant else { return };
@@ -113,7 +112,7 @@ impl Workspace {
                 continue;
             }
             window.enter(k as usize, coupled, problem, state, [foreseen, pressure]);
-            let is_better = window.solve(problem, lubricant, settings, elimination, near);
+            let is_better = window.solve(problem, lubricant, settings, trust, near);
             window.leave(is_better, coupled, state, settled);
         }
     }

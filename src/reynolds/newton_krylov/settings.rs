@@ -3,6 +3,7 @@
 //! What each is worth is measured by `cargo run --release --example ablation`.
 
 use crate::error::InputError;
+use crate::grid::Grid;
 
 /// How [`NewtonKrylov`](super::NewtonKrylov) goes about a contact.
 ///
@@ -14,11 +15,11 @@ pub struct NewtonSettings {
     /// Tried one after the other while a solve stalls or diverges, each but the first from the dry contact;
     /// at least one.
     pub attempts: Vec<Attempt>,
-    /// Whether a lubricated contact at speed that stalls in all attempts is followed in time from the dry
-    /// one.
-    pub follows_time: bool,
     /// Krylov steps of a linear solve; at least 1.
     pub krylov_steps: usize,
+    /// The same on a row, at least 1, and the reduction of the linear residual there, between 0 and 1. On a row
+    /// pockets are closed on all sides: what linear systems leave in one of them stays there.
+    pub on_rows: (usize, f64),
     /// Largest pressure change of one step, in reference pressures times the cells in a reference half-width;
     /// above 0. What a node changes of its own film is then the same on all meshes.
     pub largest_change: f64,
@@ -74,12 +75,8 @@ pub struct Attempt {
     /// How far the elimination of a node's own equations may take its pressure from where the linear step
     /// puts it, in reference pressures; above 0.
     pub trust: f64,
-    /// Whether large moves are left to the linear steps, which know of all nodes: the start then parts the
-    /// bodies by the first contact film, which is the work of the first step otherwise, and nodes to which
-    /// fluid is carried open together.
-    pub gentle: bool,
-    /// Contact film of the first step over that of the problem; at least 1. Solids that part early let the
-    /// fluid find its way.
+    /// Contact film by which the dry start parts the bodies, and which the first step still has, over that of
+    /// the problem; at least 1. Solids that part early let the fluid find its way.
     pub first_contact_film: f64,
     /// Pseudo-transient term of the first step over the entrainment, and its reduction from one step to the
     /// next; at least 0, between 0 and 1. Steps from the dry contact are steps in time of as many passages of
@@ -105,7 +102,6 @@ pub(super) const STEADY: (f64, f64) = (0.0, 0.0);
 /// The cheapest that solves most scenes.
 const FIRST: Attempt = Attempt {
     trust: 0.03,
-    gentle: true,
     first_contact_film: 30.0,
     pseudo_transient: (0.3, 0.85),
     unforeseen: 0.3,
@@ -114,25 +110,13 @@ const FIRST: Attempt = Attempt {
     most_steps: 80,
 };
 
-/// Without a step in time, and linear systems solved well: a start that is close.
-pub(super) const STEADILY: Attempt = Attempt {
-    trust: 0.03,
-    gentle: false,
-    first_contact_film: 30.0,
-    pseudo_transient: STEADY,
-    unforeseen: 0.5,
-    start_tolerance: 4e-6,
-    krylov_tolerance: 0.01,
-    most_steps: 60,
-};
-
 impl Default for NewtonSettings {
     fn default() -> Self {
-        let attempts = vec![FIRST, Attempt { pseudo_transient: (3.0, 0.94), most_steps: 160, ..FIRST }];
+        let attempts = vec![FIRST, Attempt { pseudo_transient: (3.0, 0.94), most_steps: 500, ..FIRST }];
         Self {
             attempts,
-            follows_time: true,
             krylov_steps: 100,
+            on_rows: (400, 1e-6),
             largest_change: 0.05,
             near_below: 100.0,
             growth: 2.0,
@@ -145,15 +129,29 @@ impl Default for NewtonSettings {
     }
 }
 
+/// Reduction of the linear residual where the fluid equations are relaxed by lines.
+const BY_LINES: f64 = 0.1;
+
 impl NewtonSettings {
+    /// Krylov steps of a linear solve on `grid`.
+    pub(super) fn krylov_steps(&self, grid: &Grid) -> usize {
+        if grid.ny() == 1 { self.on_rows.0 } else { self.krylov_steps }
+    }
+
+    /// The attempt with this index on `grid`.
+    pub(super) fn attempt(&self, index: usize, grid: &Grid) -> Attempt {
+        let attempt = self.attempts[index];
+        if grid.ny() == 1 { Attempt { krylov_tolerance: self.on_rows.1, ..attempt } } else { attempt }
+    }
+
     /// Those of steps whose fluid equations are relaxed by lines: mostly they take 20 to 60, some that creep
     /// up to 180. Pockets are left to the lines: between steps that leave them more, they would not rest.
     pub(in crate::reynolds) fn by_lines(relaxations: usize) -> Self {
         Self {
-            attempts: vec![Attempt { most_steps: 200, krylov_tolerance: 0.1, ..FIRST }],
+            attempts: vec![Attempt { most_steps: 200, krylov_tolerance: BY_LINES, ..FIRST }],
             pockets: PocketSettings { steps: 0, ..PocketSettings::default() },
-            follows_time: false,
             krylov_steps: relaxations,
+            on_rows: (relaxations, BY_LINES),
             ..Self::default()
         }
     }
@@ -169,6 +167,8 @@ impl NewtonSettings {
         };
         count("attempts", self.attempts.len() as f64)?;
         count("krylov_steps", self.krylov_steps as f64)?;
+        count("on_rows[0]", self.on_rows.0 as f64)?;
+        require_share("newton.on_rows[1]", self.on_rows.1)?;
         count("patience", f64::from(self.patience))?;
         let share = |field: &str, share: f64| require_share(&format!("newton.{field}"), share);
         share("least_krylov_tolerance", self.least_krylov_tolerance)?;

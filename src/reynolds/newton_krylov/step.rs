@@ -2,7 +2,7 @@
 
 use super::Workspace;
 use super::linearisation::Linearisation;
-use super::local::{Elimination, Forecast, Local, Material};
+use super::local::{Forecast, Local, Material};
 use super::preconditioner::BlockPreconditioner;
 use super::unknowns::{Response, Unknowns};
 use crate::error::InputError;
@@ -36,13 +36,13 @@ impl Workspace {
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
-        elimination: Elimination,
+        trust: f64,
         before: f64,
         growth: f64,
     ) -> Result<Residuals, ReynoldsError> {
         self.before.keep(&self.coupled, state);
         let mut length = 1.0;
-        self.advance(problem, state, elimination, length)?;
+        self.advance(problem, state, trust, length)?;
         let mut residuals = self.coupled.residuals(problem, state);
         for _ in 0..self.settings.halvings {
             if residuals.max() <= growth * before {
@@ -51,12 +51,7 @@ impl Workspace {
             length *= 0.5;
             self.before.restore(&mut self.coupled, problem, state);
             self.close_contact(problem, state);
-            self.advance(
-                problem,
-                state,
-                Elimination { trust: length * elimination.trust, ..elimination },
-                length,
-            )?;
+            self.advance(problem, state, length * trust, length)?;
             residuals = self.coupled.residuals(problem, state);
         }
         Ok(residuals)
@@ -98,7 +93,7 @@ impl Workspace {
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
-        elimination: Elimination,
+        trust: f64,
         most: f64,
     ) -> Result<(), ReynoldsError> {
         let Self { coupled, unknowns, .. } = self;
@@ -111,7 +106,7 @@ impl Workspace {
         for k in 0..state.pressure.len() {
             let kind = coupled.kinds[k];
             let change = unknowns.node(k);
-            let material = Material { contact_film, limit: limit_of(problem, k), own_influence, elimination };
+            let material = Material { contact_film, limit: limit_of(problem, k), own_influence, trust };
             let pressure = state.pressure[k] + length * change.pressure;
             let fluid_pressure = state.fluid_pressure[k] + length * change.fluid_pressure;
             let elastic_film = coupled.elastic_film[k] + length * change.elastic_film;
@@ -138,7 +133,7 @@ impl Workspace {
             node.put(k, coupled, state);
         }
         state.approach += length * unknowns.approach(step);
-        self.eliminate_pockets(problem, state, elimination);
+        self.eliminate_pockets(problem, state, trust);
         self.coupled.deform(problem, state)?;
         if self.coupled.fluid.grid.ny() == 1 {
             self.keep_level(state);

@@ -1,7 +1,7 @@
 //! Newton's method on the mass balances of a few cells, everything around them held.
 
 use super::linearisation::Linearisation;
-use super::local::{Elimination, Forecast, Local, Material, NodeState};
+use super::local::{Forecast, Local, Material, NodeState};
 use super::pockets::is_in_pocket;
 use super::settings::PocketSettings;
 use crate::grid::Grid;
@@ -146,7 +146,7 @@ impl Window {
         problem: &LubricatedContact<'_>,
         lubricant: &Lubricant,
         settings: PocketSettings,
-        elimination: Elimination,
+        trust: f64,
         near: NearField,
     ) -> bool {
         self.flow(problem, lubricant, near.own);
@@ -157,7 +157,7 @@ impl Window {
         let before = self.lack(problem);
         let mut least = before;
         for _ in 0..settings.steps {
-            if !self.step(problem, lubricant, near.own, elimination) {
+            if !self.step(problem, lubricant, near.own, trust) {
                 break;
             }
             self.flow(problem, lubricant, near.own);
@@ -200,13 +200,7 @@ impl Window {
 
     /// One Newton step for the chosen nodes, with the elimination of their own equations that a step of the
     /// whole has; false where their equations have no finite factors.
-    fn step(
-        &mut self,
-        problem: &LubricatedContact<'_>,
-        lubricant: &Lubricant,
-        own: f64,
-        elimination: Elimination,
-    ) -> bool {
+    fn step(&mut self, problem: &LubricatedContact<'_>, lubricant: &Lubricant, own: f64, trust: f64) -> bool {
         let film_unit = own * problem.reference_pressure;
         if !self.linear_step(problem, film_unit, own) {
             return false;
@@ -221,7 +215,7 @@ impl Window {
                 contact_film: problem.contact_film(),
                 limit: limit_of(problem, self.whole_index(q)),
                 own_influence: own,
-                elimination,
+                trust,
             };
             let local = Local::new(&self.fluid, lubricant, q);
             let balance = self.fluid.balance(q, previous);
@@ -240,7 +234,7 @@ impl Window {
             let mut node = local.eliminate(material, forecast);
             if node.kind.solid == Solid::Open && node.kind.fluid == Fluid::Active {
                 // The whole does not follow what leaves its forecast by much.
-                let (foreseen, trust) = (self.foreseen_pressure[q], elimination.trust);
+                let foreseen = self.foreseen_pressure[q];
                 node.pressure = node.pressure.clamp((foreseen - trust).max(0.0), foreseen.max(0.0) + trust);
                 node.fluid_pressure = node.pressure;
             }

@@ -69,5 +69,5 @@ fn film_formula(scene: &Scene) -> Result<Option<Warning>, InputError> {
         )
     };
     let remedy = "take the film of the solve, not that of the formula".to_owned();
-    Ok(Some(Warning::new("central film by formula", formulas.central, message, remedy)))
+    Ok(Some(Warning::new("film.formula_central", formulas.central, message, remedy)))
 }

@@ -86,7 +86,7 @@ pub(super) fn lost_rq(body: usize, heights: &[f64], measured: f64) -> Option<War
     (left < (1.0 - LARGEST_LOSS) * measured).then(|| {
         let nanometres = |rq: f64| format!("{:.1}", 1e9 * rq);
         Warning::new(
-            format!("roughness.{} Rq", BODIES[body]),
+            format!("roughness.{}_rq", BODIES[body]),
             left,
             format!(
                 "of an Rq of {} nm in the file {} nm are left on the grid, whose cells average short waves and whose box cuts long ones",

@@ -187,7 +187,7 @@ pub(super) fn values(scene: &Scene) -> Vec<Warning> {
 /// The warning about `heights` \[m\] that are too high for a contact of `half_width` \[m\].
 pub(super) fn height(field: &str, heights: &[f64], half_width: f64) -> Vec<Warning> {
     let rq = height_statistics(heights).map_or(0.0, |statistics| statistics.sq);
-    largest_rq(half_width).check(&format!("{field} Rq"), rq).into_iter().collect()
+    largest_rq(half_width).check(&format!("{field}_rq"), rq).into_iter().collect()
 }
 
 /// Rq up to a tenth of the half-width \[m\] of the contact.

@@ -11,8 +11,8 @@ const LARGEST_PRESSURE: f64 = 2.0;
 const LARGEST_RISE: f64 = 100.0;
 /// Deepest wear over the half-width of the contact.
 const DEEPEST_WEAR: f64 = 0.1;
-/// The number of the warning about it.
-pub(in crate::sim) const DEEP_WEAR: &str = "wear.max";
+/// What that warning is about, of ball and disc.
+pub(in crate::sim) const DEEP_WEAR: [&str; 2] = ["wear.ball_max", "wear.disc_max"];
 /// Largest estimate of an error that goes without a warning.
 const LARGEST_ERROR: f64 = 0.1;
 
@@ -60,15 +60,18 @@ pub(in crate::sim) fn excess_pressure(largest: f64, hertz: f64) -> Option<Warnin
     })
 }
 
-/// A node of a body worn by `depth` \[m\], which is much for a contact of `half_width` \[m\].
-pub(in crate::sim) fn deep_wear(depth: f64, half_width: f64) -> Option<Warning> {
+/// A node of ball or disc worn by the larger of the `depths` \[m\], which is much for a contact of `half_width`
+/// \[m\].
+pub(in crate::sim) fn deep_wear([ball, disc]: [f64; 2], half_width: f64) -> Option<Warning> {
+    let [of_ball, of_disc] = DEEP_WEAR;
+    let (field, depth) = if ball > disc { (of_ball, ball) } else { (of_disc, disc) };
     (depth > DEEPEST_WEAR * half_width).then(|| {
         let message = format!(
             "a node has worn by {} times the half-width of the contact, surfaces are taken for shallow",
             short(depth / half_width)
         );
         let remedy = "check the unit of the wear coefficient and the time step".to_owned();
-        Warning::new(DEEP_WEAR, depth, message, remedy)
+        Warning::new(field, depth, message, remedy)
     })
 }
 
