@@ -64,7 +64,6 @@ def test_text_with_a_unit_is_a_number(dry: Scene) -> None:
             s.grid, 1e-8, kind="self_affine", hurst=0.8, roll_off=2e-4, shortest=4e-5, length=6e-5
         )),
         ("kind", "fractal", lambda s: surface.generate(s.grid, 1e-8, kind="fractal", hurst=0.8)),
-        ("grid", None, lambda s: stribeck.given_film(FLAT + 1e-6, None, speeds=(1.0, 0.0), eta0=0.01)),
         ("grid", None, lambda s: stribeck.given_film(FLAT + 1e-6, s, speeds=(1.0, 0.0), eta0=0.01)),
         ("first", -1, lambda s: metrics.composite_rq(-1, 2)),
         ("first", None, lambda s: metrics.composite_rq(float("nan"), 2)),
@@ -118,6 +117,14 @@ def test_names_that_are_not_there(dry: Scene) -> None:
         error = refused(stribeck.UnknownNameError, call, "field")
         assert error.value == "filmm" and all(name in str(error) for name in fields)
     assert solution.fields.get("filmm") is None and "filmm" not in solution.fields
+
+
+def test_a_film_needs_a_grid() -> None:
+    for call in (
+        lambda: surface.generate(None, 1e-8, length=6e-5),
+        lambda: stribeck.given_film(FLAT + 1e-6, None, speeds=(1.0, 0.0), eta0=0.01),
+    ):
+        assert "grid = None: must be a Grid" in str(refused(stribeck.InputError, call, "grid"))
 
 
 def test_a_list_is_no_table() -> None:
