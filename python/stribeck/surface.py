@@ -176,8 +176,8 @@ def generate(
     """A random surface [m] on ``grid`` with the root mean square height ``rq`` [m].
 
     Options of ``gaussian`` and ``exponential``: ``length_x``, ``length_y``, where the autocorrelation is 10 % [m] (``length`` for both). Of
-    ``self_affine``: ``hurst``, ``roll_off``, ``shortest`` and ``longest`` [m]. Of all: ``skewness`` and ``kurtosis``, both or none, ``boundary``
-    ("periodic" or "open") and ``exact_rq`` (True: this very surface has ``rq``; False: the mean over seeds).
+    ``self_affine``: ``hurst``, ``roll_off``, ``shortest`` and ``longest`` [m]. Of all: ``skewness`` and ``kurtosis``, both or none,
+    ``boundary`` ("periodic" or "open") and ``exact_rq`` (True: this very surface has ``rq``; False: the mean over seeds).
 
     Raises :class:`~stribeck.InputError` with the option in ``field``.
     """

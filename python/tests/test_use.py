@@ -67,6 +67,7 @@ def test_tables_within_others_have_the_same_units(rough: stribeck.Scene) -> None
     assert shown(pickle.loads(pickle.dumps(solution.film))) == shown(copy.deepcopy(solution.film)) == shown(solution.film)
     assert "<td>m</td>" in solution.film._repr_html_() and "<td>N</td>" not in solution.residual._repr_html_()
     assert shown(stribeck.Simulation(rough).conditions.motion) == {"entrainment_speed": "m/s", "slide_roll_ratio": ""}
+    np.testing.assert_array_equal(rough.grid.nodes_x, solution.grid.nodes_x)
     assert shown(solution.grid)["dx"] == "m" and repr(rough.grid).startswith("<Grid")
     line = stribeck.analytic.hertz_line(10e-3, equivalent_modulus=2e11, load=1e5)
     assert shown(line) == {"half_width": "m", "pressure": "Pa", "force": "N/m"}
@@ -102,6 +103,7 @@ def test_fields_are_maps_that_belong_to_python(rough: stribeck.Scene, tmp_path: 
     with np.load(tmp_path / "fields.npz") as archive:
         np.testing.assert_array_equal(archive["film"], solution.fields["film"])
         assert archive["x"].shape == (32,) and archive["y"].shape == (40,)
+        np.testing.assert_array_equal(archive["x"], solution.grid.nodes_x)
         assert archive["x"][-1] == pytest.approx(2.5e-4 - 0.5 * solution.grid.dx)
 
 
