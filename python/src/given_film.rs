@@ -49,7 +49,7 @@ impl SolvedFilm {
         let numbers = named(py, &self.0.report)?;
         numbers.set_item("load", self.0.load)?;
         let [lower, upper] = self.0.friction;
-        numbers.set_item("friction", dictionary!(py, { "lower": lower, "upper": upper }))?;
+        numbers.set_item("force", dictionary!(py, { "lower": lower, "upper": upper }))?;
         numbers.set_item("flow", named(py, &self.0.flow)?)?;
         Ok(numbers)
     }

@@ -2,12 +2,16 @@
 
 use std::path::PathBuf;
 
+use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::sim;
 
 use crate::convert::{dict, dictionary, list, named, table};
 use crate::error::{raise, value};
+
+/// Positions of columns and rows.
+pub(crate) type Nodes<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
 /// The cells of a contact.
 #[pyclass(frozen, module = "stribeck._stribeck")]
@@ -23,6 +27,10 @@ impl Cells {
 
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         grid_dict(py, &self.0)
+    }
+
+    fn nodes<'py>(&self, py: Python<'py>) -> Nodes<'py> {
+        nodes(py, &self.0)
     }
 }
 
@@ -98,6 +106,13 @@ fn without_line(error: sim::SimError) -> sim::SimError {
         }
         other => other,
     }
+}
+
+/// Positions of the columns and of the rows of a grid \[m\].
+pub(crate) fn nodes<'py>(py: Python<'py>, grid: &stribeck::Grid) -> Nodes<'py> {
+    let x = (0..grid.nx()).map(|i| grid.x(i));
+    let y = (0..grid.ny()).map(|j| grid.y(j));
+    (PyArray1::from_iter(py, x), PyArray1::from_iter(py, y))
 }
 
 /// Counts, cell sizes and edges of a grid.

@@ -13,7 +13,7 @@ use crate::convert::{dictionary, field, list, named, on_grid};
 use crate::error::{ForPython, raise, value};
 use crate::laws::Failure;
 use crate::scene::{Cells, Scene};
-use crate::solution::{Parts, Start, parts_of};
+use crate::solution::{Parts, Solved, Start, parts_of};
 use crate::start::BodyStart;
 
 #[pyclass(frozen, module = "stribeck._stribeck")]
@@ -208,7 +208,7 @@ impl Simulation {
         entrainment_speed: Option<f64>,
         slide_roll_ratio: Option<f64>,
         bulk_temperature: Option<f64>,
-    ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
+    ) -> PyResult<Solved<'py>> {
         let solution = self.act(py, |run| {
             let mut conditions = run.sim.conditions();
             conditions.load = load.unwrap_or(conditions.load);

@@ -12,7 +12,7 @@ use crate::convert::{field, named, on_grid};
 use crate::error::value;
 use crate::interrupt::on_signal;
 use crate::laws::{Failure, PyLaws};
-use crate::scene::{Scene, grid_dict};
+use crate::scene::{Nodes, Scene, grid_dict, nodes};
 use crate::start::BodyStart;
 
 type Array<'py> = PyReadonlyArray2<'py, f64>;
@@ -97,7 +97,10 @@ impl Start<'_> {
     }
 }
 
-/// Solves the single contact of `scene`; returns numbers and fields.
+/// Numbers, fields and nodes of a solution.
+pub(crate) type Solved<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, Nodes<'py>);
+
+/// Solves the single contact of `scene`.
 #[pyfunction]
 #[pyo3(signature = (scene, parts, start=None))]
 pub(crate) fn solve<'py>(
@@ -105,7 +108,7 @@ pub(crate) fn solve<'py>(
     scene: &Scene,
     parts: Parts<'py>,
     start: Option<Start<'py>>,
-) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
+) -> PyResult<Solved<'py>> {
     let mut builder = parts.builder(py, scene)?;
     if let Some(start) = start {
         builder = builder.contact_start(start.state(py, scene)?);
@@ -116,22 +119,19 @@ pub(crate) fn solve<'py>(
     if let Some(error) = Failure.take() {
         return Err(error);
     }
-    let (numbers, fields) = parts_of(py, &value(py, solved)?)?;
-    numbers.set_item("seconds", seconds)?;
-    Ok((numbers, fields))
+    let solved = parts_of(py, &value(py, solved)?)?;
+    solved.0.set_item("seconds", seconds)?;
+    Ok(solved)
 }
 
-/// Numbers and fields of a solution.
-pub(crate) fn parts_of<'py>(
-    py: Python<'py>,
-    solution: &ContactSolution,
-) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
+/// What a solution is in Python.
+pub(crate) fn parts_of<'py>(py: Python<'py>, solution: &ContactSolution) -> PyResult<Solved<'py>> {
     let fields = PyDict::new(py);
     for (name, values) in solution.fields() {
         fields.set_item(name, field(py, &solution.grid, values)?)?;
     }
     fields.set_item("in_contact", field(py, &solution.grid, &solution.state.in_contact)?)?;
-    Ok((numbers(py, solution)?, fields))
+    Ok((numbers(py, solution)?, fields, nodes(py, &solution.grid)))
 }
 
 /// The numbers under the names of the command's JSON, with the edges of the grid; what is not finite is None.

@@ -28,7 +28,7 @@ from .errors import (
     UnknownNameError,
 )
 from .film import GivenFilm, given_film
-from .history import Body, BodyStart, History, Record, Simulation
+from .history import Body, BodyStart, History, Record, Simulation, read_body
 from .scene import Grid, Scene
 from .solution import Report, Solution, solve
 
@@ -62,6 +62,7 @@ __all__ = [
     "given_film",
     "laws",
     "metrics",
+    "read_body",
     "solve",
     "surface",
 ]

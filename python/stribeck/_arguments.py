@@ -169,6 +169,8 @@ def array(field: str, values: Any) -> npt.NDArray[np.float64]:
         found = floats(values)
     except (TypeError, ValueError) as error:
         remedy = "; fill_undefined() of a Surface fills them" if "masked" in str(error) else ""
+        if hasattr(values, "fit_to_grid"):
+            remedy = "; surface.fit_to_grid(scene.grid) gives the heights of a Surface on a grid, surface.heights its own"
         raise InputError(f"{field}: not an array of numbers ({error}){remedy}", field=field, value=values) from None
     return np.ascontiguousarray(_two_axes(field, found))
 
@@ -176,6 +178,16 @@ def array(field: str, values: Any) -> npt.NDArray[np.float64]:
 def optional_array(field: str, values: Any) -> npt.NDArray[np.float64] | None:
     """The same; None stays None."""
     return None if values is None else array(field, values)
+
+
+def depths(field: str, values: Any) -> npt.NDArray[np.float64] | None:
+    """Finite numbers from 0 of the shape ``(ny, nx)``; None stays None."""
+    found = optional_array(field, values)
+    if found is not None:
+        wrong = found[~(np.isfinite(found) & (found >= 0.0))]
+        if wrong.size:
+            raise refused(field, float(wrong[0]), "finite and at least 0 at every node")
+    return found
 
 
 def mask(field: str, values: Any) -> npt.NDArray[np.bool_]:

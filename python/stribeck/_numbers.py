@@ -7,6 +7,8 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+import numpy.typing as npt
+
 from ._stribeck import columns
 from .errors import unknown
 
@@ -31,14 +33,14 @@ _UNITS = {
     "x": "m",
     "y": "m",
 }
+#: Units of full names.
+_PATHS = {**COLUMNS, "entrainment_speed": "m/s", "force.lower": "N", "force.upper": "N"}
 
 
 def unit(path: str) -> str:
     """The unit of the number with the name ``path``, empty for ratios and counts."""
-    if path in COLUMNS:
-        return COLUMNS[path]
-    if path == "entrainment_speed":
-        return COLUMNS["motion.entrainment_speed"]
+    if path in _PATHS:
+        return _PATHS[path]
     return "" if path.startswith("error_estimate.") else _UNITS.get(path.rsplit(".", 1)[-1], "")
 
 
@@ -46,10 +48,14 @@ class Numbers(Mapping[str, Any]):
     """A read-only table of numbers, nested; ``n.film.central`` is ``n["film"]["central"]``. Of a name that is a word of Python the
     attribute ends with an underscore: ``n.film.lambda_``."""
 
-    __slots__ = ("_values",)
+    __slots__ = ("_path", "_units", "_values")
 
-    def __init__(self, values: Mapping[str, Any]) -> None:
-        wrapped = {k: Numbers(v) if isinstance(v, dict) else v for k, v in values.items()}
+    def __init__(self, values: Mapping[str, Any], path: str = "", units: Mapping[str, str] | None = None) -> None:
+        """``path`` is what stands before the names in their full ones, ``film.``; ``units`` are those of full names where the names are not
+        those of a solution."""
+        wrapped = {k: Numbers(v, f"{path}{k}.", units) if isinstance(v, dict) else v for k, v in values.items()}
+        object.__setattr__(self, "_path", path)
+        object.__setattr__(self, "_units", units)
         object.__setattr__(self, "_values", wrapped)
 
     def __getitem__(self, key: str) -> Any:
@@ -65,7 +71,7 @@ class Numbers(Mapping[str, Any]):
         return len(self._values)
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("__") or name == "_values":
+        if name.startswith("__") or name in Numbers.__slots__:
             raise AttributeError(name)
         try:
             return self._values[name if name in self._values else name.removesuffix("_")]
@@ -80,7 +86,7 @@ class Numbers(Mapping[str, Any]):
         return sorted([*super().__dir__(), *self._values])
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.to_dict(),)
+        return type(self), (self.to_dict(), self._path, self._units)
 
     def to_dict(self) -> dict[str, Any]:
         """A nested dictionary of plain values."""
@@ -94,12 +100,23 @@ class Numbers(Mapping[str, Any]):
             else:
                 yield f"{prefix}{key}", value
 
+    def _unit(self, name: str) -> str:
+        full = f"{self._path}{name}"
+        return unit(full) if self._units is None else self._units.get(full, "")
+
     def __repr__(self) -> str:
-        lines = [f"  {name:<30} {_text(value)} {unit(name)}".rstrip() for name, value in self.rows()]
+        lines = [f"  {name:<30} {_text(value)} {self._unit(name)}".rstrip() for name, value in self.rows()]
         return "\n".join([f"<{type(self).__name__}", *lines, ">"])
 
     def _repr_html_(self) -> str:
-        return table((name, _text(value), unit(name)) for name, value in self.rows())
+        return table((name, _text(value), self._unit(name)) for name, value in self.rows())
+
+
+class Fields(dict[str, npt.NDArray[Any]]):
+    """Maps by name."""
+
+    def __missing__(self, name: str) -> npt.NDArray[Any]:
+        raise unknown("field", name, self)
 
 
 def _text(value: Any) -> str:

@@ -8,6 +8,22 @@ from . import _stribeck
 
 __all__ = ["equivalent_modulus", "hertz_line", "hertz_point", "line_films", "point_films", "westergaard"]
 
+#: Units by name.
+_POINT = {
+    "half_width_x": "m",
+    "half_width_y": "m",
+    "pressure": "Pa",
+    "mean_pressure": "Pa",
+    "force": "N",
+    "area": "m^2",
+    "approach": "m",
+}
+_LINE = {"half_width": "m", "pressure": "Pa", "force": "N/m"}
+_FILMS = dict.fromkeys(
+    ("hamrock_dowson_central", "hamrock_dowson_minimum", "dowson_toyoda_central", "dowson_minimum", "moes_central"), "m"
+)
+_WAVE = {"full_contact_pressure": "Pa", "contact_half_width": "m"}
+
 
 def equivalent_modulus(first: tuple[Quantity, float], second: tuple[Quantity, float]) -> float:
     """``E'`` [Pa] of two bodies, each by its Young's modulus [Pa] and Poisson's ratio: ``2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2``."""
@@ -32,7 +48,8 @@ def hertz_point(
             number("equivalent_modulus", equivalent_modulus, "Pa"),
             optional_number("load", load, "N"),
             optional_number("max_pressure", max_pressure, "Pa"),
-        )
+        ),
+        units=_POINT,
     )
 
 
@@ -46,7 +63,8 @@ def hertz_line(
             number("equivalent_modulus", equivalent_modulus, "Pa"),
             optional_number("load", load, "N/m"),
             optional_number("max_pressure", max_pressure, "Pa"),
-        )
+        ),
+        units=_LINE,
     )
 
 
@@ -65,7 +83,7 @@ def point_films(
     speed = number("entrainment_speed", entrainment_speed, "m/s")
     oil, solid = _oil(viscosity, pressure_viscosity), _solid(equivalent_modulus, radius)
     loads = number("load", load, "N"), number("ellipticity", ellipticity, "1")
-    return Numbers(_stribeck.point_films(speed, oil, solid, *loads))
+    return Numbers(_stribeck.point_films(speed, oil, solid, *loads), units=_FILMS)
 
 
 def line_films(
@@ -80,7 +98,7 @@ def line_films(
     """Film formulas of a line contact: ``dowson_toyoda_central``, ``dowson_minimum``, ``moes_central`` [m] and ``moes.m``, ``moes.l``. Load in N/m."""
     speed = number("entrainment_speed", entrainment_speed, "m/s")
     oil, solid = _oil(viscosity, pressure_viscosity), _solid(equivalent_modulus, radius)
-    return Numbers(_stribeck.line_films(speed, oil, solid, number("load", load, "N/m")))
+    return Numbers(_stribeck.line_films(speed, oil, solid, number("load", load, "N/m")), units=_FILMS)
 
 
 def westergaard(*, amplitude: Quantity, wavelength: Quantity, equivalent_modulus: Quantity, mean_pressure: Quantity) -> Numbers:
@@ -91,7 +109,8 @@ def westergaard(*, amplitude: Quantity, wavelength: Quantity, equivalent_modulus
             number("wavelength", wavelength, "m"),
             number("equivalent_modulus", equivalent_modulus, "Pa"),
             number("mean_pressure", mean_pressure, "Pa"),
-        )
+        ),
+        units=_WAVE,
     )
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import Quantity, array, number, numbers, truth, whole
+from ._arguments import Quantity, array, cells, number, numbers, truth, whole
 from ._numbers import Numbers
 from ._stribeck import solve_film
 from .scene import Grid
@@ -17,7 +17,7 @@ __all__ = ["GivenFilm", "given_film"]
 
 
 class GivenFilm(Numbers):
-    """A film between rigid surfaces. ``load`` [N], ``friction.lower`` and ``friction.upper`` [N], the shear forces along +x on both
+    """A film between rigid surfaces. ``load`` [N], ``force.lower`` and ``force.upper`` [N], the shear forces along +x on both
     surfaces, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``pressure`` [Pa]
     and ``theta``, the share of the gap that is filled, are arrays of the shape ``(ny, nx)``."""
 
@@ -65,9 +65,10 @@ def given_film(
     ``eta0 exp(alpha p)``. Pressure is ``ambient_pressure`` [Pa] at the edges and nowhere below ``cavitation_pressure`` [Pa]; with
     ``closed_sides`` nothing flows through the edges across y.
     """
+    on = cells(grid)
     lower, upper = numbers("speeds", speeds, ("m/s", "m/s"))
     oil = number("eta0", eta0, "Pa s"), number("alpha", alpha, "1/Pa")
     ambient, cavitation = number("ambient_pressure", ambient_pressure, "Pa"), number("cavitation_pressure", cavitation_pressure, "Pa")
     given = film if callable(film) else array("film", film)
     edges = ambient, cavitation, truth("closed_sides", closed_sides)
-    return GivenFilm(solve_film(grid._cells, given, [lower, upper], oil, edges))
+    return GivenFilm(solve_film(on, given, [lower, upper], oil, edges))

@@ -13,25 +13,25 @@ import numpy.typing as npt
 from ._arguments import (
     Quantity,
     array,
+    depths,
     function,
     instance,
     named,
     number,
-    optional_array,
     optional_number,
     path as _path,
     refused,
     truth,
     whole,
 )
-from ._numbers import Numbers
+from ._numbers import Fields, Numbers
 from ._stribeck import BodyStart as _BodyStart, Simulation as _Simulation
 from .errors import StribeckWarning, found, say
 from .records import Body, History, Record
-from .scene import Grid, Scene, _SceneGrid, as_scene
+from .scene import Grid, Scene, as_scene
 from .solution import Heights, Solution, first_state, parts, with_solver
 
-__all__ = ["Body", "BodyStart", "History", "Record", "Simulation"]
+__all__ = ["Body", "BodyStart", "History", "Record", "Simulation", "read_body"]
 
 
 def BodyStart(  # noqa: N802
@@ -48,10 +48,19 @@ def BodyStart(  # noqa: N802
     return _BodyStart(
         scene._raw,
         array("heights", heights),
-        optional_array("wear", wear),
-        optional_array("plastic_depth", plastic_depth),
-        optional_array("tribofilm", tribofilm),
+        depths("wear", wear),
+        depths("plastic_depth", plastic_depth),
+        depths("tribofilm", tribofilm),
     )
+
+
+def read_body(scene: Scene, path: str | os.PathLike[str], name: str) -> _BodyStart:
+    """The body ``name``, ``ball`` or ``disc``, of the ``fields.npz`` of a run on the grid of ``scene``: arrays ``ball_initial``,
+    ``ball_wear``, ``ball_plastic_depth`` and ``ball_tribofilm``, of which all but the first may be missing."""
+    instance("scene", scene, Scene, "a Scene")
+    if name not in ("ball", "disc"):
+        raise refused("name", name, "ball or disc")
+    return _BodyStart.read_npz(scene._raw, _path("path", path), name)
 
 
 class Simulation:
@@ -132,7 +141,7 @@ class Simulation:
     @property
     def grid(self) -> Grid:
         """The cells of the contact and of both bodies."""
-        return _SceneGrid(self._raw.grid())
+        return Grid._of(self._raw.grid())
 
     @property
     def conditions(self) -> Numbers:
@@ -157,8 +166,9 @@ class Simulation:
 
     @property
     def fields(self) -> dict[str, npt.NDArray[Any]]:
-        """Maps of the last contact by name, of the shape ``(ny, nx)``, as copies: see :class:`stribeck.Solution`."""
-        return self._raw.fields()
+        """Maps of the last contact by name, of the shape ``(ny, nx)``, as copies: ``pressure``, ``fluid_pressure`` [Pa], ``film``,
+        ``plastic_depth`` [m], ``theta`` (filled share of the gap) and ``in_contact``."""
+        return Fields(self._raw.fields())
 
     def starts(self) -> tuple[_BodyStart, _BodyStart]:
         """Ball and disc as they stand, as ``bodies`` of another run or solve."""

@@ -193,7 +193,7 @@ class ContactProblem(Numbers):
         """The cells."""
         from .scene import Grid
 
-        return Grid(self["grid"].to_dict())
+        return Grid._of(self._raw.cells)
 
     @property
     def gap(self) -> Field:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import Quantity, array, mask, number, text
+from ._arguments import Quantity, array, mask, number, refused, text
 from ._numbers import Numbers
 from . import _stribeck
 from .surface import Boundary
@@ -23,18 +23,27 @@ __all__ = [
 ]
 
 
+#: Units by name.
+_HEIGHTS = dict.fromkeys(("mean", "sa", "sq", "sp", "sv", "sz"), "m")
+_BEARING = dict.fromkeys(("sk", "spk", "svk"), "m") | dict.fromkeys(("vmp", "vmc", "vvc", "vvv"), "m^3/m^2")
+_SPATIAL = {"sal": "m"}
+_CONTACT = {"area": "m^2", "corrected_area": "m^2"}
+_PATCHES = {"areas": "m^2", "perimeter": "m", "corrected_area": "m^2"}
+
+
 def _cell(dx: Quantity, dy: Quantity | None) -> tuple[float, float]:
     return number("dx", dx, "m"), number("dy", dx if dy is None else dy, "m")
 
 
 def height_statistics(heights: npt.ArrayLike) -> Numbers:
     """``mean``, ``sa``, ``sq``, ``sp``, ``sv``, ``sz`` [m], ``ssk`` and ``sku`` (ISO 25178-2)."""
-    return Numbers(_stribeck.height_statistics(array("heights", heights)))
+    return Numbers(_stribeck.height_statistics(array("heights", heights)), units=_HEIGHTS)
 
 
 def bearing(heights: npt.ArrayLike, *, peaks: float = 0.1, valleys: float = 0.8) -> Numbers:
     """Core and volume parameters ``sk``, ``spk``, ``svk`` [m], ``smr1``, ``smr2``, ``vmp``, ``vmc``, ``vvc``, ``vvv`` [m^3/m^2] (ISO 25178-2)."""
-    return Numbers(_stribeck.bearing(array("heights", heights), number("peaks", peaks, "1"), number("valleys", valleys, "1")))
+    shares = number("peaks", peaks, "1"), number("valleys", valleys, "1")
+    return Numbers(_stribeck.bearing(array("heights", heights), *shares), units=_BEARING)
 
 
 def hybrid_parameters(heights: npt.ArrayLike, dx: Quantity, dy: Quantity | None = None) -> Numbers:
@@ -47,7 +56,7 @@ def spatial_parameters(
 ) -> Numbers:
     """Correlation length ``sal`` [m] and texture aspect ``str`` (ISO 25178-2); None where the surface is too small to tell."""
     chosen = number("threshold", threshold, "1"), text("boundary", boundary)
-    return Numbers(_stribeck.spatial_parameters(array("heights", heights), *_cell(dx, dy), *chosen))
+    return Numbers(_stribeck.spatial_parameters(array("heights", heights), *_cell(dx, dy), *chosen), units=_SPATIAL)
 
 
 def radial_spectrum(
@@ -72,21 +81,32 @@ def contact_statistics(
     fields = mask("in_contact", in_contact), array("solid_pressure", solid_pressure)
     other = half_width_x if half_width_y is None else half_width_y
     widths = [number("half_width_x", half_width_x, "m"), number("half_width_y", other, "m")]
-    return Numbers(_stribeck.contact_statistics(*fields, _cell(dx, dy), number("load", load, "N"), widths))
+    return Numbers(_stribeck.contact_statistics(*fields, _cell(dx, dy), number("load", load, "N"), widths), units=_CONTACT)
 
 
 def contact_patches(
     in_contact: npt.ArrayLike, *, dx: Quantity, dy: Quantity | None = None, boundary: Boundary = "open"
 ) -> Numbers:
     """Connected patches of contact: their ``areas`` [m^2], ``perimeter`` [m] and ``corrected_area`` [m^2]."""
-    return Numbers(_stribeck.contact_patches(mask("in_contact", in_contact), _cell(dx, dy), text("boundary", boundary)))
+    patches = _stribeck.contact_patches(mask("in_contact", in_contact), _cell(dx, dy), text("boundary", boundary))
+    return Numbers(patches, units=_PATCHES)
 
 
 def composite_rq(first: Quantity, second: Quantity) -> float:
     """``sqrt(first^2 + second^2)`` [m]."""
-    return float(np.hypot(number("first", first, "m"), number("second", second, "m")))
+    return float(np.hypot(_rq("first", first), _rq("second", second)))
+
+
+def _rq(field: str, value: Quantity) -> float:
+    found = number(field, value, "m")
+    if not 0.0 <= found < np.inf:
+        raise refused(field, value, "finite and at least 0")
+    return found
 
 
 def lambda_ratio(film: Quantity, composite_rq: Quantity) -> float:
     """Film over composite roughness, both in m."""
-    return _stribeck.lambda_ratio(number("film", film, "m"), number("composite_rq", composite_rq, "m"))
+    rq = _rq("composite_rq", composite_rq)
+    if rq == 0.0:
+        raise refused("composite_rq", composite_rq, "above 0")
+    return _stribeck.lambda_ratio(number("film", film, "m"), rq)

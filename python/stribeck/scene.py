@@ -17,6 +17,9 @@ from .errors import SceneError, StribeckWarning, found
 __all__ = ["Grid", "Scene"]
 
 
+#: Positions of columns and rows [m].
+Nodes = tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]
+
 #: Tables within each other that a scene never needs.
 _MAX_DEPTH = 16
 
@@ -25,13 +28,25 @@ class Grid(Numbers):
     """Cells of a contact: counts ``nx``, ``ny``, sizes ``dx``, ``dy`` and outer edges ``x``, ``y`` [m]. Fields have the shape
     ``(ny, nx)``; x is along the flow."""
 
-    __slots__ = ()
+    __slots__ = ("_exact", "_nodes")
+
+    def __init__(self, values: Mapping[str, Any], nodes: Nodes | None = None) -> None:
+        super().__init__(values)
+        object.__setattr__(self, "_exact", None)
+        object.__setattr__(self, "_nodes", nodes)
+
+    @classmethod
+    def _of(cls, exact: Cells) -> Grid:
+        """The cells to the last bit: edges come back rounded."""
+        grid = cls(exact.to_dict(), exact.nodes())
+        object.__setattr__(grid, "_exact", exact)
+        return grid
 
     @classmethod
     def box(cls, nx: int, ny: int, x: tuple[Quantity, Quantity], y: tuple[Quantity, Quantity]) -> Grid:
         """``nx`` x ``ny`` cells that fill the box between the edges ``x`` and ``y`` [m]."""
         edges = numbers("x", x, ("m", "m")), numbers("y", y, ("m", "m"))
-        return cls(Cells((whole("ny", ny), whole("nx", nx)), *edges).to_dict())
+        return cls._of(Cells((whole("ny", ny), whole("nx", nx)), *edges))
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -41,35 +56,22 @@ class Grid(Numbers):
     @property
     def nodes_x(self) -> npt.NDArray[np.float64]:
         """Positions of the columns, shape ``(nx,)`` [m]."""
-        return np.asarray(self["x"][0] + self["dx"] * (np.arange(self["nx"]) + 0.5))
+        return self._positions()[0].copy()
 
     @property
     def nodes_y(self) -> npt.NDArray[np.float64]:
         """Positions of the rows, shape ``(ny,)`` [m]."""
-        return np.asarray(self["y"][0] + self["dy"] * (np.arange(self["ny"]) + 0.5))
+        return self._positions()[1].copy()
+
+    def _positions(self) -> Nodes:
+        return self._cells.nodes() if self._nodes is None else self._nodes
 
     @property
     def _cells(self) -> Cells:
-        return Cells(self.shape, list(self["x"]), list(self["y"]))
-
-
-class _SceneGrid(Grid):
-    """The cells of a scene to the last bit: its edges come back rounded."""
-
-    __slots__ = ("_exact",)
-
-    _exact: Cells
-
-    def __init__(self, exact: Cells) -> None:
-        super().__init__(exact.to_dict())
-        object.__setattr__(self, "_exact", exact)
-
-    @property
-    def _cells(self) -> Cells:
-        return self._exact
+        return self._exact or Cells(self.shape, list(self["x"]), list(self["y"]))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Grid, (self.to_dict(),)
+        return type(self), (self.to_dict(), self._nodes)
 
 
 class Scene:
@@ -137,14 +139,14 @@ class Scene:
     @property
     def grid(self) -> Grid:
         """The cells of the contact."""
-        return _SceneGrid(self._raw.grid())
+        return Grid._of(self._raw.grid())
 
     def hertz(self) -> Numbers:
         """The smooth dry contact: ``radius``, ``half_width_x``, ``half_width_y`` [m], ``pressure`` [Pa], ``force`` [N]."""
         return Numbers(self._raw.hertz())
 
     def conditions(self, time: Quantity = 0.0) -> Numbers:
-        """``load`` [N], ``entrainment_speed`` [m/s], ``slide_roll_ratio`` and ``bulk_temperature`` [K] at ``time`` [s]."""
+        """``load`` [N], ``motion.entrainment_speed`` [m/s], ``motion.slide_roll_ratio`` and ``bulk_temperature`` [K] at ``time`` [s]."""
         return Numbers(self._raw.conditions(number("time", time, "s")))
 
     @property
@@ -179,6 +181,9 @@ def _is_text(source: Any) -> bool:
 
 def _of_tables(tables: Mapping[str, Any]) -> _Scene:
     plain = _plain(tables)
+    for key, table in plain.items():
+        if isinstance(table, list | tuple | np.ndarray):
+            raise SceneError(f"{key} = {table!r}: a list, expected a table", field=str(key), value=table)
     try:
         return _Scene.from_dict(plain)
     except SceneError as error:

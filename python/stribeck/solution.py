@@ -10,11 +10,11 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arguments import instance, named, optional_array, path as _path, refused, text, writing
-from ._numbers import Numbers
+from ._numbers import Fields, Numbers
 from ._stribeck import BodyStart, solve as _solve
 from .errors import InputError, NotConvergedError, StribeckWarning, found, say
 from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw, compiled
-from .scene import Grid, Scene, as_scene
+from .scene import Grid, Nodes, Scene, as_scene
 
 __all__ = ["Report", "Solution", "solve"]
 
@@ -36,21 +36,24 @@ class Solution(Numbers):
     ``contact.load_ratio``, ``friction.coefficient``, ``residual.mass``, ``status``, ``warnings`` and so on.
 
     ``fields`` holds maps of the shape ``(ny, nx)`` by name: ``pressure``, ``fluid_pressure`` [Pa], ``film``, ``gap``, ``plastic_depth`` [m],
-    ``theta`` (filled share of the gap) and ``in_contact``.
+    ``theta`` (filled share of the gap) and ``in_contact``; with ``lubricant.thermal`` also ``film_temperature`` [K].
     """
 
-    __slots__ = ("fields",)
+    __slots__ = ("_nodes", "fields")
 
     fields: dict[str, npt.NDArray[Any]]
 
-    def __init__(self, values: Mapping[str, Any], fields: Mapping[str, npt.NDArray[Any]] | None = None) -> None:
+    def __init__(
+        self, values: Mapping[str, Any], fields: Mapping[str, npt.NDArray[Any]] | None = None, nodes: Nodes | None = None
+    ) -> None:
         super().__init__(values)
-        object.__setattr__(self, "fields", dict(fields or {}))
+        object.__setattr__(self, "fields", Fields(fields or {}))
+        object.__setattr__(self, "_nodes", nodes)
 
     @property
     def grid(self) -> Grid:
         """The cells of the fields."""
-        return Grid(self["grid"].to_dict())
+        return Grid(self["grid"].to_dict(), self._nodes)
 
     @property
     def warnings(self) -> list[StribeckWarning]:
@@ -83,13 +86,14 @@ class Solution(Numbers):
 
     def save_fields(self, path: str | os.PathLike[str]) -> None:
         """Writes the fields as a NumPy archive, with the positions ``x`` and ``y`` of the nodes [m]."""
-        arrays: dict[str, Any] = {"x": self.grid.nodes_x, "y": self.grid.nodes_y, **self.fields}
+        grid = self.grid
+        arrays: dict[str, Any] = {"x": grid.nodes_x, "y": grid.nodes_y, **self.fields}
         place = _path("path", path)
         with writing(place):
             np.savez_compressed(place, **arrays)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.to_dict(), self.fields)
+        return type(self), (self.to_dict(), self.fields, self._nodes)
 
 
 def solve(
@@ -128,8 +132,7 @@ def solve(
     }
     given = parts(heights, bodies, laws)
     with named(given):
-        numbers, fields = _solve(raw, given, first_state(start))
-    solution = Solution(numbers, fields)
+        solution = Solution(*_solve(raw, given, first_state(start)))
     say(solution.warnings, 2)
     return solution
 

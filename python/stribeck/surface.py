@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from ._arguments import Quantity, array, cells, mask, number, optional_number, path as _path, text, truth, whole, wholes
 from ._stribeck import Surface as _Surface, generate as _generate, texture as _texture
-from .errors import unknown
+from .errors import InputError, unknown
 from .scene import Grid
 
 __all__ = ["Surface", "dimples", "generate", "grooves", "read"]
@@ -154,6 +154,14 @@ _OPTIONS = {
     "skewness": "1",
     "kurtosis": "1",
 }
+_CORRELATED = ("length_x", "length_y")
+#: Those of one kind alone.
+_OF_KIND = {
+    "gaussian": _CORRELATED,
+    "exponential": _CORRELATED,
+    "self_affine": ("hurst", "roll_off", "shortest", "longest"),
+}
+_MOMENTS = ("skewness", "kurtosis")
 _LARGEST_SEED = 2**64 - 1
 
 
@@ -168,8 +176,8 @@ def generate(
     """A random surface [m] on ``grid`` with the root mean square height ``rq`` [m].
 
     Options of ``gaussian`` and ``exponential``: ``length_x``, ``length_y``, where the autocorrelation is 10 % [m] (``length`` for both). Of
-    ``self_affine``: ``hurst``, ``roll_off``, ``shortest`` and ``longest`` [m]. Of all: ``skewness`` and ``kurtosis``, ``boundary`` ("periodic" or "open")
-    and ``exact_rq`` (True: this very surface has ``rq``; False: the mean over seeds).
+    ``self_affine``: ``hurst``, ``roll_off``, ``shortest`` and ``longest`` [m]. Of all: ``skewness`` and ``kurtosis``, both or none,
+    ``boundary`` ("periodic" or "open") and ``exact_rq`` (True: this very surface has ``rq``; False: the mean over seeds).
 
     Raises :class:`~stribeck.InputError` with the option in ``field``.
     """
@@ -186,8 +194,23 @@ def generate(
             taken[name] = text(name, value)
         else:
             raise unknown("option", name, [*_OPTIONS, "length", "boundary", "exact_rq"])
+    _belonging(text("kind", kind), {name: value for name, value in taken.items() if value is not None})
     heights = number("roughness.rq", rq, "m")
-    return _generate(cells(grid), text("kind", kind), heights, whole("seed", seed, most=_LARGEST_SEED), taken)
+    return _generate(cells(grid), kind, heights, whole("seed", seed, most=_LARGEST_SEED), taken)
+
+
+def _belonging(kind: str, options: dict[str, Any]) -> None:
+    """Refuses an option of another kind, and one of two moments without the other."""
+    own = _OF_KIND.get(kind)
+    if own is None:
+        return
+    for name, value in options.items():
+        if name not in own and any(name in other for other in _OF_KIND.values()):
+            message = f"{name} = {value!r}: a {kind} surface has no such option, but {', '.join(own)}"
+            raise InputError(message, field=name, value=value)
+    for name, other in (_MOMENTS, _MOMENTS[::-1]):
+        if name in options and other not in options:
+            raise InputError(f"{name} = {options[name]!r}: only together with {other}", field=name, value=options[name])
 
 
 def dimples(grid: Grid, *, radius: Quantity, depth: Quantity, pitch: Quantity, seed: int | None = None) -> Field:

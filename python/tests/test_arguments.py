@@ -56,6 +56,23 @@ def test_text_with_a_unit_is_a_number(dry: Scene) -> None:
             entrainment_speed=1.0, viscosity=0.04, pressure_viscosity=2e-8, equivalent_modulus=2e11, radius=0.01, load=50.0, ellipticity="1"
         )),
         ("exact_rq", "yes", lambda s: surface.generate(s.grid, 1e-8, length=6e-5, exact_rq="yes")),
+        ("kurtosis", 10, lambda s: surface.generate(s.grid, 1e-8, length=6e-5, kurtosis=10)),
+        ("skewness", -1.0, lambda s: surface.generate(s.grid, 1e-8, length=6e-5, skewness=-1.0)),
+        ("hurst", 0.8, lambda s: surface.generate(s.grid, 1e-8, length=6e-5, hurst=0.8)),
+        ("roll_off", 1e-4, lambda s: surface.generate(s.grid, 1e-8, kind="exponential", length=6e-5, roll_off="0.1 mm")),
+        ("length_x", 6e-5, lambda s: surface.generate(
+            s.grid, 1e-8, kind="self_affine", hurst=0.8, roll_off=2e-4, shortest=4e-5, length=6e-5
+        )),
+        ("kind", "fractal", lambda s: surface.generate(s.grid, 1e-8, kind="fractal", hurst=0.8)),
+        ("grid", None, lambda s: stribeck.given_film(FLAT + 1e-6, s, speeds=(1.0, 0.0), eta0=0.01)),
+        ("first", -1, lambda s: metrics.composite_rq(-1, 2)),
+        ("first", None, lambda s: metrics.composite_rq(float("nan"), 2)),
+        ("second", "-2 nm", lambda s: metrics.composite_rq(1e-9, "-2 nm")),
+        ("composite_rq", 0, lambda s: metrics.lambda_ratio(1e-8, 0)),
+        ("composite_rq", float("inf"), lambda s: metrics.lambda_ratio(1e-8, float("inf"))),
+        ("name", "plate", lambda s: stribeck.read_body(s, "fields.npz", "plate")),
+        ("form", [1, 2, 3], lambda s: Scene(form=[1, 2, 3])),
+        ("form", (1, 2), lambda s: s.replace(form=(1, 2))),
         ("option", "size", lambda s: surface.generate(s.grid, 1e-8, size=6e-5)),
         ("path", None, lambda s: stribeck.Simulation(s).restore(None)),
         ("path", None, lambda s: surface.read(None)),
@@ -90,8 +107,29 @@ def test_names_that_are_not_there(dry: Scene) -> None:
     error = refused(stribeck.UnknownNameError, lambda: solution["filmm"], "name")
     assert isinstance(error, KeyError) and "film" in str(error)
     assert solution.get("filmm") is None and "filmm" not in solution
-    message = str(refused(stribeck.UnknownNameError, lambda: plot.map(solution, "filmm"), "field"))
-    assert all(name in message for name in solution.fields)
+    simulation = stribeck.Simulation(dry)
+    for call, fields in [
+        (lambda: plot.map(solution, "filmm"), solution.fields),
+        (lambda: solution.fields["filmm"], solution.fields),
+        (lambda: pickle.loads(pickle.dumps(solution)).fields["filmm"], solution.fields),
+        (lambda: simulation.fields["filmm"], simulation.fields),
+    ]:
+        error = refused(stribeck.UnknownNameError, call, "field")
+        assert error.value == "filmm" and all(name in str(error) for name in fields)
+    assert solution.fields.get("filmm") is None and "filmm" not in solution.fields
+
+
+def test_a_film_needs_a_grid() -> None:
+    for call in (
+        lambda: surface.generate(None, 1e-8, length=6e-5),
+        lambda: stribeck.given_film(FLAT + 1e-6, None, speeds=(1.0, 0.0), eta0=0.01),
+    ):
+        assert "grid = None: must be a Grid" in str(refused(stribeck.InputError, call, "grid"))
+
+
+def test_a_list_is_no_table() -> None:
+    error = refused(stribeck.SceneError, lambda: Scene(form=[1, 2, 3]), "form")
+    assert str(error) == "form = [1, 2, 3]: a list, expected a table"
 
 
 def test_errors_carry_what_they_are_about(dry: Scene, tmp_path: Path) -> None:

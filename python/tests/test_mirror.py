@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -28,8 +29,13 @@ def test_solve_is_the_example_solve(name: str, tmp_path) -> None:
         compared += 1
     assert compared > 15
     with np.load(fields) as archive:
-        np.testing.assert_allclose(archive["x"], solution.grid.nodes_x, rtol=1e-12)
-        np.testing.assert_allclose(archive["y"], solution.grid.nodes_y, rtol=1e-12, atol=1e-12)
+        solution.save_fields(tmp_path / "own.npz")
+        again = pickle.loads(pickle.dumps(solution))
+        with np.load(tmp_path / "own.npz") as own:
+            for axis in ("x", "y"):
+                np.testing.assert_array_equal(archive[axis], own[axis])
+                for grid in (solution.grid, again.grid, pickle.loads(pickle.dumps(solution.grid))):
+                    np.testing.assert_array_equal(archive[axis], getattr(grid, f"nodes_{axis}"))
         for field in archive.keys() - {"x", "y"}:
             values = archive[field]
             np.testing.assert_array_equal(solution.fields[field], values, err_msg=field)

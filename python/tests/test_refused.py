@@ -87,8 +87,15 @@ def test_heights_that_do_not_fit(rough: stribeck.Scene) -> None:
     refused(stribeck.InputError, lambda: stribeck.solve(rough, heights="flat"), "disc heights")
     estimate = rough.replace(solver={"estimate": True})
     refused(stribeck.InputError, lambda: stribeck.solve(estimate, heights=flat), "disc heights")
-    refused(stribeck.InputError, lambda: stribeck.BodyStart(rough, flat, wear=-1.0 - flat) and stribeck.solve(
-        rough, bodies=(stribeck.BodyStart(rough, flat, wear=-1.0 - flat), None)), "ball start wear[0]")
+    for name in ("wear", "plastic_depth", "tribofilm"):
+        for wrong in (-1.0, np.nan, np.inf):
+            depth = np.where(np.eye(32) > 0.0, wrong, flat)
+            error = refused(stribeck.InputError, lambda part={name: depth}: stribeck.BodyStart(rough, flat, **part), name)
+            assert error.value == wrong or wrong != wrong
+    measured = stribeck.surface.Surface(flat, 1e-6)
+    for call in (stribeck.solve, stribeck.Simulation):
+        error = refused(stribeck.InputError, lambda call=call: call(rough, heights=measured), "disc heights")
+        assert "surface.fit_to_grid(scene.grid)" in str(error)
 
 
 def test_calls_name_their_argument(rough: stribeck.Scene) -> None:

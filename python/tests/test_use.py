@@ -53,6 +53,45 @@ def test_numbers_are_attributes_items_and_pictures(rough: stribeck.Scene) -> Non
     np.testing.assert_array_equal(again.fields["film"], solution.fields["film"])
 
 
+def shown(numbers: stribeck._numbers.Numbers) -> dict[str, str]:
+    """Names and units of a table as it is printed."""
+    rows = [line.split() for line in repr(numbers).splitlines()[1:-1]]
+    return {row[0]: row[2] if len(row) > 2 else "" for row in rows}
+
+
+def test_tables_within_others_have_the_same_units(rough: stribeck.Scene) -> None:
+    solution = stribeck.solve(rough)
+    assert set(shown(solution.residual).values()) == {""}
+    assert shown(solution.film)["central"] == shown(solution)["film.central"] == "m"
+    assert shown(solution.film)["lambda"] == "" and shown(solution.flow)["inflow"] == "m^3/s"
+    assert shown(pickle.loads(pickle.dumps(solution.film))) == shown(copy.deepcopy(solution.film)) == shown(solution.film)
+    assert "<td>m</td>" in solution.film._repr_html_() and "<td>N</td>" not in solution.residual._repr_html_()
+    assert shown(stribeck.Simulation(rough).conditions.motion) == {"entrainment_speed": "m/s", "slide_roll_ratio": ""}
+    np.testing.assert_array_equal(rough.grid.nodes_x, solution.grid.nodes_x)
+    assert shown(solution.grid)["dx"] == "m" and repr(rough.grid).startswith("<Grid")
+    line = stribeck.analytic.hertz_line(10e-3, equivalent_modulus=2e11, load=1e5)
+    assert shown(line) == {"half_width": "m", "pressure": "Pa", "force": "N/m"}
+    assert shown(stribeck.metrics.height_statistics(np.eye(8)))["sq"] == "m"
+    grid = stribeck.Grid.box(20, 1, (0.0, 1e-2), (0.0, 1.0))
+    slider = stribeck.given_film(np.linspace(2e-6, 1e-6, 20)[None, :], grid, speeds=(0.02, 0.0), eta0=0.01)
+    assert shown(slider.force) == {"lower": "N", "upper": "N"} and shown(slider)["force.lower"] == "N"
+    assert slider.force.lower < 0.0 < slider.force.upper
+
+
+def test_bodies_of_a_run_are_read(rough: stribeck.Scene, tmp_path: Path) -> None:
+    simulation = stribeck.Simulation(rough)
+    simulation.run(1, 60.0)
+    bodies = dict(zip(("ball", "disc"), simulation.bodies, strict=True))
+    parts = ("initial", "wear", "plastic_depth", "tribofilm")
+    path = tmp_path / "fields.npz"
+    np.savez(path, **{f"{name}_{part}": body[part] for name, body in bodies.items() for part in parts})
+    other = stribeck.Simulation(rough, bodies=tuple(stribeck.read_body(rough, path, name) for name in bodies))
+    for one, two in zip(simulation.bodies, other.bodies, strict=True):
+        np.testing.assert_array_equal(one.surface, two.surface)
+    with pytest.raises(stribeck.FileError, match="none.npz"):
+        stribeck.read_body(rough, tmp_path / "none.npz", "ball")
+
+
 def test_fields_are_maps_that_belong_to_python(rough: stribeck.Scene, tmp_path: Path) -> None:
     solution = stribeck.solve(rough.replace(grid={"nx": 32, "ny": 40, "x": [-2.5e-4, 2.5e-4], "y": [-2.5e-4, 2.5e-4]}))
     for name, field in solution.fields.items():
@@ -64,6 +103,7 @@ def test_fields_are_maps_that_belong_to_python(rough: stribeck.Scene, tmp_path: 
     with np.load(tmp_path / "fields.npz") as archive:
         np.testing.assert_array_equal(archive["film"], solution.fields["film"])
         assert archive["x"].shape == (32,) and archive["y"].shape == (40,)
+        np.testing.assert_array_equal(archive["x"], solution.grid.nodes_x)
         assert archive["x"][-1] == pytest.approx(2.5e-4 - 0.5 * solution.grid.dx)
 
 

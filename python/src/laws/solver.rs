@@ -15,7 +15,7 @@ use stribeck::{Grid, InputError, SolveReport, SolverId, Status};
 use super::{Deformation, Failure, Function};
 use crate::convert::{dictionary, field, shown};
 use crate::error::{raise, value};
-use crate::scene::grid_dict;
+use crate::scene::{Cells, grid_dict};
 
 /// A solver: `solve(problem, state)` writes pressures and approach into the state and returns whether it
 /// converged.
@@ -254,6 +254,11 @@ impl Problem {
             "tolerance": self.stop.tolerance,
             "max_iterations": self.stop.max_iterations,
         }))
+    }
+
+    #[getter]
+    fn cells(&self) -> Cells {
+        Cells(self.grid)
     }
 
     #[getter]

@@ -8,7 +8,7 @@ use stribeck::{Grid, InputError};
 use super::{Failure, Function};
 use crate::convert::shown;
 use crate::error::raise;
-use crate::scene::grid_dict;
+use crate::scene::Cells;
 
 /// A plasticity model: `pressure_limit(film_thickness, plastic_depth)`.
 #[derive(Debug)]
@@ -88,7 +88,7 @@ impl Motion {
         grid: &Grid,
     ) -> PyResult<(i64, i64, f64)> {
         let (body, draw, time, speed) = arguments;
-        let cells = py.import("stribeck.scene")?.getattr("Grid")?.call1((grid_dict(py, grid)?,))?;
+        let cells = py.import("stribeck.scene")?.getattr("Grid")?.call_method1("_of", (Cells(*grid),))?;
         let arguments = vec![
             body.into_pyobject(py)?.into_any(),
             draw.into_pyobject(py)?.into_any(),
