@@ -263,6 +263,7 @@ def test_a_simulation_starts_from_a_solution() -> None:
 
 def test_wear_of_metres_is_said(dry: Scene) -> None:
     simulation = stribeck.Simulation(dry, wear=lambda at, film: 1.0)
-    with pytest.warns(stribeck.StribeckWarning, match="wear.max") as said:
-        record = simulation.step("1 min")
-    assert len(said) == len(record.warnings) == 1 and record.warnings[0].value == max(record.wear.ball_max, record.wear.disc_max) > 1.0
+    refused(stribeck.InputError, lambda: simulation.step("1 min"), "time_step")
+    with pytest.warns(stribeck.StribeckWarning, match="wear.(ball|disc)_max") as said:
+        record = simulation.step("50 us")
+    assert len(said) == len(record.warnings) == 1 and record.warnings[0].value == max(record.wear.ball_max, record.wear.disc_max) > 2e-5

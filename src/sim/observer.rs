@@ -25,7 +25,7 @@ use super::simulation::MixedLubricationSim;
 ///     }
 /// }
 /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
-/// assert_eq!(sim.run(1, 1e6, &mut UntilWorn)?, RunEnd::Stopped);
+/// assert_eq!(sim.run(1, 1e5, &mut UntilWorn)?, RunEnd::Stopped);
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 pub trait Observer {

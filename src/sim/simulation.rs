@@ -237,7 +237,7 @@ impl MixedLubricationSim {
                 return Err(SimError::Input(InputError::Conflict {
                     field: format!("time_step = {time_step:e}"),
                     reason: format!(
-                        "a node would change by {change:e} m, more than the half-width of the contact: take shorter steps, or check \
+                        "a node would change by {change:.1e} m, more than the half-width of the contact: take shorter steps, or check \
                          the coefficient of wear"
                     ),
                 }));

@@ -6,6 +6,15 @@ use crate::sim::body::Body;
 
 /// Root mean square roughness on the track without its form
 /// ([`track_roughness`](crate::sim::MixedLubricationSim::track_roughness)) \[m\].
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let roughness = solve_contact(&Scene::azam_2019(32))?.roughness;
+/// let [ball, disc] = roughness.rq();
+/// assert!((roughness.composite_rq - ball.hypot(disc)).abs() < 1e-15 && disc > ball);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -37,6 +46,17 @@ impl RoughnessNumbers {
 }
 
 /// A depth or thickness on both bodies: what is worn, or the tribofilm \[m\].
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16).with_tribofilm()).build()?;
+/// let record = sim.step(600.0)?;
+/// // Beside the track nothing is worn: the mean over its width is above that over the patch.
+/// assert!(record.wear.disc_in_contact > record.wear.disc_mean && record.wear.disc_mean > 0.0);
+/// assert!(record.tribofilm.disc_max >= record.tribofilm.disc_in_contact);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -86,6 +106,15 @@ impl DepthNumbers {
 }
 
 /// What was flattened.
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
+/// let (first, second) = (sim.step(10.0)?, sim.step(10.0)?);
+/// assert!(second.plastic.volume >= first.plastic.volume, "what is flattened stays flat");
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]

@@ -8,6 +8,23 @@ use crate::sim::contact::ContactModel;
 use crate::sim::friction::FrictionFields;
 
 /// Moes' parameters.
+/// `M = W / (2 U)^(3/4)` and `L = G (2 U)^(1/4)` of a point contact, `W / (2 U)^(1/2)` and `G (2 U)^(1/4)` of a line
+/// contact, with the dimensionless load `W`, speed `U` and material parameter `G` of Hamrock and Dowson along
+/// entrainment: two numbers that a smooth contact of given form hangs on, from elastic and dry to rigid.
+///
+/// Source: Moes, H. (2000), Lubrication and Beyond, University of Twente.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let mut scene = Scene::azam_2019(32);
+/// let moes = solve_contact(&scene)?.moes.ok_or("a dry contact")?;
+/// scene.motion.entrainment_speed *= 16.0;
+/// let faster = scene.formula_film()?.ok_or("a dry contact")?.moes;
+/// assert!((faster.m / moes.m - 1.0 / 8.0).abs() < 1e-9 && (faster.l / moes.l - 2.0).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -19,6 +36,16 @@ pub struct Moes {
 }
 
 /// Film thickness \[m\], and over roughness.
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let solution = solve_contact(&Scene::azam_2019(32))?;
+/// let film = solution.film;
+/// assert!(film.minimum_gap <= film.minimum && film.minimum <= film.mean_central);
+/// assert_eq!(film.lambda, Some(film.mean_central / solution.roughness.composite_rq));
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -70,6 +97,17 @@ impl FilmNumbers {
 }
 
 /// Total pressure, of fluid and solids together \[Pa\].
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let solution = solve_contact(&Scene::azam_2019(32))?;
+/// let pressure = solution.pressure;
+/// // The surfaces are rough: asperities carry more than Hertz, and yield at 6 GPa.
+/// assert!(pressure.max > solution.hertz.pressure && pressure.max <= 6e9);
+/// assert!(pressure.mean < pressure.max);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -106,6 +144,19 @@ impl PressureNumbers {
 }
 
 /// Solid contact.
+/// Solids touch where the gap is the contact film, `solver.film_cutoff`, and carry there what the fluid does not.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let solution = solve_contact(&Scene::azam_2019(32))?;
+/// let contact = solution.contact;
+/// assert!(contact.load_ratio > 0.0 && contact.load_ratio < 1.0);
+/// assert!(contact.area_ratio <= contact.area / solution.hertz.area + 1e-12);
+/// assert_eq!(contact.film_cutoff, 1e-9);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]

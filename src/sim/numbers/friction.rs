@@ -2,6 +2,18 @@
 
 /// Friction coefficient of a contact and its parts: boundary friction under the solid pressure and shear of the
 /// fluid, over the load.
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let mut scene = Scene::azam_2019(32);
+/// let friction = solve_contact(&scene)?.friction;
+/// assert!(friction.boundary > 0.0 && friction.fluid > 0.0);
+/// assert!((friction.boundary + friction.fluid - friction.coefficient).abs() < 1e-12);
+/// scene.motion.slide_roll_ratio = 0.0;
+/// assert_eq!(solve_contact(&scene)?.friction.coefficient, 0.0);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]

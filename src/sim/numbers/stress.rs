@@ -8,6 +8,17 @@ use crate::sim::friction::FrictionFields;
 use crate::sim::scene::Scene;
 
 /// Stresses below the surface of the disc, under pressure and friction.
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, scene::StressSpec, solve_contact};
+/// let mut scene = Scene::azam_2019(32);
+/// scene.stress = Some(StressSpec::default());
+/// let stress = solve_contact(&scene)?.stress.ok_or("not asked for")?;
+/// assert!(stress.von_mises.stress > stress.orthogonal_shear.stress);
+/// assert!(stress.layer.is_none() && stress.yield_ratio.is_none());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
