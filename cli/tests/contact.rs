@@ -160,7 +160,9 @@ fn check_tells_what_to_expect() {
     assert_eq!(numbers["moes"]["m"], film.moes.m);
     assert_eq!(numbers["film"]["formula_central"], film.central);
     let rq = numbers["roughness"]["composite_rq"].as_f64().unwrap();
-    assert!((rq / 20e-9_f64.hypot(130e-9) - 1.0).abs() < 1e-9, "{rq}");
+    assert!((rq / 20e-9_f64.hypot(130e-9) - 1.0).abs() < 0.2, "on the track: {rq}");
+    let solved = solve_contact(&scene).unwrap();
+    assert!((rq / solved.roughness.composite_rq - 1.0).abs() < 1e-12, "as `solve` has it");
     assert_eq!(numbers["film"]["formula_lambda"], film.central / rq);
     assert_eq!(numbers["grid"]["cells_in_half_width"], hertz.half_width_x / scene.grid().unwrap().dx());
     assert_eq!(numbers["warnings"], serde_json::to_value(scene.warnings()).unwrap());
@@ -266,7 +268,7 @@ fn the_curve_is_that_of_its_speeds() {
     let points = curve["points"].as_array().unwrap();
     assert_eq!(points.len(), 3);
     let mut scene = Scene::load(&path).unwrap();
-    scene.motion.entrainment_speed = points[1]["entrainment_speed"].as_f64().unwrap();
+    scene.motion.entrainment_speed = points[1]["motion"]["entrainment_speed"].as_f64().unwrap();
     assert!((scene.motion.entrainment_speed / 0.2 - 1.0).abs() < 1e-12);
     let solution = solve_contact(&scene).unwrap();
     assert_eq!(points[1]["friction"]["coefficient"], solution.friction.coefficient);

@@ -104,7 +104,7 @@ mod named {
         time: f64,
         averaged_steps: u64,
         moved_steps: u64,
-        motion: String,
+        roughness_motion: String,
         warnings: Vec<Warning>,
         version: &'static str,
         #[serde(flatten)]
@@ -136,7 +136,7 @@ mod named {
                 time: sim.time(),
                 averaged_steps: self.count,
                 moved_steps: self.moved,
-                motion: format!("{:?}", sim.motion()),
+                roughness_motion: format!("{:?}", sim.motion()),
                 warnings: sim.warnings().to_vec(),
                 version: env!("CARGO_PKG_VERSION"),
                 tables,

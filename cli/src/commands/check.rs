@@ -92,7 +92,7 @@ impl Expected {
         let sim = MixedLubricationSim::builder(on_grid).build()?;
         let mut rq = [0.0; 2];
         for (rq, body) in rq.iter_mut().zip(sim.bodies()) {
-            *rq = height_statistics(body.initial())?.sq;
+            *rq = height_statistics(&sim.track_roughness(body.initial())?)?.sq;
         }
         Ok(Self {
             refusals,

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
-use stribeck::sim::scene::Scene;
+use stribeck::sim::scene::{Motion, Scene};
 use stribeck::sim::{ContactSolution, solve_contact};
 use stribeck::units::Dimension;
 use stribeck::{InputError, Status};
@@ -43,7 +43,7 @@ pub(crate) struct Options {
 
 /// A solved speed.
 struct Point {
-    speed: f64,
+    motion: Motion,
     solution: ContactSolution,
 }
 
@@ -115,7 +115,7 @@ fn solve(options: &Options, scene: &Scene, speeds: &[f64]) -> Result<Vec<Point>,
         if status != Status::Converged {
             output::complain("warning", &format!("{speed:.4e} m/s is left out of the curve: {status}"));
         }
-        points.push(Point { speed, solution });
+        points.push(Point { motion: scene.motion, solution });
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -133,7 +133,11 @@ fn warn(scene: &Scene, points: &[Point]) {
                 continue;
             }
             let shared = points.iter().all(|point| point.solution.warnings.contains(warning));
-            let speed = if shared { String::new() } else { format!("at {:.4e} m/s: ", point.speed) };
+            let speed = if shared {
+                String::new()
+            } else {
+                format!("at {:.4e} m/s: ", point.motion.entrainment_speed)
+            };
             output::complain("warning", &format!("{speed}{warning}"));
             said.push(warning.field.clone());
         }
@@ -155,7 +159,7 @@ fn table(points: &[Point]) -> String {
             point.solution.film.lambda.map_or_else(|| "-".to_owned(), |lambda| format!("{lambda:.3}"));
         text += &format!(
             "{:11.4e} {:9.4} {:14.4} {:9.2} {lambda:>9}\n",
-            point.speed,
+            point.motion.entrainment_speed,
             solution.friction.coefficient,
             solution.contact.load_ratio,
             1e9 * solution.film.mean_central
@@ -174,7 +178,7 @@ fn csv(points: &[Point]) -> Result<String, std::fmt::Error> {
         writeln!(
             text,
             "{:e},{:e},{:e},{:e},{lambda}",
-            point.speed,
+            point.motion.entrainment_speed,
             solution.friction.coefficient,
             solution.contact.load_ratio,
             solution.film.mean_central
@@ -183,12 +187,12 @@ fn csv(points: &[Point]) -> Result<String, std::fmt::Error> {
     Ok(text)
 }
 
-/// Each point under the names of `solve`, with its speed.
+/// Each point under the names of `solve`, with its speeds.
 fn to_json(points: &[Point], seconds: f64) -> Result<Value, serde_json::Error> {
     let mut list = Vec::with_capacity(points.len());
     for point in points {
         let mut numbers = serde_json::to_value(&point.solution)?;
-        numbers["entrainment_speed"] = point.speed.into();
+        numbers["motion"] = serde_json::to_value(point.motion)?;
         list.push(numbers);
     }
     Ok(json!({ "points": list, "seconds": seconds, "version": env!("CARGO_PKG_VERSION") }))
@@ -201,7 +205,7 @@ fn chart(options: &Options, points: &[Point]) -> Chart {
             name: "",
             colour: BLUE,
             points: converged(points)
-                .filter_map(|point| value(point).map(|value| (point.speed.log10(), value)))
+                .filter_map(|point| value(point).map(|value| (point.motion.entrainment_speed.log10(), value)))
                 .collect(),
         }],
         highest: None,

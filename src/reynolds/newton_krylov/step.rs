@@ -88,6 +88,14 @@ impl Workspace {
         Ok(Some(steps))
     }
 
+    /// Share of the step under which no pressure changes by more than it may.
+    fn allowed_share(&self, problem: &LubricatedContact<'_>) -> f64 {
+        let largest = self.unknowns.largest_pressure(&self.step[..self.unknowns.len()]);
+        let cells = problem.reference_half_widths.0 / self.coupled.fluid.grid.dx();
+        let allowed = self.settings.largest_change * cells * problem.reference_pressure;
+        (allowed / largest).min(1.0)
+    }
+
     /// Takes at most the share `most` of the step; every node's own equations are then eliminated.
     fn advance(
         &mut self,
@@ -96,12 +104,9 @@ impl Workspace {
         trust: f64,
         most: f64,
     ) -> Result<(), ReynoldsError> {
+        let length = most * self.allowed_share(problem);
         let Self { coupled, unknowns, .. } = self;
         let step = &self.step[..unknowns.len()];
-        let largest = unknowns.largest_pressure(step);
-        let cells = problem.reference_half_widths.0 / coupled.fluid.grid.dx();
-        let allowed = self.settings.largest_change * cells * problem.reference_pressure;
-        let length = most * (allowed / largest).min(1.0);
         let (contact_film, own_influence) = (problem.contact_film(), coupled.near.own);
         for k in 0..state.pressure.len() {
             let kind = coupled.kinds[k];

@@ -6,6 +6,7 @@ use crate::sim::body::Body;
 
 /// Root mean square roughness on the track without its form
 /// ([`track_roughness`](crate::sim::MixedLubricationSim::track_roughness)) \[m\].
+///
 /// # Examples
 ///
 /// ```
@@ -46,6 +47,7 @@ impl RoughnessNumbers {
 }
 
 /// A depth or thickness on both bodies: what is worn, or the tribofilm \[m\].
+///
 /// # Examples
 ///
 /// ```
@@ -106,6 +108,7 @@ impl DepthNumbers {
 }
 
 /// What was flattened.
+///
 /// # Examples
 ///
 /// ```

@@ -8,6 +8,7 @@ use crate::sim::contact::ContactModel;
 use crate::sim::friction::FrictionFields;
 
 /// Moes' parameters.
+///
 /// `M = W / (2 U)^(3/4)` and `L = G (2 U)^(1/4)` of a point contact, `W / (2 U)^(1/2)` and `G (2 U)^(1/4)` of a line
 /// contact, with the dimensionless load `W`, speed `U` and material parameter `G` of Hamrock and Dowson along
 /// entrainment: two numbers that a smooth contact of given form hangs on, from elastic and dry to rigid.
@@ -36,6 +37,7 @@ pub struct Moes {
 }
 
 /// Film thickness \[m\], and over roughness.
+///
 /// # Examples
 ///
 /// ```
@@ -97,6 +99,7 @@ impl FilmNumbers {
 }
 
 /// Total pressure, of fluid and solids together \[Pa\].
+///
 /// # Examples
 ///
 /// ```
@@ -144,6 +147,7 @@ impl PressureNumbers {
 }
 
 /// Solid contact.
+///
 /// Solids touch where the gap is the contact film, `solver.film_cutoff`, and carry there what the fluid does not.
 ///
 /// # Examples

@@ -2,6 +2,7 @@
 
 /// Friction coefficient of a contact and its parts: boundary friction under the solid pressure and shear of the
 /// fluid, over the load.
+///
 /// # Examples
 ///
 /// ```

@@ -8,6 +8,7 @@ use crate::sim::friction::FrictionFields;
 use crate::sim::scene::Scene;
 
 /// Stresses below the surface of the disc, under pressure and friction.
+///
 /// # Examples
 ///
 /// ```

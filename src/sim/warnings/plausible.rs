@@ -121,7 +121,7 @@ const TRACK_RADIUS: Plausible = plausible(1e-6, 10.0, 2e-2, &METRE);
 /// Solids touch at the size of molecules.
 const CONTACT_FILM: Plausible = plausible(1e-11, 1e-7, 1e-9, &METRE);
 /// Residuals that a solve may end with.
-const TOLERANCE: Plausible = plausible(0.0, 1e-2, 1e-6, &PURE);
+const TOLERANCE: Plausible = plausible(1e-12, 1e-2, 1e-6, &PURE);
 /// Largest Rq over the half-width of the contact.
 const LARGEST_RQ: f64 = 0.1;
 
