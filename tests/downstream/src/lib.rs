@@ -112,7 +112,7 @@ mod tests {
             .build()?;
         let mut films = Vec::new();
         sim.run(4, 60.0, &mut |_: &MixedLubricationSim, record: &StepRecord| {
-            films.push(record.mean_film[1]);
+            films.push(record.tribofilm.disc_mean);
             ControlFlow::Continue(())
         })?;
         assert!(films.is_sorted_by(|earlier, later| earlier < later), "{films:?}");
@@ -125,7 +125,7 @@ mod tests {
 
     impl Observer for ThickEnough {
         fn after_step(&mut self, _: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()> {
-            if record.mean_film[1] > self.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            if record.tribofilm.disc_mean > self.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         }
     }
 
