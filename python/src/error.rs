@@ -8,7 +8,7 @@ use stribeck::sim::{CheckpointError, SimError};
 use stribeck::surface::SurfaceError;
 use stribeck::{InputError, NotConverged};
 
-use crate::record::report_dict;
+use crate::convert::named;
 
 /// An exception of the class `kind` of `stribeck.errors`.
 pub(crate) fn raise(
@@ -123,7 +123,7 @@ impl ForPython for NotConverged {
 fn not_converged(py: Python<'_>, message: &str, source: &NotConverged) -> PyErr {
     let status = source.report.status.to_string();
     let error = raise(py, "NotConvergedError", message, Some("status"), status.into_bound_py_any(py).ok());
-    if let Ok(report) = report_dict(py, &source.report) {
+    if let Ok(report) = named(py, &source.report) {
         let _ = error.value(py).setattr("report", report);
     }
     error

@@ -155,8 +155,7 @@ fn table(points: &[Point]) -> String {
     );
     for point in converged(points) {
         let solution = &point.solution;
-        let lambda =
-            point.solution.film.lambda.map_or_else(|| "-".to_owned(), |lambda| format!("{lambda:.3}"));
+        let lambda = solution.film.lambda.map_or_else(|| "-".to_owned(), |lambda| format!("{lambda:.3}"));
         text += &format!(
             "{:11.4e} {:9.4} {:14.4} {:9.2} {lambda:>9}\n",
             point.motion.entrainment_speed,
@@ -174,7 +173,7 @@ fn csv(points: &[Point]) -> Result<String, std::fmt::Error> {
         "motion_entrainment_speed_m_s,friction_coefficient,contact_load_ratio,film_mean_central_m,film_lambda\n".to_owned();
     for point in converged(points) {
         let solution = &point.solution;
-        let lambda = point.solution.film.lambda.map_or_else(String::new, |lambda| format!("{lambda:e}"));
+        let lambda = solution.film.lambda.map_or_else(String::new, |lambda| format!("{lambda:e}"));
         writeln!(
             text,
             "{:e},{:e},{:e},{:e},{lambda}",
