@@ -84,6 +84,7 @@
 pub mod analytic;
 mod boundary;
 mod boundary_friction;
+mod displayed;
 pub mod elastic;
 mod error;
 mod grid;

@@ -8,6 +8,7 @@ use std::ops::AddAssign;
 
 use thiserror::Error;
 
+use crate::displayed::serialize_as_displayed;
 use crate::solver_id::SolverId;
 use crate::strategy::Strategy;
 
@@ -45,13 +46,7 @@ pub enum Status {
     Unconfirmed,
 }
 
-#[cfg(feature = "serde")]
-impl serde::Serialize for Status {
-    /// As it is displayed.
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
+serialize_as_displayed!(Status);
 
 impl fmt::Display for Status {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

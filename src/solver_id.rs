@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::displayed::serialize_as_displayed;
 use crate::error::InputError;
 
 /// The solver of a report: those of the crate, and those of its users by the name that they give themselves.
@@ -61,13 +62,7 @@ impl SolverId {
     }
 }
 
-#[cfg(feature = "serde")]
-impl serde::Serialize for SolverId {
-    /// As it is displayed.
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
+serialize_as_displayed!(SolverId);
 
 impl fmt::Display for SolverId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::displayed::serialize_as_displayed;
+
 /// The way by which a solver that knows several has found the state of its report.
 ///
 /// # Examples
@@ -20,13 +22,7 @@ pub enum Strategy {
     Attempt(usize),
 }
 
-#[cfg(feature = "serde")]
-impl serde::Serialize for Strategy {
-    /// As it is displayed.
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
+serialize_as_displayed!(Strategy);
 
 impl fmt::Display for Strategy {
     /// `attempt_1` and so on.
