@@ -29,8 +29,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         solution.report.require_converged()?;
         let formula = FilmConditions {
             entrainment_speed: speed,
-            viscosity: oil.viscosity(0.0),
-            pressure_viscosity: oil.log_slope(0.0),
+            eta0: oil.viscosity(0.0),
+            alpha: oil.log_slope(0.0),
             equivalent_modulus: scene.elastic.equivalent_modulus,
             radius: scene.form.radii().0,
             load: hertz.force,

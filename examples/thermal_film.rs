@@ -16,6 +16,7 @@ mod command;
 mod quick;
 
 use std::error::Error;
+use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use chart::{BLACK, BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
@@ -29,7 +30,7 @@ const USAGE: &str = "\
 usage: cargo run --release --example thermal_film -- [--quick] [--out DIR]
 
   --quick    fewer and coarser contacts
-  --out DIR  where to write thermal_film.svg (default target/thermal_film)
+  --out DIR  where to write thermal_film.csv and thermal_film.svg (default target/thermal_film)
 ";
 const SPEEDS: [f64; 3] = [1.0, 2.0, 5.0];
 const BULK: f64 = 313.15;
@@ -80,7 +81,7 @@ fn solve(nodes: usize, speed: f64, ratio: f64) -> Result<[ContactSolution; 3], B
 fn formula(speed: f64, slide_roll_ratio: f64, modulus: f64) -> Result<f64, Box<dyn Error>> {
     let inlet = ThermalInlet {
         entrainment_speed: speed,
-        viscosity: VISCOSITY,
+        eta0: VISCOSITY,
         temperature_coefficient: 18e-9 * 1.96e8 / 0.68 * INDEX / (BULK - 138.0),
         conductivity: FilmThermal::default().conductivity,
         pressure_over_modulus: PRESSURE / modulus,
@@ -98,6 +99,9 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let mut panels =
         [("loss of film, %", Vec::new()), ("friction", Vec::new()), ("rise of film, K", Vec::new())];
     let mut legend = Vec::new();
+    let mut table = String::from(
+        "entrainment_speed_m_s,slide_roll_ratio,profile,film_central_m,friction_coefficient,film_temperature_rise_k\n",
+    );
     println!(
         "m/s  S     film nm: isothermal, parabola, collocation; ratio, Gupta   friction: the same three  rise K"
     );
@@ -106,6 +110,10 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         for step in 0..=steps {
             let ratio = 2.0 * f64::from(step) / f64::from(steps);
             let solved = solve(nodes, speed, ratio)?;
+            for (profile, solution) in ["isothermal", "parabola", "collocation"].into_iter().zip(&solved) {
+                let (film, friction) = (solution.film.central, solution.friction.coefficient);
+                writeln!(table, "{speed},{ratio},{profile},{film:e},{friction:e},{:e}", rise(solution))?;
+            }
             let film = [0, 1, 2].map(|k| solved[k].film.central * 1e9);
             let friction = [0, 1, 2].map(|k| solved[k].friction.coefficient);
             let modulus = scene(nodes, speed, ratio).equivalent_modulus()?;
@@ -146,6 +154,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         panels: panels.into_iter().map(|(y_label, lines)| Panel { y_label, lines }).collect(),
     };
     std::fs::create_dir_all(&options.out)?;
+    std::fs::write(options.out.join("thermal_film.csv"), table)?;
     let path = options.out.join("thermal_film.svg");
     figure.write(&path)?;
     println!("{}", path.display());

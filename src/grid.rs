@@ -152,6 +152,22 @@ impl Grid {
             + fy * ((1.0 - fx) * at(i0, j1) + fx * at(i1, j1)))
     }
 
+    /// Error unless `values` are finite and one a node; an offending one is named by row and column.
+    pub(crate) fn require_field(&self, field: &str, values: &[f64]) -> Result<(), InputError> {
+        InputError::require_len(field, values, self.len())?;
+        InputError::require_finite(field, values).map_err(|error| match error {
+            InputError::NotFinite { field, index, value } => {
+                InputError::NotFinite { field: self.row(&field, index), index: index % self.nx, value }
+            }
+            other => other,
+        })
+    }
+
+    /// Name of the row of `field` that holds node `k`; that of the field itself where there is one row.
+    pub(crate) fn row(&self, field: &str, k: usize) -> String {
+        if self.ny == 1 { field.to_owned() } else { format!("{field}[{}]", k / self.nx) }
+    }
+
     /// Error unless the system grants `bytes` of memory for each node at once.
     pub(crate) fn require_memory(&self, bytes: usize) -> Result<(), InputError> {
         let bytes = self.len().saturating_mul(bytes);

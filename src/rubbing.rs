@@ -30,7 +30,7 @@ pub struct RubbingPoint {
     /// Sliding speed between the surfaces, never negative \[m/s\].
     pub sliding_speed: f64,
     /// Gap between the surfaces \[m\].
-    pub film_thickness: f64,
+    pub gap: f64,
     /// Whether the node counts as solid contact.
     pub in_contact: bool,
 }
@@ -41,7 +41,7 @@ with_fields!(RubbingPoint {
     with_shear_stress shear_stress: f64,
     with_temperature temperature: f64,
     with_sliding_speed sliding_speed: f64,
-    with_film_thickness film_thickness: f64,
+    with_gap gap: f64,
     with_in_contact in_contact: bool,
 });
 
@@ -55,7 +55,7 @@ impl RubbingPoint {
             shear_stress: 0.0,
             temperature,
             sliding_speed: 0.0,
-            film_thickness: 0.0,
+            gap: 0.0,
             in_contact: false,
         }
     }
@@ -70,7 +70,7 @@ impl RubbingPoint {
             shear_stress: mix(self.shear_stress, other.shear_stress),
             temperature: mix(self.temperature, other.temperature),
             sliding_speed: mix(self.sliding_speed, other.sliding_speed),
-            film_thickness: mix(self.film_thickness, other.film_thickness),
+            gap: mix(self.gap, other.gap),
             in_contact: if share < 0.5 { self.in_contact } else { other.in_contact },
         }
     }

@@ -54,11 +54,11 @@ fn estimates_hold_against_known_films() {
         assert!((moes.m / m - 1.0).abs() < 1e-6 && (moes.l / l - 1.0).abs() < 1e-6);
         let unit = solution.hertz.radius.powi(2) / RADIUS;
         let estimate = solution.error_estimate.unwrap();
-        assert!(estimate.central_film <= 0.05, "{estimate:?}");
+        assert!(estimate.film_central <= 0.05, "{estimate:?}");
         let error = solution.film.central / unit / central - 1.0;
-        assert!(error.abs() <= estimate.central_film, "M {m}: error {error}, {estimate:?}");
+        assert!(error.abs() <= estimate.film_central, "M {m}: error {error}, {estimate:?}");
         let error = solution.film.minimum / unit / minimum - 1.0;
-        assert!(error.abs() <= estimate.minimum_film, "M {m}: error {error}, {estimate:?}");
+        assert!(error.abs() <= estimate.film_minimum, "M {m}: error {error}, {estimate:?}");
     }
 }
 
@@ -77,9 +77,9 @@ fn dry_contacts_are_estimated_by_their_pressure() {
             let solution = solved(&scene);
             let estimate = solution.error_estimate.unwrap();
             let error = (solution.pressure.max / 1e9 - 1.0).abs();
-            assert!(error <= estimate.max_pressure.max(1e-3 * accuracy), "{form:?}: {error:e}, {estimate:?}");
-            assert!(estimate.max_pressure <= accuracy);
-            assert!(estimate.central_film == 0.0 && estimate.minimum_film == 0.0);
+            assert!(error <= estimate.pressure_max.max(1e-3 * accuracy), "{form:?}: {error:e}, {estimate:?}");
+            assert!(estimate.pressure_max <= accuracy);
+            assert!(estimate.film_central == 0.0 && estimate.film_minimum == 0.0);
         }
     }
 }
@@ -98,9 +98,9 @@ fn line_contacts_are_estimated_too() {
         let solution = line(accuracy);
         let estimate = solution.error_estimate.unwrap();
         let error = (solution.film.central / fine.film.central - 1.0).abs();
-        assert!(error <= estimate.central_film && estimate.central_film <= accuracy, "{error}, {estimate:?}");
+        assert!(error <= estimate.film_central && estimate.film_central <= accuracy, "{error}, {estimate:?}");
         let error = (solution.film.minimum / fine.film.minimum - 1.0).abs();
-        assert!(error <= estimate.minimum_film, "{error}, {estimate:?}");
+        assert!(error <= estimate.film_minimum, "{error}, {estimate:?}");
     }
 }
 
@@ -180,7 +180,12 @@ fn four(solution: &ContactSolution) -> [f64; 4] {
 }
 
 fn four_estimates(estimate: &ErrorEstimate) -> [f64; 4] {
-    [estimate.load_ratio, estimate.area_ratio, estimate.mean_film, estimate.friction_coefficient]
+    [
+        estimate.contact_load_ratio,
+        estimate.contact_area_ratio,
+        estimate.film_mean_central,
+        estimate.friction_coefficient,
+    ]
 }
 
 /// The solution is that of the grid alone, and its errors against four times finer cells are below the

@@ -141,8 +141,8 @@ fn hertz_refuses_bad_input_by_name() {
 fn scene() -> FilmConditions {
     FilmConditions {
         entrainment_speed: 0.1,
-        viscosity: 0.004,
-        pressure_viscosity: 14.94e-9,
+        eta0: 0.004,
+        alpha: 14.94e-9,
         equivalent_modulus: 229.67e9,
         radius: 9.525e-3,
         load: 54.07,
@@ -171,7 +171,7 @@ fn film_formulas_follow_speed_and_refuse_bad_input() {
     assert_relative_eq!(ratio, 10f64.powf(0.67), max_relative = 1e-12);
     assert!(fast.moes_central().unwrap() > slow.moes_central().unwrap());
     assert!(FilmConditions { load: 0.0, ..slow }.hamrock_dowson_central().is_err());
-    assert!(FilmConditions { viscosity: f64::INFINITY, ..slow }.hamrock_dowson_minimum().is_err());
+    assert!(FilmConditions { eta0: f64::INFINITY, ..slow }.hamrock_dowson_minimum().is_err());
     assert!(FilmConditions { ellipticity: 2.0, ..slow }.moes_central().is_err());
 }
 

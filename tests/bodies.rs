@@ -33,8 +33,8 @@ fn run(sim: &mut MixedLubricationSim, steps: u64) -> Vec<StepRecord> {
 fn moduli_of_both_bodies_make_the_equivalent_one() {
     let mut scene = scene();
     scene.elastic = Elastic::default();
-    scene.materials.ball = Material::default().with_modulus(Some(400e9)).with_poisson_ratio(Some(0.2));
-    scene.materials.disc = Material::default().with_modulus(Some(210e9)).with_poisson_ratio(Some(0.3));
+    scene.materials.ball = Material::default().with_modulus(Some(400e9)).with_poisson(Some(0.2));
+    scene.materials.disc = Material::default().with_modulus(Some(210e9)).with_poisson(Some(0.3));
     let expected = 2.0 / ((1.0 - 0.04) / 400e9 + (1.0 - 0.09) / 210e9);
     assert!((scene.equivalent_modulus().unwrap() / expected - 1.0).abs() < 1e-14);
     let mut short = scene.clone();
@@ -111,7 +111,7 @@ fn materials_out_of_range_are_named() {
         assert_eq!(MixedLubricationSim::builder(scene).build().unwrap_err().to_string(), error);
         error
     };
-    let steel = Material::default().with_modulus(Some(210e9)).with_poisson_ratio(Some(0.3));
+    let steel = Material::default().with_modulus(Some(210e9)).with_poisson(Some(0.3));
     let pair = |ball: Material, disc: Material| {
         refused(&move |scene| {
             scene.elastic = Elastic::default();
@@ -120,10 +120,10 @@ fn materials_out_of_range_are_named() {
     };
     let error = pair(steel, Material::default());
     assert!(error.contains("materials.disc.modulus") && error.contains("missing"), "{error}");
-    let error = pair(steel.with_poisson_ratio(None), steel);
-    assert!(error.contains("materials.ball.poisson_ratio"), "{error}");
-    let error = pair(steel.with_poisson_ratio(Some(0.6)), steel);
-    assert!(error.contains("materials.ball.poisson_ratio = 0.6"), "{error}");
+    let error = pair(steel.with_poisson(None), steel);
+    assert!(error.contains("materials.ball.poisson"), "{error}");
+    let error = pair(steel.with_poisson(Some(0.6)), steel);
+    assert!(error.contains("materials.ball.poisson = 0.6"), "{error}");
     let error = pair(steel, steel.with_modulus(Some(-1.0)));
     assert!(error.contains("materials.disc.modulus = -1"), "{error}");
     let error = pair(Material::default(), Material::default());
@@ -204,10 +204,10 @@ fn starts_that_do_not_fit_are_named() {
     let mut depth = vec![0.0; n];
     depth[5] = -1e-9;
     let error = refused(start().with_plastic_depth(depth.clone()));
-    assert!(error.contains("ball start plastic depth[5] = -1e-9"), "{error}");
+    assert!(error.contains("ball start plastic depth[0][5] = -1e-9"), "{error}");
     depth[5] = f64::NAN;
     let error = refused(start().with_tribofilm(depth.clone()));
-    assert!(error.contains("ball start tribofilm[5] = NaN"), "{error}");
+    assert!(error.contains("ball start tribofilm[0][5] = NaN"), "{error}");
     depth[5] = 300e-9;
     let error = refused(start().with_tribofilm(depth.clone()));
     assert!(error.contains("ball start tribofilm = 3") && error.contains("largest thickness"), "{error}");

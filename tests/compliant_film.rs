@@ -355,8 +355,7 @@ fn what_is_below_the_films() {
     close(confined(&scene), [RIGID, [100e9, 0.2]]);
     let mut scene = soft(16);
     scene.elastic.equivalent_modulus = f64::INFINITY;
-    let material =
-        |modulus, ratio| Material::default().with_modulus(Some(modulus)).with_poisson_ratio(Some(ratio));
+    let material = |modulus, ratio| Material::default().with_modulus(Some(modulus)).with_poisson(Some(ratio));
     (scene.materials.ball, scene.materials.disc) = (material(310e9, 0.27), material(118e9, 0.25));
     close(confined(&scene), [[310e9, 0.27], [118e9, 0.25]]);
 }

@@ -1,8 +1,10 @@
 //! Rigid surfaces with a given film: benchmarks of cavitation, conservation of mass, bad input.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
+use std::cell::Cell;
+
 use stribeck::lubricant::{Barus, DowsonHigginson, Incompressible, Lubricant};
-use stribeck::reynolds::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
+use stribeck::reynolds::{FilmThickness, GivenFilm, GivenFilmSolution, ReynoldsError, SideEdges};
 use stribeck::{Grid, Status};
 
 /// Viscosity of the sliders \[Pa s\].
@@ -347,6 +349,23 @@ fn nothing_flows_without_entrainment() {
     assert!((solution.load - 10.0).abs() < 1e-9, "{}", solution.load);
     // eta (u_1 - u_0) / h over the area.
     assert!((solution.friction[0] + 2.0).abs() < 1e-9, "{:?}", solution.friction);
+}
+
+#[test]
+fn a_solve_that_is_interrupted_is_an_error() {
+    let (grid, oil) = (Grid::from_edges(40, 20, [0.0, 1e-2], [0.0, 1e-2]).unwrap(), oil(0.01, 0.0));
+    let film = FilmThickness::from_function(grid, |x, _| 2e-6 - 1e-4 * x).unwrap();
+    for speeds in [[1.0, 0.0], [-1.0, 0.0]] {
+        let pad = GivenFilm::new(&film, &oil, speeds);
+        let asked = Cell::new(0);
+        let interrupted = pad.solve_unless(|| {
+            asked.set(asked.get() + 1);
+            asked.get() == 3
+        });
+        assert_eq!(interrupted, Err(ReynoldsError::Interrupted));
+        assert_eq!(asked.get(), 3);
+        assert_eq!(pad.solve_unless(|| false), pad.solve());
+    }
 }
 
 #[test]

@@ -56,7 +56,7 @@ fn json_holds_the_means_of_the_last_tenth() {
         assert!((number(path) / expected - 1.0).abs() < 1e-9, "{path}: {} is not {expected}", number(path));
     }
     assert!(number("/averaged_steps") - 2.0 == 0.0 && number("/steps") - 20.0 == 0.0);
-    assert_eq!(json["wear"]["disc_profile"].as_array().map(Vec::len), Some(24));
+    assert_eq!(json["worn_profile"]["disc"].as_array().map(Vec::len), Some(24));
     let progress = String::from_utf8(output.stderr).unwrap();
     let warnings = progress.lines().take_while(|line| line.starts_with("warning: grid.n")).count();
     assert_eq!(json["warnings"].as_array().map(Vec::len), Some(warnings));

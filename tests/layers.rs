@@ -265,7 +265,7 @@ fn accuracy_finds_box_and_cells_of_a_coated_ball() {
 /// Steel ball on coated steel in oil.
 fn lubricated(layer: [f64; 3], n: usize) -> Scene {
     let mut scene = Scene::azam_2019(n);
-    let steel = Material::default().with_modulus(Some(210e9)).with_poisson_ratio(Some(0.3));
+    let steel = Material::default().with_modulus(Some(210e9)).with_poisson(Some(0.3));
     scene.materials.ball = steel;
     scene.materials.disc = steel;
     scene.elastic = Elastic::default();

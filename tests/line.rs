@@ -45,8 +45,8 @@ fn solved(scene: &Scene) -> ContactSolution {
 fn conditions(hertz: &HertzLine, speed: f64) -> LineFilmConditions {
     LineFilmConditions {
         entrainment_speed: speed,
-        viscosity: 0.04,
-        pressure_viscosity: 20e-9,
+        eta0: 0.04,
+        alpha: 20e-9,
         equivalent_modulus: MODULUS,
         radius: RADIUS,
         load: hertz.force,

@@ -384,7 +384,7 @@ fn mistakes_in_calls_are_named() {
     assert_eq!(built(waves(8.0)), "");
     assert_named("none", &built(Vec::new()), &["disc heights", "0 values", "576"]);
     assert_named("too few", &built(vec![0.0; 7]), &["disc heights", "7 values", "576"]);
-    assert_named("NaN", &built(vec![f64::NAN; 576]), &["disc heights[0] = NaN"]);
+    assert_named("NaN", &built(vec![f64::NAN; 576]), &["disc heights[0][0] = NaN"]);
     assert_named("in um", &built(waves(8.0).iter().map(|z| z * 1e6).collect()), &["roughness.disc_rq", "um"]);
     assert_named("short waves", &built(waves(2.4)), &["grid.nx = 24", "three cells"]);
 
@@ -416,7 +416,10 @@ fn numbers_that_do_not_hold_are_named() {
     let coarse = GOOD.replacen("max_iterations = 40", "estimate = true", 1);
     let solution = solve_contact(&Scene::from_toml(&coarse).unwrap()).unwrap();
     let estimate = solution.error_estimate.unwrap();
-    assert!(estimate.minimum_film.max(estimate.mean_film).max(estimate.central_film) > 0.1, "{estimate:?}");
+    assert!(
+        estimate.film_minimum.max(estimate.film_mean_central).max(estimate.film_central) > 0.1,
+        "{estimate:?}"
+    );
     let mesh = |field: &str| field.starts_with("error_estimate.");
     let large: Vec<_> = solution.warnings.iter().filter(|warning| mesh(&warning.field)).collect();
     assert!(large.len() == 1 && large[0].value > 0.1, "{:?}", solution.warnings);

@@ -228,7 +228,7 @@ fn points() -> Vec<RubbingPoint> {
             .with_solid_pressure(0.5e8 * f64::from(k))
             .with_shear_stress(1e7 * f64::from(k))
             .with_sliding_speed(0.1)
-            .with_film_thickness(1e-9)
+            .with_gap(1e-9)
             .with_in_contact(!k.is_multiple_of(3))
     };
     (0..60).map(point).collect()

@@ -269,7 +269,7 @@ fn estimates_are_printed_and_written() {
         let documented = include_str!("../docs/output.md").contains(&format!("`error_estimate.{key}`"));
         assert!(documented && value.as_f64().unwrap() >= 0.0, "{key}: {value}");
     }
-    for key in ["mean_film", "friction_coefficient", "load_ratio", "area_ratio"] {
+    for key in ["film_mean_central", "friction_coefficient", "contact_load_ratio", "contact_area_ratio"] {
         assert!((1e-3..1.0).contains(&number(&json, &format!("/error_estimate/{key}"))), "{json}");
     }
     let [counted, corrected] =

@@ -278,10 +278,10 @@ fn errors_name_field_and_value() {
         assert!(error.contains(part), "{error}");
     }
     let mut both = scene(16);
-    let steel = Material::default().with_modulus(Some(210e9)).with_poisson_ratio(Some(0.3));
+    let steel = Material::default().with_modulus(Some(210e9)).with_poisson(Some(0.3));
     (both.elastic, both.materials.ball, both.materials.disc) = (Elastic::default(), steel, steel);
     both.stress.as_mut().unwrap().poisson = Some(0.3);
-    assert!(solve_contact(&both).unwrap_err().to_string().contains("materials.disc.poisson_ratio"));
+    assert!(solve_contact(&both).unwrap_err().to_string().contains("materials.disc.poisson"));
     both.stress.as_mut().unwrap().poisson = None;
     both.grid = GridSpec::Cells { nx: 32, ny: 32, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] };
     solved(&both);

@@ -326,7 +326,7 @@ fn inlets_in_pure_rolling_thin_the_film_about_as_the_formula_says() {
     };
     let inlet = ThermalInlet {
         entrainment_speed: 5.0,
-        viscosity: 0.04,
+        eta0: 0.04,
         temperature_coefficient: 18e-9 * 1.96e8 / 0.68 * 1.1 / (BULK - 138.0),
         conductivity: 0.14,
         pressure_over_modulus: 0.0,

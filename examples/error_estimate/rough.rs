@@ -126,8 +126,12 @@ pub(crate) fn run(options: &Options) -> Result<(), Box<dyn Error>> {
             println!(" not solved | | | |");
             continue;
         };
-        let estimates =
-            [estimate.load_ratio, estimate.area_ratio, estimate.mean_film, estimate.friction_coefficient];
+        let estimates = [
+            estimate.contact_load_ratio,
+            estimate.contact_area_ratio,
+            estimate.film_mean_central,
+            estimate.friction_coefficient,
+        ];
         total += 1;
         for (k, estimate) in estimates.into_iter().enumerate() {
             let scale = if k < 2 { 1.0 } else { truth[k] };

@@ -34,7 +34,7 @@ pub(crate) fn run(accuracy: f64, finest_nodes: usize) -> Result<(), Box<dyn Erro
                 writeln!(out, "| {moes_load} | {moes_lubricant} | {cells} | not solved | | |")?;
                 continue;
             };
-            let estimates = [estimate.central_film, estimate.minimum_film, estimate.max_pressure];
+            let estimates = [estimate.film_central, estimate.film_minimum, estimate.pressure_max];
             let mut row = format!("| {moes_load} | {moes_lubricant} | {cells} |");
             for (k, (value, estimate)) in numbers(&solution).into_iter().zip(estimates).enumerate() {
                 let error = value / truth[k] - 1.0;

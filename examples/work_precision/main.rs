@@ -281,8 +281,8 @@ fn solve(
         None => 0.0,
         Some(oil) => FilmConditions {
             entrainment_speed: scene.motion.entrainment_speed,
-            viscosity: oil.viscosity().viscosity(0.0),
-            pressure_viscosity: oil.pressure_viscosity_coefficient(),
+            eta0: oil.viscosity().viscosity(0.0),
+            alpha: oil.pressure_viscosity_coefficient(),
             equivalent_modulus: modulus,
             radius: scene.form.radii().0,
             load: hertz.force,

@@ -101,11 +101,11 @@ fn point_films<'py>(
     load: f64,
     ellipticity: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let ([viscosity, pressure_viscosity], [equivalent_modulus, radius]) = (oil, solid);
+    let ([eta0, alpha], [equivalent_modulus, radius]) = (oil, solid);
     let films = FilmConditions {
         entrainment_speed: speed,
-        viscosity,
-        pressure_viscosity,
+        eta0,
+        alpha,
         equivalent_modulus,
         radius,
         load,
@@ -128,15 +128,9 @@ fn line_films<'py>(
     solid: [f64; 2],
     load: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let ([viscosity, pressure_viscosity], [equivalent_modulus, radius]) = (oil, solid);
-    let films = LineFilmConditions {
-        entrainment_speed: speed,
-        viscosity,
-        pressure_viscosity,
-        equivalent_modulus,
-        radius,
-        load,
-    };
+    let ([eta0, alpha], [equivalent_modulus, radius]) = (oil, solid);
+    let films =
+        LineFilmConditions { entrainment_speed: speed, eta0, alpha, equivalent_modulus, radius, load };
     value(py, films.validate())?;
     Ok(dictionary!(py, {
         "dowson_toyoda_central": value(py, films.dowson_toyoda_central())?,

@@ -10,6 +10,7 @@ use stribeck::sim::SimError;
 
 use crate::convert::{dictionary, field, named, on_grid};
 use crate::error::value;
+use crate::interrupt::on_signal;
 use crate::laws::{Failure, raised};
 use crate::scene::Cells;
 
@@ -91,7 +92,10 @@ pub(crate) fn solve_film(
             .with_ambient_pressure(ambient)
             .with_cavitation_pressure(cavitation)
             .with_sides(sides)
-            .solve()
+            .solve_unless(on_signal())
     });
-    value(py, solved.map_err(SimError::from)).map(SolvedFilm)
+    match Failure.take() {
+        Some(error) => Err(error),
+        None => value(py, solved.map_err(SimError::from)).map(SolvedFilm),
+    }
 }

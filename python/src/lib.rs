@@ -4,6 +4,7 @@
 
 mod analytic;
 mod convert;
+mod elastic;
 mod error;
 mod given_film;
 mod interrupt;
@@ -23,6 +24,7 @@ fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<scene::Cells>()?;
     module.add_class::<scene::Scene>()?;
+    module.add_class::<elastic::HalfSpace>()?;
     module.add_class::<laws::Problem>()?;
     module.add_class::<simulation::Simulation>()?;
     module.add_class::<start::BodyStart>()?;

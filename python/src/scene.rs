@@ -123,7 +123,7 @@ pub(crate) fn grid_dict<'py>(py: Python<'py>, grid: &stribeck::Grid) -> PyResult
         "ny": grid.ny(),
         "dx": grid.dx(),
         "dy": grid.dy(),
-        "x": edges(grid.x(0), grid.dx(), grid.size_x()),
-        "y": edges(grid.y(0), grid.dy(), grid.size_y()),
+        "edges_x": edges(grid.x(0), grid.dx(), grid.size_x()),
+        "edges_y": edges(grid.y(0), grid.dy(), grid.size_y()),
     }))
 }

@@ -243,7 +243,7 @@ impl Simulation {
         self.look(py, |sim| {
             Ok(dictionary!(py, {
                 "conditions": named(py, &sim.conditions())?,
-                "motion": format!("{:?}", sim.motion()),
+                "roughness_motion": format!("{:?}", sim.motion()),
                 "flash_estimate": sim.flash_estimate(),
                 "models_flash_temperature": sim.models_flash_temperature(),
                 "ledger_residual": value(py, sim.ledger_residual())?,

@@ -9,7 +9,7 @@ All numbers are SI. Fields are arrays of the shape ``(ny, nx)``, x along the flo
 'converged'
 """
 
-from . import analytic, laws, metrics, surface
+from . import analytic, elastic, laws, metrics, surface
 from ._stribeck import __version__
 from .errors import (
     BusyError,
@@ -59,6 +59,7 @@ __all__ = [
     "UnknownNameError",
     "__version__",
     "analytic",
+    "elastic",
     "given_film",
     "laws",
     "metrics",

@@ -22,6 +22,8 @@ _UNITS = {
     "depth": "m",
     "dx": "m",
     "dy": "m",
+    "edges_x": "m",
+    "edges_y": "m",
     "force": "N",
     "half_width": "m",
     "half_width_x": "m",
@@ -30,8 +32,6 @@ _UNITS = {
     "radius": "m",
     "seconds": "s",
     "stress": "Pa",
-    "x": "m",
-    "y": "m",
 }
 #: Units of full names.
 _PATHS = {**COLUMNS, "entrainment_speed": "m/s", "force.lower": "N", "force.upper": "N"}
@@ -100,16 +100,18 @@ class Numbers(Mapping[str, Any]):
             else:
                 yield f"{prefix}{key}", value
 
-    def _unit(self, name: str) -> str:
+    def _unit(self, name: str, value: Any) -> str:
+        if value is None:
+            return ""
         full = f"{self._path}{name}"
         return unit(full) if self._units is None else self._units.get(full, "")
 
     def __repr__(self) -> str:
-        lines = [f"  {name:<30} {_text(value)} {self._unit(name)}".rstrip() for name, value in self.rows()]
+        lines = [f"  {name:<30} {_text(value)} {self._unit(name, value)}".rstrip() for name, value in self.rows()]
         return "\n".join([f"<{type(self).__name__}", *lines, ">"])
 
     def _repr_html_(self) -> str:
-        return table((name, _text(value), self._unit(name)) for name, value in self.rows())
+        return table((name, _text(value), self._unit(name, value)) for name, value in self.rows())
 
 
 class Fields(dict[str, npt.NDArray[Any]]):

@@ -71,8 +71,8 @@ def hertz_line(
 def point_films(
     *,
     entrainment_speed: Quantity,
-    viscosity: Quantity,
-    pressure_viscosity: Quantity,
+    eta0: Quantity,
+    alpha: Quantity,
     equivalent_modulus: Quantity,
     radius: Quantity,
     load: Quantity,
@@ -81,7 +81,7 @@ def point_films(
     """Film formulas of a point contact: ``hamrock_dowson_central``, ``hamrock_dowson_minimum``, ``moes_central`` [m] and ``moes.m``, ``moes.l``.
     Speed in m/s, viscosity in Pa s, pressure-viscosity coefficient in 1/Pa, radius in m, load in N."""
     speed = number("entrainment_speed", entrainment_speed, "m/s")
-    oil, solid = _oil(viscosity, pressure_viscosity), _solid(equivalent_modulus, radius)
+    oil, solid = _oil(eta0, alpha), _solid(equivalent_modulus, radius)
     loads = number("load", load, "N"), number("ellipticity", ellipticity, "1")
     return Numbers(_stribeck.point_films(speed, oil, solid, *loads), units=_FILMS)
 
@@ -89,15 +89,15 @@ def point_films(
 def line_films(
     *,
     entrainment_speed: Quantity,
-    viscosity: Quantity,
-    pressure_viscosity: Quantity,
+    eta0: Quantity,
+    alpha: Quantity,
     equivalent_modulus: Quantity,
     radius: Quantity,
     load: Quantity,
 ) -> Numbers:
     """Film formulas of a line contact: ``dowson_toyoda_central``, ``dowson_minimum``, ``moes_central`` [m] and ``moes.m``, ``moes.l``. Load in N/m."""
     speed = number("entrainment_speed", entrainment_speed, "m/s")
-    oil, solid = _oil(viscosity, pressure_viscosity), _solid(equivalent_modulus, radius)
+    oil, solid = _oil(eta0, alpha), _solid(equivalent_modulus, radius)
     return Numbers(_stribeck.line_films(speed, oil, solid, number("load", load, "N/m")), units=_FILMS)
 
 
@@ -114,8 +114,8 @@ def westergaard(*, amplitude: Quantity, wavelength: Quantity, equivalent_modulus
     )
 
 
-def _oil(viscosity: Quantity, pressure_viscosity: Quantity) -> list[float]:
-    return [number("viscosity", viscosity, "Pa s"), number("pressure_viscosity", pressure_viscosity, "1/Pa")]
+def _oil(eta0: Quantity, alpha: Quantity) -> list[float]:
+    return [number("eta0", eta0, "Pa s"), number("alpha", alpha, "1/Pa")]
 
 
 def _solid(equivalent_modulus: Quantity, radius: Quantity) -> list[float]:

@@ -149,9 +149,9 @@ class Simulation:
         return Numbers(self._raw.about()["conditions"])
 
     @property
-    def motion(self) -> str:
+    def roughness_motion(self) -> str:
         """How the roughness moves from step to step, in words."""
-        return str(self._raw.about()["motion"])
+        return str(self._raw.about()["roughness_motion"])
 
     @property
     def ledger_residual(self) -> float:

@@ -56,7 +56,7 @@ class RubbingPoints:
     #: Sliding speed between the surfaces [m/s].
     sliding_speed: Field
     #: Gap between the surfaces [m].
-    film_thickness: Field
+    gap: Field
     #: Whether the node is in solid contact.
     in_contact: npt.NDArray[np.bool_]
 
@@ -92,7 +92,8 @@ class DeformationModel(Protocol):
 
     It is linear in the pressure, symmetric, the same at all nodes (translation invariant) and positive; solvers rely on all four. It is called
     on whole fields, some ten to hundred times a solve. A method ``pressure_estimate(displacement)`` may give the pressure [Pa] that causes a
-    displacement, roughly: the better, the fewer iterations; without one each node is taken for itself."""
+    displacement, roughly: the better, the fewer iterations; without one each node is taken for itself. A method ``influence(di, dj)`` may give
+    the displacement under 1 Pa on a node so many columns and rows away [m/Pa]; without one the model is asked for it."""
 
     def displacement(self, pressure: Field) -> npt.ArrayLike:
         """Displacement [m], the widening of the gap, under ``pressure`` [Pa]."""
@@ -317,13 +318,13 @@ def _solver(law: Any) -> tuple[str, Any] | None:
 def compiled(laws: dict[str, Any]) -> dict[str, Any]:
     """Laws by keyword as the compiled module takes them; those that are not named stay those of the scene."""
     deformation = _with_method(laws.get("deformation"), "displacement", "deformation model")
-    estimate = getattr(laws.get("deformation"), "pressure_estimate", None)
+    more = [getattr(laws.get("deformation"), name, None) for name in ("pressure_estimate", "influence")]
     plasticity = _with_method(laws.get("plasticity"), "pressure_limit", "plasticity model")
     return {
         "growth": _growth(laws.get("growth")),
         "wear": _with_method(laws.get("wear"), "depth_rate", "wear law"),
         "friction": _with_method(laws.get("friction"), "coefficient", "boundary friction"),
-        "deformation": None if deformation is None else (*deformation, estimate),
+        "deformation": None if deformation is None else (*deformation, *more),
         "viscosity": _of_pressure(laws.get("viscosity"), "viscosity", "viscosity law"),
         "density": _of_pressure(laws.get("density"), "ratio", "density law"),
         "plasticity": None if plasticity is None else (*plasticity, bool(getattr(laws["plasticity"], "hardens", False))),

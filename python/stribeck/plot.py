@@ -53,7 +53,7 @@ def map(solution: Solution, name: str = "film", *, ax: Axes | None = None, **opt
     axes = _axes(ax)
     grid = solution.grid
     scale, shown = _SHOWN.get(name, (1.0, ""))
-    extent = tuple(1e6 * edge for edge in (*grid["x"], *grid["y"]))
+    extent = tuple(1e6 * edge for edge in (*grid.edges_x, *grid.edges_y))
     image = axes.imshow(values * scale, origin="lower", extent=extent, **options)
     axes.figure.colorbar(image, ax=axes, label=_label(name, shown))
     axes.set_xlabel("x, um")
@@ -71,7 +71,7 @@ def profile(
     fields = [_field(solution, name) for name in chosen]
     axes = _axes(ax)
     grid = solution.grid
-    positions, across = (grid.nodes_x, grid.nodes_y) if along == "x" else (grid.nodes_y, grid.nodes_x)
+    positions, across = (grid.x, grid.y) if along == "x" else (grid.y, grid.x)
     middle = int(abs(across).argmin())
     for name, field in zip(chosen, fields, strict=True):
         scale, shown = _SHOWN.get(name, (1.0, ""))

@@ -25,8 +25,8 @@ _MAX_DEPTH = 16
 
 
 class Grid(Numbers):
-    """Cells of a contact: counts ``nx``, ``ny``, sizes ``dx``, ``dy`` and outer edges ``x``, ``y`` [m]. Fields have the shape
-    ``(ny, nx)``; x is along the flow."""
+    """Cells of a contact: counts ``nx``, ``ny``, sizes ``dx``, ``dy``, outer edges ``edges_x``, ``edges_y`` and positions of the nodes
+    ``x``, ``y`` [m]. Fields have the shape ``(ny, nx)``; x is along the flow."""
 
     __slots__ = ("_exact", "_nodes")
 
@@ -54,12 +54,12 @@ class Grid(Numbers):
         return self["ny"], self["nx"]
 
     @property
-    def nodes_x(self) -> npt.NDArray[np.float64]:
+    def x(self) -> npt.NDArray[np.float64]:
         """Positions of the columns, shape ``(nx,)`` [m]."""
         return self._positions()[0].copy()
 
     @property
-    def nodes_y(self) -> npt.NDArray[np.float64]:
+    def y(self) -> npt.NDArray[np.float64]:
         """Positions of the rows, shape ``(ny,)`` [m]."""
         return self._positions()[1].copy()
 
@@ -68,7 +68,7 @@ class Grid(Numbers):
 
     @property
     def _cells(self) -> Cells:
-        return self._exact or Cells(self.shape, list(self["x"]), list(self["y"]))
+        return self._exact or Cells(self.shape, list(self["edges_x"]), list(self["edges_y"]))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.to_dict(), self._nodes)

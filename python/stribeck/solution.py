@@ -87,7 +87,7 @@ class Solution(Numbers):
     def save_fields(self, path: str | os.PathLike[str]) -> None:
         """Writes the fields as a NumPy archive, with the positions ``x`` and ``y`` of the nodes [m]."""
         grid = self.grid
-        arrays: dict[str, Any] = {"x": grid.nodes_x, "y": grid.nodes_y, **self.fields}
+        arrays: dict[str, Any] = {"x": grid.x, "y": grid.y, **self.fields}
         place = _path("path", path)
         with writing(place):
             np.savez_compressed(place, **arrays)

@@ -53,7 +53,7 @@ def test_text_with_a_unit_is_a_number(dry: Scene) -> None:
         ("radius_x", "1 kg", lambda s: analytic.hertz_point("1 kg", equivalent_modulus=2e11, load=50.0)),
         ("radius_x", [1], lambda s: analytic.hertz_point([1], equivalent_modulus=2e11, load=50.0)),
         ("ellipticity", "1", lambda s: analytic.point_films(
-            entrainment_speed=1.0, viscosity=0.04, pressure_viscosity=2e-8, equivalent_modulus=2e11, radius=0.01, load=50.0, ellipticity="1"
+            entrainment_speed=1.0, eta0=0.04, alpha=2e-8, equivalent_modulus=2e11, radius=0.01, load=50.0, ellipticity="1"
         )),
         ("exact_rq", "yes", lambda s: surface.generate(s.grid, 1e-8, length=6e-5, exact_rq="yes")),
         ("kurtosis", 10, lambda s: surface.generate(s.grid, 1e-8, length=6e-5, kurtosis=10)),

@@ -96,7 +96,7 @@ def test_motion_in_python(rough: stribeck.Scene) -> None:
     assert {(body, draw) for body, draw, *_ in asked} >= {(0, 0), (1, 0), (0, 2), (1, 2)}
     body, draw, time, speed, shape = asked[-1]
     assert time == 120.0 and speed == pytest.approx(0.1 * (0.975 if body else 1.025)) and shape == (32, 32)
-    assert "offset" in simulation.motion
+    assert "offset" in simulation.roughness_motion
     still = stribeck.Simulation(dry, motion=Motion(lambda *_: 0, visits="stays"))
     rest = stribeck.Simulation(dry.replace(track={"motion": "at_rest"}))
     assert same(still.run(2, 60.0)[1], rest.run(2, 60.0)[1])

@@ -35,7 +35,7 @@ def test_solve_is_the_example_solve(name: str, tmp_path) -> None:
             for axis in ("x", "y"):
                 np.testing.assert_array_equal(archive[axis], own[axis])
                 for grid in (solution.grid, again.grid, pickle.loads(pickle.dumps(solution.grid))):
-                    np.testing.assert_array_equal(archive[axis], getattr(grid, f"nodes_{axis}"))
+                    np.testing.assert_array_equal(archive[axis], getattr(grid, axis))
         for field in archive.keys() - {"x", "y"}:
             values = archive[field]
             np.testing.assert_array_equal(solution.fields[field], values, err_msg=field)
@@ -52,7 +52,7 @@ def test_a_history_is_the_example_history(name: str, steps: int, tmp_path) -> No
     assert last.film.lambda_ == expected["film"]["lambda"]
     assert last.roughness.disc_rq == expected["roughness"]["disc_rq"]
     assert simulation.time == expected["time"]
-    assert simulation.bodies[1].worn_profile.tolist() == expected["wear"]["disc_profile"]
+    assert simulation.bodies[1].worn_profile.tolist() == expected["worn_profile"]["disc"]
     header, *rows = [line.split(",") for line in csv.read_text().splitlines()]
     table = history.to_numpy()
     names = table.dtype.names

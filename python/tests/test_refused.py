@@ -81,7 +81,7 @@ def test_heights_that_do_not_fit(rough: stribeck.Scene) -> None:
     error = refused(stribeck.ShapeError, lambda: stribeck.solve(rough, heights=np.zeros((32, 31))), "disc heights")
     assert error.value == (32, 31)
     refused(stribeck.ShapeError, lambda: stribeck.solve(rough, heights=np.zeros(1024)), "disc heights")
-    refused(stribeck.InputError, lambda: stribeck.solve(rough, heights=(holed, None)), "ball heights[100]")
+    refused(stribeck.InputError, lambda: stribeck.solve(rough, heights=(holed, None)), "ball heights[3][4]")
     refused(stribeck.InputError, lambda: stribeck.solve(rough, heights=(flat,)), "heights")
     refused(stribeck.InputError, lambda: stribeck.solve(rough, heights={"plate": flat}), "heights")
     refused(stribeck.InputError, lambda: stribeck.solve(rough, heights="flat"), "disc heights")
@@ -305,6 +305,9 @@ def test_ctrl_c_ends_a_run_with_the_state_as_before(rough: stribeck.Scene) -> No
         (lambda pressure: "soft", "deformation model"),
         (lambda pressure: 1 / 0, "division by zero"),
         (3, "neither a function"),
+        (lambda pressure: 1e-16 * pressure + 1e-9, "without pressure"),
+        (lambda pressure: 1e-16 * pressure**2, "linear"),
+        (lambda pressure: 1e-16 * pressure * np.arange(1, 33), "the same at all nodes"),
     ],
 )
 def test_deformation_models_that_fail(rough: stribeck.Scene, model, words: str) -> None:

@@ -31,7 +31,7 @@ def test_scenes_come_from_anything_that_says_them(tmp_path: Path) -> None:
     assert numpy.to_dict()["motion"]["slide_roll_ratio"] == tables["motion"]["slide_roll_ratio"]
     box = scene.replace(grid={"nx": 32, "ny": 48, "x": np.array([-2e-4, 2e-4]), "y": (-3e-4, 3e-4)}).grid
     assert box.shape == (48, 32)
-    assert box.nodes_x[0] == pytest.approx(-2e-4 + 0.5 * box.dx)
+    assert box.x[0] == pytest.approx(-2e-4 + 0.5 * box.dx)
     seed = {"kind": "gaussian", "rq": 1e-8, "length_x": 1e-5, "length_y": 1e-5, "seed": 2**64 - 1}
     assert stribeck.Scene(scene.replace(roughness={"ball": seed}).to_dict()).to_toml().count(str(2**64 - 1)) == 1
 
@@ -67,7 +67,7 @@ def test_tables_within_others_have_the_same_units(rough: stribeck.Scene) -> None
     assert shown(pickle.loads(pickle.dumps(solution.film))) == shown(copy.deepcopy(solution.film)) == shown(solution.film)
     assert "<td>m</td>" in solution.film._repr_html_() and "<td>N</td>" not in solution.residual._repr_html_()
     assert shown(stribeck.Simulation(rough).conditions.motion) == {"entrainment_speed": "m/s", "slide_roll_ratio": ""}
-    np.testing.assert_array_equal(rough.grid.nodes_x, solution.grid.nodes_x)
+    np.testing.assert_array_equal(rough.grid.x, solution.grid.x)
     assert shown(solution.grid)["dx"] == "m" and repr(rough.grid).startswith("<Grid")
     line = stribeck.analytic.hertz_line(10e-3, equivalent_modulus=2e11, load=1e5)
     assert shown(line) == {"half_width": "m", "pressure": "Pa", "force": "N/m"}
@@ -103,7 +103,7 @@ def test_fields_are_maps_that_belong_to_python(rough: stribeck.Scene, tmp_path: 
     with np.load(tmp_path / "fields.npz") as archive:
         np.testing.assert_array_equal(archive["film"], solution.fields["film"])
         assert archive["x"].shape == (32,) and archive["y"].shape == (40,)
-        np.testing.assert_array_equal(archive["x"], solution.grid.nodes_x)
+        np.testing.assert_array_equal(archive["x"], solution.grid.x)
         assert archive["x"][-1] == pytest.approx(2.5e-4 - 0.5 * solution.grid.dx)
 
 
@@ -325,7 +325,7 @@ def test_formulas_and_metrics() -> None:
     assert again.force == pytest.approx(50.0) and ball.half_width_x == pytest.approx((1.5 * 50 * 10e-3 / modulus) ** (1 / 3))
     line = stribeck.analytic.hertz_line(10e-3, equivalent_modulus=modulus, load=1e5)
     assert line.pressure == pytest.approx((1e5 * modulus / (2 * np.pi * 10e-3)) ** 0.5)
-    oil = {"entrainment_speed": 1.0, "viscosity": 0.04, "pressure_viscosity": 2e-8, "equivalent_modulus": modulus, "radius": 10e-3}
+    oil = {"entrainment_speed": 1.0, "eta0": 0.04, "alpha": 2e-8, "equivalent_modulus": modulus, "radius": 10e-3}
     point = stribeck.analytic.point_films(load=50.0, **oil)
     assert 0.4 < point.hamrock_dowson_minimum / point.hamrock_dowson_central < 0.7
     assert stribeck.analytic.line_films(load=1e5, **oil).dowson_toyoda_central > 1e-8

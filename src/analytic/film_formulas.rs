@@ -13,8 +13,8 @@ use crate::error::InputError;
 /// use stribeck::analytic::FilmConditions;
 /// let scene = FilmConditions {
 ///     entrainment_speed: 0.1,
-///     viscosity: 0.004,
-///     pressure_viscosity: 14.94e-9,
+///     eta0: 0.004,
+///     alpha: 14.94e-9,
 ///     equivalent_modulus: 229.67e9,
 ///     radius: 9.525e-3,
 ///     load: 54.07,
@@ -28,9 +28,9 @@ pub struct FilmConditions {
     /// Mean of the two surface speeds, along x \[m/s\].
     pub entrainment_speed: f64,
     /// Viscosity at ambient pressure \[Pa s\].
-    pub viscosity: f64,
+    pub eta0: f64,
     /// Pressure-viscosity coefficient \[1/Pa\]; zero of an oil that does not thicken under pressure.
-    pub pressure_viscosity: f64,
+    pub alpha: f64,
     /// Equivalent modulus `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`.
     pub equivalent_modulus: f64,
     /// Radius of curvature in the direction of entrainment \[m\].
@@ -45,56 +45,56 @@ impl FilmConditions {
     /// Checks every field.
     ///
     /// # Errors
-    /// [`InputError::Value`] naming the first field that is not finite and positive; `pressure_viscosity` may
+    /// [`InputError::Value`] naming the first field that is not finite and positive; `alpha` may
     /// be zero.
     pub fn validate(&self) -> Result<(), InputError> {
         let fields = [
             ("entrainment_speed", self.entrainment_speed),
-            ("viscosity", self.viscosity),
+            ("eta0", self.eta0),
             ("equivalent_modulus", self.equivalent_modulus),
             ("radius", self.radius),
             ("load", self.load),
             ("ellipticity", self.ellipticity),
         ];
         fields.into_iter().try_for_each(|(field, value)| InputError::require_positive(field, value))?;
-        InputError::require_non_negative("pressure_viscosity", self.pressure_viscosity)
+        InputError::require_non_negative("alpha", self.alpha)
     }
 
     /// Checks every field for a formula that needs an oil that thickens under pressure.
     fn validate_thickening(&self) -> Result<(), InputError> {
-        InputError::require_positive("pressure_viscosity", self.pressure_viscosity)?;
+        InputError::require_positive("alpha", self.alpha)?;
         self.validate()
     }
 
     /// Speed parameter `U = eta0 u/(E' R)` of Hamrock and Dowson, with the mean speed.
     ///
     /// ```
-    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, viscosity: 0.004,
-    /// #     pressure_viscosity: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
+    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, eta0: 0.004,
+    /// #     alpha: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
     /// assert!((scene.speed_parameter() - 1.8285e-13).abs() < 1e-17);
     /// ```
     #[must_use]
     pub fn speed_parameter(&self) -> f64 {
-        self.viscosity * self.entrainment_speed / (self.equivalent_modulus * self.radius)
+        self.eta0 * self.entrainment_speed / (self.equivalent_modulus * self.radius)
     }
 
     /// Material parameter `G = alpha E'`.
     ///
     /// ```
-    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, viscosity: 0.004,
-    /// #     pressure_viscosity: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
+    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, eta0: 0.004,
+    /// #     alpha: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
     /// assert!((scene.material_parameter() - 3431.3).abs() < 0.1);
     /// ```
     #[must_use]
     pub fn material_parameter(&self) -> f64 {
-        self.pressure_viscosity * self.equivalent_modulus
+        self.alpha * self.equivalent_modulus
     }
 
     /// Load parameter `W = F/(E' R^2)`.
     ///
     /// ```
-    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, viscosity: 0.004,
-    /// #     pressure_viscosity: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
+    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, eta0: 0.004,
+    /// #     alpha: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
     /// assert!((scene.load_parameter() - 2.595e-6).abs() < 1e-9);
     /// ```
     #[must_use]
@@ -105,8 +105,8 @@ impl FilmConditions {
     /// Moes load parameter `M = W (2U)^(-3/4)`.
     ///
     /// ```
-    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, viscosity: 0.004,
-    /// #     pressure_viscosity: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
+    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, eta0: 0.004,
+    /// #     alpha: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
     /// assert!((scene.moes_load() - 5518.0).abs() < 1.0);
     /// ```
     #[must_use]
@@ -117,8 +117,8 @@ impl FilmConditions {
     /// Moes lubricant parameter `L = G (2U)^(1/4)`.
     ///
     /// ```
-    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, viscosity: 0.004,
-    /// #     pressure_viscosity: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
+    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, eta0: 0.004,
+    /// #     alpha: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
     /// assert!((scene.moes_lubricant() - 2.67).abs() < 0.005);
     /// ```
     #[must_use]
@@ -137,8 +137,8 @@ impl FilmConditions {
     /// See [`FilmConditions::validate`]; an oil that does not thicken under pressure.
     ///
     /// ```
-    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, viscosity: 0.004,
-    /// #     pressure_viscosity: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
+    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, eta0: 0.004,
+    /// #     alpha: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
     /// assert!((scene.hamrock_dowson_central()? - 9.356e-9).abs() < 2e-12);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
@@ -155,8 +155,8 @@ impl FilmConditions {
     /// See [`FilmConditions::validate`]; an oil that does not thicken under pressure.
     ///
     /// ```
-    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, viscosity: 0.004,
-    /// #     pressure_viscosity: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
+    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, eta0: 0.004,
+    /// #     alpha: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
     /// assert!((scene.hamrock_dowson_minimum()? - 5.132e-9).abs() < 2e-12);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
@@ -167,7 +167,7 @@ impl FilmConditions {
     }
 
     /// Central film thickness \[m\] of soft bodies in an oil that does not thicken under pressure:
-    /// `h = 7.32 R U^0.64 W^-0.22 (1 - 0.72 exp(-0.28 k))`. `pressure_viscosity` is not used.
+    /// `h = 7.32 R U^0.64 W^-0.22 (1 - 0.72 exp(-0.28 k))`. `alpha` is not used.
     ///
     /// Source: Hamrock, B. J. and Dowson, D. (1978), Journal of Lubrication Technology 100, 236-245.
     ///
@@ -175,8 +175,8 @@ impl FilmConditions {
     /// See [`FilmConditions::validate`].
     ///
     /// ```
-    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, viscosity: 0.004,
-    /// #     pressure_viscosity: 0.0, equivalent_modulus: 10e6, radius: 9.525e-3, load: 1.0, ellipticity: 1.0 };
+    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, eta0: 0.004,
+    /// #     alpha: 0.0, equivalent_modulus: 10e6, radius: 9.525e-3, load: 1.0, ellipticity: 1.0 };
     /// let ratio = scene.hamrock_dowson_soft()? / scene.moes_central()?;
     /// assert!((0.7..1.3).contains(&ratio), "{ratio}");
     /// # Ok::<(), stribeck::InputError>(())
@@ -207,8 +207,8 @@ impl FilmConditions {
     /// See [`FilmConditions::validate`]; an ellipticity other than 1.
     ///
     /// ```
-    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, viscosity: 0.004,
-    /// #     pressure_viscosity: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
+    /// # let scene = stribeck::analytic::FilmConditions { entrainment_speed: 0.1, eta0: 0.004,
+    /// #     alpha: 14.94e-9, equivalent_modulus: 229.67e9, radius: 9.525e-3, load: 54.07, ellipticity: 1.0 };
     /// assert!((scene.moes_central()? - 8.23e-9).abs() < 0.01e-9);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```

@@ -10,7 +10,7 @@ use crate::error::InputError;
 /// ```
 /// use stribeck::analytic::ThermalInlet;
 /// let inlet = ThermalInlet {
-///     entrainment_speed: 2.0, viscosity: 0.04, temperature_coefficient: 0.04, conductivity: 0.14,
+///     entrainment_speed: 2.0, eta0: 0.04, temperature_coefficient: 0.04, conductivity: 0.14,
 ///     pressure_over_modulus: 0.0, slide_roll_ratio: 0.0,
 /// };
 /// assert!((inlet.loading() - 0.04 * 0.04 * 4.0 / 0.14).abs() < 1e-15);
@@ -23,7 +23,7 @@ pub struct ThermalInlet {
     /// Mean speed of the surfaces `u` \[m/s\].
     pub entrainment_speed: f64,
     /// Viscosity at ambient pressure `eta_0` \[Pa s\].
-    pub viscosity: f64,
+    pub eta0: f64,
     /// `b` \[1/K\].
     pub temperature_coefficient: f64,
     /// Thermal conductivity of the fluid `k` \[W/(m K)\].
@@ -37,7 +37,7 @@ pub struct ThermalInlet {
 impl ThermalInlet {
     /// Thermal loading parameter `L`.
     pub fn loading(&self) -> f64 {
-        self.temperature_coefficient * self.viscosity * self.entrainment_speed.powi(2) / self.conductivity
+        self.temperature_coefficient * self.eta0 * self.entrainment_speed.powi(2) / self.conductivity
     }
 
     /// Film over that of the isothermal contact,
@@ -69,7 +69,7 @@ impl ThermalInlet {
 
     fn validate(&self) -> Result<(), InputError> {
         InputError::require_non_negative("entrainment_speed", self.entrainment_speed)?;
-        InputError::require_positive("viscosity", self.viscosity)?;
+        InputError::require_positive("eta0", self.eta0)?;
         InputError::require_non_negative("temperature_coefficient", self.temperature_coefficient)?;
         InputError::require_positive("conductivity", self.conductivity)?;
         InputError::require_non_negative("pressure_over_modulus", self.pressure_over_modulus)?;

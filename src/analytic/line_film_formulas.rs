@@ -13,8 +13,8 @@ use crate::error::InputError;
 /// use stribeck::analytic::LineFilmConditions;
 /// let roller = LineFilmConditions {
 ///     entrainment_speed: 1.0,
-///     viscosity: 0.04,
-///     pressure_viscosity: 20e-9,
+///     eta0: 0.04,
+///     alpha: 20e-9,
 ///     equivalent_modulus: 230e9,
 ///     radius: 10e-3,
 ///     load: 2e5,
@@ -27,9 +27,9 @@ pub struct LineFilmConditions {
     /// Mean of the two surface speeds \[m/s\].
     pub entrainment_speed: f64,
     /// Viscosity at ambient pressure \[Pa s\].
-    pub viscosity: f64,
+    pub eta0: f64,
     /// Pressure-viscosity coefficient \[1/Pa\]; zero of an oil that does not thicken under pressure.
-    pub pressure_viscosity: f64,
+    pub alpha: f64,
     /// Equivalent modulus `E'` \[Pa\], `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`.
     pub equivalent_modulus: f64,
     /// Radius of curvature \[m\].
@@ -42,55 +42,55 @@ impl LineFilmConditions {
     /// Checks every field.
     ///
     /// # Errors
-    /// [`InputError::Value`] naming the first field that is not finite and positive; `pressure_viscosity` may
+    /// [`InputError::Value`] naming the first field that is not finite and positive; `alpha` may
     /// be zero.
     pub fn validate(&self) -> Result<(), InputError> {
         let fields = [
             ("entrainment_speed", self.entrainment_speed),
-            ("viscosity", self.viscosity),
+            ("eta0", self.eta0),
             ("equivalent_modulus", self.equivalent_modulus),
             ("radius", self.radius),
             ("load", self.load),
         ];
         fields.into_iter().try_for_each(|(field, value)| InputError::require_positive(field, value))?;
-        InputError::require_non_negative("pressure_viscosity", self.pressure_viscosity)
+        InputError::require_non_negative("alpha", self.alpha)
     }
 
     /// Checks every field for a formula that needs an oil that thickens under pressure.
     fn validate_thickening(&self) -> Result<(), InputError> {
-        InputError::require_positive("pressure_viscosity", self.pressure_viscosity)?;
+        InputError::require_positive("alpha", self.alpha)?;
         self.validate()
     }
 
     /// Speed parameter `U = eta0 u/(E' R)`, with the mean speed.
     ///
     /// ```
-    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, viscosity: 0.04,
-    /// #     pressure_viscosity: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
+    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, eta0: 0.04,
+    /// #     alpha: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
     /// assert!((roller.speed_parameter() - 1.7391e-11).abs() < 1e-15);
     /// ```
     #[must_use]
     pub fn speed_parameter(&self) -> f64 {
-        self.viscosity * self.entrainment_speed / (self.equivalent_modulus * self.radius)
+        self.eta0 * self.entrainment_speed / (self.equivalent_modulus * self.radius)
     }
 
     /// Material parameter `G = alpha E'`.
     ///
     /// ```
-    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, viscosity: 0.04,
-    /// #     pressure_viscosity: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
+    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, eta0: 0.04,
+    /// #     alpha: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
     /// assert!((roller.material_parameter() - 4600.0).abs() < 1e-9);
     /// ```
     #[must_use]
     pub fn material_parameter(&self) -> f64 {
-        self.pressure_viscosity * self.equivalent_modulus
+        self.alpha * self.equivalent_modulus
     }
 
     /// Load parameter `W = w/(E' R)`.
     ///
     /// ```
-    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, viscosity: 0.04,
-    /// #     pressure_viscosity: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
+    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, eta0: 0.04,
+    /// #     alpha: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
     /// assert!((roller.load_parameter() - 8.6957e-5).abs() < 1e-9);
     /// ```
     #[must_use]
@@ -101,8 +101,8 @@ impl LineFilmConditions {
     /// Moes load parameter of a line contact, `M = W (2U)^(-1/2)`.
     ///
     /// ```
-    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, viscosity: 0.04,
-    /// #     pressure_viscosity: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
+    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, eta0: 0.04,
+    /// #     alpha: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
     /// assert!((roller.moes_load() - 14.74).abs() < 0.01);
     /// ```
     #[must_use]
@@ -113,8 +113,8 @@ impl LineFilmConditions {
     /// Moes lubricant parameter `L = G (2U)^(1/4)`.
     ///
     /// ```
-    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, viscosity: 0.04,
-    /// #     pressure_viscosity: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
+    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, eta0: 0.04,
+    /// #     alpha: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
     /// assert!((roller.moes_lubricant() - 11.17).abs() < 0.01);
     /// ```
     #[must_use]
@@ -132,8 +132,8 @@ impl LineFilmConditions {
     /// See [`LineFilmConditions::validate`]; an oil that does not thicken under pressure.
     ///
     /// ```
-    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, viscosity: 0.04,
-    /// #     pressure_viscosity: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
+    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, eta0: 0.04,
+    /// #     alpha: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
     /// assert!((roller.dowson_toyoda_central()? - 330.2e-9).abs() < 0.1e-9);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
@@ -151,8 +151,8 @@ impl LineFilmConditions {
     /// See [`LineFilmConditions::validate`]; an oil that does not thicken under pressure.
     ///
     /// ```
-    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, viscosity: 0.04,
-    /// #     pressure_viscosity: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
+    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, eta0: 0.04,
+    /// #     alpha: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
     /// assert!((roller.dowson_minimum()? - 249.6e-9).abs() < 0.1e-9);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
@@ -181,8 +181,8 @@ impl LineFilmConditions {
     /// See [`LineFilmConditions::validate`].
     ///
     /// ```
-    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, viscosity: 0.04,
-    /// #     pressure_viscosity: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
+    /// # let roller = stribeck::analytic::LineFilmConditions { entrainment_speed: 1.0, eta0: 0.04,
+    /// #     alpha: 20e-9, equivalent_modulus: 230e9, radius: 10e-3, load: 2e5 };
     /// assert!((roller.moes_central()? - 331.3e-9).abs() < 0.1e-9);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```

@@ -88,8 +88,7 @@ pub(crate) fn statistics_in(
     ellipse: &Ellipse,
 ) -> Result<ContactStatistics, InputError> {
     InputError::require_len("in_contact", in_contact, grid.len())?;
-    InputError::require_len("solid_pressure", solid_pressure, grid.len())?;
-    InputError::require_finite("solid_pressure", solid_pressure)?;
+    grid.require_field("solid_pressure", solid_pressure)?;
     InputError::require_positive("load", load)?;
     let (mut all, mut inside, mut pressure) = (Count::default(), Count::default(), 0.0);
     for (k, (x, y)) in grid.nodes().enumerate().filter(|&(k, _)| in_contact[k]) {

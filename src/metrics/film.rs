@@ -31,8 +31,7 @@ pub fn mean_central_film(grid: &Grid, film: &[f64], a_x: f64, a_y: f64) -> Resul
 
 /// The same of an ellipse that may be turned.
 pub(crate) fn mean_central_film_in(grid: &Grid, film: &[f64], ellipse: &Ellipse) -> Result<f64, InputError> {
-    InputError::require_len("film", film, grid.len())?;
-    InputError::require_finite("film", film)?;
+    grid.require_field("film", film)?;
     let (mut sum, mut count) = (0.0, 0_usize);
     for ((x, y), h) in grid.nodes().zip(film) {
         if is_central(x, y, ellipse) {

@@ -70,8 +70,7 @@ pub fn friction_coefficient(
     InputError::require_non_negative("boundary_friction", boundary_friction)?;
     InputError::require_positive("load", load)?;
     for (field, values) in [("solid_pressure", solid_pressure), ("viscous_shear", viscous_shear)] {
-        InputError::require_len(field, values, grid.len())?;
-        InputError::require_finite(field, values)?;
+        grid.require_field(field, values)?;
     }
     let boundary = boundary_friction * solid_pressure.iter().sum::<f64>();
     let viscous = viscous_shear.iter().sum::<f64>();

@@ -24,8 +24,7 @@ const RESOLVED: f64 = 0.9;
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 pub fn peak(grid: &Grid, field: &[f64]) -> Result<f64, InputError> {
-    InputError::require_len("field", field, grid.len())?;
-    InputError::require_finite("field", field)?;
+    grid.require_field("field", field)?;
     let (nx, ny) = (grid.nx(), grid.ny());
     let Some((k, &top)) = field.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)) else {
         return Ok(0.0);

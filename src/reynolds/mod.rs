@@ -188,6 +188,9 @@ pub enum ReynoldsError {
         /// What the problem has that the solver cannot treat.
         reason: &'static str,
     },
+    /// The solve was ended from outside ([`GivenFilm::solve_unless`]).
+    #[error("the solve was interrupted")]
+    Interrupted,
     /// The contact reaches the edge of the box.
     #[error(
         "the contact reaches the edge of the box at x = {x:.6e}, y = {y:.6e}: enlarge the box or allow it"

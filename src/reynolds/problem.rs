@@ -270,8 +270,7 @@ impl LubricatedContact<'_> {
     /// with the largest load that it can.
     pub fn validate(&self) -> Result<(), InputError> {
         let grid = self.grid();
-        InputError::require_len("gap", self.gap, grid.len())?;
-        InputError::require_finite("gap", self.gap)?;
+        grid.require_field("gap", self.gap)?;
         InputError::require_positive("load", self.load)?;
         InputError::require_positive("reference_half_widths.0", self.reference_half_widths.0)?;
         InputError::require_positive("reference_half_widths.1", self.reference_half_widths.1)?;
@@ -300,16 +299,14 @@ impl LubricatedContact<'_> {
         }
         if let Some(squeeze) = self.squeeze {
             InputError::require_positive("squeeze.time_step", squeeze.time_step)?;
-            InputError::require_len("squeeze.previous_mass", squeeze.previous_mass, grid.len())?;
-            InputError::require_finite("squeeze.previous_mass", squeeze.previous_mass)?;
+            grid.require_field("squeeze.previous_mass", squeeze.previous_mass)?;
         }
         self.validate_limit(&grid)
     }
 
     fn validate_limit(&self, grid: &Grid) -> Result<(), InputError> {
         let Some(limit) = self.pressure_limit else { return Ok(()) };
-        InputError::require_len("pressure_limit", limit, grid.len())?;
-        InputError::require_finite("pressure_limit", limit)?;
+        grid.require_field("pressure_limit", limit)?;
         if let Some(&low) = limit.iter().find(|&&p| p <= 0.0) {
             InputError::require_positive("pressure_limit", low)?;
         }

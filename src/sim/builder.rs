@@ -413,8 +413,7 @@ impl SimBuilder {
             }
         };
         let field = format!("{name} heights");
-        InputError::require_len(&field, &initial, contact.grid.len())?;
-        InputError::require_finite(&field, &initial)?;
+        contact.grid.require_field(&field, &initial)?;
         Ok(Body::new(initial, laws.growth.as_deref()))
     }
 }

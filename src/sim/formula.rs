@@ -64,14 +64,14 @@ pub(super) fn formula_film(
 ) -> Result<Option<FormulaFilm>, InputError> {
     let Some(law) = viscosity else { return Ok(None) };
     let equivalent_modulus = scene.equivalent_modulus()?;
-    let (viscosity, pressure_viscosity) = (law.viscosity(0.0), alpha.unwrap_or_else(|| law.log_slope(0.0)));
-    let thickens = pressure_viscosity > 0.0;
+    let (eta0, alpha) = (law.viscosity(0.0), alpha.unwrap_or_else(|| law.log_slope(0.0)));
+    let thickens = alpha > 0.0;
     let ((radius, _), load) = (scene.form.radii_of_entrainment(), hertz.force);
     Ok(Some(if scene.form.is_line() {
         let line = LineFilmConditions {
             entrainment_speed,
-            viscosity,
-            pressure_viscosity,
+            eta0,
+            alpha,
             equivalent_modulus,
             radius,
             load: load / LINE_LENGTH,
@@ -85,8 +85,8 @@ pub(super) fn formula_film(
     } else {
         let point = FilmConditions {
             entrainment_speed,
-            viscosity,
-            pressure_viscosity,
+            eta0,
+            alpha,
             equivalent_modulus,
             radius,
             load,

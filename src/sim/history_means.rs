@@ -129,7 +129,7 @@ mod named {
             }
             for (name, body) in BODIES.into_iter().zip(sim.bodies()) {
                 let profile = Entry::Profile(sim.worn_profile(body));
-                tables.entry("wear").or_default().insert(format!("{name}_profile"), profile);
+                tables.entry("worn_profile").or_default().insert(name.to_owned(), profile);
             }
             HistoryNumbers {
                 steps: sim.steps(),

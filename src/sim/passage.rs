@@ -47,7 +47,7 @@ impl Passage<'_> {
             shear_stress: self.friction.stress(k),
             temperature: self.bulk + self.rises[body][k],
             sliding_speed: self.sliding,
-            film_thickness: self.state.film[k],
+            gap: self.state.film[k],
             in_contact: self.state.in_contact[k],
         }
     }

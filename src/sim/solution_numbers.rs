@@ -101,13 +101,13 @@ impl ContactSolution {
             f,
             "errors     central film {:.2} %, minimum film {:.2} %, maximum pressure {:.2} %, mean film {:.2} %, friction {:.2} %, \
              load ratio {:.4}, area ratio {:.4}",
-            estimate.central_film * 100.0,
-            estimate.minimum_film * 100.0,
-            estimate.max_pressure * 100.0,
-            estimate.mean_film * 100.0,
+            estimate.film_central * 100.0,
+            estimate.film_minimum * 100.0,
+            estimate.pressure_max * 100.0,
+            estimate.film_mean_central * 100.0,
             estimate.friction_coefficient * 100.0,
-            estimate.load_ratio,
-            estimate.area_ratio
+            estimate.contact_load_ratio,
+            estimate.contact_area_ratio
         )
     }
 

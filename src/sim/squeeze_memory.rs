@@ -30,8 +30,7 @@ impl SqueezeMemory {
     #[cfg(feature = "serde")]
     pub(super) fn validate(&self, grid: &crate::grid::Grid) -> Result<(), InputError> {
         for mass in &self.masses {
-            InputError::require_len("carried mass", mass, grid.len())?;
-            InputError::require_finite("carried mass", mass)?;
+            grid.require_field("carried mass", mass)?;
         }
         self.steps.iter().try_for_each(|step| InputError::require_non_negative("last step", *step))
     }

@@ -107,11 +107,11 @@ impl BodyStart {
             ("tribofilm", &self.tribofilm),
         ] {
             let field = format!("{name} start {part}");
-            InputError::require_len(&field, values, grid.len())?;
-            InputError::require_finite(&field, values)?;
+            grid.require_field(&field, values)?;
             let negative = values.iter().enumerate().find(|(_, value)| **value < 0.0);
             if let (Some((k, value)), true) = (negative, part != "heights") {
-                InputError::require_non_negative(&format!("{field}[{k}]"), *value)?;
+                let place = format!("{}[{}]", grid.row(&field, k), k % grid.nx());
+                InputError::require_non_negative(&place, *value)?;
             }
         }
         let film = self.film(name, law)?;

@@ -155,7 +155,7 @@ fn distort(scene: &mut Scene, change: usize, value: f64) {
             scene.track.radius_ball = Some(value);
         }
         37 => scene.thermal = ThermalSpec { bulk_temperature: value, conductivity: value, ..scene.thermal },
-        38 => (scene.materials.ball.modulus, scene.materials.ball.poisson_ratio) = (Some(value), Some(0.3)),
+        38 => (scene.materials.ball.modulus, scene.materials.ball.poisson) = (Some(value), Some(0.3)),
         39 => {
             scene.materials.disc =
                 Material { hardness: Some(value), diffusivity: Some(value), ..Material::default() }

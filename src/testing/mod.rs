@@ -119,7 +119,7 @@ const IN_CONTACT: RubbingPoint = RubbingPoint {
     shear_stress: 1.15e8,
     temperature: 353.15,
     sliding_speed: 0.005,
-    film_thickness: 1e-9,
+    gap: 1e-9,
     in_contact: true,
 };
 
@@ -130,7 +130,7 @@ const IDLE: RubbingPoint = RubbingPoint {
     shear_stress: 0.0,
     temperature: 353.15,
     sliding_speed: 0.005,
-    film_thickness: 1e-6,
+    gap: 1e-6,
     in_contact: false,
 };
 
@@ -142,13 +142,7 @@ fn rubbing_points() -> [RubbingPoint; 9] {
         RubbingPoint { temperature: 293.15, ..IN_CONTACT },
         RubbingPoint { temperature: 473.15, ..IN_CONTACT },
         RubbingPoint { pressure: 6e9, solid_pressure: 6e9, shear_stress: 6.9e8, ..IN_CONTACT },
-        RubbingPoint {
-            solid_pressure: 0.0,
-            shear_stress: 1e7,
-            film_thickness: 50e-9,
-            in_contact: false,
-            ..IN_CONTACT
-        },
+        RubbingPoint { solid_pressure: 0.0, shear_stress: 1e7, gap: 50e-9, in_contact: false, ..IN_CONTACT },
         RubbingPoint { sliding_speed: 10.0, ..IN_CONTACT },
         RubbingPoint { temperature: 0.0, ..IN_CONTACT },
         RubbingPoint {

@@ -273,8 +273,7 @@ impl FilmTemperature {
             ("flows.through", &flow.flows.through),
             ("boundary_heat", flow.boundary_heat),
         ] {
-            InputError::require_len(field, values, self.grid.len())?;
-            InputError::require_finite(field, values)?;
+            self.grid.require_field(field, values)?;
         }
         for &heat in flow.boundary_heat {
             InputError::require_non_negative("boundary_heat", heat)?;

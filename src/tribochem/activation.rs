@@ -8,7 +8,7 @@ use crate::rubbing::RubbingPoint;
 /// use stribeck::RubbingPoint;
 /// use stribeck::tribochem::Activation;
 /// let at = RubbingPoint::new(1e9, 353.15).with_sliding_speed(0.005)
-///     .with_film_thickness(20e-9);
+///     .with_gap(20e-9);
 /// assert!(!Activation::SolidContact.is_active(&at));
 /// assert!(Activation::Pressure.is_active(&at));
 /// assert!(!Activation::ShearStress.is_active(&at));

@@ -7,10 +7,13 @@ use pyo3::prelude::*;
 use stribeck::elastic::{DeformationModel, NEAR, ResponseApproximations};
 use stribeck::{Grid, InputError};
 
-use super::Function;
+use super::{Function, raised};
 
-/// A deformation model: `displacement(pressure)` and, where there is one, `pressure_estimate(displacement)`.
-/// A clone shares the functions.
+/// Largest breach of its contract over the largest displacement that counts as rounding.
+const LARGEST_BREACH: f64 = 1e-6;
+
+/// A deformation model: `displacement(pressure)` and, where there are, `pressure_estimate(displacement)` and
+/// `influence(di, dj)`. A clone shares the functions.
 #[derive(Clone)]
 pub(crate) struct Deformation {
     displacement: Arc<Function>,
@@ -33,19 +36,27 @@ impl fmt::Debug for Deformation {
 }
 
 impl Deformation {
-    /// The influence coefficients are the displacements under 1 Pa on the first node.
-    pub(crate) fn new(py: Python<'_>, displacement: Function, estimate: Option<Function>) -> PyResult<Self> {
-        let grid = displacement.grid;
-        let mut unit = vec![0.0; grid.len()];
-        let mut out = unit.clone();
-        if let Some(first) = unit.first_mut() {
-            *first = 1.0;
-        }
-        displacement.try_fill(py, vec![displacement.array(py, &unit)?], &mut out)?;
+    /// Influence coefficients that are not given are the displacements under 1 Pa on the first node.
+    pub(crate) fn new(
+        py: Python<'_>,
+        displacement: Function,
+        estimate: Option<Function>,
+        influence: Option<Py<PyAny>>,
+    ) -> PyResult<Self> {
+        let of_unit = probed(py, &displacement)?;
         let mut influences = [[0.0; NEAR + 1]; NEAR + 1];
-        for (row, values) in influences.iter_mut().zip(out.chunks(grid.nx())) {
-            for (influence, value) in row.iter_mut().zip(values) {
-                *influence = *value;
+        if let Some(influence) = influence {
+            for (dj, row) in influences.iter_mut().enumerate() {
+                for (di, value) in row.iter_mut().enumerate() {
+                    let given = influence.call1(py, (di, dj)).and_then(|value| value.extract(py));
+                    *value = given.map_err(|error| raised(py, "influence", error))?;
+                }
+            }
+        } else {
+            for (row, values) in influences.iter_mut().zip(of_unit.chunks(displacement.grid.nx())) {
+                for (influence, value) in row.iter_mut().zip(values) {
+                    *influence = *value;
+                }
             }
         }
         let displacement = Arc::new(displacement);
@@ -55,6 +66,44 @@ impl Deformation {
         });
         Ok(Self { displacement, estimated, influences })
     }
+}
+
+/// Displacements under 1 Pa on the first node, of a function that is linear and the same at its neighbour.
+fn probed(py: Python<'_>, displacement: &Function) -> PyResult<Vec<f64>> {
+    let under = |node: usize, pressure: f64| -> PyResult<Vec<f64>> {
+        let mut field = vec![0.0; displacement.grid.len()];
+        if let Some(loaded) = field.get_mut(node) {
+            *loaded = pressure;
+        }
+        let mut out = vec![0.0; field.len()];
+        displacement.try_fill(py, vec![displacement.array(py, &field)?], &mut out)?;
+        Ok(out)
+    };
+    let [none, one, two, beside] = [under(0, 0.0)?, under(0, 1.0)?, under(0, 2.0)?, under(1, 1.0)?];
+    let largest = one.iter().fold(0.0, |largest: f64, u| largest.max(u.abs()));
+    let differ = |a: &f64, b: f64| (a - b).abs() > LARGEST_BREACH * largest;
+    let nx = displacement.grid.nx();
+    let breach = if none.iter().any(|u| differ(u, 0.0)) {
+        Some("displaces without pressure")
+    } else if two.iter().zip(&one).any(|(two, one)| differ(two, 2.0 * one)) {
+        Some("displaces under 2 Pa not twice as far as under 1 Pa: it must be linear")
+    } else if beside
+        .iter()
+        .skip(1)
+        .zip(&one)
+        .enumerate()
+        .any(|(k, (beside, one))| (k + 1) % nx > 0 && differ(beside, *one))
+    {
+        Some(
+            "displaces under 1 Pa on one node not as under 1 Pa on the next: it must be the same at all nodes",
+        )
+    } else {
+        None
+    };
+    breach.map_or(Ok(one), |breach| {
+        let value = largest.into_pyobject(py)?.into_any();
+        Err(displacement.refused(py, breach, value))
+    })
 }
 
 impl DeformationModel for Deformation {

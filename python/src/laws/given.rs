@@ -19,9 +19,9 @@ pub(crate) struct PyLaws {
     wear: Option<PyLaw>,
     #[pyo3(item)]
     friction: Option<PyLaw>,
-    /// With the estimate of pressures.
+    /// With the estimate of pressures and the influence coefficients.
     #[pyo3(item)]
-    deformation: Option<(String, Py<PyAny>, Option<Py<PyAny>>)>,
+    deformation: Option<(String, Py<PyAny>, Option<Py<PyAny>>, Option<Py<PyAny>>)>,
     /// With whether it takes a temperature.
     #[pyo3(item)]
     viscosity: Option<(String, Py<PyAny>, bool)>,
@@ -87,11 +87,11 @@ impl PyLaws {
             builder =
                 builder.motion(Motion::new(py, Function::new("motion", (identity, call), *grid), &visits)?);
         }
-        let deformation = self.deformation.map(|(identity, displacement, estimate)| {
+        let deformation = self.deformation.map(|(identity, displacement, estimate, influence)| {
             let estimate =
                 estimate.map(|call| Function::new("pressure estimate", (identity.clone(), call), *grid));
             let displacement = Function::new("deformation model", (identity, displacement), *grid);
-            Deformation::new(py, displacement, estimate)
+            Deformation::new(py, displacement, estimate, influence)
         });
         let deformation = deformation.transpose()?;
         if let Some(law) = self.solver {

@@ -25,7 +25,7 @@ impl Function {
             "shear_stress": part(|at| at.shear_stress)?,
             "temperature": part(|at| at.temperature)?,
             "sliding_speed": part(|at| at.sliding_speed)?,
-            "film_thickness": part(|at| at.film_thickness)?,
+            "gap": part(|at| at.gap)?,
             "in_contact": in_contact,
         });
         py.import("stribeck.laws")?.getattr("RubbingPoints")?.call((), Some(&parts))

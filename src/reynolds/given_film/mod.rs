@@ -134,9 +134,17 @@ impl GivenFilm<'_> {
     /// Speeds or pressures that are not finite, a cavitation pressure above ambient, more nodes than there is
     /// memory for.
     pub fn solve(&self) -> Result<GivenFilmSolution, ReynoldsError> {
+        self.solve_unless(|| false)
+    }
+
+    /// The same, given up at the next Newton step once `interrupted` returns true.
+    ///
+    /// # Errors
+    /// As [`solve`](Self::solve), and [`ReynoldsError::Interrupted`].
+    pub fn solve_unless(&self, interrupted: impl Fn() -> bool) -> Result<GivenFilmSolution, ReynoldsError> {
         self.validate()?;
         self.film.grid().require_memory(BYTES)?;
-        Ok(solution::solve(self))
+        solution::solve(self, &interrupted).ok_or(ReynoldsError::Interrupted)
     }
 
     /// Mean speed of both surfaces \[m/s\].

@@ -57,25 +57,30 @@ struct Start {
     steps: u64,
 }
 
-/// Solves `problem`, whose film is `film`, entrained with `speed` along +x.
-pub(super) fn solve<'a>(problem: &GivenFilm<'a>, film: &'a FilmThickness, speed: f64) -> Solved<'a> {
+/// Solves `problem`, whose film is `film`, entrained with `speed` along +x; none once `interrupted`.
+pub(super) fn solve<'a>(
+    problem: &GivenFilm<'a>,
+    film: &'a FilmThickness,
+    speed: f64,
+    interrupted: &dyn Fn() -> bool,
+) -> Option<Solved<'a>> {
     let mut films = Vec::new();
     while let Some(coarser) = films.last().unwrap_or(film).coarser(COARSEST) {
         films.push(coarser);
     }
     let mut start = None;
     while let Some(film) = films.pop() {
-        let solved = on_grid(problem, &film, speed, start.as_ref(), COARSE_TOLERANCE);
+        let solved = on_grid(problem, &film, speed, (start.as_ref(), COARSE_TOLERANCE), interrupted)?;
         let pressure = (0..).zip(&solved.unknowns).map(|(k, &s)| solved.balance.pressure(k, s)).collect();
         let content = solved.unknowns.iter().map(|&s| 1.0 + s.min(0.0)).collect();
         let steps = solved.steps + solved.coarse_steps;
         drop(solved);
         start = Some(Start { film, pressure, content, steps });
     }
-    on_grid(problem, film, speed, start.as_ref(), IMBALANCE)
+    on_grid(problem, film, speed, (start.as_ref(), IMBALANCE), interrupted)
 }
 
-/// Newton's method on one grid.
+/// Newton's method on one grid, to a tolerance; none once `interrupted`.
 ///
 /// Each step is followed by sweeps over the cells along the flow: they carry contents through the cavitated
 /// cells as far as the changed ones let them, which the linear system does not know. Without them fronts move
@@ -84,9 +89,9 @@ fn on_grid<'a>(
     problem: &GivenFilm<'a>,
     film: &'a FilmThickness,
     speed: f64,
-    start: Option<&Start>,
-    tolerance: f64,
-) -> Solved<'a> {
+    (start, tolerance): (Option<&Start>, f64),
+    interrupted: &dyn Fn() -> bool,
+) -> Option<Solved<'a>> {
     let grid = film.grid();
     let zeros = |values: usize| vec![0.0; values * grid.len()];
     let mut balance = Balance::new(problem, film, speed);
@@ -97,6 +102,9 @@ fn on_grid<'a>(
     let (mut steps, mut substitutions) = (0, 0);
     let (mut share, mut last) = (1.0, f64::INFINITY);
     let status = loop {
+        if interrupted() {
+            return None;
+        }
         balance.update(&unknowns);
         let through = balance.linearise(&mut outflow, &mut stencil);
         let residual = outflow.iter().map(|f| f.abs()).sum::<f64>();
@@ -138,7 +146,7 @@ fn on_grid<'a>(
     let residual = outflow.iter().map(|f| f.abs()).sum::<f64>();
     let residual = if residual > 0.0 { residual / through.inflow } else { 0.0 };
     let coarse_steps = start.map_or(0, |start| start.steps);
-    Solved { balance, unknowns, status, residual, through, steps, substitutions, coarse_steps }
+    Some(Solved { balance, unknowns, status, residual, through, steps, substitutions, coarse_steps })
 }
 
 /// Pressure and content of the coarser grid between its nodes; ambient pressure where there is none.

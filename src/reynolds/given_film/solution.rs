@@ -84,23 +84,27 @@ impl GivenFilmSolution {
     }
 }
 
-/// Solves a problem whose fields are valid.
-pub(super) fn solve(problem: &GivenFilm<'_>) -> GivenFilmSolution {
+/// Solves a problem whose fields are valid; none once `interrupted`.
+pub(super) fn solve(problem: &GivenFilm<'_>, interrupted: &dyn Fn() -> bool) -> Option<GivenFilmSolution> {
     let speed = problem.entrainment_speed();
     if speed < 0.0 {
         let film = problem.film.mirrored();
         let speeds = problem.speeds.map(|speed| -speed);
-        let mut solution = forward(&GivenFilm { film: &film, speeds, ..*problem }, -speed);
+        let mut solution = forward(&GivenFilm { film: &film, speeds, ..*problem }, -speed, interrupted)?;
         solution.mirror();
-        solution
+        Some(solution)
     } else {
-        forward(problem, speed)
+        forward(problem, speed, interrupted)
     }
 }
 
 /// Solves with entrainment along +x, or none.
-fn forward(problem: &GivenFilm<'_>, speed: f64) -> GivenFilmSolution {
-    if speed > 0.0 { moving(problem, speed) } else { resting(problem) }
+fn forward(problem: &GivenFilm<'_>, speed: f64, interrupted: &dyn Fn() -> bool) -> Option<GivenFilmSolution> {
+    if speed > 0.0 {
+        newton::solve(problem, problem.film, speed, interrupted).map(|solved| moving(problem, speed, solved))
+    } else {
+        Some(resting(problem))
+    }
 }
 
 /// Without entrainment pressure is ambient everywhere, and nothing flows.
@@ -130,9 +134,8 @@ fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
     }
 }
 
-/// The solution entrained with `speed` along +x, which is not negative.
-fn moving(problem: &GivenFilm<'_>, speed: f64) -> GivenFilmSolution {
-    let solved = newton::solve(problem, problem.film, speed);
+/// The solution entrained with `speed` along +x, above zero.
+fn moving(problem: &GivenFilm<'_>, speed: f64, solved: Solved<'_>) -> GivenFilmSolution {
     let grid = problem.film.grid();
     let rows: Vec<Row> = (0..grid.ny()).map(|j| Row::new(problem, &solved, j)).collect();
     let Solved { balance, unknowns, status, residual, through, steps, substitutions, coarse_steps } = solved;

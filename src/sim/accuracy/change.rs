@@ -48,16 +48,16 @@ pub(super) fn estimate(coarse: &ContactSolution, fine: &ContactSolution) -> Opti
     let friction = fine.friction.coefficient;
     let of_friction = |stress: f64| if friction > 0.0 { stress / friction } else { 0.0 };
     Some(ErrorEstimate {
-        central_film: POINT * relative(|solution| solution.film.central),
-        minimum_film: POINT * relative(|solution| solution.film.minimum),
-        max_pressure: POINT * relative(|solution| solution.pressure.max),
-        mean_film: if fine.film.mean_central <= NO_FILM * fine.state.approach.abs() {
+        film_central: POINT * relative(|solution| solution.film.central),
+        film_minimum: POINT * relative(|solution| solution.film.minimum),
+        pressure_max: POINT * relative(|solution| solution.pressure.max),
+        film_mean_central: if fine.film.mean_central <= NO_FILM * fine.state.approach.abs() {
             0.0
         } else {
             FILM * change.film
         },
-        load_ratio,
-        area_ratio: edge + AREA * sides,
+        contact_load_ratio: load_ratio,
+        contact_area_ratio: edge + AREA * sides,
         friction_coefficient: of_friction(
             BOUNDARY * fine.boundary_friction * load_ratio + SHEAR * change.shear,
         ),

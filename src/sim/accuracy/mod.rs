@@ -35,7 +35,7 @@ use crate::report::Work;
 /// scene.solver.estimate = true; // solved on 16 x 16 cells too
 /// let solution = solve_contact(&scene)?;
 /// let estimate = solution.error_estimate.ok_or("one of both was not solved")?;
-/// assert!(estimate.mean_film >= 0.0 && estimate.load_ratio <= 1.0);
+/// assert!(estimate.film_mean_central >= 0.0 && estimate.contact_load_ratio <= 1.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,18 +43,18 @@ use crate::report::Work;
 #[non_exhaustive]
 pub struct ErrorEstimate {
     /// Of the central film; 0 in a smooth dry contact, whose film is none.
-    pub central_film: f64,
+    pub film_central: f64,
     /// Of the minimum film; 0 in a smooth dry contact.
-    pub minimum_film: f64,
+    pub film_minimum: f64,
     /// Of the maximum pressure. A pressure spike at the outlet does not converge on such meshes: where it is,
     /// or may still become, the maximum, the estimate of a smooth contact says so and is large.
-    pub max_pressure: f64,
+    pub pressure_max: f64,
     /// Of the mean film within two thirds of the Hertz radii.
-    pub mean_film: f64,
+    pub film_mean_central: f64,
     /// Of the share of the load that solid contact carries, absolute.
-    pub load_ratio: f64,
+    pub contact_load_ratio: f64,
     /// Of the area of solid contact over the Hertz area, absolute.
-    pub area_ratio: f64,
+    pub contact_area_ratio: f64,
     /// Of the friction coefficient; 0 without sliding.
     pub friction_coefficient: f64,
 }

@@ -109,8 +109,10 @@ fn on(scene: &Scene, surfaces: &Surfaces, interrupt: Option<&Interrupt>) -> Resu
 
 /// What an accuracy of a rough contact bounds.
 fn largest(estimate: &ErrorEstimate) -> f64 {
-    let ErrorEstimate { mean_film, load_ratio, area_ratio, friction_coefficient, .. } = *estimate;
-    mean_film.max(load_ratio).max(area_ratio).max(friction_coefficient)
+    let ErrorEstimate {
+        film_mean_central, contact_load_ratio, contact_area_ratio, friction_coefficient, ..
+    } = *estimate;
+    film_mean_central.max(contact_load_ratio).max(contact_area_ratio).max(friction_coefficient)
 }
 
 /// Whether a mesh has at most [`MAX_NODES`] nodes and memory is granted for them.

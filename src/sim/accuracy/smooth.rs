@@ -190,7 +190,7 @@ impl Picked {
             let (mut solution, estimate) =
                 meshes.estimate(scene.is_lubricated(), plan.box_error, spike_growth);
             let reached = estimate.map_or(f64::INFINITY, |e| {
-                if scene.is_lubricated() { e.central_film } else { e.max_pressure }
+                if scene.is_lubricated() { e.film_central } else { e.pressure_max }
             });
             let mesh = (reached - plan.box_error) / (accuracy - plan.box_error);
             let finer = Plan { cell: plan.cell * (0.8 / mesh).sqrt().clamp(0.5, 0.9), ..plan };
@@ -268,10 +268,10 @@ impl Meshes {
             let spike = highest_spike(&self.finest);
             let overtaken = (1.0 + spike_growth) * spike / self.finest.pressure.max - 1.0;
             ErrorEstimate {
-                central_film: film(0, 1.0),
-                minimum_film: film(1, BOX_MINIMUM),
-                max_pressure: of(2).max(overtaken),
-                mean_film: changes.mean_film + box_error,
+                film_central: film(0, 1.0),
+                film_minimum: film(1, BOX_MINIMUM),
+                pressure_max: of(2).max(overtaken),
+                film_mean_central: changes.film_mean_central + box_error,
                 ..changes
             }
         });

@@ -183,8 +183,7 @@ impl Scene {
         };
         let modulus =
             substrate("substrate_modulus", spec.substrate_modulus, "modulus", disc.young_modulus())?;
-        let poisson =
-            substrate("substrate_poisson", spec.substrate_poisson, "poisson_ratio", disc.poisson())?;
+        let poisson = substrate("substrate_poisson", spec.substrate_poisson, "poisson", disc.poisson())?;
         Layer::new(spec.thickness, [spec.modulus, spec.poisson], [modulus, poisson]).map(Some)
     }
 

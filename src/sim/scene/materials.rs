@@ -49,7 +49,7 @@ pub struct Material {
     pub modulus: Option<f64>,
     /// Poisson's ratio; with `modulus`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub poisson_ratio: Option<f64>,
+    pub poisson: Option<f64>,
     /// Hardness \[Pa\], in place of `plastic.hardness` and `wear.hardness`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub hardness: Option<f64>,
@@ -64,7 +64,7 @@ pub struct Material {
 with_fields!(Material {
     with_material material: Option<NamedMaterial>,
     with_modulus modulus: Option<f64>,
-    with_poisson_ratio poisson_ratio: Option<f64>,
+    with_poisson poisson: Option<f64>,
     with_hardness hardness: Option<f64>,
     with_conductivity conductivity: Option<f64>,
     with_diffusivity diffusivity: Option<f64>,
@@ -113,7 +113,7 @@ impl NamedMaterial {
     }
 
     /// Poisson's ratio, 0.3 of all.
-    pub fn poisson_ratio(self) -> f64 {
+    pub fn poisson(self) -> f64 {
         0.3
     }
 }
@@ -126,7 +126,7 @@ impl Material {
 
     /// Poisson's ratio: its own, else that of the named material.
     pub fn poisson(&self) -> Option<f64> {
-        self.poisson_ratio.or(self.material.map(NamedMaterial::poisson_ratio))
+        self.poisson.or(self.material.map(NamedMaterial::poisson))
     }
 }
 
@@ -158,7 +158,7 @@ impl Materials {
             };
             let (field, modulus) = required("modulus", body.young_modulus())?;
             InputError::require_positive(&field, modulus)?;
-            let (field, ratio) = required("poisson_ratio", body.poisson())?;
+            let (field, ratio) = required("poisson", body.poisson())?;
             InputError::require((-1.0 < ratio) && (ratio <= 0.5), &field, ratio, "above -1 and at most 0.5")?;
             compliance += (1.0 - ratio * ratio) / modulus;
         }
@@ -176,7 +176,7 @@ impl Scene {
     /// use stribeck::sim::Scene;
     /// use stribeck::sim::scene::{Elastic, Material};
     /// let mut scene = Scene::azam_2019(32);
-    /// let steel = Material::default().with_modulus(Some(209e9)).with_poisson_ratio(Some(0.3));
+    /// let steel = Material::default().with_modulus(Some(209e9)).with_poisson(Some(0.3));
     /// scene.elastic = Elastic::default();
     /// (scene.materials.ball, scene.materials.disc) = (steel, steel);
     /// assert!((scene.equivalent_modulus()? - 229.67e9).abs() < 1e7);

@@ -74,7 +74,7 @@ impl StressSpec {
         };
         match (self.poisson, scene.materials.disc.poisson(), scene.elastic.layer) {
             (Some(_), Some(_), _) => {
-                conflict("poisson and materials.disc.poisson_ratio are given; give one of both")
+                conflict("poisson and materials.disc.poisson are given; give one of both")
             }
             (Some(_), None, Some(_)) => {
                 conflict("poisson is given, but elastic.layer has the ratios of layer and disc")

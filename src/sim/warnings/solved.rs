@@ -95,12 +95,12 @@ fn mesh_errors(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
 /// The warning about the largest of all estimates above [`LARGEST_ERROR`]; it names the others too.
 fn large_errors(estimate: &ErrorEstimate) -> Option<Warning> {
     let errors = [
-        ("central_film", estimate.central_film),
-        ("minimum_film", estimate.minimum_film),
-        ("max_pressure", estimate.max_pressure),
-        ("mean_film", estimate.mean_film),
-        ("load_ratio", estimate.load_ratio),
-        ("area_ratio", estimate.area_ratio),
+        ("film_central", estimate.film_central),
+        ("film_minimum", estimate.film_minimum),
+        ("pressure_max", estimate.pressure_max),
+        ("film_mean_central", estimate.film_mean_central),
+        ("contact_load_ratio", estimate.contact_load_ratio),
+        ("contact_area_ratio", estimate.contact_area_ratio),
         ("friction_coefficient", estimate.friction_coefficient),
     ];
     // What is no number is no small error.
