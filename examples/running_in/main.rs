@@ -3,7 +3,7 @@
 //! figure and one table, and the folder of the run, into `target/running_in`.
 //!
 //! ```text
-//! cargo run --release --example running_in [-- SPEEDS]     # 13 from 1 mm/s to 1 m/s
+//! cargo run --release --example running_in [-- SPEEDS [END]]   # 13 from 1 mm/s to 1 m/s, after 1800 s
 //! ```
 #![expect(clippy::print_stdout, reason = "a program that talks to its user")]
 
@@ -16,11 +16,9 @@ use std::path::Path;
 
 use chart::{BLUE, Figure, Line, Panel, Pen, VERMILION, XScale};
 use stribeck::InputError;
-use stribeck::metrics::{composite_rq, height_statistics};
+use stribeck::metrics::height_statistics;
 use stribeck::sim::{MixedLubricationSim, RunFolder, Scene, StepControl};
 
-/// End of the run \[s\].
-const END: f64 = 1800.0;
 /// Load of both sweeps \[N\].
 const SWEEP_LOAD: f64 = 20.0;
 /// Longest step \[s\] and largest change of a node in it \[m\].
@@ -37,8 +35,6 @@ fn track_rq(sim: &MixedLubricationSim, heights: &[f64]) -> Result<f64, InputErro
 /// Contacts of the bodies as they stand from 1 mm/s to 1 m/s.
 fn sweep(sim: &mut MixedLubricationSim, count: u32) -> Result<Sweep, Box<dyn Error>> {
     let mut curve = Vec::new();
-    let [ball, disc] = sim.bodies();
-    let rq = composite_rq(track_rq(sim, ball.surface())?, track_rq(sim, disc.surface())?);
     for k in 0..count {
         let decade = 3.0 * f64::from(k) / f64::from(count - 1) - 3.0;
         let mut conditions = sim.conditions();
@@ -49,14 +45,14 @@ fn sweep(sim: &mut MixedLubricationSim, count: u32) -> Result<Sweep, Box<dyn Err
             println!("{:.4} m/s is left out: {error}", conditions.motion.entrainment_speed);
             continue;
         }
-        let lambda = solution.film.mean_central / rq;
+        let lambda = solution.film.lambda.ok_or("the surfaces are smooth")?;
         let (friction, solids) = (solution.friction.coefficient, solution.contact.load_ratio);
         curve.push((decade, [friction, solution.friction.boundary, solids, lambda]));
     }
     Ok(curve)
 }
 
-fn figure(new: &Sweep, worn: &Sweep) -> Figure {
+fn figure(new: &Sweep, worn: &Sweep, end: f64) -> Figure {
     let panel = |y_label, column: usize| {
         let line = |sweep: &Sweep, colour| Line {
             pen: Pen::strong(colour),
@@ -70,7 +66,7 @@ fn figure(new: &Sweep, worn: &Sweep) -> Figure {
         x_scale: XScale::Decades,
         legend: vec![
             (Pen::strong(BLUE), "new".to_owned()),
-            (Pen::strong(VERMILION), format!("after {END} s under 20, 40 and 60 N")),
+            (Pen::strong(VERMILION), format!("after {end} s of running in")),
         ],
         panels: vec![panel("friction", 0), panel("load ratio", 2), panel("\u{3bb} = h_avg / Rq", 3)],
     }
@@ -91,12 +87,13 @@ fn table(new: &Sweep, worn: &Sweep) -> Result<String, std::fmt::Error> {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let count = std::env::args().nth(1).map_or(Ok(13), |count| count.parse::<u32>())?.max(2);
+    let end = std::env::args().nth(2).map_or(Ok(1800.0), |end| end.parse::<f64>())?;
     let scene = Scene::from_toml(include_str!("../scenes/running_in.toml"))?;
     let mut sim = MixedLubricationSim::builder(scene).build()?;
     let new = sweep(&mut sim, count)?;
     let folder = Path::new("target/running_in");
     let mut files = RunFolder::create(folder, &sim, 0)?;
-    sim.run_until(END, &CONTROL, &mut files)?;
+    sim.run_until(end, &CONTROL, &mut files)?;
     files.finish(&sim)?;
     let worn = sweep(&mut sim, count)?;
     let [_, disc] = sim.bodies();
@@ -115,7 +112,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{speed:10.4} {:11.4}{friction:11.4} {:11.4}{solids:11.4}", numbers[0], numbers[2]);
     }
     std::fs::write(folder.join("stribeck_curves.csv"), table(&new, &worn)?)?;
-    figure(&new, &worn).write(&folder.join("stribeck_curves.svg"))?;
+    figure(&new, &worn, end).write(&folder.join("stribeck_curves.svg"))?;
     println!("table, figure and run are in {}", folder.display());
     Ok(())
 }

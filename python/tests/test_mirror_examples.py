@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import run_example, run_json
+from conftest import ROOT, SCENES, run_example, run_json
 
 import stribeck
 from stribeck.elastic import HalfSpace
@@ -86,6 +86,29 @@ def test_films_with_a_temperature_are_those_of_their_example(tmp_path: Path) -> 
         assert solution.friction.coefficient == float(row["friction_coefficient"])
         rise = 0.0 if solution.thermal is None else solution.thermal.film_temperature_max - 313.15
         assert rise == float(row["film_temperature_rise_k"])
+
+
+def test_running_in_is_that_of_its_example() -> None:
+    end = 60.0
+    run_example("running_in", "2", str(end))
+    simulation = stribeck.Simulation(SCENES / "running_in.toml")
+
+    def sweep(surfaces: str) -> list[list[object]]:
+        found = []
+        for speed in (1e-3, 1.0):
+            solution = simulation.solve_under(load=20.0, entrainment_speed=speed).require_converged()
+            friction, contact, film = solution.friction, solution.contact, solution.film
+            found.append([surfaces, speed, friction.coefficient, friction.boundary, contact.load_ratio, film.lambda_])
+        return found
+
+    rows = sweep("new")
+    simulation.run_until(end, 20.0, depth=5e-9)
+    rows += sweep("worn")
+    with (ROOT / "target" / "running_in" / "stribeck_curves.csv").open() as file:
+        lines = list(csv.reader(file))[1:]
+    assert [[name, *map(float, numbers)] for name, *numbers in lines] == rows
+    with (ROOT / "target" / "running_in" / "history.csv").open() as file:
+        assert len(list(csv.reader(file))) == len(simulation.history) + 1
 
 
 class Coated:

@@ -111,6 +111,15 @@ const KEYS: &[(&str, Dimension)] = &[
     ("solver.accuracy", Ratio),
 ];
 
+/// Whether the key at `path` is a table, as a key of it has a dimension.
+fn is_table(path: &str) -> bool {
+    KEYS.iter().any(|(pattern, _)| {
+        let (mut names, mut parts) = (path.split('.'), pattern.split('.'));
+        let fit = names.by_ref().all(|name| parts.next().is_some_and(|part| part == "*" || part == name));
+        fit && parts.next().is_some()
+    })
+}
+
 /// What the key at `path` of a scene file holds; none where it has no dimension or there is no such key.
 fn dimension(path: &str, line: bool) -> Option<Dimension> {
     let matches = |pattern: &str| {
@@ -126,7 +135,7 @@ fn dimension(path: &str, line: bool) -> Option<Dimension> {
 /// stay lines.
 ///
 /// # Errors
-/// Text that is no quantity of its key, which the error names.
+/// Text that is no quantity of its key, a list that should be a table; the error names the key.
 pub(super) fn in_si_units<'a>(text: &'a str, root: &DeTable<'_>) -> Result<Cow<'a, str>, InputError> {
     let form = root.get("form").and_then(|form| form.get_ref().as_table());
     let kind = form.and_then(|form| form.get("kind")).and_then(|kind| kind.get_ref().as_str());
@@ -149,7 +158,7 @@ pub(super) fn in_si_units<'a>(text: &'a str, root: &DeTable<'_>) -> Result<Cow<'
     Ok(Cow::Owned(out))
 }
 
-/// Places of quantities in `table`, whose path is `path`, and their values.
+/// Places of quantities in `table`, whose path is `path`, and their values; lists of values are no tables.
 fn collect(
     table: &DeTable<'_>,
     path: &str,
@@ -164,6 +173,10 @@ fn collect(
                 if let Some(dimension) = dimension(&path, line) {
                     places.push((value.span(), dimension.parse(&path, quantity)?));
                 }
+            }
+            DeValue::Array(_) if is_table(&path) => {
+                let reason = format!("it is a list where a table is expected: one [{path}] with its keys");
+                return Err(InputError::Conflict { field: path, reason });
             }
             DeValue::Array(values) => {
                 let Some(dimension) = dimension(&path, line) else { continue };
