@@ -187,7 +187,7 @@ fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
     for body in ["ball", "disc"] {
         writeln!(
             text,
-            "[materials.{body}] # steel\nmodulus = \"{} GPa\" # Young's modulus\npoisson_ratio = {ratio}\n",
+            "[materials.{body}] # steel\nmodulus = \"{} GPa\" # Young's modulus\npoisson = {ratio}\n",
             modulus * 1e-9
         )?;
     }

@@ -135,12 +135,8 @@ impl Panel {
             let style = ShapeStyle::from(line.colour).stroke_width(2);
             let known: Vec<(f64, f64)> = line.points.iter().copied().filter(|(_, v)| v.is_finite()).collect();
             let mut is_named = line.name.is_empty();
-            // What is cut off leaves a gap.
-            for run in known.chunk_by(|a, b| y.contains(&a.1) == y.contains(&b.1)) {
-                if run.iter().any(|point| !y.contains(&point.1)) {
-                    continue;
-                }
-                let drawn = chart.draw_series(LineSeries::new(run.iter().copied(), style))?;
+            for run in runs_below(&known, y.end) {
+                let drawn = chart.draw_series(LineSeries::new(run, style))?;
                 if !is_named {
                     let key = move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style);
                     drawn.label(line.name).legend(key);
@@ -171,4 +167,25 @@ impl Panel {
         let margin = if high > low { 0.06 * (high - low) } else { 1.0 };
         if low < 0.0 { low - margin..high + margin } else { 0.0..high + margin }
     }
+}
+
+/// The pieces of a line that are not above `top`, up to where they leave.
+fn runs_below(points: &[(f64, f64)], top: f64) -> Vec<Vec<(f64, f64)>> {
+    let (mut runs, mut run, mut last) = (Vec::new(), Vec::new(), None);
+    for &(x, y) in points {
+        if let Some((x0, y0)) = last
+            && (y0 > top) != (y > top)
+        {
+            run.push((x0 + (top - y0) / (y - y0) * (x - x0), top));
+        }
+        if y > top {
+            runs.push(std::mem::take(&mut run));
+        } else {
+            run.push((x, y));
+        }
+        last = Some((x, y));
+    }
+    runs.push(run);
+    runs.retain(|run| !run.is_empty());
+    runs
 }

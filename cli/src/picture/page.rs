@@ -9,7 +9,7 @@ use stribeck::metrics::{Axis, Spectrum, height_histogram, profile_spectrum, radi
 use stribeck::surface::Heights;
 use stribeck::{Boundary, Grid};
 
-use super::{BLUE, Drawn, GREEN, Picture, TEXT_SIZE, TITLE_SIZE, VERMILION, colour, extremes, text};
+use super::{BLUE, Drawn, GREEN, Picture, TEXT_SIZE, TITLE_SIZE, VERMILION, colour, extremes, text, tick};
 use crate::surface_numbers::{Numbers, defined_heights};
 
 const SIZE: (u32, u32) = (1100, 900);
@@ -141,6 +141,7 @@ fn draw_map<B: DrawingBackend>(area: &DrawingArea<B, Shift>, map: &Map<'_>, (low
 where
     B::ErrorType: 'static,
 {
+    let (x_number, y_number) = (tick(&map.x), tick(&map.y));
     let mut chart = ChartBuilder::on(area)
         .caption(&map.title, text(TEXT_SIZE + 1))
         .margin(10)
@@ -152,6 +153,9 @@ where
         .disable_mesh()
         .x_desc(map.x_label)
         .y_desc(map.y_label)
+        .x_labels(6)
+        .x_label_formatter(&|v| x_number(v))
+        .y_label_formatter(&|v| y_number(v))
         .label_style(text(TEXT_SIZE))
         .draw()?;
     let (columns, rows) = (map.nx.min(SQUARES), map.ny.min(SQUARES));

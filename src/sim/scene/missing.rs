@@ -4,7 +4,7 @@
 //! is not given is missing only where every scene has it (`form`, `load`, `grid`), `elastic` where no materials
 //! give the moduli, `motion` where there is an oil.
 
-use toml::{Table, Value};
+use toml::Table;
 
 use super::tribofilm::{PROPORTIONAL_REMOVAL, STRESS_ACTIVATED, THERMAL_ARRHENIUS};
 
@@ -17,66 +17,69 @@ const IMPROVED_YASUTOMI: [&str; 8] =
 
 /// Paths of the keys without which the tables of `scene` cannot be read, in the order of the document.
 pub(super) fn keys(scene: &Table) -> Vec<String> {
-    let mut missing = Vec::new();
-    let mut look = |table: &str, keys: &[&str]| match find(scene, table) {
-        Some(given) => {
-            let absent = keys.iter().filter(|key| !given.contains_key(**key));
-            missing.extend(absent.map(|key| format!("{table}.{key}")));
+    let mut search = Search { scene, missing: Vec::new() };
+    search.bodies();
+    search.conditions();
+    search.grid();
+    search.surfaces();
+    search.missing
+}
+
+/// What has been looked through of a scene.
+struct Search<'a> {
+    scene: &'a Table,
+    /// Paths of keys that are missing.
+    missing: Vec<String>,
+}
+
+impl<'a> Search<'a> {
+    /// Form and elastic bodies.
+    fn bodies(&mut self) {
+        let ellipsoid = self.text("form", "kind") == Some("ellipsoid");
+        self.look("form", if ellipsoid { &["kind", "radius_x", "radius_y"] } else { &["kind", "radius"] });
+        // Materials give the modulus, and a layer stands on either.
+        if !self.scene.contains_key("materials") {
+            self.look("elastic", &["equivalent_modulus"]);
         }
-        None if ["form", "load", "grid", "elastic", "motion"].contains(&table) => {
-            missing.push(table.to_owned());
+        self.look("elastic.layer", &["thickness", "modulus", "poisson"]);
+    }
+
+    /// Load, motion and oil.
+    fn conditions(&mut self) {
+        let loaded = self.has("load", "hertz_pressure") || self.has("schedule", "load");
+        self.look("load", if loaded { &[] } else { &["force"] });
+        if self.scene.contains_key("lubricant") && !self.has("schedule", "entrainment_speed") {
+            self.look("motion", &["entrainment_speed"]);
         }
-        None => {}
-    };
-    let kind = |table: &str| find(scene, table).and_then(|given| given.get("kind")).and_then(Value::as_str);
-    look(
-        "form",
-        if kind("form") == Some("ellipsoid") {
-            &["kind", "radius_x", "radius_y"]
-        } else {
-            &["kind", "radius"]
-        },
-    );
-    // Materials give the modulus, and a layer stands on either.
-    if !scene.contains_key("materials") {
-        look("elastic", &["equivalent_modulus"]);
+        let law = self.text("lubricant.viscosity", "law");
+        match (self.table("lubricant.viscosity"), law) {
+            (None, _) => self.look("lubricant", &["eta0", "roelands_z"]),
+            (_, Some("barus")) => self.look("lubricant.viscosity", &["eta0", "alpha"]),
+            (_, Some("doolittle_tait")) => self.look("lubricant.viscosity", &DOOLITTLE_TAIT),
+            (_, Some("improved_yasutomi")) => self.look("lubricant.viscosity", &IMPROVED_YASUTOMI),
+            (_, Some(_)) => {}
+            (_, None) => self.look("lubricant.viscosity", &["law"]),
+        }
     }
-    look("elastic.layer", &["thickness", "modulus", "poisson"]);
-    let scheduled = |key: &str| find(scene, "schedule").is_some_and(|schedule| schedule.contains_key(key));
-    let loaded = find(scene, "load").is_some_and(|load| load.contains_key("hertz_pressure"));
-    look("load", if loaded || scheduled("load") { &[] } else { &["force"] });
-    if scene.contains_key("lubricant") && !scheduled("entrainment_speed") {
-        look("motion", &["entrainment_speed"]);
-    }
-    match find(scene, "lubricant.viscosity") {
-        None => look("lubricant", &["eta0", "roelands_z"]),
-        Some(viscosity) => look(
-            "lubricant.viscosity",
-            match viscosity.get("law").and_then(Value::as_str) {
-                Some("barus") => &["eta0", "alpha"],
-                Some("doolittle_tait") => &DOOLITTLE_TAIT,
-                Some("improved_yasutomi") => &IMPROVED_YASUTOMI,
-                Some(_) => &[],
-                None => &["law"],
-            },
-        ),
-    }
-    let given = |key: &str| find(scene, "grid").is_some_and(|grid| grid.contains_key(key));
-    let row = kind("form") == Some("cylinder") && !given("ny") && !given("y");
-    look(
-        "grid",
-        if given("accuracy") {
+
+    /// Cells, or their accuracy.
+    fn grid(&mut self) {
+        let row = self.text("form", "kind") == Some("cylinder");
+        let row = row && !self.has("grid", "ny") && !self.has("grid", "y");
+        let keys: &[&str] = if self.has("grid", "accuracy") {
             &[]
         } else if row {
             &["nx", "x"]
         } else {
             &["nx", "ny", "x", "y"]
-        },
-    );
-    for body in ["roughness.ball", "roughness.disc"] {
-        look(
-            body,
-            match kind(body) {
+        };
+        self.look("grid", keys);
+    }
+
+    /// Roughness and what changes it.
+    fn surfaces(&mut self) {
+        for body in ["roughness.ball", "roughness.disc"] {
+            let keys: &[&str] = match self.text(body, "kind") {
                 Some("gaussian" | "exponential") => &["rq", "length_x", "length_y"],
                 Some("self_affine") => &["rq", "hurst", "roll_off"],
                 Some("dimples") => &["radius", "depth", "pitch"],
@@ -84,27 +87,49 @@ pub(super) fn keys(scene: &Table) -> Vec<String> {
                 Some("file") => &["path"],
                 Some(_) => &[],
                 None => &["kind"],
-            },
-        );
-    }
-    look("plastic", &["hardness"]);
-    let law = |table: &str| find(scene, table).and_then(|given| given.get("law")).and_then(Value::as_str);
-    look(
-        "tribofilm",
-        match law("tribofilm") {
+            };
+            self.look(body, keys);
+        }
+        self.look("plastic", &["hardness"]);
+        let keys: &[&str] = match self.text("tribofilm", "law") {
             Some("stress_activated") => &STRESS_ACTIVATED,
             Some("thermal_arrhenius") => &THERMAL_ARRHENIUS,
             Some("proportional_removal") => &PROPORTIONAL_REMOVAL,
             _ => &[],
-        },
-    );
-    look("wear", if law("wear") == Some("frictional_energy") { &["volume_per_energy"] } else { &[] });
-    missing
-}
+        };
+        self.look("tribofilm", keys);
+        if self.text("wear", "law") == Some("frictional_energy") {
+            self.look("wear", &["volume_per_energy"]);
+        }
+    }
 
-/// The table at the path of names with dots between them.
-fn find<'a>(scene: &'a Table, path: &str) -> Option<&'a Table> {
-    let mut parts = path.split('.');
-    let first = scene.get(parts.next()?)?.as_table();
-    parts.try_fold(first?, |table, key| table.get(key)?.as_table())
+    /// Notes which `keys` the table at `path` lacks, or that there is no such table where every scene has it.
+    fn look(&mut self, path: &str, keys: &[&str]) {
+        match self.table(path) {
+            Some(given) => {
+                let absent = keys.iter().filter(|key| !given.contains_key(**key));
+                let absent: Vec<String> = absent.map(|key| format!("{path}.{key}")).collect();
+                self.missing.extend(absent);
+            }
+            None if ["form", "load", "grid", "elastic", "motion"].contains(&path) => {
+                self.missing.push(path.to_owned());
+            }
+            None => {}
+        }
+    }
+
+    /// The table at the path of names with dots between them.
+    fn table(&self, path: &str) -> Option<&'a Table> {
+        let mut parts = path.split('.');
+        let first = self.scene.get(parts.next()?)?.as_table();
+        parts.try_fold(first?, |table, key| table.get(key)?.as_table())
+    }
+
+    fn has(&self, table: &str, key: &str) -> bool {
+        self.table(table).is_some_and(|table| table.contains_key(key))
+    }
+
+    fn text(&self, table: &str, key: &str) -> Option<&'a str> {
+        self.table(table)?.get(key)?.as_str()
+    }
 }
