@@ -1,10 +1,10 @@
 //! Picks the solver by what the scene holds.
 //!
 //! ```text
-//! no lubricant ─────────────> Dry
-//! paper's contact ──────────> hard contact first; SemiSystem where anything touches
-//! smooth full film ─────────> Multigrid ──not converged──> NewtonKrylov
-//! all else ─────────────────> NewtonKrylov ──not converged, nothing touches──> SemiSystem
+//! no lubricant ───────────────────> Dry
+//! paper's contact ────────────────> hard contact first; SemiSystem where anything touches
+//! smooth full film on many nodes ─> Multigrid ──not converged──> NewtonKrylov
+//! all else ───────────────────────> NewtonKrylov ──not converged, nothing touches──> SemiSystem
 //! ```
 //!
 //! Sweeps after Newton's method count only where they leave smaller residuals.
@@ -22,15 +22,19 @@ use crate::solver_id::SolverId;
 /// residuals below this; from larger ones it would start anew.
 const HAND_OVER: HandOver = HandOver { cycles: 11, residual: 1.0 };
 
+/// On up to so many nodes Newton's method needs fewer convolutions than cycles do, and its factorisations cost
+/// little.
+const FEW_NODES: usize = 64 * 64;
+
 /// Expected film over contact film above which solid contact on a smooth surface is the fault of the mesh;
 /// the minimum film is a quarter of the central one at least.
 const FILM_OVER_CONTACT: f64 = 10.0;
 
-/// [`Dry`] without a lubricant. [`Multigrid`] where a smooth full film is expected; [`NewtonKrylov`] finishes
-/// what that leaves above the tolerance, and solves all the rest. Where it does not converge although no
-/// solids touch, [`SemiSystem`] tries, which in solid contact would not. The report names the solver whose
-/// state was kept ([`SolverId::MultigridThenNewton`] if the second finished what the first began) and counts
-/// the work of all.
+/// [`Dry`] without a lubricant. [`Multigrid`] where a smooth full film is expected on more than 64 x 64
+/// nodes; [`NewtonKrylov`] finishes what that leaves above the tolerance, and solves all the rest. Where it
+/// does not converge although no solids touch, [`SemiSystem`] tries, which in solid contact would not. The
+/// report names the solver whose state was kept ([`SolverId::MultigridThenNewton`] if the second finished
+/// what the first began) and counts the work of all.
 ///
 /// A smooth contact whose film by formula is ten times the contact film and more, but whose solids touch on
 /// this mesh, ends as [`Status::MeshTooCoarse`].
@@ -168,7 +172,7 @@ impl Auto {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        if !Multigrid::suits(problem) {
+        if !Multigrid::suits(problem) || problem.gap.len() <= FEW_NODES {
             return self.newton_then_sweeps(problem, state, stop);
         }
         let given = self.kept.get_or_insert_with(|| state.clone());
