@@ -387,6 +387,11 @@ fn mistakes_in_calls_are_named() {
     assert_named("too few", &built(vec![0.0; 7]), &["disc heights", "7 values", "576"]);
     assert_named("NaN", &built(vec![f64::NAN; 576]), &["disc heights[0][0] = NaN"]);
     assert_named("in um", &built(waves(8.0).iter().map(|z| z * 1e6).collect()), &["roughness.disc_rq", "um"]);
+    assert_named(
+        "absurd",
+        &built(waves(8.0).iter().map(|z| z * 1e170).collect()),
+        &["roughness.disc_rq", "above"],
+    );
     assert_named("short waves", &built(waves(2.4)), &["grid.nx = 24", "three cells"]);
 
     let mut sim = MixedLubricationSim::builder(dry()).build().unwrap();

@@ -184,9 +184,11 @@ pub(super) fn values(scene: &Scene) -> Vec<Warning> {
     given.filter_map(|(field, value, range)| range.check(&field, value)).collect()
 }
 
-/// The warning about `heights` \[m\] that are too high for a contact of `half_width` \[m\].
+/// The warning about `heights` \[m\] that are too high for a contact of `half_width` \[m\]; where their squares
+/// are beyond the range of numbers the largest height stands for Rq.
 pub(super) fn height(field: &str, heights: &[f64], half_width: f64) -> Vec<Warning> {
-    let rq = height_statistics(heights).map_or(0.0, |statistics| statistics.sq);
+    let rq = height_statistics(heights).map(|statistics| statistics.sq).ok().filter(|rq| rq.is_finite());
+    let rq = rq.unwrap_or_else(|| heights.iter().fold(0.0, |largest, height| height.abs().max(largest)));
     largest_rq(half_width).check(&format!("{field}_rq"), rq).into_iter().collect()
 }
 
