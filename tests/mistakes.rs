@@ -80,7 +80,7 @@ fn the_scene_without_mistakes_has_no_warning() {
 }
 
 /// A line of the scene, what a mistake makes of it, and what must be said.
-const MISTAKES: [(&str, &str, &[&str]); 46] = [
+const MISTAKES: [(&str, &str, &[&str]); 47] = [
     // Units.
     ("radius = 9.525e-3", "radius = 9.525", &["form.radius = 9.525", "did you mean 9.525 mm = 0.009525 m?"]),
     ("= 229.67e9", "= 229.67", &["elastic.equivalent_modulus = 229.67", "did you mean 229.67 GPa"]),
@@ -144,6 +144,7 @@ const MISTAKES: [(&str, &str, &[&str]); 46] = [
         "elastic = 229.67e9\n[form]\nkind = \"sphere\"\nradius = 9.525e-3",
         &["elastic", "a table"],
     ),
+    ("radius = 9.525e-3", "radius = 1979-05-27", &["form.radius: it is a date"]),
     ("[solver]", "[[solver]]", &["solver: it is a list", "[solver]"]),
     ("kind = \"sphere\"", "kind = \"bal\"", &["form.kind", "bal", "sphere"]),
     ("radius = 9.525e-3", "raduis = 9.525e-3", &["raduis", "form"]),

@@ -8,7 +8,7 @@ use stribeck::InputError;
 use stribeck::elastic::{self, DeformationModel};
 
 use crate::convert::{field, on_grid};
-use crate::error::value;
+use crate::error::{ForPython, value};
 use crate::scene::Cells;
 
 /// Two half-spaces in contact.
@@ -29,6 +29,10 @@ impl HalfSpace {
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let grid = self.look(|body| body.grid());
         let pressure = on_grid(py, "pressure", &pressure, &grid)?;
+        if let Some(k) = pressure.iter().position(|value| !value.is_finite()) {
+            let (field, index, value) = (format!("pressure[{}]", k / grid.nx()), k % grid.nx(), pressure[k]);
+            return Err(InputError::NotFinite { field, index, value }.for_python(py));
+        }
         let displacement = py.detach(|| {
             let mut out = vec![0.0; pressure.len()];
             self.look(|body| body.displacement(pressure, &mut out))?;

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import numpy.typing as npt
 
@@ -19,7 +21,11 @@ class HalfSpace:
 
     def __init__(self, grid: Grid, equivalent_modulus: Quantity) -> None:
         self.equivalent_modulus = number("equivalent_modulus", equivalent_modulus, "Pa")
+        self.grid = grid
         self._raw = _stribeck.HalfSpace(cells(grid), self.equivalent_modulus)
+
+    def __reduce__(self) -> Any:
+        return type(self), (self.grid, self.equivalent_modulus)
 
     def displacement(self, pressure: npt.ArrayLike) -> npt.NDArray[np.float64]:
         """Displacement of both surfaces together, the widening of the gap [m], under ``pressure`` [Pa]."""

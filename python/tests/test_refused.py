@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import os
 import pickle
 import signal
@@ -314,6 +315,26 @@ def test_deformation_models_that_fail(rough: stribeck.Scene, model, words: str) 
     for call in (stribeck.solve, stribeck.Simulation):
         error = refused(stribeck.LawError, lambda call=call: call(rough, deformation=model), "deformation model")
         assert words in str(error).lower()
+
+
+def test_half_spaces_are_copied_and_refuse_what_is_no_pressure(rough: stribeck.Scene) -> None:
+    body = stribeck.elastic.HalfSpace(rough.grid, "230 GPa")
+    pressure = np.ones((32, 32))
+    for other in (copy.deepcopy(body), pickle.loads(pickle.dumps(body))):
+        np.testing.assert_allclose(other.displacement(pressure), body.displacement(pressure), rtol=1e-12)
+    pressure[2, 3] = np.nan
+    refused(stribeck.InputError, lambda: body.displacement(pressure), "pressure[2][3]")
+    refused(stribeck.ShapeError, lambda: body.displacement(pressure[1:]), "pressure")
+
+    class Wrong:
+        def displacement(self, pressure):
+            return body.displacement(pressure)
+
+        def influence(self, di, dj):
+            return 1.0
+
+    error = refused(stribeck.LawError, lambda: stribeck.solve(rough, deformation=Wrong()), "deformation model")
+    assert "influence(0, 0)" in str(error)
 
 
 def test_a_deformation_model_that_fails_later(rough: stribeck.Scene) -> None:

@@ -52,6 +52,12 @@ impl Deformation {
                     *value = given.map_err(|error| raised(py, "influence", error))?;
                 }
             }
+            let (given, found) = (influences[0][0], of_unit.first().copied().unwrap_or_default());
+            if !((given - found).abs() <= LARGEST_BREACH * found.abs()) {
+                let breach =
+                    format!("is displaced by {found:e} m under 1 Pa, but its influence(0, 0) is {given:e}");
+                return Err(displacement.refused(py, &breach, given.into_pyobject(py)?.into_any()));
+            }
         } else {
             for (row, values) in influences.iter_mut().zip(of_unit.chunks(displacement.grid.nx())) {
                 for (influence, value) in row.iter_mut().zip(values) {

@@ -135,7 +135,7 @@ fn dimension(path: &str, line: bool) -> Option<Dimension> {
 /// stay lines.
 ///
 /// # Errors
-/// Text that is no quantity of its key, a list that should be a table; the error names the key.
+/// Text that is no quantity of its key, a list that should be a table, a date; the error names the key.
 pub(super) fn in_si_units<'a>(text: &'a str, root: &DeTable<'_>) -> Result<Cow<'a, str>, InputError> {
     let form = root.get("form").and_then(|form| form.get_ref().as_table());
     let kind = form.and_then(|form| form.get("kind")).and_then(|kind| kind.get_ref().as_str());
@@ -173,6 +173,10 @@ fn collect(
                 if let Some(dimension) = dimension(&path, line) {
                     places.push((value.span(), dimension.parse(&path, quantity)?));
                 }
+            }
+            DeValue::Datetime(_) => {
+                let reason = "it is a date, and no key of a scene takes one".to_owned();
+                return Err(InputError::Conflict { field: path, reason });
             }
             DeValue::Array(_) if is_table(&path) => {
                 let reason = format!("it is a list where a table is expected: one [{path}] with its keys");
