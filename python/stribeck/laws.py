@@ -324,7 +324,7 @@ def compiled(laws: dict[str, Any]) -> dict[str, Any]:
         "growth": _growth(laws.get("growth")),
         "wear": _with_method(laws.get("wear"), "depth_rate", "wear law"),
         "friction": _with_method(laws.get("friction"), "coefficient", "boundary friction"),
-        "deformation": None if deformation is None else (*deformation, *more),
+        "deformation": None if deformation is None else (*deformation, more),
         "viscosity": _of_pressure(laws.get("viscosity"), "viscosity", "viscosity law"),
         "density": _of_pressure(laws.get("density"), "ratio", "density law"),
         "plasticity": None if plasticity is None else (*plasticity, bool(getattr(laws["plasticity"], "hardens", False))),

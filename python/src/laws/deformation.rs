@@ -53,7 +53,7 @@ impl Deformation {
                 }
             }
             let (given, found) = (influences[0][0], of_unit.first().copied().unwrap_or_default());
-            if !((given - found).abs() <= LARGEST_BREACH * found.abs()) {
+            if (given - found).abs() > LARGEST_BREACH * found.abs() {
                 let breach =
                     format!("is displaced by {found:e} m under 1 Pa, but its influence(0, 0) is {given:e}");
                 return Err(displacement.refused(py, &breach, given.into_pyobject(py)?.into_any()));

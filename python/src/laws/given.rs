@@ -9,6 +9,9 @@ use super::{
     Deformation, Density, Friction, Function, Growth, Motion, Plasticity, PyLaw, Solver, Viscosity, Wear,
 };
 
+/// A deformation model with its estimate of pressures and its influence coefficients.
+type PyElastic = (String, Py<PyAny>, [Option<Py<PyAny>>; 2]);
+
 /// Each law is its identity and its function, some with a number, a word or a second function behind.
 #[derive(FromPyObject)]
 pub(crate) struct PyLaws {
@@ -19,9 +22,8 @@ pub(crate) struct PyLaws {
     wear: Option<PyLaw>,
     #[pyo3(item)]
     friction: Option<PyLaw>,
-    /// With the estimate of pressures and the influence coefficients.
     #[pyo3(item)]
-    deformation: Option<(String, Py<PyAny>, Option<Py<PyAny>>, Option<Py<PyAny>>)>,
+    deformation: Option<PyElastic>,
     /// With whether it takes a temperature.
     #[pyo3(item)]
     viscosity: Option<(String, Py<PyAny>, bool)>,
@@ -87,7 +89,7 @@ impl PyLaws {
             builder =
                 builder.motion(Motion::new(py, Function::new("motion", (identity, call), *grid), &visits)?);
         }
-        let deformation = self.deformation.map(|(identity, displacement, estimate, influence)| {
+        let deformation = self.deformation.map(|(identity, displacement, [estimate, influence])| {
             let estimate =
                 estimate.map(|call| Function::new("pressure estimate", (identity.clone(), call), *grid));
             let displacement = Function::new("deformation model", (identity, displacement), *grid);
