@@ -49,6 +49,17 @@ pub(crate) struct Output {
     pub(crate) out: PathBuf,
 }
 
+/// Refuses to write `file` over the `scene` that it is made from.
+pub(crate) fn keep_scene(scene: &Path, file: &Path) -> Result<(), String> {
+    match (scene.canonicalize(), file.canonicalize()) {
+        (Ok(scene), Ok(same)) if scene == same => Err(format!(
+            "{}: this is the scene, which would be written over; give another name",
+            file.display()
+        )),
+        _ => Ok(()),
+    }
+}
+
 /// Writes `text` and the end of a line to standard output.
 pub(crate) fn print(text: &dyn Display) -> io::Result<()> {
     match writeln!(io::stdout(), "{text}") {

@@ -152,3 +152,22 @@ fn an_interrupted_run_ends_with_a_checkpoint() {
     let resumed = ["run", text(&path), "--steps", &more, "--time-step", "1", "--out", text(&out), "--resume"];
     assert!(stribeck(&resumed).status.success());
 }
+
+#[test]
+fn no_output_is_written_over_the_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    std::fs::write(&path, scene().to_toml().unwrap()).unwrap();
+    let before = std::fs::read(&path).unwrap();
+    let (scene, out) = (text(&path), text(folder.path()));
+    for arguments in [
+        vec!["solve", &scene, "--fields", &scene],
+        vec!["run", &scene, "--steps", "1", "--time-step", "1", "--csv", &scene],
+        vec!["run", &scene, "--steps", "1", "--time-step", "1", "--out", &out],
+    ] {
+        let output = stribeck(&arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(error_of(&output).contains("this is the scene"), "{arguments:?}");
+        assert_eq!(std::fs::read(&path).unwrap(), before);
+    }
+}

@@ -188,6 +188,7 @@ impl Log {
                 if !options.force {
                     refuse_a_run(path)?;
                 }
+                output::keep_scene(&options.scene, &path.join("scene.toml"))?;
                 (Some(RunFolder::create(path, sim, every)?), Vec::new())
             }
             None => (None, Vec::new()),
@@ -195,6 +196,7 @@ impl Log {
         let mut means = HistoryMeans::new(steps);
         records.iter().for_each(|record| means.see(record));
         let csv = options.csv.as_ref().map(|path| -> Result<_, Box<dyn Error>> {
+            output::keep_scene(&options.scene, path)?;
             let file = File::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
             let mut csv = BufWriter::new(file);
             writeln!(csv, "{}", StepRecord::csv_header())?;

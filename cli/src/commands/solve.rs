@@ -23,6 +23,9 @@ pub(crate) struct Options {
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
+    if let Some(path) = &options.fields {
+        output::keep_scene(&options.scene, path)?;
+    }
     let scene = output::load(&options.scene)?;
     // Before the solve, which may take long.
     let known = scene.warnings();
