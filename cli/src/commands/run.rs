@@ -82,6 +82,9 @@ struct Log {
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
+    if let Some(path) = &options.csv {
+        output::keep_scene(&options.scene, path)?;
+    }
     let scene = output::load(&options.scene)?;
     let built = MixedLubricationSim::builder(scene).build();
     let mut sim = built.map_err(|error| output::in_scene(&options.scene, &error))?;
@@ -196,7 +199,6 @@ impl Log {
         let mut means = HistoryMeans::new(steps);
         records.iter().for_each(|record| means.see(record));
         let csv = options.csv.as_ref().map(|path| -> Result<_, Box<dyn Error>> {
-            output::keep_scene(&options.scene, path)?;
             let file = File::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
             let mut csv = BufWriter::new(file);
             writeln!(csv, "{}", StepRecord::csv_header())?;

@@ -111,23 +111,22 @@ const KEYS: &[(&str, Dimension)] = &[
     ("solver.accuracy", Ratio),
 ];
 
+/// How many parts `pattern` has below the key at `path`; none where the key is not on its way.
+fn parts_below(pattern: &str, path: &str) -> Option<usize> {
+    let mut parts = pattern.split('.');
+    let fit = path.split('.').all(|name| parts.next().is_some_and(|part| part == "*" || part == name));
+    fit.then(|| parts.count())
+}
+
 /// Whether the key at `path` is a table, as a key of it has a dimension.
 fn is_table(path: &str) -> bool {
-    KEYS.iter().any(|(pattern, _)| {
-        let (mut names, mut parts) = (path.split('.'), pattern.split('.'));
-        let fit = names.by_ref().all(|name| parts.next().is_some_and(|part| part == "*" || part == name));
-        fit && parts.next().is_some()
-    })
+    KEYS.iter().any(|(pattern, _)| parts_below(pattern, path).is_some_and(|parts| parts > 0))
 }
 
 /// What the key at `path` of a scene file holds; none where it has no dimension or there is no such key.
 fn dimension(path: &str, line: bool) -> Option<Dimension> {
-    let matches = |pattern: &str| {
-        let (mut names, mut parts) = (path.split('.'), pattern.split('.'));
-        let fit = parts.by_ref().all(|part| names.next().is_some_and(|name| part == "*" || part == name));
-        fit && names.next().is_none()
-    };
-    let found = KEYS.iter().find(|(pattern, _)| matches(pattern)).map(|(_, dimension)| *dimension)?;
+    let found = KEYS.iter().find(|(pattern, _)| parts_below(pattern, path) == Some(0));
+    let found = found.map(|(_, dimension)| *dimension)?;
     Some(if line && found == Force { ForcePerLength } else { found })
 }
 
