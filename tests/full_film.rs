@@ -90,13 +90,13 @@ fn films_converge_to_known_values_at_second_order() {
 
 #[test]
 fn first_order_films_are_a_little_too_thick() {
-    // 0.96 % at M = 20: the arithmetic means of a smooth contact of first order make its film thinner.
-    for (m, central, least) in [(20.0, 0.4325, 0.009), (100.0, 0.1372, 0.01), (200.0, 0.0824, 0.01)] {
-        let mut scene = ball(m, 10.0, 512);
+    // 1.9 % at M = 20: the arithmetic means of a smooth contact of first order make its film thinner.
+    for (m, central, least) in [(20.0, 0.4325, 0.015), (100.0, 0.1372, 0.02), (200.0, 0.0824, 0.02)] {
+        let mut scene = ball(m, 10.0, 256);
         scene.solver.scheme = Some(Scheme::FirstOrder);
         scene.solver.face_mobility = Some(FaceMobility::Arithmetic);
         let error = films(&converged(&scene)).0 / central - 1.0;
-        assert!(error > least && error < 0.04, "M {m}: {error}");
+        assert!(error > least && error < 0.08, "M {m}: {error}");
     }
 }
 
@@ -223,7 +223,7 @@ fn the_very_thin_film_of_the_reference_contact_is_found() {
 #[test]
 fn krylov_steps_hardly_grow_with_the_grid() {
     for m in [20.0, 100.0, 200.0, 1000.0] {
-        let [coarse, fine] = [64, 512].map(|n| {
+        let [coarse, fine] = [64, 256].map(|n| {
             with_problem(&ball(m, 10.0, n), |problem| {
                 let mut state = ContactState::new(&problem.grid());
                 let start = StoppingRule::new(1e-6, 0);
@@ -234,7 +234,7 @@ fn krylov_steps_hardly_grow_with_the_grid() {
                 report.work.inner_iterations as f64 / report.work.iterations as f64
             })
         });
-        assert!(fine < 1.5 * coarse, "M {m}: {coarse} steps at 64 cells, {fine} at 512");
+        assert!(fine < 1.5 * coarse, "M {m}: {coarse} steps at 64 cells, {fine} at 256");
     }
 }
 
