@@ -6,7 +6,7 @@ use std::path::Path;
 
 use stribeck::RubbingPoint;
 use stribeck::sim::scene::{FileRoughness, GridSpec, Roughness};
-use stribeck::sim::{MixedLubricationSim, Scene, Schedule, solve_contact};
+use stribeck::sim::{MixedLubricationSim, Scene, Schedule, Warning, solve_contact};
 use stribeck::surface::{Heights, write_npy, write_text};
 use stribeck::wear::WearLaw;
 
@@ -80,7 +80,7 @@ fn the_scene_without_mistakes_has_no_warning() {
 }
 
 /// A line of the scene, what a mistake makes of it, and what must be said.
-const MISTAKES: [(&str, &str, &[&str]); 47] = [
+const MISTAKES: [(&str, &str, &[&str]); 55] = [
     // Units.
     ("radius = 9.525e-3", "radius = 9.525", &["form.radius = 9.525", "did you mean 9.525 mm = 0.009525 m?"]),
     ("= 229.67e9", "= 229.67", &["elastic.equivalent_modulus = 229.67", "did you mean 229.67 GPa"]),
@@ -125,6 +125,39 @@ const MISTAKES: [(&str, &str, &[&str]); 47] = [
     ("= 353.15", "= 80", &["thermal.bulk_temperature = 80", "80 degC = 353.15 K"]),
     ("film_cutoff = 1e-9", "film_cutoff = 1", &["solver.film_cutoff = 1", "1 nm = 1e-9 m"]),
     ("coefficient = 0.1", "coefficient = 10", &["friction.boundary_coefficient = 10", "10 % = 0.1"]),
+    (
+        "coefficient = 0.1",
+        "coefficient = 0.1\nlimiting_stress_coefficient = 8",
+        &["friction.limiting_stress_coefficient = 8", "8 % = 0.08"],
+    ),
+    (
+        "hardness = 6e9",
+        "hardness = 6e9\nhardening_modulus = 5.0",
+        &["plastic.hardening_modulus = 5", "5 GPa/um"],
+    ),
+    ("[plastic]", "[stress]\nyield_strength = 1.5\n[plastic]", &["stress.yield_strength = 1.5", "1.5 GPa"]),
+    ("[plastic]", "[stress]\ndeepest = 0.2\n[plastic]", &["stress.deepest = 0.2", "0.2 mm"]),
+    (
+        "[load]",
+        "[elastic.layer]\nthickness = 2\nmodulus = 300e9\npoisson = 0.25\nsubstrate_modulus = 2e11\n\
+         substrate_poisson = 0.3\n[load]",
+        &["elastic.layer.thickness = 2", "2 um = 2e-6 m"],
+    ),
+    (
+        "eta0 = 0.004\nroelands_z = 0.68",
+        "viscosity = { law = \"barus\", eta0 = 0.004, alpha = 15.0 }",
+        &["lubricant.viscosity = 15", "15 1/GPa"],
+    ),
+    (
+        "eta0 = 0.004\nroelands_z = 0.68",
+        "viscosity = { law = \"barus\", eta0 = 4.0, alpha = 15e-9 }",
+        &["lubricant.viscosity = 4", "4 mPa s"],
+    ),
+    (
+        "[plastic]",
+        "[tribofilm]\nlaw = \"ghanbarzadeh\"\nx_tribo = 1.0\n[plastic]",
+        &["tribofilm.x_tribo = 1", "4e-16 is usual"],
+    ),
     // Boxes and cells.
     ("x = [-0.25e-3, 0.25e-3]", "x = [-0.1e-3, 0.25e-3]", &["grid.x = -0.0001", "1.5 Hertz half-widths"]),
     ("x = [-0.25e-3, 0.25e-3]", "x = [-0.25, 0.25]", &["grid", "no node", "Hertz half-widths"]),
@@ -430,6 +463,34 @@ fn numbers_that_do_not_hold_are_named() {
     let mesh = |field: &str| field.starts_with("error_estimate.");
     let large: Vec<_> = solution.warnings.iter().filter(|warning| mesh(&warning.field)).collect();
     assert!(large.len() == 1 && large[0].value > 0.1, "{:?}", solution.warnings);
+}
+
+/// A smooth mesh that does not hold the inlet, and a fluid that rubs more than oils do, in solves and runs.
+#[test]
+fn numbers_of_solutions_that_mislead_are_named() {
+    let mut smooth = Scene::from_toml(GOOD).unwrap();
+    (smooth.roughness, smooth.plastic) = (Default::default(), None);
+    let named = |scene: &Scene| {
+        let mut scene = scene.clone();
+        scene.solver.max_iterations = 1000;
+        let solution = solve_contact(&scene).unwrap();
+        solution.report.require_converged().unwrap();
+        let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
+        sim.step(1.0).unwrap();
+        let fields = |warnings: &[Warning]| warnings.iter().map(|w| w.field.clone()).collect::<Vec<_>>();
+        assert_eq!(fields(sim.warnings()), fields(&solution.warnings));
+        fields(&solution.warnings)
+    };
+    assert_eq!(named(&smooth), ["film.central"]);
+    let mut fine = smooth.clone();
+    fine.grid = GridSpec::Cells { nx: 96, ny: 96, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] };
+    assert!(named(&fine).is_empty());
+    let mut slipping = fine;
+    slipping.load.hertz_pressure = Some(0.5e9);
+    slipping.motion.slide_roll_ratio = 2.0;
+    slipping.lubricant.as_mut().unwrap().eta0 = 0.4;
+    slipping.grid = GridSpec::Cells { nx: 64, ny: 64, x: [-0.2e-3, 0.1e-3], y: [-0.15e-3, 0.15e-3] };
+    assert_eq!(named(&slipping), ["friction.fluid"]);
 }
 
 /// A run has its warnings once, and those of its first contact beside them.

@@ -209,6 +209,13 @@ fn folder_of_a_run() {
     let mut sim = build();
     let mut files = RunFolder::create(&parts, &sim, 2).unwrap();
     sim.run(3, 10.0, &mut files).unwrap();
+    // One run at a time writes into a folder.
+    for second in
+        [RunFolder::create(&parts, &sim, 2), RunFolder::resume(&parts, &mut build(), 2).map(|run| run.0)]
+    {
+        let message = second.unwrap_err().to_string();
+        assert!(message.contains("parts: another run writes into this folder"), "{message}");
+    }
     drop(files);
     // What a kill leaves of a line that was being written.
     let mut history = fs::read(parts.join("history.csv")).unwrap();

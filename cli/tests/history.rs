@@ -151,6 +151,11 @@ fn an_interrupted_run_ends_with_a_checkpoint() {
     let more = (rows + 1).to_string();
     let resumed = ["run", text(&path), "--steps", &more, "--time-step", "1", "--out", text(&out), "--resume"];
     assert!(stribeck(&resumed).status.success());
+    let fewer = ["run", text(&path), "--steps", "1", "--time-step", "1", "--out", text(&out), "--resume"];
+    let refused = stribeck(&fewer);
+    let message = error_of(&refused);
+    assert_eq!(refused.status.code(), Some(2), "{message}");
+    assert!(message.contains(&format!("has taken {more} steps, more than the 1 asked for")), "{message}");
 }
 
 #[test]

@@ -31,6 +31,12 @@ pub(crate) const CHANGES: &[Change] = &[
     change("growth off", |s| s.growth = 1e9),
     change("growth: 1", |s| s.growth = 1.0),
     change("growth: 4", |s| s.growth = 4.0),
+    change("no step shortened", |s| {
+        s.attempts.iter_mut().for_each(|attempt| attempt.shortens_steps = false);
+    }),
+    change("steps shortened in all attempts", |s| {
+        s.attempts.iter_mut().for_each(|attempt| attempt.shortens_steps = true);
+    }),
     change("halvings x 2", |s| s.halvings *= 2),
     change("patience x 2", |s| s.patience *= 2),
     change("patience off", |s| s.patience = u32::MAX),

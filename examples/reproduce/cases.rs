@@ -51,7 +51,7 @@ pub(crate) const CASES: [Case; 12] = [
     Case { name: "contact_film_2nm", change: |scene| scene.solver.film_cutoff = 2e-9, ..DEFAULT },
     Case { name: "contact_film_5nm", change: |scene| scene.solver.film_cutoff = 5e-9, ..DEFAULT },
     Case { name: "contact_film_10nm", change: |scene| scene.solver.film_cutoff = 10e-9, ..DEFAULT },
-    Case { name: "steps_1440", steps: 1440, seeds: 2, ..DEFAULT },
+    Case { name: "steps_2880", steps: 2880, seeds: 4, ..DEFAULT },
     Case { name: "steps_240", steps: 240, seeds: 2, ..DEFAULT },
     Case { name: "box_0.75mm", surface_cells: 96, cells: 96, side: 0.75e-3, steps: 240, seeds: 2, ..DEFAULT },
     Case { name: "mesh_64", steps: 40, seeds: 2, ..DEFAULT },

@@ -40,9 +40,9 @@ impl Film<'_> {
     }
 }
 
-/// A solved film, of which places along a row can be asked.
+/// A solved film, of which places along a row can be asked, and its thickness at the nodes.
 #[pyclass(frozen, module = "stribeck._stribeck")]
-pub(crate) struct SolvedFilm(GivenFilmSolution);
+pub(crate) struct SolvedFilm(GivenFilmSolution, Vec<f64>);
 
 #[pymethods]
 impl SolvedFilm {
@@ -53,6 +53,10 @@ impl SolvedFilm {
         numbers.set_item("force", dictionary!(py, { "lower": lower, "upper": upper }))?;
         numbers.set_item("flow", named(py, &self.0.flow)?)?;
         Ok(numbers)
+    }
+
+    fn film<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        field(py, &self.0.grid(), &self.1)
     }
 
     fn pressure<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
@@ -96,6 +100,9 @@ pub(crate) fn solve_film(
     });
     match Failure.take() {
         Some(error) => Err(error),
-        None => value(py, solved.map_err(SimError::from)).map(SolvedFilm),
+        None => {
+            let solved = value(py, solved.map_err(SimError::from))?;
+            Ok(SolvedFilm(solved, film.nodes().to_vec()))
+        }
     }
 }

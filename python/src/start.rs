@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use numpy::PyReadonlyArray2;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use stribeck::sim;
 
@@ -37,6 +38,21 @@ impl BodyStart {
             start = start.with_tribofilm(on_grid(py, "tribofilm", &film, &grid)?.to_vec());
         }
         Ok(Self(start))
+    }
+
+    /// It never changes.
+    fn __copy__(this: Py<Self>) -> Py<Self> {
+        this
+    }
+
+    fn __deepcopy__(this: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        this
+    }
+
+    fn __reduce__(&self) -> PyResult<()> {
+        Err(PyTypeError::new_err(
+            "a BodyStart is not pickled; the fields.npz of a run holds both bodies, see BodyStart.read_npz",
+        ))
     }
 
     /// The body `name` (`ball` or `disc`) of the archive of a run on the grid of `scene`.

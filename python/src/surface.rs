@@ -96,7 +96,7 @@ impl Surface {
                 py,
                 "path",
                 &path.display().to_string(),
-                "a name that ends in .x3p, .npy or .txt",
+                "a name that ends in .x3p, .npy, .txt or .csv",
             )),
         }
     }

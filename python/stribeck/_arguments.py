@@ -180,6 +180,24 @@ def optional_array(field: str, values: Any) -> npt.NDArray[np.float64] | None:
     return None if values is None else array(field, values)
 
 
+def heights(field: str, values: Any) -> npt.NDArray[np.float64]:
+    """Finite numbers of the shape ``(ny, nx)``."""
+    found = array(field, values)
+    wrong = np.argwhere(~np.isfinite(found))
+    if wrong.size:
+        row, column = (int(index) for index in wrong[0])
+        value = float(found[row, column])
+        remedy = "Surface(heights, dx, defined=numpy.isfinite(heights)).fill_undefined() fills such points"
+        place = f"{field}[{row}][{column}]"
+        raise InputError(f"{place} = {value}: must be finite; {remedy}", field=place, value=value)
+    return found
+
+
+def optional_heights(field: str, values: Any) -> npt.NDArray[np.float64] | None:
+    """The same; None stays None."""
+    return None if values is None else heights(field, values)
+
+
 def depths(field: str, values: Any) -> npt.NDArray[np.float64] | None:
     """Finite numbers from 0 of the shape ``(ny, nx)``; None stays None."""
     found = optional_array(field, values)

@@ -11,29 +11,55 @@ import numpy.typing as npt
 from ._arguments import Quantity, array, cells, number, numbers, truth, whole
 from ._numbers import Numbers
 from ._stribeck import solve_film
+from .errors import NotConvergedError, StribeckWarning, say
 from .scene import Grid
 
 __all__ = ["GivenFilm", "given_film"]
 
 
+#: What is plausible between rigid surfaces: least and largest value, unit, and what would mend another one.
+_PLAUSIBLE = {
+    "eta0": (1e-5, 10.0, "Pa s", "it is taken in Pa s; 4 mPa s is 0.004 Pa s"),
+    "alpha": (1e-10, 1e-7, "1/Pa", "it is taken in 1/Pa; 15 1/GPa is 1.5e-8 1/Pa"),
+    "film": (1e-9, 1e-2, "m", "it is taken in m; 2 um is 2e-6 m"),
+    "pressure.max": (0.0, 1e9, "Pa", "surfaces are taken for rigid, bodies give way under such pressures: solve a contact"),
+}
+
+
 class GivenFilm(Numbers):
     """A film between rigid surfaces. ``load`` [N], ``force.lower`` and ``force.upper`` [N], the shear forces along +x on both
-    surfaces, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``pressure`` [Pa]
-    and ``theta``, the share of the gap that is filled, are arrays of the shape ``(ny, nx)``."""
+    surfaces, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``film`` [m], ``pressure`` [Pa]
+    and ``theta``, the share of the gap that is filled, are arrays of the shape ``(ny, nx)``; ``warnings`` is what is unlikely to be meant."""
 
-    __slots__ = ("_solved", "pressure", "theta")
+    __slots__ = ("_solved", "film", "pressure", "theta", "warnings")
 
+    film: npt.NDArray[np.float64]
     pressure: npt.NDArray[np.float64]
     theta: npt.NDArray[np.float64]
+    warnings: list[StribeckWarning]
 
-    def __init__(self, solved: Any) -> None:
+    def __init__(self, solved: Any, oil: tuple[float, float]) -> None:
         super().__init__(solved.numbers())
-        object.__setattr__(self, "_solved", solved)
-        object.__setattr__(self, "pressure", solved.pressure())
-        object.__setattr__(self, "theta", solved.theta())
+        film, pressure = solved.film(), solved.pressure()
+        sizes = [("eta0", oil[0]), ("alpha", oil[1]), ("film", film.min()), ("film", film.max()), ("pressure.max", pressure.max())]
+        parts = {"_solved": solved, "film": film, "pressure": pressure, "theta": solved.theta(), "warnings": _implausible(sizes)}
+        for name, value in parts.items():
+            object.__setattr__(self, name, value)
 
     def __reduce__(self) -> tuple[Any, ...]:
         raise TypeError("a GivenFilm is not pickled; take to_dict(), pressure and theta")
+
+    @property
+    def converged(self) -> bool:
+        """Whether mass is balanced to 1e-10 of the inflow."""
+        return bool(self["status"] == "converged")
+
+    def require_converged(self) -> GivenFilm:
+        """The film itself; raises :class:`~stribeck.NotConvergedError` where it is no solution."""
+        if self.converged:
+            return self
+        message = f"the film ended as {self['status']} with an imbalance of {self['residual']['mass']:.3g}"
+        raise NotConvergedError(message, field="status", value=self["status"])
 
     def pressure_at(self, x: Quantity, row: int = 0) -> float | None:
         """Pressure [Pa] at ``x`` [m] in a row of the grid; None for a row that it does not have."""
@@ -44,6 +70,18 @@ class GivenFilm(Numbers):
         """Where [m] the film reforms first along the flow in a row, within its cell; None where it does not."""
         found: float | None = self._solved.reformation(whole("row", row))
         return found
+
+
+def _implausible(sizes: list[tuple[str, float]]) -> list[StribeckWarning]:
+    """Warnings about the sizes, each named once, that are out of the ranges above; zero is none of them, nor what is no number."""
+    items: dict[str, StribeckWarning] = {}
+    for name, size in sizes:
+        if size == 0.0:
+            continue
+        low, high, unit, remedy = _PLAUSIBLE[name]
+        if size < low or size > high:
+            items.setdefault(name, StribeckWarning(name, float(size), f"implausible, usual are {low:g} to {high:g} {unit}", remedy))
+    return list(items.values())
 
 
 def given_film(
@@ -64,6 +102,9 @@ def given_film(
     ``speeds`` [m/s] are those of the lower and the upper surface along x, ``eta0`` [Pa s] and ``alpha`` [1/Pa] the viscosity
     ``eta0 exp(alpha p)``. Pressure is ``ambient_pressure`` [Pa] at the edges and nowhere below ``cavitation_pressure`` [Pa]; with
     ``closed_sides`` nothing flows through the edges across y.
+
+    Not converging is a status, see :meth:`GivenFilm.require_converged`. What is unlikely to be meant is said as a
+    :class:`~stribeck.StribeckWarning`.
     """
     on = cells(grid)
     lower, upper = numbers("speeds", speeds, ("m/s", "m/s"))
@@ -71,4 +112,6 @@ def given_film(
     ambient, cavitation = number("ambient_pressure", ambient_pressure, "Pa"), number("cavitation_pressure", cavitation_pressure, "Pa")
     given = film if callable(film) else array("film", film)
     edges = ambient, cavitation, truth("closed_sides", closed_sides)
-    return GivenFilm(solve_film(on, given, [lower, upper], oil, edges))
+    solved = GivenFilm(solve_film(on, given, [lower, upper], oil, edges), oil)
+    say(solved.warnings, 2)
+    return solved

@@ -108,7 +108,7 @@ class Simulation:
             "motion": motion,
             "solver": solver,
         }
-        given, first = parts(heights, bodies, laws), first_state(start)
+        given, first = parts(heights, bodies, laws), first_state(start, self._scene)
         with named(given):
             self._raw = _Simulation(self._scene._raw, given, truth("squeeze", squeeze), first)
         say(self.warnings, 2)

@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arguments import text
+from ._identity import identity
 from ._numbers import Numbers
 
 if TYPE_CHECKING:
@@ -242,21 +243,6 @@ class Growth:
 
     rate: Callable[[RubbingPoints, Field], npt.ArrayLike]
     maximum_thickness: float
-
-
-def identity(law: Any) -> str:
-    """What tells a law from another one in a checkpoint: its name and its constants."""
-    if isinstance(law, Growth):
-        return f"{identity(law.rate)}(maximum_thickness={law.maximum_thickness!r})"
-    if isinstance(law, Hardening):
-        return f"{identity(law.pressure_limit)}(hardens={law.hardens!r})"
-    if isinstance(law, Motion):
-        return f"{identity(law.offset)}(visits={law.visits!r})"
-    if hasattr(law, "__qualname__"):
-        return f"{law.__module__}.{law.__qualname__}"
-    kind = type(law)
-    constants = {k: v for k, v in sorted(getattr(law, "__dict__", {}).items()) if isinstance(v, int | float | str)}
-    return f"{kind.__module__}.{kind.__qualname__}({constants})"
 
 
 def _callable(law: Any, method: str, field: str) -> Any:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import instance, named, optional_array, path as _path, refused, text, writing
+from ._arguments import instance, named, optional_heights, path as _path, refused, text, writing
 from ._numbers import Fields, Numbers
 from ._stribeck import BodyStart, solve as _solve
 from .errors import InputError, NotConvergedError, StribeckWarning, found, say
@@ -85,12 +85,12 @@ class Solution(Numbers):
         raise error
 
     def save_fields(self, path: str | os.PathLike[str]) -> None:
-        """Writes the fields as a NumPy archive, with the positions ``x`` and ``y`` of the nodes [m]."""
+        """Writes the fields as a NumPy archive (npz) of this very name, with the positions ``x`` and ``y`` of the nodes [m]."""
         grid = self.grid
         arrays: dict[str, Any] = {"x": grid.x, "y": grid.y, **self.fields}
         place = _path("path", path)
-        with writing(place):
-            np.savez_compressed(place, **arrays)
+        with writing(place), open(place, "wb") as file:
+            np.savez_compressed(file, **arrays)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.to_dict(), self.fields, self._nodes)
@@ -121,7 +121,7 @@ def solve(
     Not converging is a status, see :meth:`Solution.require_converged`. Raises :class:`~stribeck.InputError` with ``field`` and ``value``
     for what cannot be solved.
     """
-    raw = with_solver(as_scene(scene), solver)._raw
+    chosen = with_solver(as_scene(scene), solver)
     laws = {
         "friction": friction,
         "deformation": deformation,
@@ -132,19 +132,27 @@ def solve(
     }
     given = parts(heights, bodies, laws)
     with named(given):
-        solution = Solution(*_solve(raw, given, first_state(start)))
+        solution = Solution(*_solve(chosen._raw, given, first_state(start, chosen)))
     say(solution.warnings, 2)
     return solution
 
 
-def first_state(start: Any) -> dict[str, Any] | None:
-    """Fields and approach of the solution that a contact starts from."""
+def first_state(start: Any, scene: Scene) -> dict[str, Any] | None:
+    """Fields and approach of the solution that the contact of ``scene`` starts from."""
     if start is None:
         return None
     instance("start", start, Solution, "a solution on the same grid")
     if not _STARTS <= start.fields.keys():
         raise refused("start", start, f"a solution with the fields {', '.join(sorted(_STARTS))}")
+    if "accuracy" not in scene.to_dict().get("grid", {}) and not _same_box(start.grid, scene.grid):
+        raise refused("start", start, "a solution on the grid of the scene, its own box is another")
     return {**start.fields, "approach": start["approach"]}
+
+
+def _same_box(grid: Grid, other: Grid) -> bool:
+    """Whether edges are the same but for rounding; numbers of cells are compared with the fields."""
+    edges = [(*cells["edges_x"], *cells["edges_y"]) for cells in (grid, other)]
+    return np.allclose(*edges, rtol=1e-9, atol=1e-6 * grid["dx"])
 
 
 def with_solver(scene: Scene, solver: Any) -> Scene:
@@ -164,8 +172,8 @@ def parts(
         if body is not None:
             instance(f"bodies ({name})", body, BodyStart, "a BodyStart, as Simulation.starts() gives them")
     return {
-        "ball_heights": optional_array("ball heights", ball),
-        "disc_heights": optional_array("disc heights", disc),
+        "ball_heights": optional_heights("ball heights", ball),
+        "disc_heights": optional_heights("disc heights", disc),
         "ball_start": ball_start,
         "disc_start": disc_start,
         "laws": compiled(laws),

@@ -9,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import Quantity, array, cells, mask, number, optional_number, path as _path, text, truth, whole, wholes
+from ._arguments import Quantity, array, cells, heights as as_heights, mask, number, optional_number, path as _path, text, truth, whole, wholes
 from ._stribeck import Surface as _Surface, generate as _generate, texture as _texture
 from .errors import InputError, unknown
 from .scene import Grid
@@ -36,13 +36,17 @@ class Surface:
         """Heights [m] of the shape ``(ny, nx)``, spacing [m] and which points are defined; ``dy`` is ``dx`` unless given."""
         known = None if defined is None else mask("defined", defined)
         spacing = optional_number("dx", dx, "m"), optional_number("dy", dy, "m")
-        self._raw = _Surface(array("heights", heights), *spacing, known)
+        points = as_heights("heights", heights) if known is None else array("heights", heights)
+        self._raw = _Surface(points, *spacing, known)
 
     @classmethod
     def _of(cls, raw: Any) -> Surface:
         surface = cls.__new__(cls)
         surface._raw = raw
         return surface
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Surface, (self.heights, self.dx, self.dy, self._raw.defined)
 
     @property
     def heights(self) -> Field:
@@ -129,7 +133,7 @@ class Surface:
         return self._raw.resample(cells(grid))
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Writes the surface; the format is that of the name: ``.x3p``, ``.npy`` or ``.txt``."""
+        """Writes the surface; the format is that of the name: ``.x3p``, ``.npy``, ``.txt`` or ``.csv``."""
         self._raw.write(_path("path", path))
 
     def __repr__(self) -> str:

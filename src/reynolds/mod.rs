@@ -193,7 +193,8 @@ pub enum ReynoldsError {
     Interrupted,
     /// The contact reaches the edge of the box.
     #[error(
-        "the contact reaches the edge of the box at x = {x:.6e}, y = {y:.6e}: enlarge the box or allow it"
+        "the contact reaches the edge of the box at x = {x:.6e} m, y = {y:.6e} m: enlarge the box, or allow it \
+         (solver.edge_contact)"
     )]
     EdgeContact {
         /// Where \[m\].

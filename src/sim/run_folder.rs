@@ -1,6 +1,6 @@
 //! The folder of a run: what it takes to repeat it, to go on with it and to read it.
 
-use std::fs::{self, File};
+use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -27,6 +27,7 @@ use crate::reynolds::ContactState;
 /// | `history.csv` | a line per step ([`StepRecord::csv_header()`]) |
 /// | `checkpoint` | the simulation after the last multiple of `every` steps and at the end |
 /// | `fields.npz` | heights, wear, plastic depth and tribofilm of both bodies, pressures and film; at the end |
+/// | `lock` | empty; locked as long as a run writes into the folder, which no other run may then |
 ///
 /// Bodies of `fields.npz` are starts of other runs ([`BodyStart`](super::BodyStart)).
 ///
@@ -40,7 +41,8 @@ use crate::reynolds::ContactState;
 /// let build = || MixedLubricationSim::builder(Scene::azam_2019(32)).build();
 /// let mut sim = build()?;
 /// let mut folder = RunFolder::create(&path, &sim, 2)?;
-/// sim.run(3, 10.0, &mut folder)?; // ... and is killed: the checkpoint is that of two steps.
+/// sim.run(3, 10.0, &mut folder)?;
+/// drop(folder); // The run is killed: the checkpoint is that of two steps.
 /// let mut sim = build()?;
 /// let (mut folder, records) = RunFolder::resume(&path, &mut sim, 2)?;
 /// assert_eq!((sim.steps(), records.len()), (2, 2));
@@ -55,6 +57,8 @@ pub struct RunFolder {
     path: PathBuf,
     /// `history.csv`, open behind its last line.
     history: BufWriter<File>,
+    /// Keeps other runs out of the folder while it is open.
+    _lock: File,
     /// Steps from one checkpoint to the next; 0 for none before the end.
     every: u64,
     /// The contact of the last committed step.
@@ -81,10 +85,39 @@ impl RunFolder {
     /// alone). What an earlier run left there is replaced.
     ///
     /// # Errors
-    /// [`SimError::Io`] for a file that cannot be written.
+    /// [`SimError::Io`] for a file that cannot be written, [`InputError::Conflict`] for a folder into which
+    /// another run writes.
     pub fn create(path: impl Into<PathBuf>, sim: &MixedLubricationSim, every: u64) -> Result<Self, SimError> {
         let path = path.into();
-        fs::create_dir_all(&path).map_err(|source| SimError::Io { path: path.clone(), source })?;
+        let lock = Self::lock(&path)?;
+        Self::create_locked(path, lock, sim, every)
+    }
+
+    /// Takes the folder, made where there is none, for one run as long as the file that is returned is open.
+    fn lock(path: &Path) -> Result<File, SimError> {
+        let file = path.join("lock");
+        let opened = fs::create_dir_all(path).and_then(|()| File::create(&file));
+        let lock = opened.map_err(|source| SimError::Io { path: file.clone(), source })?;
+        match lock.try_lock() {
+            Err(TryLockError::WouldBlock) => Err(SimError::Input(InputError::Conflict {
+                field: path.display().to_string(),
+                reason: "another run writes into this folder; end it, or give another folder".to_owned(),
+            })),
+            // Some file systems know no locks.
+            Err(TryLockError::Error(source)) if source.kind() != io::ErrorKind::Unsupported => {
+                Err(SimError::Io { path: file, source })
+            }
+            _ => Ok(lock),
+        }
+    }
+
+    /// Makes the files of a run from its start.
+    fn create_locked(
+        path: PathBuf,
+        lock: File,
+        sim: &MixedLubricationSim,
+        every: u64,
+    ) -> Result<Self, SimError> {
         // First, so that no checkpoint of another run stands beside the history of this one.
         for name in ["checkpoint", "fields.npz"] {
             match fs::remove_file(path.join(name)) {
@@ -108,7 +141,7 @@ impl RunFolder {
         let mut history = Self::open_history(&path)?;
         let end = history.get_mut().seek(SeekFrom::End(0));
         end.map_err(|source| SimError::Io { path: path.join("history.csv"), source })?;
-        Ok(Self { path, history, every, last_contact: None, saved_steps: None, failure: None })
+        Ok(Self { path, history, _lock: lock, every, last_contact: None, saved_steps: None, failure: None })
     }
 
     /// Goes on with the run in the folder: `sim`, built as for its start, is brought to the checkpoint and
@@ -116,18 +149,20 @@ impl RunFolder {
     /// [`create`](Self::create).
     ///
     /// # Errors
-    /// A checkpoint that cannot be used (see [`CheckpointError`]), a history that does not reach it.
+    /// A checkpoint that cannot be used (see [`CheckpointError`]), a history that does not reach it,
+    /// [`InputError::Conflict`] for a folder into which another run writes.
     pub fn resume(
         path: impl Into<PathBuf>,
         sim: &mut MixedLubricationSim,
         every: u64,
     ) -> Result<(Self, Vec<StepRecord>), SimError> {
         let path = path.into();
+        let lock = Self::lock(&path)?;
         let checkpoint = path.join("checkpoint");
         match sim.restore(&checkpoint) {
             Ok(()) => {}
             Err(CheckpointError::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
-                return Ok((Self::create(path, sim, every)?, Vec::new()));
+                return Ok((Self::create_locked(path, lock, sim, every)?, Vec::new()));
             }
             Err(error) => return Err(error.into()),
         }
@@ -140,7 +175,8 @@ impl RunFolder {
         history.get_mut().set_len(length).map_err(io)?;
         history.get_mut().seek(SeekFrom::End(0)).map_err(io)?;
         let (last_contact, saved_steps) = (Some(sim.state().clone()), Some(sim.steps()));
-        Ok((Self { path, history, every, last_contact, saved_steps, failure: None }, records))
+        let folder = Self { path, history, _lock: lock, every, last_contact, saved_steps, failure: None };
+        Ok((folder, records))
     }
 
     /// The history of the folder at `path`, to read and write.

@@ -212,12 +212,8 @@ impl MixedLubricationSim {
             heat.commit();
         }
         self.squeeze_memory.keep(&self.state.mass, time_step);
-        if self.step == 0 && record.roughness.composite_rq == 0.0 {
-            self.warnings.extend(warnings::excess_pressure(record.pressure.max, self.contact.hertz.pressure));
-        }
-        if let (0, Some(heat)) = (self.step, record.thermal) {
-            let hot = warnings::hot_film(heat.film_temperature_max, record.bulk_temperature);
-            self.warnings.extend(hot);
+        if self.step == 0 {
+            self.warn_of_first(&record);
         }
         if self.warnings.iter().all(|warning| !warnings::DEEP_WEAR.contains(&warning.field.as_str())) {
             let depths = [record.wear.ball_max, record.wear.disc_max];
@@ -225,6 +221,19 @@ impl MixedLubricationSim {
         }
         self.step += 1;
         Ok(record)
+    }
+
+    /// Warnings about the first contact.
+    fn warn_of_first(&mut self, record: &StepRecord) {
+        let (hertz, dx) = (&self.contact.hertz, self.contact.grid.dx());
+        if record.roughness.composite_rq == 0.0 {
+            self.warnings.extend(warnings::excess_pressure(record.pressure.max, hertz.pressure));
+            self.warnings.extend(warnings::coarse_inlet(&self.scene, hertz, dx, record.film.central));
+        }
+        if let Some(heat) = record.thermal {
+            self.warnings.extend(warnings::hot_film(heat.film_temperature_max, record.bulk_temperature));
+        }
+        self.warnings.extend(warnings::high_traction(record.friction.fluid));
     }
 
     /// Commits the longest step that `control` allows and returns its length.

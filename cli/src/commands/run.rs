@@ -185,7 +185,15 @@ impl Log {
         let every = options.checkpoint_every.unwrap_or_else(|| steps.div_ceil(20));
         let (folder, records) = match &options.out {
             Some(path) if options.resume => {
-                RunFolder::resume(path, sim, every).map(|(folder, records)| (Some(folder), records))?
+                let (folder, records) = RunFolder::resume(path, sim, every)?;
+                if sim.steps() > steps {
+                    let (folder, taken) = (path.display(), sim.steps());
+                    return Err(format!(
+                        "{folder}: the run has taken {taken} steps, more than the {steps} asked for"
+                    )
+                    .into());
+                }
+                (Some(folder), records)
             }
             Some(path) => {
                 if !options.force {

@@ -65,10 +65,11 @@ impl Globalisation {
         term
     }
 
-    /// Growth of the residual above which a step is taken again: none once steps have swung, any where the step
-    /// `eases_films`, as the residual then is one of other equations than that before.
+    /// Growth of the residual above which a step is taken again: none once steps have swung, any in an attempt
+    /// that shortens no steps, and where the step `eases_films`, as the residual then is one of other equations
+    /// than that before.
     pub(super) fn growth(&self, eases_films: bool, settings: &NewtonSettings) -> f64 {
-        if eases_films {
+        if eases_films || !self.attempt.shortens_steps {
             f64::INFINITY
         } else if self.swings {
             1.0

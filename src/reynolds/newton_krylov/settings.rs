@@ -89,6 +89,10 @@ pub struct Attempt {
     pub start_tolerance: f64,
     /// Reduction of the linear residual in each Newton step; between 0 and 1.
     pub krylov_tolerance: f64,
+    /// Whether a step under which the residual grows is taken again at half its length
+    /// ([`growth`](NewtonSettings::growth)). Steps that are never shortened get out of cycles in which shorter
+    /// ones are caught, and astray elsewhere.
+    pub shortens_steps: bool,
     /// Newton steps after which the attempt has stalled; at least 1.
     pub most_steps: u64,
 }
@@ -107,12 +111,19 @@ const FIRST: Attempt = Attempt {
     unforeseen: 0.3,
     start_tolerance: 0.6,
     krylov_tolerance: 0.3,
+    shortens_steps: true,
     most_steps: 80,
 };
 
 impl Default for NewtonSettings {
     fn default() -> Self {
-        let attempts = vec![FIRST, Attempt { pseudo_transient: (3.0, 0.94), most_steps: 500, ..FIRST }];
+        let slow = Attempt { pseudo_transient: (3.0, 0.94), ..FIRST };
+        let attempts = vec![
+            FIRST,
+            Attempt { shortens_steps: false, ..FIRST },
+            Attempt { shortens_steps: false, ..slow },
+            Attempt { most_steps: 500, ..slow },
+        ];
         Self {
             attempts,
             krylov_steps: 100,

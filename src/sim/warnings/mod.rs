@@ -4,11 +4,14 @@
 mod limits;
 mod mesh;
 mod plausible;
+mod quantity;
 mod solved;
 
 use std::fmt;
 
-pub(super) use solved::{DEEP_WEAR, after_solve, deep_wear, excess_pressure, hot_film};
+pub(super) use solved::{
+    DEEP_WEAR, after_solve, coarse_inlet, deep_wear, excess_pressure, high_traction, hot_film,
+};
 
 use super::hertz::HertzContact;
 use super::scene::{BODIES, Scene};

@@ -2,6 +2,7 @@
 
 use super::{Warning, short};
 use crate::sim::accuracy::ErrorEstimate;
+use crate::sim::hertz::HertzContact;
 use crate::sim::scene::{GridSpec, Scene};
 use crate::sim::solution::ContactSolution;
 
@@ -9,6 +10,11 @@ use crate::sim::solution::ContactSolution;
 const LARGEST_PRESSURE: f64 = 2.0;
 /// Largest rise of a film above the bulk temperature \[K\].
 const LARGEST_RISE: f64 = 100.0;
+/// Largest friction coefficient of the shear of an oil: traction oils have 0.12.
+const LARGEST_TRACTION: f64 = 0.15;
+/// Widest cells over the length of the inlet: from there on central films of smooth contacts err by a tenth and
+/// more.
+const WIDEST_CELL: f64 = 2.0;
 /// Deepest wear over the half-width of the contact.
 const DEEPEST_WEAR: f64 = 0.1;
 /// What that warning is about, of ball and disc.
@@ -24,7 +30,59 @@ pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> 
     let film = solution.thermal.as_ref().zip(scene.conditions(0.0).ok());
     let film =
         film.and_then(|(heat, conditions)| hot_film(heat.film_temperature_max, conditions.bulk_temperature));
-    pressure.into_iter().chain(film).chain(mesh_errors(scene, solution)).collect()
+    let traction = high_traction(solution.friction.fluid);
+    let estimated = solution.error_estimate.is_some();
+    let inlet = if smooth && !estimated {
+        coarse_inlet(scene, &solution.hertz, solution.grid.dx(), solution.film.central)
+    } else {
+        None
+    };
+    pressure
+        .into_iter()
+        .chain(film)
+        .chain(traction)
+        .chain(inlet)
+        .chain(mesh_errors(scene, solution))
+        .collect()
+}
+
+/// Friction of the fluid over the load that is more than that of an oil.
+pub(in crate::sim) fn high_traction(fluid: f64) -> Option<Warning> {
+    (fluid > LARGEST_TRACTION).then(|| {
+        Warning::new(
+            "friction.fluid",
+            fluid,
+            format!("shear of the fluid alone is above {LARGEST_TRACTION} of the load, oils do not reach that"),
+            "friction.limiting_stress_coefficient limits it in proportion to the pressure, 0.05 to 0.12 for oils"
+                .to_owned(),
+        )
+    })
+}
+
+/// Cells of `dx` \[m\] too wide for the inlet of a smooth contact with the `central` film \[m\].
+///
+/// In front of the contact the gap rises as `a^2/R (s/a)^(3/2)`, `s` being the distance from its edge; where it
+/// is the film the pressure of the fluid builds up.
+pub(in crate::sim) fn coarse_inlet(
+    scene: &Scene,
+    hertz: &HertzContact,
+    dx: f64,
+    central: f64,
+) -> Option<Warning> {
+    let along = hertz.half_width_x;
+    let length = (central * scene.form.radii().0 / along.powi(2)).powf(2.0 / 3.0) * along;
+    (scene.is_lubricated() && hertz.angle == 0.0 && dx > WIDEST_CELL * length).then(|| {
+        Warning::new(
+            "film.central",
+            central,
+            format!(
+                "cells of {} m are wider than twice the inlet that makes such a film, {} m: it may err by a tenth to a half",
+                short(dx),
+                short(length)
+            ),
+            "more cells, or solver.estimate or solver.accuracy, which tell the error".to_owned(),
+        )
+    })
 }
 
 /// A film whose largest temperature \[K\] is so far above that of the `bulk` that no law of viscosity was

@@ -1,0 +1,106 @@
+"""Checkpoints tell laws apart by what they compute with, wherever Python keeps it."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pytest
+
+from stribeck._identity import identity
+from stribeck.laws import Growth
+
+
+def scaled(at: Any, film: Any, factor: float = 1.0) -> Any:
+    return factor * at.pressure
+
+
+def closed_over(factor: Any) -> Callable[..., Any]:
+    return lambda at, film: factor * at.pressure
+
+
+def with_default(factor: float) -> Callable[..., Any]:
+    def law(at: Any, film: Any, factor: float = factor) -> Any:
+        return factor * at.pressure
+
+    return law
+
+
+class Plain:
+    def __init__(self, factor: Any) -> None:
+        self.factor = factor
+        self._calls: list[float] = []
+
+    def rate(self, at: Any, film: Any) -> Any:
+        self._calls.append(0.0)
+        return self.factor * at.pressure
+
+
+class Slotted:
+    __slots__ = ("factor",)
+
+    def __init__(self, factor: Any) -> None:
+        self.factor = factor
+
+    def __call__(self, at: Any, film: Any) -> Any:
+        return self.factor * at.pressure
+
+
+@dataclass(frozen=True, slots=True)
+class Data:
+    factor: Any
+
+
+MAKERS = [
+    closed_over,
+    with_default,
+    Plain,
+    Slotted,
+    Data,
+    lambda factor: Plain(factor).rate,
+    lambda factor: functools.partial(scaled, factor=factor),
+    lambda factor: Growth(closed_over(factor), 1e-7),
+    lambda factor: Plain({"table": [factor, 1]}),
+    lambda factor: Plain(np.float32(factor)),
+    lambda factor: Plain(np.full(1000, factor)),
+    lambda factor: Plain(np.array([factor, None], dtype=object)),
+    lambda factor: Plain({factor, 0.5}),
+    lambda factor: Plain(Data(factor)),
+]
+
+
+@pytest.mark.parametrize("maker", MAKERS)
+def test_constants_count(maker: Callable[[float], Any]) -> None:
+    assert identity(maker(2.0)) == identity(maker(2.0))
+    assert identity(maker(2.0)) != identity(maker(3.0))
+    assert len(identity(maker(2.0))) < 250
+
+
+def test_kinds_and_code_count() -> None:
+    assert identity(lambda at, film: 2.0) != identity(lambda at, film: 3.0)
+    assert identity(lambda at, film: at.pressure) != identity(lambda at, film: at.temperature)
+    assert identity(Slotted(2.0)) != identity(Data(2.0))
+    assert identity(Plain(2)) != identity(Plain(2.0))
+    assert identity(Plain(np.float32(2.0))) != identity(Plain(np.float64(2.0)))
+    assert identity(Plain(np.zeros(3))) != identity(Plain(np.zeros((3, 1))))
+    assert identity(Plain(np.tanh)) != identity(Plain(np.sinh))
+
+
+def test_memory_does_not_count() -> None:
+    law = Plain(2.0)
+    before = identity(law)
+    law._calls.append(1.0)
+    assert identity(law) == before
+
+
+def test_what_holds_itself_ends() -> None:
+    law = Plain(2.0)
+    law.factor = [law, 1.0]
+    deep: list[Any] = []
+    for _ in range(50):
+        deep = [deep]
+    assert identity(law) == identity(law)
+    assert len(identity(Plain(deep))) < 250
