@@ -259,6 +259,10 @@ def test_a_simulation_starts_from_a_solution() -> None:
     refused(stribeck.ShapeError, lambda: stribeck.Simulation(scene, start=other), "start pressure")
     bare = stribeck.Solution(solution.to_dict())
     assert "theta" in str(refused(stribeck.InputError, lambda: stribeck.solve(scene, start=bare), "start"))
+    box = scene.to_dict()["grid"]
+    wider = scene.replace(grid={**box, "x": [2.0 * edge for edge in box["x"]]})
+    for call in (stribeck.solve, stribeck.Simulation):
+        assert "box is another" in str(refused(stribeck.InputError, lambda call=call: call(wider, start=solution), "start"))
 
 
 def test_wear_of_metres_is_said(dry: Scene) -> None:

@@ -7,6 +7,7 @@ import math
 import pickle
 import threading
 import tracemalloc
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -90,6 +91,37 @@ def test_bodies_of_a_run_are_read(rough: stribeck.Scene, tmp_path: Path) -> None
         np.testing.assert_array_equal(one.surface, two.surface)
     with pytest.raises(stribeck.FileError, match="none.npz"):
         stribeck.read_body(rough, tmp_path / "none.npz", "ball")
+
+
+def test_given_films_warn_and_are_required_to_converge() -> None:
+    grid = stribeck.Grid.box(20, 1, (0.0, "1 mm"), (0.0, "1 m"))
+    film = np.linspace(2e-6, 1e-6, 20)[None, :]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        solved = stribeck.given_film(film, grid, speeds=(0.02, 0.0), eta0="10 mPa s", alpha="15 1/GPa")
+    assert solved.require_converged() is solved and solved.warnings == []
+    np.testing.assert_array_equal(solved.film, film)
+    for changed, field in [({"alpha": 15.0}, "alpha"), ({"eta0": 50.0}, "eta0"), ({"film": 1e4 * film}, "film")]:
+        arguments = {"film": film, "grid": grid, "speeds": (0.02, 0.0), "eta0": 0.01, **changed}
+        with pytest.warns(stribeck.StribeckWarning, match=f"{field} = "):
+            assert stribeck.given_film(**arguments).warnings[0].field == field
+    with pytest.warns(stribeck.StribeckWarning):
+        lost = stribeck.given_film(film, grid, speeds=(0.02, 0.0), eta0=1e300)
+    with pytest.raises(stribeck.NotConvergedError, match="the film ended as diverged"):
+        lost.require_converged()
+
+
+def test_surfaces_and_bodies_are_copied(rough: stribeck.Scene) -> None:
+    heights = np.random.default_rng(1).standard_normal((32, 32)) * 1e-8
+    surface = stribeck.surface.Surface(heights, 1e-6, defined=heights > -1e-8)
+    for again in (copy.copy(surface), copy.deepcopy(surface), pickle.loads(pickle.dumps(surface))):
+        np.testing.assert_array_equal(again.heights, surface.heights)
+        np.testing.assert_array_equal(again.defined, surface.defined)
+        assert (again.dx, again.dy) == (1e-6, 1e-6)
+    body = stribeck.BodyStart(rough, heights)
+    assert copy.copy(body) is body and copy.deepcopy([body])[0] is body
+    with pytest.raises(TypeError, match="read_npz"):
+        pickle.dumps(body)
 
 
 def test_fields_are_maps_that_belong_to_python(rough: stribeck.Scene, tmp_path: Path) -> None:
