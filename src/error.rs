@@ -66,6 +66,18 @@ pub(crate) fn legible(value: f64) -> String {
     if everyday { value.to_string() } else { format!("{value:e}") }
 }
 
+/// Characters of a word that messages quote.
+const LONGEST_WORD: usize = 80;
+
+/// The text in one line, with the beginnings of words that are too long for a message.
+pub(crate) fn quoted(text: &str) -> String {
+    let words = text.split_whitespace().map(|word| match word.char_indices().nth(LONGEST_WORD) {
+        Some((end, _)) => format!("{}...", &word[..end]),
+        None => word.to_owned(),
+    });
+    words.collect::<Vec<_>>().join(" ")
+}
+
 impl InputError {
     /// The error with the `path` of what holds the field before its name: `conductivity` of the part
     /// `lubricant.thermal` is `lubricant.thermal.conductivity`.

@@ -5,7 +5,7 @@
 //! text, so that `9.525 mm` and `9.525e-3` are the same double. A new unit is an entry in a table here, a new
 //! dimension a variant, its table and its name.
 
-use crate::error::InputError;
+use crate::error::{InputError, quoted};
 
 /// What a quantity measures, and with it the units that do for it.
 ///
@@ -222,8 +222,10 @@ impl Dimension {
     /// # Errors
     /// Text that is no number and unit, a unit of something else, no unit.
     pub fn parse(self, field: &str, text: &str) -> Result<f64, InputError> {
-        let refused =
-            |reason: String| InputError::Conflict { field: format!("{field} = \"{text}\""), reason };
+        let refused = |reason: String| InputError::Conflict {
+            field: format!("{field} = \"{}\"", quoted(text)),
+            reason,
+        };
         let Some((number, unit)) = split(text) else {
             return Err(refused(format!(
                 "must be a number, alone or with a unit of {}: {}",
@@ -237,7 +239,12 @@ impl Dimension {
         let plain = plain(unit);
         let known = self.units().iter().find(|(names, _)| names.contains(&plain.as_str()));
         let Some((_, scale)) = known else {
-            return Err(refused(format!("`{unit}` is no unit of {}; {}", self.name(), self.offer())));
+            return Err(refused(format!(
+                "`{}` is no unit of {}; {}",
+                quoted(unit),
+                self.name(),
+                self.offer()
+            )));
         };
         let value = match *scale {
             Ten(power) => times_power_of_ten(number, power),

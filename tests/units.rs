@@ -224,3 +224,19 @@ fn messages_have_no_names_of_types() {
         }
     }
 }
+
+#[test]
+fn messages_quote_no_more_than_a_line() {
+    let long = "a".repeat(1_000_000);
+    for (from, to) in [
+        ("radius = 9.525e-3", format!("radius = \"{long}\"")),
+        ("radius = 9.525e-3", format!("radius = \"3 {long}\"")),
+        ("radius = 9.525e-3", format!("radius = 9.525e-3\n{long} = 3")),
+        ("kind = \"gaussian\"", format!("kind = \"{long}\"")),
+    ] {
+        let text = SI.replacen(from, &to, 1);
+        assert_ne!(text, SI, "{from}");
+        let message = Scene::from_toml(&text).unwrap_err().to_string();
+        assert!(message.contains("aaa...") && message.len() < 400, "{from}: {} characters", message.len());
+    }
+}

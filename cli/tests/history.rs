@@ -81,6 +81,8 @@ fn the_schedule_says_how_long() {
     assert_eq!((&ten["steps"], &ten["time"]), (&10.into(), &60.0.into()));
     let four = run(&["--time-step", "15 s"]);
     assert_eq!((&four["steps"], &four["time"]), (&4.into(), &60.0.into()));
+    let filled = run(&["--duration", "1 min", "--time-step", "25"]);
+    assert_eq!((filled["steps"].as_u64(), filled["time"].as_f64()), (Some(3), Some(60.0)));
     let two = run(&["--duration", "1 min", "--time-step", "30"]);
     assert_eq!((&two["steps"], &two["time"]), (&2.into(), &60.0.into()));
 }

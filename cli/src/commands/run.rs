@@ -34,7 +34,7 @@ pub(crate) struct Options {
     /// Number of steps [default: what the time needs, or 100]
     #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::count::<u64>("--steps", text, 1..=u64::MAX))]
     steps: Option<u64>,
-    /// Length of a step, "10" or "10 s" [default: an equal share of the time]
+    /// Length of a step at most, "10" or "10 s" [default: an equal share of the time]
     #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::positive(Dimension::Time, "--time-step", text))]
     time_step: Option<f64>,
     /// Time of the history, "7200" or "2 h" [default: the last entry of the schedules]
@@ -133,8 +133,9 @@ fn plan(options: &Options, sim: &MixedLubricationSim) -> Result<(u64, f64), Stri
         (Some(steps), Some(time_step), _) => Ok((steps, time_step)),
         (Some(steps), None, Some(time)) => Ok((steps, time / steps as f64)),
         (None, Some(time_step), Some(time)) => {
-            // What rounding leaves of the last step is none.
-            Ok(((time / time_step - 1e-9).ceil().max(1.0) as u64, time_step))
+            // What rounding leaves of the last step is none. Steps are shorter where whole ones do not fill the time.
+            let steps = (time / time_step - 1e-9).ceil().max(1.0);
+            Ok((steps as u64, time_step.min(time / steps)))
         }
         (None, None, Some(time)) => Ok((STEPS, time / STEPS as f64)),
         (.., None) => {
