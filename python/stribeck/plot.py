@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from ._arguments import instance
 from ._numbers import unit
 from .errors import unknown
 from .history import History
@@ -89,6 +90,7 @@ def history(
     records: History, names: str | Sequence[str] = "friction.coefficient", *, ax: Axes | None = None, **options: Any
 ) -> Axes:
     """Columns of a history over time in seconds; ``options`` go to ``plot``."""
+    instance("records", records, History, "a History, such as simulation.history")
     chosen = [names] if isinstance(names, str) else list(names)
     columns = [records[name] for name in chosen]
     axes = _axes(ax)

@@ -100,6 +100,13 @@ class History(Sequence[Record]):
     def __iter__(self) -> Iterator[Record]:
         return iter(self._records)
 
+    def __contains__(self, item: object) -> bool:
+        """Whether ``item`` is the name of a column, or one of the records."""
+        return item in COLUMNS if isinstance(item, str) else item in self._records
+
+    def __array__(self, dtype: npt.DTypeLike | None = None, copy: bool | None = None) -> npt.NDArray[Any]:
+        return np.asarray(self.to_numpy(), dtype=dtype)
+
     def append(self, record: Record) -> None:
         """Adds a record."""
         self._records.append(record)

@@ -225,6 +225,8 @@ def test_records_are_a_structured_array(rough: stribeck.Scene) -> None:
     assert "contact.load_ratio" in history._repr_html_() and "120 s" in repr(history)
     assert history[0].to_dict()["step"] == 0
     assert stribeck.History().to_numpy().size == 0
+    np.testing.assert_array_equal(np.asarray(history)["time"], history["time"])
+    assert "film.central" in history and "film" not in history and history[0] in history
 
 
 def test_the_account_of_the_bodies(rough: stribeck.Scene) -> None:
