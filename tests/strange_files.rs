@@ -44,13 +44,15 @@ fn pipes_devices_and_folders_are_refused() {
 }
 
 #[test]
-fn the_history_of_a_run_is_a_file() {
+fn history_and_lock_of_a_run_are_files() {
     let folder = tempfile::tempdir().unwrap();
     let build = || MixedLubricationSim::builder(Scene::azam_2019(16)).build().unwrap();
     RunFolder::create(folder.path(), &build(), 1).unwrap().finish(&build()).unwrap();
-    let history = folder.path().join("history.csv");
-    std::fs::remove_file(&history).unwrap();
-    assert!(Command::new("mkfifo").arg(&history).status().unwrap().success());
-    let error = RunFolder::resume(folder.path(), &mut build(), 1).unwrap_err().to_string();
-    assert!(error.contains("history.csv: this is a pipe or a device"), "{error}");
+    for name in ["history.csv", "lock"] {
+        let file = folder.path().join(name);
+        std::fs::remove_file(&file).unwrap();
+        assert!(Command::new("mkfifo").arg(&file).status().unwrap().success());
+        let error = RunFolder::resume(folder.path(), &mut build(), 1).unwrap_err().to_string();
+        assert!(error.contains(&format!("{name}: this is a pipe or a device")), "{error}");
+    }
 }

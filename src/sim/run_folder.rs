@@ -96,7 +96,11 @@ impl RunFolder {
     /// Takes the folder, made where there is none, for one run as long as the file that is returned is open.
     fn lock(path: &Path) -> Result<File, SimError> {
         let file = path.join("lock");
-        let opened = fs::create_dir_all(path).and_then(|()| File::create(&file));
+        // A pipe would be waited for without end.
+        let opened = fs::create_dir_all(path).and_then(|()| match regular_file::size(&file) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+            _ => File::create(&file),
+        });
         let lock = opened.map_err(|source| SimError::Io { path: file.clone(), source })?;
         match lock.try_lock() {
             Err(TryLockError::WouldBlock) => Err(SimError::Input(InputError::Conflict {
