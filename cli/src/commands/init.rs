@@ -17,6 +17,8 @@ use crate::output::{self, Outcome};
 
 /// Half a side of the box in Hertz half-widths.
 const BOX: f64 = 1.7;
+/// Cells along each side at most.
+const MOST_CELLS: u64 = 2048;
 /// Longest inlet in half-widths on cells of the usual size: longer ones take wider cells, which thicker films
 /// allow.
 const LONGEST_INLET: f64 = 6.0;
@@ -69,7 +71,7 @@ pub(crate) struct Options {
     /// Cells along each side of the box [default: 64, smooth 128]
     #[arg(
         long, allow_hyphen_values = true,
-        value_parser = |text: &str| output::count::<u32>("--cells", text, 16..=2048)
+        value_parser = |text: &str| output::count::<u32>("--cells", text, 16..=MOST_CELLS)
     )]
     cells: Option<u32>,
     /// Write over a file that is there
@@ -231,10 +233,16 @@ fn roughness(options: &Options, answers: &Answers, cell: f64) -> Result<String, 
         Some(text) => {
             let length = output::positive(Dimension::Length, "--length", text)?;
             if length < FEWEST_IN_LENGTH * cell {
+                let cells =
+                    (f64::from(options.cells.unwrap_or(64)) * FEWEST_IN_LENGTH * cell / length).ceil();
+                let remedy = if cells <= MOST_CELLS as f64 {
+                    format!("--cells {cells} would do")
+                } else {
+                    format!("give a longer one, --cells {MOST_CELLS} are the most")
+                };
+                let cell = plain(cell * 1e6);
                 return Err(format!(
-                    "--length = {text} is less than {FEWEST_IN_LENGTH} cells of {} um; --cells {} would do",
-                    plain(cell * 1e6),
-                    (f64::from(options.cells.unwrap_or(64)) * FEWEST_IN_LENGTH * cell / length).ceil()
+                    "--length = {text} is less than {FEWEST_IN_LENGTH} cells of {cell} um; {remedy}"
                 )
                 .into());
             }
