@@ -9,9 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arguments import Quantity, array, cells, number, numbers, truth, whole
-from ._numbers import Numbers
+from ._solved import Solved
 from ._stribeck import solve_film
-from .errors import NotConvergedError, StribeckWarning, say
+from .errors import StribeckWarning, say
 from .scene import Grid
 
 __all__ = ["GivenFilm", "given_film"]
@@ -26,7 +26,7 @@ _PLAUSIBLE = {
 }
 
 
-class GivenFilm(Numbers):
+class GivenFilm(Solved):
     """A film between rigid surfaces. ``load`` [N], ``force.lower`` and ``force.upper`` [N], the shear forces along +x on both
     surfaces, ``flow.inflow``, ``flow.outflow`` [m^3/s], ``flow.imbalance``, ``status``, ``residual.mass``, ``work``; ``film`` [m], ``pressure`` [Pa]
     and ``theta``, the share of the gap that is filled, are arrays of the shape ``(ny, nx)``; ``warnings`` is what is unlikely to be meant."""
@@ -49,17 +49,8 @@ class GivenFilm(Numbers):
     def __reduce__(self) -> tuple[Any, ...]:
         raise TypeError("a GivenFilm is not pickled; take to_dict(), pressure and theta")
 
-    @property
-    def converged(self) -> bool:
-        """Whether mass is balanced to 1e-10 of the inflow."""
-        return bool(self["status"] == "converged")
-
-    def require_converged(self) -> GivenFilm:
-        """The film itself; raises :class:`~stribeck.NotConvergedError` where it is no solution."""
-        if self.converged:
-            return self
-        message = f"the film ended as {self['status']} with an imbalance of {self['residual']['mass']:.3g}"
-        raise NotConvergedError(message, field="status", value=self["status"])
+    def _ended(self) -> str:
+        return f"the film ended as {self['status']} with an imbalance of {self['residual']['mass']:.3g}"
 
     def pressure_at(self, x: Quantity, row: int = 0) -> float | None:
         """Pressure [Pa] at ``x`` [m] in a row of the grid; None for a row that it does not have."""

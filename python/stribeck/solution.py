@@ -10,9 +10,10 @@ import numpy as np
 import numpy.typing as npt
 
 from ._arguments import instance, named, optional_heights, path as _path, refused, text, writing
-from ._numbers import Fields, Numbers
+from ._numbers import Fields
+from ._solved import Report, Solved
 from ._stribeck import BodyStart, solve as _solve
-from .errors import InputError, NotConvergedError, StribeckWarning, found, say
+from .errors import InputError, StribeckWarning, found, say
 from .laws import ContactSolver, DeformationModel, DensityLaw, FrictionLaw, PlasticityModel, ViscosityLaw, compiled
 from .scene import Grid, Nodes, Scene, as_scene
 
@@ -25,13 +26,7 @@ Heights = npt.ArrayLike | tuple[npt.ArrayLike | None, npt.ArrayLike | None] | Ma
 _STARTS = {"pressure", "fluid_pressure", "film", "theta", "plastic_depth", "in_contact"}
 
 
-class Report(Numbers):
-    """How a solve ended: ``status``, ``solver``, ``residual`` (mass, load, complementarity), ``energy_error``, ``work``."""
-
-    __slots__ = ()
-
-
-class Solution(Numbers):
+class Solution(Solved):
     """A solved contact. Numbers have the names of the command's JSON, all SI: ``film.central``, ``film.lambda_``,
     ``contact.load_ratio``, ``friction.coefficient``, ``residual.mass``, ``status``, ``warnings`` and so on.
 
@@ -59,30 +54,6 @@ class Solution(Numbers):
     def warnings(self) -> list[StribeckWarning]:
         """What is unlikely to be meant or to hold, of the scene, its surfaces and the solution."""
         return found(self["warnings"])
-
-    @property
-    def report(self) -> Report:
-        """How the solve ended."""
-        names = ("status", "solver", "residual", "energy_error", "work")
-        values = self.to_dict()
-        return Report({name: values[name] for name in names})
-
-    @property
-    def converged(self) -> bool:
-        """Whether all residuals are at or below the tolerance."""
-        return bool(self["status"] == "converged")
-
-    def require_converged(self) -> Solution:
-        """The solution itself; raises :class:`~stribeck.NotConvergedError` where it is none."""
-        if self.converged:
-            return self
-        error = NotConvergedError(
-            f"{self['solver']} ended as {self['status']} with the residuals {self['residual'].to_dict()}",
-            field="status",
-            value=self["status"],
-        )
-        error.report = self.report.to_dict()
-        raise error
 
     def save_fields(self, path: str | os.PathLike[str]) -> None:
         """Writes the fields as a NumPy archive (npz) of this very name, with the positions ``x`` and ``y`` of the nodes [m]."""

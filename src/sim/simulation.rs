@@ -225,15 +225,16 @@ impl MixedLubricationSim {
 
     /// Warnings about the first contact.
     fn warn_of_first(&mut self, record: &StepRecord) {
-        let (hertz, dx) = (&self.contact.hertz, self.contact.grid.dx());
-        if record.roughness.composite_rq == 0.0 {
-            self.warnings.extend(warnings::excess_pressure(record.pressure.max, hertz.pressure));
-            self.warnings.extend(warnings::coarse_inlet(&self.scene, hertz, dx, record.film.central));
-        }
-        if let Some(heat) = record.thermal {
-            self.warnings.extend(warnings::hot_film(heat.film_temperature_max, record.bulk_temperature));
-        }
-        self.warnings.extend(warnings::high_traction(record.friction.fluid));
+        let seen = warnings::Seen {
+            hertz: &self.contact.hertz,
+            dx: self.contact.grid.dx(),
+            smooth: record.roughness.composite_rq == 0.0,
+            largest_pressure: record.pressure.max,
+            central_film: record.film.central,
+            fluid_friction: record.friction.fluid,
+            temperatures: record.thermal.map(|heat| [heat.film_temperature_max, record.bulk_temperature]),
+        };
+        self.warnings.extend(warnings::of_contact(&self.scene, &seen, false));
     }
 
     /// Commits the longest step that `control` allows and returns its length.

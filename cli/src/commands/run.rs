@@ -133,7 +133,8 @@ fn plan(options: &Options, sim: &MixedLubricationSim) -> Result<(u64, f64), Stri
         (Some(steps), Some(time_step), _) => Ok((steps, time_step)),
         (Some(steps), None, Some(time)) => Ok((steps, time / steps as f64)),
         (None, Some(time_step), Some(time)) => {
-            // What rounding leaves of the last step is none. Steps are shorter where whole ones do not fill the time.
+            // What rounding leaves of the last step is none. Where whole steps do not fill the time all are
+            // shorter.
             let steps = (time / time_step - 1e-9).ceil().max(1.0);
             Ok((steps as u64, time_step.min(time / steps)))
         }

@@ -9,9 +9,7 @@ mod solved;
 
 use std::fmt;
 
-pub(super) use solved::{
-    DEEP_WEAR, after_solve, coarse_inlet, deep_wear, excess_pressure, high_traction, hot_film,
-};
+pub(super) use solved::{DEEP_WEAR, Seen, after_solve, deep_wear, of_contact};
 
 use super::hertz::HertzContact;
 use super::scene::{BODIES, Scene};

@@ -22,32 +22,53 @@ pub(in crate::sim) const DEEP_WEAR: [&str; 2] = ["wear.ball_max", "wear.disc_max
 /// Largest estimate of an error that goes without a warning.
 const LARGEST_ERROR: f64 = 0.1;
 
+/// What single contacts and the first one of a history are looked at for.
+pub(in crate::sim) struct Seen<'a> {
+    /// The contact between smooth dry bodies.
+    pub(in crate::sim) hertz: &'a HertzContact,
+    /// Width of the cells along the flow \[m\].
+    pub(in crate::sim) dx: f64,
+    /// Whether the bodies are smooth.
+    pub(in crate::sim) smooth: bool,
+    /// Largest pressure \[Pa\].
+    pub(in crate::sim) largest_pressure: f64,
+    /// Central film \[m\].
+    pub(in crate::sim) central_film: f64,
+    /// Friction of the fluid over the load.
+    pub(in crate::sim) fluid_friction: f64,
+    /// Largest temperature of the film and that of the bulk \[K\], where the film has its own.
+    pub(in crate::sim) temperatures: Option<[f64; 2]>,
+}
+
+/// Warnings about a contact of `scene`; `with_error` where the error of its mesh is known.
+pub(in crate::sim) fn of_contact(scene: &Scene, seen: &Seen<'_>, with_error: bool) -> Vec<Warning> {
+    let excess = || excess_pressure(seen.largest_pressure, seen.hertz.pressure);
+    let pressure = seen.smooth.then(excess).flatten();
+    let inlet = (seen.smooth && !with_error).then(|| coarse_inlet(scene, seen)).flatten();
+    let hot = seen.temperatures.and_then(|[largest, bulk]| hot_film(largest, bulk));
+    pressure.into_iter().chain(inlet).chain(hot).chain(high_traction(seen.fluid_friction)).collect()
+}
+
 /// Warnings about the finished `solution` of `scene`.
 pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
-    // Heights in memory may be rough in a scene that says nothing of roughness.
-    let smooth = scene.is_smooth() && solution.roughness.composite_rq == 0.0;
-    let pressure = smooth.then(|| excess_pressure(solution.pressure.max, solution.hertz.pressure)).flatten();
     let film = solution.thermal.as_ref().zip(scene.conditions(0.0).ok());
-    let film =
-        film.and_then(|(heat, conditions)| hot_film(heat.film_temperature_max, conditions.bulk_temperature));
-    let traction = high_traction(solution.friction.fluid);
-    let estimated = solution.error_estimate.is_some();
-    let inlet = if smooth && !estimated {
-        coarse_inlet(scene, &solution.hertz, solution.grid.dx(), solution.film.central)
-    } else {
-        None
+    let seen = Seen {
+        hertz: &solution.hertz,
+        dx: solution.grid.dx(),
+        // Heights in memory may be rough in a scene that says nothing of roughness.
+        smooth: scene.is_smooth() && solution.roughness.composite_rq == 0.0,
+        largest_pressure: solution.pressure.max,
+        central_film: solution.film.central,
+        fluid_friction: solution.friction.fluid,
+        temperatures: film.map(|(heat, at)| [heat.film_temperature_max, at.bulk_temperature]),
     };
-    pressure
-        .into_iter()
-        .chain(film)
-        .chain(traction)
-        .chain(inlet)
-        .chain(mesh_errors(scene, solution))
-        .collect()
+    let mut list = of_contact(scene, &seen, solution.error_estimate.is_some());
+    list.extend(mesh_errors(scene, solution));
+    list
 }
 
 /// Friction of the fluid over the load that is more than that of an oil.
-pub(in crate::sim) fn high_traction(fluid: f64) -> Option<Warning> {
+fn high_traction(fluid: f64) -> Option<Warning> {
     (fluid > LARGEST_TRACTION).then(|| {
         Warning::new(
             "friction.fluid",
@@ -59,16 +80,12 @@ pub(in crate::sim) fn high_traction(fluid: f64) -> Option<Warning> {
     })
 }
 
-/// Cells of `dx` \[m\] too wide for the inlet of a smooth contact with the `central` film \[m\].
+/// Cells too wide for the inlet that makes the central film of a smooth contact.
 ///
 /// In front of the contact the gap rises as `a^2/R (s/a)^(3/2)`, `s` being the distance from its edge; where it
 /// is the film the pressure of the fluid builds up.
-pub(in crate::sim) fn coarse_inlet(
-    scene: &Scene,
-    hertz: &HertzContact,
-    dx: f64,
-    central: f64,
-) -> Option<Warning> {
+fn coarse_inlet(scene: &Scene, seen: &Seen<'_>) -> Option<Warning> {
+    let Seen { hertz, dx, central_film: central, .. } = *seen;
     let along = hertz.half_width_x;
     let length = (central * scene.form.radii().0 / along.powi(2)).powf(2.0 / 3.0) * along;
     (scene.is_lubricated() && hertz.angle == 0.0 && dx > WIDEST_CELL * length).then(|| {
@@ -87,7 +104,7 @@ pub(in crate::sim) fn coarse_inlet(
 
 /// A film whose largest temperature \[K\] is so far above that of the `bulk` that no law of viscosity was
 /// fitted to it.
-pub(in crate::sim) fn hot_film(largest: f64, bulk: f64) -> Option<Warning> {
+fn hot_film(largest: f64, bulk: f64) -> Option<Warning> {
     let rise = largest - bulk;
     (rise > LARGEST_RISE).then(|| {
         Warning::new(
@@ -103,7 +120,7 @@ pub(in crate::sim) fn hot_film(largest: f64, bulk: f64) -> Option<Warning> {
 }
 
 /// The largest pressure \[Pa\] of a smooth contact that is far above the one of Hertz.
-pub(in crate::sim) fn excess_pressure(largest: f64, hertz: f64) -> Option<Warning> {
+fn excess_pressure(largest: f64, hertz: f64) -> Option<Warning> {
     (largest > LARGEST_PRESSURE * hertz).then(|| {
         Warning::new(
             "pressure.max",
