@@ -20,15 +20,19 @@ use crate::displayed::serialize_as_displayed;
 pub enum Strategy {
     /// One of [`NewtonSettings::attempts`](crate::reynolds::NewtonSettings::attempts), counted from 1.
     Attempt(usize),
+    /// By way of thicker contact films
+    /// ([`NewtonSettings::least_film_ratio`](crate::reynolds::NewtonSettings::least_film_ratio)).
+    Continuation,
 }
 
 serialize_as_displayed!(Strategy);
 
 impl fmt::Display for Strategy {
-    /// `attempt_1` and so on.
+    /// `attempt_1` and so on, `continuation`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Attempt(number) => write!(f, "attempt_{number}"),
+            Self::Continuation => f.write_str("continuation"),
         }
     }
 }

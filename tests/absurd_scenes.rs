@@ -1,7 +1,7 @@
 //! Random scenes, absurd ones included: each ends in convergence, in a status or in an error that says what
 //! is wrong.
 
-#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test stops at what it did not expect")]
+#![expect(clippy::print_stdout, reason = "tests")]
 
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};

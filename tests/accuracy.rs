@@ -1,5 +1,4 @@
 //! `grid.accuracy`: meshes that reach it, estimates that hold, scenes it is not for.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::path::Path;
 

@@ -1,8 +1,7 @@
 //! Bodies: materials of each, and bodies that begin a run with the marks of an earlier one.
 #![expect(
-    clippy::unwrap_used,
     clippy::float_cmp,
-    reason = "a test stops at what it did not expect; equal histories are equal to the last bit"
+    reason = "equal histories are equal to the last bit"
 )]
 
 use std::ops::ControlFlow;

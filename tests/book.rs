@@ -1,8 +1,6 @@
 //! The pages of the book: all are in the summary and short, what they and the README link to is there, and
 //! numbers have names.
 
-#![expect(clippy::unwrap_used, reason = "a test stops at what it did not expect")]
-
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -82,4 +80,18 @@ fn every_column_of_a_history_is_documented() {
     let missing: Vec<&str> =
         header.split(',').filter(|column| !document.contains(&format!("`{column}`"))).collect();
     assert!(missing.is_empty(), "not in docs/output.md: {missing:?}");
+}
+
+/// A file of tests that no program names would not run.
+#[test]
+fn all_files_of_tests_are_built() {
+    let named = [include_str!("suite.rs"), include_str!("../Cargo.toml")].concat();
+    for entry in fs::read_dir("tests").unwrap() {
+        let path = entry.unwrap().path();
+        let Some(name) = path.file_name().and_then(|name| name.to_str()?.strip_suffix(".rs")) else {
+            continue;
+        };
+        let is_named = named.contains(&format!("mod {name};")) || named.contains(&format!("tests/{name}.rs"));
+        assert!(is_named, "tests/suite.rs does not name {name}");
+    }
 }

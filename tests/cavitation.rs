@@ -1,5 +1,4 @@
 //! Cavitation with and without conservation of mass.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};

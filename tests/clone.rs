@@ -1,5 +1,4 @@
 //! A clone of a simulation goes on as the original would, to the last bit, on any thread.
-#![expect(clippy::unwrap_used, reason = "tests")]
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -1,6 +1,6 @@
 //! Compliant tribofilms: their compliance against a thin layer and rigid springs, exact displacements, no
 //! film as no film, histories, resuming and errors.
-#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
+#![expect(clippy::float_cmp, reason = "tests")]
 
 use std::f64::consts::PI;
 

@@ -1,6 +1,5 @@
 //! Dry contacts of scenes: errors that fall with the mesh, steps that do not grow with it, boxes that are too
 //! small.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::Status;
 use stribeck::reynolds::ReynoldsError;

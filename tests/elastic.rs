@@ -1,6 +1,6 @@
 //! The half-space against the direct sum, and dry contact against Hertz, a flat punch and its own
 //! inequalities.
-#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
+#![expect(clippy::float_cmp, reason = "tests")]
 
 use proptest::collection::vec;
 use proptest::prelude::*;

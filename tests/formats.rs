@@ -1,5 +1,4 @@
 //! Files of measured surfaces: real ones, what writers write, and damaged ones.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::path::{Path, PathBuf};
 

@@ -1,6 +1,5 @@
 //! Smooth full films: known values, orders of convergence, costs that do not grow with the grid, meshes that
 //! are too coarse.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::elastic::{DeformationModel, HalfSpace};
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};

@@ -1,5 +1,4 @@
 //! Rigid surfaces with a given film: benchmarks of cavitation, conservation of mass, bad input.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::cell::Cell;
 

@@ -1,5 +1,4 @@
 //! Growth-law constants from measured films: recovery from noise, honest intervals, refusals.
-#![expect(clippy::unwrap_used, reason = "tests")]
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;

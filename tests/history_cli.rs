@@ -1,7 +1,4 @@
 //! The example `history` from the outside: output, exit status, messages.
-#![expect(clippy::unwrap_used, reason = "tests")]
-
-mod common;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -13,7 +10,7 @@ use stribeck::sim::{MixedLubricationSim, Scene};
 
 fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
-    PROGRAM.get_or_init(|| common::example("history"))
+    PROGRAM.get_or_init(|| crate::common::example("history"))
 }
 
 fn scene() -> Scene {

@@ -1,5 +1,5 @@
 //! Laws of film growth, flash temperature, plasticity and wear against exact solutions, and their invariants.
-#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
+#![expect(clippy::float_cmp, reason = "tests")]
 
 use std::f64::consts::PI;
 

@@ -1,14 +1,10 @@
 //! Stresses in and below a bonded layer: half-spaces as limits, equilibrium, continuity at the bond, box and
 //! cells, errors.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::Grid;
 use stribeck::elastic::{LayeredStress, StressField, subsurface_stress};
 
-#[path = "common/coated.rs"]
-mod coated;
-
-use coated::{Materials, PAIRS, components, hertz, layer};
+use crate::common::coated::{Materials, PAIRS, components, hertz, layer};
 
 /// Smooth loads of unit size in the middle of `grid`.
 fn smooth(grid: &Grid) -> [Vec<f64>; 2] {

@@ -1,18 +1,12 @@
 //! Stresses in and below a bonded layer as integrals over waves, under Hertz' pressure and a line.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::f64::consts::PI;
 
 use stribeck::Grid;
 use stribeck::elastic::LayeredStress;
 
-#[path = "common/coated.rs"]
-mod coated;
-#[path = "common/dense.rs"]
-mod dense;
-
-use coated::{Materials, PAIRS, components, hertz, layer};
-use dense::solve;
+use crate::common::coated::{Materials, PAIRS, components, hertz, layer};
+use crate::common::dense::solve;
 
 /// Airy's function with two derivatives under both loads, and the derivative of shear across the wave.
 type Functions = ([[f64; 3]; 2], f64);

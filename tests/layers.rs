@@ -1,6 +1,5 @@
 //! A layer on the disc: its transform, its influence coefficients, dry and lubricated contacts of coated
 //! bodies, errors.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::f64::consts::PI;
 
@@ -12,10 +11,7 @@ use stribeck::surface::Form;
 use stribeck::testing::deformation_model;
 use stribeck::{Grid, Status};
 
-#[path = "common/dense.rs"]
-mod dense;
-
-use dense::solve;
+use crate::common::dense::solve;
 
 /// The transform from the equations of elasticity in plane strain at unit wave number: Airy's function
 /// `phi(z) cos x`, `phi = (A + B z) exp(-z) + (C + D z) exp(z)` in the layer and `(E + F z) exp(-z)` below,

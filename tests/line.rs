@@ -1,5 +1,4 @@
 //! Line contacts: kernel, dry contact, lubricated film.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::ops::ControlFlow;
 

@@ -1,12 +1,9 @@
 //! The example that reads surface files, from the outside: `mtm_zddp --surface`.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
-
-mod common;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use common::example;
+use crate::common::example;
 
 fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/surfaces").join(name)

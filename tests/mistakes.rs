@@ -1,6 +1,5 @@
 //! Mistakes that people make with scenes and calls: each ends with an error or a warning that names what is
 //! wrong. None panics, hangs or converges in silence.
-#![expect(clippy::unwrap_used, reason = "tests")]
 
 use std::path::Path;
 

@@ -1,5 +1,4 @@
 //! Mixed lubrication: both definitions of contact, and scenes over the whole map that must keep converging.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::elastic::HalfSpace;
 use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands};

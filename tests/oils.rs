@@ -1,8 +1,4 @@
 //! Viscosity by pressure and temperature, shear stress by rate and pressure, and scenes that use them.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
-
-#[path = "common/free_volume.rs"]
-mod free_volume;
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -20,7 +16,7 @@ use stribeck::sim::{MixedLubricationSim, Scene, SimError, solve_contact};
 use stribeck::surface::Form;
 use stribeck::testing::{density_law, viscosity_law};
 
-use free_volume::FREE_VOLUME;
+use crate::common::free_volume::FREE_VOLUME;
 
 const GLASS: ImprovedYasutomiConstants = ImprovedYasutomiConstants {
     glass_viscosity: 1e12,

@@ -1,6 +1,6 @@
 //! Single contacts and histories through one builder: the same parts for both, interrupts, laws on whole
 //! fields, failed steps.
-#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "what is the same is the same to the last bit")]
+#![expect(clippy::float_cmp, reason = "what is the same is the same to the last bit")]
 
 use std::fmt;
 use std::sync::Arc;

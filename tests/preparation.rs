@@ -1,5 +1,4 @@
 //! Preparation of measured surfaces: form, filters, arrangement, transfer; and made textures.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::f64::consts::{LN_2, PI, TAU};
 

@@ -1,5 +1,5 @@
 //! Processes in the simulation: yielding and reloading, hardening, wear, friction, motion, length of steps.
-#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
+#![expect(clippy::float_cmp, reason = "tests")]
 
 use std::f64::consts::PI;
 use std::ops::ControlFlow;

@@ -1,9 +1,7 @@
 //! Checkpoints: a resumed run is the uninterrupted one to the last bit, whoever stopped it; files that do not
 //! fit are refused.
 
-#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test stops at what it did not expect")]
-
-mod common;
+#![expect(clippy::print_stdout, reason = "tests")]
 
 use std::fs;
 use std::ops::ControlFlow;
@@ -271,7 +269,7 @@ fn a_line_of_the_history_is_read_to_the_last_bit() {
 
 fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
-    PROGRAM.get_or_init(|| common::example("mtm_zddp"))
+    PROGRAM.get_or_init(|| crate::common::example("mtm_zddp"))
 }
 
 /// Cells along each side and steps of the runs that are killed.
@@ -381,7 +379,7 @@ fn scheduled_run_in_a_process_of_its_own() {
 fn killed_scheduled_runs_end_as_uninterrupted_ones() {
     killed_runs(3, 5, |out, threads| {
         Command::new(std::env::current_exe().unwrap())
-            .args(["--exact", "--ignored", "scheduled_run_in_a_process_of_its_own"])
+            .args(["--exact", "--ignored", "resume::scheduled_run_in_a_process_of_its_own"])
             .env(FOLDER, out)
             .env("RAYON_NUM_THREADS", threads)
             .stdout(Stdio::null())

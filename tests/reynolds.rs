@@ -1,5 +1,4 @@
 //! The lubricated solvers: known films, agreement between methods, limits, and failures that must stay typed.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::reynolds::{Cavitation, ContactDefinition, FaceMobility, Scheme};
 use stribeck::sim::scene::{Roughness, SolverKind};

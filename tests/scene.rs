@@ -1,8 +1,5 @@
 //! Scene files: round trip, the documentation, and errors that name the key.
-#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
-
-#[path = "common/scene_text.rs"]
-mod scene_text;
+#![expect(clippy::float_cmp, reason = "tests")]
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -12,7 +9,7 @@ use stribeck::sim::scene::{FileRoughness, GridSpec, Roughness, SolverKind, Tribo
 use stribeck::sim::{Scene, SimError, solve_contact, write_npz};
 use stribeck::surface::{Form, write_npy};
 
-use scene_text::{assert_names, dry};
+use crate::common::scene_text::{assert_names, dry};
 
 /// What a scene file is, and the tables in the order of the pages.
 const FIRST_PAGE: &str = include_str!("../docs/scene.md");

@@ -1,12 +1,9 @@
 //! What a scene file names by a tag: laws, kinds of roughness, forms.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "tests")]
-
-#[path = "common/scene_text.rs"]
-mod scene_text;
+#![expect(clippy::panic, reason = "tests")]
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use scene_text::{assert_names, dry, error_of};
+use crate::common::scene_text::{assert_names, dry, error_of};
 use stribeck::Boundary;
 use stribeck::sim::scene::{FrictionalEnergySpec, GridSpec, Roughness, RoughnessPair, WearSpec};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, solve_contact};

@@ -1,5 +1,4 @@
 //! The semi-system solver on mixed contacts: the answers of Newton's method, from line relaxations.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::reynolds::{Cavitation, FaceMobility, Scheme};
 use stribeck::sim::scene::{Roughness, SolverKind};

@@ -1,5 +1,4 @@
 //! Shear thinning of the flow by pressure.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::lubricant::Rheology;
 use stribeck::reynolds::ShearThinning;

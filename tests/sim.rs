@@ -1,9 +1,8 @@
 //! The simulation: its account, its laws, its observer, and what it refuses.
 
 #![expect(
-    clippy::unwrap_used,
     clippy::float_cmp,
-    reason = "a test stops at what it did not expect; equal histories are equal to the last bit"
+    reason = "equal histories are equal to the last bit"
 )]
 
 use std::ops::ControlFlow;

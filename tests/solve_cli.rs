@@ -1,7 +1,5 @@
 //! The example `solve` from the outside: output, exit status, messages, fields.
-#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
-
-mod common;
+#![expect(clippy::float_cmp, reason = "tests")]
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -15,7 +13,7 @@ const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
 
 fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
-    PROGRAM.get_or_init(|| common::example("solve"))
+    PROGRAM.get_or_init(|| crate::common::example("solve"))
 }
 
 fn solve(arguments: &[&str]) -> Output {

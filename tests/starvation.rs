@@ -1,5 +1,4 @@
 //! Contacts whose inlet is supplied with less than fills it.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use stribeck::lubricant::{DensityLaw, DowsonHigginson};
 use stribeck::reynolds::{Cavitation, Scheme};

@@ -1,6 +1,5 @@
 //! What is no file of a known size is refused at once, whoever reads it: a pipe would be waited for, a device has no end.
 #![cfg(unix)]
-#![expect(clippy::unwrap_used, reason = "tests")]
 
 use std::path::Path;
 use std::process::Command;

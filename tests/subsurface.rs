@@ -1,5 +1,4 @@
 //! Stresses below the surface: direct sums, Hertz, sliding Hertz, lines, scenes and errors.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::f64::consts::PI;
 

@@ -1,5 +1,4 @@
 //! Forms, generated and measured surfaces, files, and motion of the roughness.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,4 @@
 //! Temperature of the film: sections against exact solutions, contacts against their limits.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
-
-#[path = "common/free_volume.rs"]
-mod free_volume;
 
 use stribeck::Grid;
 use stribeck::analytic::{ShearedLayer, ThermalInlet};
@@ -19,7 +15,7 @@ use stribeck::surface::Form;
 use stribeck::thermal::{FilmProfile, FilmSection, FilmThermal, SectionSolver};
 use stribeck::tribochem::{FlashTemperature, ThermalBody};
 
-use free_volume::FREE_VOLUME;
+use crate::common::free_volume::FREE_VOLUME;
 
 const PROFILES: [FilmProfile; 2] = [FilmProfile::Parabola, FilmProfile::Collocation];
 const BULK: f64 = 313.15;

@@ -1,5 +1,4 @@
 //! Histories whose films have a temperature of their own.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};

@@ -1,6 +1,6 @@
 //! What a history must not depend on: the box, the length of its steps, where on the track the contact is
 //! met.
-#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
+#![expect(clippy::float_cmp, reason = "tests")]
 
 use std::ops::ControlFlow;
 

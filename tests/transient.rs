@@ -1,6 +1,5 @@
 //! Contacts in time: waves that travel through line and point contacts with both surfaces, and the order of
 //! the time step.
-#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 use std::f64::consts::PI;
 

@@ -1,5 +1,4 @@
 //! Fields written for the Visualization Toolkit, read back by another implementation of its format.
-#![expect(clippy::unwrap_used, reason = "tests")]
 
 use stribeck::Grid;
 use stribeck::sim::write_vtk;

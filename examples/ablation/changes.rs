@@ -14,6 +14,7 @@ const fn change(name: &'static str, apply: fn(&mut NewtonSettings)) -> Change {
 
 pub(crate) const CHANGES: &[Change] = &[
     change("no attempt but the first", |s| s.attempts.truncate(1)),
+    change("no continuation", |s| s.least_film_ratio = f64::INFINITY),
     change("krylov_steps x 0.5", |s| s.krylov_steps /= 2),
     change("krylov_steps x 2", |s| s.krylov_steps *= 2),
     change("least_krylov_tolerance x 0.1", |s| s.least_krylov_tolerance *= 0.1),

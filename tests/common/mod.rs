@@ -1,5 +1,10 @@
 //! What several tests share.
 
+pub(crate) mod coated;
+pub(crate) mod dense;
+pub(crate) mod free_volume;
+pub(crate) mod scene_text;
+
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

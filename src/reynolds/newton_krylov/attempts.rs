@@ -24,6 +24,9 @@ impl Workspace {
         self.history.clear();
         self.best_strategy = Strategy::Attempt(1);
         let mut status = self.attempts(problem, state, stop)?;
+        if matches!(status, Status::Stalled | Status::Diverged) && self.can_continue(problem.film_cutoff) {
+            status = self.continue_in_contact_film(problem, state, stop)?;
+        }
         if status != Status::Converged && self.best_residuals.mass == f64::INFINITY {
             // No step with the cut-off and the condition of the problem was taken.
             self.coupled.configure(problem);
@@ -48,7 +51,7 @@ impl Workspace {
 
     /// One attempt after the other until one does not stall, the first from the state as it is if it carries
     /// pressure, all others from the dry contact. Keeps the best state of all.
-    fn attempts(
+    pub(super) fn attempts(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
@@ -60,7 +63,7 @@ impl Workspace {
             if matches!(status, Status::Converged | Status::MaxIterations) {
                 break;
             }
-            let attempt = self.settings.attempt(index, &problem.grid());
+            let attempt = self.settings.on(self.settings.attempts[index], &problem.grid());
             self.strategy = Strategy::Attempt(index + 1);
             let cold = index > 0 || state.pressure.iter().all(|&p| p <= 0.0);
             let film_cutoff = problem.film_cutoff;

@@ -3,6 +3,7 @@
 mod attempts;
 mod coarse_films;
 mod contact_distance;
+mod continuation;
 mod fluid_block;
 mod globalisation;
 mod homotopy;

@@ -1,0 +1,117 @@
+//! Continuation in the contact film: where all attempts stall, contacts with thicker ones are solved first.
+
+use super::Workspace;
+use super::homotopy::Homotopy;
+use super::progress::Progress;
+use crate::report::{Residuals, Status};
+use crate::reynolds::problem::LubricatedContact;
+use crate::reynolds::state::ContactState;
+use crate::reynolds::{ReynoldsError, StoppingRule};
+use crate::strategy::Strategy;
+
+/// Thicker contact films are tried in this ratio, so many at most.
+const DOUBLED: f64 = 2.0;
+const DOUBLINGS: i32 = 8;
+
+impl Workspace {
+    /// Whether solids touch in the best state so far, or would with the contact film from which attempts start.
+    pub(super) fn can_continue(&self, film_cutoff: f64) -> bool {
+        let thickest = self.settings.attempts[0].first_contact_film.max(DOUBLED) * film_cutoff;
+        self.settings.least_film_ratio < DOUBLED
+            && self.best_residuals.is_finite()
+            && self.best.state.film.iter().any(|&film| film < thickest)
+    }
+
+    /// Solves the problem by way of thicker contact films. Where that fails the best state so far stays the best.
+    pub(super) fn continue_in_contact_film(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<Status, ReynoldsError> {
+        let kept = (self.best.clone(), self.best_residuals, self.best_strategy);
+        let film_cutoff = problem.film_cutoff;
+        let mut status = self.solve_thicker_film(problem, state, stop);
+        if let Ok((Status::Converged, ratio)) = status {
+            status = self.lower_contact_film(problem, state, stop, ratio).map(|status| (status, 1.0));
+        }
+        problem.film_cutoff = film_cutoff;
+        let (status, _) = status?;
+        if status != Status::Converged {
+            (self.best, self.best_residuals, self.best_strategy) = kept;
+        }
+        Ok(status)
+    }
+
+    /// Doubles the contact film until an attempt converges; also returns the ratio to that of the problem.
+    fn solve_thicker_film(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<(Status, f64), ReynoldsError> {
+        self.progress = Progress::new(&problem.grid());
+        let film_cutoff = problem.film_cutoff;
+        for doubling in 1..=DOUBLINGS {
+            let ratio = DOUBLED.powi(doubling);
+            problem.film_cutoff = ratio * film_cutoff;
+            state.pressure.fill(0.0);
+            let status = self.attempts(problem, state, stop)?;
+            if !may_go_on(status) {
+                return Ok((status, ratio));
+            }
+        }
+        Ok((Status::Stalled, 1.0))
+    }
+
+    /// Lowers the contact film of a solution by `ratio`, in as many steps as it takes.
+    fn lower_contact_film(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+        mut ratio: f64,
+    ) -> Result<Status, ReynoldsError> {
+        self.strategy = Strategy::Continuation;
+        let film_cutoff = problem.film_cutoff / ratio;
+        let (mut solved, mut step) = (state.clone(), ratio);
+        while ratio > 1.0 {
+            let next = (ratio / step).max(1.0);
+            problem.film_cutoff = next * film_cutoff;
+            let status = self.follow(problem, state, stop)?;
+            if status == Status::Converged {
+                (ratio, step) = (next, step * step);
+                solved.clone_from(state);
+            } else {
+                step = (ratio / next).sqrt();
+                if !may_go_on(status) || step < self.settings.least_film_ratio {
+                    return Ok(status);
+                }
+                state.clone_from(&solved);
+            }
+        }
+        Ok(Status::Converged)
+    }
+
+    /// Solves from a solution with another contact film, as the last attempt does but for the dry start.
+    fn follow(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<Status, ReynoldsError> {
+        self.progress = Progress::new(&problem.grid());
+        self.best_residuals = Residuals { mass: f64::INFINITY, ..Residuals::default() };
+        let attempt = self.settings.on(self.settings.following, &problem.grid());
+        let there = Homotopy { film_cutoff: problem.film_cutoff, condition: problem.cavitation };
+        self.begin(problem, state, there)?;
+        let status = self.newton(problem, state, stop, attempt, there)?;
+        self.work.convolutions += self.coupled.convolutions;
+        Ok(status)
+    }
+}
+
+/// Whether a solve that has ended so has used up nothing that the next one needs.
+fn may_go_on(status: Status) -> bool {
+    matches!(status, Status::Stalled | Status::Diverged)
+}

@@ -1,0 +1,57 @@
+//! The tests of the whole crate: one program, since each takes seconds to link.
+#![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+mod common;
+
+mod absurd_scenes;
+mod accuracy;
+mod analytic;
+mod bodies;
+mod book;
+mod cavitation;
+mod clone;
+mod compliant_film;
+mod conformance;
+mod dry;
+mod elastic;
+mod ensemble;
+mod formats;
+mod friction;
+mod full_film;
+mod generation;
+mod given_film;
+mod growth_fit;
+mod history_cli;
+mod laws;
+mod layered_stress;
+mod layered_waves;
+mod layers;
+mod line;
+mod measured_disc;
+mod metrics;
+mod mistakes;
+mod mixed;
+mod oils;
+mod one_builder;
+mod preparation;
+mod processes;
+mod reports;
+mod resume;
+mod reynolds;
+mod scene;
+mod scene_kinds;
+mod schedules;
+mod semi_system;
+mod shear_thinning;
+mod sim;
+mod solve_cli;
+mod starvation;
+mod strange_files;
+mod subsurface;
+mod surface;
+mod thermal_film;
+mod thermal_history;
+mod track;
+mod transient;
+mod units;
+mod vtk;
