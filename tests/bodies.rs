@@ -1,8 +1,5 @@
 //! Bodies: materials of each, and bodies that begin a run with the marks of an earlier one.
-#![expect(
-    clippy::float_cmp,
-    reason = "equal histories are equal to the last bit"
-)]
+#![expect(clippy::float_cmp, reason = "equal histories are equal to the last bit")]
 
 use std::ops::ControlFlow;
 

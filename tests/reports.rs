@@ -64,16 +64,16 @@ fn newton(scene: Scene, change: fn(&mut NewtonSettings)) -> SolveReport {
     report
 }
 
-/// An attempt of one step leads nowhere: the next one does.
+/// An attempt whose first step has to halve the residual leads nowhere: the next one does.
 #[test]
 fn the_way_that_led_to_the_solution_is_named() {
-    let second = newton(smooth(32), |settings| settings.attempts[0].most_steps = 1);
+    let second = newton(smooth(32), |settings| settings.attempts[0].steps_to_halve = 1);
     assert_eq!(second.strategy, Some(Strategy::Attempt(2)));
     assert_eq!(second.strategy.unwrap().to_string(), "attempt_2");
 }
 
-/// Without film homotopy this contact takes 20 to 23 steps with contact films of 1 to 4 nm and 14 with one of 8 nm:
-/// where an attempt has 15, that one leads to the solution, which is the same.
+/// The only attempt begins at eight contact films and has to halve its residual in three steps. It does not with the
+/// contact film of the scene, but with a thicker one, which leads to the same solution as all attempts.
 #[test]
 fn thicker_contact_films_lead_to_the_contact_where_attempts_stall() {
     let solve = |change: fn(&mut NewtonSettings)| {
@@ -84,7 +84,7 @@ fn thicker_contact_films_lead_to_the_contact_where_attempts_stall() {
     };
     let short: fn(&mut NewtonSettings) = |settings| {
         settings.attempts.truncate(1);
-        (settings.attempts[0].first_contact_film, settings.attempts[0].most_steps) = (1.0, 15);
+        (settings.attempts[0].first_contact_film, settings.attempts[0].steps_to_halve) = (8.0, 3);
     };
     let led = solve(short);
     assert_eq!(led.report.strategy, Some(Strategy::Continuation));
@@ -96,7 +96,8 @@ fn thicker_contact_films_lead_to_the_contact_where_attempts_stall() {
     same(led.film.mean_central, usual.film.mean_central);
     let stalls = solve(|settings| {
         settings.attempts.truncate(1);
-        (settings.attempts[0].most_steps, settings.least_film_ratio) = (15, f64::INFINITY);
+        (settings.attempts[0].first_contact_film, settings.attempts[0].steps_to_halve) = (8.0, 3);
+        settings.least_film_ratio = f64::INFINITY;
     });
     assert_eq!(stalls.report.status, Status::Stalled);
     assert_eq!(stalls.report.strategy, Some(Strategy::Attempt(1)));

@@ -1,8 +1,5 @@
 //! Histories under changing conditions: schedules, what they do to steps and records, and what they refuse.
-#![expect(
-    clippy::float_cmp,
-    reason = "equal histories are equal to the last bit"
-)]
+#![expect(clippy::float_cmp, reason = "equal histories are equal to the last bit")]
 
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;

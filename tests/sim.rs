@@ -1,9 +1,6 @@
 //! The simulation: its account, its laws, its observer, and what it refuses.
 
-#![expect(
-    clippy::float_cmp,
-    reason = "equal histories are equal to the last bit"
-)]
+#![expect(clippy::float_cmp, reason = "equal histories are equal to the last bit")]
 
 use std::ops::ControlFlow;
 

@@ -35,9 +35,10 @@ impl Workspace {
         mut homotopy: Homotopy,
     ) -> Result<Status, ReynoldsError> {
         let left = stop.max_iterations.saturating_sub(self.work.iterations);
-        let limit = left.min(attempt.most_steps);
         let mut globalisation = Globalisation::new(attempt, problem.reference_pressure);
-        for iteration in 0..=limit {
+        // The last residual that was half of the one before it here, and the step that led to it.
+        let (mut halved, mut at) = (f64::INFINITY, 0);
+        for iteration in 0..=left {
             if !self.residuals.is_finite() {
                 return Ok(Status::Diverged);
             }
@@ -54,7 +55,15 @@ impl Workspace {
                     return Ok(status);
                 }
             }
-            if iteration == limit {
+            if homotopy.eases_films(problem) {
+                at = iteration;
+            } else if self.residuals.max() <= 0.5 * halved {
+                (halved, at) = (self.residuals.max(), iteration);
+            }
+            if iteration - at >= attempt.steps_to_halve {
+                return Ok(Status::Stalled);
+            }
+            if iteration == left {
                 break;
             }
             globalisation.tighten(&self.settings);
@@ -62,7 +71,7 @@ impl Workspace {
                 return Ok(Status::Diverged);
             }
         }
-        Ok(if limit == left { Status::MaxIterations } else { Status::Stalled })
+        Ok(Status::MaxIterations)
     }
 
     /// Keeps the state if it is the best so far; the status with which the solve ends here, if it does.

@@ -25,7 +25,7 @@ use linearisation::Linearisation;
 use pockets::Pockets;
 use preconditioner::BlockPreconditioner;
 use progress::Progress;
-pub use settings::{Attempt, NewtonSettings, PocketSettings};
+pub use settings::{Attempt, NewtonSettings, PocketSettings, RowSettings};
 use snapshot::Snapshot;
 use unknowns::Unknowns;
 

@@ -4,6 +4,7 @@
 
 use crate::error::InputError;
 use crate::grid::Grid;
+use crate::reynolds::problem::LubricatedContact;
 
 /// How [`NewtonKrylov`](super::NewtonKrylov) goes about a contact.
 ///
@@ -24,9 +25,8 @@ pub struct NewtonSettings {
     pub following: Attempt,
     /// Krylov steps of a linear solve; at least 1.
     pub krylov_steps: usize,
-    /// The same on a row, at least 1, and the reduction of the linear residual there, between 0 and 1. On a row
-    /// pockets are closed on all sides: what linear systems leave in one of them stays there.
-    pub on_rows: (usize, f64),
+    /// What takes the place of numbers of the same names on a row.
+    pub on_rows: RowSettings,
     /// Largest pressure change of one step, in reference pressures times the cells in a reference half-width;
     /// above 0. What a node changes of its own film is then the same on all meshes.
     pub largest_change: f64,
@@ -75,6 +75,24 @@ pub struct PocketSettings {
     pub most_nodes: f64,
 }
 
+/// Numbers of line contacts, whose nodes are on one row. Pockets are closed on all sides there, and pressures move
+/// all films alike, by far more than each its own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct RowSettings {
+    /// Krylov steps of a linear solve; at least 1.
+    pub krylov_steps: usize,
+    /// Reduction of the linear residual in each Newton step, as what a linear system leaves in a pocket stays
+    /// there; between 0 and 1.
+    pub krylov_tolerance: f64,
+    /// Largest pressure change of one step in reference pressures, whatever the mesh; above 0.
+    pub largest_change: f64,
+    /// Gap error of the dry start times the cells in a half-width; above 0.
+    pub start_tolerance: f64,
+    /// Newton steps after which an attempt has stalled unless the residual has halved in them; at least 1.
+    pub steps_to_halve: u64,
+}
+
 /// One attempt of a solve by [`NewtonKrylov`](super::NewtonKrylov).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -100,8 +118,8 @@ pub struct Attempt {
     /// ([`growth`](NewtonSettings::growth)). Steps that are never shortened get out of cycles in which shorter
     /// ones are caught, and astray elsewhere.
     pub shortens_steps: bool,
-    /// Newton steps after which the attempt has stalled; at least 1.
-    pub most_steps: u64,
+    /// Newton steps after which the attempt has stalled unless the residual has halved in them; at least 1.
+    pub steps_to_halve: u64,
 }
 
 /// Cells along a window that has some that are not held.
@@ -119,7 +137,7 @@ const FIRST: Attempt = Attempt {
     start_tolerance: 0.6,
     krylov_tolerance: 0.3,
     shortens_steps: true,
-    most_steps: 80,
+    steps_to_halve: 40,
 };
 
 impl Default for NewtonSettings {
@@ -128,10 +146,10 @@ impl Default for NewtonSettings {
         let slow = Attempt { pseudo_transient: (3.0, 0.94), ..whole };
         Self {
             attempts: vec![FIRST, whole, slow],
-            following: Attempt { most_steps: 300, ..slow },
+            following: slow,
             least_film_ratio: 1.03,
             krylov_steps: 100,
-            on_rows: (400, 1e-6),
+            on_rows: RowSettings::default(),
             largest_change: 0.05,
             near_below: 100.0,
             growth: 2.0,
@@ -150,12 +168,24 @@ const BY_LINES: f64 = 0.1;
 impl NewtonSettings {
     /// Krylov steps of a linear solve on `grid`.
     pub(super) fn krylov_steps(&self, grid: &Grid) -> usize {
-        if grid.ny() == 1 { self.on_rows.0 } else { self.krylov_steps }
+        if grid.ny() == 1 { self.on_rows.krylov_steps } else { self.krylov_steps }
+    }
+
+    /// Largest pressure change of one step in reference pressures.
+    pub(super) fn largest_change(&self, problem: &LubricatedContact<'_>) -> f64 {
+        if problem.grid().ny() == 1 {
+            return self.on_rows.largest_change;
+        }
+        self.largest_change * problem.reference_half_widths.0 / problem.grid().dx()
     }
 
     /// The attempt as it is on `grid`.
     pub(super) fn on(&self, attempt: Attempt, grid: &Grid) -> Attempt {
-        if grid.ny() == 1 { Attempt { krylov_tolerance: self.on_rows.1, ..attempt } } else { attempt }
+        if grid.ny() > 1 {
+            return attempt;
+        }
+        let RowSettings { krylov_tolerance, start_tolerance, steps_to_halve, .. } = self.on_rows;
+        Attempt { krylov_tolerance, start_tolerance, steps_to_halve, ..attempt }
     }
 
     /// Those of steps whose fluid equations are relaxed by lines: mostly they take 20 to 60, some that creep
@@ -163,11 +193,15 @@ impl NewtonSettings {
     /// thicker contact films a tenth more of the scenes of the map converge, in eight times the time.
     pub(in crate::reynolds) fn by_lines(relaxations: usize) -> Self {
         Self {
-            attempts: vec![Attempt { most_steps: 200, krylov_tolerance: BY_LINES, ..FIRST }],
+            attempts: vec![Attempt { krylov_tolerance: BY_LINES, ..FIRST }],
             least_film_ratio: f64::INFINITY,
             pockets: PocketSettings { steps: 0, ..PocketSettings::default() },
             krylov_steps: relaxations,
-            on_rows: (relaxations, BY_LINES),
+            on_rows: RowSettings {
+                krylov_steps: relaxations,
+                krylov_tolerance: BY_LINES,
+                ..RowSettings::default()
+            },
             ..Self::default()
         }
     }
@@ -178,15 +212,12 @@ impl NewtonSettings {
     ///
     /// [`InputError`] that names the field, as `newton.patience` or `newton.attempts[1].trust`.
     pub fn validate(&self) -> Result<(), InputError> {
-        let count = |field: &str, count: f64| {
-            InputError::require(count >= 1.0, &format!("newton.{field}"), count, "at least 1")
-        };
+        let count = |field: &str, count: f64| require_count(&format!("newton.{field}"), count);
         count("attempts", self.attempts.len() as f64)?;
         let ratio = self.least_film_ratio;
         InputError::require(ratio > 1.0, "newton.least_film_ratio", ratio, "above 1")?;
         count("krylov_steps", self.krylov_steps as f64)?;
-        count("on_rows[0]", self.on_rows.0 as f64)?;
-        require_share("newton.on_rows[1]", self.on_rows.1)?;
+        self.on_rows.validate()?;
         count("patience", f64::from(self.patience))?;
         let share = |field: &str, share: f64| require_share(&format!("newton.{field}"), share);
         share("least_krylov_tolerance", self.least_krylov_tolerance)?;
@@ -205,6 +236,28 @@ impl NewtonSettings {
             .iter()
             .enumerate()
             .try_for_each(|(index, attempt)| attempt.validate(&format!("newton.attempts[{index}]")))
+    }
+}
+
+impl Default for RowSettings {
+    fn default() -> Self {
+        Self {
+            krylov_steps: 400,
+            krylov_tolerance: 1e-6,
+            largest_change: 1.0,
+            start_tolerance: 0.06,
+            steps_to_halve: 80,
+        }
+    }
+}
+
+impl RowSettings {
+    fn validate(&self) -> Result<(), InputError> {
+        require_count("newton.on_rows.krylov_steps", self.krylov_steps as f64)?;
+        require_share("newton.on_rows.krylov_tolerance", self.krylov_tolerance)?;
+        InputError::require_positive("newton.on_rows.largest_change", self.largest_change)?;
+        InputError::require_positive("newton.on_rows.start_tolerance", self.start_tolerance)?;
+        require_count("newton.on_rows.steps_to_halve", self.steps_to_halve as f64)
     }
 }
 
@@ -244,13 +297,12 @@ impl Attempt {
         InputError::require_positive(&format!("{at}.unforeseen"), self.unforeseen)?;
         InputError::require_positive(&format!("{at}.start_tolerance"), self.start_tolerance)?;
         require_share(&format!("{at}.krylov_tolerance"), self.krylov_tolerance)?;
-        InputError::require(
-            self.most_steps >= 1,
-            &format!("{at}.most_steps"),
-            self.most_steps as f64,
-            "at least 1",
-        )
+        require_count(&format!("{at}.steps_to_halve"), self.steps_to_halve as f64)
     }
+}
+
+fn require_count(field: &str, count: f64) -> Result<(), InputError> {
+    InputError::require(count >= 1.0, field, count, "at least 1")
 }
 
 fn require_share(field: &str, share: f64) -> Result<(), InputError> {

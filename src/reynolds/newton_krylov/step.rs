@@ -91,8 +91,7 @@ impl Workspace {
     /// Share of the step under which no pressure changes by more than it may.
     fn allowed_share(&self, problem: &LubricatedContact<'_>) -> f64 {
         let largest = self.unknowns.largest_pressure(&self.step[..self.unknowns.len()]);
-        let cells = problem.reference_half_widths.0 / self.coupled.fluid.grid.dx();
-        let allowed = self.settings.largest_change * cells * problem.reference_pressure;
+        let allowed = self.settings.largest_change(problem) * problem.reference_pressure;
         (allowed / largest).min(1.0)
     }
 
