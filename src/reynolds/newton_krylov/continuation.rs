@@ -93,7 +93,7 @@ impl Workspace {
         Ok(Status::Converged)
     }
 
-    /// Solves from a solution with another contact film, as the last attempt does but for the dry start.
+    /// Solves from a solution with another contact film.
     fn follow(
         &mut self,
         problem: &mut LubricatedContact<'_>,
