@@ -64,10 +64,12 @@ fn newton(scene: Scene, change: fn(&mut NewtonSettings)) -> SolveReport {
     report
 }
 
-/// An attempt whose first step has to halve the residual leads nowhere: the next one does.
+/// The first attempt begins at eight contact films and has to halve its residual in three steps, which it does not.
 #[test]
 fn the_way_that_led_to_the_solution_is_named() {
-    let second = newton(smooth(32), |settings| settings.attempts[0].steps_to_halve = 1);
+    let second = newton(Scene::azam_2019(32), |settings| {
+        (settings.attempts[0].first_contact_film, settings.attempts[0].steps_to_halve) = (8.0, 3);
+    });
     assert_eq!(second.strategy, Some(Strategy::Attempt(2)));
     assert_eq!(second.strategy.unwrap().to_string(), "attempt_2");
 }

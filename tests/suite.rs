@@ -1,4 +1,4 @@
-//! The tests of the whole crate: one program, since each takes seconds to link.
+//! The tests of the whole crate in one program, which takes less time to build and run than one for each file.
 #![expect(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
 mod common;
