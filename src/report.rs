@@ -95,6 +95,9 @@ pub struct Residuals {
 }
 
 impl Residuals {
+    /// Before any state is known: larger than those of all states.
+    pub(crate) const UNKNOWN: Self = Self { mass: f64::INFINITY, load: 0.0, complementarity: 0.0 };
+
     /// The largest of the three.
     pub fn max(&self) -> f64 {
         self.mass.max(self.load).max(self.complementarity)

@@ -1,9 +1,9 @@
 //! What reports tell: the way to the solution, the residuals of each step.
 
-use stribeck::reynolds::{ContactDefinition, NewtonKrylov, NewtonSettings};
+use stribeck::reynolds::{Attempt, ContactDefinition, NewtonKrylov, NewtonSettings};
 use stribeck::sim::scene::SolverKind;
-use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
-use stribeck::{SolveReport, Status, Strategy};
+use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, solve_contact};
+use stribeck::{Status, Strategy};
 
 fn smooth(cells: usize) -> Scene {
     let mut scene = Scene::azam_2019(cells);
@@ -53,52 +53,52 @@ fn a_dry_contact_has_no_history() {
     assert!(report.residual_history.is_empty() && report.strategy.is_none(), "{report:?}");
 }
 
-fn newton(scene: Scene, change: fn(&mut NewtonSettings)) -> SolveReport {
+fn newton(scene: Scene, change: fn(&mut NewtonSettings)) -> ContactSolution {
     let mut settings = NewtonSettings::default();
     change(&mut settings);
     let builder = MixedLubricationSim::builder(scene);
-    let report = builder.solver(NewtonKrylov::with_settings(settings).unwrap()).solve().unwrap().report;
-    report.require_converged().unwrap();
-    assert_eq!(report.residual_history.last(), Some(&report.residual));
+    let solution = builder.solver(NewtonKrylov::with_settings(settings).unwrap()).solve().unwrap();
+    let report = &solution.report;
     assert!(report.residual_history.len() as u64 > report.work.iterations, "each start adds one");
-    report
+    solution
 }
 
-/// The first attempt begins at eight contact films and has to halve its residual in three steps, which it does not.
+fn converged(scene: Scene, change: fn(&mut NewtonSettings)) -> ContactSolution {
+    let solution = newton(scene, change);
+    solution.report.require_converged().unwrap();
+    assert_eq!(solution.report.residual_history.last(), Some(&solution.report.residual));
+    solution
+}
+
+/// It begins at eight contact films of 1 nm and has to halve its residual in three steps, which it does not.
+fn stall(attempt: &mut Attempt) {
+    (attempt.first_contact_film, attempt.steps_to_halve) = (8.0, 3);
+}
+
 #[test]
 fn the_way_that_led_to_the_solution_is_named() {
-    let second = newton(Scene::azam_2019(32), |settings| {
-        (settings.attempts[0].first_contact_film, settings.attempts[0].steps_to_halve) = (8.0, 3);
-    });
+    let second = converged(Scene::azam_2019(32), |settings| stall(&mut settings.attempts[0])).report;
     assert_eq!(second.strategy, Some(Strategy::Attempt(2)));
     assert_eq!(second.strategy.unwrap().to_string(), "attempt_2");
 }
 
-/// The only attempt begins at eight contact films and has to halve its residual in three steps. It does not with the
-/// contact film of the scene, but with a thicker one, which leads to the same solution as all attempts.
+/// The only attempt stalls with the contact film of the scene, but not with a thicker one, which leads to the same
+/// solution as all attempts.
 #[test]
 fn thicker_contact_films_lead_to_the_contact_where_attempts_stall() {
-    let solve = |change: fn(&mut NewtonSettings)| {
-        let mut settings = NewtonSettings::default();
-        change(&mut settings);
-        let builder = MixedLubricationSim::builder(Scene::azam_2019(32));
-        builder.solver(NewtonKrylov::with_settings(settings).unwrap()).solve().unwrap()
-    };
-    let short: fn(&mut NewtonSettings) = |settings| {
+    let led = converged(Scene::azam_2019(32), |settings| {
         settings.attempts.truncate(1);
-        (settings.attempts[0].first_contact_film, settings.attempts[0].steps_to_halve) = (8.0, 3);
-    };
-    let led = solve(short);
+        stall(&mut settings.attempts[0]);
+    });
     assert_eq!(led.report.strategy, Some(Strategy::Continuation));
-    assert_eq!(led.report.status, Status::Converged);
-    let usual = solve(|_| ());
+    let usual = converged(Scene::azam_2019(32), |_| ());
     assert_eq!(usual.report.strategy, Some(Strategy::Attempt(1)));
     let same = |one: f64, other: f64| assert!((one - other).abs() < 1e-4 * other, "{one} and {other}");
     same(led.contact.load_ratio, usual.contact.load_ratio);
     same(led.film.mean_central, usual.film.mean_central);
-    let stalls = solve(|settings| {
+    let stalls = newton(Scene::azam_2019(32), |settings| {
         settings.attempts.truncate(1);
-        (settings.attempts[0].first_contact_film, settings.attempts[0].steps_to_halve) = (8.0, 3);
+        stall(&mut settings.attempts[0]);
         settings.least_film_ratio = f64::INFINITY;
     });
     assert_eq!(stalls.report.status, Status::Stalled);

@@ -247,7 +247,7 @@ impl Workspace {
         } else {
             self.hierarchy.resume(problem, state)?;
         }
-        let mut best = Residuals { mass: f64::INFINITY, ..Residuals::default() };
+        let mut best = Residuals::UNKNOWN;
         let (mut mark, mut fruitless, mut touching) = (f64::INFINITY, 0, 0);
         let mut last = [f64::INFINITY; RATE_CYCLES];
         let mut status = Status::MaxIterations;

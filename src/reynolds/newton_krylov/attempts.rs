@@ -24,10 +24,10 @@ impl Workspace {
         self.history.clear();
         self.best_strategy = Strategy::Attempt(1);
         let mut status = self.attempts(problem, state, stop)?;
-        if matches!(status, Status::Stalled | Status::Diverged) && self.can_continue(problem.film_cutoff) {
+        if may_go_on(status) && self.can_continue(problem.film_cutoff) {
             status = self.continue_in_contact_film(problem, state, stop)?;
         }
-        if status != Status::Converged && self.best_residuals.mass == f64::INFINITY {
+        if status != Status::Converged && self.best_residuals == Residuals::UNKNOWN {
             // No step with the cut-off and the condition of the problem was taken.
             self.coupled.configure(problem);
             self.coupled.begin(problem, state)?;
@@ -57,10 +57,10 @@ impl Workspace {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
-        self.best_residuals = Residuals { mass: f64::INFINITY, ..Residuals::default() };
+        self.best_residuals = Residuals::UNKNOWN;
         let mut status = Status::Stalled;
         for index in 0..self.settings.attempts.len() {
-            if matches!(status, Status::Converged | Status::MaxIterations) {
+            if !may_go_on(status) {
                 break;
             }
             let attempt = self.settings.on(self.settings.attempts[index], &problem.grid());
@@ -115,4 +115,9 @@ impl Workspace {
         self.work += self.start.run(problem, state, tolerance / cells)?;
         Ok(())
     }
+}
+
+/// Whether a solve that has ended so may be tried in another way.
+pub(super) fn may_go_on(status: Status) -> bool {
+    matches!(status, Status::Stalled | Status::Diverged)
 }

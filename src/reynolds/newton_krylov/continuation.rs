@@ -1,6 +1,7 @@
 //! Continuation in the contact film: where all attempts stall, contacts with thicker ones are solved first.
 
 use super::Workspace;
+use super::attempts::may_go_on;
 use super::homotopy::Homotopy;
 use super::progress::Progress;
 use crate::report::{Residuals, Status};
@@ -31,25 +32,23 @@ impl Workspace {
     ) -> Result<Status, ReynoldsError> {
         let kept = (self.best.clone(), self.best_residuals, self.best_strategy);
         let film_cutoff = problem.film_cutoff;
-        let mut status = self.solve_thicker_film(problem, state, stop);
-        if let Ok((Status::Converged, ratio)) = status {
-            status = self.lower_contact_film(problem, state, stop, ratio).map(|status| (status, 1.0));
-        }
+        let status = self.by_thicker_film(problem, state, stop);
         problem.film_cutoff = film_cutoff;
-        let (status, _) = status?;
+        let status = status?;
         if status != Status::Converged {
             (self.best, self.best_residuals, self.best_strategy) = kept;
         }
         Ok(status)
     }
 
-    /// Doubles the contact film until an attempt converges; also returns the ratio to that of the problem.
-    fn solve_thicker_film(
+    /// Doubles the contact film until an attempt converges, and lowers that of its solution again. Leaves another
+    /// cut-off in the problem.
+    fn by_thicker_film(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
-    ) -> Result<(Status, f64), ReynoldsError> {
+    ) -> Result<Status, ReynoldsError> {
         self.progress = Progress::new(&problem.grid());
         let film_cutoff = problem.film_cutoff;
         for doubling in 1..=DOUBLINGS {
@@ -57,23 +56,26 @@ impl Workspace {
             problem.film_cutoff = ratio * film_cutoff;
             state.pressure.fill(0.0);
             let status = self.attempts(problem, state, stop)?;
+            if status == Status::Converged {
+                return self.lower_contact_film(problem, state, stop, film_cutoff, ratio);
+            }
             if !may_go_on(status) {
-                return Ok((status, ratio));
+                return Ok(status);
             }
         }
-        Ok((Status::Stalled, 1.0))
+        Ok(Status::Stalled)
     }
 
-    /// Lowers the contact film of a solution by `ratio`, in as many steps as it takes.
+    /// Lowers the contact film of a solution from `ratio` times `film_cutoff` to that, in as many steps as it takes.
     fn lower_contact_film(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
+        film_cutoff: f64,
         mut ratio: f64,
     ) -> Result<Status, ReynoldsError> {
         self.strategy = Strategy::Continuation;
-        let film_cutoff = problem.film_cutoff / ratio;
         let (mut solved, mut step) = (state.clone(), ratio);
         while ratio > 1.0 {
             let next = (ratio / step).max(1.0);
@@ -101,7 +103,7 @@ impl Workspace {
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
         self.progress = Progress::new(&problem.grid());
-        self.best_residuals = Residuals { mass: f64::INFINITY, ..Residuals::default() };
+        self.best_residuals = Residuals::UNKNOWN;
         let attempt = self.settings.on(self.settings.following, &problem.grid());
         let there = Homotopy { film_cutoff: problem.film_cutoff, condition: problem.cavitation };
         self.begin(problem, state, there)?;
@@ -109,9 +111,4 @@ impl Workspace {
         self.work.convolutions += self.coupled.convolutions;
         Ok(status)
     }
-}
-
-/// Whether a solve that has ended so has used up nothing that the next one needs.
-fn may_go_on(status: Status) -> bool {
-    matches!(status, Status::Stalled | Status::Diverged)
 }

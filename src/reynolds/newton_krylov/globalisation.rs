@@ -1,5 +1,6 @@
 //! How far a Newton step may go, by what the steps before it have made of the residual.
 
+use super::progress::PROGRESS;
 use super::settings::{Attempt, NewtonSettings};
 
 /// Trust, pseudo-transient term and linear tolerance of the next step.
@@ -15,6 +16,9 @@ pub(super) struct Globalisation {
     fruitless: u32,
     /// Whether steps have once been fruitless for [`NewtonSettings::patience`] of them.
     swings: bool,
+    /// The last residual that was half of the one before it here, and the steps since.
+    halved: f64,
+    since_halved: u64,
 }
 
 impl Globalisation {
@@ -29,6 +33,8 @@ impl Globalisation {
             lowest: f64::INFINITY,
             fruitless: 0,
             swings: false,
+            halved: f64::INFINITY,
+            since_halved: 0,
         }
     }
 
@@ -39,6 +45,18 @@ impl Globalisation {
         } else {
             self.fruitless += 1;
         }
+    }
+
+    /// Whether the residual has not halved for too many steps, of which those that ease films do not count.
+    pub(super) fn has_stalled(&mut self, residual: f64, eases_films: bool) -> bool {
+        if eases_films {
+            return false;
+        }
+        self.since_halved += 1;
+        if residual <= PROGRESS * self.halved {
+            (self.halved, self.since_halved) = (residual, 0);
+        }
+        self.since_halved >= self.attempt.steps_to_halve
     }
 
     /// Tightens all bounds where steps have been fruitless for long.

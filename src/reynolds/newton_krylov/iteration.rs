@@ -36,8 +36,6 @@ impl Workspace {
     ) -> Result<Status, ReynoldsError> {
         let left = stop.max_iterations.saturating_sub(self.work.iterations);
         let mut globalisation = Globalisation::new(attempt, problem.reference_pressure);
-        // The last residual that was half of the one before it here, and the step that led to it.
-        let (mut halved, mut at) = (f64::INFINITY, 0);
         for iteration in 0..=left {
             if !self.residuals.is_finite() {
                 return Ok(Status::Diverged);
@@ -55,12 +53,7 @@ impl Workspace {
                     return Ok(status);
                 }
             }
-            if homotopy.eases_films(problem) {
-                at = iteration;
-            } else if self.residuals.max() <= 0.5 * halved {
-                (halved, at) = (self.residuals.max(), iteration);
-            }
-            if iteration - at >= attempt.steps_to_halve {
+            if globalisation.has_stalled(self.residuals.max(), homotopy.eases_films(problem)) {
                 return Ok(Status::Stalled);
             }
             if iteration == left {

@@ -13,7 +13,7 @@ const NODES: [usize; 2] = [512, 4096];
 /// Cost of a Newton step beside its convolutions: factorisation, and the sides of all nodes.
 const STEP: f64 = 9.0;
 /// Residual over the lowest before that is progress.
-const PROGRESS: f64 = 0.5;
+pub(super) const PROGRESS: f64 = 0.5;
 
 /// The residual at the last progress, and the work until then.
 #[derive(Debug, Clone, Copy)]

@@ -106,7 +106,7 @@ impl Sweeps {
     ) -> Result<(Status, Residuals), ReynoldsError> {
         self.begin(problem, state)?;
         self.history.clear();
-        let mut best = Residuals { mass: f64::INFINITY, ..Residuals::default() };
+        let mut best = Residuals::UNKNOWN;
         let mut mark = (f64::INFINITY, 0);
         let mut status = Status::MaxIterations;
         for sweep in 0..=stop.max_iterations {
