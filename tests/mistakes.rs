@@ -416,9 +416,9 @@ fn mistakes_in_calls_are_named() {
         Err(error) => error.to_string(),
     };
     assert_eq!(built(waves(8.0)), "");
-    assert_named("none", &built(Vec::new()), &["disc heights", "0 values", "576"]);
-    assert_named("too few", &built(vec![0.0; 7]), &["disc heights", "7 values", "576"]);
-    assert_named("NaN", &built(vec![f64::NAN; 576]), &["disc heights[0][0] = NaN"]);
+    assert_named("none", &built(Vec::new()), &["disc_heights", "0 values", "576"]);
+    assert_named("too few", &built(vec![0.0; 7]), &["disc_heights", "7 values", "576"]);
+    assert_named("NaN", &built(vec![f64::NAN; 576]), &["disc_heights[0][0] = NaN"]);
     assert_named("in um", &built(waves(8.0).iter().map(|z| z * 1e6).collect()), &["roughness.disc_rq", "um"]);
     assert_named(
         "absurd",

@@ -117,10 +117,10 @@ fn a_single_contact_of_several_meshes_takes_no_own_parts() {
     scene.solver.estimate = true;
     let [_, disc] = heights(&self::scene());
     let error = MixedLubricationSim::builder(scene.clone()).disc_heights(disc).solve().unwrap_err();
-    assert!(error.to_string().starts_with("disc heights: "), "{error}");
+    assert!(error.to_string().starts_with("disc_heights: "), "{error}");
     let friction = ConstantFriction::new(0.1).unwrap();
     let error = MixedLubricationSim::builder(scene).boundary_friction(friction).solve().unwrap_err();
-    assert!(error.to_string().starts_with("boundary friction: "), "{error}");
+    assert!(error.to_string().starts_with("boundary_friction: "), "{error}");
 }
 
 #[test]

@@ -158,7 +158,7 @@ fn files_that_do_not_fit_are_refused() {
     let stiffer = HalfSpace::new(scene().grid().unwrap(), 230e9).unwrap();
     assert_eq!(part(MixedLubricationSim::builder(scene()).deformation(stiffer)), "deformation model");
     let heights = vec![1e-9; 32 * 32];
-    assert_eq!(part(MixedLubricationSim::builder(scene()).ball_heights(heights)), "ball heights");
+    assert_eq!(part(MixedLubricationSim::builder(scene()).ball_heights(heights)), "ball_heights");
 }
 
 /// The files below `folder`; those that vanish meanwhile are left out.

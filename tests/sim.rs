@@ -256,10 +256,10 @@ fn flash_temperature_is_left_out_where_its_estimate_is_negligible() {
 #[test]
 fn heights_and_steps_that_do_not_fit_are_refused() {
     let error = MixedLubricationSim::builder(scene()).disc_heights(vec![0.0; 7]).build().unwrap_err();
-    assert!(error.to_string().contains("disc heights"), "{error}");
+    assert!(error.to_string().contains("disc_heights"), "{error}");
     let n = 48 * 48;
     let error = MixedLubricationSim::builder(scene()).ball_heights(vec![f64::NAN; n]).build().unwrap_err();
-    assert!(error.to_string().contains("ball heights[0]["), "{error}");
+    assert!(error.to_string().contains("ball_heights[0]["), "{error}");
     let mut sim = MixedLubricationSim::builder(scene()).build().unwrap();
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(sim.step(bad).is_err(), "time step {bad}");

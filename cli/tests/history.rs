@@ -152,7 +152,12 @@ fn an_interrupted_run_ends_with_a_checkpoint() {
     let rows = std::fs::read_to_string(out.join("history.csv")).unwrap().lines().count() - 1;
     let more = (rows + 1).to_string();
     let resumed = ["run", text(&path), "--steps", &more, "--time-step", "1", "--out", text(&out), "--resume"];
-    assert!(stribeck(&resumed).status.success());
+    let resumed = stribeck(&resumed);
+    assert!(resumed.status.success() && !error_of(&resumed).contains("warning"), "{resumed:?}");
+    let more = (rows + 2).to_string();
+    let longer = ["run", text(&path), "--steps", &more, "--time-step", "2", "--out", text(&out), "--resume"];
+    let message = error_of(&stribeck(&longer));
+    assert!(message.contains("has taken steps of 1 s, it goes on with steps of 2 s"), "{message}");
     let fewer = ["run", text(&path), "--steps", "1", "--time-step", "1", "--out", text(&out), "--resume"];
     let refused = stribeck(&fewer);
     let message = error_of(&refused);

@@ -6,7 +6,7 @@ use pyo3::types::PyDict;
 use stribeck::Grid;
 use stribeck::lubricant::{Barus, Incompressible, Lubricant};
 use stribeck::reynolds::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
-use stribeck::sim::SimError;
+use stribeck::sim::{SimError, Warning, given_film_warnings};
 
 use crate::convert::{dictionary, field, named, on_grid};
 use crate::error::value;
@@ -40,9 +40,9 @@ impl Film<'_> {
     }
 }
 
-/// A solved film, of which places along a row can be asked, and its thickness at the nodes.
+/// A solved film, of which places along a row can be asked, its thickness at the nodes and its warnings.
 #[pyclass(frozen, module = "stribeck._stribeck")]
-pub(crate) struct SolvedFilm(GivenFilmSolution, Vec<f64>);
+pub(crate) struct SolvedFilm(GivenFilmSolution, Vec<f64>, Vec<Warning>);
 
 #[pymethods]
 impl SolvedFilm {
@@ -65,6 +65,10 @@ impl SolvedFilm {
 
     fn theta<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         field(py, &self.0.grid(), &self.0.theta)
+    }
+
+    fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        self.2.iter().map(|warning| named(py, warning)).collect()
     }
 
     fn pressure_at(&self, x: f64, row: usize) -> Option<f64> {
@@ -92,17 +96,19 @@ pub(crate) fn solve_film(
     let oil = Lubricant::new(value(py, Barus::new(eta0, alpha))?, Incompressible);
     let sides = if closed_sides { SideEdges::Closed } else { SideEdges::Ambient };
     let solved = py.detach(|| {
-        GivenFilm::new(&film, &oil, speeds)
+        let problem = GivenFilm::new(&film, &oil, speeds)
             .with_ambient_pressure(ambient)
             .with_cavitation_pressure(cavitation)
-            .with_sides(sides)
-            .solve_unless(on_signal())
+            .with_sides(sides);
+        let solution = problem.solve_unless(on_signal())?;
+        let warnings = given_film_warnings(&problem, &solution);
+        Ok::<_, SimError>((solution, warnings))
     });
     match Failure.take() {
         Some(error) => Err(error),
         None => {
-            let solved = value(py, solved.map_err(SimError::from))?;
-            Ok(SolvedFilm(solved, film.nodes().to_vec()))
+            let (solved, warnings) = value(py, solved)?;
+            Ok(SolvedFilm(solved, film.nodes().to_vec(), warnings))
         }
     }
 }

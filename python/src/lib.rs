@@ -34,6 +34,7 @@ fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(record::columns, module)?)?;
     module.add_function(wrap_pyfunction!(solution::solve, module)?)?;
     module.add_function(wrap_pyfunction!(given_film::solve_film, module)?)?;
+    module.add_function(wrap_pyfunction!(laws::check_visits, module)?)?;
     module.add_function(wrap_pyfunction!(surface::generate, module)?)?;
     module.add_function(wrap_pyfunction!(surface::texture, module)?)?;
     analytic::register(module)?;

@@ -39,10 +39,10 @@ impl Parts<'_> {
         if self.ball_heights.is_some() || self.disc_heights.is_some() {
             let grid = value(py, scene.0.grid())?;
             if let Some(heights) = &self.ball_heights {
-                builder = builder.ball_heights(on_grid(py, "ball heights", heights, &grid)?.to_vec());
+                builder = builder.ball_heights(on_grid(py, "ball_heights", heights, &grid)?.to_vec());
             }
             if let Some(heights) = &self.disc_heights {
-                builder = builder.disc_heights(on_grid(py, "disc heights", heights, &grid)?.to_vec());
+                builder = builder.disc_heights(on_grid(py, "disc_heights", heights, &grid)?.to_vec());
             }
         }
         if self.laws.any() {

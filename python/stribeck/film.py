@@ -11,19 +11,10 @@ import numpy.typing as npt
 from ._arguments import Quantity, array, cells, number, numbers, truth, whole
 from ._solved import Solved
 from ._stribeck import solve_film
-from .errors import StribeckWarning, say
+from .errors import StribeckWarning, found, say
 from .scene import Grid
 
 __all__ = ["GivenFilm", "given_film"]
-
-
-#: What is plausible between rigid surfaces: least and largest value, unit, and what would mend another one.
-_PLAUSIBLE = {
-    "eta0": (1e-5, 10.0, "Pa s", "it is taken in Pa s; 4 mPa s is 0.004 Pa s"),
-    "alpha": (1e-10, 1e-7, "1/Pa", "it is taken in 1/Pa; 15 1/GPa is 1.5e-8 1/Pa"),
-    "film": (1e-9, 1e-2, "m", "it is taken in m; 2 um is 2e-6 m"),
-    "pressure.max": (0.0, 1e9, "Pa", "surfaces are taken for rigid, bodies give way under such pressures: solve a contact"),
-}
 
 
 class GivenFilm(Solved):
@@ -38,11 +29,10 @@ class GivenFilm(Solved):
     theta: npt.NDArray[np.float64]
     warnings: list[StribeckWarning]
 
-    def __init__(self, solved: Any, oil: tuple[float, float]) -> None:
+    def __init__(self, solved: Any) -> None:
         super().__init__(solved.numbers())
-        film, pressure = solved.film(), solved.pressure()
-        sizes = [("eta0", oil[0]), ("alpha", oil[1]), ("film", film.min()), ("film", film.max()), ("pressure.max", pressure.max())]
-        parts = {"_solved": solved, "film": film, "pressure": pressure, "theta": solved.theta(), "warnings": _implausible(sizes)}
+        fields = {"film": solved.film(), "pressure": solved.pressure(), "theta": solved.theta()}
+        parts = {"_solved": solved, "warnings": found(solved.warnings()), **fields}
         for name, value in parts.items():
             object.__setattr__(self, name, value)
 
@@ -53,26 +43,14 @@ class GivenFilm(Solved):
         return f"the film ended as {self['status']} with an imbalance of {self['residual']['mass']:.3g}"
 
     def pressure_at(self, x: Quantity, row: int = 0) -> float | None:
-        """Pressure [Pa] at ``x`` [m] in a row of the grid; None for a row that it does not have."""
-        found: float | None = self._solved.pressure_at(number("x", x, "m"), whole("row", row))
-        return found
+        """Pressure [Pa] at ``x`` [m] in a row of the grid; None for a row that it does not have and an ``x`` that is no number."""
+        pressure: float | None = self._solved.pressure_at(number("x", x, "m"), whole("row", row))
+        return pressure
 
     def reformation(self, row: int = 0) -> float | None:
         """Where [m] the film reforms first along the flow in a row, within its cell; None where it does not."""
-        found: float | None = self._solved.reformation(whole("row", row))
-        return found
-
-
-def _implausible(sizes: list[tuple[str, float]]) -> list[StribeckWarning]:
-    """Warnings about the sizes, each named once, that are out of the ranges above; zero is none of them, nor what is no number."""
-    items: dict[str, StribeckWarning] = {}
-    for name, size in sizes:
-        if size == 0.0:
-            continue
-        low, high, unit, remedy = _PLAUSIBLE[name]
-        if size < low or size > high:
-            items.setdefault(name, StribeckWarning(name, float(size), f"implausible, usual are {low:g} to {high:g} {unit}", remedy))
-    return list(items.values())
+        place: float | None = self._solved.reformation(whole("row", row))
+        return place
 
 
 def given_film(
@@ -103,6 +81,6 @@ def given_film(
     ambient, cavitation = number("ambient_pressure", ambient_pressure, "Pa"), number("cavitation_pressure", cavitation_pressure, "Pa")
     given = film if callable(film) else array("film", film)
     edges = ambient, cavitation, truth("closed_sides", closed_sides)
-    solved = GivenFilm(solve_film(on, given, [lower, upper], oil, edges), oil)
+    solved = GivenFilm(solve_film(on, given, [lower, upper], oil, edges))
     say(solved.warnings, 2)
     return solved

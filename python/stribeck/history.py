@@ -181,7 +181,7 @@ class Simulation:
 
     def _step(self, time_step: Quantity, depth: Quantity) -> Record:
         """The step of the caller of the caller."""
-        record = Record._of(self._raw.step(number("time_step", time_step, "s"), number("step.depth", depth, "m")))
+        record = Record._of(self._raw.step(number("time_step", time_step, "s"), number("depth", depth, "m")))
         say(record.warnings, 3)
         return record
 
@@ -214,7 +214,7 @@ class Simulation:
         """Steps until the time ``end`` [s], none longer than ``time_step`` or across an entry of the scene's schedule; ``callback``
         is as in :meth:`run`."""
         function("callback", callback)
-        end, time_step, depth = number("end", end, "s"), number("time_step", time_step, "s"), number("step.depth", depth, "m")
+        end, time_step, depth = number("end", end, "s"), number("time_step", time_step, "s"), number("depth", depth, "m")
         history = History()
         while (raw := self._raw.step_towards(end, time_step, depth)) is not None:
             record = Record._of(raw)

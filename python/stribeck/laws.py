@@ -17,6 +17,7 @@ import numpy.typing as npt
 from ._arguments import text
 from ._identity import identity
 from ._numbers import Numbers
+from ._stribeck import check_visits
 
 if TYPE_CHECKING:
     from ._stribeck import Problem as _Problem
@@ -151,6 +152,9 @@ class Motion:
 
     offset: Callable[[int, int, float, float, Grid], int | tuple[int, int] | tuple[int, int, float]]
     visits: Literal["stays", "passing", "track", "patch"] = "track"
+
+    def __post_init__(self) -> None:
+        check_visits(text("motion.visits", self.visits))
 
 
 @dataclass

@@ -143,8 +143,8 @@ def parts(
         if body is not None:
             instance(f"bodies ({name})", body, BodyStart, "a BodyStart, as Simulation.starts() gives them")
     return {
-        "ball_heights": optional_heights("ball heights", ball),
-        "disc_heights": optional_heights("disc heights", disc),
+        "ball_heights": optional_heights("ball_heights", ball),
+        "disc_heights": optional_heights("disc_heights", disc),
         "ball_start": ball_start,
         "disc_start": disc_start,
         "laws": compiled(laws),

@@ -155,12 +155,12 @@ def test_errors_carry_what_they_are_about(dry: Scene, tmp_path: Path) -> None:
 
 def test_arrays_hold_numbers_and_no_masked_ones(dry: Scene) -> None:
     masked = np.ma.masked_array(FLAT, np.eye(16, dtype=bool))
-    error = refused(stribeck.InputError, lambda: stribeck.solve(dry, heights=masked), "disc heights")
+    error = refused(stribeck.InputError, lambda: stribeck.solve(dry, heights=masked), "disc_heights")
     assert "16 of 256 values are masked" in str(error) and error.value is masked
     whole = stribeck.solve(dry, heights=np.ma.masked_array(FLAT))
     assert whole.to_dict() | {"seconds": 0} == stribeck.solve(dry, heights=FLAT).to_dict() | {"seconds": 0}
     for odd in (FLAT.astype("datetime64[s]"), FLAT.astype("timedelta64[s]"), FLAT.astype(str), FLAT.astype(object), 1j * FLAT):
-        error = refused(stribeck.InputError, lambda odd=odd: stribeck.solve(dry, heights=odd), "disc heights")
+        error = refused(stribeck.InputError, lambda odd=odd: stribeck.solve(dry, heights=odd), "disc_heights")
         assert str(odd.dtype) in str(error)
 
 

@@ -140,12 +140,16 @@ def test_what_a_law_must_keep_is_named(rough: stribeck.Scene, role: str, law, fi
         (Motion(lambda *_: "far"), "motion", "whole columns"),
         (Motion(lambda *_: (0, 0, 2.0)), "motion", "from 0 to 1"),
         (Motion(lambda *_: 1 / 0), "motion", "ZeroDivisionError"),
-        (Motion(lambda *_: 0, visits="everything"), "motion.visits", "patch"),
     ],
 )
 def test_motions_that_fail_are_named(rough: stribeck.Scene, law: Motion, field: str, words: str) -> None:
     error = refused(stribeck.LawError, lambda: stribeck.Simulation(rough, motion=law).step(1.0), field)
     assert words in str(error)
+
+
+def test_motions_visit_places_that_there_are() -> None:
+    for odd in ("everything", 3):
+        refused(stribeck.StribeckError, lambda odd=odd: Motion(lambda *_: 0, visits=odd), "motion.visits")
 
 
 def test_laws_need_what_they_are_laws_of(rough: stribeck.Scene) -> None:

@@ -79,15 +79,15 @@ def test_heights_that_do_not_fit(rough: stribeck.Scene) -> None:
     flat = np.zeros((32, 32))
     holed = flat.copy()
     holed[3, 4] = np.nan
-    error = refused(stribeck.ShapeError, lambda: stribeck.solve(rough, heights=np.zeros((32, 31))), "disc heights")
+    error = refused(stribeck.ShapeError, lambda: stribeck.solve(rough, heights=np.zeros((32, 31))), "disc_heights")
     assert error.value == (32, 31)
-    refused(stribeck.ShapeError, lambda: stribeck.solve(rough, heights=np.zeros(1024)), "disc heights")
-    refused(stribeck.InputError, lambda: stribeck.solve(rough, heights=(holed, None)), "ball heights[3][4]")
+    refused(stribeck.ShapeError, lambda: stribeck.solve(rough, heights=np.zeros(1024)), "disc_heights")
+    refused(stribeck.InputError, lambda: stribeck.solve(rough, heights=(holed, None)), "ball_heights[3][4]")
     refused(stribeck.InputError, lambda: stribeck.solve(rough, heights=(flat,)), "heights")
     refused(stribeck.InputError, lambda: stribeck.solve(rough, heights={"plate": flat}), "heights")
-    refused(stribeck.InputError, lambda: stribeck.solve(rough, heights="flat"), "disc heights")
+    refused(stribeck.InputError, lambda: stribeck.solve(rough, heights="flat"), "disc_heights")
     estimate = rough.replace(solver={"estimate": True})
-    refused(stribeck.InputError, lambda: stribeck.solve(estimate, heights=flat), "disc heights")
+    refused(stribeck.InputError, lambda: stribeck.solve(estimate, heights=flat), "disc_heights")
     for name in ("wear", "plastic_depth", "tribofilm"):
         for wrong in (-1.0, np.nan, np.inf):
             depth = np.where(np.eye(32) > 0.0, wrong, flat)
@@ -95,7 +95,7 @@ def test_heights_that_do_not_fit(rough: stribeck.Scene) -> None:
             assert error.value == wrong or wrong != wrong
     measured = stribeck.surface.Surface(flat, 1e-6)
     for call in (stribeck.solve, stribeck.Simulation):
-        error = refused(stribeck.InputError, lambda call=call: call(rough, heights=measured), "disc heights")
+        error = refused(stribeck.InputError, lambda call=call: call(rough, heights=measured), "disc_heights")
         assert "surface.fit_to_grid(scene.grid)" in str(error)
 
 
@@ -109,8 +109,8 @@ def test_calls_name_their_argument(rough: stribeck.Scene) -> None:
         ("bodies", 3, lambda: stribeck.solve(dry, bodies=3)),
         ("bodies", 1, lambda: stribeck.solve(dry, bodies=(None,))),
         ("bodies (disc)", "new", lambda: stribeck.solve(dry, bodies=(None, "new"))),
-        ("disc heights", None, lambda: stribeck.solve(dry, heights=1j * flat)),
-        ("disc heights", (0, 0), lambda: stribeck.solve(dry, heights=np.zeros((0, 0)))),
+        ("disc_heights", None, lambda: stribeck.solve(dry, heights=1j * flat)),
+        ("disc_heights", (0, 0), lambda: stribeck.solve(dry, heights=np.zeros((0, 0)))),
         ("solver.kind", "oracle", lambda: stribeck.solve(dry, solver="oracle")),
         ("time_step", "60 kg", lambda: simulation.step("60 kg")),
         ("time_step", None, lambda: simulation.run(2, None)),
@@ -123,10 +123,10 @@ def test_calls_name_their_argument(rough: stribeck.Scene) -> None:
         ("callback", "stop", lambda: simulation.run_until(60.0, 60.0, callback="stop")),
         ("end", "soon", lambda: simulation.run_until("soon", 60.0)),
         ("end", float("inf"), lambda: simulation.run_until(float("inf"), 60.0)),
-        ("step.depth", "1 nN", lambda: simulation.step(60.0, depth="1 nN")),
-        ("step.depth", -1.0, lambda: simulation.step(60.0, depth=-1.0)),
+        ("depth", "1 nN", lambda: simulation.step(60.0, depth="1 nN")),
+        ("depth", -1.0, lambda: simulation.step(60.0, depth=-1.0)),
         ("load", "50 K", lambda: simulation.solve_under(load="50 K")),
-        ("conditions.load", -1.0, lambda: simulation.solve_under(load=-1.0)),
+        ("load", -1.0, lambda: simulation.solve_under(load=-1.0)),
         ("roughness.rq", "1 nN", lambda: stribeck.surface.generate(dry.grid, "1 nN", length=6e-5)),
         ("roughness.rq", -1e-9, lambda: stribeck.surface.generate(dry.grid, -1e-9, length=6e-5)),
     ]:

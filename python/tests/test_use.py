@@ -109,6 +109,7 @@ def test_given_films_warn_and_are_required_to_converge() -> None:
         lost = stribeck.given_film(film, grid, speeds=(0.02, 0.0), eta0=1e300)
     with pytest.raises(stribeck.NotConvergedError, match="the film ended as diverged"):
         lost.require_converged()
+    assert solved.pressure_at(np.nan) is None
 
 
 def test_surfaces_and_bodies_are_copied(rough: stribeck.Scene) -> None:

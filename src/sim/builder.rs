@@ -412,7 +412,7 @@ impl SimBuilder {
                 rough.heights
             }
         };
-        let field = format!("{name} heights");
+        let field = format!("{name}_heights");
         contact.grid.require_field(&field, &initial)?;
         Ok(Body::new(initial, laws.growth.as_deref()))
     }

@@ -326,7 +326,7 @@ impl MixedLubricationSim {
             return Err(other(&differences.join(", ")));
         }
         for (name, (own, saved)) in
-            ["ball heights", "disc heights"].into_iter().zip(self.bodies.iter().zip(&content.bodies))
+            ["ball_heights", "disc_heights"].into_iter().zip(self.bodies.iter().zip(&content.bodies))
         {
             if !same_bits(own.initial(), &saved.initial) {
                 return Err(other(name));

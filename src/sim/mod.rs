@@ -111,4 +111,4 @@ pub use step_control::StepControl;
 pub use timetable::Conditions;
 #[cfg(feature = "vtk")]
 pub use vtk::write_vtk;
-pub use warnings::Warning;
+pub use warnings::{Warning, given_film_warnings};

@@ -261,7 +261,7 @@ impl MixedLubricationSim {
             time_step *= (0.98 * control.depth / change).clamp(0.02, 0.98);
         }
         Err(SimError::Input(InputError::Conflict {
-            field: format!("step.depth = {:?}", control.depth),
+            field: format!("depth = {:?}", control.depth),
             reason: format!("the laws change a node by more than it even within {time_step:e} s"),
         }))
     }

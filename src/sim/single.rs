@@ -135,17 +135,17 @@ impl SimBuilder {
         let [ball_start, disc_start] = &self.starts;
         let own = &self.overrides;
         [
-            ("ball heights", ball.is_some()),
-            ("disc heights", disc.is_some()),
-            ("ball start", ball_start.is_some()),
-            ("disc start", disc_start.is_some()),
-            ("contact start", self.contact_start.is_some()),
+            ("ball_heights", ball.is_some()),
+            ("disc_heights", disc.is_some()),
+            ("ball_start", ball_start.is_some()),
+            ("disc_start", disc_start.is_some()),
+            ("contact_start", self.contact_start.is_some()),
             ("deformation", own.deformation.is_some()),
             ("viscosity", own.viscosity.is_some()),
             ("density", own.density.is_some()),
             ("solver", own.solver.is_some()),
-            ("plasticity model", self.plasticity.is_some()),
-            ("boundary friction", self.friction.is_some()),
+            ("plasticity", self.plasticity.is_some()),
+            ("boundary_friction", self.friction.is_some()),
         ]
         .into_iter()
         .find_map(|(part, given)| given.then_some(part))

@@ -69,14 +69,14 @@ impl Conditions {
     /// Error for a load or a temperature that is not positive, a speed that is negative, or zero where it
     /// drags a film along.
     fn validate(&self, lubricated: bool) -> Result<(), InputError> {
-        InputError::require_positive("conditions.load", self.load)?;
+        InputError::require_positive("load", self.load)?;
         let (speed, ratio) = (self.motion.entrainment_speed, self.motion.slide_roll_ratio);
-        let field = "conditions.motion.entrainment_speed";
+        let field = "entrainment_speed";
         if lubricated {
             require_speed(field, speed)?;
         }
         InputError::require_non_negative(field, speed)?;
-        InputError::require(ratio.is_finite(), "conditions.motion.slide_roll_ratio", ratio, "finite")?;
-        InputError::require_positive("conditions.bulk_temperature", self.bulk_temperature)
+        InputError::require(ratio.is_finite(), "slide_roll_ratio", ratio, "finite")?;
+        InputError::require_positive("bulk_temperature", self.bulk_temperature)
     }
 }

@@ -41,6 +41,6 @@ impl StepControl {
     /// A longest step that is not finite and positive, a depth that is not positive.
     pub fn validate(&self) -> Result<(), InputError> {
         InputError::require_positive("time_step", self.longest)?;
-        InputError::require(self.depth > 0.0, "step.depth", self.depth, "> 0")
+        InputError::require(self.depth > 0.0, "depth", self.depth, "> 0")
     }
 }

@@ -92,6 +92,11 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let known = sim.warnings().len();
     let (steps, time_step) = plan(options, &sim)?;
     let mut log = Log::new(options, &mut sim, steps)?;
+    let before = log.records.last().map_or(time_step, |record| record.time_step);
+    if (before / time_step - 1.0).abs() > 1e-9 {
+        let text = format!("the run has taken steps of {before} s, it goes on with steps of {time_step} s");
+        output::complain("warning", &text);
+    }
     // The first one ends the run after the present step, the second at once.
     ctrlc::set_handler(|| {
         if INTERRUPTED.swap(true, Ordering::Relaxed) {

@@ -19,6 +19,7 @@ use rubbing::{Friction, Growth, Wear};
 pub(crate) use solver::Problem;
 use solver::Solver;
 use stribeck::{Grid, InputError};
+pub(crate) use surface::check_visits;
 use surface::{Motion, Plasticity};
 
 use crate::convert::field;

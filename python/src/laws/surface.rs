@@ -56,6 +56,27 @@ impl PlasticityModel for Plasticity {
     }
 }
 
+/// The places of that name.
+fn visits_of(py: Python<'_>, name: &str) -> PyResult<Visits> {
+    match name {
+        "stays" => Ok(Visits::Stays),
+        "passing" => Ok(Visits::Passing),
+        "track" => Ok(Visits::Track),
+        "patch" => Ok(Visits::Patch),
+        _ => {
+            let message = format!("motion: visits = {name:?}: must be stays, passing, track or patch");
+            let value = name.into_pyobject(py)?.into_any();
+            Err(raise(py, "LawError", &message, Some("motion.visits"), Some(value)))
+        }
+    }
+}
+
+/// Refuses names of places that there are not.
+#[pyfunction]
+pub(crate) fn check_visits(py: Python<'_>, visits: &str) -> PyResult<()> {
+    visits_of(py, visits).map(drop)
+}
+
 /// A motion of the roughness: `offset(body, draw, time, speed, grid)`.
 #[derive(Debug)]
 pub(crate) struct Motion {
@@ -66,18 +87,7 @@ pub(crate) struct Motion {
 impl Motion {
     /// `visits` is `stays`, `passing`, `track` or `patch`.
     pub(crate) fn new(py: Python<'_>, function: Function, visits: &str) -> PyResult<Self> {
-        let visits = match visits {
-            "stays" => Visits::Stays,
-            "passing" => Visits::Passing,
-            "track" => Visits::Track,
-            "patch" => Visits::Patch,
-            _ => {
-                let message = format!("motion: visits = {visits:?}: must be stays, passing, track or patch");
-                let value = visits.into_pyobject(py)?.into_any();
-                return Err(raise(py, "LawError", &message, Some("motion.visits"), Some(value)));
-            }
-        };
-        Ok(Self { function, visits })
+        Ok(Self { function, visits: visits_of(py, visits)? })
     }
 
     /// Columns, and rows and the fraction of a column where they are given too.

@@ -62,9 +62,10 @@ pub struct GivenFilmSolution {
 
 impl GivenFilmSolution {
     /// Pressure \[Pa\] at `x` \[m\] in row `row`, straight between the nodes and the places where the film
-    /// jumps between them; that of the edges beyond them. None for a row that the grid does not have.
+    /// jumps between them; that of the edges beyond them. None for a row that the grid does not have and an
+    /// `x` that is no number.
     pub fn pressure_at(&self, x: f64, row: usize) -> Option<f64> {
-        let profile = self.profiles.get(row)?;
+        let profile = self.profiles.get(row).filter(|_| !x.is_nan())?;
         let next = profile.partition_point(|point| point[0] < x);
         let (before, after) = (profile.get(next.max(1) - 1)?, profile.get(next).or(profile.last())?);
         let width = after[0] - before[0];

@@ -1,6 +1,7 @@
 //! What is unlikely to be meant, or to hold, in a scene and its solution: said, never silent, never fatal.
 //! One function a check.
 
+mod given_film;
 mod limits;
 mod mesh;
 mod plausible;
@@ -9,6 +10,7 @@ mod solved;
 
 use std::fmt;
 
+pub use given_film::given_film_warnings;
 pub(super) use solved::{DEEP_WEAR, Seen, after_solve, deep_wear, of_contact};
 
 use super::hertz::HertzContact;

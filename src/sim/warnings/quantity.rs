@@ -88,6 +88,8 @@ pub(super) const ROELANDS_INDEX: Plausible = plausible(0.05, 2.0, 0.6, &PURE);
 pub(super) const COMPRESSIBILITY: Plausible = plausible(0.0, 1e-8, 1e-9, &PER_PASCAL);
 /// Films of oil that are supplied.
 pub(super) const FILM: Plausible = plausible(1e-10, 1e-4, 1e-7, &METRE);
+/// Films between rigid surfaces.
+pub(super) const GIVEN_FILM: Plausible = plausible(1e-9, 1e-2, 1e-5, &METRE);
 /// Hardnesses, up to that of diamond.
 pub(super) const HARDNESS: Plausible = plausible(1e6, 1.5e11, 6e9, &PASCAL);
 /// Coefficients of friction.

@@ -1,0 +1,46 @@
+//! Films that are given between rigid surfaces.
+
+use super::quantity::{GIVEN_FILM, PRESSURE_VISCOSITY, VISCOSITY};
+use super::{Warning, short};
+use crate::reynolds::{GivenFilm, GivenFilmSolution};
+
+/// Largest pressure \[Pa\] between surfaces that are taken for rigid.
+const LARGEST_PRESSURE: f64 = 1e9;
+
+/// What is unlikely to be meant by a film between rigid surfaces, or to hold of its `solution`: viscosity
+/// `eta0` and pressure-viscosity coefficient `alpha`, both at ambient pressure, thinnest and thickest `film`,
+/// `pressure.max`.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::Grid;
+/// use stribeck::lubricant::{Barus, Incompressible, Lubricant};
+/// use stribeck::reynolds::{FilmThickness, GivenFilm};
+/// use stribeck::sim::given_film_warnings;
+/// let grid = Grid::from_edges(20, 1, [0.0, 1e-2], [0.0, 1.0])?;
+/// let film = FilmThickness::from_function(grid, |x, _| 2.0 - 100.0 * x)?;
+/// let oil = Lubricant::new(Barus::new(0.01, 0.0)?, Incompressible);
+/// let problem = GivenFilm::new(&film, &oil, [1.0, 0.0]);
+/// let warnings = given_film_warnings(&problem, &problem.solve()?);
+/// assert!(warnings[0].to_string().starts_with("film = 1.025: "));
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+pub fn given_film_warnings(problem: &GivenFilm<'_>, solution: &GivenFilmSolution) -> Vec<Warning> {
+    let nodes = problem.film.nodes();
+    let thinnest = nodes.iter().copied().fold(f64::INFINITY, f64::min);
+    let thickest = nodes.iter().copied().fold(0.0, f64::max);
+    let film = [thinnest, thickest].into_iter().find_map(|film| GIVEN_FILM.check("film", film));
+    let oil = problem.lubricant;
+    let largest = solution.pressure.iter().copied().fold(0.0, f64::max);
+    let checks = [
+        VISCOSITY.check("eta0", oil.viscosity().viscosity(0.0)),
+        PRESSURE_VISCOSITY.check("alpha", oil.pressure_viscosity_coefficient()),
+        film,
+        (largest > LARGEST_PRESSURE).then(|| {
+            let message = format!("rigid surfaces give way above {} Pa", short(LARGEST_PRESSURE));
+            Warning::new("pressure.max", largest, message, "solve a contact of elastic bodies".to_owned())
+        }),
+    ];
+    checks.into_iter().flatten().collect()
+}
