@@ -29,6 +29,17 @@ pub(crate) fn open(path: &Path) -> Result<File> {
     size(path).and_then(|_| File::open(path))
 }
 
+/// Whether the file at `path` begins with `bytes`.
+///
+/// # Errors
+/// As of [`size`], and a file that cannot be read.
+pub(crate) fn begins_with(path: &Path, bytes: &[u8]) -> Result<bool> {
+    size(path)?;
+    let mut found = Vec::new();
+    File::open(path)?.take(bytes.len() as u64).read_to_end(&mut found)?;
+    Ok(found == bytes)
+}
+
 /// The content of a file of at most `largest` bytes.
 ///
 /// # Errors

@@ -423,7 +423,7 @@ fn mistakes_in_calls_are_named() {
     assert_named(
         "absurd",
         &built(waves(8.0).iter().map(|z| z * 1e170).collect()),
-        &["roughness.disc_rq", "above"],
+        &["roughness.disc = 1e163", "above 0.1 m"],
     );
     assert_named("short waves", &built(waves(2.4)), &["grid.nx = 24", "three cells"]);
 

@@ -70,9 +70,9 @@ fn converged(scene: Scene, change: fn(&mut NewtonSettings)) -> ContactSolution {
     solution
 }
 
-/// It begins at eight contact films of 1 nm and has to halve its residual in three steps, which it does not.
+/// It begins at four contact films of 1 nm and has to halve its residual in seven steps, which it does not.
 fn stall(attempt: &mut Attempt) {
-    (attempt.first_contact_film, attempt.steps_to_halve) = (8.0, 3);
+    (attempt.first_contact_film, attempt.steps_to_halve) = (4.0, 7);
 }
 
 #[test]

@@ -7,6 +7,8 @@ use stribeck::metrics::{
 use stribeck::surface::{Heights, SurfaceError};
 use stribeck::{Boundary, Grid, InputError};
 
+/// Root mean square height \[m\] from which on a unit is asked for.
+const LARGEST_SQ: f64 = 1e-3;
 /// Value of the autocorrelation at which Sal and Str are read.
 const THRESHOLD: f64 = 0.2;
 /// Material ratios that bound the volumes.
@@ -79,6 +81,13 @@ impl Numbers {
             correlation,
             parameters,
         })
+    }
+
+    /// What is unlikely to be meant: heights of a millimetre and more in a file that names no unit.
+    pub(crate) fn warning(&self) -> Option<String> {
+        let (_, sq) = self.parameters.iter().find(|(key, _)| *key == "sq")?;
+        let sq = sq.filter(|&sq| sq > LARGEST_SQ && self.unit.is_none())?;
+        Some(format!("sq = {sq:.3e} m is implausible; a line `unit: um` before the heights names their unit"))
     }
 
     fn lengths(&self) -> [(&'static str, Option<f64>); 4] {

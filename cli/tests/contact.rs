@@ -215,7 +215,7 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     std::fs::remove_file(&path).unwrap();
     // A very thick one a wider box, and one that a ball swims on is refused.
     let thick =
-        ["init", text(&path), "--roughness", "0", "--load", "5", "--speed", "2", "--eta0", "300 mPa s"];
+        ["init", text(&path), "--roughness", "20 nm", "--load", "5", "--speed", "2", "--eta0", "300 mPa s"];
     let output = stribeck(&thick);
     assert!(output.status.success(), "{output:?}");
     let scene = Scene::load(&path).unwrap();
@@ -240,6 +240,8 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     }
     let fast = ["init", text(&path), "--speed", "20", "--eta0", "0.5", "--roughness", "0"];
     assert_refused(&fast, &["a warning: film.formula_central", "less speed"]);
+    let slow = ["init", text(&path), "--speed", "0.001", "--roughness", "0"];
+    assert_refused(&slow, &["a warning: film.central", "more --cells"]);
     let unit = ["init", text(&path), "--load", "5 kg"];
     assert_refused(&unit, &["--load = \"5 kg\"", "N"]);
     assert!(!path.exists());

@@ -5,7 +5,7 @@ mod common;
 
 use std::path::PathBuf;
 
-use common::{assert_pictures, assert_refused, json_of, repository, stribeck, text};
+use common::{assert_pictures, assert_refused, error_of, json_of, repository, stribeck, text};
 
 fn data(name: &str) -> PathBuf {
     repository("tests/data/surfaces").join(name)
@@ -54,4 +54,8 @@ fn bad_files_give_one_line() {
     std::fs::write(&plain, "1e-6 2e-6\n3e-6 5e-6\n").unwrap();
     let report = json_of(&stribeck(&["surface", text(&plain), "--json"]));
     assert!(report["sdq"].is_null() && report["size_x"].is_null() && report["sa"].is_f64(), "{report}");
+    std::fs::write(&plain, "0.1 0.2\n0.3 0.5\n").unwrap();
+    assert!(error_of(&stribeck(&["surface", text(&plain)])).contains("sq = 1.479e-1 m is implausible"));
+    std::fs::write(&plain, "unit: um\n0.1 0.2\n0.3 0.5\n").unwrap();
+    assert_eq!(error_of(&stribeck(&["surface", text(&plain)])), "");
 }

@@ -123,8 +123,8 @@ class Scene:
     def replace(self, **tables: Mapping[str, Any] | None) -> Scene:
         """The same scene with other values: ``scene.replace(motion={"entrainment_speed": 0.2}, wear=None)``.
 
-        Keys within a table are replaced one by one, and left out where the value is None. A table with a ``kind``, ``load`` and ``grid``
-        are replaced as a whole.
+        Keys within a table are replaced one by one, and left out where the value is None. ``load``, ``grid``, a table with a ``kind`` and one
+        with another ``law`` are replaced as a whole.
         """
         return type(self)(_merged(self.to_dict(), tables, ()))
 
@@ -214,7 +214,12 @@ def _merged(base: dict[str, Any], changes: Mapping[str, Any], path: tuple[str, .
         old = merged.get(key)
         if not isinstance(new, Mapping):
             merged[key] = new
-        elif not isinstance(old, dict) or "kind" in new or (not path and key in ("load", "grid")):
+        elif (
+            not isinstance(old, dict)
+            or "kind" in new
+            or ("law" in new and new["law"] != old.get("law"))
+            or (not path and key in ("load", "grid"))
+        ):
             merged[key] = _plain(new)
         else:
             merged[key] = _merged(old, new, (*path, key))

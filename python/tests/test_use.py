@@ -9,6 +9,7 @@ import threading
 import tracemalloc
 import warnings
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -471,3 +472,30 @@ def test_forks_fail_alone(rough: stribeck.Scene) -> None:
         thread.join()
     assert raised[0] is None and "only here" in str(raised[1])
     assert [fork.steps for fork in forks] == [4, 1]
+
+
+def test_own_laws_and_heights_are_looked_at(rough: stribeck.Scene) -> None:
+    def said(field: str, **parts: Any) -> None:
+        with pytest.warns(stribeck.StribeckWarning):
+            solution = stribeck.solve(rough, **parts)
+        assert field in [item.field for item in solution.warnings]
+
+    said("friction.coefficient", friction=lambda *_: 1150.0)
+    said("viscosity", viscosity=lambda pressure: 10.0 * np.exp(1.8e-8 * np.minimum(pressure, 1e9)))
+    heights = np.random.default_rng(1).standard_normal((32, 32)) * 1e-7
+    said("roughness.disc_rq", heights=1e-6 * heights)
+    said("roughness.disc", heights=heights + 1.0)
+    with pytest.warns(stribeck.StribeckWarning, match="growth = 150"):
+        stribeck.Simulation(rough, growth=stribeck.laws.Growth(lambda *_: 0.0, 150.0))
+
+
+def test_tables_of_another_law_are_replaced_whole(rough: stribeck.Scene) -> None:
+    worn = rough.replace(wear={"law": "archard", "coefficient": 1e-8, "hardness": 6e9})
+    other = worn.replace(wear={"law": "frictional_energy", "volume_per_energy": 1e-16})
+    assert "coefficient" not in other.to_dict()["wear"]
+    assert worn.replace(wear={"law": "archard", "coefficient": 2e-8}).to_dict()["wear"]["hardness"] == 6e9
+
+
+def test_a_run_does_not_end_before_it_begins(rough: stribeck.Scene) -> None:
+    with pytest.raises(stribeck.InputError, match="end = -5"):
+        stribeck.Simulation(rough).run_until(-5.0, 1.0)

@@ -315,7 +315,7 @@ impl LubricatedContact<'_> {
             return Err(InputError::Conflict {
                 field: "load".to_owned(),
                 reason: format!(
-                    "{} N is more than the pressure limit lets the box carry: below {largest:.6e} N",
+                    "{} N is more than the pressure limit lets the box carry, below {largest:.6e} N; take less load, or harder bodies",
                     self.load
                 ),
             });

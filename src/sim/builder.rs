@@ -26,7 +26,7 @@ use super::{SimError, exposure, setup};
 use crate::boundary_friction::BoundaryFriction;
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
-use crate::lubricant::{DensityLaw, ViscosityLaw};
+use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
 use crate::reynolds::{ContactSolver, ContactState, FaceMobility};
 use crate::surface::RoughnessMotion;
@@ -276,7 +276,7 @@ impl SimBuilder {
         exposure::validate(&self.scene, &timetable, &contact.grid)?;
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
-        let warnings = self.warnings(own_heights, &contact, &bodies);
+        let warnings = self.warnings(own_heights, &contact, &bodies, &laws);
         contact.face_mobility = self.face_mobility(own_heights, &bodies);
         let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
         let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion().into());
@@ -313,13 +313,14 @@ impl SimBuilder {
         Ok(sim.warnings)
     }
 
-    /// Those of the scene but for roughness that `own_heights` replace, and those of heights that were given
-    /// or read.
+    /// Those of the scene but for roughness that `own_heights` replace, and those of heights and laws that were
+    /// given or read.
     pub(super) fn warnings(
         &self,
         own_heights: [bool; 2],
         contact: &ContactModel,
         bodies: &[Body; 2],
+        laws: &Laws,
     ) -> Vec<Warning> {
         let mut scene = self.scene.clone();
         let mut found = Vec::new();
@@ -337,6 +338,11 @@ impl SimBuilder {
                 found.extend(measured.and_then(|rq| warnings::lost_rq(index, bodies[index].initial(), rq)));
             }
         }
+        let viscosity =
+            contact.lubricant.as_ref().filter(|_| contact.own_viscosity).map(Lubricant::viscosity);
+        let thickness = laws.growth.as_ref().map(|law| law.maximum_thickness());
+        let of_scene = scene.tribofilm.map(|film| film.maximum_thickness());
+        found.extend(warnings::of_own_laws(viscosity, thickness.filter(|_| thickness != of_scene)));
         let mut warnings = scene.warnings();
         warnings.extend(found);
         warnings

@@ -370,7 +370,11 @@ impl MixedLubricationSim {
 
 /// The bytes of a file; a checkpoint is as large as its grid asks for.
 fn read(path: &Path) -> Result<Vec<u8>, CheckpointError> {
-    regular_file::read(path, u64::MAX).map_err(|source| CheckpointError::Io { path: path.to_owned(), source })
+    let io = |source| CheckpointError::Io { path: path.to_owned(), source };
+    match regular_file::begins_with(path, MAGIC).map_err(io)? {
+        true => regular_file::read(path, u64::MAX).map_err(io),
+        false => Err(CheckpointError::Foreign { path: path.to_owned() }),
+    }
 }
 
 /// Whether two fields agree to the last bit.

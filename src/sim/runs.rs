@@ -64,6 +64,7 @@ impl MixedLubricationSim {
         observer: &mut impl Observer,
     ) -> Result<RunEnd, SimError> {
         InputError::require(end.is_finite(), "end", end, "finite")?;
+        InputError::require(end >= self.time, "end", end, "the time of the simulation or later")?;
         control.validate()?;
         // What rounding leaves of the last step is none.
         while end - self.time > 1e-9 * control.longest {

@@ -126,7 +126,7 @@ pub(super) fn validate_box(grid: &Grid, hertz: &HertzContact, is_line: bool) -> 
     mean_central_film_in(grid, &zeros, &hertz.ellipse()).map_err(|_| InputError::Conflict {
         field: "grid".to_owned(),
         reason: format!(
-            "no node lies within two thirds of the Hertz half-widths {:.6e} x {:.6e} m, the cells are {:.6e} x {:.6e} m",
+            "no node lies within two thirds of the Hertz half-widths {:.6e} x {:.6e} m, the cells are {:.6e} x {:.6e} m; a smaller box, or more cells",
             hertz.half_width_x,
             hertz.half_width_y,
             grid.dx(),

@@ -231,6 +231,7 @@ impl MixedLubricationSim {
             smooth: record.roughness.composite_rq == 0.0,
             largest_pressure: record.pressure.max,
             central_film: record.film.central,
+            friction: record.friction.coefficient,
             fluid_friction: record.friction.fluid,
             temperatures: record.thermal.map(|heat| [heat.film_temperature_max, record.bulk_temperature]),
         };

@@ -121,7 +121,7 @@ impl SimBuilder {
         }
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
-        let warnings = self.warnings(own_heights, &contact, &bodies);
+        let warnings = self.warnings(own_heights, &contact, &bodies, &laws);
         contact.face_mobility = self.face_mobility(own_heights, &bodies);
         let state = start(&contact.grid)?;
         let mut prepared = Prepared::new(self.scene, contact, bodies, laws, state)?;

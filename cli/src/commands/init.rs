@@ -9,6 +9,7 @@ use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use stribeck::InputError;
+use stribeck::Status;
 use stribeck::sim::{MixedLubricationSim, Scene};
 use stribeck::units::Dimension;
 
@@ -17,6 +18,8 @@ use crate::output::{self, Outcome};
 
 /// Half a side of the box in Hertz half-widths.
 const BOX: f64 = 1.7;
+/// Most nodes of a scene that is solved to see whether that goes without a warning.
+const MOST_SOLVED: usize = 1 << 16;
 /// Cells along each side at most.
 const MOST_CELLS: u64 = 2048;
 /// Longest inlet in half-widths on cells of the usual size: longer ones take wider cells, which thicker films
@@ -29,8 +32,10 @@ const CELLS_IN_LENGTH: f64 = 4.0;
 const FEWEST_IN_LENGTH: f64 = 3.0;
 /// Young's modulus \[Pa\] and Poisson's ratio of steel.
 const STEEL: (f64, f64) = (210e9, 0.3);
-/// What the warning about the film formula is about.
+/// What warnings that answers can mend are about.
 const FORMULA: &str = "film.formula_central";
+const LARGEST_PRESSURE: &str = "pressure.max";
+const CENTRAL_FILM: &str = "film.central";
 /// Pressure that steel carries before it yields for good \[Pa\].
 const HARDNESS: &str = "6 GPa";
 
@@ -88,7 +93,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         return Err(format!("{}: the file is there; --force writes over it", options.file.display()).into());
     }
     let mut answers = answers::answers(options, ask, None)?;
-    let (text, sim) = loop {
+    let (text, scene) = loop {
         match written(options, &answers) {
             Ok(done) => break done,
             // The answers are offered again.
@@ -101,22 +106,35 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     };
     write(&options.file, &text, options.force)?;
     if options.json {
-        output::print(&serde_json::to_value(sim.scene())?)?;
+        output::print(&serde_json::to_value(&scene)?)?;
     }
     output::report_files(std::slice::from_ref(&options.file), options.json)?;
     Ok(Outcome::Converged)
 }
 
-/// The text of the scene file and what is built of it: what is written here must be read there, and be solved
-/// without a warning.
-fn written(options: &Options, answers: &Answers) -> Result<(String, MixedLubricationSim), Box<dyn Error>> {
+/// The scene file and its text: what is written here must be read there, and be solved without a warning, which
+/// is tried where it does not take long.
+fn written(options: &Options, answers: &Answers) -> Result<(String, Scene), Box<dyn Error>> {
     let text = scene(options, answers)?;
-    let sim = MixedLubricationSim::builder(Scene::from_toml(&text)?).build()?;
-    let Some(warning) = sim.warnings().first() else { return Ok((text, sim)) };
-    let remedy = if warning.field == FORMULA {
-        "less speed or viscosity, or more load"
-    } else {
-        warning.remedy.as_str()
+    let scene = Scene::from_toml(&text)?;
+    let sim = MixedLubricationSim::builder(scene.clone()).build()?;
+    let mut warnings = sim.warnings().to_vec();
+    if warnings.is_empty() && sim.grid().len() <= MOST_SOLVED {
+        let solution = MixedLubricationSim::builder(scene.clone()).solve()?;
+        if solution.report.status != Status::Converged {
+            let status = solution.report.status;
+            return Err(format!(
+                "the contact is not solved, it ends as {status}; more speed or viscosity, less roughness, or other --cells"
+            )
+            .into());
+        }
+        warnings = solution.warnings;
+    }
+    let Some(warning) = warnings.first() else { return Ok((text, scene)) };
+    let remedy = match warning.field.as_str() {
+        FORMULA | LARGEST_PRESSURE => "less speed or viscosity, or more load",
+        CENTRAL_FILM => "more --cells, or more speed or viscosity",
+        _ => &warning.remedy,
     };
     let (field, message) = (&warning.field, &warning.message);
     Err(format!("the contact would be solved with a warning: {field}: {message}; {remedy}").into())

@@ -21,6 +21,9 @@ pub(crate) struct Options {
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let measured = surface::read(&options.file)?;
     let numbers = Numbers::of(&measured)?;
+    if let Some(warning) = numbers.warning() {
+        output::complain("warning", &warning);
+    }
     let mut files = Vec::new();
     if options.output.plot {
         let file = options.file.file_name().unwrap_or(options.file.as_os_str());

@@ -23,9 +23,11 @@ impl Workspace {
         (self.progress, self.work) = (Progress::new(&problem.grid()), Work::default());
         self.history.clear();
         self.best_strategy = Strategy::Attempt(1);
+        self.best_residuals = Residuals::UNKNOWN;
         let mut status = self.attempts(problem, state, stop)?;
-        if may_go_on(status) && self.can_continue(problem.film_cutoff) {
-            status = self.continue_in_contact_film(problem, state, stop)?;
+        let last = self.settings.attempts.last().map(|&last| self.settings.on(last, &problem.grid()));
+        if let Some(last) = last.filter(|last| may_go_on(status) && self.can_continue(last, problem, state)) {
+            status = self.continue_in_contact_film(last, problem, state, stop)?;
         }
         if status != Status::Converged && self.best_residuals == Residuals::UNKNOWN {
             // No step with the cut-off and the condition of the problem was taken.
@@ -51,13 +53,12 @@ impl Workspace {
 
     /// One attempt after the other until one does not stall, the first from the state as it is if it carries
     /// pressure, all others from the dry contact. Keeps the best state of all.
-    pub(super) fn attempts(
+    fn attempts(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
-        self.best_residuals = Residuals::UNKNOWN;
         let mut status = Status::Stalled;
         for index in 0..self.settings.attempts.len() {
             if !may_go_on(status) {
@@ -66,19 +67,31 @@ impl Workspace {
             let attempt = self.settings.on(self.settings.attempts[index], &problem.grid());
             self.strategy = Strategy::Attempt(index + 1);
             let cold = index > 0 || state.pressure.iter().all(|&p| p <= 0.0);
-            let film_cutoff = problem.film_cutoff;
-            let ended = self.attempt(attempt, cold, problem, state, stop);
-            problem.film_cutoff = film_cutoff;
-            status = ended?;
-            self.work.convolutions += self.coupled.convolutions;
+            status = self.attempt(attempt, cold, problem, state, stop)?;
         }
         Ok(status)
     }
 
     /// One attempt, from the dry contact by film homotopy if it is `cold` or the state is not near: farther
     /// than [`NewtonSettings::near_below`](super::NewtonSettings::near_below) the dry contact mostly is the
-    /// better start. Leaves another cut-off in the problem.
-    fn attempt(
+    /// better start.
+    pub(super) fn attempt(
+        &mut self,
+        attempt: Attempt,
+        cold: bool,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<Status, ReynoldsError> {
+        let film_cutoff = problem.film_cutoff;
+        let ended = self.attempt_from(attempt, cold, problem, state, stop);
+        problem.film_cutoff = film_cutoff;
+        self.work.convolutions += self.coupled.convolutions;
+        ended
+    }
+
+    /// The same; leaves another cut-off in the problem, and the convolutions to be counted.
+    fn attempt_from(
         &mut self,
         attempt: Attempt,
         cold: bool,

@@ -4,6 +4,7 @@ use super::Workspace;
 use super::attempts::may_go_on;
 use super::homotopy::Homotopy;
 use super::progress::Progress;
+use super::settings::Attempt;
 use crate::report::{Residuals, Status};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
@@ -15,24 +16,29 @@ const DOUBLED: f64 = 2.0;
 const DOUBLINGS: i32 = 8;
 
 impl Workspace {
-    /// Whether solids touch in the best state so far, or would with the contact film from which attempts start.
-    pub(super) fn can_continue(&self, film_cutoff: f64) -> bool {
-        let thickest = self.settings.attempts[0].first_contact_film.max(DOUBLED) * film_cutoff;
-        self.settings.least_film_ratio < DOUBLED
-            && self.best_residuals.is_finite()
-            && self.best.state.film.iter().any(|&film| film < thickest)
+    /// Whether solids touch in `state`, or would with the contact film from which the `attempt` starts.
+    pub(super) fn can_continue(
+        &self,
+        attempt: &Attempt,
+        problem: &LubricatedContact<'_>,
+        state: &ContactState,
+    ) -> bool {
+        let thickest = attempt.first_contact_film.max(DOUBLED) * problem.film_cutoff;
+        self.settings.least_film_ratio < DOUBLED && state.film.iter().any(|&film| film < thickest)
     }
 
     /// Solves the problem by way of thicker contact films. Where that fails the best state so far stays the best.
     pub(super) fn continue_in_contact_film(
         &mut self,
+        attempt: Attempt,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
-        let kept = (self.best.clone(), self.best_residuals, self.best_strategy);
         let film_cutoff = problem.film_cutoff;
-        let status = self.by_thicker_film(problem, state, stop);
+        let kept = (self.best.clone(), self.best_residuals, self.best_strategy);
+        self.strategy = Strategy::Continuation;
+        let status = self.by_thicker_film(attempt, problem, state, stop);
         problem.film_cutoff = film_cutoff;
         let status = status?;
         if status != Status::Converged {
@@ -41,10 +47,11 @@ impl Workspace {
         Ok(status)
     }
 
-    /// Doubles the contact film until an attempt converges, and lowers that of its solution again. Leaves another
-    /// cut-off in the problem.
+    /// Doubles the contact film until the `attempt` converges, and lowers that of its solution again. Leaves
+    /// another cut-off in the problem.
     fn by_thicker_film(
         &mut self,
+        attempt: Attempt,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
@@ -54,10 +61,11 @@ impl Workspace {
         for doubling in 1..=DOUBLINGS {
             let ratio = DOUBLED.powi(doubling);
             problem.film_cutoff = ratio * film_cutoff;
-            state.pressure.fill(0.0);
-            let status = self.attempts(problem, state, stop)?;
+            self.best_residuals = Residuals::UNKNOWN;
+            let status = self.attempt(attempt, true, problem, state, stop)?;
             if status == Status::Converged {
-                return self.lower_contact_film(problem, state, stop, film_cutoff, ratio);
+                problem.film_cutoff = film_cutoff;
+                return self.lower_contact_film(attempt, problem, state, stop, ratio);
             }
             if !may_go_on(status) {
                 return Ok(status);
@@ -66,21 +74,22 @@ impl Workspace {
         Ok(Status::Stalled)
     }
 
-    /// Lowers the contact film of a solution from `ratio` times `film_cutoff` to that, in as many steps as it takes.
+    /// Lowers the contact film of a solution from `ratio` times that of the problem to it, in as many steps as it
+    /// takes. Leaves another cut-off in the problem.
     fn lower_contact_film(
         &mut self,
+        attempt: Attempt,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
-        film_cutoff: f64,
         mut ratio: f64,
     ) -> Result<Status, ReynoldsError> {
-        self.strategy = Strategy::Continuation;
+        let film_cutoff = problem.film_cutoff;
         let (mut solved, mut step) = (state.clone(), ratio);
         while ratio > 1.0 {
             let next = (ratio / step).max(1.0);
             problem.film_cutoff = next * film_cutoff;
-            let status = self.follow(problem, state, stop)?;
+            let status = self.follow(attempt, problem, state, stop)?;
             if status == Status::Converged {
                 (ratio, step) = (next, step * step);
                 solved.clone_from(state);
@@ -98,13 +107,13 @@ impl Workspace {
     /// Solves from a solution with another contact film.
     fn follow(
         &mut self,
+        attempt: Attempt,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
         self.progress = Progress::new(&problem.grid());
         self.best_residuals = Residuals::UNKNOWN;
-        let attempt = self.settings.on(self.settings.following, &problem.grid());
         let there = Homotopy { film_cutoff: problem.film_cutoff, condition: problem.cavitation };
         self.begin(problem, state, there)?;
         let status = self.newton(problem, state, stop, attempt, there)?;

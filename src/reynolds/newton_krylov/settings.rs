@@ -16,13 +16,11 @@ pub struct NewtonSettings {
     /// Tried one after the other while a solve stalls or diverges, each but the first from the dry contact;
     /// at least one.
     pub attempts: Vec<Attempt>,
-    /// Where all attempts stall, the contact is solved with thicker contact films first, doubled until an
-    /// attempt converges; that solution is followed to the contact film of the problem in steps that are halved
-    /// where they fail. Ratio of two contact films one after the other below which that has failed; above 1, and
-    /// from 2 on nothing of this is done.
+    /// Where all attempts stall, the last is made with thicker contact films, doubled until it converges; that
+    /// solution is followed to the contact film of the problem, by the numbers of the last attempt, in steps
+    /// that are halved where they fail. Ratio of two contact films one after the other below which that has
+    /// failed; above 1, and from 2 on nothing of this is done.
     pub least_film_ratio: f64,
-    /// The numbers by which a solution is followed; those of the dry start do not count.
-    pub following: Attempt,
     /// Krylov steps of a linear solve; at least 1.
     pub krylov_steps: usize,
     /// What takes the place of numbers of the same names on a row.
@@ -142,11 +140,9 @@ const FIRST: Attempt = Attempt {
 
 impl Default for NewtonSettings {
     fn default() -> Self {
-        let whole = Attempt { shortens_steps: false, ..FIRST };
-        let slow = Attempt { pseudo_transient: (3.0, 0.94), ..whole };
+        let slow = Attempt { pseudo_transient: (3.0, 0.94), shortens_steps: false, ..FIRST };
         Self {
-            attempts: vec![FIRST, whole, slow],
-            following: slow,
+            attempts: vec![FIRST, slow],
             least_film_ratio: 1.03,
             krylov_steps: 100,
             on_rows: RowSettings::default(),
@@ -218,7 +214,6 @@ impl NewtonSettings {
         InputError::require(ratio > 1.0, "newton.least_film_ratio", ratio, "above 1")?;
         count("krylov_steps", self.krylov_steps as f64)?;
         self.on_rows.validate()?;
-        self.following.validate("newton.following")?;
         count("patience", f64::from(self.patience))?;
         let share = |field: &str, share: f64| require_share(&format!("newton.{field}"), share);
         share("least_krylov_tolerance", self.least_krylov_tolerance)?;
@@ -331,7 +326,7 @@ mod tests {
         assert_eq!(field(|s| s.near_below = -1.0), "newton.near_below");
         assert_eq!(field(|s| s.attempts[1].trust = 0.0), "newton.attempts[1].trust");
         assert_eq!(field(|s| s.least_film_ratio = 1.0), "newton.least_film_ratio");
-        assert_eq!(field(|s| s.following.steps_to_halve = 0), "newton.following.steps_to_halve");
+        assert_eq!(field(|s| s.attempts[1].steps_to_halve = 0), "newton.attempts[1].steps_to_halve");
         assert_eq!(field(|s| s.on_rows.largest_change = 0.0), "newton.on_rows.largest_change");
         assert_eq!(field(|s| s.pockets.side = 7), "newton.pockets.side");
         assert_eq!(field(|s| s.pockets.share = 1.5), "newton.pockets.share");

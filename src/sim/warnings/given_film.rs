@@ -1,6 +1,6 @@
 //! Films that are given between rigid surfaces.
 
-use super::quantity::{GIVEN_FILM, PRESSURE_VISCOSITY, VISCOSITY};
+use super::quantity::{GAS_VISCOSITY, GIVEN_FILM, PRESSURE_VISCOSITY};
 use super::{Warning, short};
 use crate::reynolds::{GivenFilm, GivenFilmSolution};
 
@@ -34,7 +34,7 @@ pub fn given_film_warnings(problem: &GivenFilm<'_>, solution: &GivenFilmSolution
     let oil = problem.lubricant;
     let largest = solution.pressure.iter().copied().fold(0.0, f64::max);
     let checks = [
-        VISCOSITY.check("eta0", oil.viscosity().viscosity(0.0)),
+        GAS_VISCOSITY.check("eta0", oil.viscosity().viscosity(0.0)),
         PRESSURE_VISCOSITY.check("alpha", oil.pressure_viscosity_coefficient()),
         film,
         (largest > LARGEST_PRESSURE).then(|| {

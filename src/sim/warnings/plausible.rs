@@ -6,11 +6,12 @@
 use super::Warning;
 use super::quantity::{
     ACTIVATION, ACTIVATION_VOLUME, BARRIER, COMPRESSIBILITY, CONTACT_FILM, DEPTH, FILM, FORCE, FRICTION,
-    HARDENING, HARDNESS, HEAT_CONDUCTIVITY, HEAT_DIFFUSIVITY, HERTZ_PRESSURE, LAYER, LONGER_RADIUS, MODULUS,
-    OIL_CONDUCTIVITY, OIL_HEAT_CAPACITY, PRESSURE_VISCOSITY, Plausible, RADIUS, REMOVAL, ROELANDS_INDEX,
-    ROELANDS_PRESSURE, SLIDE_ROLL_RATIO, SPEED, STRENGTH, STRESS, STRESS_RATIO, TEMPERATURE, TOLERANCE,
-    TRACK_RADIUS, TRIBOFILM, VISCOSITY, WEAR, WEAR_PER_ENERGY, largest_rq,
+    HARDENING, HARDNESS, HEAT_CONDUCTIVITY, HEAT_DIFFUSIVITY, HEIGHT, HERTZ_PRESSURE, LAYER, LONGER_RADIUS,
+    MODULUS, OIL_CONDUCTIVITY, OIL_HEAT_CAPACITY, PRESSURE_VISCOSITY, Plausible, RADIUS, REMOVAL,
+    ROELANDS_INDEX, ROELANDS_PRESSURE, SLIDE_ROLL_RATIO, SPEED, STRENGTH, STRESS, STRESS_RATIO, TEMPERATURE,
+    TOLERANCE, TRACK_RADIUS, TRIBOFILM, VISCOSITY, WEAR, WEAR_PER_ENERGY, largest_rq,
 };
+use crate::lubricant::ViscosityLaw;
 use crate::metrics::height_statistics;
 use crate::sim::scene::{BODIES, LubricantSpec, Scene, Schedule, TribofilmSpec, WearSpec};
 use crate::sim::setup;
@@ -31,12 +32,22 @@ pub(super) fn values(scene: &Scene) -> Vec<Warning> {
     given.filter_map(|(field, value, range)| range.check(&field, value)).collect()
 }
 
-/// The warning about `heights` \[m\] that are too high for a contact of `half_width` \[m\]; where their squares
-/// are beyond the range of numbers the largest height stands for Rq.
+/// Warnings about `heights` \[m\] that are far from zero, and about their Rq where it is that of no surface in a
+/// contact of `half_width` \[m\].
 pub(super) fn height(field: &str, heights: &[f64], half_width: f64) -> Vec<Warning> {
-    let rq = height_statistics(heights).map(|statistics| statistics.sq).ok().filter(|rq| rq.is_finite());
-    let rq = rq.unwrap_or_else(|| heights.iter().fold(0.0, |largest, height| height.abs().max(largest)));
-    largest_rq(half_width).check(&format!("{field}_rq"), rq).into_iter().collect()
+    let largest = heights.iter().fold(0.0, |largest, height| height.abs().max(largest));
+    let rq = height_statistics(heights).map_or(f64::NAN, |statistics| statistics.sq);
+    let rq = largest_rq(half_width).check(&format!("{field}_rq"), rq);
+    rq.into_iter().chain(HEIGHT.check(field, largest)).collect()
+}
+
+/// Warnings about laws that a caller has given: the viscosity at ambient pressure of one, and the thickness
+/// \[m\] that a tribofilm grows to.
+pub(super) fn own_laws(viscosity: Option<&dyn ViscosityLaw>, thickness: Option<f64>) -> Vec<Warning> {
+    let eta0 = viscosity.and_then(|law| VISCOSITY.check("viscosity", law.viscosity(0.0)));
+    let alpha = viscosity.and_then(|law| PRESSURE_VISCOSITY.check("viscosity", law.log_slope(0.0)));
+    let film = thickness.and_then(|thickness| TRIBOFILM.check("growth", thickness));
+    eta0.into_iter().chain(alpha).chain(film).collect()
 }
 
 /// A key, its value where it is given, and its range.

@@ -76,8 +76,10 @@ pub(super) const FORCE: Plausible = plausible(1e-9, 1e7, 50.0, &NEWTON);
 pub(super) const SPEED: Plausible = plausible(1e-9, 200.0, 0.3, &METRE_PER_SECOND);
 /// Beyond 2 the surfaces move against each other.
 pub(super) const SLIDE_ROLL_RATIO: Plausible = plausible(0.0, 2.0, 0.1, &RATIO);
-/// Thicker than the heaviest gear oils at 40 degC.
-pub(super) const VISCOSITY: Plausible = plausible(1e-5, 2.0, 0.01, &PASCAL_SECOND);
+/// From water at the boil to thicker than the heaviest gear oils at 40 degC.
+pub(super) const VISCOSITY: Plausible = plausible(1e-4, 2.0, 0.01, &PASCAL_SECOND);
+/// The same, of gases too.
+pub(super) const GAS_VISCOSITY: Plausible = plausible(5e-6, 2.0, 0.01, &PASCAL_SECOND);
 /// Pressure-viscosity coefficients.
 pub(super) const PRESSURE_VISCOSITY: Plausible = plausible(1e-10, 1e-7, 2e-8, &PER_PASCAL);
 /// The constant `p_0` of Roelands' law.
@@ -131,18 +133,22 @@ pub(super) const OIL_CONDUCTIVITY: Plausible = plausible(0.05, 1.0, 0.14, &CONDU
 /// Heat capacities of a volume of fluid.
 pub(super) const OIL_HEAT_CAPACITY: Plausible = plausible(5e5, 1e7, 1.7e6, &HEAT_CAPACITY);
 /// Radii of tracks.
-pub(super) const TRACK_RADIUS: Plausible = plausible(1e-6, 10.0, 2e-2, &METRE);
+pub(super) const TRACK_RADIUS: Plausible = plausible(1e-6, 1.0, 2e-2, &METRE);
 /// Solids touch at the size of molecules.
 pub(super) const CONTACT_FILM: Plausible = plausible(1e-11, 1e-7, 1e-9, &METRE);
 /// Residuals that a solve may end with.
 pub(super) const TOLERANCE: Plausible = plausible(1e-12, 1e-2, 1e-6, &PURE);
 
+/// Heights of surfaces, form and offset included.
+pub(super) const HEIGHT: Plausible = plausible(0.0, 0.1, 1e-7, &METRE);
+/// Rq of a face of a crystal, below which no surface is made \[m\].
+const SMALLEST_RQ: f64 = 1e-11;
 /// Largest Rq over the half-width of the contact.
 const LARGEST_RQ: f64 = 0.1;
 
-/// Rq up to a tenth of the half-width \[m\] of the contact.
+/// Rq from that of a crystal up to a tenth of the half-width \[m\] of the contact.
 pub(super) fn largest_rq(half_width: f64) -> Plausible {
-    plausible(0.0, LARGEST_RQ * half_width, 1e-7, &METRE)
+    plausible(SMALLEST_RQ, LARGEST_RQ * half_width, 1e-7, &METRE)
 }
 
 impl Plausible {

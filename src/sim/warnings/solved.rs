@@ -1,5 +1,6 @@
 //! What only a solution tells.
 
+use super::quantity::FRICTION;
 use super::{Warning, short};
 use crate::sim::accuracy::ErrorEstimate;
 use crate::sim::hertz::HertzContact;
@@ -34,7 +35,8 @@ pub(in crate::sim) struct Seen<'a> {
     pub(in crate::sim) largest_pressure: f64,
     /// Central film \[m\].
     pub(in crate::sim) central_film: f64,
-    /// Friction of the fluid over the load.
+    /// Friction over the load, of all and of the fluid alone.
+    pub(in crate::sim) friction: f64,
     pub(in crate::sim) fluid_friction: f64,
     /// Largest temperature of the film and that of the bulk \[K\], where the film has its own.
     pub(in crate::sim) temperatures: Option<[f64; 2]>,
@@ -46,7 +48,9 @@ pub(in crate::sim) fn of_contact(scene: &Scene, seen: &Seen<'_>, with_error: boo
     let pressure = seen.smooth.then(excess).flatten();
     let inlet = (seen.smooth && !with_error).then(|| coarse_inlet(scene, seen)).flatten();
     let hot = seen.temperatures.and_then(|[largest, bulk]| hot_film(largest, bulk));
-    pressure.into_iter().chain(inlet).chain(hot).chain(high_traction(seen.fluid_friction)).collect()
+    let traction = high_traction(seen.fluid_friction);
+    let friction = FRICTION.check("friction.coefficient", seen.friction);
+    pressure.into_iter().chain(inlet).chain(hot).chain(traction).chain(friction).collect()
 }
 
 /// Warnings about the finished `solution` of `scene`.
@@ -59,6 +63,7 @@ pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> 
         smooth: scene.is_smooth() && solution.roughness.composite_rq == 0.0,
         largest_pressure: solution.pressure.max,
         central_film: solution.film.central,
+        friction: solution.friction.coefficient,
         fluid_friction: solution.friction.fluid,
         temperatures: film.map(|(heat, at)| [heat.film_temperature_max, at.bulk_temperature]),
     };
