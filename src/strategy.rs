@@ -12,14 +12,15 @@ use crate::displayed::serialize_as_displayed;
 /// use stribeck::Strategy;
 /// use stribeck::sim::{Scene, solve_contact};
 /// let report = solve_contact(&Scene::azam_2019(32))?.report;
-/// assert_eq!(report.strategy.map(|way| way.to_string()), Some("attempt_1".to_owned()));
+/// assert_eq!(report.strategy.map(|way| way.to_string()), Some("attempt".to_owned()));
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Strategy {
-    /// One of [`NewtonSettings::attempts`](crate::reynolds::NewtonSettings::attempts), counted from 1.
-    Attempt(usize),
+    /// From the given state or the dry contact, by the numbers of
+    /// [`NewtonSettings::attempt`](crate::reynolds::NewtonSettings::attempt).
+    Attempt,
     /// By way of thicker contact films
     /// ([`NewtonSettings::least_film_ratio`](crate::reynolds::NewtonSettings::least_film_ratio)).
     Continuation,
@@ -28,11 +29,11 @@ pub enum Strategy {
 serialize_as_displayed!(Strategy);
 
 impl fmt::Display for Strategy {
-    /// `attempt_1` and so on, `continuation`.
+    /// `attempt`, `continuation`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Attempt(number) => write!(f, "attempt_{number}"),
-            Self::Continuation => f.write_str("continuation"),
-        }
+        f.write_str(match self {
+            Self::Attempt => "attempt",
+            Self::Continuation => "continuation",
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! What is switched off, halved or doubled.
 
-use stribeck::reynolds::NewtonSettings;
+use stribeck::reynolds::{Attempt, NewtonSettings};
 
 /// A change of the settings with its name.
 pub(crate) struct Change {
@@ -12,8 +12,13 @@ const fn change(name: &'static str, apply: fn(&mut NewtonSettings)) -> Change {
     Change { name, apply }
 }
 
+/// Changes the numbers of the attempt and of following alike.
+fn both(settings: &mut NewtonSettings, change: fn(&mut Attempt)) {
+    change(&mut settings.attempt);
+    change(&mut settings.following);
+}
+
 pub(crate) const CHANGES: &[Change] = &[
-    change("no attempt but the first", |s| s.attempts.truncate(1)),
     change("no continuation", |s| s.least_film_ratio = f64::INFINITY),
     change("krylov_steps x 0.5", |s| s.krylov_steps /= 2),
     change("krylov_steps x 2", |s| s.krylov_steps *= 2),
@@ -22,50 +27,46 @@ pub(crate) const CHANGES: &[Change] = &[
     change("largest_change off", |s| s.largest_change = 1e9),
     change("largest_change x 0.5", |s| s.largest_change *= 0.5),
     change("first_contact_film: 1 (no film homotopy)", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.first_contact_film = 1.0);
+        both(s, |attempt| attempt.first_contact_film = 1.0);
     }),
     change("first_contact_film x 2", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.first_contact_film *= 2.0);
+        both(s, |attempt| attempt.first_contact_film *= 2.0);
     }),
     change("near_below x 0.1", |s| s.near_below *= 0.1),
     change("near_below x 10", |s| s.near_below *= 10.0),
-    change("growth off", |s| s.growth = 1e9),
-    change("growth: 1", |s| s.growth = 1.0),
-    change("growth: 4", |s| s.growth = 4.0),
-    change("no step shortened", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.shortens_steps = false);
-    }),
-    change("steps shortened in all attempts", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.shortens_steps = true);
-    }),
+    change("growth off (no step shortened)", |s| s.attempt.growth = f64::INFINITY),
+    change("growth: 1", |s| s.attempt.growth = 1.0),
+    change("growth: 4", |s| s.attempt.growth = 4.0),
+    change("following.growth: 2", |s| s.following.growth = 2.0),
+    change("halvings: 1", |s| s.halvings = 1),
     change("halvings x 2", |s| s.halvings *= 2),
     change("patience x 2", |s| s.patience *= 2),
     change("patience off", |s| s.patience = u32::MAX),
     change("tighter off", |s| s.tighter = 1.0),
-    change("trust x 0.5", |s| s.attempts.iter_mut().for_each(|attempt| attempt.trust *= 0.5)),
-    change("trust x 3", |s| s.attempts.iter_mut().for_each(|attempt| attempt.trust *= 3.0)),
+    change("trust x 0.5", |s| both(s, |attempt| attempt.trust *= 0.5)),
+    change("trust x 3", |s| both(s, |attempt| attempt.trust *= 3.0)),
     change("pseudo_transient off", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.pseudo_transient = (0.0, 0.0));
+        both(s, |attempt| attempt.pseudo_transient = (0.0, 0.0));
     }),
     change("pseudo_transient x 2", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.pseudo_transient.0 *= 2.0);
+        both(s, |attempt| attempt.pseudo_transient.0 *= 2.0);
     }),
-    change("unforeseen x 0.5", |s| s.attempts.iter_mut().for_each(|attempt| attempt.unforeseen *= 0.5)),
-    change("unforeseen off", |s| s.attempts.iter_mut().for_each(|attempt| attempt.unforeseen = 1e9)),
+    change("unforeseen x 0.5", |s| both(s, |attempt| attempt.unforeseen *= 0.5)),
+    change("unforeseen off", |s| both(s, |attempt| attempt.unforeseen = 1e9)),
     change("start_tolerance x 3", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance *= 3.0);
+        both(s, |attempt| attempt.start_tolerance *= 3.0);
     }),
     change("start_tolerance x 0.1", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.start_tolerance *= 0.1);
+        both(s, |attempt| attempt.start_tolerance *= 0.1);
     }),
     change("krylov_tolerance: 0.03", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.03);
+        both(s, |attempt| attempt.krylov_tolerance = 0.03);
     }),
     change("krylov_tolerance: 0.01", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.01);
+        both(s, |attempt| attempt.krylov_tolerance = 0.01);
     }),
     change("krylov_tolerance: 0.1", |s| {
-        s.attempts.iter_mut().for_each(|attempt| attempt.krylov_tolerance = 0.1);
+        both(s, |attempt| attempt.krylov_tolerance = 0.1);
     }),
     change("pockets off", |s| s.pockets.steps = 0),
     change("pockets.steps x 0.5", |s| s.pockets.steps /= 2),

@@ -1,10 +1,9 @@
-//! Continuation in the contact film: where all attempts stall, contacts with thicker ones are solved first.
+//! Continuation in the contact film: where the attempt stalls, contacts with thicker ones are solved first.
 
 use super::Workspace;
-use super::attempts::may_go_on;
+use super::attempt::may_go_on;
 use super::homotopy::Homotopy;
 use super::progress::Progress;
-use super::settings::Attempt;
 use crate::report::{Residuals, Status};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
@@ -16,21 +15,15 @@ const DOUBLED: f64 = 2.0;
 const DOUBLINGS: i32 = 8;
 
 impl Workspace {
-    /// Whether solids touch in `state`, or would with the contact film from which the `attempt` starts.
-    pub(super) fn can_continue(
-        &self,
-        attempt: &Attempt,
-        problem: &LubricatedContact<'_>,
-        state: &ContactState,
-    ) -> bool {
-        let thickest = attempt.first_contact_film.max(DOUBLED) * problem.film_cutoff;
+    /// Whether solids touch in `state`, or would with the contact film from which the attempt starts.
+    pub(super) fn can_continue(&self, problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
+        let thickest = self.settings.attempt.first_contact_film.max(DOUBLED) * problem.film_cutoff;
         self.settings.least_film_ratio < DOUBLED && state.film.iter().any(|&film| film < thickest)
     }
 
     /// Solves the problem by way of thicker contact films. Where that fails the best state so far stays the best.
     pub(super) fn continue_in_contact_film(
         &mut self,
-        attempt: Attempt,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
@@ -38,7 +31,7 @@ impl Workspace {
         let film_cutoff = problem.film_cutoff;
         let kept = (self.best.clone(), self.best_residuals, self.best_strategy);
         self.strategy = Strategy::Continuation;
-        let status = self.by_thicker_film(attempt, problem, state, stop);
+        let status = self.by_thicker_film(problem, state, stop);
         problem.film_cutoff = film_cutoff;
         let status = status?;
         if status != Status::Converged {
@@ -47,11 +40,10 @@ impl Workspace {
         Ok(status)
     }
 
-    /// Doubles the contact film until the `attempt` converges, and lowers that of its solution again. Leaves
-    /// another cut-off in the problem.
+    /// Doubles the contact film until the attempt converges, and lowers that of its solution again. Leaves another
+    /// cut-off in the problem.
     fn by_thicker_film(
         &mut self,
-        attempt: Attempt,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
@@ -62,10 +54,10 @@ impl Workspace {
             let ratio = DOUBLED.powi(doubling);
             problem.film_cutoff = ratio * film_cutoff;
             self.best_residuals = Residuals::UNKNOWN;
-            let status = self.attempt(attempt, true, problem, state, stop)?;
+            let status = self.attempt(true, problem, state, stop)?;
             if status == Status::Converged {
                 problem.film_cutoff = film_cutoff;
-                return self.lower_contact_film(attempt, problem, state, stop, ratio);
+                return self.lower_contact_film(problem, state, stop, ratio);
             }
             if !may_go_on(status) {
                 return Ok(status);
@@ -78,7 +70,6 @@ impl Workspace {
     /// takes. Leaves another cut-off in the problem.
     fn lower_contact_film(
         &mut self,
-        attempt: Attempt,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
@@ -89,7 +80,7 @@ impl Workspace {
         while ratio > 1.0 {
             let next = (ratio / step).max(1.0);
             problem.film_cutoff = next * film_cutoff;
-            let status = self.follow(attempt, problem, state, stop)?;
+            let status = self.follow(problem, state, stop)?;
             if status == Status::Converged {
                 (ratio, step) = (next, step * step);
                 solved.clone_from(state);
@@ -107,16 +98,16 @@ impl Workspace {
     /// Solves from a solution with another contact film.
     fn follow(
         &mut self,
-        attempt: Attempt,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
         self.progress = Progress::new(&problem.grid());
         self.best_residuals = Residuals::UNKNOWN;
+        let following = self.settings.on(self.settings.following, &problem.grid());
         let there = Homotopy { film_cutoff: problem.film_cutoff, condition: problem.cavitation };
         self.begin(problem, state, there)?;
-        let status = self.newton(problem, state, stop, attempt, there)?;
+        let status = self.newton(problem, state, stop, following, there)?;
         self.work.convolutions += self.coupled.convolutions;
         Ok(status)
     }

@@ -86,13 +86,14 @@ impl Globalisation {
     /// Growth of the residual above which a step is taken again: none once steps have swung, any in an attempt
     /// that shortens no steps, and where the step `eases_films`, as the residual then is one of other equations
     /// than that before.
-    pub(super) fn growth(&self, eases_films: bool, settings: &NewtonSettings) -> f64 {
-        if eases_films || !self.attempt.shortens_steps {
+    pub(super) fn growth(&self, eases_films: bool) -> f64 {
+        let most = self.attempt.growth;
+        if eases_films {
             f64::INFINITY
-        } else if self.swings {
+        } else if self.swings && most.is_finite() {
             1.0
         } else {
-            settings.growth
+            most
         }
     }
 

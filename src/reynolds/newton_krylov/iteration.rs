@@ -25,7 +25,7 @@ impl Workspace {
     }
 
     /// Newton steps from a state that has begun until `stop` or a stall, along the `homotopy`. Keeps the best
-    /// state of all attempts.
+    /// state of the solve.
     pub(super) fn newton(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -76,7 +76,7 @@ impl Workspace {
         if self.residuals.max() <= stop.tolerance {
             return Some(Status::Converged);
         }
-        // Ends all attempts, as the limit of iterations does.
+        // Ends the solve, as the limit of iterations does.
         let ends = self.progress.ends(self.residuals.max(), &self.work, self.coupled.convolutions);
         ends.then_some(Status::MaxIterations)
     }
@@ -106,7 +106,7 @@ impl Workspace {
             return Ok(false);
         };
         self.work.inner_iterations += krylov_steps;
-        let growth = globalisation.growth(eases_films, &self.settings);
+        let growth = globalisation.growth(eases_films);
         self.residuals = self.advance_carefully(problem, state, globalisation.trust, before, growth)?;
         globalisation.adapt(self.unforeseen_share(state, problem.contact_film()));
         Ok(true)

@@ -1,6 +1,6 @@
 //! Semismooth Newton on the whole coupled problem, linear systems by preconditioned GMRES.
 
-mod attempts;
+mod attempt;
 mod coarse_films;
 mod contact_distance;
 mod continuation;
@@ -147,8 +147,8 @@ impl NewtonKrylov {
                 start: DryStart::new(grid),
                 best: Snapshot::new(grid),
                 best_residuals: Residuals::default(),
-                best_strategy: Strategy::Attempt(1),
-                strategy: Strategy::Attempt(1),
+                best_strategy: Strategy::Attempt,
+                strategy: Strategy::Attempt,
                 history: Vec::with_capacity(HISTORY),
                 progress: Progress::new(&grid),
                 work: Work::default(),

@@ -13,13 +13,14 @@ use crate::reynolds::problem::LubricatedContact;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct NewtonSettings {
-    /// Tried one after the other while a solve stalls or diverges, each but the first from the dry contact;
-    /// at least one.
-    pub attempts: Vec<Attempt>,
-    /// Where all attempts stall, the last is made with thicker contact films, doubled until it converges; that
-    /// solution is followed to the contact film of the problem, by the numbers of the last attempt, in steps
-    /// that are halved where they fail. Ratio of two contact films one after the other below which that has
-    /// failed; above 1, and from 2 on nothing of this is done.
+    /// The numbers by which a contact is solved from a state that is near, else from the dry contact.
+    pub attempt: Attempt,
+    /// Where that stalls or diverges, it is tried with thicker contact films, doubled until it converges, and
+    /// that solution is followed to the contact film of the problem in steps that are halved where they fail.
+    /// The numbers by which it is followed; those of the dry start do not count.
+    pub following: Attempt,
+    /// Ratio of two contact films one after the other below which following has failed; above 1, and from 2 on
+    /// nothing of this is done.
     pub least_film_ratio: f64,
     /// Krylov steps of a linear solve; at least 1.
     pub krylov_steps: usize,
@@ -32,10 +33,7 @@ pub struct NewtonSettings {
     /// pseudo-transient term falls in proportion to the residual, and cavitation is that of the problem; above
     /// 0. Near the solution a step in time holds back the approach, and the whole contact with it.
     pub near_below: f64,
-    /// Growth of the residual above which a step is taken again at half its length, unless it lowers the contact
-    /// film, as the residual then is one of other equations than that before; at least 1.
-    pub growth: f64,
-    /// How often at most.
+    /// How often a step is taken again at half its length at most ([`Attempt::growth`]).
     pub halvings: u32,
     /// Steps without a new best residual after which the largest trust is halved, steps may not let the
     /// residual grow any more, and linear systems are solved to the share [`tighter`](Self::tighter) of their
@@ -112,10 +110,10 @@ pub struct Attempt {
     pub start_tolerance: f64,
     /// Reduction of the linear residual in each Newton step; between 0 and 1.
     pub krylov_tolerance: f64,
-    /// Whether a step under which the residual grows is taken again at half its length
-    /// ([`growth`](NewtonSettings::growth)). Steps that are never shortened get out of cycles in which shorter
-    /// ones are caught, and astray elsewhere.
-    pub shortens_steps: bool,
+    /// Growth of the residual above which a step is taken again at half its length, unless it lowers the contact
+    /// film, as the residual then is one of other equations than that before; at least 1. Infinite: steps are
+    /// never shortened, which gets out of cycles in which shorter ones are caught, and astray elsewhere.
+    pub growth: f64,
     /// Newton steps after which the attempt has stalled unless the residual has halved in them; at least 1.
     pub steps_to_halve: u64,
 }
@@ -126,29 +124,28 @@ const LEAST_SIDE: usize = 8;
 /// No pseudo-transient term.
 pub(super) const STEADY: (f64, f64) = (0.0, 0.0);
 
-/// The cheapest that solves most scenes.
-const FIRST: Attempt = Attempt {
+/// What solves most scenes.
+const QUICK: Attempt = Attempt {
     trust: 0.03,
     first_contact_film: 30.0,
     pseudo_transient: (0.3, 0.85),
     unforeseen: 0.3,
     start_tolerance: 0.6,
     krylov_tolerance: 0.3,
-    shortens_steps: true,
+    growth: 2.0,
     steps_to_halve: 40,
 };
 
 impl Default for NewtonSettings {
     fn default() -> Self {
-        let slow = Attempt { pseudo_transient: (3.0, 0.94), shortens_steps: false, ..FIRST };
         Self {
-            attempts: vec![FIRST, slow],
+            attempt: QUICK,
+            following: Attempt { pseudo_transient: (3.0, 0.94), growth: f64::INFINITY, ..QUICK },
             least_film_ratio: 1.03,
             krylov_steps: 100,
             on_rows: RowSettings::default(),
             largest_change: 0.05,
             near_below: 100.0,
-            growth: 2.0,
             halvings: 3,
             patience: 5,
             tighter: 0.2,
@@ -189,7 +186,7 @@ impl NewtonSettings {
     /// thicker contact films a tenth more of the scenes of the map converge, in eight times the time.
     pub(in crate::reynolds) fn by_lines(relaxations: usize) -> Self {
         Self {
-            attempts: vec![Attempt { krylov_tolerance: BY_LINES, ..FIRST }],
+            attempt: Attempt { krylov_tolerance: BY_LINES, ..QUICK },
             least_film_ratio: f64::INFINITY,
             pockets: PocketSettings { steps: 0, ..PocketSettings::default() },
             krylov_steps: relaxations,
@@ -206,14 +203,15 @@ impl NewtonSettings {
     ///
     /// # Errors
     ///
-    /// [`InputError`] that names the field, as `newton.patience` or `newton.attempts[1].trust`.
+    /// [`InputError`] that names the field, as `newton.patience` or `newton.attempt.trust`.
     pub fn validate(&self) -> Result<(), InputError> {
         let count = |field: &str, count: f64| require_count(&format!("newton.{field}"), count);
-        count("attempts", self.attempts.len() as f64)?;
         let ratio = self.least_film_ratio;
         InputError::require(ratio > 1.0, "newton.least_film_ratio", ratio, "above 1")?;
         count("krylov_steps", self.krylov_steps as f64)?;
         self.on_rows.validate()?;
+        self.attempt.validate("newton.attempt")?;
+        self.following.validate("newton.following")?;
         count("patience", f64::from(self.patience))?;
         let share = |field: &str, share: f64| require_share(&format!("newton.{field}"), share);
         share("least_krylov_tolerance", self.least_krylov_tolerance)?;
@@ -223,15 +221,9 @@ impl NewtonSettings {
             self.tighter,
             "above 0 and at most 1",
         )?;
-        let grows = self.growth.is_finite() && self.growth >= 1.0;
-        InputError::require(grows, "newton.growth", self.growth, "finite and at least 1")?;
         InputError::require_positive("newton.largest_change", self.largest_change)?;
         InputError::require_positive("newton.near_below", self.near_below)?;
-        self.pockets.validate()?;
-        self.attempts
-            .iter()
-            .enumerate()
-            .try_for_each(|(index, attempt)| attempt.validate(&format!("newton.attempts[{index}]")))
+        self.pockets.validate()
     }
 }
 
@@ -293,6 +285,7 @@ impl Attempt {
         InputError::require_positive(&format!("{at}.unforeseen"), self.unforeseen)?;
         InputError::require_positive(&format!("{at}.start_tolerance"), self.start_tolerance)?;
         require_share(&format!("{at}.krylov_tolerance"), self.krylov_tolerance)?;
+        InputError::require(self.growth >= 1.0, &format!("{at}.growth"), self.growth, "at least 1")?;
         require_count(&format!("{at}.steps_to_halve"), self.steps_to_halve as f64)
     }
 }
@@ -320,20 +313,16 @@ mod tests {
                 other => format!("{other:?}"),
             }
         };
-        assert_eq!(field(|s| s.attempts.clear()), "newton.attempts");
         assert_eq!(field(|s| s.patience = 0), "newton.patience");
-        assert_eq!(field(|s| s.growth = 0.5), "newton.growth");
+        assert_eq!(field(|s| s.attempt.growth = 0.5), "newton.attempt.growth");
         assert_eq!(field(|s| s.near_below = -1.0), "newton.near_below");
-        assert_eq!(field(|s| s.attempts[1].trust = 0.0), "newton.attempts[1].trust");
+        assert_eq!(field(|s| s.attempt.trust = 0.0), "newton.attempt.trust");
         assert_eq!(field(|s| s.least_film_ratio = 1.0), "newton.least_film_ratio");
-        assert_eq!(field(|s| s.attempts[1].steps_to_halve = 0), "newton.attempts[1].steps_to_halve");
+        assert_eq!(field(|s| s.following.steps_to_halve = 0), "newton.following.steps_to_halve");
         assert_eq!(field(|s| s.on_rows.largest_change = 0.0), "newton.on_rows.largest_change");
         assert_eq!(field(|s| s.pockets.side = 7), "newton.pockets.side");
         assert_eq!(field(|s| s.pockets.share = 1.5), "newton.pockets.share");
-        assert_eq!(field(|s| s.attempts[1].krylov_tolerance = 1.0), "newton.attempts[1].krylov_tolerance");
-        assert_eq!(
-            field(|s| s.attempts[0].pseudo_transient.1 = 1.0),
-            "newton.attempts[0].pseudo_transient[1]"
-        );
+        assert_eq!(field(|s| s.attempt.krylov_tolerance = 1.0), "newton.attempt.krylov_tolerance");
+        assert_eq!(field(|s| s.attempt.pseudo_transient.1 = 1.0), "newton.attempt.pseudo_transient[1]");
     }
 }

@@ -1,4 +1,4 @@
-//! What a solve tries, one attempt after the other.
+//! A solve: an attempt, and continuation where that stalls.
 
 use super::Workspace;
 use super::homotopy::Homotopy;
@@ -12,8 +12,8 @@ use crate::reynolds::{ReynoldsError, StoppingRule};
 use crate::strategy::Strategy;
 
 impl Workspace {
-    /// Solves from the state as it is if it carries pressure and is near; else, and again where that stalls,
-    /// from the dry contact. Leaves the best state.
+    /// Solves from the state as it is if it carries pressure and is near, else from the dry contact; where that
+    /// stalls, by way of thicker contact films. Leaves the best state.
     pub(super) fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -22,12 +22,12 @@ impl Workspace {
     ) -> Result<(Status, Residuals), ReynoldsError> {
         (self.progress, self.work) = (Progress::new(&problem.grid()), Work::default());
         self.history.clear();
-        self.best_strategy = Strategy::Attempt(1);
+        (self.strategy, self.best_strategy) = (Strategy::Attempt, Strategy::Attempt);
         self.best_residuals = Residuals::UNKNOWN;
-        let mut status = self.attempts(problem, state, stop)?;
-        let last = self.settings.attempts.last().map(|&last| self.settings.on(last, &problem.grid()));
-        if let Some(last) = last.filter(|last| may_go_on(status) && self.can_continue(last, problem, state)) {
-            status = self.continue_in_contact_film(last, problem, state, stop)?;
+        let cold = state.pressure.iter().all(|&p| p <= 0.0);
+        let mut status = self.attempt(cold, problem, state, stop)?;
+        if may_go_on(status) && self.can_continue(problem, state) {
+            status = self.continue_in_contact_film(problem, state, stop)?;
         }
         if status != Status::Converged && self.best_residuals == Residuals::UNKNOWN {
             // No step with the cut-off and the condition of the problem was taken.
@@ -40,7 +40,7 @@ impl Workspace {
         self.coupled.fluid.set_cavitation(problem.cavitation);
         if status != Status::Converged && self.best_residuals.is_finite() {
             if status == Status::Diverged {
-                // The last attempt did; an earlier one has left a state.
+                // What was tried last did; before it a state was left.
                 status = Status::Stalled;
             }
             self.best.restore(&mut self.coupled, problem, state);
@@ -51,40 +51,18 @@ impl Workspace {
         Ok((status, self.best_residuals))
     }
 
-    /// One attempt after the other until one does not stall, the first from the state as it is if it carries
-    /// pressure, all others from the dry contact. Keeps the best state of all.
-    fn attempts(
-        &mut self,
-        problem: &mut LubricatedContact<'_>,
-        state: &mut ContactState,
-        stop: &StoppingRule,
-    ) -> Result<Status, ReynoldsError> {
-        let mut status = Status::Stalled;
-        for index in 0..self.settings.attempts.len() {
-            if !may_go_on(status) {
-                break;
-            }
-            let attempt = self.settings.on(self.settings.attempts[index], &problem.grid());
-            self.strategy = Strategy::Attempt(index + 1);
-            let cold = index > 0 || state.pressure.iter().all(|&p| p <= 0.0);
-            status = self.attempt(attempt, cold, problem, state, stop)?;
-        }
-        Ok(status)
-    }
-
-    /// One attempt, from the dry contact by film homotopy if it is `cold` or the state is not near: farther
+    /// From the dry contact by film homotopy if it is `cold` or the state is not near: farther
     /// than [`NewtonSettings::near_below`](super::NewtonSettings::near_below) the dry contact mostly is the
     /// better start.
     pub(super) fn attempt(
         &mut self,
-        attempt: Attempt,
         cold: bool,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
         let film_cutoff = problem.film_cutoff;
-        let ended = self.attempt_from(attempt, cold, problem, state, stop);
+        let ended = self.attempt_from(cold, problem, state, stop);
         problem.film_cutoff = film_cutoff;
         self.work.convolutions += self.coupled.convolutions;
         ended
@@ -93,12 +71,12 @@ impl Workspace {
     /// The same; leaves another cut-off in the problem, and the convolutions to be counted.
     fn attempt_from(
         &mut self,
-        attempt: Attempt,
         cold: bool,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
+        let attempt = self.settings.on(self.settings.attempt, &problem.grid());
         let given = Homotopy { film_cutoff: problem.film_cutoff, condition: problem.cavitation };
         if !cold {
             self.begin(problem, state, given)?;
