@@ -40,6 +40,7 @@ def _axes(ax: Axes | None) -> Axes:
 
 
 def _field(solution: Solution, name: str) -> Any:
+    instance("solution", solution, Solution, "a Solution, such as stribeck.solve(scene)")
     return solution.fields[name]
 
 
