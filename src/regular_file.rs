@@ -33,6 +33,7 @@ pub(crate) fn open(path: &Path) -> Result<File> {
 ///
 /// # Errors
 /// As of [`size`], and a file that cannot be read.
+#[cfg(feature = "serde")]
 pub(crate) fn begins_with(path: &Path, bytes: &[u8]) -> Result<bool> {
     size(path)?;
     let mut found = Vec::new();

@@ -2,7 +2,6 @@
 
 use super::Workspace;
 use super::homotopy::Homotopy;
-use super::progress::Progress;
 use super::settings::{Attempt, STEADY};
 use crate::report::{Residuals, Status, Work};
 use crate::reynolds::flow::Cavitation;
@@ -20,7 +19,7 @@ impl Workspace {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<(Status, Residuals), ReynoldsError> {
-        (self.progress, self.work) = (Progress::new(&problem.grid()), Work::default());
+        self.work = Work::default();
         self.history.clear();
         (self.strategy, self.best_strategy) = (Strategy::Attempt, Strategy::Attempt);
         self.best_residuals = Residuals::UNKNOWN;
@@ -44,9 +43,6 @@ impl Workspace {
                 status = Status::Stalled;
             }
             self.best.restore(&mut self.coupled, problem, state);
-        }
-        if status == Status::MaxIterations && self.progress.has_ended() {
-            status = Status::Stalled;
         }
         Ok((status, self.best_residuals))
     }

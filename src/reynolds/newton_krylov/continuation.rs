@@ -3,7 +3,6 @@
 use super::Workspace;
 use super::attempt::may_go_on;
 use super::homotopy::Homotopy;
-use super::progress::Progress;
 use crate::report::{Residuals, Status};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
@@ -48,7 +47,6 @@ impl Workspace {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
-        self.progress = Progress::new(&problem.grid());
         let film_cutoff = problem.film_cutoff;
         for doubling in 1..=DOUBLINGS {
             let ratio = DOUBLED.powi(doubling);
@@ -102,7 +100,6 @@ impl Workspace {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
-        self.progress = Progress::new(&problem.grid());
         self.best_residuals = Residuals::UNKNOWN;
         let following = self.settings.on(self.settings.following, &problem.grid());
         let there = Homotopy { film_cutoff: problem.film_cutoff, condition: problem.cavitation };

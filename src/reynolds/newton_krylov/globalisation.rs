@@ -1,7 +1,9 @@
 //! How far a Newton step may go, by what the steps before it have made of the residual.
 
-use super::progress::PROGRESS;
 use super::settings::{Attempt, NewtonSettings};
+
+/// Residual over the lowest before that is progress.
+const PROGRESS: f64 = 0.5;
 
 /// Trust, pseudo-transient term and linear tolerance of the next step.
 #[derive(Debug)]
@@ -65,8 +67,7 @@ impl Globalisation {
             return;
         }
         (self.largest_trust, self.fruitless, self.swings) = (0.5 * self.largest_trust, 0, true);
-        let tighter = (settings.tighter * self.krylov_tolerance).max(settings.least_krylov_tolerance);
-        self.krylov_tolerance = self.krylov_tolerance.min(tighter);
+        self.krylov_tolerance = self.krylov_tolerance.min(settings.tight_krylov_tolerance);
         self.trust = self.trust.min(self.largest_trust);
     }
 

@@ -73,12 +73,7 @@ impl Workspace {
             (self.best_residuals, self.best_strategy) = (self.residuals, self.strategy);
             self.best.keep(&self.coupled, state);
         }
-        if self.residuals.max() <= stop.tolerance {
-            return Some(Status::Converged);
-        }
-        // Ends the solve, as the limit of iterations does.
-        let ends = self.progress.ends(self.residuals.max(), &self.work, self.coupled.convolutions);
-        ends.then_some(Status::MaxIterations)
+        (self.residuals.max() <= stop.tolerance).then_some(Status::Converged)
     }
 
     /// One Newton step; false where its equations have no solution.

@@ -13,7 +13,6 @@ mod local;
 mod pockets;
 mod preconditioner;
 mod prescribed_displacements;
-mod progress;
 mod settings;
 mod snapshot;
 mod step;
@@ -24,7 +23,6 @@ pub(super) use fluid_block::FluidBlock;
 use linearisation::Linearisation;
 use pockets::Pockets;
 use preconditioner::BlockPreconditioner;
-use progress::Progress;
 pub use settings::{Attempt, NewtonSettings, PocketSettings, RowSettings};
 use snapshot::Snapshot;
 use unknowns::Unknowns;
@@ -83,7 +81,6 @@ struct Workspace {
     strategy: Strategy,
     /// Residuals of all steps of the solve so far.
     history: Vec<Residuals>,
-    progress: Progress,
     /// Of the solve so far, without the convolutions of the attempt at work.
     work: Work,
     /// Of the state as it is.
@@ -150,7 +147,6 @@ impl NewtonKrylov {
                 best_strategy: Strategy::Attempt,
                 strategy: Strategy::Attempt,
                 history: Vec::with_capacity(HISTORY),
-                progress: Progress::new(&grid),
                 work: Work::default(),
                 residuals: Residuals::default(),
                 before: Snapshot::new(grid),

@@ -36,15 +36,13 @@ pub struct NewtonSettings {
     /// How often a step is taken again at half its length at most ([`Attempt::growth`]).
     pub halvings: u32,
     /// Steps without a new best residual after which the largest trust is halved, steps may not let the
-    /// residual grow any more, and linear systems are solved to the share [`tighter`](Self::tighter) of their
-    /// tolerance, down to [`least_krylov_tolerance`](Self::least_krylov_tolerance); at least 1. What linear
-    /// systems leave in a pocket of one node may be all that decides whether its fluid cavitates, and it then
-    /// does in every other step.
+    /// residual grow any more, and linear systems are solved to the
+    /// [`tight_krylov_tolerance`](Self::tight_krylov_tolerance); at least 1. What linear systems leave in a
+    /// pocket of one node may be all that decides whether its fluid cavitates, and it then does in every other
+    /// step.
     pub patience: u32,
-    /// Above 0, at most 1.
-    pub tighter: f64,
-    /// Linear residual below which no more is asked of a step; between 0 and 1.
-    pub least_krylov_tolerance: f64,
+    /// Between 0 and 1.
+    pub tight_krylov_tolerance: f64,
     /// What is done about pockets between the steps.
     pub pockets: PocketSettings,
 }
@@ -148,8 +146,7 @@ impl Default for NewtonSettings {
             near_below: 100.0,
             halvings: 3,
             patience: 5,
-            tighter: 0.2,
-            least_krylov_tolerance: 0.01,
+            tight_krylov_tolerance: 0.1,
             pockets: PocketSettings::default(),
         }
     }
@@ -214,13 +211,7 @@ impl NewtonSettings {
         self.following.validate("newton.following")?;
         count("patience", f64::from(self.patience))?;
         let share = |field: &str, share: f64| require_share(&format!("newton.{field}"), share);
-        share("least_krylov_tolerance", self.least_krylov_tolerance)?;
-        InputError::require(
-            self.tighter > 0.0 && self.tighter <= 1.0,
-            "newton.tighter",
-            self.tighter,
-            "above 0 and at most 1",
-        )?;
+        share("tight_krylov_tolerance", self.tight_krylov_tolerance)?;
         InputError::require_positive("newton.largest_change", self.largest_change)?;
         InputError::require_positive("newton.near_below", self.near_below)?;
         self.pockets.validate()
