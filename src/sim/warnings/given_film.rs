@@ -24,7 +24,7 @@ const LARGEST_PRESSURE: f64 = 1e9;
 /// let problem = GivenFilm::new(&film, &oil, [1.0, 0.0]);
 /// let warnings = given_film_warnings(&problem, &problem.solve()?);
 /// assert!(warnings[0].to_string().starts_with("film = 1.025: "));
-/// # Ok::<(), stribeck::InputError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn given_film_warnings(problem: &GivenFilm<'_>, solution: &GivenFilmSolution) -> Vec<Warning> {
     let nodes = problem.film.nodes();
