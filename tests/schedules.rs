@@ -296,10 +296,10 @@ fn conditions_out_of_range_are_named() {
         change(&mut conditions);
         sim.solve_under(&conditions).unwrap_err().to_string()
     };
-    assert!(refused(&|c| c.load = -1.0).contains("load = -1"));
+    assert!(refused(&|c| c.load = -1.0).starts_with("load = -1"));
     assert!(refused(&|c| c.load = 1e-9).contains("no node lies within"));
-    assert!(refused(&|c| c.motion.entrainment_speed = 0.0).contains("entrainment_speed = 0"));
-    assert!(refused(&|c| c.motion.slide_roll_ratio = f64::NAN).contains("slide_roll_ratio = NaN"));
-    assert!(refused(&|c| c.bulk_temperature = 0.0).contains("bulk_temperature = 0"));
+    assert!(refused(&|c| c.motion.entrainment_speed = 0.0).starts_with("entrainment_speed = 0"));
+    assert!(refused(&|c| c.motion.slide_roll_ratio = f64::NAN).starts_with("slide_roll_ratio = NaN"));
+    assert!(refused(&|c| c.bulk_temperature = 0.0).starts_with("bulk_temperature = 0"));
     assert!(scene().conditions(-1.0).unwrap_err().to_string().contains("time = -1"));
 }

@@ -76,6 +76,17 @@ pub struct SimBuilder {
     pub(super) contact_start: Option<ContactState>,
 }
 
+/// What is in place of parts of the scene.
+#[derive(Debug, Default, Clone, Copy)]
+pub(super) struct Own {
+    /// Heights of ball and disc.
+    heights: [bool; 2],
+    /// The viscosity law.
+    viscosity: bool,
+    /// The growth law.
+    growth: bool,
+}
+
 impl MixedLubricationSim {
     /// A builder that makes the simulation of `scene`.
     pub fn builder(scene: Scene) -> SimBuilder {
@@ -245,19 +256,23 @@ impl SimBuilder {
 
     /// The pressure flow through faces, by default that between rough surfaces where heights in place of
     /// those of the scene are.
-    pub(super) fn face_mobility(&self, own_heights: [bool; 2], bodies: &[Body; 2]) -> FaceMobility {
+    pub(super) fn face_mobility(&self, own: Own, bodies: &[Body; 2]) -> FaceMobility {
         let roughness = [&self.scene.roughness.ball, &self.scene.roughness.disc];
         let smooth = (0..2).all(|index| {
             let surface = bodies[index].surface();
             let is_flat = || surface.iter().all(|z| z.to_bits() == surface[0].to_bits());
-            if own_heights[index] { is_flat() } else { roughness[index].is_smooth() }
+            if own.heights[index] { is_flat() } else { roughness[index].is_smooth() }
         });
         self.scene.face_mobility_between(smooth)
     }
 
-    /// Whether ball and disc have heights in place of those of the scene.
-    pub(super) fn own_heights(&self) -> [bool; 2] {
-        [0, 1].map(|body| self.heights[body].is_some() || self.starts[body].is_some())
+    /// What a caller has given so far in place of parts of the scene.
+    pub(super) fn own(&self) -> Own {
+        Own {
+            heights: [0, 1].map(|body| self.heights[body].is_some() || self.starts[body].is_some()),
+            viscosity: self.overrides.viscosity.is_some(),
+            growth: self.growth.is_some(),
+        }
     }
 
     /// Checks the scene and makes the simulation; what is not modelled is decided here once.
@@ -268,16 +283,16 @@ impl SimBuilder {
         self.scene.schedule.read_tables()?;
         #[cfg(feature = "serde")]
         let own_parts = super::identity::OwnParts::of(&self);
+        let own = self.own();
         let overrides = std::mem::take(&mut self.overrides);
         let mut contact = ContactModel::new(&self.scene, overrides)?;
-        let own_heights = self.own_heights();
         let timetable = Timetable::new(&self.scene)?;
         validate_loads(&self.scene, &contact.grid, &timetable)?;
         exposure::validate(&self.scene, &timetable, &contact.grid)?;
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
-        let warnings = self.warnings(own_heights, &contact, &bodies, &laws);
-        contact.face_mobility = self.face_mobility(own_heights, &bodies);
+        let warnings = self.warnings(own, &contact, &bodies, &laws);
+        contact.face_mobility = self.face_mobility(own, &bodies);
         let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
         let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion().into());
         let travel = Travel { motion, squeeze: self.squeeze };
@@ -313,11 +328,11 @@ impl SimBuilder {
         Ok(sim.warnings)
     }
 
-    /// Those of the scene but for roughness that `own_heights` replace, and those of heights and laws that were
+    /// Those of the scene but for roughness that `own` heights replace, and those of heights and laws that were
     /// given or read.
     pub(super) fn warnings(
         &self,
-        own_heights: [bool; 2],
+        own: Own,
         contact: &ContactModel,
         bodies: &[Body; 2],
         laws: &Laws,
@@ -325,8 +340,8 @@ impl SimBuilder {
         let mut scene = self.scene.clone();
         let mut found = Vec::new();
         let roughness = [&mut scene.roughness.ball, &mut scene.roughness.disc];
-        for (index, (roughness, own)) in roughness.into_iter().zip(own_heights).enumerate() {
-            if own || matches!(roughness, Roughness::File(_)) {
+        for (index, (roughness, given)) in roughness.into_iter().zip(own.heights).enumerate() {
+            if given || matches!(roughness, Roughness::File(_)) {
                 *roughness = Roughness::None;
                 found.extend(warnings::of_heights(
                     index,
@@ -338,11 +353,9 @@ impl SimBuilder {
                 found.extend(measured.and_then(|rq| warnings::lost_rq(index, bodies[index].initial(), rq)));
             }
         }
-        let viscosity =
-            contact.lubricant.as_ref().filter(|_| contact.own_viscosity).map(Lubricant::viscosity);
-        let thickness = laws.growth.as_ref().map(|law| law.maximum_thickness());
-        let of_scene = scene.tribofilm.map(|film| film.maximum_thickness());
-        found.extend(warnings::of_own_laws(viscosity, thickness.filter(|_| thickness != of_scene)));
+        let viscosity = contact.lubricant.as_ref().filter(|_| own.viscosity).map(Lubricant::viscosity);
+        let growth = laws.growth.as_ref().filter(|_| own.growth);
+        found.extend(warnings::of_own_laws(viscosity, growth.map(|law| law.maximum_thickness())));
         let mut warnings = scene.warnings();
         warnings.extend(found);
         warnings

@@ -371,10 +371,10 @@ impl MixedLubricationSim {
 /// The bytes of a file; a checkpoint is as large as its grid asks for.
 fn read(path: &Path) -> Result<Vec<u8>, CheckpointError> {
     let io = |source| CheckpointError::Io { path: path.to_owned(), source };
-    match regular_file::begins_with(path, MAGIC).map_err(io)? {
-        true => regular_file::read(path, u64::MAX).map_err(io),
-        false => Err(CheckpointError::Foreign { path: path.to_owned() }),
+    if !regular_file::begins_with(path, MAGIC).map_err(io)? {
+        return Err(CheckpointError::Foreign { path: path.to_owned() });
     }
+    regular_file::read(path, u64::MAX).map_err(io)
 }
 
 /// Whether two fields agree to the last bit.

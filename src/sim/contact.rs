@@ -46,8 +46,6 @@ pub(super) struct ContactModel {
     pub(super) films: Option<CompliantFilms>,
     /// The oil at its bulk temperature; none for a dry contact.
     pub(super) lubricant: Option<Lubricant>,
-    /// Whether its viscosity is not that of the scene.
-    pub(super) own_viscosity: bool,
     /// The solver of the scene, or that of the user.
     pub(super) solver: Box<dyn OwnedSolver>,
     /// Whether the solver is one of the user's, whose states are evaluated before they count.
@@ -150,7 +148,6 @@ impl ContactModel {
                 reason: "a law is given, but the scene has no lubricant".to_owned(),
             }));
         }
-        let own_viscosity = overrides.viscosity.is_some();
         let temperature = conditions.bulk_temperature;
         let viscosity = match overrides.viscosity {
             None => setup::viscosity(scene, temperature)?,
@@ -188,7 +185,6 @@ impl ContactModel {
             deformation,
             films: CompliantFilms::of(scene, grid.len())?,
             lubricant,
-            own_viscosity,
             confirms: overrides.solver.is_some(),
             solver: overrides.solver.map_or_else(|| setup::solver(scene), Ok)?,
             rule: setup::stopping_rule(scene)?,

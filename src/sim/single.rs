@@ -7,7 +7,7 @@
 
 use super::accuracy::Meshes;
 use super::body::Body;
-use super::builder::SimBuilder;
+use super::builder::{Own, SimBuilder};
 use super::contact::ContactModel;
 use super::film_heat::{self, FilmHeat, Surroundings};
 use super::friction::FrictionFields;
@@ -100,16 +100,16 @@ impl SimBuilder {
             return Ok(Begun::Meshes(meshes));
         }
         let start = self.contact_start.take();
-        let own_heights = self.own_heights();
+        let own = self.own();
         let start = |grid: &Grid| Ok(start.unwrap_or_else(|| ContactState::new(grid)));
-        Ok(Begun::Mesh(Box::new(self.prepare(own_heights, start)?)))
+        Ok(Begun::Mesh(Box::new(self.prepare(own, start)?)))
     }
 
-    /// The contact on the grid of the scene alone, from what `start` makes; `own_heights` are in place of
+    /// The contact on the grid of the scene alone, from what `start` makes; `own` parts are in place of
     /// those of the scene.
     pub(super) fn prepare(
         mut self,
-        own_heights: [bool; 2],
+        own: Own,
         start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
     ) -> Result<Prepared, SimError> {
         self.scene.schedule.read_tables()?;
@@ -121,8 +121,8 @@ impl SimBuilder {
         }
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
-        let warnings = self.warnings(own_heights, &contact, &bodies, &laws);
-        contact.face_mobility = self.face_mobility(own_heights, &bodies);
+        let warnings = self.warnings(own, &contact, &bodies, &laws);
+        contact.face_mobility = self.face_mobility(own, &bodies);
         let state = start(&contact.grid)?;
         let mut prepared = Prepared::new(self.scene, contact, bodies, laws, state)?;
         prepared.warnings = warnings;
@@ -166,7 +166,7 @@ pub(super) fn prepare_on_grid(
 ) -> Result<Prepared, SimError> {
     let mut builder = SimBuilder::new(scene.clone());
     builder.overrides.interrupt = interrupt.cloned();
-    builder.prepare([false; 2], start)
+    builder.prepare(Own::default(), start)
 }
 
 /// The same with the heights of ball and disc on this grid given \[m\].
@@ -178,7 +178,7 @@ pub(super) fn prepare_heights(
     let mut builder = SimBuilder::new(scene.clone()).ball_heights(ball).disc_heights(disc);
     builder.overrides.interrupt = interrupt.cloned();
     // They are those of the scene on another mesh.
-    builder.prepare([false; 2], |grid| Ok(ContactState::new(grid)))
+    builder.prepare(Own::default(), |grid| Ok(ContactState::new(grid)))
 }
 
 /// A contact of which nothing is solved yet and all that can be refused has been.

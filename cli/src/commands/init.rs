@@ -8,10 +8,9 @@ use std::fs::File;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
-use stribeck::InputError;
-use stribeck::Status;
 use stribeck::sim::{MixedLubricationSim, Scene};
 use stribeck::units::Dimension;
+use stribeck::{InputError, Status};
 
 use self::answers::{Answers, Quantity};
 use crate::output::{self, Outcome};

@@ -57,36 +57,36 @@ impl Workspace {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
-        let film_cutoff = problem.film_cutoff;
-        let ended = self.attempt_from(cold, problem, state, stop);
-        problem.film_cutoff = film_cutoff;
-        self.work.convolutions += self.coupled.convolutions;
-        ended
-    }
-
-    /// The same; leaves another cut-off in the problem, and the convolutions to be counted.
-    fn attempt_from(
-        &mut self,
-        cold: bool,
-        problem: &mut LubricatedContact<'_>,
-        state: &mut ContactState,
-        stop: &StoppingRule,
-    ) -> Result<Status, ReynoldsError> {
         let attempt = self.settings.on(self.settings.attempt, &problem.grid());
         let given = Homotopy { film_cutoff: problem.film_cutoff, condition: problem.cavitation };
-        if !cold {
-            self.begin(problem, state, given)?;
-            if self.residuals.max() <= self.settings.near_below {
-                let steadily = Attempt { pseudo_transient: STEADY, ..attempt };
-                return self.newton(problem, state, stop, steadily, given);
-            }
+        let (attempt, homotopy) = if !cold && self.begins_near(problem, state, given)? {
+            (Attempt { pseudo_transient: STEADY, ..attempt }, given)
+        } else {
+            problem.film_cutoff *= attempt.first_contact_film;
+            self.start_dry(problem, state, attempt.start_tolerance)?;
+            let homotopy = Homotopy { condition: Cavitation::Reynolds, ..given };
+            self.begin(problem, state, homotopy)?;
+            (attempt, homotopy)
+        };
+        let status = self.newton(problem, state, stop, attempt, homotopy)?;
+        self.work.convolutions += self.coupled.convolutions;
+        problem.film_cutoff = given.film_cutoff;
+        Ok(status)
+    }
+
+    /// Begins with the `given` equations from the state as it is; whether that is near.
+    fn begins_near(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        given: Homotopy,
+    ) -> Result<bool, ReynoldsError> {
+        self.begin(problem, state, given)?;
+        let near = self.residuals.max() <= self.settings.near_below;
+        if !near {
             self.work.convolutions += self.coupled.convolutions;
         }
-        problem.film_cutoff *= attempt.first_contact_film;
-        self.start_dry(problem, state, attempt.start_tolerance)?;
-        let homotopy = Homotopy { condition: Cavitation::Reynolds, ..given };
-        self.begin(problem, state, homotopy)?;
-        self.newton(problem, state, stop, attempt, homotopy)
+        Ok(near)
     }
 
     /// The dry contact under the film cut-off of the problem, to the gap error `tolerance` over the cells in a

@@ -30,9 +30,8 @@ impl Workspace {
         let film_cutoff = problem.film_cutoff;
         let kept = (self.best.clone(), self.best_residuals, self.best_strategy);
         self.strategy = Strategy::Continuation;
-        let status = self.by_thicker_film(problem, state, stop);
+        let status = self.by_thicker_film(problem, state, stop)?;
         problem.film_cutoff = film_cutoff;
-        let status = status?;
         if status != Status::Converged {
             (self.best, self.best_residuals, self.best_strategy) = kept;
         }

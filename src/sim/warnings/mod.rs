@@ -11,13 +11,13 @@ mod solved;
 use std::fmt;
 
 pub use given_film::given_film_warnings;
+pub(super) use plausible::of_own_laws;
 pub(super) use solved::{DEEP_WEAR, Seen, after_solve, deep_wear, of_contact};
 
 use super::hertz::HertzContact;
 use super::scene::{BODIES, Scene};
 use crate::error::legible;
 use crate::grid::Grid;
-use crate::lubricant::ViscosityLaw;
 use crate::metrics::height_statistics;
 
 /// Share of the Rq of a measured surface that its way onto the grid may cost without a word.
@@ -82,11 +82,6 @@ pub(super) fn of_heights(body: usize, heights: &[f64], grid: &Grid, hertz: &Hert
     let mut list = plausible::height(&field, heights, hertz.half_width_x.min(hertz.half_width_y));
     list.extend(mesh::measured_waves(&field, heights, grid));
     list
-}
-
-/// Warnings about laws that a caller has given in place of those of a scene.
-pub(super) fn of_own_laws(viscosity: Option<&dyn ViscosityLaw>, film_thickness: Option<f64>) -> Vec<Warning> {
-    plausible::own_laws(viscosity, film_thickness)
 }
 
 /// The warning about `heights` \[m\] on the grid that have lost much of the `measured` Rq \[m\] of their file.

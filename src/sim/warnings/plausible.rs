@@ -9,7 +9,7 @@ use super::quantity::{
     HARDENING, HARDNESS, HEAT_CONDUCTIVITY, HEAT_DIFFUSIVITY, HEIGHT, HERTZ_PRESSURE, LAYER, LONGER_RADIUS,
     MODULUS, OIL_CONDUCTIVITY, OIL_HEAT_CAPACITY, PRESSURE_VISCOSITY, Plausible, RADIUS, REMOVAL,
     ROELANDS_INDEX, ROELANDS_PRESSURE, SLIDE_ROLL_RATIO, SPEED, STRENGTH, STRESS, STRESS_RATIO, TEMPERATURE,
-    TOLERANCE, TRACK_RADIUS, TRIBOFILM, VISCOSITY, WEAR, WEAR_PER_ENERGY, largest_rq,
+    TOLERANCE, TRACK_RADIUS, TRIBOFILM, VISCOSITY, WEAR, WEAR_PER_ENERGY, rq_range,
 };
 use crate::lubricant::ViscosityLaw;
 use crate::metrics::height_statistics;
@@ -37,13 +37,16 @@ pub(super) fn values(scene: &Scene) -> Vec<Warning> {
 pub(super) fn height(field: &str, heights: &[f64], half_width: f64) -> Vec<Warning> {
     let largest = heights.iter().fold(0.0, |largest, height| height.abs().max(largest));
     let rq = height_statistics(heights).map_or(f64::NAN, |statistics| statistics.sq);
-    let rq = largest_rq(half_width).check(&format!("{field}_rq"), rq);
+    let rq = rq_range(half_width).check(&format!("{field}_rq"), rq);
     rq.into_iter().chain(HEIGHT.check(field, largest)).collect()
 }
 
 /// Warnings about laws that a caller has given: the viscosity at ambient pressure of one, and the thickness
 /// \[m\] that a tribofilm grows to.
-pub(super) fn own_laws(viscosity: Option<&dyn ViscosityLaw>, thickness: Option<f64>) -> Vec<Warning> {
+pub(in crate::sim) fn of_own_laws(
+    viscosity: Option<&dyn ViscosityLaw>,
+    thickness: Option<f64>,
+) -> Vec<Warning> {
     let eta0 = viscosity.and_then(|law| VISCOSITY.check("viscosity", law.viscosity(0.0)));
     let alpha = viscosity.and_then(|law| PRESSURE_VISCOSITY.check("viscosity", law.log_slope(0.0)));
     let film = thickness.and_then(|thickness| TRIBOFILM.check("growth", thickness));
@@ -152,7 +155,7 @@ fn viscosity_law(scene: &Scene) -> Vec<Entry> {
 fn roughness(scene: &Scene) -> Vec<Entry> {
     let half_width = scene.hertz().map_or(f64::INFINITY, |hertz| hertz.half_width_x.min(hertz.half_width_y));
     let bodies = BODIES.into_iter().zip([&scene.roughness.ball, &scene.roughness.disc]);
-    bodies.map(|(name, body)| (format!("roughness.{name}.rq"), body.rq(), largest_rq(half_width))).collect()
+    bodies.map(|(name, body)| (format!("roughness.{name}.rq"), body.rq(), rq_range(half_width))).collect()
 }
 
 /// Friction, plasticity, tribofilm and wear.

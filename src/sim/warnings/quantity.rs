@@ -147,7 +147,7 @@ const SMALLEST_RQ: f64 = 1e-11;
 const LARGEST_RQ: f64 = 0.1;
 
 /// Rq from that of a crystal up to a tenth of the half-width \[m\] of the contact.
-pub(super) fn largest_rq(half_width: f64) -> Plausible {
+pub(super) fn rq_range(half_width: f64) -> Plausible {
     plausible(SMALLEST_RQ, LARGEST_RQ * half_width, 1e-7, &METRE)
 }
 
