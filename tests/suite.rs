@@ -45,6 +45,7 @@ mod semi_system;
 mod shear_thinning;
 mod sim;
 mod solve_cli;
+mod spin;
 mod starvation;
 mod strange_files;
 mod subsurface;

@@ -6,7 +6,7 @@
 //! cargo run --release --example stability_map -- --solver auto    # one solver
 //! cargo run --release --example stability_map -- --seed 2         # other roughness
 //! cargo run --release --example stability_map -- --every 11       # slow solvers: every eleventh scene
-//! cargo run --release --example stability_map -- --solver auto --film-heat # film heat, thinning, limit, coating
+//! cargo run --release --example stability_map -- --solver auto --film-heat # film heat, thinning, limit, coating, spin
 //! cargo run --release --example stability_map -- --solver auto --lines # rough line contacts
 //! ```
 //!
@@ -42,7 +42,7 @@ usage: cargo run --release --example stability_map -- [--quick] [--every N] [--s
   --solver NAME  auto, newton_krylov, semi_system or paper_contact alone (default: all four)
   --seed N       of the roughness of the ball, the disc's is N + 100 (default 1)
   --film-heat    the scenes on 64 x 64 cells at once, at slide-roll ratios of 0.05 to 2, with all of it: temperature of
-                 the film, shear thinning in its flow, a limiting stress, a coated disc
+                 the film, shear thinning in its flow, a limiting stress, a coated disc, spin
   --lines        64 rough line contacts on 512 cells in place of the scenes of the map
   --out DIR      where to write stability.csv and stability.svg (default target/stability_map)
 ";

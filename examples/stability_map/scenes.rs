@@ -22,10 +22,12 @@ const LINE_HALF_BOX: f64 = 1.7;
 const SHARES: [f64; 2] = [20.0 / 131.529, 130.0 / 131.529];
 
 /// Of scenes with all of it: largest shear stress of the oil over its pressure, 2 um of a carbon coating on
-/// the disc, Young's modulus \[Pa\] and Poisson's ratio of the steel below.
+/// the disc, Young's modulus \[Pa\] and Poisson's ratio of the steel below, radius of spin over the half-width
+/// of the box.
 const LIMITING_STRESS: f64 = 0.06;
 const COATING: LayerSpec = LayerSpec::new(2e-6, 300e9, 0.25);
 const STEEL: (f64, f64) = (210e9, 0.3);
+const SPIN_RADIUS: f64 = 2.0;
 
 /// Between the seeds of ball and disc.
 const DISC_SEED: u64 = 100;
@@ -138,6 +140,9 @@ impl Case {
             scene.thermal.bulk_temperature = 353.15;
             (oil.temperature, oil.roelands_s0) = (Some(353.15), Some(1.1));
             oil.thermal = Some(FilmThermal::default());
+            if self.group != Group::Line {
+                scene.motion.spin_radius = Some(SPIN_RADIUS * half);
+            }
         }
         Ok(scene)
     }

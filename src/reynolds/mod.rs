@@ -33,6 +33,7 @@ pub use auto::Auto;
 pub(crate) use coupled::reaches_limit;
 pub use dry::Dry;
 pub use evaluation::Evaluation;
+pub(crate) use flow::require_spin;
 pub use flow::{Cavitation, FaceMobility, FilmFlows, FlowBalance, Scheme, ShearThinning};
 pub use given_film::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
 pub use multigrid::Multigrid;

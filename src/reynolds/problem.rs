@@ -1,6 +1,6 @@
 //! The coupled problem that is handed to a solver.
 
-use super::flow::{Cavitation, FaceMobility, Scheme, ShearThinning};
+use super::flow::{Cavitation, FaceMobility, Scheme, ShearThinning, require_spin};
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -160,6 +160,10 @@ pub struct LubricatedContact<'a> {
     pub lubricant: Option<&'a Lubricant>,
     /// Mean speed of the two surfaces along +x \[m/s\].
     pub entrainment_speed: f64,
+    /// Radius of spin `R` \[m\]: the mean motion of the surfaces is that of a body which turns about the point
+    /// (0, `R`), `u = U (1 - y/R)` along x and `v = U x/R` along y with the entrainment speed `U`. None where
+    /// they move along x alone.
+    pub spin_radius: Option<f64>,
     /// Squeeze term, or none for a quasi-static solve.
     pub squeeze: Option<Squeeze<'a>>,
     /// Normal load \[N\].
@@ -194,6 +198,7 @@ pub struct LubricatedContact<'a> {
 with_fields!(<'a> LubricatedContact<'a> {
     with_lubricant lubricant: Option<&'a Lubricant>,
     with_entrainment_speed entrainment_speed: f64,
+    with_spin_radius spin_radius: Option<f64>,
     with_squeeze squeeze: Option<Squeeze<'a>>,
     with_load load: f64,
     with_pressure_limit pressure_limit: Option<&'a [f64]>,
@@ -222,6 +227,7 @@ impl<'a> LubricatedContact<'a> {
             deformation,
             lubricant: None,
             entrainment_speed: 0.0,
+            spin_radius: None,
             squeeze: None,
             load,
             pressure_limit: None,
@@ -291,6 +297,10 @@ impl LubricatedContact<'_> {
             let films = self.lubricant.map_or(&[][..], Lubricant::film);
             if !films.is_empty() {
                 InputError::require_len("lubricant.film_temperatures", films, grid.len())?;
+            }
+            if let Some(radius) = self.spin_radius {
+                require_spin(("spin_radius", radius), &grid, self.supplied_film.is_some(), self.is_paper())?;
+                require_speed("entrainment_speed", self.entrainment_speed)?;
             }
             if let Some(film) = self.supplied_film {
                 InputError::require_positive("supplied_film", film)?;

@@ -24,7 +24,7 @@ use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::report::{SolveReport, Status};
 use crate::reynolds::{
     Cavitation, ContactDefinition, ContactState, Evaluation, FaceMobility, FilmFlows, FlowBalance,
-    LubricatedContact, ReynoldsError, Scheme, ShearThinning, Squeeze, StoppingRule,
+    LubricatedContact, ReynoldsError, Scheme, ShearThinning, Squeeze, StoppingRule, require_spin,
 };
 
 /// Residuals over the tolerance up to which a solver from outside has converged: films carry the rounding of
@@ -134,6 +134,11 @@ impl ContactModel {
         let conditions = timetable.at(0.0);
         let hertz = scene.hertz()?;
         setup::validate_box(&grid, &hertz, scene.form.is_line())?;
+        if let Some(radius) = scene.motion.spin_radius {
+            let supplied = scene.lubricant.is_some_and(|lubricant| lubricant.supplied_film.is_some());
+            let is_paper = scene.solver.contact == ContactDefinition::UnifiedReynolds;
+            require_spin(("motion.spin_radius", radius), &grid, supplied, is_paper)?;
+        }
         setup::validate_film_cutoff(scene)?;
         setup::validate_memory(&grid, scene.is_lubricated())?;
         let mut form_gap = vec![0.0; grid.len()];
@@ -278,6 +283,7 @@ impl ContactModel {
             deformation: &mut self.deformation,
             lubricant: self.lubricant.as_ref(),
             entrainment_speed: self.motion.entrainment_speed,
+            spin_radius: self.motion.spin_radius,
             squeeze,
             load: self.hertz.force,
             pressure_limit: limit,

@@ -94,6 +94,7 @@ impl Timetable {
             motion: Motion {
                 entrainment_speed: value(&self.speed, self.base.motion.entrainment_speed),
                 slide_roll_ratio: value(&self.slide_roll_ratio, self.base.motion.slide_roll_ratio),
+                spin_radius: self.base.motion.spin_radius,
             },
             bulk_temperature: value(&self.temperature, self.base.bulk_temperature),
         }

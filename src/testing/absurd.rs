@@ -77,6 +77,7 @@ const CHANGES: &[fn(&mut Scene, f64)] = &[
     |scene, _| scene.load = Load::default(),
     |scene, value| scene.motion.entrainment_speed = value,
     |scene, value| scene.motion.slide_roll_ratio = value,
+    |scene, value| scene.motion.spin_radius = Some(value),
     |scene, value| change_oil(scene, |spec| spec.eta0 = value),
     |scene, value| change_oil(scene, |spec| spec.roelands_z = value),
     |scene, value| change_oil(scene, |spec| spec.roelands_p0 = value),

@@ -100,6 +100,7 @@ impl Case {
             deformation: &mut self.body,
             lubricant: self.lubricant.as_ref(),
             entrainment_speed: SPEED,
+            spin_radius: None,
             squeeze: None,
             load: self.hertz.force,
             pressure_limit: None,

@@ -151,7 +151,7 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
         1 => decades(0.1, 1e3).prop_map(Load::force),
     ];
     let motion = (decades(1e-4, 20.0), -2.0..2.0)
-        .prop_map(|(entrainment_speed, slide_roll_ratio)| Motion { entrainment_speed, slide_roll_ratio });
+        .prop_map(|(entrainment_speed, slide_roll_ratio)| Motion::new(entrainment_speed, slide_roll_ratio));
     let flow_thinning =
         prop_oneof![Just(None), Just(Some(FlowThinning::Effective)), Just(Some(FlowThinning::Directional))];
     let friction = (0.0..0.3, prop::option::of((decades(1e6, 1e8), flow_thinning))).prop_map(

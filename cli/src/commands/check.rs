@@ -274,6 +274,10 @@ fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part>, InputErr
         } else {
             part("starved inlet", false, "without lubricant.supplied_film the inlet is flooded")
         });
+        parts.push(match scene.motion.spin_radius {
+            Some(_) => part("spin", true, "motion.spin_radius is given"),
+            None => part("spin", false, "without motion.spin_radius the surfaces move along x alone"),
+        });
         let warm = scene.lubricant.as_ref().is_some_and(|oil| oil.thermal.is_some());
         parts.push(if warm {
             part("film temperature", true, "lubricant.thermal is given")

@@ -18,6 +18,7 @@ mod face_mobility;
 mod inlet;
 mod node;
 mod shear_thinning;
+mod spin;
 
 pub use balance::{FilmFlows, FlowBalance};
 pub use cavitation::Cavitation;
@@ -25,3 +26,4 @@ pub(super) use discretisation::{Discretisation, HeldNeighbour, MARGIN, NearField
 pub use entrainment::Scheme;
 pub use face_mobility::FaceMobility;
 pub use shear_thinning::ShearThinning;
+pub(crate) use spin::require_spin;

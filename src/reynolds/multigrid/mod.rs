@@ -141,6 +141,7 @@ impl Multigrid {
         let grid = problem.grid();
         grid.nx().min(grid.ny()) >= SMALLEST_GRID
             && problem.supplied_film.is_none()
+            && problem.spin_radius.is_none()
             && expects_full_film(problem, EXPECTED_OVER_CONTACT)
     }
 
@@ -154,6 +155,11 @@ impl Multigrid {
         check_call(problem, state, stop)?;
         if problem.grid().ny() == 1 {
             return Err(self.wrong("a line contact has no second axis to coarsen"));
+        }
+        if problem.spin_radius.is_some() {
+            return Err(
+                self.wrong("its relaxations sweep along x, and turning surfaces carry fluid along y too")
+            );
         }
         problem.lubricant.ok_or_else(|| self.wrong("the problem has no lubricant"))
     }

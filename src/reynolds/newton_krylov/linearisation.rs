@@ -4,6 +4,7 @@
 //! is computed once for the two nodes of its face: what rounding makes of it leaves one as it enters the
 //! other, and the balance of a pocket, the small difference of large flows, keeps its digits.
 
+use super::across::Across;
 use crate::grid::Grid;
 use crate::numerics::STENCIL;
 use crate::reynolds::flow::Discretisation;
@@ -14,7 +15,7 @@ const LARGEST: f64 = 1e30;
 
 /// Derivatives of the flow through the faces of one direction: by the pressures of its two nodes, by their
 /// films.
-type FaceFlows = [Vec<f32>; 4];
+pub(super) type FaceFlows = [Vec<f32>; 4];
 
 /// The mass balances of all nodes, linearised.
 #[derive(Debug)]
@@ -32,9 +33,12 @@ pub(super) struct Linearisation {
     beyond_change: Vec<f32>,
     /// What nodes that are not filled carry on of a change of their inflow; zero elsewhere.
     passed: Vec<f32>,
-    /// Coefficients of the masses of a node and of the one upstream, and those of the preconditioner.
-    upwind: [f32; 2],
-    near: [f32; 2],
+    /// Coefficients of the masses of a node and of the one upstream in each row, and those of the
+    /// preconditioner.
+    upwind: Vec<[f32; 2]>,
+    near: Vec<[f32; 2]>,
+    /// Between surfaces that turn, what they carry from row to row.
+    across: Option<Box<Across>>,
     mass_change: Vec<f32>,
     east_change: Vec<f32>,
     north_change: Vec<f32>,
@@ -53,8 +57,9 @@ impl Linearisation {
             carries_beyond: false,
             beyond_change: zeros(),
             passed: zeros(),
-            upwind: [0.0; 2],
-            near: [0.0; 2],
+            upwind: vec![[0.0; 2]; grid.ny()],
+            near: vec![[0.0; 2]; grid.ny()],
+            across: None,
             mass_change: zeros(),
             east_change: zeros(),
             north_change: zeros(),
@@ -73,17 +78,11 @@ impl Linearisation {
         for (k, passed) in self.passed.iter_mut().enumerate() {
             *passed = single(fluid.passed(k));
         }
-        let keep = |flows: &mut FaceFlows, k: usize, derivatives: [f64; 4]| {
-            flows[0][k] = single(stiffness * derivatives[0]);
-            flows[1][k] = single(stiffness * derivatives[1]);
-            flows[2][k] = single(derivatives[2]);
-            flows[3][k] = single(derivatives[3]);
-        };
         for k in 0..n - 1 {
-            keep(&mut self.east, k, fluid.east_flow_derivatives(k));
+            keep(&mut self.east, k, fluid.east_flow_derivatives(k), stiffness);
         }
         for k in 0..n - nx {
-            keep(&mut self.north, k, fluid.north_flow_derivatives(k));
+            keep(&mut self.north, k, fluid.north_flow_derivatives(k), stiffness);
         }
         self.carries_beyond = fluid.carries_beyond();
         if self.carries_beyond {
@@ -94,11 +93,16 @@ impl Linearisation {
                     beyond[k] = single(scale * derivative);
                 }
             }
-        } else {
-            self.beyond_change.fill(0.0);
         }
-        self.upwind = fluid.mass_coefficients().map(single);
-        self.near = fluid.five_point_mass_coefficients().map(single);
+        for (j, (upwind, near)) in self.upwind.iter_mut().zip(&mut self.near).enumerate() {
+            *upwind = fluid.mass_coefficients(j * nx).map(single);
+            *near = fluid.five_point_mass_coefficients(j * nx).map(single);
+        }
+        self.across = fluid.spins().then(|| {
+            let mut across = self.across.take().unwrap_or_else(|| Box::new(Across::new(&self.grid)));
+            across.update(fluid, stiffness);
+            across
+        });
     }
 
     /// Change of the balance of every inner node under changes of fluid pressure and film; others stay as
@@ -114,11 +118,14 @@ impl Linearisation {
         flow_changes(&self.east, 1, pressure, film, &mut self.east_change);
         if self.carries_beyond {
             beyond_changes(&self.beyond, pressure, film, &mut self.beyond_change);
+        } else {
+            self.beyond_change.fill(0.0);
         }
         if ny > 1 {
             flow_changes(&self.north, nx, pressure, film, &mut self.north_change);
         }
-        for first in inner_rows(&self.grid).map(|j| j * nx) {
+        for j in inner_rows(&self.grid) {
+            let first = j * nx;
             let row = first..first + nx;
             let (mass, east, passed) =
                 (&self.mass_change[row.clone()], &self.east_change[row.clone()], &self.passed[row.clone()]);
@@ -133,8 +140,11 @@ impl Linearisation {
                     *out += north - south;
                 }
             }
+            if self.across.is_some() {
+                continue;
+            }
             // What enters through the face to the west.
-            let [here, up] = self.upwind;
+            let [here, up] = self.upwind[j];
             let mut inflow = beyond[0] - up * mass[0];
             for i in 1..nx - 1 {
                 let flow = out[i] - inflow;
@@ -142,6 +152,19 @@ impl Linearisation {
                 inflow = if passed[i] > 0.0 { -passed[i] * flow } else { beyond[i] - up * mass[i] };
             }
         }
+        if let Some(across) = &mut self.across {
+            flow_changes(&across.faces, nx, pressure, film, &mut across.change);
+            across.carry(&self.mass_change, &mut self.beyond_change, &self.passed, &self.upwind, out);
+        }
+    }
+
+    /// Marks all nodes that are not filled where surfaces turn; false where they move along x alone.
+    pub(super) fn link_all(&self, linked: &mut [bool]) -> bool {
+        let turns = self.across.is_some();
+        if turns {
+            linked.iter_mut().zip(&self.passed).for_each(|(linked, passed)| *linked = *passed > 0.0);
+        }
+        turns
     }
 
     /// Marks the nodes that are not filled and carry fluid on to node `k`, upstream as far as `may` says.
@@ -164,7 +187,7 @@ impl Linearisation {
         linked: &[bool],
     ) -> [f32; STENCIL] {
         let nx = self.grid.nx();
-        let [here, up] = self.near;
+        let [here, up] = self.near[k / nx];
         let (east, north, mass) = (&self.east, &self.north, &self.mass);
         // Derivatives by pressures or by films, whose places in the flows are `a` and `a + 1`.
         let derivatives = |a: usize| {
@@ -196,12 +219,24 @@ impl Linearisation {
         if linked[k - 1] {
             row[2] = -share;
         }
+        if let Some(across) = &self.across {
+            across.add_to_row(k, &mut row, [moves, response], (linked, &self.passed));
+        }
         row
     }
 }
 
+/// Puts the derivatives of a face where they belong.
+#[inline]
+pub(super) fn keep(flows: &mut FaceFlows, k: usize, derivatives: [f64; 4], stiffness: f64) {
+    flows[0][k] = single(stiffness * derivatives[0]);
+    flows[1][k] = single(stiffness * derivatives[1]);
+    flows[2][k] = single(derivatives[2]);
+    flows[3][k] = single(derivatives[3]);
+}
+
 /// In single precision, where absurd numbers stay finite.
-fn single(value: f64) -> f32 {
+pub(super) fn single(value: f64) -> f32 {
     value.clamp(-LARGEST, LARGEST) as f32
 }
 

@@ -1,5 +1,6 @@
 //! Semismooth Newton on the whole coupled problem, linear systems by preconditioned GMRES.
 
+mod across;
 mod attempt;
 mod coarse_films;
 mod contact_distance;

@@ -123,6 +123,9 @@ impl BlockPreconditioner {
     /// Marks the nodes that carry fluid on to a node with a balance.
     fn link(&mut self, linearisation: &Linearisation, unknowns: &Unknowns) {
         self.linked.fill(false);
+        if linearisation.link_all(&mut self.linked) {
+            return;
+        }
         for &k in unknowns.balanced() {
             linearisation.link(k as usize, |_| true, &mut self.linked);
         }

@@ -400,17 +400,19 @@ mod tests {
                 FaceMobility::Wedge,
                 FaceMobility::Inlet,
             ] {
-                check_product(scheme, face_mobility, Cavitation::Reynolds, (None, false));
-                check_product(scheme, face_mobility, Cavitation::MassConserving, (None, false));
-                check_product(scheme, face_mobility, Cavitation::MassConserving, (None, true));
+                for spin in [None, Some(35e-6), Some(-60e-6)] {
+                    check_product(scheme, face_mobility, Cavitation::Reynolds, (None, false), spin);
+                    check_product(scheme, face_mobility, Cavitation::MassConserving, (None, false), spin);
+                }
+                check_product(scheme, face_mobility, Cavitation::MassConserving, (None, true), None);
                 let laws = [Rheology::eyring(1e5), Rheology::eyring(1e7), Rheology::carreau(1e6, 0.5)];
                 for law in laws {
                     let thinning = ShearThinning::new(law.unwrap(), 0.1).unwrap();
                     for is_warm in [false, true] {
                         let viscosity = (Some(thinning), is_warm);
-                        check_product(scheme, face_mobility, Cavitation::Reynolds, viscosity);
+                        check_product(scheme, face_mobility, Cavitation::Reynolds, viscosity, None);
                         let viscosity = (Some(thinning.directional()), is_warm);
-                        check_product(scheme, face_mobility, Cavitation::Reynolds, viscosity);
+                        check_product(scheme, face_mobility, Cavitation::Reynolds, viscosity, None);
                     }
                 }
             }
@@ -422,6 +424,7 @@ mod tests {
         face_mobility: FaceMobility,
         cavitation: Cavitation,
         (shear_thinning, is_warm): (Option<ShearThinning>, bool),
+        spin_radius: Option<f64>,
     ) {
         let grid = Grid::centred(N, N, 4e-6, 4e-6).unwrap();
         let mut body = HalfSpace::new(grid, 230e9).unwrap();
@@ -443,6 +446,7 @@ mod tests {
             deformation: &mut body,
             lubricant: Some(&oil),
             entrainment_speed: 0.1,
+            spin_radius,
             squeeze: None,
             load: 1.0,
             pressure_limit: None,

@@ -34,6 +34,7 @@ const KEYS: &[(&str, Dimension)] = &[
     ("load.hertz_pressure", Pressure),
     ("load.force", Force),
     ("motion.entrainment_speed", Speed),
+    ("motion.spin_radius", Length),
     ("motion.slide_roll_ratio", Ratio),
     ("lubricant.eta0", Viscosity),
     ("lubricant.roelands_p0", Pressure),

@@ -145,7 +145,7 @@ impl Scene {
             elastic: Elastic::new(229.67e9),
             materials: Materials::default(),
             load: Load::hertz_pressure(1.15e9),
-            motion: Motion { entrainment_speed: 0.1, slide_roll_ratio: 0.05 },
+            motion: Motion::new(0.1, 0.05),
             lubricant: Some(LubricantSpec {
                 eta0: 0.004,
                 roelands_z: 0.68,

@@ -99,6 +99,7 @@ fn conditions(scene: &Scene) -> Vec<Entry> {
         entry("load.force", scene.load.force, FORCE),
         entry("motion.entrainment_speed", motion.entrainment_speed, SPEED),
         entry("motion.slide_roll_ratio", motion.slide_roll_ratio, SLIDE_ROLL_RATIO),
+        entry("motion.spin_radius", motion.spin_radius.map(f64::abs), LONGER_RADIUS),
         entry("thermal.bulk_temperature", scene.thermal.bulk_temperature, TEMPERATURE),
     ];
     for (key, schedule, range) in [

@@ -43,7 +43,7 @@ impl Discretisation {
     /// those of first order of the limited scheme and beside the inlet.
     #[inline]
     pub(in crate::reynolds) fn upwind(&self, k: usize) -> [f64; 3] {
-        let w = self.wedge;
+        let w = self.wedge_at(k);
         match self.scheme {
             Scheme::SecondOrder if k % self.grid.nx() >= 2 => [1.5 * w, -2.0 * w, 0.5 * w],
             _ => [w, -w, 0.0],
@@ -52,14 +52,19 @@ impl Discretisation {
 
     /// `F_k` for an interior node at the last update, its own gap filled.
     pub(in crate::reynolds) fn balance(&self, k: usize, previous: Option<&[f64]>) -> f64 {
-        self.transport(k, previous) + self.pressure_outflow(k)
+        let [enters, leaves] = self.across(k);
+        self.transport(k, previous) + self.pressure_outflow(k) + (leaves - enters)
     }
 
     /// What leaves interior node `k` beyond what enters, its gap filled to its content: zero where the
     /// content makes it so.
     pub(in crate::reynolds) fn imbalance(&self, k: usize, previous: Option<&[f64]>) -> f64 {
         let stored = previous.map_or(0.0, |previous| self.squeeze * (self.held_mass(k) - previous[k]));
-        self.wedge * (self.carried[k] - self.carried[k - 1]) + stored + self.pressure_outflow(k)
+        let across = self.spin.as_ref().map_or(0.0, |spin| spin.outflow(k));
+        self.wedge_at(k) * (self.carried[k] - self.carried[k - 1])
+            + stored
+            + self.pressure_outflow(k)
+            + across
     }
 
     /// Whether cells that are not filled carry on what they got.
@@ -82,14 +87,15 @@ impl Discretisation {
         let (mut inflow, mut outflow) = (0.0, 0.0);
         let mut count = |out: f64| if out > 0.0 { outflow += out } else { inflow -= out };
         for first in inner_rows(&self.grid).map(|j| j * nx) {
-            let through = |k: usize| self.wedge * self.carried[k] + self.east_flow[k];
+            let through = |k: usize| self.wedge_at(k) * self.carried[k] + self.east_flow[k];
             count(-through(first));
             count(through(first + nx - 2));
         }
         if self.grid.ny() > 1 {
+            let north = |k: usize| self.north_flow[k] + self.spin.as_ref().map_or(0.0, |spin| spin.north(k));
             for i in 1..nx - 1 {
-                count(-self.north_flow[i]);
-                count(self.north_flow[n - 2 * nx + i]);
+                count(-north(i));
+                count(north(n - 2 * nx + i));
             }
         }
         let unit = self.rate * self.grid.cell_area();
@@ -112,7 +118,7 @@ impl Discretisation {
             }
         }
         // What enters and leaves the outermost nodes from without is not known.
-        let through = |k: usize| along * self.wedge * self.carried[k] + flows.east[k];
+        let through = |k: usize| along * self.wedge_at(k) * self.carried[k] + flows.east[k];
         for (k, mean) in flows.through.iter_mut().enumerate() {
             let (first, last) = (k % nx == 0, k % nx + 1 == nx);
             let before = if first { k } else { k - 1 };
@@ -123,7 +129,7 @@ impl Discretisation {
 
     /// Entrainment and squeeze of `F_k`.
     pub(in crate::reynolds) fn transport(&self, k: usize, previous: Option<&[f64]>) -> f64 {
-        let mut sum = self.wedge * (self.masses[k] + self.beyond[k] - self.carried[k - 1]);
+        let mut sum = self.wedge_at(k) * (self.masses[k] + self.beyond[k] - self.carried[k - 1]);
         if let Some(previous) = previous {
             sum += self.squeeze * (self.masses[k] - previous[k]);
         }
@@ -142,7 +148,7 @@ impl Discretisation {
     /// Sum of the coefficients that multiply the own pressure: how strongly `F_k` resists it \[m/Pa\].
     pub(in crate::reynolds) fn diagonal(&self, k: usize, near: NearField) -> f64 {
         let faces = self.conductance(k);
-        self.wedge * (self.nodes[k].density * near.own - self.nodes[k - 1].density * near.next_x)
+        self.wedge_at(k) * (self.nodes[k].density * near.own - self.nodes[k - 1].density * near.next_x)
             + self.squeeze * self.nodes[k].density * near.own
             + faces * self.nodes[k].potential_p
     }
@@ -150,6 +156,6 @@ impl Discretisation {
     /// Pressure flow through the faces of node `k` over the entrainment and squeeze of its elastic response.
     pub(in crate::reynolds) fn flow_ratio(&self, k: usize, near: NearField) -> f64 {
         self.conductance(k) * self.nodes[k].potential_p
-            / ((self.wedge + self.squeeze) * self.nodes[k].density * near.own)
+            / ((self.wedge_at(k) + self.squeeze) * self.nodes[k].density * near.own)
     }
 }

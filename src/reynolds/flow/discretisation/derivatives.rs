@@ -95,7 +95,7 @@ impl Discretisation {
         }
         let slopes = [own.density_p, up.density_p];
         let films = [own.film_h, next.film_h, up.film_h];
-        let wedge = if self.is_starved(k) { 0.0 } else { self.wedge };
+        let wedge = if self.is_starved(k) { 0.0 } else { self.wedge_at(k) };
         std::array::from_fn(|slot| match slot {
             0..2 => wedge * by_densities[slot] * slopes[slot],
             _ => (wedge * by_films[slot - 2] + by_flow[slot - 2]) * films[slot - 2],
@@ -112,16 +112,17 @@ impl Discretisation {
     }
 
     /// Coefficients of the masses of a node and of the one upstream in its balance, without what faces carry
-    /// beyond them.
-    pub(in crate::reynolds) fn mass_coefficients(&self) -> [f64; 2] {
-        [self.wedge + self.squeeze + self.pseudo_transient, -self.wedge]
+    /// beyond them, in the row of node `first`.
+    pub(in crate::reynolds) fn mass_coefficients(&self, first: usize) -> [f64; 2] {
+        let wedge = self.wedge_at(first);
+        [wedge + self.squeeze + self.pseudo_transient, -wedge]
     }
 
     /// Those with which a matrix of five points stands in for the balances.
-    pub(in crate::reynolds) fn five_point_mass_coefficients(&self) -> [f64; 2] {
+    pub(in crate::reynolds) fn five_point_mass_coefficients(&self, first: usize) -> [f64; 2] {
         let wedge = match self.scheme {
-            Scheme::FirstOrder | Scheme::Limited => self.wedge,
-            Scheme::SecondOrder => SECOND_ORDER_WEIGHT * self.wedge,
+            Scheme::FirstOrder | Scheme::Limited => self.wedge_at(first),
+            Scheme::SecondOrder => SECOND_ORDER_WEIGHT * self.wedge_at(first),
         };
         [wedge + self.squeeze + self.pseudo_transient, -wedge]
     }

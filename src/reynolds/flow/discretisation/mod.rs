@@ -21,6 +21,7 @@
 //!
 //! In `a` the film counts as at least half the contact film, in `m` it counts as it is.
 
+mod across;
 mod balances;
 mod derivatives;
 mod faces;
@@ -39,6 +40,7 @@ use super::face_mobility::{Direction, FaceMobility};
 use super::inlet::Inlet;
 use super::node::NodeFlow;
 use super::shear_thinning::{NodeRatios, ShearThinning};
+use super::spin::Spin;
 use crate::grid::Grid;
 use crate::lubricant::{Lubricant, NodeWarmth, WarmPoint};
 use crate::reynolds::problem::{LubricatedContact, interior};
@@ -64,8 +66,10 @@ pub(in crate::reynolds) struct Discretisation {
     east_coefficients: Vec<f64>,
     /// And to the north.
     north_coefficients: Vec<f64>,
-    /// `w`.
+    /// `w`; with spin that of the row through the centre.
     wedge: f64,
+    /// Surfaces that turn; none where they move along x alone.
+    spin: Option<Box<Spin>>,
     /// `s`; zero without a squeeze term.
     squeeze: f64,
     /// Squeeze against the masses at which a linear step begins: in the derivatives alone, as it vanishes
@@ -124,6 +128,7 @@ impl Discretisation {
             east_coefficients: zeros(),
             north_coefficients: zeros(),
             wedge: 0.0,
+            spin: None,
             squeeze: 0.0,
             pseudo_transient: 0.0,
             fluidity: 0.0,
@@ -164,6 +169,11 @@ impl Discretisation {
         let across = if self.grid.ny() == 1 { 0.0 } else { dx / (speed * dy * dy) };
         self.set_coefficients(1.0 / (speed * dx), across);
         self.wedge = problem.entrainment_speed / speed;
+        self.spin = problem.spin_radius.map(|radius| {
+            let mut spin = self.spin.take().unwrap_or_default();
+            spin.configure(&self.grid, radius, self.wedge);
+            spin
+        });
         self.squeeze = grid_speed / speed;
         self.pseudo_transient = 0.0;
         let ambient = problem.lubricant.map(|l| l.viscosity().viscosity(0.0));
@@ -295,6 +305,10 @@ impl Discretisation {
         self.passed.fill(0.0);
         if self.cavitation == Cavitation::MassConserving {
             self.starve();
+            if self.spin.is_some() {
+                self.fill_across(pressure, previous);
+                return;
+            }
             for k in interior(&self.grid).filter(|k| pressure[*k] <= 0.0 && k % nx >= held) {
                 self.fill(k, previous);
             }
@@ -322,6 +336,9 @@ impl Discretisation {
             self.north[k] = self.face_flow(k, k + nx, Direction::Across).mobility;
             let drop = self.nodes[k].potential - self.nodes[k + nx].potential;
             self.north_flow[k] = self.north_coefficients[k] * self.north[k] * drop;
+        }
+        if let Some(spin) = &mut self.spin {
+            spin.update(&self.nodes);
         }
     }
 

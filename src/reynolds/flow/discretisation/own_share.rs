@@ -7,6 +7,7 @@
 use super::super::face_mobility::Direction;
 use super::super::node::NodeFlow;
 use super::super::shear_thinning::{NodeRatios, ViscosityRatio};
+use super::super::spin::{carried, carried_derivatives};
 use super::Discretisation;
 use crate::lubricant::Lubricant;
 
@@ -14,7 +15,7 @@ use crate::lubricant::Lubricant;
 #[derive(Debug, Clone, Copy)]
 pub(in crate::reynolds) struct HeldNeighbour {
     /// Coefficient `c` of the face.
-    c: f64,
+    pub(super) c: f64,
     /// Quantities of the neighbour.
     flow: NodeFlow,
     /// Its viscosity for the flow over that of the law.
@@ -23,6 +24,8 @@ pub(in crate::reynolds) struct HeldNeighbour {
     direction: Direction,
     /// Whether it is the first node of the face.
     is_first: bool,
+    /// What turning surfaces carry out of the node towards it, over what a face between full gaps does.
+    pub(super) carried: f64,
 }
 
 impl Discretisation {
@@ -41,14 +44,17 @@ impl Discretisation {
             ratio: self.ratios.get(o).unwrap_or(&NodeRatios::NEWTONIAN).of(direction),
             direction,
             is_first,
+            carried: 0.0,
         };
-        [
+        let mut held = [
             held(east, self.along(k), false),
             // What flows into a node that is not filled comes back with all it carries on.
             held((west.0, west.1 * (1.0 - self.passed[k - 1]), west.2), self.along(k - 1), true),
             held(north, Direction::Across, false),
             held(south, Direction::Across, true),
-        ]
+        ];
+        self.hold_across(k, &mut held);
+        held
     }
 
     /// Density, its slope, then flow through all faces of node `k` at fluid pressure and film `(p, h)` and its
@@ -99,6 +105,12 @@ impl Discretisation {
             sums[0] += face.mobility * drop;
             sums[1] += own[0] * drop + held.c * face.mobility * node.potential_p;
             sums[2] += own[1] * drop;
+            if held.carried != 0.0 {
+                let [by_pressure, _, by_film, _] = carried_derivatives(node, &held.flow);
+                sums[0] += held.carried * carried(node, &held.flow);
+                sums[1] += held.carried * by_pressure;
+                sums[2] += held.carried * by_film;
+            }
         }
         sums
     }
