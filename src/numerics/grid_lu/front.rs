@@ -2,9 +2,11 @@
 //!
 //! All of it is inlined where vector instructions are switched on; closures would not be.
 
-use pulp::Simd;
+use pulp::{Scalar, Simd, WithSimd};
 
-use super::dense::{Block, add_matrix_product, add_product, invert, neglect, packed, padded, significant};
+use super::dense::{
+    Block, VECTOR, add_matrix_product, add_product, invert, neglect, packed, padded, significant,
+};
 use super::dissection::{Front, Run};
 
 /// Smallest pivot, the largest entry of a row being one.
@@ -66,85 +68,6 @@ impl Front {
         Parts { inverse, lower, upper: &mut rest[..upper] }
     }
 
-    /// Eliminates the pivots of the matrix `scaled`, with the remainders of the children: `None` where one is
-    /// idle. Returns whether all were numbers.
-    #[inline(always)]
-    pub(super) fn eliminate<S: Simd>(
-        &self,
-        simd: S,
-        scaled: &[f32],
-        values: &mut [f32],
-        children: [Option<Block<'_>>; 2],
-        remainder: &mut [f32],
-        scratch: &mut [f32],
-    ) -> bool {
-        let (s, b) = (self.pivots.len(), self.border.len());
-        let (rows, border_rows) = (self.pivot_rows(), self.border_rows());
-        let Parts { inverse, lower, upper } = self.parts(values);
-        let (pack, scratch) = scratch.split_at_mut(packed(s));
-        inverse.fill(0.0);
-        for entry in &self.entries {
-            inverse[entry.to] = scaled[entry.from];
-        }
-        if self.is_leaf() {
-            let sound = invert(simd, inverse, s, SMALLEST_PIVOT, [scratch, pack]);
-            neglect(inverse);
-            for edge in &self.edges {
-                lower[edge.border] = -scaled[edge.of_border];
-                upper[edge.border] = scaled[edge.of_pivot];
-            }
-            for (column, edge) in remainder.chunks_exact_mut(border_rows.max(1)).zip(&self.edges) {
-                let inverse = &inverse[edge.pivot * rows..][..rows];
-                let value = scaled[edge.of_pivot];
-                for ((out, row), lower) in column.iter_mut().zip(&self.edges).zip(&*lower) {
-                    *out = significant(lower * inverse[row.pivot]) * value;
-                }
-            }
-            return sound;
-        }
-        let raw = &mut scratch[..border_rows * s];
-        raw.fill(0.0);
-        upper.fill(0.0);
-        remainder.fill(0.0);
-        for edge in &self.edges {
-            raw[edge.pivot * border_rows + edge.border] = scaled[edge.of_border];
-            upper[edge.border * rows + edge.pivot] = scaled[edge.of_pivot];
-        }
-        for (child, left) in self.children.iter().zip(children) {
-            let Some(left) = left else { continue };
-            let mut columns = left.values.chunks_exact(left.stride);
-            let (on_pivots, on_border) = child.runs.split_at(child.runs.partition_point(|run| run.to < rows));
-            for run in on_pivots {
-                for (to, column) in (run.to..run.to + run.length).zip(&mut columns) {
-                    add_runs(&mut inverse[to * rows..][..rows], column, on_pivots, 0);
-                    add_runs(&mut raw[to * border_rows..][..border_rows], column, on_border, rows);
-                }
-            }
-            for run in on_border {
-                for (to, column) in (run.to - rows..run.to - rows + run.length).zip(&mut columns) {
-                    add_runs(&mut upper[to * rows..][..rows], column, on_pivots, 0);
-                    add_runs(&mut remainder[to * border_rows..][..border_rows], column, on_border, rows);
-                }
-            }
-        }
-        let (raw, rest) = scratch.split_at_mut(border_rows * s);
-        let sound = invert(simd, inverse, s, SMALLEST_PIVOT, [rest, &mut *pack]);
-        neglect(inverse);
-        neglect(upper);
-        for value in &mut *raw {
-            *value = -significant(*value);
-        }
-        lower.fill(0.0);
-        let raw = Block { values: raw, stride: border_rows };
-        let of_pivots = Block { values: inverse, stride: rows };
-        add_matrix_product(simd, [lower, &mut *pack], border_rows, raw, of_pivots, [border_rows, s, s]);
-        neglect(lower);
-        let (lower, upper) =
-            (Block { values: lower, stride: border_rows }, Block { values: upper, stride: rows });
-        add_matrix_product(simd, [remainder, pack], border_rows, lower, upper, [border_rows, s, b]);
-        sound
-    }
-
     /// Subtracts from the border rows of `own` what the pivots hold, whose right-hand side comes before them.
     #[inline(always)]
     pub(super) fn forward<S: Simd>(&self, simd: S, values: &mut [f32], own: &mut [f32], scratch: &mut [f32]) {
@@ -189,6 +112,105 @@ impl Front {
         right.copy_from_slice(&pivots[..s]);
         pivots.fill(0.0);
         add_product(simd, pivots, Block { values: inverse, stride: rows }, right);
+    }
+}
+
+/// Elimination of a front: with all vector instructions of the machine only what is inlined here.
+pub(super) struct Elimination<'a, 'b> {
+    /// The front.
+    pub(super) front: &'a Front,
+    /// The matrix, its rows scaled.
+    pub(super) scaled: &'a [f32],
+    /// What it keeps.
+    pub(super) values: &'b mut [f32],
+    /// What its children have left.
+    pub(super) children: [Option<Block<'b>>; 2],
+    /// What it leaves for its parent.
+    pub(super) remainder: &'b mut [f32],
+    /// Work space.
+    pub(super) scratch: &'b mut [f32],
+}
+
+impl WithSimd for Elimination<'_, '_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> bool {
+        // Wider vectors than the columns are padded for: rare, and correct without any.
+        if S::F32_LANES > VECTOR { self.run(Scalar) } else { self.run(simd) }
+    }
+}
+
+impl Elimination<'_, '_> {
+    /// Eliminates; whether all pivots were numbers.
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> bool {
+        let Self { front, scaled, values, children, remainder, scratch } = self;
+        let (s, b) = (front.pivots.len(), front.border.len());
+        let (rows, border_rows) = (front.pivot_rows(), front.border_rows());
+        let Parts { inverse, lower, upper } = front.parts(values);
+        let (pack, scratch) = scratch.split_at_mut(packed(s));
+        inverse.fill(0.0);
+        for entry in &front.entries {
+            inverse[entry.to] = scaled[entry.from];
+        }
+        if front.is_leaf() {
+            let sound = invert(simd, inverse, s, SMALLEST_PIVOT, [scratch, pack]);
+            neglect(inverse);
+            for edge in &front.edges {
+                lower[edge.border] = -scaled[edge.of_border];
+                upper[edge.border] = scaled[edge.of_pivot];
+            }
+            for (column, edge) in remainder.chunks_exact_mut(border_rows.max(1)).zip(&front.edges) {
+                let inverse = &inverse[edge.pivot * rows..][..rows];
+                let value = scaled[edge.of_pivot];
+                for ((out, row), lower) in column.iter_mut().zip(&front.edges).zip(&*lower) {
+                    *out = significant(lower * inverse[row.pivot]) * value;
+                }
+            }
+            return sound;
+        }
+        let raw = &mut scratch[..border_rows * s];
+        raw.fill(0.0);
+        upper.fill(0.0);
+        remainder.fill(0.0);
+        for edge in &front.edges {
+            raw[edge.pivot * border_rows + edge.border] = scaled[edge.of_border];
+            upper[edge.border * rows + edge.pivot] = scaled[edge.of_pivot];
+        }
+        for (child, left) in front.children.iter().zip(children) {
+            let Some(left) = left else { continue };
+            let mut columns = left.values.chunks_exact(left.stride);
+            let (on_pivots, on_border) = child.runs.split_at(child.runs.partition_point(|run| run.to < rows));
+            for run in on_pivots {
+                for (to, column) in (run.to..run.to + run.length).zip(&mut columns) {
+                    add_runs(&mut inverse[to * rows..][..rows], column, on_pivots, 0);
+                    add_runs(&mut raw[to * border_rows..][..border_rows], column, on_border, rows);
+                }
+            }
+            for run in on_border {
+                for (to, column) in (run.to - rows..run.to - rows + run.length).zip(&mut columns) {
+                    add_runs(&mut upper[to * rows..][..rows], column, on_pivots, 0);
+                    add_runs(&mut remainder[to * border_rows..][..border_rows], column, on_border, rows);
+                }
+            }
+        }
+        let (raw, rest) = scratch.split_at_mut(border_rows * s);
+        let sound = invert(simd, inverse, s, SMALLEST_PIVOT, [rest, &mut *pack]);
+        neglect(inverse);
+        neglect(upper);
+        for value in &mut *raw {
+            *value = -significant(*value);
+        }
+        lower.fill(0.0);
+        let raw = Block { values: raw, stride: border_rows };
+        let of_pivots = Block { values: inverse, stride: rows };
+        add_matrix_product(simd, [lower, &mut *pack], border_rows, raw, of_pivots, [border_rows, s, s]);
+        neglect(lower);
+        let (lower, upper) =
+            (Block { values: lower, stride: border_rows }, Block { values: upper, stride: rows });
+        add_matrix_product(simd, [remainder, pack], border_rows, lower, upper, [border_rows, s, b]);
+        sound
     }
 }
 

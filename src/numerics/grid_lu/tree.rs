@@ -11,7 +11,7 @@ use pulp::{Arch, Scalar, Simd, WithSimd};
 use super::STENCIL;
 use super::dense::{Block, VECTOR};
 use super::dissection::{Dissection, Front};
-use super::front::add_runs;
+use super::front::{Elimination, add_runs};
 use crate::numerics::lanes::both;
 
 /// What each front owns, one after the other; of a whole tree or of one branch.
@@ -173,36 +173,6 @@ struct Walk<'a> {
     depths: &'a [[usize; 2]],
     /// Vector instructions of the machine.
     arch: Arch,
-}
-
-/// Elimination of a front: with all vector instructions of the machine only what is inlined here.
-struct Elimination<'a, 'b> {
-    /// The front.
-    front: &'a Front,
-    scaled: &'a [f32],
-    /// What it keeps.
-    values: &'b mut [f32],
-    /// What its children have left.
-    children: [Option<Block<'b>>; 2],
-    /// What it leaves for its parent.
-    remainder: &'b mut [f32],
-    /// Work space.
-    scratch: &'b mut [f32],
-}
-
-impl WithSimd for Elimination<'_, '_> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> bool {
-        let Self { front, scaled, values, children, remainder, scratch } = self;
-        // Wider vectors than the columns are padded for: rare, and correct without any.
-        if S::F32_LANES > VECTOR {
-            front.eliminate(Scalar, scaled, values, children, remainder, scratch)
-        } else {
-            front.eliminate(simd, scaled, values, children, remainder, scratch)
-        }
-    }
 }
 
 /// A half of a substitution on fronts that follow one another.

@@ -23,6 +23,18 @@ pub(super) fn lengths(film: &FilmThickness, i: usize, j: usize) -> [f64; 2] {
     [share * whole, (1.0 - share) * whole]
 }
 
+/// The way from one node of a row to the next.
+struct Way {
+    /// The node where it ends.
+    node: [usize; 2],
+    /// Where it begins \[m\].
+    from: f64,
+    /// Lengths of its two pieces \[m\].
+    lengths: [f64; 2],
+    /// Pressures at its ends \[Pa\].
+    pressures: [f64; 2],
+}
+
 /// A row of cells, entrained along +x.
 #[derive(Debug)]
 pub(super) struct Row {
@@ -51,7 +63,7 @@ impl Row {
                 problem.ambient_pressure
             };
             let lengths = lengths(problem.film, i, j);
-            row.walk(problem, solved, [i, j], [before, after], x, lengths);
+            row.walk(problem, solved, &Way { node: [i, j], from: x, lengths, pressures: [before, after] });
             x += lengths[0] + lengths[1];
             row.profile.push([x, after]);
             before = after;
@@ -64,16 +76,9 @@ impl Row {
         self.profile.windows(2).map(|ends| 0.5 * (ends[1][0] - ends[0][0]) * (ends[0][1] + ends[1][1])).sum()
     }
 
-    /// The way to node `[i, j]`, which begins at `x`, between the `pressures` of its ends.
-    fn walk(
-        &mut self,
-        problem: &GivenFilm<'_>,
-        solved: &Solved<'_>,
-        [i, j]: [usize; 2],
-        pressures: [f64; 2],
-        x: f64,
-        lengths: [f64; 2],
-    ) {
+    /// Goes one way further.
+    fn walk(&mut self, problem: &GivenFilm<'_>, solved: &Solved<'_>, way: &Way) {
+        let Way { node: [i, j], from: x, lengths, pressures } = *way;
         let balance = &solved.balance;
         let pieces = problem.film.along(i, j).pieces;
         let [first, second] = balance.ends_along(i, j);

@@ -105,6 +105,8 @@ pub(super) struct HandOver {
 /// What a solve writes to, kept from solve to solve.
 #[derive(Debug)]
 struct Workspace {
+    /// Where another solver takes over.
+    hand_over: Option<HandOver>,
     /// Grids with their fields.
     hierarchy: Hierarchy,
     /// What is known of the last cycle.
@@ -183,6 +185,7 @@ impl Multigrid {
                     return Err(self.wrong(ONE_GRID));
                 };
                 Box::new(Workspace {
+                    hand_over: self.hand_over,
                     hierarchy,
                     acceleration: Acceleration::new(grid.len()),
                     coupled: Coupled::new(grid),
@@ -218,10 +221,9 @@ impl ContactSolver for Multigrid {
     ) -> Result<SolveReport, ReynoldsError> {
         let lubricant = self.checked(problem, state, stop)?;
         let (solver, grid) = (self.id(), problem.grid());
-        let hand_over = self.hand_over;
         let workspace = self.workspace(problem, grid)?;
         let mut work = Work::default();
-        let (status, residuals) = workspace.run(problem, lubricant, state, stop, hand_over, &mut work)?;
+        let (status, residuals) = workspace.run(problem, lubricant, state, stop, &mut work)?;
         workspace.coupled.mark_contact(problem, state);
         work.inner_iterations = workspace.hierarchy.sweeps;
         work.convolutions += workspace.hierarchy.convolutions + workspace.coupled.convolutions;
@@ -241,7 +243,6 @@ impl Workspace {
         lubricant: &Lubricant,
         state: &mut ContactState,
         stop: &StoppingRule,
-        hand_over: Option<HandOver>,
         work: &mut Work,
     ) -> Result<(Status, Residuals), ReynoldsError> {
         self.coupled.configure(problem);
@@ -285,7 +286,8 @@ impl Workspace {
             let needed = cycles_needed(residuals.max(), last[RATE_CYCLES - 1], stop.tolerance);
             last.rotate_right(1);
             last[0] = residuals.max();
-            if hand_over
+            if self
+                .hand_over
                 .is_some_and(|h| residuals.max() < h.residual && cycle as f64 + needed > h.cycles as f64)
             {
                 status = Status::Stalled;

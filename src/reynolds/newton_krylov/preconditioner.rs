@@ -5,7 +5,7 @@ use super::contact_distance::ContactDistance;
 use super::fluid_block::FluidBlock;
 use super::linearisation::Linearisation;
 use super::prescribed_displacements::{Inverse, PrescribedDisplacements};
-use super::unknowns::Unknowns;
+use super::unknowns::{Linearised, Unknowns};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::STENCIL;
@@ -170,15 +170,13 @@ impl BlockPreconditioner {
     pub(super) fn border(
         &mut self,
         unknowns: &mut Unknowns,
-        coupled: &mut Coupled,
-        linearisation: &mut Linearisation,
-        problem: &mut LubricatedContact<'_>,
+        at: &mut Linearised<'_, '_>,
     ) -> Result<(), InputError> {
         let n = unknowns.len();
         let (mut column, mut border) = (std::mem::take(&mut self.column), std::mem::take(&mut self.border));
-        unknowns.approach_column(linearisation, &mut column[..n]);
+        unknowns.approach_column(at.linearisation, &mut column[..n]);
         let into = &mut border[..n];
-        let result = self.blocks(unknowns, coupled, problem, &column[..n], into, Inverse::Blocks);
+        let result = self.blocks(unknowns, at, &column[..n], into, Inverse::Blocks);
         border[n - 1] = 0.0;
         self.border_load = unknowns.load(&border[..n]) as f32;
         (self.column, self.border) = (column, border);
@@ -189,13 +187,12 @@ impl BlockPreconditioner {
     pub(super) fn apply(
         &mut self,
         unknowns: &Unknowns,
-        coupled: &mut Coupled,
-        problem: &mut LubricatedContact<'_>,
+        at: &mut Linearised<'_, '_>,
         r: &[f32],
         out: &mut [f32],
     ) -> Result<(), InputError> {
         let last = unknowns.len() - 1;
-        self.blocks(unknowns, coupled, problem, r, out, Inverse::Nodes)?;
+        self.blocks(unknowns, at, r, out, Inverse::Nodes)?;
         let excess = unknowns.load(out) as f32 - r[last];
         let approach = if self.border_load == 0.0 { 0.0 } else { excess / self.border_load };
         for (o, b) in out[..last].iter_mut().zip(&self.border) {
@@ -209,14 +206,13 @@ impl BlockPreconditioner {
     fn blocks(
         &mut self,
         unknowns: &Unknowns,
-        coupled: &mut Coupled,
-        problem: &mut LubricatedContact<'_>,
+        at: &mut Linearised<'_, '_>,
         r: &[f32],
         out: &mut [f32],
         inverse: Inverse,
     ) -> Result<(), InputError> {
         let (balanced, open, contact) = (unknowns.balanced(), unknowns.open(), unknowns.contact());
-        if problem.lubricant.is_some() {
+        if at.problem.lubricant.is_some() {
             self.fluid.fill(0.0);
             for (row, (&k, r)) in balanced.iter().zip(r).enumerate() {
                 self.fluid[k as usize] = r / unknowns.weight(row);
@@ -234,7 +230,7 @@ impl BlockPreconditioner {
             films[k] = f64::from(self.response[k] * self.fluid[k]);
             pressures[k] = f64::from((1.0 - self.film_share[k].powi(2)) * self.fluid[k]);
         }
-        coupled.convolutions += self.given.solve(problem.deformation, self.screened, inverse)?;
+        at.coupled.convolutions += self.given.solve(at.problem.deformation, self.screened, inverse)?;
         let found = &self.given.pressures;
         let (fluid, pressures) = out.split_at_mut(balanced.len());
         let (in_open, in_others) = fluid.split_at_mut(open.len());

@@ -1,16 +1,15 @@
 //! One Newton step: the linear equations, and what the nodes make of their solution.
 
 use super::Workspace;
-use super::linearisation::Linearisation;
 use super::local::{Forecast, Local, Material};
 use super::preconditioner::BlockPreconditioner;
-use super::unknowns::{Response, Unknowns};
+use super::unknowns::{Linearised, Response, Unknowns};
 use crate::error::InputError;
 use crate::numerics::PreconditionedOperator;
 use crate::report::Residuals;
 use crate::reynolds::ReynoldsError;
 use crate::reynolds::active_set::{Fluid, Solid};
-use crate::reynolds::coupled::{Coupled, limit_of};
+use crate::reynolds::coupled::limit_of;
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
@@ -76,15 +75,16 @@ impl Workspace {
         if !preconditioner.prepare(coupled, linearisation, unknowns, problem) {
             return Ok(None);
         }
-        preconditioner.border(unknowns, coupled, linearisation, problem)?;
+        let response = if coupled.fluid.grid.ny() > 1 { Response::Periodic } else { Response::Whole };
+        let mut at = Linearised { coupled, problem, linearisation };
+        preconditioner.border(unknowns, &mut at)?;
         let n = unknowns.len();
         let (residual, step) = (&mut self.residual[..n], &mut self.step[..n]);
         step.fill(0.0);
-        unknowns.residual(coupled, problem, linearisation, state, residual)?;
-        let response = if coupled.fluid.grid.ny() > 1 { Response::Periodic } else { Response::Whole };
-        let mut system = System { unknowns, coupled, problem, linearisation, preconditioner, response };
+        unknowns.residual(&mut at, state, residual)?;
+        let mut system = System { unknowns, at: &mut at, preconditioner, response };
         let steps = gmres.solve(&mut system, residual, tolerance, step)?.steps;
-        unknowns.change(coupled, problem, linearisation, step, response)?;
+        unknowns.change(&mut at, step, response)?;
         Ok(Some(steps))
     }
 
@@ -177,24 +177,21 @@ impl Workspace {
 }
 
 /// The linearised equations as GMRES sees them.
-struct System<'a, 'b> {
+struct System<'a, 'b, 'c> {
     unknowns: &'a mut Unknowns,
-    coupled: &'a mut Coupled,
-    problem: &'a mut LubricatedContact<'b>,
-    linearisation: &'a mut Linearisation,
+    at: &'a mut Linearised<'b, 'c>,
     preconditioner: &'a mut BlockPreconditioner,
     response: Response,
 }
 
-impl PreconditionedOperator for System<'_, '_> {
+impl PreconditionedOperator for System<'_, '_, '_> {
     type Error = InputError;
 
     fn apply(&mut self, x: &[f32], out: &mut [f32]) -> Result<(), InputError> {
-        let Self { unknowns, coupled, problem, linearisation, .. } = self;
-        unknowns.product(coupled, problem, linearisation, x, self.response, out)
+        self.unknowns.product(self.at, x, self.response, out)
     }
 
     fn precondition(&mut self, r: &[f32], out: &mut [f32]) -> Result<(), InputError> {
-        self.preconditioner.apply(self.unknowns, self.coupled, self.problem, r, out)
+        self.preconditioner.apply(self.unknowns, self.at, r, out)
     }
 }

@@ -30,6 +30,13 @@ pub(super) enum Response {
     Periodic,
 }
 
+/// The contact that is linearised at a state, and its mass balances.
+pub(super) struct Linearised<'a, 'b> {
+    pub(super) coupled: &'a mut Coupled,
+    pub(super) problem: &'a mut LubricatedContact<'b>,
+    pub(super) linearisation: &'a mut Linearisation,
+}
+
 /// Which nodes have which unknowns, and the changes of all nodes under a vector of them.
 #[derive(Debug)]
 pub(super) struct Unknowns {
@@ -166,9 +173,7 @@ impl Unknowns {
     /// Changes of all nodes under those that their sides prescribe and those of the vector `x`.
     pub(super) fn change(
         &mut self,
-        coupled: &mut Coupled,
-        problem: &mut LubricatedContact<'_>,
-        linearisation: &mut Linearisation,
+        at: &mut Linearised<'_, '_>,
         x: &[f32],
         response: Response,
     ) -> Result<(), InputError> {
@@ -179,16 +184,14 @@ impl Unknowns {
                 self.fluid[*k as usize] = (fluid / self.pressure_unit) as f32;
             }
         }
-        self.respond(coupled, problem, linearisation, x, response)
+        self.respond(at, x, response)
     }
 
     /// What the equations lack at `state` under the changes that the sides of nodes prescribe; one convolution,
     /// none where nothing changes.
     pub(super) fn residual(
         &mut self,
-        coupled: &mut Coupled,
-        problem: &mut LubricatedContact<'_>,
-        linearisation: &mut Linearisation,
+        at: &mut Linearised<'_, '_>,
         state: &ContactState,
         out: &mut [f32],
     ) -> Result<(), InputError> {
@@ -197,18 +200,18 @@ impl Unknowns {
             self.balance.fill(0.0);
         } else {
             out.fill(0.0);
-            self.change(coupled, problem, linearisation, out, Response::Whole)?;
+            self.change(at, out, Response::Whole)?;
         }
         let changes = self.pinned.iter().map(|(_, [change, _])| change).sum::<f64>();
         let carried = (state.pressure.iter().sum::<f64>() + changes) / self.pressure_unit * self.cell_load;
         let (balances, rest) = out.split_at_mut(self.balanced.len());
         for ((row, &k), weight) in balances.iter_mut().zip(&self.balanced).zip(&self.weights) {
-            let present = (coupled.balance[k as usize] / self.film_unit) as f32;
+            let present = (at.coupled.balance[k as usize] / self.film_unit) as f32;
             *row = -weight * (self.balance[k as usize] + present);
         }
-        let contact_film = problem.contact_film();
+        let contact_film = at.problem.contact_film();
         for (row, &k) in rest.iter_mut().zip(&self.contact) {
-            let present = (coupled.elastic_film[k as usize] - contact_film) / self.film_unit;
+            let present = (at.coupled.elastic_film[k as usize] - contact_film) / self.film_unit;
             *row = -((self.elastic[k as usize] / self.film_unit + present) as f32);
         }
         rest[self.contact.len()] = (1.0 - carried) as f32;
@@ -218,19 +221,18 @@ impl Unknowns {
     /// Film changes under the pressure changes of all nodes and a change of the approach.
     fn deform(
         &mut self,
-        coupled: &mut Coupled,
-        problem: &mut LubricatedContact<'_>,
+        at: &mut Linearised<'_, '_>,
         approach: f32,
         response: Response,
     ) -> Result<(), InputError> {
         match response {
             Response::Whole => {
-                problem.deformation.displacement_single(&self.pressure, &mut self.elastic)?;
-                coupled.convolutions += 1.0;
+                at.problem.deformation.displacement_single(&self.pressure, &mut self.elastic)?;
+                at.coupled.convolutions += 1.0;
             }
             Response::Periodic => {
-                problem.deformation.displacement_periodic(&self.pressure, &mut self.elastic)?;
-                coupled.convolutions += UNPADDED;
+                at.problem.deformation.displacement_periodic(&self.pressure, &mut self.elastic)?;
+                at.coupled.convolutions += UNPADDED;
             }
         }
         let (approach, per_unit) = (f64::from(approach) * self.film_unit, 1.0 / self.film_unit);
@@ -262,18 +264,16 @@ impl Unknowns {
     /// Films and balances under the pressures as they are placed.
     fn respond(
         &mut self,
-        coupled: &mut Coupled,
-        problem: &mut LubricatedContact<'_>,
-        linearisation: &mut Linearisation,
+        at: &mut Linearised<'_, '_>,
         x: &[f32],
         response: Response,
     ) -> Result<(), InputError> {
-        self.deform(coupled, problem, x[self.len() - 1], response)?;
+        self.deform(at, x[self.len() - 1], response)?;
         let limited = self.limited_from..self.contact_from;
         for (&k, x) in self.balanced[limited.clone()].iter().zip(&x[limited]) {
             self.film[k as usize] += x;
         }
-        self.flow(linearisation);
+        self.flow(at.linearisation);
         Ok(())
     }
 
@@ -289,15 +289,13 @@ impl Unknowns {
     /// `out = J x`.
     pub(super) fn product(
         &mut self,
-        coupled: &mut Coupled,
-        problem: &mut LubricatedContact<'_>,
-        linearisation: &mut Linearisation,
+        at: &mut Linearised<'_, '_>,
         x: &[f32],
         response: Response,
         out: &mut [f32],
     ) -> Result<(), InputError> {
         self.place(x);
-        self.respond(coupled, problem, linearisation, x, response)?;
+        self.respond(at, x, response)?;
         self.rows(out);
         out[self.len() - 1] = self.load(x) as f32;
         Ok(())
@@ -510,8 +508,9 @@ mod tests {
         let mut linearisation = Linearisation::new(grid);
         linearisation.update(&coupled.fluid, coupled.near.own);
         let mut product = vec![0.0; x.len()];
-        let response = Response::Whole;
-        unknowns.product(&mut coupled, &mut problem, &mut linearisation, &x, response, &mut product).unwrap();
+        let mut at =
+            Linearised { coupled: &mut coupled, problem: &mut problem, linearisation: &mut linearisation };
+        unknowns.product(&mut at, &x, Response::Whole, &mut product).unwrap();
         let scale = product[..x.len() - 1].iter().fold(0.0_f32, |m, v| m.max(v.abs()));
         for (row, (up, down)) in up.iter().zip(&down).enumerate() {
             let (difference, scale) =
