@@ -73,7 +73,7 @@ impl fmt::Display for Status {
 /// residuals.load = 1e-3;
 /// assert_eq!(residuals.max(), 1e-3);
 /// residuals.mass = f64::NAN;
-/// assert!(!residuals.is_finite());
+/// assert!(!residuals.is_finite() && residuals.max() == f64::INFINITY);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -98,9 +98,13 @@ impl Residuals {
     /// Before any state is known: larger than those of all states.
     pub(crate) const UNKNOWN: Self = Self { mass: f64::INFINITY, load: 0.0, complementarity: 0.0 };
 
-    /// The largest of the three.
+    /// The largest of the three; infinite where one is no number.
     pub fn max(&self) -> f64 {
-        self.mass.max(self.load).max(self.complementarity)
+        let all = [self.mass, self.load, self.complementarity];
+        if all.iter().any(|residual| residual.is_nan()) {
+            return f64::INFINITY;
+        }
+        all.into_iter().fold(0.0, f64::max)
     }
 
     /// Whether all three are finite.

@@ -34,7 +34,7 @@ _UNITS = {
     "stress": "Pa",
 }
 #: Units of full names.
-_PATHS = {**COLUMNS, "entrainment_speed": "m/s", "force.lower": "N", "force.upper": "N"}
+_PATHS = {**COLUMNS, "entrainment_speed": "m/s", "spin_radius": "m", "force.lower": "N", "force.upper": "N"}
 
 
 def unit(path: str) -> str:

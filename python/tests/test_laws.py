@@ -223,6 +223,18 @@ def test_a_solver_that_lies_is_found_out(rough: stribeck.Scene) -> None:
     assert simulation.steps == 0
 
 
+def test_a_solver_knows_spin(rough: stribeck.Scene) -> None:
+    seen = []
+
+    def gives_up(problem: ContactProblem, state: ContactState) -> bool:
+        seen.append(problem.spin_radius)
+        return False
+
+    stribeck.solve(rough.replace(motion={"spin_radius": "1 mm"}), solver=gives_up)
+    stribeck.solve(rough, solver=gives_up)
+    assert seen == [1e-3, None]
+
+
 def test_a_solver_with_a_model_in_python(rough: stribeck.Scene) -> None:
     from test_use import HalfSpaceByNumpy
 

@@ -22,9 +22,10 @@ pub(crate) trait PreconditionedOperator {
 
 /// Basis and rotations of a GMRES solve (Saad and Schultz 1986, SIAM J. Sci. Stat. Comput. 7, 856-869), the
 /// preconditioned basis kept as well (Saad 1993, SIAM J. Sci. Comput. 14, 461-469): the solution needs no
-/// further preconditioning. That acts on the residuals, not on the basis, which spans the same as long as it
-/// is linear: one that is not mends what it has left itself. After a step that left the residual as it was,
-/// it acts on the basis.
+/// further preconditioning. The preconditioner acts on the present residual in place of the last basis vector.
+/// If it is linear, both span the same space; if it is not, the next direction is then made of what the last
+/// one has left. After a step that left the residual as it was it acts on the basis vector, since the same
+/// residual would give the same direction again.
 #[derive(Debug, Clone)]
 pub(crate) struct Gmres {
     /// Orthonormal vectors `V`, one more than steps.

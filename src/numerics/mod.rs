@@ -8,7 +8,8 @@
 //! |---|---|
 //! | displacements `u = K p` of a field of pressures | `convolution`, its kernels in `spectrum` |
 //! | spectra of periodic complex and real fields | `fft`, `real_fft` |
-//! | the factorised part of Newton's preconditioner | `grid_lu`, `tridiagonal` |
+//! | the factorised part of Newton's preconditioner | `grid_lu` |
+//! | systems of a line, of given films and of the paper's sweeps | `tridiagonal` |
 //! | the linear solve of a Newton step | `gmres` |
 //! | what runs on several threads | `lanes` |
 //!

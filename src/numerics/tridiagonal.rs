@@ -1,7 +1,7 @@
 //! Tridiagonal systems.
 //!
-//! Elimination costs `O(n)` and needs no buffer of its own. The linear systems of given films on one row of
-//! cells are such.
+//! Elimination costs `O(n)` and needs no buffer of its own. Given films on one row of cells and the sweeps of
+//! the paper's contact have such systems.
 
 /// Solves `below[i] x[i - 1] + diagonal[i] x[i] + above[i] x[i + 1] = rhs[i]` by elimination without exchange
 /// of rows (Thomas), which is stable for M-matrices. The solution replaces `rhs`; `above` is overwritten.

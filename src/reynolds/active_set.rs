@@ -9,7 +9,8 @@
 //! | solid | `h = h_c`, `p >= p_f` (contact) | `p = p_f`, `h >= h_c` (open) |
 //!
 //! A pressure limit adds a third state to each: the pressure is the limit and a plastic depth opens the film
-//! by what the equation needs. The set is found anew from each state, by [`Sample::classify`].
+//! by what the equation needs. A state of unknown origin is sorted by [`Sample::classify`]; steps of Newton's
+//! method leave the set that the elimination of each node's own equations finds.
 
 /// The fluid side of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

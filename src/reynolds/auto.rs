@@ -18,8 +18,8 @@ use super::{
 use crate::report::{SolveReport, Status};
 use crate::solver_id::SolverId;
 
-/// Newton's method finishes for less what would take multigrid more cycles than these. It goes on from
-/// residuals below this; from larger ones it would start anew.
+/// Newton's method finishes for less what would take multigrid more cycles than these. It goes on from a state
+/// whose residual is below this; from one further away it starts with the state that was given.
 const HAND_OVER: HandOver = HandOver { cycles: 11, residual: 1.0 };
 
 /// On up to so many nodes Newton's method needs fewer convolutions than cycles do, and its factorisations cost
@@ -179,12 +179,7 @@ impl Auto {
         given.clone_from(state);
         let first = match self.multigrid.solve(problem, state, stop) {
             // A deformation model of the user's that knows no coarser grids.
-            Err(ReynoldsError::WrongSolver { .. }) => {
-                if let Some(given) = &self.kept {
-                    state.clone_from(given);
-                }
-                return self.newton_then_sweeps(problem, state, stop);
-            }
+            Err(ReynoldsError::WrongSolver { .. }) => return self.newton_then_sweeps(problem, state, stop),
             first => first?,
         };
         if first.status == Status::Converged {

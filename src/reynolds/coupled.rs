@@ -97,7 +97,7 @@ impl Coupled {
             return;
         }
         for k in interior(&self.fluid.grid) {
-            if state.plastic_depth[k] > 0.0 && state.fluid_pressure[k] >= limit_of(problem, k) {
+            if state.plastic_depth[k] > 0.0 && state.fluid_pressure[k] >= problem.limit_at(k) {
                 self.kinds[k] = Kind { fluid: Fluid::AtLimit, solid: Solid::Open };
             }
         }
@@ -152,7 +152,7 @@ impl Coupled {
         for (k, kind) in self.kinds.iter().enumerate() {
             state.plastic_depth[k] = if kind.fluid == Fluid::AtLimit {
                 state.plastic_depth[k].max(0.0)
-            } else if state.pressure[k] >= limit_of(problem, k) {
+            } else if state.pressure[k] >= problem.limit_at(k) {
                 (contact_film - self.elastic_film[k]).max(0.0)
             } else {
                 0.0
@@ -204,7 +204,7 @@ impl Coupled {
                 fluid_pressure: state.fluid_pressure[k],
                 elastic_film: self.elastic_film[k],
                 contact_film: problem.contact_film(),
-                limit: limit_of(problem, k),
+                limit: problem.limit_at(k),
                 fluid_push,
                 own_influence: self.near.own,
                 lubricated,
@@ -256,7 +256,7 @@ impl Coupled {
     }
 
     /// The flux over the speed \[m^2\] that mass residuals are scaled with: that of the mean film through the
-    /// contact width, `through_contact`, or what flows into the box of a contact at rest where that is less.
+    /// contact width, `through_contact`, or what flows into the box where that is less and nothing is squeezed.
     fn flux_scale(&self, problem: &LubricatedContact<'_>, through_contact: f64) -> f64 {
         if problem.lubricant.is_none() || problem.squeeze.is_some() {
             return through_contact;
@@ -303,9 +303,4 @@ fn is_at_limit(problem: &LubricatedContact<'_>, k: usize, p: f64) -> bool {
 /// Whether pressure `p` is at `limit` within rounding.
 pub(crate) fn reaches_limit(p: f64, limit: f64) -> bool {
     p >= limit * (1.0 - LIMIT_ROUNDING)
-}
-
-/// Pressure limit of node `k` \[Pa\], infinite where there is none.
-pub(super) fn limit_of(problem: &LubricatedContact<'_>, k: usize) -> f64 {
-    problem.pressure_limit.map_or(f64::INFINITY, |limit| limit[k])
 }

@@ -16,9 +16,6 @@ use crate::solver_id::SolverId;
 
 /// Reference film over mean dry gap above which a start is fluid.
 const FILM_OVER_GAP: f64 = 2.0;
-/// Share of the gap error of a start that its solve goes on to. Pressures carried over from half of the cells
-/// leave 2 %, would fulfil a loose demand as they are, and have steps.
-const START_MARGIN: f64 = 0.3;
 /// Active-set passes of a start.
 const START_PASSES: u64 = 40;
 
@@ -44,7 +41,7 @@ impl DryStart {
         state: &mut ContactState,
         tolerance: f64,
     ) -> Result<Work, ReynoldsError> {
-        let outcome = self.solve(problem, state, START_MARGIN * tolerance, START_PASSES)?;
+        let outcome = self.solve(problem, state, tolerance, START_PASSES)?;
         if problem.reference_film > FILM_OVER_GAP * self.mean_gap(problem) {
             // A film thicker than what the dry surfaces leave between them carries the load as fluid.
             for k in interior(&problem.grid()) {
@@ -89,7 +86,7 @@ impl DryStart {
         let outcome =
             self.solver.solve(&dry, problem.deformation, &mut state.pressure, tolerance, max_passes)?;
         for (k, p) in state.pressure.iter_mut().enumerate() {
-            *p = p.clamp(0.0, super::coupled::limit_of(problem, k));
+            *p = p.clamp(0.0, problem.limit_at(k));
         }
         state.fluid_pressure.fill(0.0);
         state.plastic_depth.fill(0.0);

@@ -180,8 +180,9 @@ pub struct LubricatedContact<'a> {
     pub face_mobility: FaceMobility,
     /// What holds where the fluid cavitates.
     pub cavitation: Cavitation,
-    /// Film thickness that the inlet edge is supplied with \[m\], or none for a flooded inlet: the content
-    /// there is `min(1, supplied_film/h)`. Needs cavitation that conserves mass.
+    /// Film thickness at ambient density that the inlet edge is supplied with \[m\], or none for a flooded
+    /// inlet: of what full gaps would carry through the first faces, at most this. Needs cavitation that conserves
+    /// mass.
     pub supplied_film: Option<f64>,
     /// Shear thinning of the pressure flow, or none for a Newtonian one.
     pub shear_thinning: Option<ShearThinning>,
@@ -259,6 +260,11 @@ impl LubricatedContact<'_> {
         if self.lubricant.is_some() { self.film_cutoff } else { 0.0 }
     }
 
+    /// Pressure limit of node `k` \[Pa\], infinite where there is none.
+    pub(super) fn limit_at(&self, k: usize) -> f64 {
+        self.pressure_limit.map_or(f64::INFINITY, |limit| limit[k])
+    }
+
     /// Whether pressures are those of the paper's contact.
     pub(super) fn is_paper(&self) -> bool {
         self.contact == ContactDefinition::UnifiedReynolds && self.lubricant.is_some()
@@ -325,7 +331,7 @@ impl LubricatedContact<'_> {
             return Err(InputError::Conflict {
                 field: "load".to_owned(),
                 reason: format!(
-                    "{} N is more than the pressure limit lets the box carry, below {largest:.6e} N; take less load, or harder bodies",
+                    "{} N is more than the pressure limit lets the inner nodes of the box carry, below {largest:.6e} N; take less load, or harder bodies",
                     self.load
                 ),
             });

@@ -94,10 +94,10 @@ impl ContactState {
         }
     }
 
-    /// Checks that every field fits `grid`.
+    /// Checks that every field fits `grid`, and that all are numbers.
     ///
     /// # Errors
-    /// [`InputError::Shape`] naming the field.
+    /// [`InputError`] naming the field.
     pub fn validate(&self, grid: &Grid) -> Result<(), InputError> {
         for (field, values) in [
             ("state.pressure", &self.pressure),
@@ -107,8 +107,9 @@ impl ContactState {
             ("state.theta", &self.theta),
             ("state.mass", &self.mass),
         ] {
-            InputError::require_len(field, values, grid.len())?;
+            grid.require_field(field, values)?;
         }
+        InputError::require(self.approach.is_finite(), "state.approach", self.approach, "finite")?;
         if let Some(&theta) = self.theta.iter().find(|c| !(0.0..=1.0).contains(*c)) {
             InputError::require(false, "state.theta", theta, "from 0 to 1")?;
         }

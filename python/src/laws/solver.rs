@@ -139,6 +139,7 @@ pub(crate) struct Problem {
 struct Numbers {
     load: f64,
     entrainment_speed: f64,
+    spin_radius: Option<f64>,
     film_cutoff: f64,
     supplied_film: Option<f64>,
     half_widths: (f64, f64),
@@ -175,6 +176,7 @@ impl Problem {
             numbers: Numbers {
                 load: problem.load,
                 entrainment_speed: problem.entrainment_speed,
+                spin_radius: problem.spin_radius,
                 film_cutoff: problem.film_cutoff,
                 supplied_film: problem.supplied_film,
                 half_widths: problem.reference_half_widths,
@@ -198,6 +200,7 @@ impl Problem {
         LubricatedContact::new(&self.gap, model, *load, *half_widths, *reference_pressure)
             .with_lubricant(self.lubricant.as_ref())
             .with_entrainment_speed(self.numbers.entrainment_speed)
+            .with_spin_radius(self.numbers.spin_radius)
             .with_squeeze(
                 squeeze.map(|(mass, time_step)| Squeeze { previous_mass: mass, time_step: *time_step }),
             )
@@ -245,6 +248,7 @@ impl Problem {
             "grid": grid_dict(py, &self.grid)?,
             "load": numbers.load,
             "entrainment_speed": numbers.entrainment_speed,
+            "spin_radius": numbers.spin_radius,
             "contact_film": if self.lubricant.is_some() { numbers.film_cutoff } else { 0.0 },
             "lubricated": self.lubricant.is_some(),
             "supplied_film": numbers.supplied_film,

@@ -48,13 +48,13 @@ pub(super) struct Entry {
 /// A pivot and a node of the border that are neighbours.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Edge {
-    /// The row of the pivot and the place of the other in the border.
+    /// The row of the pivot in the block.
     pub(super) pivot: usize,
     /// The place of the other in the border.
     pub(super) border: usize,
-    /// Where their entries are in the stencil: in the row of the pivot, in that of the other.
+    /// Where in the stencil the entry in the row of the pivot is.
     pub(super) of_pivot: usize,
-    /// The entry in the row of the other.
+    /// Where the one in the row of the other is.
     pub(super) of_border: usize,
 }
 

@@ -10,7 +10,7 @@ use super::dense::{
 use super::dissection::{Front, Run};
 
 /// Smallest pivot, the largest entry of a row being one.
-const SMALLEST_PIVOT: f32 = 1e-6;
+pub(super) const SMALLEST_PIVOT: f32 = 1e-6;
 
 /// What a front keeps of its elimination.
 ///

@@ -36,7 +36,7 @@ pub(crate) struct GridLu {
     place: Vec<usize>,
     /// Where in the vectors a node is.
     slot: Vec<u32>,
-    /// One over the largest entry of each row, and the rows times it.
+    /// One over the largest entry of each row.
     scale: Vec<f32>,
     /// The rows of the matrix, scaled.
     scaled: Vec<f32>,
@@ -206,5 +206,15 @@ mod tests {
         let mut stencil = matrix(9, 9);
         stencil[STENCIL * 40] = f32::NAN;
         assert!(!GridLu::new(9, 9).factorise(&stencil), "NaN");
+        // Nodes that are linked to none.
+        let mut alone: Vec<f32> = (0..81).flat_map(|_| [1.0, 0.0, 0.0, 0.0, 0.0]).collect();
+        alone[STENCIL * 40] = 0.0;
+        let mut lu = GridLu::new(9, 9);
+        assert!(lu.factorise(&alone), "a pivot of zero is raised");
+        let mut x = vec![1.0; 81];
+        lu.solve(&mut x);
+        assert!(x.iter().all(|x| x.is_finite()));
+        alone[STENCIL * 40] = f32::NAN;
+        assert!(!GridLu::new(9, 9).factorise(&alone), "NaN of a node that is linked to none");
     }
 }

@@ -11,7 +11,7 @@ use pulp::{Arch, Scalar, Simd, WithSimd};
 use super::STENCIL;
 use super::dense::{Block, VECTOR};
 use super::dissection::{Dissection, Front};
-use super::front::{Elimination, add_runs};
+use super::front::{Elimination, SMALLEST_PIVOT, add_runs};
 use crate::numerics::lanes::both;
 
 /// What each front owns, one after the other; of a whole tree or of one branch.
@@ -282,7 +282,10 @@ impl Walk<'_> {
         if idle[root - first] {
             let diagonal = front.entries.iter().filter(|entry| entry.from % STENCIL == 0);
             for (value, entry) in values.iter_mut().zip(diagonal) {
-                *value = 1.0 / matrix.scaled[entry.from];
+                let pivot = matrix.scaled[entry.from];
+                sound &= pivot.is_finite();
+                *value =
+                    1.0 / if pivot.abs() < SMALLEST_PIVOT { SMALLEST_PIVOT.copysign(pivot) } else { pivot };
             }
             return sound;
         }

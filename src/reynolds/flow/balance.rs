@@ -4,8 +4,8 @@
 /// same number is \[m^2/s\] a metre of contact.
 ///
 /// Flows are those through the faces of the outermost nodes, by entrainment and by pressure. Where cavitation
-/// conserves mass the imbalance is at most the [mass residual](crate::Residuals::mass): the balances of all
-/// cells add up to it. With Reynolds' condition it is what cavitated cells make out of nothing, and no
+/// conserves mass and nothing is squeezed the imbalance is at most the [mass
+/// residual](crate::Residuals::mass): the balances of all cells add up to it. With Reynolds' condition it is what cavitated cells make out of nothing, and no
 /// residual counts it.
 ///
 /// # Examples

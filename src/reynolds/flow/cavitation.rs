@@ -1,8 +1,8 @@
 //! What becomes of fluid that cannot fill its gap.
 //!
 //! The two conditions differ behind the contact, where films rupture, and in front of it where the inlet is
-//! starved. Solvers ask [`Cavitation`] in `Discretisation` alone; multigrid's cycles always work with
-//! Reynolds' condition.
+//! starved. `Discretisation` makes the difference; Newton's method begins a dry start with Reynolds' condition,
+//! and multigrid's cycles always work with it.
 
 use crate::error::{InputError, legible};
 

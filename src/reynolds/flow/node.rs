@@ -1,6 +1,6 @@
 //! The fluid at one node.
 //!
-//! Made once a node and evaluation, used by its four faces: a face asks for nothing else of its nodes.
+//! Made once a node and evaluation, used by its four faces.
 
 /// What the balance needs to know of one node; `_p` and `_h` are derivatives by pressure and film.
 #[derive(Debug, Clone, Copy, Default)]

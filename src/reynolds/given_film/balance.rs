@@ -78,13 +78,13 @@ impl Through {
 /// The way along x between two nodes, as the flow knows it.
 #[derive(Debug, Clone, Copy, Default)]
 struct Face {
-    /// `I_2 / I_3` of the whole way and of its first piece \[m\].
+    /// `I_2 / I_3` of the whole way \[m\].
     film: f64,
-    /// Of the first piece.
+    /// The same of its first piece \[m\].
     first_film: f64,
-    /// `1 / (12 eta_0 u I_3)` of both \[m/Pa\].
+    /// `1 / (12 eta_0 u I_3)` of the whole way \[m/Pa\].
     conductance: f64,
-    /// Of the first piece.
+    /// The same of its first piece \[m/Pa\].
     first_conductance: f64,
 }
 
@@ -101,19 +101,19 @@ pub(super) struct Balance<'a> {
     pub(super) ambient: f64,
     /// `12 eta_0 u` \[Pa m\].
     pub(super) drag: f64,
-    /// `nx + 1` a row.
+    /// Ways along x, `nx + 1` a row: those from edge to edge of the box.
     faces: Vec<Face>,
     /// Conductances along y, times `dx / dy`, `ny + 1` rows \[m/Pa\].
     across: Vec<f64>,
     /// Pressure per unknown of full nodes \[Pa\].
     scale: Vec<f64>,
-    /// Outflow of a full node by its pressure over the same if the film ruptures beyond it.
+    /// How the outflow of a full node grows with its pressure, over how it would if the film ruptured behind it.
     landing: Vec<f64>,
-    /// The fluid at these edges.
+    /// The fluid at the edges across x.
     edge: Fluid,
-    /// Density ratio and reduced pressure \[Pa\] where the film is cavitated.
+    /// Density ratio where the film is cavitated.
     pub(super) cavitated_density: f64,
-    /// The reduced pressure there.
+    /// Reduced pressure there \[Pa\].
     cavitated_potential: f64,
     /// The fluid at each node.
     fluids: Vec<Fluid>,

@@ -23,8 +23,8 @@ pub(super) fn lengths(film: &FilmThickness, i: usize, j: usize) -> [f64; 2] {
     [share * whole, (1.0 - share) * whole]
 }
 
-/// The way from one node of a row to the next.
-struct Way {
+/// The stretch from one node of a row to the next.
+struct Stretch {
     /// The node where it ends.
     node: [usize; 2],
     /// Where it begins \[m\].
@@ -63,7 +63,11 @@ impl Row {
                 problem.ambient_pressure
             };
             let lengths = lengths(problem.film, i, j);
-            row.walk(problem, solved, &Way { node: [i, j], from: x, lengths, pressures: [before, after] });
+            row.walk(
+                problem,
+                solved,
+                &Stretch { node: [i, j], from: x, lengths, pressures: [before, after] },
+            );
             x += lengths[0] + lengths[1];
             row.profile.push([x, after]);
             before = after;
@@ -76,9 +80,9 @@ impl Row {
         self.profile.windows(2).map(|ends| 0.5 * (ends[1][0] - ends[0][0]) * (ends[0][1] + ends[1][1])).sum()
     }
 
-    /// Goes one way further.
-    fn walk(&mut self, problem: &GivenFilm<'_>, solved: &Solved<'_>, way: &Way) {
-        let Way { node: [i, j], from: x, lengths, pressures } = *way;
+    /// Goes one stretch further.
+    fn walk(&mut self, problem: &GivenFilm<'_>, solved: &Solved<'_>, stretch: &Stretch) {
+        let Stretch { node: [i, j], from: x, lengths, pressures } = *stretch;
         let balance = &solved.balance;
         let pieces = problem.film.along(i, j).pieces;
         let [first, second] = balance.ends_along(i, j);

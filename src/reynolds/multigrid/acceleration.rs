@@ -17,7 +17,7 @@ const LARGEST_SHARE: f64 = 9.0;
 /// application to recirculating flows, SIAM J. Sci. Comput. 21, 1670-1690.
 #[derive(Debug)]
 pub(super) struct Acceleration {
-    /// Mass residuals before the last cycle, pressure and approach after it.
+    /// Mass residuals before the last cycle.
     residual: Vec<f64>,
     /// Pressures that it ended with \[Pa\].
     pressure: Vec<f64>,

@@ -1,7 +1,6 @@
 //! Whether a problem is a smooth full film, without solving it.
 
 use crate::grid::Grid;
-use crate::reynolds::coupled::limit_of;
 use crate::reynolds::problem::{LubricatedContact, interior};
 
 /// Part of the expected film by which the second differences of a smooth gap may vary.
@@ -15,7 +14,7 @@ pub(in crate::reynolds) fn expects_full_film(problem: &LubricatedContact<'_>, ma
     let grid = problem.grid();
     let is_thick = problem.reference_film > margin * problem.contact_film();
     let least = LIMIT_OVER_REFERENCE * problem.reference_pressure;
-    let is_soft = interior(&grid).any(|k| limit_of(problem, k) < least);
+    let is_soft = interior(&grid).any(|k| problem.limit_at(k) < least);
     is_thick && !is_soft && is_smooth(problem, &grid)
 }
 

@@ -66,7 +66,7 @@ pub(super) struct Level {
     pub(super) previous: Option<Vec<f64>>,
     /// Load that the pressure has to carry on this level \[N\].
     pub(super) load: f64,
-    /// Flow over pressure difference of the faces to the east and to the north of each node.
+    /// Flow over pressure difference of the faces to the east of each node.
     pub(super) east: Vec<f64>,
     /// Of the faces to the north.
     pub(super) north: Vec<f64>,

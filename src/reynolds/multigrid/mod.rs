@@ -23,7 +23,7 @@ use acceleration::Acceleration;
 pub(super) use full_film::expects_full_film;
 use hierarchy::Hierarchy;
 
-use super::coupled::{Coupled, limit_of};
+use super::coupled::Coupled;
 use super::problem::LubricatedContact;
 use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
@@ -351,5 +351,5 @@ fn touches(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
 
 /// Whether no pressure exceeds its limit.
 fn within_limit(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
-    state.pressure.iter().enumerate().all(|(k, p)| *p <= limit_of(problem, k))
+    state.pressure.iter().enumerate().all(|(k, p)| *p <= problem.limit_at(k))
 }

@@ -17,16 +17,17 @@ use crate::reynolds::state::ContactState;
 /// Cells of the first grid of the start in Hertz half-widths: square root of film over displacement, within
 /// bounds.
 const START_CELL: (f64, f64) = (0.03, 0.12);
-/// Cycles on the grid of the start, and on the finer ones before the finest.
+/// Cycles on the first grid.
 const START_CYCLES: usize = 5;
-/// On the finer grids, the finest included.
+/// Cycles on each finer grid, the finest included.
 const CYCLES: usize = 2;
 /// Expected film over displacement below which sweeps change less: coarse grids do not hold such films, and
 /// larger changes would close them.
 const VERY_THIN: f64 = 0.006;
 /// Share of the mean elastic displacement by which the approach follows a relative load error of one.
 const LOAD_GAIN: f64 = 0.12;
-/// That share is smaller, but not below the first number, where film over displacement is below the second.
+/// Where film over displacement is below the second number that share is lessened in proportion, to the first
+/// number times itself at least.
 const THIN: (f64, f64) = (0.25, 0.02);
 /// Error of the central film with second-order entrainment, times radius over cell size squared.
 const SECOND_ORDER_ERROR: f64 = 5.0;

@@ -36,7 +36,7 @@ impl Workspace {
             self.best_residuals = self.coupled.residuals(problem, state);
             self.best.keep(&self.coupled, state);
         }
-        self.coupled.fluid.set_cavitation(problem.cavitation);
+        self.coupled.fluid.configure(problem);
         if status != Status::Converged && self.best_residuals.is_finite() {
             if status == Status::Diverged {
                 // What was tried last did; before it a state was left.
@@ -58,30 +58,29 @@ impl Workspace {
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
         let attempt = self.settings.on(self.settings.attempt, &problem.grid());
-        let given = Homotopy { film_cutoff: problem.film_cutoff, condition: problem.cavitation };
-        let (attempt, homotopy) = if !cold && self.begins_near(problem, state, given)? {
-            (Attempt { pseudo_transient: STEADY, ..attempt }, given)
+        let homotopy = Homotopy::to(problem);
+        let attempt = if !cold && self.begins_near(problem, state)? {
+            Attempt { pseudo_transient: STEADY, ..attempt }
         } else {
             problem.film_cutoff *= attempt.first_contact_film;
+            problem.cavitation = Cavitation::Reynolds;
             self.start_dry(problem, state, attempt.start_tolerance)?;
-            let homotopy = Homotopy { condition: Cavitation::Reynolds, ..given };
-            self.begin(problem, state, homotopy)?;
-            (attempt, homotopy)
+            self.begin(problem, state)?;
+            attempt
         };
         let status = self.newton(problem, state, stop, attempt, homotopy)?;
         self.work.convolutions += self.coupled.convolutions;
-        problem.film_cutoff = given.film_cutoff;
+        homotopy.end(problem);
         Ok(status)
     }
 
-    /// Begins with the `given` equations from the state as it is; whether that is near.
+    /// Begins from the state as it is; whether that is near.
     fn begins_near(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
-        given: Homotopy,
     ) -> Result<bool, ReynoldsError> {
-        self.begin(problem, state, given)?;
+        self.begin(problem, state)?;
         let near = self.residuals.max() <= self.settings.near_below;
         if !near {
             self.work.convolutions += self.coupled.convolutions;

@@ -101,9 +101,8 @@ impl Workspace {
     ) -> Result<Status, ReynoldsError> {
         self.best_residuals = Residuals::UNKNOWN;
         let following = self.settings.on(self.settings.following, &problem.grid());
-        let there = Homotopy { film_cutoff: problem.film_cutoff, condition: problem.cavitation };
-        self.begin(problem, state, there)?;
-        let status = self.newton(problem, state, stop, following, there)?;
+        self.begin(problem, state)?;
+        let status = self.newton(problem, state, stop, following, Homotopy::to(problem))?;
         self.work.convolutions += self.coupled.convolutions;
         Ok(status)
     }

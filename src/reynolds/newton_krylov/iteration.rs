@@ -10,15 +10,13 @@ use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
 impl Workspace {
-    /// Takes over the problem and evaluates a state of unknown origin under the condition of the `homotopy`.
+    /// Takes over the problem and evaluates a state of unknown origin.
     pub(super) fn begin(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
-        homotopy: Homotopy,
     ) -> Result<(), ReynoldsError> {
         self.coupled.configure(problem);
-        self.coupled.fluid.set_cavitation(homotopy.condition);
         self.coupled.begin(problem, state)?;
         self.residuals = self.coupled.residuals(problem, state);
         Ok(())
@@ -32,7 +30,7 @@ impl Workspace {
         state: &mut ContactState,
         stop: &StoppingRule,
         attempt: Attempt,
-        mut homotopy: Homotopy,
+        homotopy: Homotopy,
     ) -> Result<Status, ReynoldsError> {
         let left = stop.max_iterations.saturating_sub(self.work.iterations);
         let mut globalisation = Globalisation::new(attempt, problem.reference_pressure);
@@ -40,8 +38,9 @@ impl Workspace {
             if !self.residuals.is_finite() {
                 return Ok(Status::Diverged);
             }
-            if homotopy.arrives(problem, self.residuals.max(), &self.settings) {
-                self.coupled.fluid.set_cavitation(homotopy.condition);
+            if homotopy.may_end(problem, self.residuals.max(), &self.settings) {
+                homotopy.end(problem);
+                self.coupled.fluid.configure(problem);
                 self.coupled.refresh(problem, state);
                 self.residuals = self.coupled.residuals(problem, state);
             }
@@ -90,7 +89,6 @@ impl Workspace {
         if is_on {
             homotopy.go_on(problem);
             self.coupled.fluid.configure(problem);
-            self.coupled.fluid.set_cavitation(homotopy.condition);
             // The flow follows below.
             self.coupled.apply_plastic_depth(problem, state);
         }

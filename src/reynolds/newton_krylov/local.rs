@@ -11,6 +11,8 @@ const MAX_STEPS: u32 = 60;
 /// Relative change of the pressure with which the last step of a local solve ends: the error is about its
 /// square.
 const LAST_CHANGE: f64 = 1e-6;
+/// Pressure next to none, from which a search goes up \[Pa\].
+const FIRST_PRESSURE: f64 = 1.0;
 /// Relative distance from the pressure foreseen within which a root is the one foreseen: what linear systems
 /// that are solved well leave.
 const FORESEEN: f64 = 0.01;
@@ -188,11 +190,11 @@ fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
     // Most starts are close to the root: zero is looked at only where steps lead there.
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     let mut v = start;
-    if start <= 1.0 {
+    if start <= FIRST_PRESSURE {
         if value(0.0).0 >= 0.0 {
             return 0.0;
         }
-        (low, v) = (0.0, 1.0);
+        (low, v) = (0.0, FIRST_PRESSURE);
     }
     for step in 0..MAX_STEPS {
         let (f, slope) = value(v);
@@ -219,7 +221,7 @@ fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
         } else if high.is_finite() {
             0.5 * (low.max(0.0) + high)
         } else {
-            2.0 * low.max(0.0) + 1.0
+            2.0 * low.max(0.0) + FIRST_PRESSURE
         };
         if (next - v).abs() <= LAST_CHANGE * v || !next.is_finite() {
             return v;

@@ -52,8 +52,8 @@ use crate::strategy::Strategy;
 ///
 /// A state that carries no pressure, or whose residual is above [`NewtonSettings::near_below`], is started
 /// from the dry contact, which is close to the answer in mixed lubrication: the asperities already carry
-/// their load and the fluid fills what is left. Steps from there are steps in time at first; a contact that
-/// stalls is tried again in shorter ones.
+/// their load and the fluid fills what is left. Steps from there are steps in time at first. A contact that
+/// stalls is solved with thicker contact films, and that solution followed to its own.
 #[derive(Debug)]
 pub struct NewtonKrylov {
     fluid_block: fn(&Grid) -> Box<dyn FluidBlock>,

@@ -46,7 +46,7 @@ pub(super) struct BlockPreconditioner {
     /// Film per unknown of the fluid block.
     response: Vec<f32>,
     /// Square root of the share of a fluid node's pressure that is found from its film.
-    film_share: Vec<f32>,
+    film_weight: Vec<f32>,
     /// Nodes that are not filled and carry on what enters them to a node with a balance.
     linked: Vec<bool>,
     fluid: Vec<f32>,
@@ -70,7 +70,7 @@ impl BlockPreconditioner {
             fluid_block,
             moves: vec![0.0; n],
             response: vec![0.0; n],
-            film_share: vec![0.0; n],
+            film_weight: vec![0.0; n],
             linked: vec![false; n],
             fluid: vec![0.0; n],
             screened: false,
@@ -97,12 +97,12 @@ impl BlockPreconditioner {
         problem: &LubricatedContact<'_>,
     ) -> bool {
         self.screened = coupled.kinds.iter().any(|kind| kind.is_contact());
-        self.film_share.fill(0.0);
+        self.film_weight.fill(0.0);
         if problem.lubricant.is_some() {
             self.find_shares(coupled, unknowns);
         }
         let contact = unknowns.contact().iter().map(|&k| (k, 1.0));
-        let open = unknowns.open().iter().map(|&k| (k, f64::from(self.film_share[k as usize])));
+        let open = unknowns.open().iter().map(|&k| (k, f64::from(self.film_weight[k as usize])));
         self.given.prepare(contact.chain(open.filter(|(_, weight)| *weight > 0.0)));
         if problem.lubricant.is_none() {
             return true;
@@ -155,13 +155,13 @@ impl BlockPreconditioner {
             }
             let ratio = coupled.fluid.flow_ratio(k, coupled.near).max(0.0);
             if ratio < coupling.stiff {
-                (self.moves[k], self.film_share[k]) = (0.0, 1.0);
+                (self.moves[k], self.film_weight[k]) = (0.0, 1.0);
                 continue;
             }
             let widest = if self.screened { self.contact_distance.at(k) } else { WIDEST };
             self.response[k] = ((coupling.width * ratio.sqrt()) as f32).clamp(1.0, widest);
             if ratio < coupling.free {
-                self.film_share[k] = (1.0 + (ratio / coupling.balanced).sqrt()).sqrt().recip() as f32;
+                self.film_weight[k] = (1.0 + (ratio / coupling.balanced).sqrt()).sqrt().recip() as f32;
             }
         }
     }
@@ -228,7 +228,7 @@ impl BlockPreconditioner {
         }
         for k in open.iter().map(|&k| k as usize) {
             films[k] = f64::from(self.response[k] * self.fluid[k]);
-            pressures[k] = f64::from((1.0 - self.film_share[k].powi(2)) * self.fluid[k]);
+            pressures[k] = f64::from((1.0 - self.film_weight[k].powi(2)) * self.fluid[k]);
         }
         at.coupled.convolutions += self.given.solve(at.problem.deformation, self.screened, inverse)?;
         let found = &self.given.pressures;

@@ -8,8 +8,8 @@ use crate::reynolds::problem::LubricatedContact;
 
 /// How [`NewtonKrylov`](super::NewtonKrylov) goes about a contact.
 ///
-/// The defaults are those that every solve of the crate uses. `cargo run --release --example ablation`
-/// switches each off or doubles it in turn and says what that costs.
+/// The defaults are those of every solve by Newton's method; the semi-system takes others. `cargo run --release
+/// --example ablation` switches each off or doubles it in turn and says what that costs.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct NewtonSettings {
@@ -22,7 +22,7 @@ pub struct NewtonSettings {
     /// Ratio of two contact films one after the other below which following has failed; above 1, and from 2 on
     /// nothing of this is done.
     pub least_film_ratio: f64,
-    /// Krylov steps of a linear solve; at least 1.
+    /// Krylov steps of a linear solve; from 1 to 10 000.
     pub krylov_steps: usize,
     /// What takes the place of numbers of the same names on a row.
     pub on_rows: RowSettings,
@@ -74,7 +74,7 @@ pub struct PocketSettings {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct RowSettings {
-    /// Krylov steps of a linear solve; at least 1.
+    /// Krylov steps of a linear solve; from 1 to 10 000.
     pub krylov_steps: usize,
     /// Reduction of the linear residual in each Newton step, as what a linear system leaves in a pocket stays
     /// there; between 0 and 1.
@@ -98,8 +98,8 @@ pub struct Attempt {
     /// the problem; at least 1. Solids that part early let the fluid find its way.
     pub first_contact_film: f64,
     /// Pseudo-transient term of the first step over the entrainment, and its reduction from one step to the
-    /// next; at least 0, between 0 and 1. Steps from the dry contact are steps in time of as many passages of
-    /// a cell as the first goes into one, at first: a pocket fills no faster than the fluid gets there.
+    /// next; at least 0, between 0 and 1. A term `s` makes of a step one in time: as long as the surfaces take
+    /// to pass `1/s` cells, since a pocket fills no faster than the fluid gets there.
     pub pseudo_transient: (f64, f64),
     /// Share of the films by which all nodes together may change them as they leave what the linear step
     /// foresees; above 0. Above it the trust of the next step is smaller.
@@ -116,6 +116,8 @@ pub struct Attempt {
     pub steps_to_halve: u64,
 }
 
+/// The basis of a linear solve holds twice as many vectors.
+const MOST_KRYLOV_STEPS: usize = 10_000;
 /// Cells along a window that has some that are not held.
 const LEAST_SIDE: usize = 8;
 
@@ -128,7 +130,7 @@ const QUICK: Attempt = Attempt {
     first_contact_film: 30.0,
     pseudo_transient: (0.3, 0.85),
     unforeseen: 0.3,
-    start_tolerance: 0.6,
+    start_tolerance: 0.18,
     krylov_tolerance: 0.3,
     growth: 2.0,
     steps_to_halve: 40,
@@ -178,9 +180,9 @@ impl NewtonSettings {
         Attempt { krylov_tolerance, start_tolerance, steps_to_halve, ..attempt }
     }
 
-    /// Those of steps whose fluid equations are relaxed by lines: mostly they take 20 to 60, some that creep
-    /// up to 180. Pockets are left to the lines: between steps that leave them more, they would not rest. By way of
-    /// thicker contact films a tenth more of the scenes of the map converge, in eight times the time.
+    /// Those of steps whose fluid equations are relaxed by lines, `relaxations` in each. Without pockets, which
+    /// do not settle between steps that leave as much of the linear residual, and without thicker contact films,
+    /// which take eight times the time for a tenth more scenes.
     pub(in crate::reynolds) fn by_lines(relaxations: usize) -> Self {
         Self {
             attempt: Attempt { krylov_tolerance: BY_LINES, ..QUICK },
@@ -205,7 +207,7 @@ impl NewtonSettings {
         let count = |field: &str, count: f64| require_count(&format!("newton.{field}"), count);
         let ratio = self.least_film_ratio;
         InputError::require(ratio > 1.0, "newton.least_film_ratio", ratio, "above 1")?;
-        count("krylov_steps", self.krylov_steps as f64)?;
+        require_krylov_steps("newton.krylov_steps", self.krylov_steps)?;
         self.on_rows.validate()?;
         self.attempt.validate("newton.attempt")?;
         self.following.validate("newton.following")?;
@@ -224,7 +226,7 @@ impl Default for RowSettings {
             krylov_steps: 400,
             krylov_tolerance: 1e-6,
             largest_change: 1.0,
-            start_tolerance: 0.06,
+            start_tolerance: 0.018,
             steps_to_halve: 80,
         }
     }
@@ -232,7 +234,7 @@ impl Default for RowSettings {
 
 impl RowSettings {
     fn validate(&self) -> Result<(), InputError> {
-        require_count("newton.on_rows.krylov_steps", self.krylov_steps as f64)?;
+        require_krylov_steps("newton.on_rows.krylov_steps", self.krylov_steps)?;
         require_share("newton.on_rows.krylov_tolerance", self.krylov_tolerance)?;
         InputError::require_positive("newton.on_rows.largest_change", self.largest_change)?;
         InputError::require_positive("newton.on_rows.start_tolerance", self.start_tolerance)?;
@@ -283,6 +285,10 @@ impl Attempt {
 
 fn require_count(field: &str, count: f64) -> Result<(), InputError> {
     InputError::require(count >= 1.0, field, count, "at least 1")
+}
+
+fn require_krylov_steps(field: &str, steps: usize) -> Result<(), InputError> {
+    InputError::require((1..=MOST_KRYLOV_STEPS).contains(&steps), field, steps as f64, "from 1 to 10000")
 }
 
 fn require_share(field: &str, share: f64) -> Result<(), InputError> {

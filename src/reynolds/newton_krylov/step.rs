@@ -9,7 +9,6 @@ use crate::numerics::PreconditionedOperator;
 use crate::report::Residuals;
 use crate::reynolds::ReynoldsError;
 use crate::reynolds::active_set::{Fluid, Solid};
-use crate::reynolds::coupled::limit_of;
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
@@ -110,7 +109,7 @@ impl Workspace {
         for k in 0..state.pressure.len() {
             let kind = coupled.kinds[k];
             let change = unknowns.node(k);
-            let material = Material { contact_film, limit: limit_of(problem, k), own_influence, trust };
+            let material = Material { contact_film, limit: problem.limit_at(k), own_influence, trust };
             let pressure = state.pressure[k] + length * change.pressure;
             let fluid_pressure = state.fluid_pressure[k] + length * change.fluid_pressure;
             let elastic_film = coupled.elastic_film[k] + length * change.elastic_film;

@@ -11,13 +11,14 @@
 //! | | approach | load balance |
 //!
 //! Pressures count in reference pressures, films in deflections of a node under the reference pressure alone;
-//! so all numbers are near one, and single precision will do: a Newton step is solved to a hundredth.
+//! so all numbers are near one, and single precision will do: a Newton step is solved to some tenths, on a row
+//! to the rounding of its numbers.
 
 use super::linearisation::Linearisation;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::active_set::{Fluid, Kind, Solid};
-use crate::reynolds::coupled::{Coupled, UNPADDED, limit_of};
+use crate::reynolds::coupled::{Coupled, UNPADDED};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
@@ -156,7 +157,7 @@ impl Unknowns {
             let pinned = match kind.solid {
                 Solid::Open => [if kind.has_balance() { 0.0 } else { -total }, drop],
                 Solid::Contact => [0.0, drop],
-                Solid::Yielded => [limit_of(problem, k) - total, drop],
+                Solid::Yielded => [problem.limit_at(k) - total, drop],
             };
             if pinned.iter().any(|change| change.abs() > 0.0) {
                 self.pinned.push((k as u32, pinned));
@@ -339,7 +340,7 @@ impl Unknowns {
         f64::from(x[self.len() - 1]) * self.film_unit
     }
 
-    /// Changes of node `k` at the last [`Unknowns::residual`].
+    /// Changes of node `k` at the last [`Unknowns::change`].
     pub(super) fn node(&self, k: usize) -> NodeChange {
         NodeChange {
             pressure: self.pressure[k],

@@ -8,7 +8,7 @@ use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::numerics::{GridLu, STENCIL};
 use crate::reynolds::active_set::{Fluid, Kind, Solid};
-use crate::reynolds::coupled::{Coupled, limit_of};
+use crate::reynolds::coupled::Coupled;
 use crate::reynolds::flow::{Discretisation, MARGIN, NearField};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
@@ -213,7 +213,7 @@ impl Window {
             let own_change = if kind.solid == Solid::Open { [change, film_change] } else { [0.0; 2] };
             let material = Material {
                 contact_film: problem.contact_film(),
-                limit: limit_of(problem, self.whole_index(q)),
+                limit: problem.limit_at(self.whole_index(q)),
                 own_influence: own,
                 trust,
             };

@@ -31,8 +31,7 @@ pub(super) struct LineRelaxation {
     nx: usize,
     /// Right-hand side.
     rhs: Vec<f32>,
-    /// One over the pivot of each node, and by how much of the change of the node to the east its own is
-    /// less.
+    /// One over the pivot of each node.
     pivot: Vec<f32>,
     /// Entry to the east over the pivot.
     above: Vec<f32>,

@@ -7,9 +7,10 @@
 //! of what the load error asks for.
 
 use crate::grid::Grid;
+use crate::numerics::solve_tridiagonal;
 use crate::report::{Residuals, Status, Work};
 use crate::reynolds::active_set::Fluid;
-use crate::reynolds::coupled::{Coupled, limit_of, reaches_limit};
+use crate::reynolds::coupled::{Coupled, reaches_limit};
 use crate::reynolds::dry::hertzian;
 use crate::reynolds::problem::{LubricatedContact, inner_rows};
 use crate::reynolds::state::ContactState;
@@ -19,7 +20,10 @@ use crate::reynolds::{ReynoldsError, StoppingRule};
 const LOAD_GAIN: f64 = 0.01;
 /// Pressure of a cavitating node, in reference pressures, below which it is zero.
 const NEGLIGIBLE_PRESSURE: f64 = 1e-12;
-/// A solve whose best residual did not fall by a tenth over this many sweeps has stalled.
+/// Largest relative load error that the approach follows.
+const LARGEST_LOAD_ERROR: f64 = 0.1;
+/// A solve whose best residual did not fall to this share of itself over so many sweeps has stalled.
+const PROGRESS: f64 = 0.9;
 const STALL_SWEEPS: u64 = 5_000;
 
 /// What decides whether sweeps converge.
@@ -123,7 +127,7 @@ impl Sweeps {
             if residuals.max() <= stop.tolerance {
                 return Ok((Status::Converged, residuals));
             }
-            if best.max() < 0.9 * mark.0 {
+            if best.max() < PROGRESS * mark.0 {
                 mark = (best.max(), sweep);
             } else if sweep > mark.1 + STALL_SWEEPS {
                 status = Status::Stalled;
@@ -138,8 +142,10 @@ impl Sweeps {
             self.balance_load(problem, state);
             self.coupled.evaluate(problem, state)?;
         }
-        state.clone_from(&self.best);
-        self.coupled.evaluate(problem, state)?;
+        if best.is_finite() {
+            state.clone_from(&self.best);
+            self.coupled.evaluate(problem, state)?;
+        }
         Ok((status, best))
     }
 
@@ -185,7 +191,7 @@ impl Sweeps {
         let grid = self.coupled.fluid.grid;
         for j in inner_rows(&grid) {
             self.assemble_line(problem, state, j, damping.stiffness);
-            self.solve_line();
+            solve_tridiagonal(&self.below, &self.diagonal, &mut self.above, &mut self.rhs);
             self.update_line(problem, state, j, damping.relaxation);
         }
         for k in 0..grid.len() {
@@ -219,7 +225,7 @@ impl Sweeps {
                 continue;
             }
             let balance = self.coupled.fluid.balance(k, previous);
-            let limit = limit_of(problem, k);
+            let limit = problem.limit_at(k);
             if balance < 0.0 && reaches_limit(state.fluid_pressure[k], limit) {
                 // Pinned as well: it would push harder.
                 let change = limit - state.fluid_pressure[k];
@@ -229,20 +235,6 @@ impl Sweeps {
             let (below, diagonal, above) = self.coupled.fluid.line_row(k, self.coupled.near, stiffness);
             (self.below[i], self.diagonal[i], self.above[i], self.rhs[i]) =
                 (below, diagonal, above, -balance);
-        }
-    }
-
-    /// Thomas algorithm; the change ends up in `rhs`.
-    fn solve_line(&mut self) {
-        let n = self.rhs.len();
-        for i in 1..n {
-            let factor = self.below[i] / self.diagonal[i - 1];
-            self.diagonal[i] -= factor * self.above[i - 1];
-            self.rhs[i] -= factor * self.rhs[i - 1];
-        }
-        self.rhs[n - 1] /= self.diagonal[n - 1];
-        for i in (0..n - 1).rev() {
-            self.rhs[i] = (self.rhs[i] - self.above[i] * self.rhs[i + 1]) / self.diagonal[i];
         }
     }
 
@@ -257,7 +249,7 @@ impl Sweeps {
         let nx = self.coupled.fluid.grid.nx();
         for i in 1..nx - 1 {
             let k = j * nx + i;
-            let limit = limit_of(problem, k);
+            let limit = problem.limit_at(k);
             let wanted = (state.fluid_pressure[k] + self.rhs[i]).clamp(0.0, limit);
             let mut fluid = state.fluid_pressure[k] + relaxation * (wanted - state.fluid_pressure[k]);
             if wanted == 0.0 && fluid < NEGLIGIBLE_PRESSURE * problem.reference_pressure {
@@ -282,7 +274,8 @@ impl Sweeps {
             weight += p;
         }
         if weight > 0.0 {
-            state.approach += LOAD_GAIN * residual.clamp(-0.1, 0.1) * sum / weight;
+            state.approach +=
+                LOAD_GAIN * residual.clamp(-LARGEST_LOAD_ERROR, LARGEST_LOAD_ERROR) * sum / weight;
         }
     }
 }

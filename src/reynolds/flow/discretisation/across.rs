@@ -22,18 +22,14 @@ impl Discretisation {
         let Some(mut spin) = self.spin.take() else { return };
         for i in 1..self.grid.nx() - 1 {
             for k in spin.downstream(i, inner_rows(&self.grid)).filter(|k| pressure[*k] <= 0.0) {
-                let [enters, leaves] = spin.through(k);
-                let mass = self.masses[k];
-                let full = spin.wedge(k) * self.carried[k];
-                let whole = full + leaves + self.squeeze * mass;
-                let kept = previous.map_or(0.0, |previous| self.squeeze * previous[k]);
-                let inflow = spin.wedge(k) * self.carried[k - 1] + enters + kept - self.pressure_outflow(k);
-                if whole > 0.0 && inflow < whole {
-                    self.content[k] = (inflow / whole).max(0.0);
-                    self.carried[k] *= self.content[k];
-                    let per_inflow = 1.0 / (whole + self.pseudo_transient * mass);
-                    self.passed[k] = full * per_inflow;
-                    spin.fill(k, self.content[k], leaves * per_inflow);
+                let ([enters, leaves], wedge) = (spin.through(k), spin.wedge(k));
+                let full = wedge * self.carried[k];
+                let through = [wedge * self.carried[k - 1] + enters, full + leaves];
+                if let Some((content, taken)) = self.content_of(k, through, previous) {
+                    self.content[k] = content;
+                    self.carried[k] *= content;
+                    self.passed[k] = full / taken;
+                    spin.fill(k, content, leaves / taken);
                 }
             }
         }

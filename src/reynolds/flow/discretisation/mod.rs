@@ -363,14 +363,29 @@ impl Discretisation {
     /// Fills the gap of node `k`, which has no pressure, by what enters it; upstream nodes come first.
     fn fill(&mut self, k: usize, previous: Option<&[f64]>) {
         let full = self.wedge * self.carried[k];
-        let whole = full + self.squeeze * self.masses[k];
-        let kept = previous.map_or(0.0, |previous| self.squeeze * previous[k]);
-        let content = (self.wedge * self.carried[k - 1] + kept - self.pressure_outflow(k)) / whole;
-        if whole > 0.0 && content < 1.0 {
-            self.content[k] = content.max(0.0);
-            self.carried[k] *= self.content[k];
-            self.passed[k] = full / (whole + self.pseudo_transient * self.masses[k]);
+        if let Some((content, taken)) = self.content_of(k, [self.wedge * self.carried[k - 1], full], previous)
+        {
+            self.content[k] = content;
+            self.carried[k] *= content;
+            self.passed[k] = full / taken;
         }
+    }
+
+    /// The content of node `k`, which has no pressure, where it is not filled, and what it takes of a change of
+    /// its inflow to fill it; `[enters, leaves]` is what is carried into it, and out of it with its own gap
+    /// filled.
+    fn content_of(
+        &self,
+        k: usize,
+        [enters, leaves]: [f64; 2],
+        previous: Option<&[f64]>,
+    ) -> Option<(f64, f64)> {
+        let mass = self.masses[k];
+        let whole = leaves + self.squeeze * mass;
+        let kept = previous.map_or(0.0, |previous| self.squeeze * previous[k]);
+        let content = (enters + kept - self.pressure_outflow(k)) / whole;
+        let taken = whole + self.pseudo_transient * mass;
+        (whole > 0.0 && content < 1.0).then_some((content.max(0.0), taken))
     }
 
     /// Flow by pressure out of node `k`.
