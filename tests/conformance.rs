@@ -255,6 +255,40 @@ impl FilmGrowthLaw for Broken {
     }
 }
 
+/// Another law for fields than for nodes.
+#[derive(Debug)]
+struct Apart;
+
+impl FilmGrowthLaw for Apart {
+    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+        if at.in_contact { 1e-3 * (100e-9 - thickness) } else { 0.0 }
+    }
+    fn maximum_thickness(&self) -> f64 {
+        100e-9
+    }
+    fn advance_all(&self, _: &[RubbingPoint], _: f64, states: &mut [f64]) {
+        states.fill(50e-9);
+    }
+}
+
+impl WearLaw for Apart {
+    fn depth_rate(&self, at: &RubbingPoint, _film: f64) -> f64 {
+        1e-20 * at.pressure * at.sliding_speed
+    }
+    fn depth_rates(&self, _: &[RubbingPoint], _: &[f64], rates: &mut [f64]) {
+        rates.fill(1e-12);
+    }
+}
+
+impl BoundaryFriction for Apart {
+    fn coefficient(&self, _: f64, _: f64, _: [f64; 2]) -> f64 {
+        0.1
+    }
+    fn coefficients(&self, _: &[f64], _: f64, _: [&[f64]; 2], coefficients: &mut [f64]) {
+        coefficients.fill(0.2);
+    }
+}
+
 #[derive(Debug)]
 struct Softening;
 
@@ -316,6 +350,9 @@ fn broken_contracts_are_found() {
     roughness_motion(&Straying(Visits::Patch)).unwrap();
     assert!(plasticity_model(&Softening).unwrap_err().clause.contains("do not fall"));
     assert!(wear_law(&Healing).unwrap_err().clause.contains("never negative"));
+    assert_eq!(film_growth_law(&Apart).unwrap_err().clause, "fields go as their nodes do");
+    assert_eq!(wear_law(&Apart).unwrap_err().clause, "fields have the rates of their nodes");
+    assert_eq!(boundary_friction(&Apart).unwrap_err().clause, "fields have the coefficients of their nodes");
     assert!(viscosity_law(&Thinning).unwrap_err().clause.contains("does not fall"));
     assert!(density_law(&WrongSlope).unwrap_err().clause.contains("derivative"));
     // A dry solver cannot do a lubricated contact, and the check says so instead of passing.

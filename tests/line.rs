@@ -1,5 +1,6 @@
 //! Line contacts: kernel, dry contact, lubricated film.
 
+use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 use stribeck::analytic::{HertzLine, LineFilmConditions, strip_displacement, strip_potential};
@@ -7,6 +8,7 @@ use stribeck::elastic::{DeformationModel, LineHalfSpace};
 use stribeck::sim::scene::{Flash, GridSpec, PlasticSpec, Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, Moes, Scene, StepRecord, solve_contact};
 use stribeck::surface::Form;
+use stribeck::tribochem::{ThermalBody, estimate_rise_under_flux};
 use stribeck::{Grid, SolverId, Status};
 
 const RADIUS: f64 = 10e-3;
@@ -202,6 +204,12 @@ fn a_history_runs_on_a_row() {
     scene.solver.kind = SolverKind::Dry;
     scene.grid = GridSpec::Row { nx: 256, x: [-0.25e-3, 0.25e-3] };
     let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
+    // The mean pressure of a line contact is pi/4 of the largest one.
+    let (hertz, [ball, disc]) = (sim.hertz(), sim.conditions().motion.surface_speeds());
+    let flux = sim.scene().friction.boundary_coefficient * PI / 4.0 * hertz.pressure * (ball - disc).abs();
+    let steel = [ThermalBody::STEEL; 2];
+    let estimate = estimate_rise_under_flux(steel, [ball, disc], flux, hertz.half_width_x).unwrap();
+    assert!((sim.flash_estimate() / estimate - 1.0).abs() < 1e-9, "{} K", sim.flash_estimate());
     let mut records = Vec::new();
     sim.run(3, 60.0, &mut |_: &MixedLubricationSim, record: &StepRecord| {
         records.push(record.clone());

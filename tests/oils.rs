@@ -307,6 +307,8 @@ fn scene_files_name_laws_and_what_is_wrong_with_them() {
     let oil = |keys: &str| format!("{head}[lubricant]\neta0 = 0.04\nroelands_z = 0.6\n{keys}");
     for (text, parts) in [
         (format!("{head}[lubricant]\neta0 = 0.04\n{law}"), ["`eta0`", "viscosity"]),
+        (format!("{head}[lubricant]\ndensity_b = 0.0\n{law}"), ["`density_b`", "Tait"]),
+        (format!("{head}[lubricant]\nroelands_p0 = 2e8\n{law}"), ["`roelands_p0`", "viscosity"]),
         (format!("{head}[lubricant]\neta0 = 0.04\n"), ["roelands_z", "lubricant"]),
         (format!("{head}{}", law.replace("doolittle_tait", "surprise")), ["surprise", "improved_yasutomi"]),
         (format!("{head}{}", law.replace("r0 = 0.65", "r0 = 1.5")), ["lubricant.viscosity.r0", "1.5"]),

@@ -105,6 +105,8 @@ fn a_hardening_contact_meets_its_law_and_then_stays_elastic() {
     assert!(hard_first.plastic.volume > 0.0);
     assert!(hard_first.plastic.volume < 0.9 * soft_first.plastic.volume, "{hard_first:?} {soft_first:?}");
     assert!(hard_first.pressure.max > 1.02 * hardness, "{}", hard_first.pressure.max);
+    let yielded = hard.state().plastic_depth.iter().filter(|depth| **depth > 1e-12).count();
+    assert!(hard_first.contact.plastic_area > 0.99 * yielded as f64 * hard.grid().cell_area());
     let [ball, disc] = hard.bodies();
     for k in 0..hard.grid().len() {
         let depth = ball.plastic_depth()[k];

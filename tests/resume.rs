@@ -122,10 +122,13 @@ fn files_that_do_not_fit_are_refused() {
     };
     assert!(matches!(refuse(b""), CheckpointError::Foreign { .. }));
     assert!(matches!(refuse(b"step,time_s\n1,2\n"), CheckpointError::Foreign { .. }));
-    let mut newer = good.clone();
-    newer[20] = 7;
-    let error = refuse(&newer);
-    assert!(matches!(error, CheckpointError::Newer { found: 7, known: 6, .. }), "{error}");
+    let mut other_format = good.clone();
+    other_format[20] = 8;
+    let error = refuse(&other_format);
+    assert!(matches!(error, CheckpointError::Newer { found: 8, known: 7, .. }), "{error}");
+    other_format[20] = 6;
+    let error = refuse(&other_format);
+    assert!(matches!(error, CheckpointError::Damaged { .. }), "{error}");
     // Cut short anywhere, or a byte changed anywhere.
     for length in [20, 30, 36, 37, good.len() / 2, good.len() - 1] {
         let error = refuse(&good[..length]);
@@ -416,6 +419,22 @@ fn scheduled() -> Scene {
     scene.schedule.bulk_temperature = Some(Schedule::ramps(&[(0.0, 353.0), (300.0, 383.0)]));
     scene.thermal.flash = Flash::On;
     scene
+}
+
+/// What the first contact tells is told of the whole run, and once.
+#[test]
+fn warnings_are_those_of_the_whole_run() {
+    let mut scene = scene();
+    (scene.motion.slide_roll_ratio, scene.friction.limiting_shear_stress) = (1.0, 1e9);
+    let build = || MixedLubricationSim::builder(scene.clone()).build().unwrap();
+    let mut sim = build();
+    let known = sim.warnings().len();
+    sim.step(60.0).unwrap();
+    assert!(sim.warnings().len() > known, "{:?}", sim.warnings());
+    let mut resumed = build();
+    resumed.restore_checkpoint(&sim.checkpoint().unwrap()).unwrap();
+    resumed.step(60.0).unwrap();
+    assert_eq!(resumed.warnings(), sim.warnings());
 }
 
 #[test]

@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
+use stribeck::plastic::ElasticPerfectlyPlastic;
 use stribeck::sim::{
     Conditions, MixedLubricationSim, Scene, Schedule, StepControl, StepRecord, solve_contact,
 };
@@ -76,6 +77,19 @@ fn records_hold_what_holds_at_their_time_and_no_step_crosses_an_entry() {
     let single = solve_contact(&scene).unwrap();
     assert_eq!(first.contact.load_ratio, single.contact.load_ratio);
     assert_eq!((first.film.mean_central, first.load), (single.film.mean_central, 20.0));
+}
+
+/// A contact that is solved between two steps leaves the one of the last step as it was.
+#[test]
+fn a_question_leaves_the_contact_of_the_last_step() {
+    let mut scene = scene();
+    scene.schedule.load = Some(Schedule::steps(&[(0.0, 20.0), (10.0, 40.0)]));
+    let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
+    sim.step(10.0).unwrap();
+    let hertz = sim.hertz();
+    let asked = sim.solve_under(&sim.conditions()).unwrap();
+    assert!(asked.hertz.force > 39.0);
+    assert_eq!(sim.hertz(), hertz);
 }
 
 #[test]
@@ -200,6 +214,9 @@ fn a_later_load_that_does_not_fit_is_refused_as_a_history_alone() {
         assert!(checked == built && checked.contains(reason), "{checked}");
         builder().check_contact().unwrap();
         assert_eq!(solve_contact(&scene).unwrap().state, plain.state);
+        // The hardness of the scene is none where another law takes its place.
+        let hard = ElasticPerfectlyPlastic::uniform(1e15).unwrap();
+        assert_eq!(builder().plasticity(hard).build().is_ok(), reason == "plastic.hardness");
     }
 }
 

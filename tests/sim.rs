@@ -156,6 +156,40 @@ impl ContactSolver for Stubborn {
     }
 }
 
+/// Leaves a state without numbers the second time.
+#[derive(Debug, Clone)]
+struct Stumbling(NewtonKrylov, u32);
+
+impl ContactSolver for Stumbling {
+    fn id(&self) -> SolverId {
+        SolverId::Custom("stumbling")
+    }
+
+    fn solve(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+    ) -> Result<SolveReport, ReynoldsError> {
+        let mut report = self.0.solve(problem, state, stop)?;
+        self.1 += 1;
+        if self.1 == 2 {
+            state.theta.fill(f64::NAN);
+            report.status = Status::Diverged;
+        }
+        Ok(report)
+    }
+}
+
+/// With squeeze a solve starts from the state that it is given.
+#[test]
+fn another_position_is_tried_from_the_last_contact() {
+    let solver = Stumbling(NewtonKrylov::new(), 0);
+    let mut sim = MixedLubricationSim::builder(scene()).solver(solver).with_squeeze().build().unwrap();
+    let records = run(&mut sim, 2, 10.0);
+    assert_eq!((records[0].attempts, records[1].attempts), (1, 2));
+}
+
 /// Says that it has solved what it has not: its pressures carry nine tenths of the load.
 #[derive(Debug, Clone)]
 struct Liar(NewtonKrylov);

@@ -131,6 +131,21 @@ fn a_body_that_does_not_move_stays_in_the_contact() {
     }
 }
 
+/// Nor does it pass by where the roughness is met at random: what lies in the contact is flattened.
+#[test]
+fn a_body_that_does_not_move_is_flattened_where_it_lies() {
+    let mut scene = rough(32, 32);
+    scene.motion.slide_roll_ratio = 2.0;
+    scene.track.motion = TrackMotion::Random;
+    scene.plastic.as_mut().unwrap().hardness = 2e9;
+    let (sim, _) = run(scene, 2, 1.0);
+    let grid = sim.grid();
+    let depths = grid.nodes().zip(sim.bodies()[1].plastic_depth());
+    let flattened: Vec<f64> =
+        depths.filter(|(_, depth)| **depth > 0.0).map(|((x, y), _)| x.hypot(y)).collect();
+    assert!(!flattened.is_empty() && flattened.iter().all(|distance| *distance < 2.5e-4), "{flattened:?}");
+}
+
 #[test]
 fn smooth_bodies_stay_smooth() {
     let (_, record) = run(smooth(32, 32), 720, 10.0);

@@ -175,10 +175,17 @@ fn check_tells_what_to_expect() {
     };
     assert!(modelled("oil") && modelled("plastic limit") && modelled("rough disc"));
     assert!(!modelled("wear") && !modelled("tribofilm") && !modelled("starved inlet"));
+    assert!(modelled("shear of the oil") && !modelled("flow thinning"));
     let report = String::from_utf8(stribeck(&["check", text(&path)]).stdout).unwrap();
-    for words in ["Hertz", "by formula", "lambda", "32 x 32 cells", "there is no [wear]"] {
+    for words in ["Hertz", "by formula", "lambda", "32 x 32 cells", "there is no [wear]", "Newtonian"] {
         assert!(report.contains(words), "no {words} in {report}");
     }
+    let thinned =
+        "[friction]\ncarreau_stress = 5e6\ncarreau_exponent = 0.5\nflow_thinning = \"effective\"\n[motion]\n";
+    let thinned = rough(folder.path(), &[("[motion]\n", thinned)]);
+    let report = String::from_utf8(stribeck(&["check", text(&thinned)]).stdout).unwrap();
+    assert!(report.contains("shear of the oil yes  by Carreau"), "{report}");
+    assert!(report.contains("flow thinning    yes"), "{report}");
     // A scene that picks its mesh, of a line contact.
     let line = stribeck(&["check", text(&repository("examples/scenes/line.toml")), "--json"]);
     assert!(line.status.success() && json_of(&line)["grid"].is_null(), "{line:?}");
@@ -250,7 +257,9 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
 #[test]
 fn the_curve_is_that_of_its_speeds() {
     let folder = tempfile::tempdir().unwrap();
-    let path = rough(folder.path(), &[]);
+    // The ratio of sliding is that of the schedule at the start.
+    let sliding = "[schedule.slide_roll_ratio]\nkind = \"constant\"\nvalue = 0.1\n[motion]\n";
+    let path = rough(folder.path(), &[("[motion]\n", sliding), ("= 0.05 # sliding", "= 0.0 # sliding")]);
     let output = stribeck(&[
         "curve",
         text(&path),
@@ -266,12 +275,14 @@ fn the_curve_is_that_of_its_speeds() {
         text(folder.path()),
     ]);
     assert!(output.status.success(), "{output:?}");
+    assert!(!error_of(&output).contains("without sliding"), "{output:?}");
     let curve = json_of(&output);
     let points = curve["points"].as_array().unwrap();
     assert_eq!(points.len(), 3);
     let mut scene = Scene::load(&path).unwrap();
     scene.motion.entrainment_speed = points[1]["motion"]["entrainment_speed"].as_f64().unwrap();
     assert!((scene.motion.entrainment_speed / 0.2 - 1.0).abs() < 1e-12);
+    assert_eq!(points[1]["motion"]["slide_roll_ratio"], 0.1);
     let solution = solve_contact(&scene).unwrap();
     assert_eq!(points[1]["friction"]["coefficient"], solution.friction.coefficient);
     assert_eq!(points[1]["contact"]["load_ratio"], solution.contact.load_ratio);

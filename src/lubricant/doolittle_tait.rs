@@ -66,7 +66,7 @@ pub struct DoolittleTait {
     temperature: f64,
 }
 
-// What holds in the end of a schedule is no part of what the oil is.
+// Checkpoints compare what `Debug` prints. The contact sets the temperature, which is left out.
 impl fmt::Debug for DoolittleTait {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("DoolittleTait").field("constants", &self.constants).finish_non_exhaustive()

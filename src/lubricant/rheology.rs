@@ -8,7 +8,7 @@ use crate::error::InputError;
 /// a share of the pressure. `g` is the shear rate \[1/s\].
 ///
 /// Mineral oils have Eyring stresses of some 5 to 10 MPa and limiting stresses of 5 to 10 % of the pressure.
-/// Isothermal. Here it decides friction and heat; of the flow by pressure see
+/// Here it decides friction and heat; of the flow by pressure see
 /// [`ShearThinning`](crate::reynolds::ShearThinning).
 ///
 /// Sources: Eyring (1936), Journal of Chemical Physics 4, 283-291; Carreau (1972), Transactions of the
@@ -22,6 +22,8 @@ use crate::error::InputError;
 /// assert!((eyring.shear_stress(100.0, 1e6) - 5e6 * 20.0_f64.asinh()).abs() < 1e-6);
 /// assert!((eyring.shear_stress(1e-3, 1e6) - 1e3).abs() < 1e-3); // thin oil: Newtonian
 /// assert!((newtonian.with_limit(2e7)?.shear_stress(100.0, 1e6) - 2e7).abs() < 1e-6);
+/// let by_pressure = newtonian.with_limit_by_pressure(0.05)?;
+/// assert!((by_pressure.shear_stress_under(1e9, 100.0, 1e6) - 5e7).abs() < 1e-6);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -97,9 +99,15 @@ impl Rheology {
     }
 
     /// Shear stress \[Pa\] of a fluid of `viscosity` \[Pa s\] at `shear_rate` \[1/s\], both not negative,
-    /// whatever its pressure: see [`Rheology::limit`].
+    /// whatever its pressure: a limit that is a share of it is left out, which
+    /// [`shear_stress_under`](Self::shear_stress_under) has.
     pub fn shear_stress(&self, viscosity: f64, shear_rate: f64) -> f64 {
         self.thinning.stress(viscosity * shear_rate).min(self.limit)
+    }
+
+    /// The same under `pressure` \[Pa\], at most its limit there.
+    pub fn shear_stress_under(&self, pressure: f64, viscosity: f64, shear_rate: f64) -> f64 {
+        self.thinning.stress(viscosity * shear_rate).min(self.limit(pressure))
     }
 
     /// The law without its limit.

@@ -35,7 +35,7 @@ pub struct ThermalRoelands {
     current: Roelands,
 }
 
-// What holds in the end of a schedule is no part of what the oil is.
+// Checkpoints compare what `Debug` prints. The contact sets the temperature, which is left out.
 impl fmt::Debug for ThermalRoelands {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("ThermalRoelands")

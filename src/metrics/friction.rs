@@ -10,7 +10,8 @@ use crate::lubricant::Rheology;
 /// `viscosity` \[Pa s\] and `film` \[m\] are fields of one length, `sliding_speed` \[m/s\] is the difference
 /// of the surface speeds (its sign does not matter). Nodes without a film (`film <= 0`) have no viscous
 /// shear: the boundary film carries them. Real lubricants shear at some 5 to 10 % of the pressure at most; a
-/// Newtonian one without a limit is far too stiff in a concentrated contact.
+/// Newtonian one without a limit is far too stiff in a concentrated contact. A limit of `rheology` by the
+/// pressure, which is not known here, is left out: see [`Rheology::shear_stress_under`].
 ///
 /// # Errors
 /// Slices of different lengths, values that are not finite, a negative viscosity.
@@ -29,6 +30,17 @@ pub fn viscous_shear_into(
     rheology: &Rheology,
     shear: &mut [f64],
 ) -> Result<(), InputError> {
+    fill_shear((viscosity, film), sliding_speed, |_, eta, rate| rheology.shear_stress(eta, rate), shear)
+}
+
+/// [`viscous_shear_into`] with the `stress` \[Pa\] of a node by its number, viscosity \[Pa s\] and shear
+/// rate \[1/s\].
+pub(crate) fn fill_shear(
+    (viscosity, film): (&[f64], &[f64]),
+    sliding_speed: f64,
+    stress: impl Fn(usize, f64, f64) -> f64,
+    shear: &mut [f64],
+) -> Result<(), InputError> {
     InputError::require_len("film", film, viscosity.len())?;
     InputError::require_len("shear", shear, viscosity.len())?;
     InputError::require_finite("film", film)?;
@@ -37,8 +49,8 @@ pub fn viscous_shear_into(
         return InputError::require_non_negative("viscosity", bad);
     }
     let speed = sliding_speed.abs();
-    for ((tau, eta), h) in shear.iter_mut().zip(viscosity).zip(film) {
-        *tau = if *h > 0.0 { rheology.shear_stress(*eta, speed / h) } else { 0.0 };
+    for (k, ((tau, eta), h)) in shear.iter_mut().zip(viscosity).zip(film).enumerate() {
+        *tau = if *h > 0.0 { stress(k, *eta, speed / h) } else { 0.0 };
     }
     Ok(())
 }

@@ -37,6 +37,7 @@ pub use correlation::{AreaCorrelation, SpatialParameters};
 pub(crate) use ellipse::Ellipse;
 pub(crate) use film::{CENTRAL, is_central, mean_central_film_in};
 pub use film::{lambda_ratio, mean_central_film, minimum_film, minimum_gap};
+pub(crate) use friction::fill_shear;
 pub use friction::{friction_coefficient, viscous_shear_into};
 pub use histogram::{HeightHistogram, height_histogram};
 pub use hybrid::{HybridParameters, hybrid_parameters};

@@ -94,7 +94,8 @@ impl ContactState {
         }
     }
 
-    /// Checks that every field fits `grid`, and that all are numbers.
+    /// Checks that every field fits `grid` and contents are shares. Pressures that are no numbers are no error:
+    /// solvers begin anew from them.
     ///
     /// # Errors
     /// [`InputError`] naming the field.
@@ -107,9 +108,8 @@ impl ContactState {
             ("state.theta", &self.theta),
             ("state.mass", &self.mass),
         ] {
-            grid.require_field(field, values)?;
+            InputError::require_len(field, values, grid.len())?;
         }
-        InputError::require(self.approach.is_finite(), "state.approach", self.approach, "finite")?;
         if let Some(&theta) = self.theta.iter().find(|c| !(0.0..=1.0).contains(*c)) {
             InputError::require(false, "state.theta", theta, "from 0 to 1")?;
         }

@@ -70,13 +70,14 @@ impl MixedLubricationSim {
 
     /// Whether the flash temperature is modelled.
     pub fn models_flash_temperature(&self) -> bool {
-        self.heat.flash.is_some()
+        self.heat.is_modelled
     }
 
     /// Largest flash temperature rise that the smooth contact would have \[K\] under the conditions at any
     /// entry of the schedule, by which it is modelled or left out unless the scene says which: by boundary
     /// friction under all of the load, or by shear of a fluid film of the thickness that the formulas give,
-    /// whichever is hotter (see [`estimate_rise_under_flux`](crate::tribochem::estimate_rise_under_flux)).
+    /// whichever is hotter (see [`estimate_rise_under_flux`](crate::tribochem::estimate_rise_under_flux)). Of
+    /// ellipses and line contacts it is that of a circle of their mean flux.
     pub fn flash_estimate(&self) -> f64 {
         self.heat.estimate
     }

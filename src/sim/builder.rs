@@ -287,7 +287,8 @@ impl SimBuilder {
         let overrides = std::mem::take(&mut self.overrides);
         let mut contact = ContactModel::new(&self.scene, overrides)?;
         let timetable = Timetable::new(&self.scene)?;
-        validate_loads(&self.scene, &contact.grid, &timetable)?;
+        let plastic = self.scene.plastic.filter(|_| self.plasticity.is_none());
+        validate_loads(&self.scene, plastic, &contact.grid, &timetable)?;
         exposure::validate(&self.scene, &timetable, &contact.grid)?;
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];

@@ -18,6 +18,7 @@ use super::body::Body;
 use super::identity::{CONDITIONS, Identity};
 use super::simulation::MixedLubricationSim;
 use super::squeeze_memory::SqueezeMemory;
+use super::warnings::Warning;
 use super::whole_file;
 use crate::error::InputError;
 use crate::plastic::PlasticDepth;
@@ -31,7 +32,7 @@ const IN_MEMORY: &str = "checkpoint in memory";
 /// What a file starts with.
 const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
 /// Format that this version writes and reads.
-const FORMAT: u32 = 6;
+const FORMAT: u32 = 7;
 /// Bytes before the content.
 const HEADER: usize = 36;
 
@@ -138,6 +139,8 @@ struct Content<'a> {
     draws: u64,
     /// Rises that the film of the next contact starts from \[K\], where it has a temperature of its own.
     film_rises: Option<Cow<'a, [f64]>>,
+    /// What was found unlikely so far.
+    warnings: Cow<'a, [Warning]>,
 }
 
 impl<'a> BodyPart<'a> {
@@ -244,6 +247,7 @@ impl MixedLubricationSim {
             step: self.step,
             draws: self.draws,
             film_rises: self.film_heat.as_ref().map(|heat| heat.start().into()),
+            warnings: Cow::Borrowed(&self.warnings),
         };
         let content = postcard::to_stdvec(&content).map_err(|error| damaged(error.to_string()))?;
         let mut bytes = Vec::with_capacity(HEADER + content.len());
@@ -334,8 +338,17 @@ impl MixedLubricationSim {
         }
         let grid = self.contact.grid;
         let law = self.laws.growth.as_deref();
-        let Content { bodies: [ball, disc], state, squeeze_memory, time, step, draws, film_rises, .. } =
-            content;
+        let Content {
+            bodies: [ball, disc],
+            state,
+            squeeze_memory,
+            time,
+            step,
+            draws,
+            film_rises,
+            warnings,
+            ..
+        } = content;
         let bodies = [ball.into_body(law, grid.len()), disc.into_body(law, grid.len())];
         let [Ok(ball), Ok(disc)] = bodies else {
             let reasons: Vec<String> =
@@ -364,6 +377,13 @@ impl MixedLubricationSim {
                 None => drop(heat.take_start()),
             }
         }
+        // Other conditions may be unlikely on their own.
+        let mut warnings = warnings.into_owned();
+        if !differences.is_empty() {
+            let own = std::mem::take(&mut self.warnings);
+            warnings.extend(own.into_iter().filter(|own| !warnings.contains(own)).collect::<Vec<_>>());
+        }
+        self.warnings = warnings;
         Ok(differences)
     }
 }

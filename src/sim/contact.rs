@@ -2,7 +2,7 @@
 //!
 //! The solver, the elastic bodies and the oil are made once; load, speeds and temperature change from step to
 //! step by [`ContactModel::put_under`]. [`ContactModel::solve`] changes nothing but the state that it is
-//! given and the flow of the box.
+//! given, the flow of the box and the flows through the cells.
 
 use std::sync::atomic::Ordering;
 
@@ -13,7 +13,7 @@ use super::formula::{FormulaFilm, formula_film, stated_film};
 use super::hertz::HertzContact;
 use super::interrupt::{Interrupt, Interruptible};
 use super::owned::{OwnedModel, OwnedSolver};
-use super::scene::{Motion, Scene};
+use super::scene::{Motion, PlasticSpec, Scene};
 use super::solution::ContactSolution;
 use super::timetable::{Conditions, Timetable};
 use super::{SimError, own_laws, setup};
@@ -238,7 +238,7 @@ impl ContactModel {
         }
     }
 
-    /// What [`ContactModel::put_under`] and [`ContactModel::solve`] change.
+    /// What [`ContactModel::put_under`] changes, and the flow of the box, which [`ContactModel::solve`] does.
     pub(super) fn circumstances(&self) -> Circumstances {
         Circumstances {
             hertz: self.hertz,
@@ -252,7 +252,7 @@ impl ContactModel {
         }
     }
 
-    /// Puts back what a step that failed has changed.
+    /// Puts back what another contact has changed.
     pub(super) fn return_to(&mut self, before: Circumstances) {
         self.hertz = before.hertz;
         self.motion = before.motion;
@@ -331,8 +331,10 @@ impl ContactModel {
             (solved, _) => solved,
         };
         let interrupted = heeded.load(Ordering::Relaxed);
+        // A solve that diverged may leave a state without numbers, which has no flow.
+        let is_state = state.validate(&problem.grid()).is_ok();
         let measured = match (&solved, evaluation) {
-            (Ok(_), Some(evaluation)) if !interrupted => match &mut film_flows {
+            (Ok(_), Some(evaluation)) if !interrupted && is_state => match &mut film_flows {
                 Some(flows) => evaluation.film_flows(&problem, state, flows),
                 None => evaluation.flow_balance(&problem, state),
             },
@@ -390,15 +392,21 @@ pub fn solve_contact(scene: &Scene) -> Result<ContactSolution, SimError> {
     SimBuilder::new(scene.clone()).solve()
 }
 
-/// Checks that grid and hardness do for the smallest and the largest load of the schedule.
-pub(super) fn validate_loads(scene: &Scene, grid: &Grid, timetable: &Timetable) -> Result<(), InputError> {
+/// Checks that the grid and the hardness of `plastic`, if any, do for the smallest and the largest load of
+/// the schedule.
+pub(super) fn validate_loads(
+    scene: &Scene,
+    plastic: Option<PlasticSpec>,
+    grid: &Grid,
+    timetable: &Timetable,
+) -> Result<(), InputError> {
     if scene.schedule.load.is_none() {
         return Ok(());
     }
     for load in timetable.loads() {
         let hertz = scene.hertz_under(load)?;
         setup::validate_box(grid, &hertz, scene.form.is_line())?;
-        if let Some(plastic) = scene.plastic {
+        if let Some(plastic) = plastic {
             let [ball, disc] = scene.hardnesses(plastic.hardness);
             setup::validate_hardness(ball.min(disc), grid, &hertz)?;
         }

@@ -95,7 +95,8 @@ pub(super) fn ageing(
 ) -> Result<[Ageing; 2], InputError> {
     let half_chord = hertz.ellipse().half_chord_x();
     let of = |radius: Option<f64>, speed: f64| {
-        let visits = motion.visits(speed);
+        // What is in the contact at rest stays there, whatever the motion says.
+        let visits = if speed == 0.0 { Visits::Stays } else { motion.visits(speed) };
         // How much rarer the contact is met than if it stayed.
         let spread = match visits {
             Visits::Stays => 1.0,

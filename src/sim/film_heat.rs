@@ -32,7 +32,8 @@ const TOLERANCE: f64 = 5e-3;
 const DENSITY_TOLERANCE: f64 = 5e-4;
 /// Halvings of the way from the last contact that converged.
 const MAX_RETREATS: usize = 4;
-/// Share of the way to the new viscosities that is gone in a direction of which nothing is known.
+/// Share of the way to the new temperatures that a turn takes, beyond what the turns before tell of it. The
+/// first turn takes all of the way.
 const STEP: f64 = 0.5;
 
 /// The report of a contact, with the numbers of its film's temperature and that of every node \[K\] where
@@ -220,7 +221,6 @@ impl FilmHeat {
                 (mixing, retreats) = (Mixing::default(), retreats + 1);
             } else {
                 good = Some((state.clone(), self.used.clone()));
-                // Of the first heat nothing but the way is known.
                 let share = if solves == 1 { 1.0 } else { STEP };
                 mixing.advance(&mut self.used, &self.residual, share);
             }

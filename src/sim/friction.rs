@@ -83,10 +83,9 @@ impl FrictionFields {
             Some(lubricant) => {
                 lubricant.viscosity().fill(&state.fluid_pressure, &mut self.viscosity);
                 let (viscosity, film) = (&self.viscosity, &state.film);
-                metrics::viscous_shear_into(viscosity, film, self.sliding, &self.rheology, &mut self.shear)?;
-                for (shear, pressure) in self.shear.iter_mut().zip(&state.fluid_pressure) {
-                    *shear = shear.min(self.rheology.limit(*pressure));
-                }
+                let (rheology, pressure) = (&self.rheology, &state.fluid_pressure);
+                let stress = |k: usize, eta, rate| rheology.shear_stress_under(pressure[k], eta, rate);
+                metrics::fill_shear((viscosity, film), self.sliding, stress, &mut self.shear)?;
             }
         }
         Ok(())
@@ -135,24 +134,24 @@ impl FrictionFields {
     }
 }
 
-/// Mean shear stress \[Pa\] of a fluid that fills a Hertz contact of maximum pressure `p_max` \[Pa\] with a
-/// `film` \[m\] everywhere, at `sliding` \[m/s\]: the mean over the area of the stress under
+/// Mean shear stress \[Pa\] of a fluid that fills a Hertz contact of maximum pressure `p_max` \[Pa\], point
+/// or line, with a `film` \[m\] everywhere, at `sliding` \[m/s\]: the mean over the area of the stress under
 /// `p_max sqrt(1 - r^2/a^2)`.
 pub(super) fn mean_fluid_stress(
     lubricant: &Lubricant,
     rheology: &Rheology,
-    p_max: f64,
+    (p_max, is_line): (f64, bool),
     film: f64,
     sliding: f64,
 ) -> f64 {
     if film <= 0.0 || sliding <= 0.0 {
         return 0.0;
     }
-    // Rings of one area.
-    let stress = |ring: u32| {
-        let pressure = p_max * ((f64::from(ring) + 0.5) / f64::from(MEAN_POINTS)).sqrt();
-        let stress = rheology.shear_stress(lubricant.viscosity().viscosity(pressure), sliding / film);
-        stress.min(rheology.limit(pressure))
+    // Rings or strips of one area.
+    let stress = |part: u32| {
+        let share = (f64::from(part) + 0.5) / f64::from(MEAN_POINTS);
+        let pressure = p_max * if is_line { 1.0 - share * share } else { share }.sqrt();
+        rheology.shear_stress_under(pressure, lubricant.viscosity().viscosity(pressure), sliding / film)
     };
     (0..MEAN_POINTS).map(stress).sum::<f64>() / f64::from(MEAN_POINTS)
 }

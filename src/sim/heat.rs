@@ -8,7 +8,7 @@
 //! asks for it.
 
 use super::contact::ContactModel;
-use super::film_heat::FilmHeat;
+use super::film_heat::{self, FilmHeat};
 use super::formula::formula_film;
 use super::friction::{FrictionFields, mean_fluid_stress};
 use super::laws::Laws;
@@ -24,8 +24,10 @@ const NEGLIGIBLE_RISE: f64 = 1.0;
 /// The heat pass.
 #[derive(Debug, Clone)]
 pub(super) struct Heat {
-    /// None where it is left out.
-    pub(super) flash: Option<FlashTemperature>,
+    /// Whether the rises are modelled.
+    pub(super) is_modelled: bool,
+    /// What finds them; none where they are not modelled and where those of the film take their place.
+    flash: Option<FlashTemperature>,
     /// Estimate of the largest rise under the conditions at the entries of the schedule \[K\].
     pub(super) estimate: f64,
     /// Conductivity and diffusivity of ball and disc.
@@ -52,15 +54,16 @@ impl Heat {
         for conditions in timetable.entries() {
             estimate = estimate.max(estimated_rise(scene, contact, &conditions, laws)?);
         }
-        let wanted = match scene.thermal.flash {
+        let is_modelled = match scene.thermal.flash {
             Flash::On => true,
             Flash::Off => false,
             Flash::Auto => estimate >= NEGLIGIBLE_RISE,
         };
         let speeds = timetable.at(0.0).motion.surface_speeds();
-        let flash = if wanted { Some(FlashTemperature::new(&contact.grid, bodies, speeds)?) } else { None };
+        let needed = is_modelled && !film_heat::is_asked(scene);
+        let flash = if needed { Some(FlashTemperature::new(&contact.grid, bodies, speeds)?) } else { None };
         let zeros = || vec![0.0; contact.grid.len()];
-        Ok(Self { flash, estimate, bodies, speeds, sources: zeros(), rises: [zeros(), zeros()] })
+        Ok(Self { is_modelled, flash, estimate, bodies, speeds, sources: zeros(), rises: [zeros(), zeros()] })
     }
 
     /// Rises of the surfaces under the heat of `friction`, those of a film with a temperature of its own where
@@ -70,13 +73,13 @@ impl Heat {
         friction: &FrictionFields,
         film: Option<&FilmHeat>,
     ) -> Result<Option<f64>, InputError> {
-        let Some(flash) = &mut self.flash else { return Ok(None) };
-        if let Some(film) = film {
+        if let (Some(film), true) = (film, self.is_modelled) {
             for (rises, found) in self.rises.iter_mut().zip(film.surface_rises()) {
                 rises.copy_from_slice(found);
             }
             return Ok(Some(self.rises.iter().flatten().fold(0.0, |most, rise| rise.max(most))));
         }
+        let Some(flash) = &mut self.flash else { return Ok(None) };
         for (k, source) in self.sources.iter_mut().enumerate() {
             *source = friction.heat(k);
         }
@@ -105,7 +108,8 @@ impl Heat {
 }
 
 /// Largest rise \[K\] of the smooth contact, all of its load on solids or all of it on a fluid film of the
-/// thickness that the formulas give, whichever is hotter.
+/// thickness that the formulas give, whichever is hotter: that of a circle under the mean flux, whose radius
+/// is the geometric mean of the half-widths, or the half-width of a line contact.
 fn estimated_rise(
     scene: &Scene,
     contact: &ContactModel,
@@ -113,20 +117,21 @@ fn estimated_rise(
     laws: &Laws,
 ) -> Result<f64, InputError> {
     let hertz = contact.hertz_under(scene, conditions.load)?;
-    let (motion, mean) = (conditions.motion, 2.0 / 3.0 * hertz.pressure);
+    let (motion, mean) = (conditions.motion, hertz.force / hertz.area);
     let (sliding, speeds) = (motion.sliding_speed(), motion.surface_speeds());
     let full = laws.growth.as_ref().map_or(0.0, |law| law.maximum_thickness());
     // Bare or covered.
     let coefficient = [0.0, full].map(|film| laws.friction.coefficient(mean, sliding, [film; 2]));
     let coefficient = coefficient[0].max(coefficient[1]);
     InputError::require_non_negative("boundary friction of the law", coefficient)?;
-    let mut flux = coefficient * 2.0 / 3.0 * hertz.pressure * (speeds[0] - speeds[1]).abs();
+    let mut flux = coefficient * mean * sliding;
     if let Some(lubricant) = &contact.lubricant {
         let law = Some(lubricant.viscosity());
         let film = formula_film(scene, &hertz, motion.entrainment_speed, law, None)?;
         let film = film.map_or(0.0, |film| film.central);
         let rheology = scene.friction.rheology()?;
-        let stress = mean_fluid_stress(lubricant, &rheology, hertz.pressure, film, sliding);
+        let is_line = scene.form.is_line();
+        let stress = mean_fluid_stress(lubricant, &rheology, (hertz.pressure, is_line), film, sliding);
         flux = flux.max(stress * sliding);
     }
     estimate_rise_under_flux(scene.thermal_bodies(), speeds, flux, hertz.radius)

@@ -26,6 +26,7 @@ fn averaged() -> impl Iterator<Item = &'static Column> {
 /// let records = [sim.step(10.0)?, sim.step(10.0)?];
 /// records.iter().for_each(|record| means.see(record));
 /// assert_eq!(means.mean("contact", "load_ratio"), Some(records[1].contact.load_ratio));
+/// assert_eq!(HistoryMeans::new(2).mean("contact", "load_ratio"), None); // nothing was seen
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -67,10 +68,11 @@ impl HistoryMeans {
         self.named().find(|(column, _)| column.path() == Some((table, key))).map(|(_, mean)| mean)
     }
 
-    /// Columns with their means, but for those that a step has left empty; zero before any step counts.
+    /// Columns with their means, but for those that a step has left empty; none before any step counts.
     fn named(&self) -> impl Iterator<Item = (&'static Column, f64)> {
-        let count = self.count.max(1) as f64;
-        averaged().zip(&self.sums).filter_map(move |(column, sum)| Some((column, (*sum)? / count)))
+        let count = self.count;
+        let counted = averaged().zip(&self.sums).filter(move |_| count > 0);
+        counted.filter_map(move |(column, sum)| Some((column, (*sum)? / count as f64)))
     }
 }
 

@@ -20,9 +20,9 @@ use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRu
 #[cfg(feature = "formats")]
 use crate::surface::rescale;
 
-/// Memory of a lubricated and of a dry contact per node.
+/// Memory of a lubricated contact per node \[byte\].
 const LUBRICATED_BYTES: usize = 2000;
-/// Of a dry one.
+/// Memory of a dry contact per node \[byte\].
 const DRY_BYTES: usize = 400;
 /// Largest film at which solids touch, over the smallest radius of the form.
 const LARGEST_CUTOFF: f64 = 1e-3;

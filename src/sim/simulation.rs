@@ -167,7 +167,7 @@ impl MixedLubricationSim {
     /// Takes one step of `time_step` \[s\] under the conditions that hold at its start.
     ///
     /// # Errors
-    /// A time step that is negative or not finite; a contact that did not converge at any tried position of
+    /// A time step that is not finite and positive; a contact that did not converge at any tried position of
     /// the roughness; a law that returned a value that is not finite; an
     /// [interrupt](super::SimBuilder::interrupt). Everything is then as before, so that another step of this
     /// length fails again.
@@ -294,7 +294,11 @@ impl MixedLubricationSim {
                 Err(source) if attempt >= MAX_ATTEMPTS || self.offsets()? == offsets => {
                     return Err(SimError::NotConverged { step: self.step, attempts: attempt, source });
                 }
-                Err(_) => attempt += 1,
+                // With squeeze a solve starts from the state: from the last one that converged.
+                Err(_) => {
+                    self.state.clone_from(&self.before);
+                    attempt += 1;
+                }
             }
         }
     }

@@ -14,9 +14,9 @@ const LONGEST: f64 = 2.0;
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct SqueezeMemory {
-    /// `rho/rho_0 h` \[m\].
+    /// `theta rho/rho_0 h` of every cell \[m\].
     masses: [Vec<f64>; 2],
-    /// \[s\]
+    /// Lengths of the steps after these contacts \[s\].
     steps: [f64; 2],
 }
 

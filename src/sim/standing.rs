@@ -35,6 +35,7 @@ impl MixedLubricationSim {
         conditions.validate(self.scene.is_lubricated())?;
         let hertz = self.contact.hertz_under(&self.scene, conditions.load)?;
         setup::validate_box(&self.contact.grid, &hertz, self.scene.form.is_line())?;
+        let circumstances = self.contact.circumstances();
         let state = std::mem::replace(&mut self.state, ContactState::new(&self.contact.grid));
         let squeeze = std::mem::take(&mut self.travel.squeeze);
         let start = self.contact_start.take();
@@ -46,7 +47,7 @@ impl MixedLubricationSim {
         self.travel.squeeze = squeeze;
         self.contact_start = start;
         self.state = state;
-        self.contact.put_under(&self.scene, &self.conditions())?;
+        self.contact.return_to(circumstances);
         solved
     }
 

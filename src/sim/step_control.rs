@@ -18,7 +18,8 @@ pub struct StepControl {
     /// Longest step \[s\].
     pub longest: f64,
     /// Largest change of wear or tribofilm of any node of either body in a step \[m\]; infinite: no bound.
-    /// Plastic depth does not count, it does not depend on the length of the step.
+    /// Plastic depth does not count: it depends on the length of the step only where less than one passage of
+    /// a point falls to it.
     pub depth: f64,
 }
 

@@ -31,7 +31,9 @@ pub(super) struct Yielding {
     pub(super) limit: Vec<f64>,
     /// Limits of ball and disc at the start \[Pa\].
     body_limits: [Vec<f64>; 2],
-    /// Limits of the bodies once they have given way \[Pa\].
+    /// Plastic depths of the bodies once they have given way \[m\].
+    hardened_depths: [Vec<f64>; 2],
+    /// Their limits then \[Pa\].
     hardened: [Vec<f64>; 2],
     /// What each body gives way \[m\].
     pub(super) split: [Vec<f64>; 2],
@@ -42,12 +44,12 @@ impl Yielding {
     pub(super) fn new(n: usize) -> Self {
         let zeros = || vec![0.0; n];
         let pair = || [zeros(), zeros()];
-        Self { limit: zeros(), body_limits: pair(), hardened: pair(), split: pair() }
+        Self { limit: zeros(), body_limits: pair(), hardened_depths: pair(), hardened: pair(), split: pair() }
     }
 
     /// Solves the contact of the bodies as they are placed under the pressure limit of their `models`. Limits
     /// that rise with the depth are moved and the contact is solved again until both belong together; where
-    /// they do not, the status is that of too many iterations.
+    /// they do not, the status is that of too many iterations. The limit is then the one of the last solve.
     pub(super) fn solve(
         &mut self,
         models: &PerBody<dyn PlasticityModel>,
@@ -64,10 +66,11 @@ impl Yielding {
         }
         let compliance = PATCH_COMPLIANCE * contact.deformation.influence(0, 0);
         for _ in 0..MAX_HARDENING {
-            let distance = self.harden(models, films, depths, &state.plastic_depth, compliance);
+            let distance = self.harden(models, films, depths, &state.plastic_depth);
             if report.status != Status::Converged || distance <= HARDENING_TOLERANCE {
                 return Ok(report);
             }
+            self.move_limit(&state.plastic_depth, compliance);
             let before = report;
             report = contact.solve(gap, Some(&self.limit), squeeze, state)?.preceded_by(before);
         }
@@ -97,37 +100,40 @@ impl Yielding {
         model.contact_limit_into([first, second], [above, below], &mut self.limit)
     }
 
-    /// Moves the limit towards that of the bodies once they have given way by `plastic` \[m\], and returns
-    /// the largest distance from it, relative. A limit that rises by dH lets the node give way by some
-    /// `compliance` dH \[m\] less, which the length of the move allows for.
+    /// Finds the limits of the bodies once they have given way by `plastic` \[m\], and returns the largest
+    /// distance of the limit from the smaller one, relative.
     fn harden(
         &mut self,
         models: &PerBody<dyn PlasticityModel>,
         films: &[Vec<f64>; 2],
         depths: &[Vec<f64>; 2],
         plastic: &[f64],
-        compliance: f64,
     ) -> f64 {
-        let mut largest = 0.0_f64;
         for k in 0..plastic.len() {
             let split = split_depth(plastic[k], [self.body_limits[0][k], self.body_limits[1][k]]);
             for body in 0..2 {
-                self.split[body][k] = depths[body][k] + split[body];
+                self.hardened_depths[body][k] = depths[body][k] + split[body];
             }
         }
         for (body, model) in models.each().into_iter().enumerate() {
-            model.pressure_limits(&films[body], &self.split[body], &mut self.hardened[body]);
+            model.pressure_limits(&films[body], &self.hardened_depths[body], &mut self.hardened[body]);
         }
+        let bodies = self.hardened[0].iter().zip(&self.hardened[1]);
+        self.limit.iter().zip(bodies).fold(0.0, |largest, (limit, (first, second))| {
+            largest.max((first.min(*second) - limit).abs() / limit)
+        })
+    }
+
+    /// Moves the limit towards that of the bodies once they have given way by `plastic` \[m\]. A limit that
+    /// rises by dH lets the node give way by some `compliance` dH \[m\] less, which the length of the move
+    /// allows for.
+    fn move_limit(&mut self, plastic: &[f64], compliance: f64) {
         for (k, limit) in self.limit.iter_mut().enumerate() {
             let softer = self.body_limits[0][k].min(self.body_limits[1][k]);
-            let (first, second) = (self.hardened[0][k], self.hardened[1][k]);
-            let distance = first.min(second) - *limit;
-            largest = largest.max(distance.abs() / *limit);
-            let slope =
-                if plastic[k] > 0.0 { (first.min(second) - softer).max(0.0) / plastic[k] } else { 0.0 };
-            *limit += distance / (1.0 + slope * compliance);
+            let hardened = self.hardened[0][k].min(self.hardened[1][k]);
+            let slope = if plastic[k] > 0.0 { (hardened - softer).max(0.0) / plastic[k] } else { 0.0 };
+            *limit += (hardened - *limit) / (1.0 + slope * compliance);
         }
-        largest
     }
 
     /// Splits `plastic` \[m\] between the bodies by their limits at the start.

@@ -9,6 +9,8 @@
 //! | [`Carried`] | where its speed has taken it, between nodes too |
 //! | [`AlongTrack`] | anywhere along x |
 //! | [`RandomShift`] | anywhere along x and y |
+//!
+//! With the speed zero all of them leave a body where it is.
 
 use std::fmt::Debug;
 
@@ -67,6 +69,7 @@ pub trait RoughnessMotion: Debug + Send + Sync {
 /// assert_eq!((Carried.visits(0.1), Carried.visits(0.0)), (Visits::Passing, Visits::Stays));
 /// assert_eq!(AlongTrack { seed: 1 }.visits(0.1), Visits::Track);
 /// assert_eq!(RandomShift { seed: 1 }.visits(0.1), Visits::Patch);
+/// assert_eq!(RandomShift { seed: 1 }.visits(0.0), Visits::Stays);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
@@ -171,16 +174,17 @@ impl RoughnessMotion for AlongTrack {
 }
 
 /// Each pattern stands at a new random place at each solve, a whole number of nodes from its origin along and
-/// across: no groove forms. The solve 0 has both patterns at their origins.
+/// across: no groove forms. The solve 0 has both patterns at their origins, and a body at rest stays there.
 ///
 /// ```
 /// use stribeck::Grid;
-/// use stribeck::surface::{RandomShift, RoughnessMotion};
+/// use stribeck::surface::{Offset, RandomShift, RoughnessMotion};
 /// let grid = Grid::centred(128, 128, 1e-6, 1e-6)?;
 /// let motion = RandomShift { seed: 3 };
 /// let offset = motion.offset(0, 17, 0.0, 0.1, &grid);
 /// assert_eq!(offset, motion.offset(0, 17, 5.0, 0.2, &grid));
 /// assert!(offset.columns < 128 && offset.rows < 128);
+/// assert_eq!(motion.offset(0, 17, 0.0, 0.0, &grid), Offset::default());
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -190,8 +194,8 @@ pub struct RandomShift {
 }
 
 impl RoughnessMotion for RandomShift {
-    fn offset(&self, body: usize, draw: u64, _time: f64, _speed: f64, grid: &Grid) -> Offset {
-        if draw == 0 {
+    fn offset(&self, body: usize, draw: u64, _time: f64, speed: f64, grid: &Grid) -> Offset {
+        if draw == 0 || speed == 0.0 {
             return Offset::default();
         }
         let mut generator = generator(self.seed, body, draw, b"position");
@@ -199,8 +203,8 @@ impl RoughnessMotion for RandomShift {
         Offset { columns, rows: below(generator.next_u64(), grid.ny()), fraction: 0.0 }
     }
 
-    fn visits(&self, _speed: f64) -> Visits {
-        Visits::Patch
+    fn visits(&self, speed: f64) -> Visits {
+        if speed == 0.0 { Visits::Stays } else { Visits::Patch }
     }
 }
 

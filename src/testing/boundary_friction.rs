@@ -1,17 +1,17 @@
 //! The contract of boundary friction.
 
-use super::{Contract, Violation};
+use super::{Contract, Violation, same};
 use crate::boundary_friction::BoundaryFriction;
 
-/// Solid pressures \[Pa\], sliding speeds \[m/s\] and films \[m\] that coefficients are asked for.
+/// Solid pressures \[Pa\] that coefficients are asked for.
 const PRESSURES: [f64; 4] = [0.0, 1e6, 1e9, 1e12];
 /// Sliding speeds \[m/s\].
 const SPEEDS: [f64; 4] = [0.0, 1e-3, 1.0, 1e3];
 /// Tribofilms \[m\].
 const FILMS: [f64; 4] = [0.0, 5e-9, 200e-9, 1e-3];
 
-/// Checks `law` against the contract of [`BoundaryFriction`]: coefficients are finite and not negative, and
-/// the same for the same arguments, whatever was asked in between.
+/// Checks `law` against the contract of [`BoundaryFriction`]: coefficients are finite and not negative, the
+/// same for the same arguments, whatever was asked in between, and those of fields are those of their nodes.
 ///
 /// # Errors
 /// The first violation.
@@ -39,7 +39,25 @@ pub fn boundary_friction(law: &dyn BoundaryFriction) -> Result<(), Violation> {
         }
     }
     let again = law.coefficient(1e9, 0.1, [10e-9, 20e-9]);
-    contract.require(again.to_bits() == first.to_bits(), "coefficients depend on the arguments alone", || {
-        format!("{first} at first and {again} later")
-    })
+    contract.require(
+        again.to_bits() == first.to_bits(),
+        "coefficients depend on the arguments alone",
+        || format!("{first} at first and {again} later"),
+    )?;
+    SPEEDS.into_iter().try_for_each(|speed| check_field(&contract, law, speed))
+}
+
+/// Checks that a field at `speed` \[m/s\] has the coefficients of its nodes.
+fn check_field(contract: &Contract, law: &dyn BoundaryFriction, speed: f64) -> Result<(), Violation> {
+    let mut disc = FILMS;
+    disc.reverse();
+    let mut coefficients = [0.0; FILMS.len()];
+    law.coefficients(&PRESSURES, speed, [&FILMS, &disc], &mut coefficients);
+    for (k, coefficient) in coefficients.into_iter().enumerate() {
+        let single = law.coefficient(PRESSURES[k], speed, [FILMS[k], disc[k]]);
+        contract.require(same(coefficient, single), "fields have the coefficients of their nodes", || {
+            format!("{coefficient} and {single} at {} Pa and {speed} m/s", PRESSURES[k])
+        })?;
+    }
+    Ok(())
 }

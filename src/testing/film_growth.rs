@@ -13,7 +13,7 @@ const SPLIT_TOLERANCE: f64 = 1e-4;
 /// Checks `law` against the contract of [`FilmGrowthLaw`]: the largest thickness is positive; a bare surface
 /// has no film; rates and states are finite; idle nodes are frozen; a film stays between zero and the largest
 /// thickness; nothing happens in no time; the film that a short step adds is the rate; a step may be cut
-/// anywhere.
+/// anywhere; fields go as their nodes do.
 ///
 /// # Errors
 /// The first violation.
@@ -48,6 +48,9 @@ pub fn film_growth_law(law: &dyn FilmGrowthLaw) -> Result<(), Violation> {
         contract.require(same(end, law.thickness(&started(law, start))), "an idle node is frozen", || {
             format!("{start} m became {end} m")
         })?;
+        for time in [0.0, 1.0, 1e4] {
+            check_field(&contract, law, start, time)?;
+        }
     }
     Ok(())
 }
@@ -83,6 +86,23 @@ fn check_rate(
     let rate = law.rate(at, thickness);
     contract
         .require(rate.is_finite(), "rates are finite", || format!("{rate} m/s at {thickness} m and {at:?}"))
+}
+
+/// Checks that a field of all points, its films `start` \[m\] thick, advances by `time` \[s\] as its nodes
+/// do.
+fn check_field(contract: &Contract, law: &dyn FilmGrowthLaw, start: f64, time: f64) -> Result<(), Violation> {
+    let (points, states) = (rubbing_points(), started(law, start));
+    let mut field = states.repeat(points.len());
+    law.advance_all(&points, time, &mut field);
+    for (at, node) in points.iter().zip(field.chunks_exact(states.len())) {
+        let mut single = states.clone();
+        law.advance(at, time, &mut single);
+        let agree = node.iter().zip(&single).all(|(a, b)| same(*a, *b));
+        contract.require(agree, "fields go as their nodes do", || {
+            format!("{node:?} and {single:?} after {time} s from {start} m at {at:?}")
+        })?;
+    }
+    Ok(())
 }
 
 /// Checks that no film gets negative or thicker than the law says.

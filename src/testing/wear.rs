@@ -1,6 +1,6 @@
 //! The contract of wear.
 
-use super::{Contract, Violation, rubbing_points};
+use super::{Contract, Violation, rubbing_points, same};
 use crate::rubbing::RubbingPoint;
 use crate::wear::WearLaw;
 
@@ -8,7 +8,8 @@ use crate::wear::WearLaw;
 const FILMS: [f64; 4] = [0.0, 20e-9, 200e-9, 1e-6];
 
 /// Checks `law` against the contract of [`WearLaw`]: rates are finite and never negative; nothing wears at
-/// rest or without load; faster sliding and, in contact, higher load never wear less.
+/// rest or without load; faster sliding and, in contact, higher load never wear less; fields have the rates
+/// of their nodes.
 ///
 /// # Errors
 /// The first violation.
@@ -23,6 +24,16 @@ pub fn wear_law(law: &dyn WearLaw) -> Result<(), Violation> {
         for film in FILMS {
             check_at(&contract, law, &at, film)?;
         }
+    }
+    let (points, films): (Vec<RubbingPoint>, Vec<f64>) =
+        rubbing_points().into_iter().flat_map(|at| FILMS.map(|film| (at, film))).unzip();
+    let mut rates = vec![0.0; points.len()];
+    law.depth_rates(&points, &films, &mut rates);
+    for (rate, (at, film)) in rates.into_iter().zip(points.iter().zip(films)) {
+        let single = law.depth_rate(at, film);
+        contract.require(same(rate, single), "fields have the rates of their nodes", || {
+            format!("{rate} and {single} m/s under {film} m of film at {at:?}")
+        })?;
     }
     Ok(())
 }

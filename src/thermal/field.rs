@@ -10,7 +10,7 @@ use crate::tribochem::{FlashTemperature, ThermalBody};
 
 /// Passes over film and surfaces at most.
 const MAX_PASSES: usize = 60;
-/// Change of a surface temperature in the last pass, over the largest rise.
+/// Change of a temperature in the last pass, and what the split of the heat leaves, over the largest rise.
 const TOLERANCE: f64 = 3e-4;
 /// The same where nothing gets warm \[K\].
 const LEAST_CHANGE: f64 = 1e-9;
@@ -98,7 +98,8 @@ pub struct HeatBalance {
     pub carried: f64,
     /// Passes over film and surfaces.
     pub passes: usize,
-    /// Change of a surface temperature in the last pass, over what is accepted.
+    /// Change of a temperature in the last pass, or what the split of the heat between the bodies leaves
+    /// where that is more, over what is accepted.
     pub change: f64,
 }
 
@@ -161,7 +162,7 @@ pub struct FilmTemperature {
     pressure_heat: Vec<f64>,
     /// Heat of compression \[W/m^2\].
     compression: Vec<f64>,
-    /// Whether there is no film yet.
+    /// Whether the next call starts from films of the bulk temperature.
     is_cool: bool,
     /// Largest change of the mean temperature in the pass under way \[K\].
     moved: f64,
@@ -255,7 +256,7 @@ impl FilmTemperature {
             let report = self.flash.rises_through_film(&self.heat, &self.resistance, [first, second])?;
             let moved = self.rises.iter().flatten().zip(self.new_rises.iter().flatten());
             let moved = moved.fold(self.moved, |largest, (old, new)| largest.max((new - old).abs()));
-            change = moved / (TOLERANCE * report.maximum).max(LEAST_CHANGE);
+            change = moved.max(report.mismatch) / (TOLERANCE * report.maximum).max(LEAST_CHANGE);
             std::mem::swap(&mut self.rises, &mut self.new_rises);
             passes += 1;
         }

@@ -297,7 +297,6 @@ impl FilmSection<'_> {
         if self.film <= 0.0 || self.sliding == 0.0 {
             return 0.0;
         }
-        let stress = self.rheology.shear_stress(viscosity, self.sliding / self.film);
-        stress.min(self.rheology.limit(self.pressure))
+        self.rheology.shear_stress_under(self.pressure, viscosity, self.sliding / self.film)
     }
 }

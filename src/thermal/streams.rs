@@ -5,13 +5,18 @@
 /// `u(y) = u [1 + S y - 6 b (1/4 - y^2)]`, `y` from -1/2 to 1/2 across the film:
 ///
 /// that of the surfaces, with the slide-roll ratio `S`, and the parabola of one viscosity under pressure, with
-/// `b = 1 - Q/E`, the flow `Q` through the section and the `E = u h` that is entrained. Layers between the
-/// roots of `u(y)` turn back:
+/// `b = 1 - Q/E`, the flow `Q` through the section and the `E = u h` that is entrained. Layers from `y_1` to
+/// `y_2` turn back, within the film:
 ///
 /// `Q- = E [F(y_1) - F(y_2)]`, `F = y (2 b y^2 + S y/2 + 1 - 3 b/2)`, `Q+ = Q + Q-`.
 ///
-/// Between surfaces of one speed nothing turns back before two thirds of `E` do; with `Q = 0` it is
-/// `E / (3 sqrt 3)`. With `b <= 0`, where pressure drives the film on, nothing does.
+/// With `r^2 = S^2 - 24 b (1 - 3 b/2)` they are the roots of `u(y)`, `y_1 = -(S + r)/(12 b)` and
+/// `y_2 = -2 (1 - 3 b/2)/(S + r)`. With `b <= 0`, where pressure drives the film on, all layers below `y_2`
+/// turn back: `y_1 = -1/2`.
+///
+/// Between surfaces of one speed nothing turns back unless `Q < E/3`; with `Q = 0` it is `E / (3 sqrt 3)`.
+/// With `S > 2`, where the slower surface moves back, layers at it do whatever `b` is; with `S <= 2` and
+/// `b <= 0` none do.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Streams {
     /// `Q+` of the layers that move along x \[m^2/s\].
@@ -26,10 +31,12 @@ impl Streams {
     pub(super) fn new(entrained: f64, through: f64, skew: f64) -> Self {
         let b = 1.0 - through / entrained;
         let inside = skew * skew - 24.0 * b * (1.0 - 1.5 * b);
-        let back = if entrained > 0.0 && b > 0.0 && inside > 0.0 {
-            let root = |sign: f64| ((sign * inside.sqrt() - skew) / (12.0 * b)).clamp(-0.5, 0.5);
+        let back = if entrained > 0.0 && inside > 0.0 {
+            let sum = skew + inside.sqrt();
+            let first = if b > 0.0 { -sum / (12.0 * b) } else { -0.5 };
+            let last = -2.0 * (1.0 - 1.5 * b) / sum;
             let flow = |y: f64| y * (2.0 * b * y * y + 0.5 * skew * y + 1.0 - 1.5 * b);
-            entrained * (flow(root(-1.0)) - flow(root(1.0))).max(0.0)
+            entrained * (flow(first.clamp(-0.5, 0.5)) - flow(last.clamp(-0.5, 0.5))).max(0.0)
         } else {
             (-through).max(0.0)
         };
@@ -43,9 +50,17 @@ mod tests {
 
     #[test]
     fn streams_are_those_of_the_layers() {
-        for (through, skew) in
-            [(1.0, 0.0), (0.5, 0.0), (0.1, 0.0), (0.0, 2.0), (-0.4, 1.0), (0.3, 0.5), (1.3, 0.0)]
-        {
+        for (through, skew) in [
+            (1.0, 0.0),
+            (0.5, 0.0),
+            (0.1, 0.0),
+            (0.0, 2.0),
+            (-0.4, 1.0),
+            (0.3, 0.5),
+            (1.3, 0.0),
+            (1.0, 3.0),
+            (1.3, 3.0),
+        ] {
             let b = 1.0 - through;
             let n = 200_000;
             let layers = (0..n).map(|i| (f64::from(i) + 0.5) / f64::from(n) - 0.5);
@@ -57,7 +72,8 @@ mod tests {
             assert!((found.along - along / scale).abs() < 1e-8, "{through}, {skew}: {found:?}");
             assert!((found.back - back / scale).abs() < 1e-8, "{through}, {skew}: {found:?}");
         }
-        // Nothing turns back between surfaces of one speed unless a third of what is entrained does.
+        // Nothing turns back between surfaces of one speed unless less than a third of what is entrained
+        // goes through.
         assert_eq!(Streams::new(1.0, 0.34, 0.0), Streams { along: 0.34, back: 0.0 });
         assert_eq!(Streams::new(0.0, -0.1, 0.0), Streams { along: 0.0, back: 0.1 });
     }

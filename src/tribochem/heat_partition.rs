@@ -13,13 +13,13 @@ const DIRECTIONS: usize = 6;
 /// Iterations at most.
 const MAX_ITERATIONS: usize = 60;
 
-/// A layer between the bodies: its resistance to heat at every node \[K m^2/W\], and the rise of the first
-/// body per flux into one cell at its own node, which scales the search.
+/// A layer between the bodies: its resistance to heat at every node \[K m^2/W\], and the rise of both bodies
+/// together per flux into one cell, at its node, which scales the search.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Resistance<'a> {
     /// Resistance at every node \[K m^2/W\].
     pub(super) nodes: &'a [f64],
-    /// Rise of the first body at a node per flux into its cell \[K m^2/W\].
+    /// Rise of both bodies together at a node per flux into its cell \[K m^2/W\].
     pub(super) own: f64,
 }
 

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 use stribeck::InputError;
 use stribeck::metrics::{composite_rq, height_statistics};
-use stribeck::sim::scene::{Exposure, Flash, GridSpec, Roughness, Scene, TrackSpec};
+use stribeck::sim::scene::{Exposure, Flash, FrictionSpec, GridSpec, Roughness, Scene, TrackSpec};
 use stribeck::sim::{FormulaFilm, HertzContact, MixedLubricationSim, SimError, Warning};
 
 use crate::output::{self, Outcome};
@@ -284,14 +284,22 @@ fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part>, InputErr
         } else {
             part("film temperature", false, "without [lubricant.thermal] the film has the bulk temperature")
         });
-        parts.push(if scene.friction.eyring_stress.is_some() {
-            part("shear thinning", true, "friction.eyring_stress is given")
-        } else {
-            part(
-                "shear thinning",
+        let FrictionSpec { eyring_stress, carreau_stress, flow_thinning, .. } = &scene.friction;
+        let law = match (eyring_stress, carreau_stress) {
+            (Some(_), _) => "by Eyring, friction.eyring_stress is given",
+            (None, Some(_)) => "by Carreau, friction.carreau_stress is given",
+            (None, None) => {
+                "Newtonian up to its largest stress, without friction.eyring_stress or carreau_stress"
+            }
+        };
+        parts.push(part("shear of the oil", true, law));
+        parts.push(match flow_thinning {
+            Some(_) => part("flow thinning", true, "friction.flow_thinning is given"),
+            None => part(
+                "flow thinning",
                 false,
-                "without friction.eyring_stress the oil is Newtonian up to its largest stress",
-            )
+                "without friction.flow_thinning sliding leaves the flow by pressure its viscosity",
+            ),
         });
     }
     for (what, key, roughness) in [

@@ -51,8 +51,10 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
     let scene = output::load(&options.scene)?;
     let speeds = speeds(options, &scene)?;
-    if scene.motion.slide_roll_ratio == 0.0 {
-        output::complain("warning", "motion.slide_roll_ratio = 0: without sliding there is no friction");
+    let start_motion =
+        scene.conditions(0.0).map_err(|error| output::in_scene(&options.scene, &error))?.motion;
+    if start_motion.slide_roll_ratio == 0.0 {
+        output::complain("warning", "the slide-roll ratio is 0: without sliding there is no friction");
     }
     output::warn(&scene.warnings());
     let points = solve(options, &scene, &speeds)?;
@@ -115,7 +117,8 @@ fn solve(options: &Options, scene: &Scene, speeds: &[f64]) -> Result<Vec<Point>,
         if status != Status::Converged {
             output::complain("warning", &format!("{speed:.4e} m/s is left out of the curve: {status}"));
         }
-        points.push(Point { motion: scene.motion, solution });
+        let start = scene.conditions(0.0).map_err(|error| output::in_scene(&options.scene, &error))?;
+        points.push(Point { motion: start.motion, solution });
         bar.inc(1);
     }
     bar.finish_and_clear();

@@ -176,7 +176,7 @@ pub(super) fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, S
     setup::validate(scene)?;
     let hertz = scene.hertz()?;
     let Waves { lengths: [along_x, along_y], rq } = waves(scene)?;
-    let plan = Plan::of(scene, &hertz, accuracy)?;
+    let plan = Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?;
     let depth = GAP_BEYOND * hertz.half_width_x.powi(2) / scene.form.radii().0;
     let reach = 1.0 + (REACH * rq / depth).powf(2.0 / 3.0) + ROOM;
     let [half_x, half_y] = hertz.half_extents();
@@ -272,4 +272,27 @@ fn waves(scene: &Scene) -> Result<Waves, SimError> {
         }
     }
     Ok(Waves { lengths, rq: square.sqrt() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sim::scene::LayerSpec;
+
+    #[test]
+    fn a_soft_layer_widens_the_box() {
+        let mut scene = Scene::azam_2019(32);
+        scene.lubricant = None;
+        scene.roughness.ball = Roughness::gaussian(1e-9, 40e-6, 1);
+        scene.roughness.disc = Roughness::None;
+        let inlet = |scene: &Scene| match cells_of_waves(scene, 0.01).unwrap() {
+            GridSpec::Cells { x: [low, _], .. } => low,
+            other => panic!("{other:?}"),
+        };
+        let bare = inlet(&scene);
+        let soft = LayerSpec::new(50e-6, 1e9, 0.3);
+        scene.elastic.layer =
+            Some(soft.with_substrate_modulus(Some(210e9)).with_substrate_poisson(Some(0.3)));
+        assert!(inlet(&scene) < 1.5 * bare, "{} and {bare}", inlet(&scene));
+    }
 }

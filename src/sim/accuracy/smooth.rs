@@ -101,7 +101,7 @@ impl Plan {
     /// The same for a layer on the disc, with which the contact is as wide as that of its substrate, that of
     /// half-spaces of its own material, or in between: the box of the wider one, the cells of the narrower
     /// one.
-    fn with_layer(self, scene: &Scene) -> Result<Self, InputError> {
+    pub(super) fn with_layer(self, scene: &Scene) -> Result<Self, InputError> {
         let Some(layer) = scene.layer()? else { return Ok(self) };
         let [own, substrate] = layer.compliances();
         let compliance = 1.0 + (own - substrate) * 0.5 * scene.equivalent_modulus()?;

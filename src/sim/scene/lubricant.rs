@@ -182,6 +182,23 @@ impl TryFrom<LubricantTable> for LubricantSpec {
             return Err(format!("unknown key `{key}`, `viscosity` gives another law than that of Roelands"));
         }
         let usual = Self::roelands(needed("eta0", table.eta0)?, needed("roelands_z", table.roelands_z)?);
+        // Scenes are written with all their values: those that change nothing pass.
+        let other =
+            |value: Option<f64>, usual: f64| value.is_some_and(|value| value.to_bits() != usual.to_bits());
+        if table.viscosity.is_some() && other(table.roelands_p0, usual.roelands_p0) {
+            return Err(
+                "unknown key `roelands_p0`, `viscosity` gives another law than that of Roelands".to_owned()
+            );
+        }
+        let densities = [
+            ("density_a", table.density_a, usual.density_a),
+            ("density_b", table.density_b, usual.density_b),
+        ];
+        if matches!(table.viscosity, Some(ViscositySpec::DoolittleTait(_)))
+            && let Some((key, ..)) = densities.iter().find(|(_, value, usual)| other(*value, *usual))
+        {
+            return Err(format!("unknown key `{key}`, `viscosity` brings the density of Tait"));
+        }
         Ok(Self {
             roelands_p0: table.roelands_p0.unwrap_or(usual.roelands_p0),
             alpha: table.alpha,
