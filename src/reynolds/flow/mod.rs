@@ -7,8 +7,8 @@
 //!
 //! and so are its derivatives by pressures and films, with which Newton's method and all relaxations work.
 //! Look into `face_mobility`, `inlet` and `shear_thinning` for what pressure drives through a face, `entrainment`
-//! for what the surfaces carry, `spin` for what turning ones carry from row to row, `cavitation` for what a cell without pressure holds, `discretisation` for how they add up,
-//! `balance` for the box as a whole.
+//! for what the surfaces carry, `spin` for what turning ones carry from row to row, `cavitation` for what a cell
+//! without pressure holds, `discretisation` for how they add up, `balance` for the box as a whole.
 
 mod balance;
 mod cavitation;
