@@ -81,7 +81,7 @@ type Contact<'a> = (&'a mut ContactModel, &'a mut ContactState, &'a mut Friction
 /// agree within [`MAX_SOLVES`] the status is [`Status::MaxIterations`].
 pub(super) fn solve(
     given: &Surroundings<'_>,
-    heat: Option<&mut FilmHeat>,
+    heat: Option<&mut FilmIteration>,
     (model, state, friction): Contact<'_>,
     solve_once: SolveOnce<'_>,
 ) -> Result<Solved, SimError> {
@@ -100,9 +100,10 @@ pub(super) fn solve(
 /// Temperature of the film of a contact, and what its solves start from.
 ///
 /// A solve depends on the contact and on `start` alone: temperatures of surfaces are found anew from cool
-/// ones, so that a checkpoint holds `start` and nothing else. Only [`commit`](FilmHeat::commit) moves it.
+/// ones, so that a checkpoint holds `start` and nothing else. Only [`commit`](FilmIteration::commit) moves
+/// it.
 #[derive(Debug, Clone)]
-pub(super) struct FilmHeat {
+pub(super) struct FilmIteration {
     /// Thermal properties of the fluid.
     properties: FilmThermal,
     /// Conductivity and diffusivity of ball and disc.
@@ -123,7 +124,7 @@ pub(super) struct FilmHeat {
 /// The last contact of an iteration that converged, and the rises it was solved with.
 type Good = (ContactState, Vec<f64>);
 
-impl FilmHeat {
+impl FilmIteration {
     /// Of a cool film; none where the scene does not ask for it.
     pub(super) fn new(scene: &Scene, model: &ContactModel) -> Result<Option<Self>, InputError> {
         let properties = scene.lubricant.and_then(|lubricant| lubricant.thermal);

@@ -8,7 +8,7 @@
 //! asks for it.
 
 use super::contact::ContactModel;
-use super::film_heat::{self, FilmHeat};
+use super::film_heat::{self, FilmIteration};
 use super::formula::formula_film;
 use super::friction::{FrictionFields, mean_fluid_stress};
 use super::laws::Laws;
@@ -71,7 +71,7 @@ impl Heat {
     pub(super) fn rub(
         &mut self,
         friction: &FrictionFields,
-        film: Option<&FilmHeat>,
+        film: Option<&FilmIteration>,
     ) -> Result<Option<f64>, InputError> {
         if let (Some(film), true) = (film, self.is_modelled) {
             for (rises, found) in self.rises.iter_mut().zip(film.surface_rises()) {

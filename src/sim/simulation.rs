@@ -16,7 +16,7 @@ use super::SimError;
 use super::body::Body;
 use super::contact::ContactModel;
 use super::exposure;
-use super::film_heat::{self, FilmHeat, Solved, Surroundings};
+use super::film_heat::{self, FilmIteration, Solved, Surroundings};
 use super::friction::FrictionFields;
 use super::heat::Heat;
 use super::laws::Laws;
@@ -109,7 +109,7 @@ pub struct MixedLubricationSim {
     /// Shear stresses.
     pub(super) friction: FrictionFields,
     /// Temperature of the film; none where it has that of the bulk.
-    pub(super) film_heat: Option<FilmHeat>,
+    pub(super) film_heat: Option<FilmIteration>,
     /// Buffers on the nodes of a body.
     marks: Marks,
     /// Mass that the squeeze refers to.
@@ -143,7 +143,7 @@ impl MixedLubricationSim {
             placement: Placement::new(grid),
             yielding: Yielding::new(grid.len()),
             friction: FrictionFields::new(&scene, grid.len())?,
-            film_heat: FilmHeat::new(&scene, &contact)?,
+            film_heat: FilmIteration::new(&scene, &contact)?,
             marks: Marks::new(grid.len()),
             squeezed: vec![0.0; grid.len()],
             scene,

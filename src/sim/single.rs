@@ -9,7 +9,7 @@ use super::accuracy::Meshes;
 use super::body::Body;
 use super::builder::{Own, SimBuilder};
 use super::contact::ContactModel;
-use super::film_heat::{self, FilmHeat, Surroundings};
+use super::film_heat::{self, FilmIteration, Surroundings};
 use super::friction::FrictionFields;
 use super::interrupt::Interrupt;
 use super::laws::Laws;
@@ -208,7 +208,7 @@ pub(super) struct Prepared {
     /// Shear stresses, filled by the solve.
     friction: FrictionFields,
     /// What finds the temperature of the film; none where it has that of the bulk.
-    film_heat: Option<FilmHeat>,
+    film_heat: Option<FilmIteration>,
     /// Root mean square heights of ball and disc on the track \[m\].
     rq: [f64; 2],
     /// What is known before the first iteration.
@@ -238,7 +238,7 @@ impl Prepared {
             }
         };
         let friction = FrictionFields::new(&scene, grid.len())?;
-        let film_heat = FilmHeat::new(&scene, &model)?;
+        let film_heat = FilmIteration::new(&scene, &model)?;
         let rq = bodies.each_ref().map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
         model.check(&gap, limit.as_deref(), &state)?;
         let warnings = Vec::new();

@@ -1,7 +1,7 @@
 //! The contact of bodies as they stand, for curves of worn surfaces.
 
 use super::SimError;
-use super::film_heat::FilmHeat;
+use super::film_heat::FilmIteration;
 use super::numbers::Numbers;
 use super::setup;
 use super::simulation::MixedLubricationSim;
@@ -39,7 +39,7 @@ impl MixedLubricationSim {
         let state = std::mem::replace(&mut self.state, ContactState::new(&self.contact.grid));
         let squeeze = std::mem::take(&mut self.travel.squeeze);
         let start = self.contact_start.take();
-        let film = self.film_heat.as_mut().map(FilmHeat::take_start);
+        let film = self.film_heat.as_mut().map(FilmIteration::take_start);
         let solved = self.solve_standing(conditions);
         if let (Some(heat), Some(film)) = (&mut self.film_heat, film) {
             heat.set_start(film);

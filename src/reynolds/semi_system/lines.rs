@@ -26,7 +26,7 @@ pub(super) fn passes(lines: usize) -> u64 {
 /// passes may grow without bound. Where they have grown until the first of them is lost in the rounding of
 /// single precision, that one alone is taken.
 #[derive(Debug)]
-pub(super) struct LineRelaxation {
+pub(super) struct LineBlock {
     /// Nodes in a line.
     nx: usize,
     /// Right-hand side.
@@ -39,7 +39,7 @@ pub(super) struct LineRelaxation {
     first: Vec<f32>,
 }
 
-impl LineRelaxation {
+impl LineBlock {
     /// Buffers for `grid`.
     pub(super) fn new(grid: &Grid) -> Self {
         let zeros = || vec![0.0; grid.len()];
@@ -75,7 +75,7 @@ impl LineRelaxation {
     }
 }
 
-impl FluidBlock for LineRelaxation {
+impl FluidBlock for LineBlock {
     fn prepare(&mut self, stencil: &[f32]) -> bool {
         let mut above = 0.0;
         for (k, row) in stencil.chunks_exact(STENCIL).enumerate() {
@@ -147,7 +147,7 @@ mod tests {
         for row in stencil.chunks_exact_mut(STENCIL) {
             row[0] = 0.5;
         }
-        let mut relaxation = LineRelaxation::new(&grid);
+        let mut relaxation = LineBlock::new(&grid);
         assert!(relaxation.prepare(&stencil));
         let mut values = vec![1.0; grid.len()];
         relaxation.solve(&stencil, &mut values);
@@ -178,7 +178,7 @@ mod tests {
                         + row[4] * at(k, j > 0, -(nx as isize))
                 })
                 .collect();
-            let mut relaxation = LineRelaxation::new(&grid);
+            let mut relaxation = LineBlock::new(&grid);
             assert!(relaxation.prepare(&stencil));
             relaxation.solve(&stencil, &mut values);
             for (k, (found, exact)) in values.iter().zip(&exact).enumerate() {

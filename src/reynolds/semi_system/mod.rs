@@ -6,7 +6,7 @@
 mod lines;
 mod sweeps;
 
-use lines::{LineRelaxation, passes};
+use lines::{LineBlock, passes};
 use sweeps::{Damping, Sweeps};
 
 use super::newton_krylov::{NewtonKrylov, NewtonSettings};
@@ -102,7 +102,7 @@ impl SemiSystem {
     /// A solver with this damping, which is in range.
     fn with(damping: Damping) -> Self {
         let settings = NewtonSettings::by_lines(RELAXATIONS);
-        let relaxed = NewtonKrylov::by(|grid| Box::new(LineRelaxation::new(grid)), settings);
+        let relaxed = NewtonKrylov::by(|grid| Box::new(LineBlock::new(grid)), settings);
         Self { damping, relaxed, sweeps: None }
     }
 }
