@@ -133,13 +133,23 @@ impl WearLaw for Melting {
     }
 }
 
-/// Gives up above 50 N.
+/// Newton's method, whose solutions are altered by their number and their load.
 #[derive(Debug, Clone)]
-struct Stubborn(NewtonKrylov);
+struct Altered {
+    newton: NewtonKrylov,
+    solves: u32,
+    alter: fn((u32, f64), &mut ContactState, &mut SolveReport),
+}
 
-impl ContactSolver for Stubborn {
+impl Altered {
+    fn by(alter: fn((u32, f64), &mut ContactState, &mut SolveReport)) -> Self {
+        Self { newton: NewtonKrylov::new(), solves: 0, alter }
+    }
+}
+
+impl ContactSolver for Altered {
     fn id(&self) -> SolverId {
-        SolverId::Custom("stubborn")
+        SolverId::Custom("altered")
     }
 
     fn solve(
@@ -148,72 +158,51 @@ impl ContactSolver for Stubborn {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
-        let mut report = self.0.solve(problem, state, stop)?;
-        if problem.load > 50.0 {
-            report.status = Status::Stalled;
-        }
+        let mut report = self.newton.solve(problem, state, stop)?;
+        self.solves += 1;
+        (self.alter)((self.solves, problem.load), state, &mut report);
         Ok(report)
     }
 }
 
+/// Gives up above 50 N.
+fn stubborn() -> Altered {
+    Altered::by(|(_, load), _, report| {
+        if load > 50.0 {
+            report.status = Status::Stalled;
+        }
+    })
+}
+
 /// Leaves a state without numbers the second time.
-#[derive(Debug, Clone)]
-struct Stumbling(NewtonKrylov, u32);
-
-impl ContactSolver for Stumbling {
-    fn id(&self) -> SolverId {
-        SolverId::Custom("stumbling")
-    }
-
-    fn solve(
-        &mut self,
-        problem: &mut LubricatedContact<'_>,
-        state: &mut ContactState,
-        stop: &StoppingRule,
-    ) -> Result<SolveReport, ReynoldsError> {
-        let mut report = self.0.solve(problem, state, stop)?;
-        self.1 += 1;
-        if self.1 == 2 {
+fn stumbling() -> Altered {
+    Altered::by(|(solves, _), state, report| {
+        if solves == 2 {
             state.theta.fill(f64::NAN);
             report.status = Status::Diverged;
         }
-        Ok(report)
-    }
+    })
+}
+
+/// Says that it has solved what it has not: its pressures carry nine tenths of the load.
+fn liar() -> Altered {
+    Altered::by(|_, state, _| {
+        state.pressure.iter_mut().chain(&mut state.fluid_pressure).for_each(|p| *p *= 0.9);
+    })
 }
 
 /// With squeeze a solve starts from the state that it is given.
 #[test]
 fn another_position_is_tried_from_the_last_contact() {
-    let solver = Stumbling(NewtonKrylov::new(), 0);
+    let solver = stumbling();
     let mut sim = MixedLubricationSim::builder(scene()).solver(solver).with_squeeze().build().unwrap();
     let records = run(&mut sim, 2, 10.0);
     assert_eq!((records[0].attempts, records[1].attempts), (1, 2));
 }
 
-/// Says that it has solved what it has not: its pressures carry nine tenths of the load.
-#[derive(Debug, Clone)]
-struct Liar(NewtonKrylov);
-
-impl ContactSolver for Liar {
-    fn id(&self) -> SolverId {
-        SolverId::Custom("liar")
-    }
-
-    fn solve(
-        &mut self,
-        problem: &mut LubricatedContact<'_>,
-        state: &mut ContactState,
-        stop: &StoppingRule,
-    ) -> Result<SolveReport, ReynoldsError> {
-        let report = self.0.solve(problem, state, stop)?;
-        state.pressure.iter_mut().chain(&mut state.fluid_pressure).for_each(|p| *p *= 0.9);
-        Ok(report)
-    }
-}
-
 #[test]
 fn a_solver_that_lies_changes_nothing() {
-    let mut sim = MixedLubricationSim::builder(scene()).solver(Liar(NewtonKrylov::new())).build().unwrap();
+    let mut sim = MixedLubricationSim::builder(scene()).solver(liar()).build().unwrap();
     let before = sim.bodies().each_ref().map(|body| body.surface().to_vec());
     match sim.step(10.0) {
         Err(SimError::NotConverged { source, .. }) => {
@@ -224,7 +213,7 @@ fn a_solver_that_lies_changes_nothing() {
     }
     let after = sim.bodies().each_ref().map(|body| body.surface().to_vec());
     assert_eq!((sim.steps(), after), (0, before));
-    let single = MixedLubricationSim::builder(scene()).solver(Liar(NewtonKrylov::new())).solve().unwrap();
+    let single = MixedLubricationSim::builder(scene()).solver(liar()).solve().unwrap();
     assert_eq!(single.report.status, Status::Unconfirmed);
     let honest = MixedLubricationSim::builder(scene()).solver(NewtonKrylov::new()).solve().unwrap();
     honest.report.require_converged().unwrap();
@@ -240,7 +229,7 @@ fn a_failed_step_leaves_everything_as_it_was() {
     let melting = MixedLubricationSim::builder(hot).wear_law(Melting).with_squeeze().build();
     let mut loaded = scene();
     loaded.schedule.load = Some(Schedule::steps(&[(0.0, 40.0), (2.0, 54.0)]));
-    let stubborn = Stubborn(NewtonKrylov::new());
+    let stubborn = stubborn();
     let unsolved = MixedLubricationSim::builder(loaded).solver(stubborn).with_squeeze().build();
     let folder = tempfile::tempdir().unwrap();
     for (name, sim) in [("melting", melting), ("unsolved", unsolved)] {

@@ -111,10 +111,10 @@ impl Evaluation {
         Ok(())
     }
 
-    /// Overwrites film, plastic depth, mass, content and contact flags of `state`, in the paper's contact its fluid
-    /// pressure too, with those that follow from its
-    /// pressures and approach, and returns how far it is from a solution; one elastic displacement. Where the
-    /// fluid itself is at the pressure limit the plastic depth is an unknown of its own, and stays.
+    /// Overwrites film, plastic depth, mass, content and contact flags of `state`, in the paper's contact its
+    /// fluid pressure too, with those that follow from its pressures and approach, and returns how far it is
+    /// from a solution; one elastic displacement. Where the fluid itself is at the pressure limit the plastic
+    /// depth is an unknown of its own, and stays.
     ///
     /// # Errors
     /// A problem or a state that breaks the contract of [`LubricatedContact`], or one of another grid.

@@ -50,14 +50,13 @@ struct Point {
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
     let scene = output::load(&options.scene)?;
-    let speeds = speeds(options, &scene)?;
-    let start_motion =
-        scene.conditions(0.0).map_err(|error| output::in_scene(&options.scene, &error))?.motion;
-    if start_motion.slide_roll_ratio == 0.0 {
+    let motion = start_motion(options, &scene)?;
+    let speeds = speeds(options, motion.entrainment_speed)?;
+    if motion.slide_roll_ratio == 0.0 {
         output::complain("warning", "the slide-roll ratio is 0: without sliding there is no friction");
     }
     output::warn(&scene.warnings());
-    let points = solve(options, &scene, &speeds)?;
+    let points = solve(options, &scene, motion, &speeds)?;
     let name = format!("{}_curve", output::stem(&options.scene));
     let out = &options.output.out;
     std::fs::create_dir_all(out).map_err(|error| format!("{}: {error}", out.display()))?;
@@ -78,7 +77,8 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     Ok(if all { Outcome::Converged } else { Outcome::NotConverged })
 }
 
-fn speeds(options: &Options, scene: &Scene) -> Result<Vec<f64>, Box<dyn Error>> {
+/// The motion at the start of the schedule of an oiled contact.
+fn start_motion(options: &Options, scene: &Scene) -> Result<Motion, Box<dyn Error>> {
     if !scene.is_lubricated() {
         return Err(output::in_scene(
             &options.scene,
@@ -89,8 +89,11 @@ fn speeds(options: &Options, scene: &Scene) -> Result<Vec<f64>, Box<dyn Error>> 
         )
         .into());
     }
-    let own = scene.conditions(0.0).map_err(|error| output::in_scene(&options.scene, &error))?;
-    let own = own.motion.entrainment_speed;
+    Ok(scene.conditions(0.0).map_err(|error| output::in_scene(&options.scene, &error))?.motion)
+}
+
+/// Those that are asked for, about the `own` one of the scene \[m/s\].
+fn speeds(options: &Options, own: f64) -> Result<Vec<f64>, Box<dyn Error>> {
     if options.from.is_none() || options.to.is_none() {
         output::require(own > 0.0, "motion.entrainment_speed", own, "finite and > 0")
             .map_err(|error| output::in_scene(&options.scene, &error))?;
@@ -103,7 +106,12 @@ fn speeds(options: &Options, scene: &Scene) -> Result<Vec<f64>, Box<dyn Error>> 
     Ok((0..options.points).map(|k| from * (to / from).powf(f64::from(k) / last)).collect())
 }
 
-fn solve(options: &Options, scene: &Scene, speeds: &[f64]) -> Result<Vec<Point>, Box<dyn Error>> {
+fn solve(
+    options: &Options,
+    scene: &Scene,
+    mut motion: Motion,
+    speeds: &[f64],
+) -> Result<Vec<Point>, Box<dyn Error>> {
     let bar = ProgressBar::new(speeds.len() as u64);
     bar.set_style(ProgressStyle::with_template("{wide_bar} {pos} of {len} speeds, {eta} left")?);
     bar.tick();
@@ -117,8 +125,8 @@ fn solve(options: &Options, scene: &Scene, speeds: &[f64]) -> Result<Vec<Point>,
         if status != Status::Converged {
             output::complain("warning", &format!("{speed:.4e} m/s is left out of the curve: {status}"));
         }
-        let start = scene.conditions(0.0).map_err(|error| output::in_scene(&options.scene, &error))?;
-        points.push(Point { motion: start.motion, solution });
+        motion.entrainment_speed = speed;
+        points.push(Point { motion, solution });
         bar.inc(1);
     }
     bar.finish_and_clear();

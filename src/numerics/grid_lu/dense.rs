@@ -234,6 +234,12 @@ pub(super) fn invert<S: Simd>(
     sound
 }
 
+/// The pivot `value`, or `smallest` of its sign where it is smaller.
+#[inline(always)]
+pub(super) fn raised(value: f32, smallest: f32) -> f32 {
+    if value.abs() < smallest { smallest.copysign(value) } else { value }
+}
+
 /// Gauss and Jordan's steps with the pivots `range`, on their columns alone, which is what `panel` holds.
 #[inline(always)]
 fn invert_panel(
@@ -248,7 +254,7 @@ fn invert_panel(
     for (own, k) in range.clone().enumerate() {
         copy_significant(pivot_column, &panel[own * rows..]);
         let value = pivot_column[k];
-        let pivot = if value.abs() < smallest { smallest.copysign(value) } else { value };
+        let pivot = raised(value, smallest);
         sound &= pivot.is_finite();
         let inverse = 1.0 / pivot;
         pivot_column[k] = 0.0;

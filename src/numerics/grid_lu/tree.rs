@@ -9,7 +9,7 @@ use std::ops::Range;
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
 use super::STENCIL;
-use super::dense::{Block, VECTOR};
+use super::dense::{Block, VECTOR, raised};
 use super::dissection::{Dissection, Front};
 use super::front::{Elimination, SMALLEST_PIVOT, add_runs};
 use crate::numerics::lanes::both;
@@ -282,10 +282,9 @@ impl Walk<'_> {
         if idle[root - first] {
             let diagonal = front.entries.iter().filter(|entry| entry.from % STENCIL == 0);
             for (value, entry) in values.iter_mut().zip(diagonal) {
-                let pivot = matrix.scaled[entry.from];
+                let pivot = raised(matrix.scaled[entry.from], SMALLEST_PIVOT);
                 sound &= pivot.is_finite();
-                *value =
-                    1.0 / if pivot.abs() < SMALLEST_PIVOT { SMALLEST_PIVOT.copysign(pivot) } else { pivot };
+                *value = 1.0 / pivot;
             }
             return sound;
         }

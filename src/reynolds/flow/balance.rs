@@ -5,8 +5,8 @@
 ///
 /// Flows are those through the faces of the outermost nodes, by entrainment and by pressure. Where cavitation
 /// conserves mass and nothing is squeezed the imbalance is at most the [mass
-/// residual](crate::Residuals::mass): the balances of all cells add up to it. With Reynolds' condition it is what cavitated cells make out of nothing, and no
-/// residual counts it.
+/// residual](crate::Residuals::mass): the balances of all cells add up to it. With Reynolds' condition it is
+/// what cavitated cells make out of nothing, and no residual counts it.
 ///
 /// # Examples
 ///

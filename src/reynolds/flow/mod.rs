@@ -26,4 +26,5 @@ pub(super) use discretisation::{Discretisation, HeldNeighbour, MARGIN, NearField
 pub use entrainment::Scheme;
 pub use face_mobility::FaceMobility;
 pub use shear_thinning::ShearThinning;
+pub(super) use spin::Course;
 pub(crate) use spin::require_spin;

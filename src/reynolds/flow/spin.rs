@@ -5,9 +5,12 @@
 //! that of the exact flow through a film which is linear between the two nodes, as is the mobility of the
 //! face. Where the node upstream is not filled, it is its content `theta` times that.
 
+use std::ops::Range;
+
 use super::node::NodeFlow;
 use crate::error::{InputError, legible};
 use crate::grid::Grid;
+use crate::reynolds::problem::inner_rows;
 
 /// Refuses a `radius` of spin \[m\], named `field`, about whose centre surfaces would move backwards within
 /// `grid`, and what knows no spin: a line contact, a supplied film, the paper's contact.
@@ -38,6 +41,37 @@ pub(crate) fn require_spin(
     Err(InputError::Conflict { field: format!("{field} = {}", legible(radius)), reason })
 }
 
+/// Which way turning surfaces carry fluid along the columns of a grid.
+#[derive(Debug, Clone, Default)]
+pub(in crate::reynolds) struct Course {
+    /// Nodes in a row.
+    nx: usize,
+    /// Rows that have balances.
+    rows: Range<usize>,
+    /// Whether it is towards lower y, by column.
+    is_south: Vec<bool>,
+}
+
+impl Course {
+    /// The inner nodes of column `i` from its upstream end.
+    pub(in crate::reynolds) fn downstream(&self, i: usize) -> impl Iterator<Item = usize> + use<> {
+        let (nx, is_south, ends) = (self.nx, self.is_south[i], self.rows.start + self.rows.end);
+        self.rows.clone().map(move |j| if is_south { ends - 1 - j } else { j } * nx + i)
+    }
+
+    /// Faces, by their first nodes, through which fluid enters inner node `k` and leaves it.
+    #[inline]
+    pub(in crate::reynolds) fn faces(&self, k: usize) -> [usize; 2] {
+        if self.is_south[k % self.nx] { [k, k - self.nx] } else { [k - self.nx, k] }
+    }
+
+    /// One where fluid in the column of node `k` moves towards higher y, else minus one.
+    #[inline]
+    pub(in crate::reynolds) fn sign(&self, k: usize) -> f32 {
+        if self.is_south[k % self.nx] { -1.0 } else { 1.0 }
+    }
+}
+
 /// What turning surfaces carry through the faces between rows.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Spin {
@@ -47,6 +81,8 @@ pub(super) struct Spin {
     wedges: Vec<f64>,
     /// `v dx/(U dy)` of the columns.
     columns: Vec<f64>,
+    /// Which way that is.
+    pub(super) course: Course,
     /// Flow through the faces to the north of the nodes where all gaps are filled \[m\].
     full: Vec<f64>,
     /// The same with the content upstream.
@@ -65,6 +101,9 @@ impl Spin {
         self.wedges.extend((0..grid.ny()).map(|j| wedge * (1.0 - grid.y(j) / radius)));
         self.columns.clear();
         self.columns.extend((0..grid.nx()).map(|i| per_row * grid.x(i) / radius));
+        (self.course.nx, self.course.rows) = (grid.nx(), inner_rows(grid));
+        self.course.is_south.clear();
+        self.course.is_south.extend(self.columns.iter().map(|column| *column < 0.0));
         for field in [&mut self.full, &mut self.carried, &mut self.passed] {
             field.resize(grid.len(), 0.0);
         }
@@ -82,22 +121,6 @@ impl Spin {
         self.columns[k % self.nx]
     }
 
-    /// The column `i` of `rows` from its upstream end.
-    pub(super) fn downstream(
-        &self,
-        i: usize,
-        rows: std::ops::Range<usize>,
-    ) -> impl Iterator<Item = usize> + use<> {
-        let (nx, backwards, first, last) = (self.nx, self.columns[i] < 0.0, rows.start, rows.end);
-        rows.map(move |j| if backwards { first + last - 1 - j } else { j } * nx + i)
-    }
-
-    /// Faces, by their first nodes, through which fluid enters inner node `k` and leaves it.
-    #[inline]
-    fn faces(&self, k: usize) -> [usize; 2] {
-        if self.column(k) < 0.0 { [k, k - self.nx] } else { [k - self.nx, k] }
-    }
-
     /// Takes the flow between full gaps.
     pub(super) fn update(&mut self, nodes: &[NodeFlow]) {
         for k in 0..nodes.len() - self.nx {
@@ -110,7 +133,7 @@ impl Spin {
     /// What enters inner node `k` from the row upstream, and what leaves it with its own gap filled.
     #[inline]
     pub(super) fn through(&self, k: usize) -> [f64; 2] {
-        let [enters, leaves] = self.faces(k);
+        let [enters, leaves] = self.course.faces(k);
         [self.carried[enters].abs(), self.full[leaves].abs()]
     }
 
@@ -128,7 +151,7 @@ impl Spin {
 
     /// Lets node `k` have the `content` and carry on the share `passed` of a change of what enters it.
     pub(super) fn fill(&mut self, k: usize, content: f64, passed: f64) {
-        let [_, leaves] = self.faces(k);
+        let [_, leaves] = self.course.faces(k);
         self.carried[leaves] = content * self.full[leaves];
         self.passed[k] = passed;
     }

@@ -6,40 +6,45 @@
 use super::linearisation::{FaceFlows, keep, single};
 use crate::grid::Grid;
 use crate::numerics::STENCIL;
-use crate::reynolds::flow::Discretisation;
-use crate::reynolds::problem::inner_rows;
+use crate::reynolds::flow::{Course, Discretisation};
 
 /// Derivatives of what turning surfaces carry through the faces to the north of the nodes, and its changes.
 #[derive(Debug)]
 pub(super) struct Across {
-    rows: std::ops::Range<usize>,
+    /// Nodes in a row.
+    nx: usize,
+    /// Which way fluid is carried along the columns.
+    course: Course,
+    /// Derivatives, by face.
     pub(super) faces: FaceFlows,
+    /// Changes of what is carried through these faces.
     pub(super) change: Vec<f32>,
+    /// Changes of what is carried through the faces to the east.
+    sent: Vec<f32>,
     /// What nodes that are not filled carry on to the next row of a change of their inflow; zero elsewhere.
     passed: Vec<f32>,
     /// Share of the gaps that is filled.
     content: Vec<f32>,
-    /// Whether that row is the one to the south, by column.
-    is_south: Vec<bool>,
 }
 
 impl Across {
     pub(super) fn new(grid: &Grid) -> Self {
         let zeros = || vec![0.0; grid.len()];
         Self {
-            rows: inner_rows(grid),
+            nx: grid.nx(),
+            course: Course::default(),
             faces: std::array::from_fn(|_| zeros()),
             change: zeros(),
+            sent: zeros(),
             passed: zeros(),
             content: zeros(),
-            is_south: vec![false; grid.nx()],
         }
     }
 
-    /// Takes the derivatives at the last update of `fluid`.
-    pub(super) fn update(&mut self, fluid: &Discretisation, stiffness: f64) {
-        let nx = self.is_south.len();
-        for k in 0..self.change.len() - nx {
+    /// Takes the derivatives at the last update of `fluid`, whose surfaces carry along `course`.
+    pub(super) fn update(&mut self, fluid: &Discretisation, course: &Course, stiffness: f64) {
+        self.course.clone_from(course);
+        for k in 0..self.change.len() - self.nx {
             keep(&mut self.faces, k, fluid.across_derivatives(k), stiffness);
         }
         for (k, passed) in self.passed.iter_mut().enumerate() {
@@ -48,47 +53,37 @@ impl Across {
         for (content, of_node) in self.content.iter_mut().zip(fluid.content()) {
             *content = single(*of_node);
         }
-        for (i, is_south) in self.is_south.iter_mut().enumerate() {
-            *is_south = fluid.is_carried_south(i);
-        }
     }
 
     /// Adds to the changes of flow by pressure in `out` what is carried under the changes `mass` of the nodes
-    /// and `sent` beyond them; `passed` is what nodes carry on along x, `upwind` the coefficients of the
-    /// masses in each row.
+    /// and `beyond` them; `passed` is what nodes carry on along x, `upwind` the coefficients of the masses in
+    /// each row.
     pub(super) fn carry(
         &mut self,
         mass: &[f32],
-        sent: &mut [f32],
+        beyond: &[f32],
         passed: &[f32],
         upwind: &[[f32; 2]],
         out: &mut [f32],
     ) {
-        let nx = self.is_south.len();
+        let nx = self.nx;
+        let Self { course, change, sent, content, .. } = self;
         for (j, [_, up]) in upwind.iter().enumerate() {
-            sent[j * nx] -= up * mass[j * nx];
+            sent[j * nx] = beyond[j * nx] - up * mass[j * nx];
         }
-        let last = self.rows.start + self.rows.end - 1;
-        for i in 1..nx - 1 {
-            let is_south = self.is_south[i];
-            let sign = if is_south { -1.0 } else { 1.0 };
-            for j in self.rows.clone().map(|j| if is_south { last - j } else { j }) {
-                let k = j * nx + i;
-                let (enters, leaves) = if is_south { (k, k - nx) } else { (k - nx, k) };
-                let [here, up] = upwind[j];
-                let flow = out[k] - sent[k - 1] - sign * self.change[enters];
-                // What leaves a full gap, along x and across it.
-                let (east, next) = (sent[k] - up * mass[k], sign * self.change[leaves]);
-                let stored = (here + up) * mass[k];
-                out[k] = flow + stored + east + next;
-                sent[k] = east;
-                if passed[k] > 0.0 {
-                    // What its own gap lets out, and its share of what enters less what that takes.
-                    let content = self.content[k];
-                    let left = flow + content * (stored + east + next);
-                    sent[k] = content * east - passed[k] * left;
-                    self.change[leaves] = sign * (content * next - self.passed[k] * left);
-                }
+        for k in (1..nx - 1).flat_map(|i| course.downstream(i)) {
+            let ([enters, leaves], sign, [here, up]) = (course.faces(k), course.sign(k), upwind[k / nx]);
+            let flow = out[k] - sent[k - 1] - sign * change[enters];
+            // What leaves a full gap, along x and across it.
+            let (east, next) = (beyond[k] - up * mass[k], sign * change[leaves]);
+            let stored = (here + up) * mass[k];
+            out[k] = flow + stored + east + next;
+            sent[k] = east;
+            if passed[k] > 0.0 {
+                // What its own gap lets out, and its share of what enters less what that takes.
+                let left = flow + content[k] * (stored + east + next);
+                sent[k] = content[k] * east - passed[k] * left;
+                change[leaves] = sign * (content[k] * next - self.passed[k] * left);
             }
         }
     }
@@ -103,14 +98,14 @@ impl Across {
         [moves, response]: [&[f32]; 2],
         (linked, passed): (&[bool], &[f32]),
     ) {
-        let nx = self.is_south.len();
+        let (nx, [enters, _]) = (self.nx, self.course.faces(k));
         let share = if linked[k] { passed[k] } else { 1.0 };
         let follows = |[p, h]: [f32; 2], o: usize| p * moves[o] + h * response[o];
         let [_, _, _, north, south] = row;
         let mut own = 0.0;
         for (entry, o, face) in [(north, k + nx, k), (south, k - nx, k - nx)] {
             let is_north = o > k;
-            if is_north == self.is_south[k % nx] {
+            if face == enters {
                 if linked[o] {
                     *entry -= share * self.passed[o] / passed[o];
                     continue;

@@ -36,12 +36,13 @@ impl Workspace {
             self.best_residuals = self.coupled.residuals(problem, state);
             self.best.keep(&self.coupled, state);
         }
-        self.coupled.fluid.configure(problem);
         if status != Status::Converged && self.best_residuals.is_finite() {
             if status == Status::Diverged {
                 // What was tried last did; before it a state was left.
                 status = Status::Stalled;
             }
+            // What was tried last may have been another contact film.
+            self.coupled.fluid.configure(problem);
             self.best.restore(&mut self.coupled, problem, state);
         }
         Ok((status, self.best_residuals))

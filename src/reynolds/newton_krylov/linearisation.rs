@@ -93,14 +93,16 @@ impl Linearisation {
                     beyond[k] = single(scale * derivative);
                 }
             }
+        } else {
+            self.beyond_change.fill(0.0);
         }
         for (j, (upwind, near)) in self.upwind.iter_mut().zip(&mut self.near).enumerate() {
             *upwind = fluid.mass_coefficients(j * nx).map(single);
             *near = fluid.five_point_mass_coefficients(j * nx).map(single);
         }
-        self.across = fluid.spins().then(|| {
+        self.across = fluid.course().map(|course| {
             let mut across = self.across.take().unwrap_or_else(|| Box::new(Across::new(&self.grid)));
-            across.update(fluid, stiffness);
+            across.update(fluid, course, stiffness);
             across
         });
     }
@@ -118,8 +120,6 @@ impl Linearisation {
         flow_changes(&self.east, 1, pressure, film, &mut self.east_change);
         if self.carries_beyond {
             beyond_changes(&self.beyond, pressure, film, &mut self.beyond_change);
-        } else {
-            self.beyond_change.fill(0.0);
         }
         if ny > 1 {
             flow_changes(&self.north, nx, pressure, film, &mut self.north_change);
@@ -154,7 +154,7 @@ impl Linearisation {
         }
         if let Some(across) = &mut self.across {
             flow_changes(&across.faces, nx, pressure, film, &mut across.change);
-            across.carry(&self.mass_change, &mut self.beyond_change, &self.passed, &self.upwind, out);
+            across.carry(&self.mass_change, &self.beyond_change, &self.passed, &self.upwind, out);
         }
     }
 

@@ -91,7 +91,10 @@ impl Workspace {
     ) {
         let settings = self.settings.pockets;
         let Some(lubricant) = problem.lubricant else { return };
-        if settings.steps == 0 || !self.coupled.fluid.conserves_mass() || self.coupled.fluid.spins() {
+        if settings.steps == 0
+            || !self.coupled.fluid.conserves_mass()
+            || self.coupled.fluid.course().is_some()
+        {
             return;
         }
         let near = self.coupled.near;

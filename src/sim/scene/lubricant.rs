@@ -163,41 +163,34 @@ impl TryFrom<LubricantTable> for LubricantSpec {
     type Error = String;
 
     fn try_from(table: LubricantTable) -> Result<Self, String> {
-        let of_roelands = [
-            ("eta0", table.eta0),
-            ("roelands_z", table.roelands_z),
-            ("alpha", table.alpha),
-            ("temperature", table.temperature),
-            ("roelands_s0", table.roelands_s0),
-        ];
         let needed = |key: &str, value: Option<f64>| match (value, table.viscosity) {
             (Some(value), _) => Ok(value),
             (None, Some(_)) => Ok(0.0),
             (None, None) => Err(format!("missing field `{key}`")),
         };
-        if table.viscosity.is_some()
-            && let Some((key, _)) =
-                of_roelands.iter().find(|(_, value)| value.is_some_and(|value| value != 0.0))
-        {
-            return Err(format!("unknown key `{key}`, `viscosity` gives another law than that of Roelands"));
-        }
         let usual = Self::roelands(needed("eta0", table.eta0)?, needed("roelands_z", table.roelands_z)?);
-        // Scenes are written with all their values: those that change nothing pass.
-        let other =
-            |value: Option<f64>, usual: f64| value.is_some_and(|value| value.to_bits() != usual.to_bits());
-        if table.viscosity.is_some() && other(table.roelands_p0, usual.roelands_p0) {
-            return Err(
-                "unknown key `roelands_p0`, `viscosity` gives another law than that of Roelands".to_owned()
-            );
-        }
-        let densities = [
+        let of_roelands = [
+            ("eta0", table.eta0, 0.0),
+            ("roelands_z", table.roelands_z, 0.0),
+            ("alpha", table.alpha, 0.0),
+            ("temperature", table.temperature, 0.0),
+            ("roelands_s0", table.roelands_s0, 0.0),
+            ("roelands_p0", table.roelands_p0, usual.roelands_p0),
+        ];
+        let of_density = [
             ("density_a", table.density_a, usual.density_a),
             ("density_b", table.density_b, usual.density_b),
         ];
-        if matches!(table.viscosity, Some(ViscositySpec::DoolittleTait(_)))
-            && let Some((key, ..)) = densities.iter().find(|(_, value, usual)| other(*value, *usual))
-        {
-            return Err(format!("unknown key `{key}`, `viscosity` brings the density of Tait"));
+        // Scenes are written with all their values: those that change nothing pass.
+        let refuse = |keys: &[(&str, Option<f64>, f64)], reason: &str| {
+            let stray = keys.iter().find(|(_, value, usual)| value.is_some_and(|value| value - usual != 0.0));
+            stray.map_or(Ok(()), |(key, ..)| Err(format!("unknown key `{key}`, `viscosity` {reason}")))
+        };
+        if table.viscosity.is_some() {
+            refuse(&of_roelands, "gives another law than that of Roelands")?;
+        }
+        if matches!(table.viscosity, Some(ViscositySpec::DoolittleTait(_))) {
+            refuse(&of_density, "brings the density of Tait")?;
         }
         Ok(Self {
             roelands_p0: table.roelands_p0.unwrap_or(usual.roelands_p0),

@@ -1,8 +1,8 @@
 //! What turning surfaces carry from row to row, as the balances of nodes ask for it.
 
+use super::super::spin::Course;
 use super::Discretisation;
 use super::own_share::HeldNeighbour;
-use crate::reynolds::problem::inner_rows;
 
 impl Discretisation {
     /// `w` of the row of node `k`.
@@ -21,7 +21,7 @@ impl Discretisation {
     pub(super) fn fill_across(&mut self, pressure: &[f64], previous: Option<&[f64]>) {
         let Some(mut spin) = self.spin.take() else { return };
         for i in 1..self.grid.nx() - 1 {
-            for k in spin.downstream(i, inner_rows(&self.grid)).filter(|k| pressure[*k] <= 0.0) {
+            for k in spin.course.downstream(i).filter(|k| pressure[*k] <= 0.0) {
                 let ([enters, leaves], wedge) = (spin.through(k), spin.wedge(k));
                 let full = wedge * self.carried[k];
                 let through = [wedge * self.carried[k - 1] + enters, full + leaves];
@@ -51,14 +51,9 @@ impl Discretisation {
         }
     }
 
-    /// Whether the surfaces turn, and carry fluid from row to row.
-    pub(in crate::reynolds) fn spins(&self) -> bool {
-        self.spin.is_some()
-    }
-
-    /// Whether what is carried from row to row in the column of node `k` moves towards lower y.
-    pub(in crate::reynolds) fn is_carried_south(&self, k: usize) -> bool {
-        self.spin.as_ref().is_some_and(|spin| spin.column(k) < 0.0)
+    /// Which way surfaces that turn carry fluid from row to row; none where they move along x alone.
+    pub(in crate::reynolds) fn course(&self) -> Option<&Course> {
+        self.spin.as_ref().map(|spin| &spin.course)
     }
 
     /// Derivatives of what turning surfaces carry through the face to the north of node `k` between full
