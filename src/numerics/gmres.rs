@@ -101,6 +101,11 @@ impl Gmres {
         Ok(LinearOutcome { steps: steps as u64 })
     }
 
+    /// The shares of the directions in the solution that ended with `outcome`, in the order of their products.
+    pub(crate) fn shares(&self, outcome: LinearOutcome) -> &[f64] {
+        &self.rhs[..outcome.steps as usize]
+    }
+
     /// One Arnoldi step with vectors of `n` entries; returns the norm of the new direction.
     fn extend<O: PreconditionedOperator>(
         &mut self,

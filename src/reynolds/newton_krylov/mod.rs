@@ -61,6 +61,9 @@ pub struct NewtonKrylov {
     workspace: Option<Box<Workspace>>,
 }
 
+/// Directions of a linear solve whose film changes are kept: most solves take no more, and where one does, a
+/// convolution is little of it.
+const KEPT_FILMS: usize = 8;
 /// Residuals for which there is room at first.
 const HISTORY: usize = 256;
 
@@ -72,6 +75,8 @@ struct Workspace {
     linearisation: Linearisation,
     preconditioner: BlockPreconditioner,
     gmres: Gmres,
+    /// Film changes under the first directions of a linear solve, which make up that of its solution.
+    films: Vec<Vec<f32>>,
     residual: Vec<f32>,
     step: Vec<f32>,
     start: DryStart,
@@ -140,6 +145,7 @@ impl NewtonKrylov {
                 linearisation: Linearisation::new(grid),
                 preconditioner: BlockPreconditioner::new(grid, (self.fluid_block)(&grid)),
                 gmres: Gmres::new(length, self.settings.krylov_steps(&grid)),
+                films: vec![vec![0.0; grid.len()]; KEPT_FILMS],
                 residual: vec![0.0; length],
                 step: vec![0.0; length],
                 start: DryStart::new(grid),

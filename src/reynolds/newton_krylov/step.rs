@@ -66,7 +66,7 @@ impl Workspace {
         state: &ContactState,
         tolerance: f64,
     ) -> Result<Option<u64>, ReynoldsError> {
-        let Self { coupled, unknowns, linearisation, preconditioner, gmres, .. } = self;
+        let Self { coupled, unknowns, linearisation, preconditioner, gmres, films, .. } = self;
         unknowns.sort(coupled, problem, state);
         if problem.lubricant.is_some() {
             linearisation.update(&coupled.fluid, coupled.near.own);
@@ -81,10 +81,18 @@ impl Workspace {
         let (residual, step) = (&mut self.residual[..n], &mut self.step[..n]);
         step.fill(0.0);
         unknowns.residual(&mut at, state, residual)?;
-        let mut system = System { unknowns, at: &mut at, preconditioner, response };
-        let steps = gmres.solve(&mut system, residual, tolerance, step)?.steps;
-        unknowns.change(&mut at, step, response)?;
-        Ok(Some(steps))
+        // On a row the solution is to be known to the rounding of its own numbers.
+        let films = if response == Response::Periodic { &mut films[..] } else { &mut [] };
+        let mut system =
+            System { unknowns, at: &mut at, preconditioner, response, films: &mut *films, products: 0 };
+        let outcome = gmres.solve(&mut system, residual, tolerance, step)?;
+        if unknowns.are_pinned() || outcome.steps as usize > films.len() {
+            unknowns.change(&mut at, step, response)?;
+        } else {
+            let shares = gmres.shares(outcome).iter().copied();
+            unknowns.change_by(at.linearisation, step, shares.zip(films.iter().map(Vec::as_slice)));
+        }
+        Ok(Some(outcome.steps))
     }
 
     /// Share of the step under which no pressure changes by more than it may.
@@ -181,13 +189,21 @@ struct System<'a, 'b, 'c> {
     at: &'a mut Linearised<'b, 'c>,
     preconditioner: &'a mut BlockPreconditioner,
     response: Response,
+    /// Film changes under the first products.
+    films: &'a mut [Vec<f32>],
+    products: usize,
 }
 
 impl PreconditionedOperator for System<'_, '_, '_> {
     type Error = InputError;
 
     fn apply(&mut self, x: &[f32], out: &mut [f32]) -> Result<(), InputError> {
-        self.unknowns.product(self.at, x, self.response, out)
+        self.unknowns.product(self.at, x, self.response, out)?;
+        if let Some(films) = self.films.get_mut(self.products) {
+            self.unknowns.copy_films(films);
+        }
+        self.products += 1;
+        Ok(())
     }
 
     fn precondition(&mut self, r: &[f32], out: &mut [f32]) -> Result<(), InputError> {

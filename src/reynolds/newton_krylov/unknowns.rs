@@ -188,6 +188,37 @@ impl Unknowns {
         self.respond(at, x, response)
     }
 
+    /// The same where sides prescribe no change, from the `films` of each direction that the vector `x` is made
+    /// of (see [`Unknowns::copy_films`]) and its share in it; no convolution.
+    pub(super) fn change_by<'f>(
+        &mut self,
+        linearisation: &mut Linearisation,
+        x: &[f32],
+        films: impl Iterator<Item = (f64, &'f [f32])>,
+    ) {
+        self.place(x);
+        self.elastic.fill(0.0);
+        for (share, films) in films {
+            let share = share * self.film_unit;
+            for (elastic, film) in self.elastic.iter_mut().zip(films) {
+                *elastic += share * f64::from(*film);
+            }
+        }
+        self.flow_under(linearisation, x);
+    }
+
+    /// Whether the sides of nodes prescribe changes.
+    pub(super) fn are_pinned(&self) -> bool {
+        !self.pinned.is_empty()
+    }
+
+    /// The changes of films without plastic depth under the last vector, in film units.
+    pub(super) fn copy_films(&self, out: &mut [f32]) {
+        for (film, elastic) in out.iter_mut().zip(&self.elastic) {
+            *film = (elastic / self.film_unit) as f32;
+        }
+    }
+
     /// What the equations lack at `state` under the changes that the sides of nodes prescribe; one convolution,
     /// none where nothing changes.
     pub(super) fn residual(
@@ -236,11 +267,8 @@ impl Unknowns {
                 at.coupled.convolutions += UNPADDED;
             }
         }
-        let (approach, per_unit) = (f64::from(approach) * self.film_unit, 1.0 / self.film_unit);
-        for (film, elastic) in self.film.iter_mut().zip(&mut self.elastic) {
-            *elastic -= approach;
-            *film = (*elastic * per_unit) as f32;
-        }
+        let approach = f64::from(approach) * self.film_unit;
+        self.elastic.iter_mut().for_each(|elastic| *elastic -= approach);
         Ok(())
     }
 
@@ -270,12 +298,22 @@ impl Unknowns {
         response: Response,
     ) -> Result<(), InputError> {
         self.deform(at, x[self.len() - 1], response)?;
+        self.flow_under(at.linearisation, x);
+        Ok(())
+    }
+
+    /// Balances under the fluid pressures as they are placed, films without plastic depth as they are, and the
+    /// plastic depths of the vector `x`.
+    fn flow_under(&mut self, linearisation: &mut Linearisation, x: &[f32]) {
+        let per_unit = 1.0 / self.film_unit;
+        for (film, elastic) in self.film.iter_mut().zip(&self.elastic) {
+            *film = (elastic * per_unit) as f32;
+        }
         let limited = self.limited_from..self.contact_from;
         for (&k, x) in self.balanced[limited.clone()].iter().zip(&x[limited]) {
             self.film[k as usize] += x;
         }
-        self.flow(at.linearisation);
-        Ok(())
+        self.flow(linearisation);
     }
 
     /// Balances under the changes of fluid pressure and film as they are.
