@@ -180,8 +180,7 @@ fn on_springs(mut body: WithLocalCompliance<impl DeformationModel>, c: f64, load
     let is_line = grid.ny() == 1;
     let gap: Vec<f64> =
         grid.nodes().map(|(x, y)| (x * x + if is_line { 0.0 } else { y * y }) / (2.0 * radius)).collect();
-    let excluded = vec![false; grid.len()];
-    let problem = DryProblem { gap: &gap, load, limit: None, excluded: &excluded };
+    let problem = DryProblem { gap: &gap, load, limit: None };
     let mut pressure = vec![1.0; grid.len()];
     let outcome = DrySolver::new(grid.len()).solve(&problem, &mut body, &mut pressure, 1e-9, 500).unwrap();
     assert!(outcome.converged, "{outcome:?}");

@@ -24,14 +24,12 @@ const START_PASSES: u64 = 40;
 pub(super) struct DryStart {
     /// Active-set conjugate gradients.
     solver: DrySolver,
-    /// Nodes that may carry nothing: none.
-    excluded: Vec<bool>,
 }
 
 impl DryStart {
     /// Buffers for `grid`.
     pub(super) fn new(grid: Grid) -> Self {
-        Self { solver: DrySolver::new(grid.len()), excluded: vec![false; grid.len()] }
+        Self { solver: DrySolver::new(grid.len()) }
     }
 
     /// Solves to a gap error of `tolerance`: node sides still change in the lubricated solve.
@@ -77,12 +75,7 @@ impl DryStart {
         if state.pressure.iter().all(|&p| p <= 0.0) {
             hertzian(problem, &mut state.pressure);
         }
-        let dry = DryProblem {
-            gap: problem.gap,
-            load: problem.load,
-            limit: problem.pressure_limit,
-            excluded: &self.excluded,
-        };
+        let dry = DryProblem { gap: problem.gap, load: problem.load, limit: problem.pressure_limit };
         let outcome =
             self.solver.solve(&dry, problem.deformation, &mut state.pressure, tolerance, max_passes)?;
         for (k, p) in state.pressure.iter_mut().enumerate() {

@@ -1,9 +1,8 @@
 //! A dry contact on half of the cells, as the start of that on all of them.
 //!
-//! Cells are joined in pairs along each axis: gaps, limits and pressures become means over those that may
-//! carry pressure, and each cell hands its pressure to those it was made of. The solver of the coarser
-//! contact starts from a coarser one itself: the recursion ends below [`SMALLEST`] cells along an axis, or
-//! where the model lives on one grid alone.
+//! Cells are joined in pairs along each axis: gaps, limits and pressures become means, and each cell hands its
+//! pressure to those it was made of. The solver of the coarser contact starts from a coarser one itself: the
+//! recursion ends below [`SMALLEST`] cells along an axis, or where the model lives on one grid alone.
 
 use super::{DryProblem, DrySolver};
 use crate::elastic::{DeformationModel, NEAR};
@@ -31,8 +30,6 @@ pub(super) struct Coarser {
     gap: Vec<f64>,
     /// Pressure limit \[Pa\].
     limit: Vec<f64>,
-    /// Nodes that carry nothing.
-    excluded: Vec<bool>,
     /// Solution \[Pa\].
     pressure: Vec<f64>,
 }
@@ -81,7 +78,6 @@ impl Coarser {
             solver: DrySolver::new(grid.len()),
             gap: zeros(),
             limit: zeros(),
-            excluded: vec![false; grid.len()],
             pressure: zeros(),
         })
     }
@@ -94,26 +90,25 @@ impl Coarser {
         tolerance: f64,
     ) -> Result<f64, InputError> {
         self.average(problem, pressure);
-        let Self { body, solver, gap, limit, excluded, pressure, .. } = self;
+        let Self { body, solver, gap, limit, pressure, .. } = self;
         let limit = problem.limit.map(|_| limit.as_slice());
-        let coarse = DryProblem { gap, load: problem.load, limit, excluded };
+        let coarse = DryProblem { gap, load: problem.load, limit };
         let outcome = solver.solve(&coarse, body.as_mut(), pressure, tolerance.max(TOLERANCE), PASSES)?;
         Ok(outcome.convolutions)
     }
 
-    /// Means of gaps, limits and pressures over the cells that may carry pressure.
+    /// Means of gaps, limits and pressures over the cells.
     fn average(&mut self, problem: &DryProblem<'_>, pressure: &[f64]) {
         let (fine, nx) = (self.finer.grid, self.body.grid().nx());
         for k in 0..self.gap.len() {
             let (mut n, mut gap, mut limit, mut sum) = (0.0, 0.0, 0.0, 0.0);
-            for child in children(&fine, k % nx, k / nx).filter(|&child| !problem.excluded[child]) {
+            for child in children(&fine, k % nx, k / nx) {
                 n += 1.0;
                 gap += problem.gap[child];
                 limit += problem.limit_of(child);
                 sum += pressure[child];
             }
-            self.excluded[k] = n == 0.0;
-            let share = 1.0 / f64::max(n, 1.0);
+            let share = 1.0 / n;
             (self.gap[k], self.limit[k], self.pressure[k]) = (gap * share, limit * share, sum * share);
         }
     }

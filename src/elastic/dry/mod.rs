@@ -73,8 +73,8 @@ struct Task<'a> {
 /// use stribeck::elastic::{DryProblem, DrySolver, HalfSpace};
 /// let grid = Grid::centred(48, 48, 1e-5, 1e-5)?;
 /// let gap: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / 0.02).collect();
-/// let (limit, excluded) = (vec![0.8e9; grid.len()], vec![false; grid.len()]);
-/// let problem = DryProblem { gap: &gap, load: 30.0, limit: Some(&limit), excluded: &excluded };
+/// let limit = vec![0.8e9; grid.len()];
+/// let problem = DryProblem { gap: &gap, load: 30.0, limit: Some(&limit) };
 /// let mut pressure = vec![0.0; grid.len()];
 /// let mut body = HalfSpace::new(grid, 230e9)?;
 /// let outcome = DrySolver::new(grid.len()).solve(&problem, &mut body, &mut pressure, 1e-6, 500)?;
@@ -136,8 +136,7 @@ impl DrySolver {
         let grid = deformation.grid();
         self.check(problem, pressure, &grid)?;
         // Gaps are counted from the lowest, so that no offset of the bodies costs digits.
-        let touchable = (0..grid.len()).filter(|&k| !problem.excluded[k]).map(|k| problem.gap[k]);
-        let datum = touchable.fold(f64::INFINITY, f64::min);
+        let datum = problem.gap.iter().copied().fold(f64::INFINITY, f64::min);
         let task = Task { problem, target: problem.load / grid.cell_area(), datum, tolerance, max_passes };
         let mut outcome = DryOutcome {
             gap_error: f64::INFINITY,
@@ -162,7 +161,6 @@ impl DrySolver {
         for (field, len) in [
             ("gap", problem.gap.len()),
             ("pressure", pressure.len()),
-            ("excluded", problem.excluded.len()),
             ("dry solver", self.gap.len()),
             ("limit", problem.limit.map_or(grid.len(), <[f64]>::len)),
         ] {
@@ -268,7 +266,6 @@ impl DrySolver {
                 Side::Free => (g - level).abs(),
                 Side::Open => (level - g).max(0.0),
                 Side::Limited => (g - level).max(0.0),
-                Side::Excluded => 0.0,
             };
             error += violation;
             *(if *side == Side::Free { &mut free } else { &mut wrong }) += violation * violation;
@@ -280,7 +277,7 @@ impl DrySolver {
     /// The duality gap over the elastic energy, from pressures, gaps and displacements as evaluated.
     fn energy_error(&self, problem: &DryProblem<'_>, pressure: &[f64]) -> f64 {
         let lowest = (0..pressure.len())
-            .filter(|&k| !problem.excluded[k] && pressure[k] < problem.limit_of(k))
+            .filter(|&k| pressure[k] < problem.limit_of(k))
             .map(|k| self.gap[k])
             .fold(f64::INFINITY, f64::min);
         if lowest == f64::INFINITY {

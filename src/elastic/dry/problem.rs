@@ -4,19 +4,16 @@
 /// `g >= 0` where `p = 0`, `g = 0` between, `g <= 0` where `p = limit`, and the sum of `p` times the cell
 /// area equal to the load.
 ///
-/// Pressure stays zero on nodes with `excluded` set.
-///
 /// # Examples
 ///
-/// A rigid flat punch: no node outside of it may carry anything.
+/// A rigid flat punch, deep outside:
 ///
 /// ```
 /// use stribeck::Grid;
 /// use stribeck::elastic::{DryProblem, DrySolver, HalfSpace};
 /// let grid = Grid::centred(32, 32, 1e-5, 1e-5)?;
-/// let excluded: Vec<bool> = grid.nodes().map(|(x, y)| x.hypot(y) > 1e-4).collect();
-/// let gap = vec![0.0; grid.len()];
-/// let problem = DryProblem { gap: &gap, load: 10.0, limit: None, excluded: &excluded };
+/// let gap: Vec<f64> = grid.nodes().map(|(x, y)| if x.hypot(y) > 1e-4 { 1e-3 } else { 0.0 }).collect();
+/// let problem = DryProblem { gap: &gap, load: 10.0, limit: None };
 /// let mut pressure = vec![0.0; grid.len()];
 /// let mut body = HalfSpace::new(grid, 230e9)?;
 /// let outcome = DrySolver::new(grid.len()).solve(&problem, &mut body, &mut pressure, 1e-6, 500)?;
@@ -32,8 +29,6 @@ pub struct DryProblem<'a> {
     pub load: f64,
     /// Largest pressure per node \[Pa\], or none.
     pub limit: Option<&'a [f64]>,
-    /// Nodes that carry no pressure.
-    pub excluded: &'a [bool],
 }
 
 impl DryProblem<'_> {

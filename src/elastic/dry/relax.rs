@@ -142,7 +142,6 @@ impl DrySolver {
                 }
                 Side::Open => (level - g).max(0.0).powi(2) / own,
                 Side::Limited => (g - level).max(0.0).powi(2) / own,
-                Side::Excluded => 0.0,
             };
         }
         (squared, violation)

@@ -16,8 +16,6 @@ pub(super) enum Side {
     Free,
     /// Pressure at the limit, an overlap.
     Limited,
-    /// No pressure, whatever the gap.
-    Excluded,
 }
 
 /// Share of the worst violation from which nodes change sides in cautious passes.
@@ -28,9 +26,7 @@ impl DrySolver {
     pub(super) fn start(&mut self, problem: &DryProblem<'_>, pressure: &mut [f64], target: f64) {
         for (k, p) in pressure.iter_mut().enumerate() {
             let limit = problem.limit_of(k);
-            (self.side[k], *p) = if problem.excluded[k] {
-                (Side::Excluded, 0.0)
-            } else if *p >= limit && limit.is_finite() {
+            (self.side[k], *p) = if *p >= limit && limit.is_finite() {
                 (Side::Limited, limit)
             } else if *p > 0.0 && p.is_finite() {
                 (Side::Free, *p)
@@ -46,9 +42,7 @@ impl DrySolver {
 
     /// Without any pressure to start from, the lowest point of the gap touches first.
     fn seed(&mut self, problem: &DryProblem<'_>, pressure: &mut [f64]) {
-        let lowest = (0..pressure.len())
-            .filter(|&k| !problem.excluded[k])
-            .min_by(|&a, &b| problem.gap[a].total_cmp(&problem.gap[b]));
+        let lowest = (0..pressure.len()).min_by(|&a, &b| problem.gap[a].total_cmp(&problem.gap[b]));
         if let Some(k) = lowest {
             self.side[k] = Side::Free;
             pressure[k] = 1.0;
@@ -79,7 +73,7 @@ impl DrySolver {
         let violation = |side: Side, g: f64| match side {
             Side::Open => level - g,
             Side::Limited => g - level,
-            Side::Free | Side::Excluded => 0.0,
+            Side::Free => 0.0,
         };
         let least = if cautious {
             let violations = self.side.iter().zip(&self.gap).map(|(side, &g)| violation(*side, g));

@@ -14,6 +14,10 @@ use crate::reynolds::flow::{Discretisation, NearField};
 use crate::reynolds::problem::{LubricatedContact, interior};
 use crate::reynolds::state::ContactState;
 
+/// Pressure flow over entrainment of the own elastic response beyond which pressure flow alone fixes the
+/// pressure of a node where solids touch.
+pub(super) const FREE: f64 = 30.0;
+
 /// What a step foresees of all nodes, and the nodes around which windows are laid.
 #[derive(Debug)]
 pub(super) struct Pockets {
@@ -51,7 +55,7 @@ impl Pockets {
         self.order.clear();
         let mut sum = 0.0;
         for k in interior(&fluid.grid) {
-            if is_in_pocket(fluid, kinds[k], k, near, settings.free) {
+            if is_in_pocket(fluid, kinds[k], k, near) {
                 self.imbalance[k] = fluid.imbalance(k, previous).abs();
                 sum += self.imbalance[k];
                 self.order.push(k as u32);
@@ -72,10 +76,10 @@ impl Pockets {
 }
 
 /// Whether the film of node `k` hardly follows its pressure: cavitated, beside solids that touch, or with a
-/// pressure flow that exceeds the entrainment of the own elastic response `free` times.
-pub(super) fn is_in_pocket(fluid: &Discretisation, kind: Kind, k: usize, near: NearField, free: f64) -> bool {
+/// pressure flow that exceeds the entrainment of the own elastic response [`FREE`] times.
+pub(super) fn is_in_pocket(fluid: &Discretisation, kind: Kind, k: usize, near: NearField) -> bool {
     match (kind.fluid, kind.solid) {
-        (Fluid::Active, Solid::Open) => fluid.flow_ratio(k, near) > free,
+        (Fluid::Active, Solid::Open) => fluid.flow_ratio(k, near) > FREE,
         (Fluid::Active | Fluid::Cavitated, _) => true,
         _ => false,
     }

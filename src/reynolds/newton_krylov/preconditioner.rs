@@ -4,6 +4,7 @@
 use super::contact_distance::ContactDistance;
 use super::fluid_block::FluidBlock;
 use super::linearisation::Linearisation;
+use super::pockets::FREE;
 use super::prescribed_displacements::{Inverse, PrescribedDisplacements};
 use super::unknowns::{Linearised, Unknowns};
 use crate::error::InputError;
@@ -31,7 +32,7 @@ struct Coupling {
 const OPEN: Coupling = Coupling { stiff: 0.0, balanced: 10.0, free: 1000.0, width: 0.4 };
 /// Between solids that touch: they screen the films of the fluid, which follow no pressure from further away
 /// than the contact is.
-const SCREENED: Coupling = Coupling { stiff: 0.1, balanced: 3.0, free: 30.0, width: 0.2 };
+const SCREENED: Coupling = Coupling { stiff: 0.1, balanced: 3.0, free: FREE, width: 0.2 };
 const WIDEST: f32 = 6.0;
 
 /// The fluid equations in which films follow their own pressures alone, solved by a [`FluidBlock`]; where

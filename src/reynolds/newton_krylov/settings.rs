@@ -59,9 +59,6 @@ pub struct PocketSettings {
     pub steps: u32,
     /// Cells along each side of a window; at least 8.
     pub side: usize,
-    /// Pressure flow over entrainment of the own elastic response above which the film of a node counts as
-    /// one that its pressure hardly moves; above 0.
-    pub free: f64,
     /// Share of what all pockets lack that the nodes lack around which windows are laid; between 0 and 1.
     pub share: f64,
     /// Share of the nodes of the grid above which those nodes are too many: what is lacking so widely is
@@ -244,7 +241,7 @@ impl RowSettings {
 
 impl Default for PocketSettings {
     fn default() -> Self {
-        Self { steps: 4, side: 20, free: 30.0, share: 0.9, most_nodes: 0.02 }
+        Self { steps: 4, side: 20, share: 0.9, most_nodes: 0.02 }
     }
 }
 
@@ -252,7 +249,6 @@ impl PocketSettings {
     fn validate(&self) -> Result<(), InputError> {
         let side = self.side as f64;
         InputError::require(self.side >= LEAST_SIDE, "newton.pockets.side", side, "at least 8")?;
-        InputError::require_positive("newton.pockets.free", self.free)?;
         require_share("newton.pockets.share", self.share)?;
         require_share("newton.pockets.most_nodes", self.most_nodes)
     }

@@ -152,7 +152,7 @@ impl Window {
         self.flow(problem, lubricant, near.own);
         for q in 0..self.grid.len() {
             let kind = self.nodes[q].kind;
-            self.chosen[q] = self.is_core(q) && is_in_pocket(&self.fluid, kind, q, near, settings.free);
+            self.chosen[q] = self.is_core(q) && is_in_pocket(&self.fluid, kind, q, near);
         }
         let before = self.lack(problem);
         let mut least = before;
