@@ -296,7 +296,7 @@ fn solvers_agree() {
 /// Steps of the reference history, its films grown fast.
 fn history(scene: &Scene, steps: usize) -> Vec<StepRecord> {
     let mut sim = MixedLubricationSim::builder(scene.clone()).build().unwrap();
-    (0..steps).map(|_| sim.step(300.0).unwrap()).collect()
+    (0..steps).map(|_| sim.step(180.0).unwrap()).collect()
 }
 
 #[test]
