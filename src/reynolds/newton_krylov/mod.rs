@@ -145,7 +145,7 @@ impl NewtonKrylov {
                 linearisation: Linearisation::new(grid),
                 preconditioner: BlockPreconditioner::new(grid, (self.fluid_block)(&grid)),
                 gmres: Gmres::new(length, self.settings.krylov_steps(&grid)),
-                films: vec![vec![0.0; grid.len()]; KEPT_FILMS],
+                films: (0..KEPT_FILMS).map(|_| vec![0.0; grid.len()]).collect(),
                 residual: vec![0.0; length],
                 step: vec![0.0; length],
                 start: DryStart::new(grid),
