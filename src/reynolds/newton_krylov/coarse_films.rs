@@ -10,7 +10,7 @@ use crate::reynolds::coupled::UNPADDED;
 
 /// Nodes of a block along each axis.
 const WIDTH: usize = 3;
-/// Conjugate gradient steps.
+/// Conjugate gradient steps, as many whatever they leave: where their number changes, Krylov steps are more.
 const STEPS: u32 = 3;
 /// Cost of a convolution on the blocks in those on the padded grid of the nodes.
 const COST: f64 = UNPADDED / (WIDTH * WIDTH) as f64;
