@@ -70,9 +70,9 @@ fn converged(scene: Scene, change: fn(&mut NewtonSettings)) -> ContactSolution {
     solution
 }
 
-/// It begins at the contact film of the scene and has to halve its residual in five steps, which it does not.
+/// It begins at the contact film of the scene and has to halve its residual in three steps, which it does not.
 fn stall(attempt: &mut Attempt) {
-    (attempt.first_contact_film, attempt.steps_to_halve) = (1.0, 5);
+    (attempt.first_contact_film, attempt.steps_to_halve) = (1.0, 3);
 }
 
 /// The attempt stalls with the contact film of the scene, but not with a thicker one, which leads to the same

@@ -22,8 +22,6 @@ pub(crate) const CHANGES: &[Change] = &[
     change("no continuation", |s| s.least_film_ratio = f64::INFINITY),
     change("krylov_steps x 0.5", |s| s.krylov_steps /= 2),
     change("krylov_steps x 2", |s| s.krylov_steps *= 2),
-    change("tight_krylov_tolerance: 0.03", |s| s.tight_krylov_tolerance = 0.03),
-    change("tight_krylov_tolerance off", |s| s.tight_krylov_tolerance = 0.99),
     change("largest_change off", |s| s.largest_change = 1e9),
     change("largest_change x 0.5", |s| s.largest_change *= 0.5),
     change("first_contact_film: 1 (no film homotopy)", |s| {
@@ -41,7 +39,7 @@ pub(crate) const CHANGES: &[Change] = &[
     change("halvings: 1", |s| s.halvings = 1),
     change("halvings x 2", |s| s.halvings *= 2),
     change("patience x 2", |s| s.patience *= 2),
-    change("patience off", |s| s.patience = u32::MAX),
+    change("patience off", |s| s.patience = u64::MAX),
     change("trust x 0.5", |s| both(s, |attempt| attempt.trust *= 0.5)),
     change("trust x 3", |s| both(s, |attempt| attempt.trust *= 3.0)),
     change("pseudo_transient off", |s| {
@@ -64,8 +62,8 @@ pub(crate) const CHANGES: &[Change] = &[
     change("krylov_tolerance: 0.01", |s| {
         both(s, |attempt| attempt.krylov_tolerance = 0.01);
     }),
-    change("krylov_tolerance: 0.1", |s| {
-        both(s, |attempt| attempt.krylov_tolerance = 0.1);
+    change("krylov_tolerance: 0.3", |s| {
+        both(s, |attempt| attempt.krylov_tolerance = 0.3);
     }),
     change("pockets off", |s| s.pockets.steps = 0),
     change("pockets.steps x 0.5", |s| s.pockets.steps /= 2),

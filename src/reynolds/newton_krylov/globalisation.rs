@@ -5,22 +5,19 @@ use super::settings::{Attempt, NewtonSettings};
 /// Residual over the lowest before that is progress.
 const PROGRESS: f64 = 0.5;
 
-/// Trust, pseudo-transient term and linear tolerance of the next step.
+/// Trust and pseudo-transient term of the next step.
 #[derive(Debug)]
 pub(super) struct Globalisation {
-    attempt: Attempt,
+    pub(super) attempt: Attempt,
     largest_trust: f64,
     /// How far a node may leave the forecast \[Pa\].
     pub(super) trust: f64,
-    pub(super) krylov_tolerance: f64,
     pseudo_transient: f64,
-    lowest: f64,
-    fruitless: u32,
-    /// Whether steps have once been fruitless for [`NewtonSettings::patience`] of them.
-    swings: bool,
     /// The last residual that was half of the one before it here, and the steps since.
     halved: f64,
     since_halved: u64,
+    /// Whether these have once been [`NewtonSettings::patience`].
+    swings: bool,
 }
 
 impl Globalisation {
@@ -30,45 +27,32 @@ impl Globalisation {
             attempt,
             largest_trust,
             trust: largest_trust,
-            krylov_tolerance: attempt.krylov_tolerance,
             pseudo_transient: attempt.pseudo_transient.0,
-            lowest: f64::INFINITY,
-            fruitless: 0,
-            swings: false,
             halved: f64::INFINITY,
             since_halved: 0,
+            swings: false,
         }
     }
 
-    /// Takes the residual of the equations of the problem.
-    pub(super) fn watch(&mut self, residual: f64) {
-        if residual < self.lowest {
-            (self.lowest, self.fruitless) = (residual, 0);
-        } else {
-            self.fruitless += 1;
-        }
-    }
-
-    /// Whether the residual has not halved for too many steps, of which those that ease films do not count.
-    pub(super) fn has_stalled(&mut self, residual: f64, eases_films: bool) -> bool {
+    /// Takes the residual of a step. Where steps have not halved it for long, the bounds are tightened. Those
+    /// that ease films do not count.
+    pub(super) fn watch(&mut self, residual: f64, eases_films: bool, settings: &NewtonSettings) {
         if eases_films {
-            return false;
+            return;
         }
         self.since_halved += 1;
         if residual <= PROGRESS * self.halved {
             (self.halved, self.since_halved) = (residual, 0);
+        } else if self.since_halved.is_multiple_of(settings.patience) {
+            self.largest_trust *= 0.5;
+            self.trust = self.trust.min(self.largest_trust);
+            self.swings = true;
         }
-        self.since_halved >= self.attempt.steps_to_halve
     }
 
-    /// Tightens all bounds where steps have been fruitless for long.
-    pub(super) fn tighten(&mut self, settings: &NewtonSettings) {
-        if self.fruitless != settings.patience {
-            return;
-        }
-        (self.largest_trust, self.fruitless, self.swings) = (0.5 * self.largest_trust, 0, true);
-        self.krylov_tolerance = self.krylov_tolerance.min(settings.tight_krylov_tolerance);
-        self.trust = self.trust.min(self.largest_trust);
+    /// Whether the residual has not halved for too many steps.
+    pub(super) fn has_stalled(&self) -> bool {
+        self.since_halved >= self.attempt.steps_to_halve
     }
 
     /// The pseudo-transient term of a step, full on the way of the `homotopy`.

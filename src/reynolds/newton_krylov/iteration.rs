@@ -46,19 +46,18 @@ impl Workspace {
             }
             self.history.push(self.residuals);
             // Residuals of other equations than those of the problem tell nothing of its solution.
-            if !homotopy.is_on(problem) {
-                globalisation.watch(self.residuals.max());
-                if let Some(status) = self.judge(state, stop) {
-                    return Ok(status);
-                }
+            if !homotopy.is_on(problem)
+                && let Some(status) = self.judge(state, stop)
+            {
+                return Ok(status);
             }
-            if globalisation.has_stalled(self.residuals.max(), homotopy.eases_films(problem)) {
+            globalisation.watch(self.residuals.max(), homotopy.eases_films(problem), &self.settings);
+            if globalisation.has_stalled() {
                 return Ok(Status::Stalled);
             }
             if iteration == left {
                 break;
             }
-            globalisation.tighten(&self.settings);
             if !self.step(problem, state, &mut globalisation, homotopy)? {
                 return Ok(Status::Diverged);
             }
@@ -95,7 +94,8 @@ impl Workspace {
         let pseudo_transient = globalisation.next_pseudo_transient(before, is_on, &self.settings);
         self.coupled.fluid.set_pseudo_transient(pseudo_transient);
         self.close_contact(problem, state);
-        let Some(krylov_steps) = self.linear_step(problem, state, globalisation.krylov_tolerance)? else {
+        let tolerance = globalisation.attempt.krylov_tolerance;
+        let Some(krylov_steps) = self.linear_step(problem, state, tolerance)? else {
             return Ok(false);
         };
         self.work.inner_iterations += krylov_steps;

@@ -35,14 +35,10 @@ pub struct NewtonSettings {
     pub near_below: f64,
     /// How often a step is taken again at half its length at most ([`Attempt::growth`]).
     pub halvings: u32,
-    /// Steps without a new best residual after which the largest trust is halved, steps may not let the
-    /// residual grow any more, and linear systems are solved to the
-    /// [`tight_krylov_tolerance`](Self::tight_krylov_tolerance); at least 1. What linear systems leave in a
-    /// pocket of one node may be all that decides whether its fluid cavitates, and it then does in every other
-    /// step.
-    pub patience: u32,
-    /// Between 0 and 1.
-    pub tight_krylov_tolerance: f64,
+    /// After as many steps without a halved residual the largest trust is halved, and steps may not let the
+    /// residual grow any more; at least 1. Where two differences of films take turns to limit the film of a
+    /// face, whole steps may go to and fro for good.
+    pub patience: u64,
     /// What is done about pockets between the steps.
     pub pockets: PocketSettings,
 }
@@ -128,7 +124,7 @@ const QUICK: Attempt = Attempt {
     pseudo_transient: (0.3, 0.85),
     unforeseen: 0.3,
     start_tolerance: 0.18,
-    krylov_tolerance: 0.3,
+    krylov_tolerance: 0.1,
     growth: 2.0,
     steps_to_halve: 40,
 };
@@ -145,14 +141,10 @@ impl Default for NewtonSettings {
             near_below: 100.0,
             halvings: 3,
             patience: 5,
-            tight_krylov_tolerance: 0.1,
             pockets: PocketSettings::default(),
         }
     }
 }
-
-/// Reduction of the linear residual where the fluid equations are relaxed by lines.
-const BY_LINES: f64 = 0.1;
 
 impl NewtonSettings {
     /// Krylov steps of a linear solve on `grid`.
@@ -182,13 +174,12 @@ impl NewtonSettings {
     /// which take eight times the time for a tenth more scenes.
     pub(in crate::reynolds) fn by_lines(relaxations: usize) -> Self {
         Self {
-            attempt: Attempt { krylov_tolerance: BY_LINES, ..QUICK },
             least_film_ratio: f64::INFINITY,
             pockets: PocketSettings { steps: 0, ..PocketSettings::default() },
             krylov_steps: relaxations,
             on_rows: RowSettings {
                 krylov_steps: relaxations,
-                krylov_tolerance: BY_LINES,
+                krylov_tolerance: QUICK.krylov_tolerance,
                 ..RowSettings::default()
             },
             ..Self::default()
@@ -201,16 +192,13 @@ impl NewtonSettings {
     ///
     /// [`InputError`] that names the field, as `newton.patience` or `newton.attempt.trust`.
     pub fn validate(&self) -> Result<(), InputError> {
-        let count = |field: &str, count: f64| require_count(&format!("newton.{field}"), count);
         let ratio = self.least_film_ratio;
         InputError::require(ratio > 1.0, "newton.least_film_ratio", ratio, "above 1")?;
         require_krylov_steps("newton.krylov_steps", self.krylov_steps)?;
         self.on_rows.validate()?;
         self.attempt.validate("newton.attempt")?;
         self.following.validate("newton.following")?;
-        count("patience", f64::from(self.patience))?;
-        let share = |field: &str, share: f64| require_share(&format!("newton.{field}"), share);
-        share("tight_krylov_tolerance", self.tight_krylov_tolerance)?;
+        require_count("newton.patience", self.patience as f64)?;
         InputError::require_positive("newton.largest_change", self.largest_change)?;
         InputError::require_positive("newton.near_below", self.near_below)?;
         self.pockets.validate()
