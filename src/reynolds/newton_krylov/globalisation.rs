@@ -2,7 +2,7 @@
 
 use super::settings::{Attempt, NewtonSettings};
 
-/// Residual over the lowest before that is progress.
+/// A residual is progress if it is at most this times the last that was.
 const PROGRESS: f64 = 0.5;
 
 /// Trust and pseudo-transient term of the next step.
@@ -13,11 +13,11 @@ pub(super) struct Globalisation {
     /// How far a node may leave the forecast \[Pa\].
     pub(super) trust: f64,
     pseudo_transient: f64,
-    /// The last residual that was half of the one before it here, and the steps since.
+    /// The last residual that was progress, and the steps since.
     halved: f64,
     since_halved: u64,
-    /// Whether these have once been [`NewtonSettings::patience`].
-    swings: bool,
+    /// Whether these have once been [`NewtonSettings::patience`]: bounds are tightened.
+    is_tight: bool,
 }
 
 impl Globalisation {
@@ -30,7 +30,7 @@ impl Globalisation {
             pseudo_transient: attempt.pseudo_transient.0,
             halved: f64::INFINITY,
             since_halved: 0,
-            swings: false,
+            is_tight: false,
         }
     }
 
@@ -46,7 +46,7 @@ impl Globalisation {
         } else if self.since_halved.is_multiple_of(settings.patience) {
             self.largest_trust *= 0.5;
             self.trust = self.trust.min(self.largest_trust);
-            self.swings = true;
+            self.is_tight = true;
         }
     }
 
@@ -68,14 +68,14 @@ impl Globalisation {
         term
     }
 
-    /// Growth of the residual above which a step is taken again: none once steps have swung, any in an attempt
-    /// that shortens no steps, and where the step `eases_films`, as the residual then is one of other equations
-    /// than that before.
+    /// Growth of the residual above which a step is taken again: none once bounds are tightened, any in an
+    /// attempt that shortens no steps, and where the step `eases_films`, as the residual then is one of other
+    /// equations than that before.
     pub(super) fn growth(&self, eases_films: bool) -> f64 {
         let most = self.attempt.growth;
         if eases_films {
             f64::INFINITY
-        } else if self.swings && most.is_finite() {
+        } else if self.is_tight && most.is_finite() {
             1.0
         } else {
             most
