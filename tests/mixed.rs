@@ -123,21 +123,26 @@ fn the_rims_of_pockets_hold() {
     }
 }
 
-/// Linear systems to 30 % may send the fluid of a pocket of one node in and out of cavitation, step by step.
-/// Solved better where that happens, and by steps under which no residual grows, they end it within the two
-/// attempts of 80 and 160 steps: 186 steps in all with the default flow, 139 with Reynolds' condition. Roundings
-/// decide about the first attempt.
+/// A pocket of one node may go in and out of cavitation step by step, for good if nothing ends it. Of sixteen such
+/// contacts fifteen take 24 to 76 Newton steps and one, led by thicker contact films, 484. Roundings decide about
+/// single ones.
 #[test]
 fn pockets_do_not_go_round_in_cycles() {
-    let rough = scene(64, 0.1, 300e-9, 10e-6, 2e9, Some(2e9));
-    let mut simple = rough.clone();
-    simple.solver.scheme = Some(Scheme::FirstOrder);
-    simple.solver.face_mobility = Some(FaceMobility::ReducedPressure);
-    simple.solver.cavitation = Some(Cavitation::Reynolds);
-    for scene in [rough, simple] {
-        let report = solve_soundly(&scene, "pockets").report;
-        assert!(report.work.iterations <= 240, "{report:?}");
-    }
+    let rough = |seed: u64| {
+        let mut scene = scene(64, 0.1, 300e-9, 10e-6, 2e9, Some(2e9));
+        let random = |seed| Roughness::gaussian(300e-9 / 2.0_f64.sqrt(), 10e-6, seed);
+        (scene.roughness.ball, scene.roughness.disc) = (random(seed), random(seed + 1));
+        scene
+    };
+    let simple = |mut scene: Scene| {
+        scene.solver.scheme = Some(Scheme::FirstOrder);
+        scene.solver.face_mobility = Some(FaceMobility::ReducedPressure);
+        scene.solver.cavitation = Some(Cavitation::Reynolds);
+        scene
+    };
+    let scenes = (1..16).step_by(2).map(rough).flat_map(|scene| [scene.clone(), simple(scene)]);
+    let steps: Vec<u64> = scenes.map(|s| solve_soundly(&s, "pockets").report.work.iterations).collect();
+    assert!(steps.iter().filter(|steps| **steps > 110).count() <= 1, "{steps:?}");
 }
 
 /// The plastic depth of fluid at the limit does not follow from the pressures: a start keeps it.

@@ -1,6 +1,6 @@
 //! What is switched off, halved or doubled.
 
-use stribeck::reynolds::{Attempt, NewtonSettings};
+use stribeck::reynolds::NewtonSettings;
 
 /// A change of the settings with its name.
 pub(crate) struct Change {
@@ -12,12 +12,6 @@ const fn change(name: &'static str, apply: fn(&mut NewtonSettings)) -> Change {
     Change { name, apply }
 }
 
-/// Changes the numbers of the attempt and of following alike.
-fn both(settings: &mut NewtonSettings, change: fn(&mut Attempt)) {
-    change(&mut settings.attempt);
-    change(&mut settings.following);
-}
-
 pub(crate) const CHANGES: &[Change] = &[
     change("no continuation", |s| s.least_film_ratio = f64::INFINITY),
     change("krylov_steps x 0.5", |s| s.krylov_steps /= 2),
@@ -25,45 +19,44 @@ pub(crate) const CHANGES: &[Change] = &[
     change("largest_change off", |s| s.largest_change = 1e9),
     change("largest_change x 0.5", |s| s.largest_change *= 0.5),
     change("first_contact_film: 1 (no film homotopy)", |s| {
-        both(s, |attempt| attempt.first_contact_film = 1.0);
+        s.attempt.first_contact_film = 1.0;
     }),
     change("first_contact_film x 2", |s| {
-        both(s, |attempt| attempt.first_contact_film *= 2.0);
+        s.attempt.first_contact_film *= 2.0;
     }),
     change("near_below x 0.1", |s| s.near_below *= 0.1),
     change("near_below x 10", |s| s.near_below *= 10.0),
     change("growth off (no step shortened)", |s| s.attempt.growth = f64::INFINITY),
     change("growth: 1", |s| s.attempt.growth = 1.0),
     change("growth: 4", |s| s.attempt.growth = 4.0),
-    change("following.growth: 2", |s| s.following.growth = 2.0),
     change("halvings: 1", |s| s.halvings = 1),
     change("halvings x 2", |s| s.halvings *= 2),
     change("patience x 2", |s| s.patience *= 2),
     change("patience off", |s| s.patience = u64::MAX),
-    change("trust x 0.5", |s| both(s, |attempt| attempt.trust *= 0.5)),
-    change("trust x 3", |s| both(s, |attempt| attempt.trust *= 3.0)),
+    change("trust x 0.5", |s| s.attempt.trust *= 0.5),
+    change("trust x 3", |s| s.attempt.trust *= 3.0),
     change("pseudo_transient off", |s| {
-        both(s, |attempt| attempt.pseudo_transient = (0.0, 0.0));
+        s.attempt.pseudo_transient = (0.0, 0.0);
     }),
     change("pseudo_transient x 2", |s| {
-        both(s, |attempt| attempt.pseudo_transient.0 *= 2.0);
+        s.attempt.pseudo_transient.0 *= 2.0;
     }),
-    change("unforeseen x 0.5", |s| both(s, |attempt| attempt.unforeseen *= 0.5)),
-    change("unforeseen off", |s| both(s, |attempt| attempt.unforeseen = 1e9)),
+    change("unforeseen x 0.5", |s| s.attempt.unforeseen *= 0.5),
+    change("unforeseen off", |s| s.attempt.unforeseen = 1e9),
     change("start_tolerance x 3", |s| {
-        both(s, |attempt| attempt.start_tolerance *= 3.0);
+        s.attempt.start_tolerance *= 3.0;
     }),
     change("start_tolerance x 0.1", |s| {
-        both(s, |attempt| attempt.start_tolerance *= 0.1);
+        s.attempt.start_tolerance *= 0.1;
     }),
     change("krylov_tolerance: 0.03", |s| {
-        both(s, |attempt| attempt.krylov_tolerance = 0.03);
+        s.attempt.krylov_tolerance = 0.03;
     }),
     change("krylov_tolerance: 0.01", |s| {
-        both(s, |attempt| attempt.krylov_tolerance = 0.01);
+        s.attempt.krylov_tolerance = 0.01;
     }),
     change("krylov_tolerance: 0.3", |s| {
-        both(s, |attempt| attempt.krylov_tolerance = 0.3);
+        s.attempt.krylov_tolerance = 0.3;
     }),
     change("pockets off", |s| s.pockets.steps = 0),
     change("pockets.steps x 0.5", |s| s.pockets.steps /= 2),

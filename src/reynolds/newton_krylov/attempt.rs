@@ -58,7 +58,7 @@ impl Workspace {
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
-        let attempt = self.settings.on(self.settings.attempt, &problem.grid());
+        let attempt = self.settings.attempt_on(&problem.grid());
         let homotopy = Homotopy::to(problem);
         let attempt = if !cold && self.begins_near(problem, state)? {
             Attempt { pseudo_transient: STEADY, ..attempt }

@@ -119,15 +119,14 @@ impl CoarseFilms {
         cost
     }
 
-    /// Takes the share `lessened` of the mean pressure of each block from `values`, pressures over their
-    /// weights.
-    pub(super) fn lessen_means(&mut self, given: &[u32], weights: &[f64], values: &mut [f64], lessened: f64) {
+    /// Takes the mean pressure of each block from `values`, pressures over their weights.
+    pub(super) fn take_means(&mut self, given: &[u32], weights: &[f64], values: &mut [f64]) {
         self.scratch.fill(0.0);
         for k in given.iter().map(|&k| k as usize) {
             self.scratch[self.block[k] as usize] += weights[k] * values[k];
         }
         for (mean, per_root) in self.scratch.iter_mut().zip(&self.per_root) {
-            *mean *= lessened * per_root * per_root;
+            *mean *= per_root * per_root;
         }
         for k in given.iter().map(|&k| k as usize) {
             values[k] -= weights[k] * self.scratch[self.block[k] as usize];

@@ -3,6 +3,7 @@
 use super::Workspace;
 use super::attempt::may_go_on;
 use super::homotopy::Homotopy;
+use super::settings::Attempt;
 use crate::report::{Residuals, Status};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
@@ -92,7 +93,8 @@ impl Workspace {
         Ok(Status::Converged)
     }
 
-    /// Solves from a solution with another contact film.
+    /// Solves from a solution with another contact film, by whole steps: where a few nodes of a pocket cavitate
+    /// and open in turn, shortened ones come back to the same states.
     fn follow(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -100,7 +102,8 @@ impl Workspace {
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
         self.best_residuals = Residuals::UNKNOWN;
-        let following = self.settings.on(self.settings.following, &problem.grid());
+        let attempt = self.settings.attempt_on(&problem.grid());
+        let following = Attempt { growth: f64::INFINITY, ..attempt };
         self.begin(problem, state)?;
         let status = self.newton(problem, state, stop, following, Homotopy::to(problem))?;
         self.work.convolutions += self.coupled.convolutions;

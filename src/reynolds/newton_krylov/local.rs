@@ -16,9 +16,6 @@ const FIRST_PRESSURE: f64 = 1.0;
 /// Relative distance from the pressure foreseen within which a root is the one foreseen: what linear systems
 /// that are solved well leave.
 const FORESEEN: f64 = 0.01;
-/// Pressure flow over entrainment of the own elastic response below which the film of a node is what the
-/// fluid carries to it.
-const CARRIED: f64 = 3.0;
 
 /// What the linear step foresees for a node.
 #[derive(Debug, Clone, Copy)]
@@ -132,7 +129,7 @@ impl<'a> Local<'a> {
         let Material { contact_film, limit, own_influence, trust } = material;
         let touch = forecast.pressure + (contact_film - forecast.elastic_film) / own_influence;
         let opening = touch.min(limit);
-        if self.is_carried_open(material, forecast, opening) {
+        if self.lets_in(material, forecast, opening) {
             // A streak of such nodes opens together: each keeps the pressure foreseen, and the next linear
             // step, which knows of all, lifts them.
             let (pressure, kind) = (forecast.pressure, Kind { fluid: Fluid::Active, solid: Solid::Open });
@@ -170,16 +167,15 @@ impl<'a> Local<'a> {
         }
     }
 
-    /// Whether more fluid is carried to the node than leaves it at the contact film, pressure flow being
-    /// small.
-    fn is_carried_open(&self, material: Material, forecast: Forecast, opening: f64) -> bool {
-        let Material { contact_film, limit, own_influence, .. } = material;
+    /// Whether more fluid gets to the node than leaves it at the contact film, and more leaves as it opens.
+    fn lets_in(&self, material: Material, forecast: Forecast, opening: f64) -> bool {
+        let Material { contact_film, limit, .. } = material;
         let inside = 0.0..limit;
         if !inside.contains(&opening) || !inside.contains(&forecast.pressure) || forecast.depth > 0.0 {
             return false;
         }
-        let (share, by_pressure, by_film) = self.share(opening, contact_film);
-        share < forecast.share && by_pressure < CARRIED * by_film * own_influence
+        let (share, _, by_film) = self.share(opening, contact_film);
+        share < forecast.share && by_film > 0.0
     }
 }
 

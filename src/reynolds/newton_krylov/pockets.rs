@@ -15,7 +15,7 @@ use crate::reynolds::problem::{LubricatedContact, interior};
 use crate::reynolds::state::ContactState;
 
 /// Pressure flow over entrainment of the own elastic response beyond which pressure flow alone fixes the
-/// pressure of a node where solids touch.
+/// pressure of a node.
 pub(super) const FREE: f64 = 30.0;
 
 /// What a step foresees of all nodes, and the nodes around which windows are laid.

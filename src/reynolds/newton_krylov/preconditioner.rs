@@ -13,26 +13,19 @@ use crate::numerics::STENCIL;
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::problem::LubricatedContact;
 
-/// How films and pressures of the fluid go together, by the ratio `R` of pressure flow to the entrainment of
-/// the elastic response of a node. Where it is small, upstream fixes the film and the pressure is what makes
-/// it, as in solid contact; where it is large, pressure flow fixes the pressure.
-struct Coupling {
-    /// `R` below which pressure is found from the film alone and pressure flow left out.
-    stiff: f64,
-    /// `R` at which half of the pressure of a node is found from its film.
-    balanced: f64,
-    /// `R` beyond which the film does not enter.
-    free: f64,
-    /// Film of a node per own pressure over the self-influence: this times the square root of `R`, between 1
-    /// and [`WIDEST`]. Pressure flow smooths pressures over about that many cells, and wide pressures move
-    /// films more.
-    width: f64,
-}
-/// Where no solids touch.
-const OPEN: Coupling = Coupling { stiff: 0.0, balanced: 10.0, free: 1000.0, width: 0.4 };
-/// Between solids that touch: they screen the films of the fluid, which follow no pressure from further away
-/// than the contact is.
-const SCREENED: Coupling = Coupling { stiff: 0.1, balanced: 3.0, free: FREE, width: 0.2 };
+// How films and pressures of the fluid go together, by the ratio `R` of pressure flow to the entrainment of the
+// elastic response of a node. Where it is small, upstream fixes the film and the pressure is what makes it, as in
+// solid contact; where it is large, pressure flow fixes the pressure, and beyond `FREE` the film does not enter.
+
+/// `R` below which pressure is found from the film alone and pressure flow left out.
+const STIFF: f64 = 0.1;
+/// `R` at which half of the pressure of a node is found from its film.
+const BALANCED: f64 = 3.0;
+/// Where solids touch, film of a node per own pressure over the self-influence: this times the square root of
+/// `R`, at least 1, and at most the cells to the nearest contact, which screens it. Pressure flow smooths pressures
+/// over about that many cells, and wide pressures move films more.
+const WIDTH: f64 = 0.2;
+/// So far away contact screens nothing more.
 const WIDEST: f32 = 6.0;
 
 /// The fluid equations in which films follow their own pressures alone, solved by a [`FluidBlock`]; where
@@ -147,7 +140,6 @@ impl BlockPreconditioner {
         if by_film && self.screened {
             self.contact_distance.update(&coupled.kinds);
         }
-        let coupling = if self.screened { SCREENED } else { OPEN };
         for &k in unknowns.open() {
             let k = k as usize;
             self.response[k] = 1.0;
@@ -155,14 +147,15 @@ impl BlockPreconditioner {
                 continue;
             }
             let ratio = coupled.fluid.flow_ratio(k, coupled.near).max(0.0);
-            if ratio < coupling.stiff {
+            if ratio < STIFF {
                 (self.moves[k], self.film_weight[k]) = (0.0, 1.0);
                 continue;
             }
-            let widest = if self.screened { self.contact_distance.at(k) } else { WIDEST };
-            self.response[k] = ((coupling.width * ratio.sqrt()) as f32).clamp(1.0, widest);
-            if ratio < coupling.free {
-                self.film_weight[k] = (1.0 + (ratio / coupling.balanced).sqrt()).sqrt().recip() as f32;
+            if self.screened {
+                self.response[k] = ((WIDTH * ratio.sqrt()) as f32).min(self.contact_distance.at(k)).max(1.0);
+            }
+            if ratio < FREE {
+                self.film_weight[k] = (1.0 + (ratio / BALANCED).sqrt()).sqrt().recip() as f32;
             }
         }
     }

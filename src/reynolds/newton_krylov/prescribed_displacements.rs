@@ -6,13 +6,6 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::coupled::UNPADDED;
 
-/// Share of the inverse convolution that is taken: it holds the films of all other nodes, which in truth give
-/// way.
-const YIELDING: f64 = 0.9;
-/// Share of the mean pressure of a block that is taken back from it: the blocks have found that already, and
-/// what single nodes add to it would have to be carried by the whole contact.
-const FOUND: f64 = 0.6;
-
 /// How far the rough inverse goes where solids screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Inverse {
@@ -114,11 +107,12 @@ impl PrescribedDisplacements {
         }
         body.pressure_estimate(films, scratch)?;
         if let Some(coarse) = coarse {
-            coarse.lessen_means(nodes, weights, scratch, FOUND);
+            // The blocks have found these already, and what single nodes add would have to be carried by the
+            // whole contact.
+            coarse.take_means(nodes, weights, scratch);
         }
-        let share = if screened { YIELDING * own } else { own };
         for &k in &*nodes {
-            pressures[k as usize] += share * weights[k as usize] * scratch[k as usize];
+            pressures[k as usize] += own * weights[k as usize] * scratch[k as usize];
         }
         Ok(cost)
     }

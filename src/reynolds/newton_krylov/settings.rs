@@ -16,11 +16,9 @@ pub struct NewtonSettings {
     /// The numbers by which a contact is solved from a state that is near, else from the dry contact.
     pub attempt: Attempt,
     /// Where that stalls or diverges, it is tried with thicker contact films, doubled until it converges, and
-    /// that solution is followed to the contact film of the problem in steps that are halved where they fail.
-    /// The numbers by which it is followed; those of the dry start do not count.
-    pub following: Attempt,
-    /// Ratio of two contact films one after the other below which following has failed; above 1, and from 2 on
-    /// nothing of this is done.
+    /// that solution is followed to the contact film of the problem, by whole steps of the attempt, in steps of
+    /// the contact film that are halved where they fail. Ratio of two contact films one after the other below
+    /// which following has failed; above 1, and from 2 on nothing of this is done.
     pub least_film_ratio: f64,
     /// Krylov steps of a linear solve; from 1 to 10 000.
     pub krylov_steps: usize,
@@ -62,8 +60,7 @@ pub struct PocketSettings {
     pub most_nodes: f64,
 }
 
-/// Numbers of line contacts, whose nodes are on one row. Pockets are closed on all sides there, and pressures move
-/// all films alike, by far more than each its own.
+/// Numbers of line contacts, whose nodes are on one row. Pockets are closed on all sides there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct RowSettings {
@@ -72,10 +69,6 @@ pub struct RowSettings {
     /// Reduction of the linear residual in each Newton step, as what a linear system leaves in a pocket stays
     /// there; between 0 and 1.
     pub krylov_tolerance: f64,
-    /// Largest pressure change of one step in reference pressures, whatever the mesh; above 0.
-    pub largest_change: f64,
-    /// Gap error of the dry start times the cells in a half-width; above 0.
-    pub start_tolerance: f64,
     /// Newton steps after which an attempt has stalled unless the residual has halved in them; at least 1.
     pub steps_to_halve: u64,
 }
@@ -133,7 +126,6 @@ impl Default for NewtonSettings {
     fn default() -> Self {
         Self {
             attempt: QUICK,
-            following: Attempt { pseudo_transient: (3.0, 0.94), growth: f64::INFINITY, ..QUICK },
             least_film_ratio: 1.03,
             krylov_steps: 100,
             on_rows: RowSettings::default(),
@@ -154,19 +146,16 @@ impl NewtonSettings {
 
     /// Largest pressure change of one step in reference pressures.
     pub(super) fn largest_change(&self, problem: &LubricatedContact<'_>) -> f64 {
-        if problem.grid().ny() == 1 {
-            return self.on_rows.largest_change;
-        }
         self.largest_change * problem.reference_half_widths.0 / problem.grid().dx()
     }
 
     /// The attempt as it is on `grid`.
-    pub(super) fn on(&self, attempt: Attempt, grid: &Grid) -> Attempt {
+    pub(super) fn attempt_on(&self, grid: &Grid) -> Attempt {
         if grid.ny() > 1 {
-            return attempt;
+            return self.attempt;
         }
-        let RowSettings { krylov_tolerance, start_tolerance, steps_to_halve, .. } = self.on_rows;
-        Attempt { krylov_tolerance, start_tolerance, steps_to_halve, ..attempt }
+        let RowSettings { krylov_tolerance, steps_to_halve, .. } = self.on_rows;
+        Attempt { krylov_tolerance, steps_to_halve, ..self.attempt }
     }
 
     /// Those of steps whose fluid equations are relaxed by lines, `relaxations` in each. Without pockets, which
@@ -197,7 +186,6 @@ impl NewtonSettings {
         require_krylov_steps("newton.krylov_steps", self.krylov_steps)?;
         self.on_rows.validate()?;
         self.attempt.validate("newton.attempt")?;
-        self.following.validate("newton.following")?;
         require_count("newton.patience", self.patience as f64)?;
         InputError::require_positive("newton.largest_change", self.largest_change)?;
         InputError::require_positive("newton.near_below", self.near_below)?;
@@ -207,13 +195,7 @@ impl NewtonSettings {
 
 impl Default for RowSettings {
     fn default() -> Self {
-        Self {
-            krylov_steps: 400,
-            krylov_tolerance: 1e-6,
-            largest_change: 1.0,
-            start_tolerance: 0.018,
-            steps_to_halve: 80,
-        }
+        Self { krylov_steps: 200, krylov_tolerance: 1e-6, steps_to_halve: 80 }
     }
 }
 
@@ -221,8 +203,6 @@ impl RowSettings {
     fn validate(&self) -> Result<(), InputError> {
         require_krylov_steps("newton.on_rows.krylov_steps", self.krylov_steps)?;
         require_share("newton.on_rows.krylov_tolerance", self.krylov_tolerance)?;
-        InputError::require_positive("newton.on_rows.largest_change", self.largest_change)?;
-        InputError::require_positive("newton.on_rows.start_tolerance", self.start_tolerance)?;
         require_count("newton.on_rows.steps_to_halve", self.steps_to_halve as f64)
     }
 }
@@ -299,8 +279,8 @@ mod tests {
         assert_eq!(field(|s| s.near_below = -1.0), "newton.near_below");
         assert_eq!(field(|s| s.attempt.trust = 0.0), "newton.attempt.trust");
         assert_eq!(field(|s| s.least_film_ratio = 1.0), "newton.least_film_ratio");
-        assert_eq!(field(|s| s.following.steps_to_halve = 0), "newton.following.steps_to_halve");
-        assert_eq!(field(|s| s.on_rows.largest_change = 0.0), "newton.on_rows.largest_change");
+        assert_eq!(field(|s| s.largest_change = 0.0), "newton.largest_change");
+        assert_eq!(field(|s| s.on_rows.steps_to_halve = 0), "newton.on_rows.steps_to_halve");
         assert_eq!(field(|s| s.pockets.side = 7), "newton.pockets.side");
         assert_eq!(field(|s| s.pockets.share = 1.5), "newton.pockets.share");
         assert_eq!(field(|s| s.attempt.krylov_tolerance = 1.0), "newton.attempt.krylov_tolerance");
