@@ -15,10 +15,10 @@ use crate::reynolds::problem::LubricatedContact;
 pub struct NewtonSettings {
     /// The numbers by which a contact is solved from a state that is near, else from the dry contact.
     pub attempt: Attempt,
-    /// Where that stalls or diverges, it is tried with thicker contact films, doubled until it converges, and
-    /// that solution is followed to the contact film of the problem, by whole steps of the attempt, in steps of
-    /// the contact film that are halved where they fail. Ratio of two contact films one after the other below
-    /// which following has failed; above 1, and from 2 on nothing of this is done.
+    /// Ratio of two contact films one after the other below which following has failed; above 1, and from 2 on
+    /// nothing is followed. Where the attempt stalls or diverges, the contact film is doubled until it converges,
+    /// and that solution is followed to the contact film of the problem: by whole steps of the attempt, and by
+    /// ratios of contact films that are halved in their logarithm where they fail.
     pub least_film_ratio: f64,
     /// Krylov steps of a linear solve; from 1 to 10 000.
     pub krylov_steps: usize,
