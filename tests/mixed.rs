@@ -10,6 +10,11 @@ use stribeck::sim::scene::{GridSpec, Load, Roughness, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::{SolverId, Status, Work};
 
+/// Roughness of one of two bodies whose roughness together has the given Rq.
+fn random(rq: f64, length: f64, seed: u64) -> Roughness {
+    if rq > 0.0 { Roughness::gaussian(rq / 2.0_f64.sqrt(), length, seed) } else { Roughness::None }
+}
+
 /// The reference bodies with composite roughness `rq` of correlation length `length`, on a box of 3.6 Hertz
 /// radii.
 fn scene(n: usize, speed: f64, rq: f64, length: f64, pressure: f64, hardness: Option<f64>) -> Scene {
@@ -17,11 +22,8 @@ fn scene(n: usize, speed: f64, rq: f64, length: f64, pressure: f64, hardness: Op
     scene.motion.entrainment_speed = speed;
     scene.load = Load::hertz_pressure(pressure);
     scene.plastic = hardness.map(|hardness| scene.plastic.unwrap().with_hardness(hardness));
-    let random = |seed| {
-        if rq > 0.0 { Roughness::gaussian(rq / 2.0_f64.sqrt(), length, seed) } else { Roughness::None }
-    };
-    scene.roughness.ball = random(1);
-    scene.roughness.disc = random(2);
+    scene.roughness.ball = random(rq, length, 1);
+    scene.roughness.disc = random(rq, length, 2);
     let a = scene.hertz().unwrap().half_width_x;
     scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-1.8 * a, 1.8 * a], y: [-1.8 * a, 1.8 * a] };
     scene
@@ -128,21 +130,21 @@ fn the_rims_of_pockets_hold() {
 /// single ones.
 #[test]
 fn pockets_do_not_go_round_in_cycles() {
-    let rough = |seed: u64| {
-        let mut scene = scene(64, 0.1, 300e-9, 10e-6, 2e9, Some(2e9));
-        let random = |seed| Roughness::gaussian(300e-9 / 2.0_f64.sqrt(), 10e-6, seed);
-        (scene.roughness.ball, scene.roughness.disc) = (random(seed), random(seed + 1));
-        scene
-    };
-    let simple = |mut scene: Scene| {
-        scene.solver.scheme = Some(Scheme::FirstOrder);
-        scene.solver.face_mobility = Some(FaceMobility::ReducedPressure);
-        scene.solver.cavitation = Some(Cavitation::Reynolds);
-        scene
-    };
-    let scenes = (1..16).step_by(2).map(rough).flat_map(|scene| [scene.clone(), simple(scene)]);
-    let steps: Vec<u64> = scenes.map(|s| solve_soundly(&s, "pockets").report.work.iterations).collect();
-    assert!(steps.iter().filter(|steps| **steps > 110).count() <= 1, "{steps:?}");
+    let steps = |scene: &Scene| solve_soundly(scene, "pockets").report.work.iterations;
+    let mut slow = 0;
+    for seed in (1..16).step_by(2) {
+        let mut rough = scene(64, 0.1, 300e-9, 10e-6, 2e9, Some(2e9));
+        rough.roughness.ball = random(300e-9, 10e-6, seed);
+        rough.roughness.disc = random(300e-9, 10e-6, seed + 1);
+        let mut simple = rough.clone();
+        simple.solver.scheme = Some(Scheme::FirstOrder);
+        simple.solver.face_mobility = Some(FaceMobility::ReducedPressure);
+        simple.solver.cavitation = Some(Cavitation::Reynolds);
+        let of_default = steps(&rough);
+        assert!(of_default <= 240, "seed {seed}: {of_default}");
+        slow += [of_default, steps(&simple)].iter().filter(|steps| **steps > 110).count();
+    }
+    assert!(slow <= 1, "{slow}");
 }
 
 /// The plastic depth of fluid at the limit does not follow from the pressures: a start keeps it.

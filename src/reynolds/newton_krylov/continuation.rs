@@ -102,8 +102,7 @@ impl Workspace {
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
         self.best_residuals = Residuals::UNKNOWN;
-        let attempt = self.settings.attempt_on(&problem.grid());
-        let following = Attempt { growth: f64::INFINITY, ..attempt };
+        let following = Attempt { growth: f64::INFINITY, ..self.settings.attempt_on(&problem.grid()) };
         self.begin(problem, state)?;
         let status = self.newton(problem, state, stop, following, Homotopy::to(problem))?;
         self.work.convolutions += self.coupled.convolutions;

@@ -110,22 +110,25 @@ const LEAST_SIDE: usize = 8;
 /// No pseudo-transient term.
 pub(super) const STEADY: (f64, f64) = (0.0, 0.0);
 
-/// What solves most scenes.
-const QUICK: Attempt = Attempt {
-    trust: 0.03,
-    first_contact_film: 30.0,
-    pseudo_transient: (0.3, 0.85),
-    unforeseen: 0.3,
-    start_tolerance: 0.18,
-    krylov_tolerance: 0.1,
-    growth: 2.0,
-    steps_to_halve: 40,
-};
+impl Default for Attempt {
+    fn default() -> Self {
+        Self {
+            trust: 0.03,
+            first_contact_film: 30.0,
+            pseudo_transient: (0.3, 0.85),
+            unforeseen: 0.3,
+            start_tolerance: 0.18,
+            krylov_tolerance: 0.1,
+            growth: 2.0,
+            steps_to_halve: 40,
+        }
+    }
+}
 
 impl Default for NewtonSettings {
     fn default() -> Self {
         Self {
-            attempt: QUICK,
+            attempt: Attempt::default(),
             least_film_ratio: 1.03,
             krylov_steps: 100,
             on_rows: RowSettings::default(),
@@ -168,7 +171,7 @@ impl NewtonSettings {
             krylov_steps: relaxations,
             on_rows: RowSettings {
                 krylov_steps: relaxations,
-                krylov_tolerance: QUICK.krylov_tolerance,
+                krylov_tolerance: Attempt::default().krylov_tolerance,
                 ..RowSettings::default()
             },
             ..Self::default()
