@@ -13,6 +13,8 @@ use crate::strategy::Strategy;
 /// Thicker contact films are tried in this ratio, so many at most.
 const DOUBLED: f64 = 2.0;
 const DOUBLINGS: i32 = 8;
+/// Pseudo-transient term of a step in time in which the fluid passes one cell.
+const CELL_PASSAGE: f64 = 1.0;
 
 impl Workspace {
     /// Whether solids touch in `state`, or would with the contact film from which the attempt starts.
@@ -93,8 +95,9 @@ impl Workspace {
         Ok(Status::Converged)
     }
 
-    /// Solves from a solution with another contact film, by whole steps: where a few nodes of a pocket cavitate
-    /// and open in turn, shortened ones come back to the same states.
+    /// Solves from a solution with another contact film: by whole steps, as shortened ones come back to the same
+    /// states where a few nodes of a pocket cavitate and open in turn, and by shorter steps in time than those
+    /// that have stalled, which grow half as fast.
     fn follow(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -102,7 +105,9 @@ impl Workspace {
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
         self.best_residuals = Residuals::UNKNOWN;
-        let following = Attempt { growth: f64::INFINITY, ..self.settings.attempt_on(&problem.grid()) };
+        let attempt = self.settings.attempt_on(&problem.grid());
+        let pseudo_transient = (CELL_PASSAGE, attempt.pseudo_transient.1.sqrt());
+        let following = Attempt { growth: f64::INFINITY, pseudo_transient, ..attempt };
         self.begin(problem, state)?;
         let status = self.newton(problem, state, stop, following, Homotopy::to(problem))?;
         self.work.convolutions += self.coupled.convolutions;

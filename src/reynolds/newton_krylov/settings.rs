@@ -17,8 +17,8 @@ pub struct NewtonSettings {
     pub attempt: Attempt,
     /// Ratio of two contact films one after the other below which following has failed; above 1, and from 2 on
     /// nothing is followed. Where the attempt stalls or diverges, the contact film is doubled until it converges,
-    /// and that solution is followed to the contact film of the problem: by whole steps of the attempt, and by
-    /// ratios of contact films that are halved in their logarithm where they fail.
+    /// and that solution is followed to the contact film of the problem: by whole steps of the attempt, in
+    /// shorter times, and by ratios of contact films that are halved in their logarithm where they fail.
     pub least_film_ratio: f64,
     /// Krylov steps of a linear solve; from 1 to 10 000.
     pub krylov_steps: usize,
@@ -80,8 +80,8 @@ pub struct Attempt {
     /// How far the elimination of a node's own equations may take its pressure from where the linear step
     /// puts it, in reference pressures; above 0.
     pub trust: f64,
-    /// Contact film by which the dry start parts the bodies, and which the first step still has, over that of
-    /// the problem; at least 1. Solids that part early let the fluid find its way.
+    /// Contact film by which the dry start parts the bodies, over that of the problem; at least 1. The first
+    /// step has half of it. Solids that part early let the fluid find its way.
     pub first_contact_film: f64,
     /// Pseudo-transient term of the first step over the entrainment, and its reduction from one step to the
     /// next; at least 0, between 0 and 1. A term `s` makes of a step one in time: as long as the surfaces take
