@@ -136,9 +136,9 @@ const CASES: [Case; 4] = [
         quantities: ["load ratio", "friction"],
         scene: transition,
         rough: true,
-        grids: &[32, 64, 128],
-        solvers: &[("newton_krylov", 128), (WEDGE, 128), ("semi_system", 64)],
-        reference: 256,
+        grids: &[32, 64, 128, 256],
+        solvers: &[("newton_krylov", 256), (WEDGE, 256), ("semi_system", 64)],
+        reference: 512,
     },
 ];
 
