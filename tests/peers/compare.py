@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the same contact work in stribeck and in slippy, tamaas and ContactMechanics, one thread each, in one run.
+"""Runs the same contact work in stribeck and in slippy, tamaas, ContactMechanics and aspher, one thread each, in one run.
 
     python3 tests/peers/compare.py [--folder target/peers] [--slippy-python python3.9] [--write]
 
@@ -21,7 +21,12 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-PACKAGES = {"slippy": "peer_slippy.py", "tamaas": "peer_tamaas.py", "ContactMechanics": "peer_contact_mechanics.py"}
+PACKAGES = {
+    "slippy": "peer_slippy.py",
+    "tamaas": "peer_tamaas.py",
+    "ContactMechanics": "peer_contact_mechanics.py",
+    "aspher": "peer_aspher.py",
+}
 MARKS = ("<!-- peers -->", "<!-- /peers -->")
 ONE_THREAD = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS", "PYFFTW_NUM_THREADS")}
 TIME_LIMIT = 300  # s for all the work of one package
@@ -29,6 +34,7 @@ TASKS = [
     ("convolution", (128, 256, 512, 1024), "largest displacement / nm", 1e9),
     ("hertz", (128, 256), "largest pressure / GPa", 1e-9),
     ("capped", (128, 256), "contact area / um^2", 1e12),
+    ("dry", (128, 256, 512, 1024), "contact area / um^2", 1e12),
     ("film", (64, 128), "central film / um", 1e6),
 ]
 
@@ -45,7 +51,7 @@ ny = {n}
 x = [-0.25e-3, 0.25e-3]
 y = [-0.25e-3, 0.25e-3]
 [solver]
-tolerance = 1e-9
+tolerance = {tolerance}
 """
 ROUGH = """[roughness.disc]
 kind = "gaussian"
@@ -53,7 +59,8 @@ rq = 130e-9
 length_x = 10e-6
 length_y = 10e-6
 seed = 2
-[plastic]
+"""
+CAPPED = """[plastic]
 hardness = 6e9
 """
 # Roller of 19.05 mm on a flat, both 200 GPa and 0.3; box of four Hertz radii (a^3 = 3 F R / (2 E')); density as slippy's.
@@ -106,10 +113,15 @@ def ours(folder):
     for n in (128, 256, 512, 1024):
         out = json.loads(run([programs / "peers_convolution", n, 30 if n < 512 else 7]).stdout)
         results["convolution", n] = {"seconds": out["seconds"], "value": out["value"]}
-    scenes = [("hertz", "smooth", DRY), ("capped", "rough", DRY + ROUGH)]
-    for task, name, scene in scenes:
-        for n in (128, 256):
-            out = solve(programs / "solve", folder, f"{name}_{n}", scene.format(n=n))
+    scenes = [
+        ("hertz", "smooth", DRY, 1e-9),
+        ("capped", "rough", DRY + ROUGH + CAPPED, 1e-9),
+        ("dry", "elastic", DRY + ROUGH, 1e-8),
+    ]
+    sizes = {task: sizes for task, sizes, _, _ in TASKS}
+    for task, name, scene, tolerance in scenes:
+        for n in sizes[task]:
+            out = solve(programs / "solve", folder, f"{name}_{n}", scene.format(n=n, tolerance=tolerance))
             if "failed" in out:
                 results[task, n] = out
                 continue

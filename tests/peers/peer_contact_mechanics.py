@@ -49,9 +49,16 @@ def capped(n):
     report("capped", n, seconds=seconds, value=area, note=f"{note}, load {carried:.4f}, highest {pressure.max():.3e}")
 
 
+def dry(n):
+    seconds, pressure, note = solve("elastic", n, None, 1e-13)
+    area = np.count_nonzero(pressure > 0) * (SIZE / n) ** 2
+    report("dry", n, seconds=seconds, value=area, note=note)
+
+
 report("version", 0, note=importlib.metadata.version("ContactMechanics"))
 for n in (128, 256, 512, 1024):
     attempt("convolution", n, convolution)
 for n in (128, 256):
     attempt("hertz", n, hertz)
     attempt("capped", n, capped)
+    attempt("dry", n, dry)

@@ -50,6 +50,11 @@ def capped(n):
     report("capped", n, seconds=seconds, value=area, note=f"load {carried:.4f}, highest {pressure.max():.3e}")
 
 
+def elastic(n):
+    seconds, pressure = dry("elastic", n, np.inf)
+    report("dry", n, seconds=seconds, value=np.count_nonzero(pressure > 0) * (SIZE / n) ** 2)
+
+
 def film(n):
     """The ball of its example: 19.05 mm, 800 N, 4 m/s, steel, on a box of four Hertz radii."""
     radius, load, speed, modulus, ratio, viscosity = 0.01905, 800.0, 4.0, 200e9, 0.3, 0.096
@@ -105,5 +110,6 @@ for n in (128, 256, 512, 1024):
 for n in (128, 256):
     attempt("hertz", n, hertz)
     attempt("capped", n, capped)
+    attempt("dry", n, elastic)
 for n in (64, 128):
     attempt("film", n, film)
