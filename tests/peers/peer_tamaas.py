@@ -65,7 +65,7 @@ report("version", 0, note=tm.__version__)
 for n in (128, 256, 512, 1024):
     attempt("convolution", n, convolution)
 for n in (128, 256):
-    attempt("capped", n, capped)
     attempt("dry", n, dry)
+attempt("hertz", 128, hertz)
 for n in (128, 256):
-    attempt("hertz", n, hertz)
+    attempt("capped", n, capped)
