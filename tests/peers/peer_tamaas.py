@@ -1,9 +1,9 @@
-"""The work in tamaas: non-periodic operator for convolution and Hertz; its capped solver is periodic."""
+"""The work in tamaas: the non-periodic operator, for convolution and elastic contact."""
 import time
 
 import numpy as np
 import tamaas as tm
-from common import CAP, CONTACT_MODULUS, HALF_BOX, LOAD, attempt, gap, hertz_pressure, median_time, report
+from common import CONTACT_MODULUS, HALF_BOX, LOAD, attempt, gap, hertz_pressure, median_time, report
 
 tm.set_log_level(tm.LogLevel.error)
 SIZE = 2 * HALF_BOX
@@ -44,28 +44,9 @@ def dry(n):
     report("dry", n, seconds=seconds, value=np.count_nonzero(traction > 0) * (SIZE / n) ** 2, note=note)
 
 
-def capped(n):
-    start = time.perf_counter()
-    made = model(n)
-    solver = tm.KatoSaturated(made, -gap("rough", n), 1e-9, CAP)
-    solver.max_iter = 2000
-    periodic = ""
-    try:
-        solver.setIntegralOperator("dcfft")
-    except Exception:  # noqa: BLE001
-        periodic = ", periodic"
-    error = solver.solve(LOAD / SIZE**2)
-    seconds = time.perf_counter() - start
-    carried = made.traction.sum() * (SIZE / n) ** 2 / LOAD
-    area = np.count_nonzero(made.traction > 0) * (SIZE / n) ** 2
-    report("capped", n, seconds=seconds, value=area, note=f"error {error:.0e}, load {carried:.4f}{periodic}")
-
-
 report("version", 0, note=tm.__version__)
 for n in (128, 256, 512, 1024):
     attempt("convolution", n, convolution)
 for n in (128, 256):
     attempt("dry", n, dry)
 attempt("hertz", 128, hertz)
-for n in (128, 256):
-    attempt("capped", n, capped)
