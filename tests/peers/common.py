@@ -32,6 +32,10 @@ def gap(kind, n):
     return np.load(FOLDER / f"{kind}_{n}.npz")["gap"]
 
 
+def contact_area(pressure):
+    return np.count_nonzero(pressure > 0) * (2 * HALF_BOX / len(pressure)) ** 2
+
+
 def median_time(call, repeats):
     call()
     times = []

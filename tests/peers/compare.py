@@ -110,7 +110,8 @@ def ours(folder):
         sys.exit(built.stderr)
     programs = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release" / "examples"
     results = {}
-    for n in (128, 256, 512, 1024):
+    sizes = {task: sizes for task, sizes, _, _ in TASKS}
+    for n in sizes["convolution"]:
         out = json.loads(run([programs / "peers_convolution", n, 30 if n < 512 else 7]).stdout)
         results["convolution", n] = {"seconds": out["seconds"], "value": out["value"]}
     scenes = [
@@ -118,7 +119,6 @@ def ours(folder):
         ("capped", "rough", DRY + ROUGH + CAPPED, 1e-9),
         ("dry", "elastic", DRY + ROUGH, 1e-8),
     ]
-    sizes = {task: sizes for task, sizes, _, _ in TASKS}
     for task, name, scene, tolerance in scenes:
         for n in sizes[task]:
             out = solve(programs / "solve", folder, f"{name}_{n}", scene.format(n=n, tolerance=tolerance))
@@ -128,7 +128,7 @@ def ours(folder):
             value = out["pressure"]["max"] if task == "hertz" else out["contact"]["area"]
             note = f"{out['status']}, {out['work']['inner_iterations']} steps"
             results[task, n] = {"seconds": out["seconds"], "value": value, "note": note}
-    for n in (64, 128):
+    for n in sizes["film"]:
         scene = FILM.format(n=n, modulus=FILM_MODULUS, half=2 * FILM_RADIUS, density_a=0.34 / 5.9e8, density_b=1 / 5.9e8)
         out = solve(programs / "solve", folder, f"film_{n}", scene)
         if "failed" in out:

@@ -3,7 +3,7 @@ import importlib.metadata
 import time
 
 import numpy as np
-from common import CAP, CONTACT_MODULUS, HALF_BOX, LOAD, attempt, gap, hertz_pressure, median_time, report
+from common import CAP, CONTACT_MODULUS, HALF_BOX, LOAD, attempt, contact_area, gap, hertz_pressure, median_time, report
 from ContactMechanics import FreeFFTElasticHalfSpace
 from ContactMechanics.Optimization import constrained_conjugate_gradients
 from SurfaceTopography import Topography
@@ -45,14 +45,13 @@ def hertz(n):
 def capped(n):
     seconds, pressure, note = solve("rough", n, CAP, 1e-13)
     carried = pressure.sum() * (SIZE / n) ** 2 / LOAD
-    area = np.count_nonzero(pressure > 0) * (SIZE / n) ** 2
-    report("capped", n, seconds=seconds, value=area, note=f"{note}, load {carried:.4f}, highest {pressure.max():.3e}")
+    note = f"{note}, load {carried:.4f}, highest {pressure.max():.3e}"
+    report("capped", n, seconds=seconds, value=contact_area(pressure), note=note)
 
 
 def dry(n):
     seconds, pressure, note = solve("elastic", n, None, 1e-13)
-    area = np.count_nonzero(pressure > 0) * (SIZE / n) ** 2
-    report("dry", n, seconds=seconds, value=area, note=note)
+    report("dry", n, seconds=seconds, value=contact_area(pressure), note=note)
 
 
 report("version", 0, note=importlib.metadata.version("ContactMechanics"))

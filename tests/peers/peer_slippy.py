@@ -8,7 +8,7 @@ import slippy
 slippy.CUDA = False
 import slippy.contact as contact  # noqa: E402, the flag must be set first
 import slippy.surface as surface  # noqa: E402
-from common import CAP, CONTACT_MODULUS, HALF_BOX, LOAD, attempt, gap, hertz_pressure, median_time, report  # noqa: E402
+from common import CAP, CONTACT_MODULUS, HALF_BOX, LOAD, attempt, contact_area, gap, hertz_pressure, median_time, report  # noqa: E402
 
 SIZE = 2 * HALF_BOX
 SHEAR_MODULUS = CONTACT_MODULUS / 2  # of one elastic body with Poisson's ratio 0, the other rigid
@@ -46,13 +46,12 @@ def hertz(n):
 def capped(n):
     seconds, pressure = dry("rough", n, CAP)
     carried = pressure.sum() * (SIZE / n) ** 2 / LOAD
-    area = np.count_nonzero(pressure > 0) * (SIZE / n) ** 2
-    report("capped", n, seconds=seconds, value=area, note=f"load {carried:.4f}, highest {pressure.max():.3e}")
+    report("capped", n, seconds=seconds, value=contact_area(pressure), note=f"load {carried:.4f}, highest {pressure.max():.3e}")
 
 
 def elastic(n):
     seconds, pressure = dry("elastic", n, np.inf)
-    report("dry", n, seconds=seconds, value=np.count_nonzero(pressure > 0) * (SIZE / n) ** 2)
+    report("dry", n, seconds=seconds, value=contact_area(pressure))
 
 
 def film(n):

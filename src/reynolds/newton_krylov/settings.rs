@@ -17,8 +17,9 @@ pub struct NewtonSettings {
     pub attempt: Attempt,
     /// Ratio of two contact films one after the other below which following has failed; above 1, and from 2 on
     /// nothing is followed. Where the attempt stalls or diverges, the contact film is doubled until it converges,
-    /// and that solution is followed to the contact film of the problem: by whole steps of the attempt, in
-    /// shorter times, and by ratios of contact films that are halved in their logarithm where they fail.
+    /// and that solution is followed to the contact film of the problem: by whole steps of the attempt, whose
+    /// pseudo-transient term begins with 1 and falls by the root of its reduction, and by ratios of contact films
+    /// that are halved in their logarithm where they fail.
     pub least_film_ratio: f64,
     /// Krylov steps of a linear solve; from 1 to 10 000.
     pub krylov_steps: usize,

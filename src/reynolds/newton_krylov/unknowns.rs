@@ -537,6 +537,7 @@ mod tests {
         unknowns.set_row_sizes(|_| 1.0);
         let changes = (1..unknowns.len()).map(|_| (1e-3 * (noise(&mut seed) - 0.5)) as f32);
         let x: Vec<f32> = changes.chain([5e-3]).collect();
+        // The last leaves the flow of the state itself, which is linearised.
         let [up, down, _] =
             [0.1, -0.1, 0.0].map(|t| rows_at(t, &x, &unknowns, &base, &mut coupled, &mut problem));
         let mut linearisation = Linearisation::new(grid);
