@@ -79,17 +79,17 @@ fn stall(attempt: &mut Attempt) {
 /// solution.
 #[test]
 fn thicker_contact_films_lead_to_the_contact_where_the_attempt_stalls() {
-    let led = converged(Scene::azam_2019(48), |settings| {
+    let led = converged(Scene::azam_2019(56), |settings| {
         stall(&mut settings.attempt);
     });
     assert_eq!(led.report.strategy, Some(Strategy::Continuation));
     assert_eq!(led.report.strategy.unwrap().to_string(), "continuation");
-    let usual = converged(Scene::azam_2019(48), |_| ());
+    let usual = converged(Scene::azam_2019(56), |_| ());
     assert_eq!(usual.report.strategy, Some(Strategy::Attempt));
     let same = |one: f64, other: f64| assert!((one - other).abs() < 1e-4 * other, "{one} and {other}");
     same(led.contact.load_ratio, usual.contact.load_ratio);
     same(led.film.mean_central, usual.film.mean_central);
-    let stalls = newton(Scene::azam_2019(48), |settings| {
+    let stalls = newton(Scene::azam_2019(56), |settings| {
         stall(&mut settings.attempt);
         settings.least_film_ratio = f64::INFINITY;
     });

@@ -9,8 +9,9 @@ use super::dense::{
 };
 use super::dissection::{Front, Run};
 
-/// Smallest pivot, the largest entry of a row being one.
-pub(super) const SMALLEST_PIVOT: f32 = 1e-6;
+/// Smallest pivot, the largest entry of a row being one. Pivots may be small by the units of the unknowns alone:
+/// that of a flow beside pressures which move 1e9 times as much.
+pub(super) const SMALLEST_PIVOT: f32 = 1e-15;
 
 /// What a front keeps of its elimination.
 ///
