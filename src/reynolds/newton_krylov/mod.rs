@@ -24,7 +24,7 @@ pub(super) use fluid_block::FluidBlock;
 use linearisation::Linearisation;
 use pockets::Pockets;
 use preconditioner::BlockPreconditioner;
-pub use settings::{Attempt, NewtonSettings, PocketSettings, RowSettings};
+pub use settings::{Attempt, NewtonSettings, PocketSettings};
 use snapshot::Snapshot;
 use unknowns::Unknowns;
 
@@ -144,7 +144,7 @@ impl NewtonKrylov {
                 unknowns: Unknowns::new(grid),
                 linearisation: Linearisation::new(grid),
                 preconditioner: BlockPreconditioner::new(grid, (self.fluid_block)(&grid)),
-                gmres: Gmres::new(length, self.settings.krylov_steps(&grid)),
+                gmres: Gmres::new(length, self.settings.krylov_steps),
                 films: (0..KEPT_FILMS).map(|_| vec![0.0; grid.len()]).collect(),
                 residual: vec![0.0; length],
                 step: vec![0.0; length],

@@ -23,8 +23,10 @@ pub struct NewtonSettings {
     pub least_film_ratio: f64,
     /// Krylov steps of a linear solve; from 1 to 10 000.
     pub krylov_steps: usize,
-    /// What takes the place of numbers of the same names on a row.
-    pub on_rows: RowSettings,
+    /// What takes the place of [`Attempt::krylov_tolerance`] in a line contact, whose nodes are on one row:
+    /// every pocket is closed on all sides there, and what a linear system leaves in one stays in it; between 0
+    /// and 1.
+    pub krylov_tolerance_on_rows: f64,
     /// Largest pressure change of one step, in reference pressures times the cells in a reference half-width;
     /// above 0. What a node changes of its own film is then the same on all meshes.
     pub largest_change: f64,
@@ -59,19 +61,6 @@ pub struct PocketSettings {
     /// Share of the nodes of the grid above which those nodes are too many: what is lacking so widely is
     /// the work of linear steps; between 0 and 1.
     pub most_nodes: f64,
-}
-
-/// Numbers of line contacts, whose nodes are on one row. Pockets are closed on all sides there.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct RowSettings {
-    /// Krylov steps of a linear solve; from 1 to 10 000.
-    pub krylov_steps: usize,
-    /// Reduction of the linear residual in each Newton step, as what a linear system leaves in a pocket stays
-    /// there; between 0 and 1.
-    pub krylov_tolerance: f64,
-    /// Newton steps after which an attempt has stalled unless the residual has halved in them; at least 1.
-    pub steps_to_halve: u64,
 }
 
 /// One attempt of a solve by [`NewtonKrylov`](super::NewtonKrylov).
@@ -121,7 +110,7 @@ impl Default for Attempt {
             start_tolerance: 0.18,
             krylov_tolerance: 0.1,
             growth: 2.0,
-            steps_to_halve: 40,
+            steps_to_halve: 80,
         }
     }
 }
@@ -132,7 +121,7 @@ impl Default for NewtonSettings {
             attempt: Attempt::default(),
             least_film_ratio: 1.03,
             krylov_steps: 100,
-            on_rows: RowSettings::default(),
+            krylov_tolerance_on_rows: 1e-6,
             largest_change: 0.05,
             near_below: 100.0,
             halvings: 3,
@@ -143,11 +132,6 @@ impl Default for NewtonSettings {
 }
 
 impl NewtonSettings {
-    /// Krylov steps of a linear solve on `grid`.
-    pub(super) fn krylov_steps(&self, grid: &Grid) -> usize {
-        if grid.ny() == 1 { self.on_rows.krylov_steps } else { self.krylov_steps }
-    }
-
     /// Largest pressure change of one step in reference pressures.
     pub(super) fn largest_change(&self, problem: &LubricatedContact<'_>) -> f64 {
         self.largest_change * problem.reference_half_widths.0 / problem.grid().dx()
@@ -158,8 +142,7 @@ impl NewtonSettings {
         if grid.ny() > 1 {
             return self.attempt;
         }
-        let RowSettings { krylov_tolerance, steps_to_halve, .. } = self.on_rows;
-        Attempt { krylov_tolerance, steps_to_halve, ..self.attempt }
+        Attempt { krylov_tolerance: self.krylov_tolerance_on_rows, ..self.attempt }
     }
 
     /// Those of steps whose fluid equations are relaxed by lines, `relaxations` in each. Without pockets, which
@@ -170,11 +153,7 @@ impl NewtonSettings {
             least_film_ratio: f64::INFINITY,
             pockets: PocketSettings { steps: 0, ..PocketSettings::default() },
             krylov_steps: relaxations,
-            on_rows: RowSettings {
-                krylov_steps: relaxations,
-                krylov_tolerance: Attempt::default().krylov_tolerance,
-                ..RowSettings::default()
-            },
+            krylov_tolerance_on_rows: Attempt::default().krylov_tolerance,
             ..Self::default()
         }
     }
@@ -187,27 +166,15 @@ impl NewtonSettings {
     pub fn validate(&self) -> Result<(), InputError> {
         let ratio = self.least_film_ratio;
         InputError::require(ratio > 1.0, "newton.least_film_ratio", ratio, "above 1")?;
-        require_krylov_steps("newton.krylov_steps", self.krylov_steps)?;
-        self.on_rows.validate()?;
+        let steps = self.krylov_steps;
+        let in_range = (1..=MOST_KRYLOV_STEPS).contains(&steps);
+        InputError::require(in_range, "newton.krylov_steps", steps as f64, "from 1 to 10000")?;
+        require_share("newton.krylov_tolerance_on_rows", self.krylov_tolerance_on_rows)?;
         self.attempt.validate("newton.attempt")?;
         require_count("newton.patience", self.patience as f64)?;
         InputError::require_positive("newton.largest_change", self.largest_change)?;
         InputError::require_positive("newton.near_below", self.near_below)?;
         self.pockets.validate()
-    }
-}
-
-impl Default for RowSettings {
-    fn default() -> Self {
-        Self { krylov_steps: 200, krylov_tolerance: 1e-6, steps_to_halve: 80 }
-    }
-}
-
-impl RowSettings {
-    fn validate(&self) -> Result<(), InputError> {
-        require_krylov_steps("newton.on_rows.krylov_steps", self.krylov_steps)?;
-        require_share("newton.on_rows.krylov_tolerance", self.krylov_tolerance)?;
-        require_count("newton.on_rows.steps_to_halve", self.steps_to_halve as f64)
     }
 }
 
@@ -255,10 +222,6 @@ fn require_count(field: &str, count: f64) -> Result<(), InputError> {
     InputError::require(count >= 1.0, field, count, "at least 1")
 }
 
-fn require_krylov_steps(field: &str, steps: usize) -> Result<(), InputError> {
-    InputError::require((1..=MOST_KRYLOV_STEPS).contains(&steps), field, steps as f64, "from 1 to 10000")
-}
-
 fn require_share(field: &str, share: f64) -> Result<(), InputError> {
     InputError::require(share > 0.0 && share < 1.0, field, share, "above 0 and below 1")
 }
@@ -284,7 +247,7 @@ mod tests {
         assert_eq!(field(|s| s.attempt.trust = 0.0), "newton.attempt.trust");
         assert_eq!(field(|s| s.least_film_ratio = 1.0), "newton.least_film_ratio");
         assert_eq!(field(|s| s.largest_change = 0.0), "newton.largest_change");
-        assert_eq!(field(|s| s.on_rows.steps_to_halve = 0), "newton.on_rows.steps_to_halve");
+        assert_eq!(field(|s| s.krylov_tolerance_on_rows = 0.0), "newton.krylov_tolerance_on_rows");
         assert_eq!(field(|s| s.pockets.side = 7), "newton.pockets.side");
         assert_eq!(field(|s| s.pockets.share = 1.5), "newton.pockets.share");
         assert_eq!(field(|s| s.attempt.krylov_tolerance = 1.0), "newton.attempt.krylov_tolerance");
