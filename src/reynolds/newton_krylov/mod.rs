@@ -3,7 +3,6 @@
 mod across;
 mod attempt;
 mod coarse_films;
-mod contact_distance;
 mod continuation;
 mod fluid_block;
 mod globalisation;

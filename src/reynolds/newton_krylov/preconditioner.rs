@@ -1,7 +1,6 @@
 //! The preconditioner of the linearised equations: the fluid equations, by sparse LU or what takes its place,
 //! then the pressures of the nodes whose films are given, load balance as a border.
 
-use super::contact_distance::ContactDistance;
 use super::fluid_block::FluidBlock;
 use super::linearisation::Linearisation;
 use super::pockets::FREE;
@@ -21,12 +20,6 @@ use crate::reynolds::problem::LubricatedContact;
 const STIFF: f64 = 0.1;
 /// `R` at which half of the pressure of a node is found from its film.
 const BALANCED: f64 = 3.0;
-/// Where solids touch, film of a node per own pressure over the self-influence: this times the square root of
-/// `R`, at least 1, and at most the cells to the nearest contact, which screens it. Pressure flow smooths pressures
-/// over about that many cells, and wide pressures move films more.
-const WIDTH: f64 = 0.2;
-/// So far away contact screens nothing more.
-const WIDEST: f32 = 6.0;
 
 /// The fluid equations in which films follow their own pressures alone, solved by a [`FluidBlock`]; where
 /// solids touch, then the pressures of the nodes in contact, and of those whose film the first block has
@@ -46,7 +39,6 @@ pub(super) struct BlockPreconditioner {
     fluid: Vec<f32>,
     /// Whether solids touch anywhere, which screens the pressures of the fluid.
     screened: bool,
-    contact_distance: ContactDistance,
     given: PrescribedDisplacements,
     /// `M^-1` times the column of the approach.
     border: Vec<f32>,
@@ -68,7 +60,6 @@ impl BlockPreconditioner {
             linked: vec![false; n],
             fluid: vec![0.0; n],
             screened: false,
-            contact_distance: ContactDistance::new(grid, WIDEST),
             given: PrescribedDisplacements::new(grid),
             border: vec![0.0; most],
             border_load: 1.0,
@@ -137,9 +128,6 @@ impl BlockPreconditioner {
         for &k in unknowns.limited() {
             (self.moves[k as usize], self.response[k as usize]) = (0.0, 1.0);
         }
-        if by_film && self.screened {
-            self.contact_distance.update(&coupled.kinds);
-        }
         for &k in unknowns.open() {
             let k = k as usize;
             self.response[k] = 1.0;
@@ -150,9 +138,6 @@ impl BlockPreconditioner {
             if ratio < STIFF {
                 (self.moves[k], self.film_weight[k]) = (0.0, 1.0);
                 continue;
-            }
-            if self.screened {
-                self.response[k] = ((WIDTH * ratio.sqrt()) as f32).min(self.contact_distance.at(k)).max(1.0);
             }
             if ratio < FREE {
                 self.film_weight[k] = (1.0 + (ratio / BALANCED).sqrt()).sqrt().recip() as f32;
