@@ -186,13 +186,12 @@ mod tests {
         let right = product(&stencil, nx, &exact);
         // A flow beside pressures: its own equation has a diagonal of 1e-9 of what else is in it.
         let unit = |k: usize| if k.is_multiple_of(3) { 1e-9 } else { 1.0 };
-        let offsets = [0, 1, -1, nx as isize, -(nx as isize)];
+        let mut lu = GridLu::new(nx, ny);
         for (k, row) in stencil.chunks_exact_mut(STENCIL).enumerate() {
-            for (value, offset) in row.iter_mut().zip(offsets) {
+            for (value, offset) in row.iter_mut().zip(lu.offsets) {
                 *value *= unit(k.wrapping_add_signed(offset)) as f32;
             }
         }
-        let mut lu = GridLu::new(nx, ny);
         let mut x = right;
         assert!(lu.factorise(&stencil));
         lu.solve(&mut x);
@@ -205,17 +204,16 @@ mod tests {
     fn agrees_with_a_dense_factorisation_that_exchanges_rows() {
         let (nx, ny) = (17, 16);
         let (stencil, n) = (matrix(nx, ny), nx * ny);
-        let columns = [0, 1, -1, nx as isize, -(nx as isize)];
+        let mut lu = GridLu::new(nx, ny);
         let mut dense = Mat::<f64>::zeros(n, n);
         for (k, row) in stencil.chunks_exact(STENCIL).enumerate() {
-            for (value, offset) in row.iter().zip(columns).filter(|(value, _)| **value != 0.0) {
+            for (value, offset) in row.iter().zip(lu.offsets).filter(|(value, _)| **value != 0.0) {
                 dense[(k, k.wrapping_add_signed(offset))] = f64::from(*value);
             }
         }
         // Rows of sizes between 1e-20 and 1e-14: right sides of the size of each.
         let right: Vec<f32> = (0..n).map(|k| stencil[STENCIL * k] * (2.0 + (k as f32).cos())).collect();
         let exact = dense.partial_piv_lu().solve(Col::from_fn(n, |k| f64::from(right[k])));
-        let mut lu = GridLu::new(nx, ny);
         let mut x = right;
         assert!(lu.factorise(&stencil));
         lu.solve(&mut x);

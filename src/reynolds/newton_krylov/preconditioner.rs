@@ -30,7 +30,7 @@ pub(super) struct BlockPreconditioner {
     fluid_block: Box<dyn FluidBlock>,
     /// By how much the unknown of a node moves its pressure: one or zero.
     moves: Vec<f32>,
-    /// Film per unknown of the fluid block.
+    /// By how much it moves its film: one or zero.
     response: Vec<f32>,
     /// Square root of the share of a fluid node's pressure that is found from its film.
     film_weight: Vec<f32>,
@@ -206,7 +206,7 @@ impl BlockPreconditioner {
             films[k as usize] = f64::from(*r);
         }
         for k in open.iter().map(|&k| k as usize) {
-            films[k] = f64::from(self.response[k] * self.fluid[k]);
+            films[k] = f64::from(self.fluid[k]);
             pressures[k] = f64::from((1.0 - self.film_weight[k].powi(2)) * self.fluid[k]);
         }
         at.coupled.convolutions += self.given.solve(at.problem.deformation, self.screened, inverse)?;
