@@ -7,7 +7,7 @@ use pulp::{Scalar, Simd, WithSimd};
 use super::dense::{
     Block, VECTOR, add_matrix_product, add_product, invert, neglect, packed, padded, significant,
 };
-use super::dissection::{Front, Run};
+use super::structure::{Edge, Front, Run, Structure};
 
 /// Smallest pivot, the largest entry of a row being one. Pivots may be small by the units of the unknowns alone:
 /// that of a flow beside pressures which move 1e9 times as much.
@@ -28,16 +28,11 @@ struct Parts<'a> {
 }
 
 impl Front {
-    /// Whether the front is a piece that was not cut further.
-    fn is_leaf(&self) -> bool {
-        self.children.is_empty()
-    }
-
     /// Number of values of each of the parts.
     fn part_lengths(&self) -> [usize; 3] {
-        let (s, b) = (self.pivots.len(), self.border.len());
+        let [s, b] = self.size();
         let (rows, border_rows) = (self.pivot_rows(), self.border_rows());
-        if self.is_leaf() {
+        if self.is_leaf {
             [rows * s, border_rows, border_rows]
         } else {
             [rows * s, border_rows * s, rows * b]
@@ -51,12 +46,12 @@ impl Front {
 
     /// Number of values that the front leaves for its parent.
     pub(super) fn remainder(&self) -> usize {
-        self.border_rows() * self.border.len()
+        self.border_rows() * self.size()[1]
     }
 
     /// Number of values that the front needs for a while.
     pub(super) fn scratch(&self) -> usize {
-        let (s, b) = (self.pivots.len(), self.border.len());
+        let [s, b] = self.size();
         packed(s) + self.border_rows() * s + (self.pivot_rows() * s).max(padded(b))
     }
 
@@ -71,16 +66,16 @@ impl Front {
 
     /// Subtracts from the border rows of `own` what the pivots hold, whose right-hand side comes before them.
     #[inline(always)]
-    pub(super) fn forward<S: Simd>(&self, simd: S, values: &mut [f32], own: &mut [f32], scratch: &mut [f32]) {
+    pub(super) fn forward<S: Simd>(&self, simd: S, edges: &[Edge], [values, own, scratch]: [&mut [f32]; 3]) {
         let (s, rows, stride) = (self.pivots.len(), self.pivot_rows(), self.border_rows());
         let Parts { inverse, lower, .. } = self.parts(values);
         let (pivots, border) = own.split_at_mut(rows);
-        if self.is_leaf() {
+        if self.is_leaf {
             let solution = &mut scratch[..rows];
             solution.fill(0.0);
             add_product(simd, solution, Block { values: inverse, stride: rows }, &pivots[..s]);
-            for ((out, lower), edge) in border.iter_mut().zip(&*lower).zip(&self.edges) {
-                *out += lower * solution[edge.pivot];
+            for ((out, lower), edge) in border.iter_mut().zip(&*lower).zip(edges) {
+                *out += lower * solution[edge.pivot as usize];
             }
         } else {
             add_product(simd, border, Block { values: lower, stride }, &pivots[..s]);
@@ -89,19 +84,13 @@ impl Front {
 
     /// The solution at the pivots under that of the border, which follows them in `own`.
     #[inline(always)]
-    pub(super) fn backward<S: Simd>(
-        &self,
-        simd: S,
-        values: &mut [f32],
-        own: &mut [f32],
-        scratch: &mut [f32],
-    ) {
-        let (s, b, rows) = (self.pivots.len(), self.border.len(), self.pivot_rows());
+    pub(super) fn backward<S: Simd>(&self, simd: S, edges: &[Edge], [values, own, scratch]: [&mut [f32]; 3]) {
+        let ([s, b], rows) = (self.size(), self.pivot_rows());
         let Parts { inverse, upper, .. } = self.parts(values);
         let (pivots, border) = own.split_at_mut(rows);
-        if self.is_leaf() {
-            for ((value, upper), edge) in border.iter().zip(&*upper).zip(&self.edges) {
-                pivots[edge.pivot] -= upper * value;
+        if self.is_leaf {
+            for ((value, upper), edge) in border.iter().zip(&*upper).zip(edges) {
+                pivots[edge.pivot as usize] -= upper * value;
             }
         } else {
             for (negative, value) in scratch.iter_mut().zip(&border[..b]) {
@@ -120,12 +109,14 @@ impl Front {
 pub(super) struct Elimination<'a, 'b> {
     /// The front.
     pub(super) front: &'a Front,
+    /// All fronts.
+    pub(super) structure: &'a Structure,
     /// The matrix, its rows scaled.
     pub(super) scaled: &'a [f32],
     /// What it keeps.
     pub(super) values: &'b mut [f32],
-    /// What its children have left.
-    pub(super) children: [Option<Block<'b>>; 2],
+    /// What its children have left, and where it goes.
+    pub(super) children: [Option<(Block<'b>, &'a [Run])>; 2],
     /// What it leaves for its parent.
     pub(super) remainder: &'b mut [f32],
     /// Work space.
@@ -146,27 +137,25 @@ impl Elimination<'_, '_> {
     /// Eliminates; whether all pivots were numbers.
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> bool {
-        let Self { front, scaled, values, children, remainder, scratch } = self;
-        let (s, b) = (front.pivots.len(), front.border.len());
+        let Self { front, structure, scaled, values, children, remainder, scratch } = self;
+        let ([s, b], edges) = (front.size(), structure.edges(front));
         let (rows, border_rows) = (front.pivot_rows(), front.border_rows());
         let Parts { inverse, lower, upper } = front.parts(values);
         let (pack, scratch) = scratch.split_at_mut(packed(s));
         inverse.fill(0.0);
-        for entry in &front.entries {
-            inverse[entry.to] = scaled[entry.from];
-        }
-        if front.is_leaf() {
+        structure.place_entries(front, scaled, inverse);
+        if front.is_leaf {
             let sound = invert(simd, inverse, s, SMALLEST_PIVOT, [scratch, pack]);
             neglect(inverse);
-            for edge in &front.edges {
-                lower[edge.border] = -scaled[edge.of_border];
-                upper[edge.border] = scaled[edge.of_pivot];
+            for (place, edge) in edges.iter().enumerate() {
+                lower[place] = -scaled[edge.of_border as usize];
+                upper[place] = scaled[edge.of_pivot as usize];
             }
-            for (column, edge) in remainder.chunks_exact_mut(border_rows.max(1)).zip(&front.edges) {
-                let inverse = &inverse[edge.pivot * rows..][..rows];
-                let value = scaled[edge.of_pivot];
-                for ((out, row), lower) in column.iter_mut().zip(&front.edges).zip(&*lower) {
-                    *out = significant(lower * inverse[row.pivot]) * value;
+            for (column, edge) in remainder.chunks_exact_mut(border_rows.max(1)).zip(edges) {
+                let inverse = &inverse[edge.pivot as usize * rows..][..rows];
+                let value = scaled[edge.of_pivot as usize];
+                for ((out, row), lower) in column.iter_mut().zip(edges).zip(&*lower) {
+                    *out = significant(lower * inverse[row.pivot as usize]) * value;
                 }
             }
             return sound;
@@ -175,22 +164,23 @@ impl Elimination<'_, '_> {
         raw.fill(0.0);
         upper.fill(0.0);
         remainder.fill(0.0);
-        for edge in &front.edges {
-            raw[edge.pivot * border_rows + edge.border] = scaled[edge.of_border];
-            upper[edge.border * rows + edge.pivot] = scaled[edge.of_pivot];
+        for edge in edges {
+            let (pivot, border) = (edge.pivot as usize, edge.border as usize);
+            raw[pivot * border_rows + border] = scaled[edge.of_border as usize];
+            upper[border * rows + pivot] = scaled[edge.of_pivot as usize];
         }
-        for (child, left) in front.children.iter().zip(children) {
-            let Some(left) = left else { continue };
+        for (left, runs) in children.into_iter().flatten() {
             let mut columns = left.values.chunks_exact(left.stride);
-            let (on_pivots, on_border) = child.runs.split_at(child.runs.partition_point(|run| run.to < rows));
+            let (on_pivots, on_border) = runs.split_at(runs.partition_point(|run| (run.to as usize) < rows));
             for run in on_pivots {
-                for (to, column) in (run.to..run.to + run.length).zip(&mut columns) {
+                for (to, column) in run.rows().zip(&mut columns) {
                     add_runs(&mut inverse[to * rows..][..rows], column, on_pivots, 0);
                     add_runs(&mut raw[to * border_rows..][..border_rows], column, on_border, rows);
                 }
             }
             for run in on_border {
-                for (to, column) in (run.to - rows..run.to - rows + run.length).zip(&mut columns) {
+                for (to, column) in run.rows().zip(&mut columns) {
+                    let to = to - rows;
                     add_runs(&mut upper[to * rows..][..rows], column, on_pivots, 0);
                     add_runs(&mut remainder[to * border_rows..][..border_rows], column, on_border, rows);
                 }
@@ -219,8 +209,9 @@ impl Elimination<'_, '_> {
 #[inline(always)]
 pub(super) fn add_runs(out: &mut [f32], values: &[f32], runs: &[Run], from: usize) {
     for run in runs {
-        let values = &values[run.from..][..run.length];
-        for (out, value) in out[run.to - from..][..run.length].iter_mut().zip(values) {
+        let (start, length) = (run.from as usize, run.length as usize);
+        for (out, value) in out[run.to as usize - from..][..length].iter_mut().zip(&values[start..][..length])
+        {
             *out += value;
         }
     }

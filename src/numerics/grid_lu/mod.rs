@@ -2,25 +2,29 @@
 //! kept.
 //!
 //! Multifrontal elimination in the order of nested dissection, without exchange of rows, in single precision:
-//! it serves as a preconditioner. Nodes that no entry links to others cost nothing beyond a division.
+//! it serves as a preconditioner. Nodes that no entry links to others cost a division.
 //!
 //! The grid is cut into two halves and a line of nodes between them, the halves again, and so on
 //! (`dissection`). The two halves do not know of each other until the line between them is eliminated, so
-//! that branches of the tree of pieces (`tree`) are worked on side by side. The elimination of a piece, a
-//! front, is work on small dense blocks (`front`, `dense`): of a front with pivots `P`, the block `B` below
-//! and `C` beside them, the parent gets the remainder `-B P^-1 C`. For `n` nodes a factorisation costs
-//! `O(n^1.5)` operations and `O(n log n)` memory, a solve `O(n log n)`.
+//! that branches of the tree of pieces (`tree`) are worked on side by side. Which nodes of a piece and around it
+//! a matrix links is found anew for each (`structure`). The elimination of a piece, a front, is work on small
+//! dense blocks (`front`, `dense`): of a front with pivots `P`, the block `B` below and `C` beside them, the
+//! parent gets the remainder `-B P^-1 C`. For `n` linked nodes a factorisation costs `O(n^1.5)` operations and
+//! `O(n log n)` memory, a solve `O(n log n)`.
 //!
 //! Rows are scaled to a largest entry of one before, and pivots below 1e-15 are raised to it.
 
 mod dense;
 mod dissection;
 mod front;
+mod structure;
 mod tree;
 
 use std::fmt;
 
-use dissection::Dissection;
+use dense::raised;
+use front::SMALLEST_PIVOT;
+use structure::NONE;
 use tree::Tree;
 
 use super::lanes::lanes_for;
@@ -32,25 +36,19 @@ pub(crate) const STENCIL: usize = 5;
 pub(crate) struct GridLu {
     /// Fronts, factors and vectors.
     tree: Tree,
-    /// Place of each node in the order of elimination.
-    place: Vec<usize>,
-    /// Where in the vectors a node is.
+    /// Where in the vectors a node is, [`NONE`] of one that no entry links to others.
     slot: Vec<u32>,
-    /// One over the largest entry of each row.
+    /// One over the largest entry of each row, and what it makes of a node that is not linked.
     scale: Vec<f32>,
     /// The rows of the matrix, scaled.
     scaled: Vec<f32>,
-    /// Whether a place has entries beside its diagonal.
-    linked: Vec<bool>,
-    /// From a node to those of its stencil.
-    offsets: [isize; STENCIL],
     /// Whether the last factorisation succeeded.
     factorised: bool,
 }
 
 impl fmt::Debug for GridLu {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("GridLu").field("rows", &self.place.len()).finish_non_exhaustive()
+        f.debug_struct("GridLu").field("rows", &self.slot.len()).finish_non_exhaustive()
     }
 }
 
@@ -58,23 +56,11 @@ impl GridLu {
     /// Order of elimination and buffers for a grid.
     pub(crate) fn new(nx: usize, ny: usize) -> Self {
         let n = nx * ny;
-        let dissection = Dissection::new(nx, ny);
-        let place = dissection.place.clone();
-        let tree = Tree::new(dissection, lanes_for(n));
-        let mut slot_at = vec![0; n];
-        for (front, start) in tree.fronts.iter().zip(&tree.starts.vectors) {
-            for (slot, at) in (*start..).zip(&mut slot_at[front.pivots.clone()]) {
-                *at = slot as u32;
-            }
-        }
         Self {
-            tree,
-            slot: place.iter().map(|&place| slot_at[place]).collect(),
+            tree: Tree::new(nx, ny, lanes_for(n)),
+            slot: vec![NONE; n],
             scale: vec![1.0; n],
             scaled: vec![0.0; STENCIL * n],
-            linked: vec![false; n],
-            offsets: [0, 1, -1, nx as isize, -(nx as isize)],
-            place,
             factorised: false,
         }
     }
@@ -82,23 +68,49 @@ impl GridLu {
     /// Factorises the matrix with row `k` at `stencil[5 k..5 k + 5]` in the order centre, east, west, north,
     /// south. Entries that point outside the grid must be zero. Returns whether it succeeded.
     pub(crate) fn factorise(&mut self, stencil: &[f32]) -> bool {
-        self.linked.fill(false);
         let rows = stencil.chunks_exact(STENCIL).zip(self.scaled.chunks_exact_mut(STENCIL));
-        for (k, ((row, scaled), scale)) in rows.zip(&mut self.scale).enumerate() {
+        for ((row, scaled), scale) in rows.zip(&mut self.scale) {
             let largest = row.iter().fold(0.0_f32, |m, v| m.max(v.abs()));
             *scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
             for (scaled, value) in scaled.iter_mut().zip(row) {
                 *scaled = value * *scale;
             }
-            for slot in (1..STENCIL).filter(|&slot| row[slot] != 0.0) {
-                self.linked[self.place[k]] = true;
-                if let Some(&other) = self.place.get(k.wrapping_add_signed(self.offsets[slot])) {
-                    self.linked[other] = true;
-                }
+        }
+        let offsets = self.tree.structure.offsets;
+        let has_entry = |node: usize, slot: usize| {
+            let row = node.checked_mul(STENCIL).and_then(|start| self.scaled.get(start..start + STENCIL));
+            row.is_some_and(|row| row[slot + 1] != 0.0)
+        };
+        self.tree.update(|node, slot| {
+            has_entry(node, slot) || has_entry(node.wrapping_add_signed(offsets[slot + 1]), slot ^ 1)
+        });
+        let sound = self.invert_alone() && self.tree.eliminate(&self.scaled);
+        self.place();
+        self.factorised = sound;
+        sound
+    }
+
+    /// Divides by the diagonals of the nodes that are not linked; whether these were numbers.
+    fn invert_alone(&mut self) -> bool {
+        let mut sound = true;
+        let rows = self.scaled.chunks_exact(STENCIL).zip(&mut self.scale).zip(&self.tree.structure.rank);
+        for ((row, scale), _) in rows.filter(|(_, rank)| **rank == NONE) {
+            let pivot = raised(row[0], SMALLEST_PIVOT);
+            sound &= pivot.is_finite();
+            *scale /= pivot;
+        }
+        sound
+    }
+
+    /// Finds where in the vectors the nodes are.
+    fn place(&mut self) {
+        let structure = &self.tree.structure;
+        self.slot.fill(NONE);
+        for front in &structure.fronts {
+            for (slot, &node) in (front.vectors_at as u32..).zip(&structure.nodes[front.pivots.clone()]) {
+                self.slot[node as usize] = slot;
             }
         }
-        self.factorised = self.tree.eliminate(&self.scaled, &self.linked);
-        self.factorised
     }
 
     /// Solves in place; without a factorisation the right-hand side is left as it is.
@@ -106,12 +118,17 @@ impl GridLu {
         if !self.factorised {
             return;
         }
-        for ((value, &slot), scale) in rhs.iter().zip(&self.slot).zip(&self.scale) {
-            self.tree.vectors[slot as usize] = value * scale;
+        for ((value, &slot), scale) in rhs.iter_mut().zip(&self.slot).zip(&self.scale) {
+            *value *= scale;
+            if let Some(right) = self.tree.vectors.get_mut(slot as usize) {
+                *right = *value;
+            }
         }
         self.tree.substitute();
         for (value, &slot) in rhs.iter_mut().zip(&self.slot) {
-            *value = self.tree.vectors[slot as usize];
+            if let Some(solution) = self.tree.vectors.get(slot as usize) {
+                *value = *solution;
+            }
         }
     }
 }
@@ -188,7 +205,7 @@ mod tests {
         let unit = |k: usize| if k.is_multiple_of(3) { 1e-9 } else { 1.0 };
         let mut lu = GridLu::new(nx, ny);
         for (k, row) in stencil.chunks_exact_mut(STENCIL).enumerate() {
-            for (value, offset) in row.iter_mut().zip(lu.offsets) {
+            for (value, offset) in row.iter_mut().zip(lu.tree.structure.offsets) {
                 *value *= unit(k.wrapping_add_signed(offset)) as f32;
             }
         }
@@ -207,7 +224,9 @@ mod tests {
         let mut lu = GridLu::new(nx, ny);
         let mut dense = Mat::<f64>::zeros(n, n);
         for (k, row) in stencil.chunks_exact(STENCIL).enumerate() {
-            for (value, offset) in row.iter().zip(lu.offsets).filter(|(value, _)| **value != 0.0) {
+            for (value, offset) in
+                row.iter().zip(lu.tree.structure.offsets).filter(|(value, _)| **value != 0.0)
+            {
                 dense[(k, k.wrapping_add_signed(offset))] = f64::from(*value);
             }
         }

@@ -8,10 +8,10 @@ use std::ops::Range;
 
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
-use super::STENCIL;
-use super::dense::{Block, VECTOR, raised};
-use super::dissection::{Dissection, Front};
-use super::front::{Elimination, SMALLEST_PIVOT, add_runs};
+use super::dense::{Block, VECTOR};
+use super::dissection::{Dissection, Piece};
+use super::front::{Elimination, add_runs};
+use super::structure::{Front, Structure};
 use crate::numerics::lanes::both;
 
 /// What each front owns, one after the other; of a whole tree or of one branch.
@@ -23,28 +23,17 @@ struct Branch<'a> {
     factors: &'a mut [f32],
     /// Right-hand side, then solution, at the pivots and at the border of each front, both padded.
     vectors: &'a mut [f32],
-    /// Fronts whose nodes and children are all unlinked.
-    idle: &'a mut [bool],
     /// One for each lane.
     scratch: &'a mut [Vec<f32>],
-}
-
-/// Where the values of each front start.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Starts {
-    /// In the factors of all.
-    factors: Vec<usize>,
-    /// In the vectors of all.
-    pub(super) vectors: Vec<usize>,
 }
 
 /// The tree of fronts with what they own.
 #[derive(Debug)]
 pub(super) struct Tree {
-    /// In the order of elimination.
-    pub(super) fronts: Vec<Front>,
-    /// Where each front's values begin.
-    pub(super) starts: Starts,
+    /// The pieces that the fronts are of.
+    dissection: Dissection,
+    /// The fronts of the matrix.
+    pub(super) structure: Structure,
     /// Right-hand sides, then solutions, front by front.
     pub(super) vectors: Vec<f32>,
     /// What all fronts keep of their elimination, front by front.
@@ -54,121 +43,113 @@ pub(super) struct Tree {
     remainders: [Vec<f32>; 2],
     /// What a branch needs of the stack of its last front and of the other.
     depths: Vec<[usize; 2]>,
-    /// Fronts whose nodes and children are all unlinked.
-    idle: Vec<bool>,
+    /// Threads that may work on branches of each front.
+    lanes: Vec<usize>,
     /// Work space, one for each lane.
     scratch: Vec<Vec<f32>>,
 }
 
 impl Tree {
-    /// Room for all fronts of a `dissection` that so many `lanes` work on.
-    pub(super) fn new(dissection: Dissection, lanes: usize) -> Self {
-        let fronts = dissection.fronts;
-        let mut starts = Starts::default();
-        let (mut factors, mut vectors, mut widest) = (0, 0, 0);
-        for front in &fronts {
-            starts.factors.push(factors);
-            starts.vectors.push(vectors);
-            factors += front.factors();
-            vectors += front.pivot_rows() + front.border_rows();
-            widest = widest.max(front.scratch());
-        }
-        let depths = depths(&fronts, lanes);
-        let remainders = depths.last().copied().unwrap_or_default().map(|depth| vec![0.0; depth]);
-        Self {
-            factors: vec![0.0; factors],
-            vectors: vec![0.0; vectors],
-            remainders,
-            depths,
-            idle: vec![false; fronts.len()],
-            scratch: vec![vec![0.0; widest]; lanes],
-            fronts,
-            starts,
-        }
+    /// Room for all matrices on a grid of `nx` x `ny` nodes, that so many `lanes` work on. Memory that smaller
+    /// fronts leave untouched is none.
+    pub(super) fn new(nx: usize, ny: usize, lanes: usize) -> Self {
+        let dissection = Dissection::new(nx, ny);
+        let structure = Structure::full(&dissection, nx, ny);
+        let scratch = structure.fronts.iter().map(Front::scratch).max().unwrap_or_default();
+        let mut tree = Self {
+            vectors: vec![0.0; structure.vectors],
+            factors: vec![0.0; structure.factors],
+            remainders: Default::default(),
+            depths: Vec::with_capacity(structure.fronts.len()),
+            lanes: lanes_of(&dissection.pieces, lanes),
+            scratch: vec![vec![0.0; scratch]; lanes],
+            dissection,
+            structure,
+        };
+        tree.find_depths();
+        tree.remainders = tree.depths.last().copied().unwrap_or_default().map(|depth| vec![0.0; depth]);
+        tree
+    }
+
+    /// Takes over a matrix (see [`Structure::update`]).
+    pub(super) fn update(&mut self, links: impl Fn(usize, usize) -> bool) {
+        self.structure.update(&self.dissection, links);
+        self.find_depths();
     }
 
     /// What does not change while the tree is walked, the whole tree as a branch, and the two stacks.
     fn parts(&mut self) -> (Walk<'_>, Branch<'_>, [&mut [f32]; 2]) {
-        let Self { fronts, starts, factors, vectors, remainders: [own, other], depths, idle, scratch } = self;
-        let branch = Branch { first: 0, factors, vectors, idle, scratch };
-        (Walk { fronts, starts, depths, arch: Arch::new() }, branch, [own, other])
+        let Self {
+            dissection, structure, factors, vectors, remainders: [own, other], depths, scratch, ..
+        } = self;
+        let branch = Branch { first: 0, factors, vectors, scratch };
+        (Walk { pieces: &dissection.pieces, structure, depths, arch: Arch::new() }, branch, [own, other])
     }
 
-    /// Eliminates all fronts of the matrix `scaled`, of whose nodes `linked` says which have entries beside
-    /// the diagonal. Returns whether all pivots were numbers.
-    pub(super) fn eliminate(&mut self, scaled: &[f32], linked: &[bool]) -> bool {
-        let root = self.fronts.len() - 1;
+    /// Eliminates all fronts of the matrix `scaled`. Returns whether all pivots were numbers.
+    pub(super) fn eliminate(&mut self, scaled: &[f32]) -> bool {
+        let root = self.structure.fronts.len() - 1;
         let (walk, branch, stacks) = self.parts();
-        walk.eliminate(root, branch, stacks, Matrix { scaled, linked })
+        walk.eliminate(root, branch, stacks, scaled)
     }
 
     /// Turns the right-hand side in the pivot rows of `vectors` into the solution.
     pub(super) fn substitute(&mut self) {
-        let root = self.fronts.len() - 1;
+        let root = self.structure.fronts.len() - 1;
         let (walk, mut branch, _) = self.parts();
         walk.forward(root, branch.all());
         walk.backward(root, branch);
     }
+
+    /// What the branch of each front needs of both stacks: branches that run side by side have parts of their
+    /// own.
+    fn find_depths(&mut self) {
+        let Self { dissection, structure: Structure { fronts, .. }, depths, lanes, .. } = self;
+        depths.clear();
+        for (f, (piece, front)) in dissection.pieces.iter().zip(&*fronts).enumerate() {
+            let [mut own, mut other] = [front.remainder(), 0];
+            if let Some([one, two]) = piece.halves {
+                let ([one_own, one_other], [two_own, two_other]) = (depths[one], depths[two]);
+                if lanes[f] > 1 {
+                    own = own.max(one_other + two_other);
+                    other = one_own + two_own;
+                } else {
+                    own = own.max(one_other).max(two_other);
+                    other = one_own.max(fronts[one].remainder() + two_own);
+                }
+            }
+            depths.push([own, other]);
+        }
+    }
 }
 
-/// What the branch of each front needs of both stacks: branches that run side by side have parts of their
-/// own.
-fn depths(fronts: &[Front], lanes: usize) -> Vec<[usize; 2]> {
-    let mut lanes_of = vec![lanes; fronts.len()];
-    for (f, front) in fronts.iter().enumerate().rev() {
+/// How many of `lanes` may work on branches of each piece.
+fn lanes_of(pieces: &[Piece], lanes: usize) -> Vec<usize> {
+    let mut lanes_of = vec![lanes; pieces.len()];
+    for (f, piece) in pieces.iter().enumerate().rev() {
         let half = lanes_of[f] / 2;
-        for (child, lanes) in front.children.iter().zip([half, lanes_of[f] - half]) {
-            lanes_of[child.front] = lanes.max(1);
+        for (child, lanes) in piece.halves.into_iter().flatten().zip([half, lanes_of[f] - half]) {
+            lanes_of[child] = lanes.max(1);
         }
     }
-    let mut depths: Vec<[usize; 2]> = Vec::with_capacity(fronts.len());
-    for (f, front) in fronts.iter().enumerate() {
-        let [mut own, mut other] = [front.remainder(), 0];
-        if let [one, two] = front.children.as_slice() {
-            let ([one_own, one_other], [two_own, two_other]) = (depths[one.front], depths[two.front]);
-            if lanes_of[f] > 1 {
-                own = own.max(one_other + two_other);
-                other = one_own + two_own;
-            } else {
-                own = own.max(one_other).max(two_other);
-                other = one_own.max(fronts[one.front].remainder() + two_own);
-            }
-        }
-        depths.push([own, other]);
-    }
-    depths
+    lanes_of
 }
 
 impl Branch<'_> {
     /// The same branch, borrowed for a shorter time.
     #[inline(always)]
     fn all(&mut self) -> Branch<'_> {
-        Branch {
-            first: self.first,
-            factors: self.factors,
-            vectors: self.vectors,
-            idle: self.idle,
-            scratch: self.scratch,
-        }
+        Branch { first: self.first, factors: self.factors, vectors: self.vectors, scratch: self.scratch }
     }
-}
-
-/// The matrix of an elimination.
-#[derive(Debug, Clone, Copy)]
-struct Matrix<'a> {
-    /// Its entries, scaled.
-    scaled: &'a [f32],
-    /// Whether a place has entries beside its diagonal.
-    linked: &'a [bool],
 }
 
 /// The ways along the tree.
 #[derive(Debug, Clone, Copy)]
 struct Walk<'a> {
+    /// All pieces.
+    pieces: &'a [Piece],
     /// All fronts.
-    fronts: &'a [Front],
-    /// Where the values of each begin.
-    starts: &'a Starts,
+    structure: &'a Structure,
     /// What each branch needs of both stacks.
     depths: &'a [[usize; 2]],
     /// Vector instructions of the machine.
@@ -212,37 +193,24 @@ impl Substitution<'_, '_> {
     }
 }
 
-/// Cuts a slice that starts at `starts[first]` before front `at`.
-fn cut<'b>(
-    values: &'b mut [f32],
-    starts: &[usize],
-    first: usize,
-    at: usize,
-) -> (&'b mut [f32], &'b mut [f32]) {
-    values.split_at_mut(starts[at] - starts[first])
-}
-
 impl Walk<'_> {
     /// The branch up to front `at`, and what follows.
     fn split<'b>(&self, branch: Branch<'b>, at: usize) -> (Branch<'b>, Branch<'b>) {
-        let Branch { first, factors, vectors, idle, scratch } = branch;
-        let factors = cut(factors, &self.starts.factors, first, at);
-        let vectors = cut(vectors, &self.starts.vectors, first, at);
-        let idle = idle.split_at_mut(at - first);
+        let Branch { first, factors, vectors, scratch } = branch;
+        let (from, to) = (&self.structure.fronts[first], &self.structure.fronts[at]);
+        let factors = factors.split_at_mut(to.factors_at - from.factors_at);
+        let vectors = vectors.split_at_mut(to.vectors_at - from.vectors_at);
         let lanes = scratch.len();
         let scratch = scratch.split_at_mut(lanes / 2);
         (
-            Branch { first, factors: factors.0, vectors: vectors.0, idle: idle.0, scratch: scratch.0 },
-            Branch { first: at, factors: factors.1, vectors: vectors.1, idle: idle.1, scratch: scratch.1 },
+            Branch { first, factors: factors.0, vectors: vectors.0, scratch: scratch.0 },
+            Branch { first: at, factors: factors.1, vectors: vectors.1, scratch: scratch.1 },
         )
     }
 
     /// The two branches of a front if there is more than one lane for them.
     fn fork(&self, root: usize, branch: &Branch<'_>) -> Option<[usize; 2]> {
-        match self.fronts[root].children.as_slice() {
-            [one, other] if branch.scratch.len() > 1 => Some([one.front, other.front]),
-            _ => None,
-        }
+        self.pieces[root].halves.filter(|_| branch.scratch.len() > 1)
     }
 
     /// Eliminates the fronts of a branch, whose last is `root`, with the remainder of that on the first
@@ -252,60 +220,47 @@ impl Walk<'_> {
         root: usize,
         mut branch: Branch<'_>,
         [own, other]: [&mut [f32]; 2],
-        matrix: Matrix<'_>,
+        scaled: &[f32],
     ) -> bool {
-        let front = &self.fronts[root];
+        let structure = self.structure;
         let (mut sound, mut second) = (true, 0);
-        if let [one, two] = front.children.as_slice() {
-            let (one, two) = (one.front, two.front);
-            if branch.scratch.len() > 1 {
-                second = self.depths[one][0];
-                let (left, right) = self.split(branch.all(), one + 1);
-                let (one_own, two_own) = other.split_at_mut(second);
-                let (one_other, two_other) = own.split_at_mut(self.depths[one][1]);
-                let sounds = both(
-                    || self.eliminate(one, left, [one_own, one_other], matrix),
-                    || self.eliminate(two, right, [two_own, two_other], matrix),
-                );
-                sound = sounds.0 && sounds.1;
-            } else {
-                second = self.fronts[one].remainder();
-                sound &= self.eliminate(one, branch.all(), [&mut *other, &mut *own], matrix);
-                sound &= self.eliminate(two, branch.all(), [&mut other[second..], &mut *own], matrix);
-            }
+        if let Some([one, two]) = self.fork(root, &branch) {
+            second = self.depths[one][0];
+            let (left, right) = self.split(branch.all(), one + 1);
+            let (one_own, two_own) = other.split_at_mut(second);
+            let (one_other, two_other) = own.split_at_mut(self.depths[one][1]);
+            let sounds = both(
+                || self.eliminate(one, left, [one_own, one_other], scaled),
+                || self.eliminate(two, right, [two_own, two_other], scaled),
+            );
+            sound = sounds.0 && sounds.1;
+        } else if let Some([one, two]) = self.pieces[root].halves {
+            second = structure.fronts[one].remainder();
+            sound &= self.eliminate(one, branch.all(), [&mut *other, &mut *own], scaled);
+            sound &= self.eliminate(two, branch.all(), [&mut other[second..], &mut *own], scaled);
         }
-        let Branch { first, factors, idle, scratch, .. } = branch;
-        let start = self.starts.factors[root] - self.starts.factors[first];
-        let values = &mut factors[start..][..front.factors()];
-        idle[root - first] = front.children.iter().all(|child| idle[child.front - first])
-            && matrix.linked[front.pivots.clone()].iter().all(|&linked| !linked);
-        if idle[root - first] {
-            let diagonal = front.entries.iter().filter(|entry| entry.from % STENCIL == 0);
-            for (value, entry) in values.iter_mut().zip(diagonal) {
-                let pivot = raised(matrix.scaled[entry.from], SMALLEST_PIVOT);
-                sound &= pivot.is_finite();
-                *value = 1.0 / pivot;
-            }
-            return sound;
-        }
+        let front = &structure.fronts[root];
+        let Branch { first, factors, scratch, .. } = branch;
+        let Some(scratch) = scratch.first_mut().filter(|_| !front.is_empty()) else { return sound };
+        let values = &mut factors[front.factors_at - structure.fronts[first].factors_at..][..front.factors()];
         let mut children = [None; 2];
-        for ((child, left), start) in front.children.iter().zip(&mut children).zip([0, second]) {
-            if !idle[child.front - first] {
-                let front = &self.fronts[child.front];
-                let values = &other[start..][..front.remainder()];
-                *left = Some(Block { values, stride: front.border_rows() });
+        if let Some(halves) = self.pieces[root].halves {
+            for ((child, left), start) in halves.into_iter().zip(&mut children).zip([0, second]) {
+                let child = &structure.fronts[child];
+                let values = &other[start..][..child.remainder()];
+                let block = Block { values, stride: child.border_rows() };
+                *left = (!values.is_empty()).then(|| (block, structure.runs(child)));
             }
         }
-        let Some(scratch) = scratch.first_mut() else { return false };
         let remainder = &mut own[..front.remainder()];
-        let scaled = matrix.scaled;
-        self.arch.dispatch(Elimination { front, scaled, values, children, remainder, scratch }) && sound
+        let work = Elimination { front, structure, scaled, values, children, remainder, scratch };
+        self.arch.dispatch(work) && sound
     }
 
     /// Turns right-hand sides into what the pivots make of them, from the leaves to the root.
     fn forward(&self, root: usize, mut branch: Branch<'_>) {
         let Some([one, other]) = self.fork(root, &branch) else {
-            self.run(self.fronts[root].first..root + 1, branch, true);
+            self.run(self.pieces[root].first..root + 1, branch, true);
             return;
         };
         let (left, right) = self.split(branch.all(), one + 1);
@@ -316,7 +271,7 @@ impl Walk<'_> {
     /// Adds what the borders make of the pivots, from the root to the leaves.
     fn backward(&self, root: usize, mut branch: Branch<'_>) {
         let Some([one, other]) = self.fork(root, &branch) else {
-            self.run(self.fronts[root].first..root + 1, branch, false);
+            self.run(self.pieces[root].first..root + 1, branch, false);
             return;
         };
         self.run(root..root + 1, branch.all(), false);
@@ -329,52 +284,50 @@ impl Walk<'_> {
         self.arch.dispatch(Substitution { walk: *self, fronts, branch, forward });
     }
 
+    /// What front `f` keeps and its vector, those of the fronts before it, and work space.
+    #[inline(always)]
+    fn open<'b>(&self, f: usize, branch: Branch<'b>) -> Option<(&'b mut [f32], [&'b mut [f32]; 3])> {
+        let Branch { first, factors, vectors, scratch } = branch;
+        let (from, front) = (&self.structure.fronts[first], &self.structure.fronts[f]);
+        let (below, own) = vectors.split_at_mut(front.vectors_at - from.vectors_at);
+        let own = &mut own[..front.pivot_rows() + front.border_rows()];
+        let values = &mut factors[front.factors_at - from.factors_at..][..front.factors()];
+        let scratch = scratch.first_mut().filter(|_| !front.is_empty())?;
+        Some((below, [values, own, scratch]))
+    }
+
+    /// Where the border of a front is in the vectors of those from front `first` on.
+    #[inline(always)]
+    fn border_at(&self, front: &Front, first: usize) -> usize {
+        front.vectors_at + front.pivot_rows() - self.structure.fronts[first].vectors_at
+    }
+
     /// Gathers what the children leave at the pivots of front `f` and eliminates it.
     #[inline(always)]
     fn forward_front<S: Simd>(&self, simd: S, f: usize, branch: Branch<'_>) {
-        let Branch { first, factors, vectors, idle, scratch, .. } = branch;
-        if idle[f - first] {
-            return;
+        let (structure, first) = (self.structure, branch.first);
+        let front = &structure.fronts[f];
+        let Some((below, [values, own, scratch])) = self.open(f, branch) else { return };
+        own[front.pivot_rows()..].fill(0.0);
+        for child in self.pieces[f].halves.into_iter().flatten() {
+            let child = &structure.fronts[child];
+            add_runs(own, &below[self.border_at(child, first)..], structure.runs(child), 0);
         }
-        let front = &self.fronts[f];
-        let rows = front.pivot_rows();
-        let start = self.starts.vectors[f] - self.starts.vectors[first];
-        let (below, own) = vectors.split_at_mut(start);
-        let own = &mut own[..rows + front.border_rows()];
-        own[rows..].fill(0.0);
-        for child in front.children.iter().filter(|child| !idle[child.front - first]) {
-            let start = self.starts.vectors[child.front] - self.starts.vectors[first];
-            add_runs(own, &below[start + self.fronts[child.front].pivot_rows()..], &child.runs, 0);
-        }
-        let Some(scratch) = scratch.first_mut() else { return };
-        let start = self.starts.factors[f] - self.starts.factors[first];
-        front.forward(simd, &mut factors[start..][..front.factors()], own, scratch);
+        front.forward(simd, structure.edges(front), [values, own, scratch]);
     }
 
     /// Solution at the pivots of front `f` from that at its border, which its children then take over.
     #[inline(always)]
     fn backward_front<S: Simd>(&self, simd: S, f: usize, branch: Branch<'_>) {
-        let Branch { first, factors, vectors, idle, scratch } = branch;
-        let front = &self.fronts[f];
-        let rows = front.pivot_rows();
-        let start = self.starts.vectors[f] - self.starts.vectors[first];
-        let (below, own) = vectors.split_at_mut(start);
-        let own = &mut own[..rows + front.border_rows()];
-        let start = self.starts.factors[f] - self.starts.factors[first];
-        let values = &mut factors[start..][..front.factors()];
-        if idle[f - first] {
-            for (value, inverse) in own[..front.pivots.len()].iter_mut().zip(values) {
-                *value *= *inverse;
-            }
-            return;
-        }
-        let Some(scratch) = scratch.first_mut() else { return };
-        front.backward(simd, values, own, scratch);
-        for child in front.children.iter().filter(|child| !idle[child.front - first]) {
-            let start = self.starts.vectors[child.front] - self.starts.vectors[first];
-            let to = &mut below[start + self.fronts[child.front].pivot_rows()..];
-            for run in &child.runs {
-                to[run.from..][..run.length].copy_from_slice(&own[run.to..][..run.length]);
+        let (structure, first) = (self.structure, branch.first);
+        let front = &structure.fronts[f];
+        let Some((below, [values, own, scratch])) = self.open(f, branch) else { return };
+        front.backward(simd, structure.edges(front), [values, own, scratch]);
+        for child in self.pieces[f].halves.into_iter().flatten() {
+            let child = &structure.fronts[child];
+            let to = &mut below[self.border_at(child, first)..];
+            for run in structure.runs(child) {
+                to[run.from as usize..][..run.length as usize].copy_from_slice(&own[run.rows()]);
             }
         }
     }
