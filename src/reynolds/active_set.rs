@@ -64,6 +64,16 @@ impl Kind {
         matches!(self.fluid, Fluid::Active | Fluid::AtLimit)
     }
 
+    /// By how much pressure and film of the node follow the unknown of its mass balance, in their own units.
+    pub(super) fn follows(self) -> [f32; 2] {
+        match (self.fluid, self.solid) {
+            (Fluid::Active, Solid::Open) => [1.0, 1.0],
+            (Fluid::Active, _) => [1.0, 0.0],
+            (Fluid::AtLimit, _) => [0.0, 1.0],
+            _ => [0.0, 0.0],
+        }
+    }
+
     /// Whether solids touch at the node.
     pub(super) fn is_contact(self) -> bool {
         self.solid != Solid::Open

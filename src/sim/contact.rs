@@ -77,9 +77,10 @@ pub(super) struct ContactModel {
     /// Central film by formula, by the pressure-viscosity coefficient that is stated for it; zero without
     /// lubricant \[m\].
     pub(super) stated_film: f64,
-    /// Measures the flow of solutions, and evaluates those of solvers from outside; none where there is
-    /// nothing to measure.
+    /// Measures the flow of solutions, and evaluates those of solvers from outside; made when it is first used.
     evaluation: Option<Evaluation>,
+    /// Whether another solve follows: the solver keeps its buffers for it.
+    pub(super) solves_again: bool,
     /// That of the last one.
     pub(super) flow: Option<FlowBalance>,
     /// Flows through the cells of the last one; none where films have the bulk temperature.
@@ -181,7 +182,8 @@ impl ContactModel {
         Ok(Self {
             formulas,
             stated_film,
-            evaluation: (lubricant.is_some() || overrides.solver.is_some()).then(|| Evaluation::new(grid)),
+            evaluation: None,
+            solves_again: true,
             flow: None,
             film_flows: film_heat::is_asked(scene).then(FilmFlows::default),
             grid,
@@ -276,7 +278,7 @@ impl ContactModel {
         gap: &'a [f64],
         limit: Option<&'a [f64]>,
         squeeze: Option<Squeeze<'a>>,
-    ) -> (LubricatedContact<'a>, &'a mut dyn OwnedSolver, Option<&'a mut Evaluation>) {
+    ) -> (LubricatedContact<'a>, &'a mut Box<dyn OwnedSolver>, &'a mut Option<Evaluation>) {
         let reference_film = self.formula_film().min(self.supplied_film.unwrap_or(f64::INFINITY));
         let problem = LubricatedContact {
             gap,
@@ -298,7 +300,7 @@ impl ContactModel {
             reference_pressure: self.hertz.pressure,
             reference_film,
         };
-        (problem, self.solver.as_mut(), self.evaluation.as_mut())
+        (problem, &mut self.solver, &mut self.evaluation)
     }
 
     /// Refuses what [`ContactModel::solve`] refuses before the first iteration.
@@ -323,13 +325,19 @@ impl ContactModel {
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
         let (heeded, rule, confirms) = (self.deformation.bodies().begin(), self.rule, self.confirms);
+        let (grid, solves_again) = (self.grid, self.solves_again);
         let mut film_flows = self.film_flows.take();
-        let (mut problem, solver, mut evaluation) = self.problem(gap, limit, squeeze);
-        let solved = solver.solve(&mut problem, state, &rule);
-        let solved = match (solved, evaluation.as_mut().filter(|_| confirms)) {
-            (Ok(report), Some(evaluation)) => confirmed(report, evaluation, &mut problem, state, &rule),
-            (solved, _) => solved,
-        };
+        let (mut problem, solver, evaluation) = self.problem(gap, limit, squeeze);
+        let mut solved = solver.solve(&mut problem, state, &rule);
+        if !solves_again {
+            // A copy has no buffers yet.
+            *solver = solver.clone();
+        }
+        let is_measured = problem.lubricant.is_some() || confirms;
+        let mut evaluation = is_measured.then(|| evaluation.get_or_insert_with(|| Evaluation::new(grid)));
+        if let (Some(evaluation), true) = (&mut evaluation, confirms) {
+            solved = solved.and_then(|report| confirmed(report, evaluation, &mut problem, state, &rule));
+        }
         let interrupted = heeded.load(Ordering::Relaxed);
         // A solve that diverged may leave a state without numbers, which has no flow.
         let is_state = state.validate(&problem.grid()).is_ok();

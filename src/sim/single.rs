@@ -239,6 +239,7 @@ impl Prepared {
         };
         let friction = FrictionFields::new(&scene, grid.len())?;
         let film_heat = FilmIteration::new(&scene, &model)?;
+        model.solves_again = film_heat.is_some();
         let rq = bodies.each_ref().map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
         model.check(&gap, limit.as_deref(), &state)?;
         let warnings = Vec::new();

@@ -4,6 +4,7 @@
 
 use pulp::{Scalar, Simd, WithSimd};
 
+use super::Matrix;
 use super::dense::{
     Block, VECTOR, add_matrix_product, add_product, invert, neglect, packed, padded, significant,
 };
@@ -111,8 +112,8 @@ pub(super) struct Elimination<'a, 'b> {
     pub(super) front: &'a Front,
     /// All fronts.
     pub(super) structure: &'a Structure,
-    /// The matrix, its rows scaled.
-    pub(super) scaled: &'a [f32],
+    /// The matrix.
+    pub(super) matrix: Matrix<'a>,
     /// What it keeps.
     pub(super) values: &'b mut [f32],
     /// What its children have left, and where it goes.
@@ -137,23 +138,23 @@ impl Elimination<'_, '_> {
     /// Eliminates; whether all pivots were numbers.
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> bool {
-        let Self { front, structure, scaled, values, children, remainder, scratch } = self;
+        let Self { front, structure, matrix, values, children, remainder, scratch } = self;
         let ([s, b], edges) = (front.size(), structure.edges(front));
         let (rows, border_rows) = (front.pivot_rows(), front.border_rows());
         let Parts { inverse, lower, upper } = front.parts(values);
         let (pack, scratch) = scratch.split_at_mut(packed(s));
         inverse.fill(0.0);
-        structure.place_entries(front, scaled, inverse);
+        structure.place_entries(front, matrix, inverse);
         if front.is_leaf {
             let sound = invert(simd, inverse, s, SMALLEST_PIVOT, [scratch, pack]);
             neglect(inverse);
             for (place, edge) in edges.iter().enumerate() {
-                lower[place] = -scaled[edge.of_border as usize];
-                upper[place] = scaled[edge.of_pivot as usize];
+                lower[place] = -matrix.entry(edge.of_border as usize);
+                upper[place] = matrix.entry(edge.of_pivot as usize);
             }
             for (column, edge) in remainder.chunks_exact_mut(border_rows.max(1)).zip(edges) {
                 let inverse = &inverse[edge.pivot as usize * rows..][..rows];
-                let value = scaled[edge.of_pivot as usize];
+                let value = matrix.entry(edge.of_pivot as usize);
                 for ((out, row), lower) in column.iter_mut().zip(edges).zip(&*lower) {
                     *out = significant(lower * inverse[row.pivot as usize]) * value;
                 }
@@ -166,8 +167,8 @@ impl Elimination<'_, '_> {
         remainder.fill(0.0);
         for edge in edges {
             let (pivot, border) = (edge.pivot as usize, edge.border as usize);
-            raw[pivot * border_rows + border] = scaled[edge.of_border as usize];
-            upper[border * rows + pivot] = scaled[edge.of_pivot as usize];
+            raw[pivot * border_rows + border] = matrix.entry(edge.of_border as usize);
+            upper[border * rows + pivot] = matrix.entry(edge.of_pivot as usize);
         }
         for (left, runs) in children.into_iter().flatten() {
             let mut columns = left.values.chunks_exact(left.stride);

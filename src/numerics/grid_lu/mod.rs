@@ -40,10 +40,23 @@ pub(crate) struct GridLu {
     slot: Vec<u32>,
     /// One over the largest entry of each row, and what it makes of a node that is not linked.
     scale: Vec<f32>,
-    /// The rows of the matrix, scaled.
-    scaled: Vec<f32>,
     /// Whether the last factorisation succeeded.
     factorised: bool,
+}
+
+/// A matrix whose rows are scaled as they are read.
+#[derive(Debug, Clone, Copy)]
+struct Matrix<'a> {
+    stencil: &'a [f32],
+    scale: &'a [f32],
+}
+
+impl Matrix<'_> {
+    /// The entry at `at` in the stencils of all nodes.
+    #[inline(always)]
+    fn entry(&self, at: usize) -> f32 {
+        self.stencil[at] * self.scale[at / STENCIL]
+    }
 }
 
 impl fmt::Debug for GridLu {
@@ -60,7 +73,6 @@ impl GridLu {
             tree: Tree::new(nx, ny, lanes_for(n)),
             slot: vec![NONE; n],
             scale: vec![1.0; n],
-            scaled: vec![0.0; STENCIL * n],
             factorised: false,
         }
     }
@@ -68,34 +80,31 @@ impl GridLu {
     /// Factorises the matrix with row `k` at `stencil[5 k..5 k + 5]` in the order centre, east, west, north,
     /// south. Entries that point outside the grid must be zero. Returns whether it succeeded.
     pub(crate) fn factorise(&mut self, stencil: &[f32]) -> bool {
-        let rows = stencil.chunks_exact(STENCIL).zip(self.scaled.chunks_exact_mut(STENCIL));
-        for ((row, scaled), scale) in rows.zip(&mut self.scale) {
+        for (row, scale) in stencil.chunks_exact(STENCIL).zip(&mut self.scale) {
             let largest = row.iter().fold(0.0_f32, |m, v| m.max(v.abs()));
             *scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
-            for (scaled, value) in scaled.iter_mut().zip(row) {
-                *scaled = value * *scale;
-            }
         }
         let offsets = self.tree.structure.offsets;
         let has_entry = |node: usize, slot: usize| {
-            let row = node.checked_mul(STENCIL).and_then(|start| self.scaled.get(start..start + STENCIL));
+            let row = node.checked_mul(STENCIL).and_then(|start| stencil.get(start..start + STENCIL));
             row.is_some_and(|row| row[slot + 1] != 0.0)
         };
         self.tree.update(|node, slot| {
             has_entry(node, slot) || has_entry(node.wrapping_add_signed(offsets[slot + 1]), slot ^ 1)
         });
-        let sound = self.invert_alone() && self.tree.eliminate(&self.scaled);
+        let matrix = Matrix { stencil, scale: &self.scale };
+        let sound = self.tree.eliminate(matrix) && self.invert_alone(stencil);
         self.place();
         self.factorised = sound;
         sound
     }
 
     /// Divides by the diagonals of the nodes that are not linked; whether these were numbers.
-    fn invert_alone(&mut self) -> bool {
+    fn invert_alone(&mut self, stencil: &[f32]) -> bool {
         let mut sound = true;
-        let rows = self.scaled.chunks_exact(STENCIL).zip(&mut self.scale).zip(&self.tree.structure.rank);
+        let rows = stencil.chunks_exact(STENCIL).zip(&mut self.scale).zip(&self.tree.structure.rank);
         for ((row, scale), _) in rows.filter(|(_, rank)| **rank == NONE) {
-            let pivot = raised(row[0], SMALLEST_PIVOT);
+            let pivot = raised(row[0] * *scale, SMALLEST_PIVOT);
             sound &= pivot.is_finite();
             *scale /= pivot;
         }

@@ -6,9 +6,9 @@
 
 use std::ops::Range;
 
-use super::STENCIL;
 use super::dense::padded;
 use super::dissection::Dissection;
+use super::{Matrix, STENCIL};
 
 /// Rank of a node that no entry links to others.
 pub(super) const NONE: u32 = u32::MAX;
@@ -208,16 +208,18 @@ impl Structure {
         fronts[number].border = from..borders.len();
     }
 
-    /// Puts the entries of the matrix `scaled` among the pivots of a front into their block.
+    /// Puts the entries of a matrix among the pivots of a front into their block.
     #[inline(always)]
-    pub(super) fn place_entries(&self, front: &Front, scaled: &[f32], block: &mut [f32]) {
+    pub(super) fn place_entries(&self, front: &Front, matrix: Matrix<'_>, block: &mut [f32]) {
         let (pivots, rows) = (front.pivots.clone(), front.pivot_rows());
         for (row, &node) in self.nodes[pivots.clone()].iter().enumerate() {
-            let entries = &scaled[STENCIL * node as usize..][..STENCIL];
-            for (entry, offset) in entries.iter().zip(self.offsets).filter(|(entry, _)| **entry != 0.0) {
-                let column = self.rank[(node as usize).wrapping_add_signed(offset)] as usize;
-                if pivots.contains(&column) {
-                    block[(column - pivots.start) * rows + row] = *entry;
+            let node = node as usize;
+            for (slot, offset) in self.offsets.iter().enumerate() {
+                let entry = matrix.entry(STENCIL * node + slot);
+                let column =
+                    self.rank.get(node.wrapping_add_signed(*offset)).map_or(NONE, |rank| *rank) as usize;
+                if entry != 0.0 && pivots.contains(&column) {
+                    block[(column - pivots.start) * rows + row] = entry;
                 }
             }
         }

@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
+use super::Matrix;
 use super::dense::{Block, VECTOR};
 use super::dissection::{Dissection, Piece};
 use super::front::{Elimination, add_runs};
@@ -86,11 +87,11 @@ impl Tree {
         (Walk { pieces: &dissection.pieces, structure, depths, arch: Arch::new() }, branch, [own, other])
     }
 
-    /// Eliminates all fronts of the matrix `scaled`. Returns whether all pivots were numbers.
-    pub(super) fn eliminate(&mut self, scaled: &[f32]) -> bool {
+    /// Eliminates all fronts of a matrix. Returns whether all pivots were numbers.
+    pub(super) fn eliminate(&mut self, matrix: Matrix<'_>) -> bool {
         let root = self.structure.fronts.len() - 1;
         let (walk, branch, stacks) = self.parts();
-        walk.eliminate(root, branch, stacks, scaled)
+        walk.eliminate(root, branch, stacks, matrix)
     }
 
     /// Turns the right-hand side in the pivot rows of `vectors` into the solution.
@@ -220,7 +221,7 @@ impl Walk<'_> {
         root: usize,
         mut branch: Branch<'_>,
         [own, other]: [&mut [f32]; 2],
-        scaled: &[f32],
+        matrix: Matrix<'_>,
     ) -> bool {
         let structure = self.structure;
         let (mut sound, mut second) = (true, 0);
@@ -230,14 +231,14 @@ impl Walk<'_> {
             let (one_own, two_own) = other.split_at_mut(second);
             let (one_other, two_other) = own.split_at_mut(self.depths[one][1]);
             let sounds = both(
-                || self.eliminate(one, left, [one_own, one_other], scaled),
-                || self.eliminate(two, right, [two_own, two_other], scaled),
+                || self.eliminate(one, left, [one_own, one_other], matrix),
+                || self.eliminate(two, right, [two_own, two_other], matrix),
             );
             sound = sounds.0 && sounds.1;
         } else if let Some([one, two]) = self.pieces[root].halves {
             second = structure.fronts[one].remainder();
-            sound &= self.eliminate(one, branch.all(), [&mut *other, &mut *own], scaled);
-            sound &= self.eliminate(two, branch.all(), [&mut other[second..], &mut *own], scaled);
+            sound &= self.eliminate(one, branch.all(), [&mut *other, &mut *own], matrix);
+            sound &= self.eliminate(two, branch.all(), [&mut other[second..], &mut *own], matrix);
         }
         let front = &structure.fronts[root];
         let Branch { first, factors, scratch, .. } = branch;
@@ -253,7 +254,7 @@ impl Walk<'_> {
             }
         }
         let remainder = &mut own[..front.remainder()];
-        let work = Elimination { front, structure, scaled, values, children, remainder, scratch };
+        let work = Elimination { front, structure, matrix, values, children, remainder, scratch };
         self.arch.dispatch(work) && sound
     }
 

@@ -95,12 +95,15 @@ impl Across {
         &self,
         k: usize,
         row: &mut [f32; STENCIL],
-        [moves, response]: [&[f32]; 2],
+        follows: impl Fn(usize) -> [f32; 2],
         (linked, passed): (&[bool], &[f32]),
     ) {
         let (nx, [enters, _]) = (self.nx, self.course.faces(k));
         let share = if linked[k] { passed[k] } else { 1.0 };
-        let follows = |[p, h]: [f32; 2], o: usize| p * moves[o] + h * response[o];
+        let by_unknown = |[p, h]: [f32; 2], o: usize| {
+            let [pressure, film] = follows(o);
+            p * pressure + h * film
+        };
         let [_, _, _, north, south] = row;
         let mut own = 0.0;
         for (entry, o, face) in [(north, k + nx, k), (south, k - nx, k - nx)] {
@@ -116,8 +119,8 @@ impl Across {
             let [first_p, second_p, first_h, second_h] = self.faces.each_ref().map(|by| by[face]);
             let (first, second) = ([first_p, first_h], [second_p, second_h]);
             let (sign, here, there) = if is_north { (share, first, second) } else { (-share, second, first) };
-            own += sign * follows(here, k);
-            *entry += sign * follows(there, o);
+            own += sign * by_unknown(here, k);
+            *entry += sign * by_unknown(there, o);
         }
         row[0] += own;
     }

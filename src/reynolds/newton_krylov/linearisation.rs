@@ -177,13 +177,12 @@ impl Linearisation {
     }
 
     /// Row of inner node `k` of the fluid block, centre, east, west, north and south: entrainment of first
-    /// order, the film of a node following its own unknown by `response`, its pressure by `moves`. The
-    /// unknown of a node that is `linked` is what it carries on.
+    /// order, pressure and film of a node following its own unknown as `follows` says. The unknown of a node
+    /// that is `linked` is what it carries on.
     pub(super) fn stencil_row(
         &self,
         k: usize,
-        moves: &[f32],
-        response: &[f32],
+        follows: impl Fn(usize) -> [f32; 2],
         linked: &[bool],
     ) -> [f32; STENCIL] {
         let nx = self.grid.nx();
@@ -210,8 +209,8 @@ impl Linearisation {
         let nodes = [k, k + 1, k - 1, k + rows, k - rows];
         let share = if linked[k] { self.passed[k] } else { 1.0 };
         let mut row = std::array::from_fn(|slot| {
-            let node = nodes[slot];
-            share * (by_pressure[slot] * moves[node] + by_film[slot] * response[node])
+            let [pressure, film] = follows(nodes[slot]);
+            share * (by_pressure[slot] * pressure + by_film[slot] * film)
         });
         if linked[k] {
             row[0] = 1.0;
@@ -220,7 +219,7 @@ impl Linearisation {
             row[2] = -share;
         }
         if let Some(across) = &self.across {
-            across.add_to_row(k, &mut row, [moves, response], (linked, &self.passed));
+            across.add_to_row(k, &mut row, follows, (linked, &self.passed));
         }
         row
     }

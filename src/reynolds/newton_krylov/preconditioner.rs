@@ -28,10 +28,6 @@ const BALANCED: f64 = 3.0;
 pub(super) struct BlockPreconditioner {
     stencil: Vec<f32>,
     fluid_block: Box<dyn FluidBlock>,
-    /// By how much the unknown of a node moves its pressure: one or zero.
-    moves: Vec<f32>,
-    /// By how much it moves its film: one or zero.
-    response: Vec<f32>,
     /// Square root of the share of a fluid node's pressure that is found from its film.
     film_weight: Vec<f32>,
     /// Nodes that are not filled and carry on what enters them to a node with a balance.
@@ -54,8 +50,6 @@ impl BlockPreconditioner {
         Self {
             stencil: vec![0.0; STENCIL * n],
             fluid_block,
-            moves: vec![0.0; n],
-            response: vec![0.0; n],
             film_weight: vec![0.0; n],
             linked: vec![false; n],
             fluid: vec![0.0; n],
@@ -83,7 +77,8 @@ impl BlockPreconditioner {
     ) -> bool {
         self.screened = coupled.kinds.iter().any(|kind| kind.is_contact());
         self.film_weight.fill(0.0);
-        if problem.lubricant.is_some() {
+        // On a line the inverse of the logarithmic kernel is too poor for pressures from films.
+        if problem.lubricant.is_some() && coupled.fluid.grid.ny() > 1 {
             self.find_shares(coupled, unknowns);
         }
         let contact = unknowns.contact().iter().map(|&k| (k, 1.0));
@@ -96,9 +91,13 @@ impl BlockPreconditioner {
             row.copy_from_slice(&[1.0, 0.0, 0.0, 0.0, 0.0]);
         }
         self.link(linearisation, unknowns);
+        let follows = |node: usize| match coupled.kinds[node].follows() {
+            [_, film] if self.film_weight[node] >= 1.0 => [0.0, film],
+            both => both,
+        };
         let linked = (0..self.linked.len()).filter(|k| self.linked[*k]);
         for k in unknowns.balanced().iter().map(|&k| k as usize).chain(linked) {
-            let row = linearisation.stencil_row(k, &self.moves, &self.response, &self.linked);
+            let row = linearisation.stencil_row(k, follows, &self.linked);
             self.stencil[STENCIL * k..][..STENCIL].copy_from_slice(&row);
         }
         unknowns.set_row_sizes(|k| self.fluid_block.row_size(self.stencil[STENCIL * k]));
@@ -116,30 +115,14 @@ impl BlockPreconditioner {
         }
     }
 
-    /// How the fluid block treats every node.
+    /// How much of its pressure the film of each open node tells.
     fn find_shares(&mut self, coupled: &Coupled, unknowns: &Unknowns) {
-        // On a line the inverse of the logarithmic kernel is too poor for pressures from films.
-        let by_film = coupled.fluid.grid.ny() > 1;
-        self.moves.fill(0.0);
-        self.response.fill(0.0);
-        for &k in unknowns.balanced() {
-            self.moves[k as usize] = 1.0;
-        }
-        for &k in unknowns.limited() {
-            (self.moves[k as usize], self.response[k as usize]) = (0.0, 1.0);
-        }
         for &k in unknowns.open() {
             let k = k as usize;
-            self.response[k] = 1.0;
-            if !by_film {
-                continue;
-            }
             let ratio = coupled.fluid.flow_ratio(k, coupled.near).max(0.0);
             if ratio < STIFF {
-                (self.moves[k], self.film_weight[k]) = (0.0, 1.0);
-                continue;
-            }
-            if ratio < FREE {
+                self.film_weight[k] = 1.0;
+            } else if ratio < FREE {
                 self.film_weight[k] = (1.0 + (ratio / BALANCED).sqrt()).sqrt().recip() as f32;
             }
         }

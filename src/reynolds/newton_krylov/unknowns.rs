@@ -115,11 +115,6 @@ impl Unknowns {
         &self.balanced[..self.limited_from]
     }
 
-    /// Nodes whose fluid is at the limit, the next.
-    pub(super) fn limited(&self) -> &[u32] {
-        &self.balanced[self.limited_from..self.contact_from]
-    }
-
     /// All nodes with a mass balance.
     pub(super) fn balanced(&self) -> &[u32] {
         &self.balanced

@@ -40,8 +40,7 @@ pub(super) struct Window {
     /// Chosen nodes that are not filled and carry on what enters them to a node with a balance.
     linked: Vec<bool>,
     /// By how much the unknown of a node moves its pressure and its film.
-    moves: Vec<f32>,
-    response: Vec<f32>,
+    follows: Vec<[f32; 2]>,
     unknown: Vec<f32>,
     pressure_change: Vec<f32>,
     film_change: Vec<f32>,
@@ -73,8 +72,7 @@ impl Window {
             elastic_film: vec![0.0; n],
             chosen: vec![false; n],
             linked: vec![false; n],
-            moves: vec![0.0; n],
-            response: vec![0.0; n],
+            follows: vec![[0.0; 2]; n],
             unknown: vec![0.0; n],
             pressure_change: vec![0.0; n],
             film_change: vec![0.0; n],
@@ -251,17 +249,16 @@ impl Window {
         self.linked.fill(false);
         for (q, node) in self.nodes.iter().enumerate() {
             let has_balance = self.chosen[q] && node.kind.has_balance();
-            self.moves[q] = f32::from(has_balance);
-            self.response[q] = f32::from(has_balance && !node.kind.is_contact());
+            self.follows[q] = [has_balance, has_balance && !node.kind.is_contact()].map(f32::from);
             if has_balance {
                 self.linearisation.link(q, |up| self.chosen[up], &mut self.linked);
             }
         }
         let previous = previous(problem, &self.previous_mass);
         for (q, row) in self.stencil.chunks_exact_mut(STENCIL).enumerate() {
-            let is_unknown = self.moves[q] > 0.0;
+            let is_unknown = self.follows[q][0] > 0.0;
             let entries = if is_unknown || self.linked[q] {
-                self.linearisation.stencil_row(q, &self.moves, &self.response, &self.linked)
+                self.linearisation.stencil_row(q, |node| self.follows[node], &self.linked)
             } else {
                 [1.0, 0.0, 0.0, 0.0, 0.0]
             };
@@ -274,8 +271,7 @@ impl Window {
         }
         self.lu.solve(&mut self.unknown);
         for (q, unknown) in self.unknown.iter().enumerate() {
-            self.pressure_change[q] = self.moves[q] * unknown;
-            self.film_change[q] = self.response[q] * unknown;
+            [self.pressure_change[q], self.film_change[q]] = self.follows[q].map(|share| share * unknown);
         }
         self.linearisation.product(&self.pressure_change, &self.film_change, &mut self.balance_change);
         true

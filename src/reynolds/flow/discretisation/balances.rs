@@ -33,10 +33,8 @@ impl Discretisation {
             };
             c * mobility * slope
         };
-        [
-            towards(k + 1, self.east_coefficients[k], self.east[k]),
-            towards(k + self.grid.nx(), self.north_coefficients[k], self.north[k]),
-        ]
+        let [east, north] = self.coefficients(k);
+        [towards(k + 1, east, self.east[k]), towards(k + self.grid.nx(), north, self.north[k])]
     }
 
     /// Coefficients of `m` at `k`, `k - 1` and `k - 2` in the entrainment term, where it is linear in `m`;

@@ -22,12 +22,12 @@ impl Discretisation {
     /// Derivatives of the flow by pressure through the face to the east of node `k`, its film over that of
     /// the node and the factor of the inlet held: by both pressures, then by both films.
     pub(in crate::reynolds) fn east_flow_derivatives(&self, k: usize) -> [f64; 4] {
-        self.flow_derivatives(k, k + 1, self.east_coefficients[k], self.along(k))
+        self.flow_derivatives(k, k + 1, self.coefficients(k)[0], self.along(k))
     }
 
     /// Those of the face to the north.
     pub(in crate::reynolds) fn north_flow_derivatives(&self, k: usize) -> [f64; 4] {
-        self.flow_derivatives(k, k + self.grid.nx(), self.north_coefficients[k], Direction::Across)
+        self.flow_derivatives(k, k + self.grid.nx(), self.coefficients(k)[1], Direction::Across)
     }
 
     /// Derivatives of the flow through the face of coefficient `c` between nodes `k` and `o`: by both
@@ -84,9 +84,9 @@ impl Discretisation {
         // The film of the face over that of the node is `1 + beyond / film`.
         let mut by_flow = [0.0; 3];
         if face.by_face_film != 0.0 {
-            let drop = self.east_coefficients[k] * (own.potential - next.potential);
+            let drop = self.coefficients(k)[0] * (own.potential - next.potential);
             let (per_film, per_inlet) = (drop * face.by_face_film / own.film, drop * face.by_inlet);
-            let inlet = &self.inlets[k];
+            let inlet = self.inlet(k, column);
             by_flow = [
                 per_film * (film.by_own - film.beyond / own.film) + per_inlet * inlet.by_own,
                 per_film * film.by_next + per_inlet * inlet.by_next,

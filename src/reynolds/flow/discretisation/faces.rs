@@ -19,12 +19,19 @@ impl Discretisation {
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
         let at_edge = |i: usize, n: usize| i == 0 || i + 2 == n;
         let share = |i: usize, n: usize| if at_edge(i, n) { EDGE_SHARE } else { 1.0 };
-        for (k, c) in self.east_coefficients.iter_mut().enumerate() {
-            *c = share(k % nx, nx) * along;
+        for (i, c) in self.east_coefficients.iter_mut().enumerate() {
+            *c = share(i, nx) * along;
         }
-        for (k, c) in self.north_coefficients.iter_mut().enumerate() {
-            *c = share(k / nx, ny) * across;
+        for (j, c) in self.north_coefficients.iter_mut().enumerate() {
+            *c = share(j, ny) * across;
         }
+    }
+
+    /// `c` of the faces to the east and to the north of node `k`.
+    #[inline]
+    pub(super) fn coefficients(&self, k: usize) -> [f64; 2] {
+        let nx = self.grid.nx();
+        [self.east_coefficients[k % nx], self.north_coefficients[k / nx]]
     }
 
     /// What entrainment carries through faces beyond what their first nodes hold, and the inlets.
@@ -41,7 +48,7 @@ impl Discretisation {
     #[inline]
     fn update_face(&mut self, k: usize, column: usize) {
         let film = self.face_film(k, column);
-        self.inlets[k] = self.inlet(k, column);
+        self.inlet_factors[k] = self.inlet(k, column).factor;
         let own = &self.nodes[k];
         self.face_films[k] = if film.beyond == 0.0 { 1.0 } else { 1.0 + film.beyond / own.film };
         self.beyond[k] = match self.scheme {
@@ -83,7 +90,7 @@ impl Discretisation {
 
     /// The inlet at the face to the east of node `k` in `column`.
     #[inline]
-    fn inlet(&self, k: usize, column: usize) -> Inlet {
+    pub(super) fn inlet(&self, k: usize, column: usize) -> Inlet {
         if self.face_mobility != FaceMobility::Inlet || column == 0 || column + 1 == self.grid.nx() {
             return Inlet::NONE;
         }
@@ -94,7 +101,7 @@ impl Discretisation {
     #[inline]
     pub(super) fn along(&self, k: usize) -> Direction {
         if self.wedge > 0.0 {
-            Direction::Along(self.face_films[k], self.inlets[k].factor)
+            Direction::Along(self.face_films[k], self.inlet_factors[k])
         } else {
             Direction::AlongAtRest
         }
@@ -115,11 +122,13 @@ impl Discretisation {
     #[inline]
     pub(super) fn neighbours(&self, k: usize) -> [(usize, f64, f64); 4] {
         let nx = if self.grid.ny() == 1 { 0 } else { self.grid.nx() };
+        let ([east, north], [west, _]) = (self.coefficients(k), self.coefficients(k - 1));
+        let [_, south] = self.coefficients(k - nx);
         [
-            (k + 1, self.east_coefficients[k], self.east[k]),
-            (k - 1, self.east_coefficients[k - 1], self.east[k - 1]),
-            (k + nx, self.north_coefficients[k], self.north[k]),
-            (k - nx, self.north_coefficients[k - nx], self.north[k - nx]),
+            (k + 1, east, self.east[k]),
+            (k - 1, west, self.east[k - 1]),
+            (k + nx, north, self.north[k]),
+            (k - nx, south, self.north[k - nx]),
         ]
     }
 }

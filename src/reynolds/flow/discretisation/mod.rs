@@ -37,7 +37,6 @@ pub(in crate::reynolds) use window::MARGIN;
 use super::cavitation::Cavitation;
 use super::entrainment::Scheme;
 use super::face_mobility::{Direction, FaceMobility};
-use super::inlet::Inlet;
 use super::node::NodeFlow;
 use super::shear_thinning::{NodeRatios, ShearThinning};
 use super::spin::Spin;
@@ -62,9 +61,9 @@ pub(in crate::reynolds) struct Discretisation {
     film_floor: f64,
     /// Film below which pressure moves nothing \[m\]; no such film in hard contact.
     closed_film: f64,
-    /// `c` of the faces to the east of the nodes \[s/m^2\].
+    /// `c` of the faces to the east of the nodes of each column \[s/m^2\].
     east_coefficients: Vec<f64>,
-    /// And to the north.
+    /// And to the north of those of each row.
     north_coefficients: Vec<f64>,
     /// `w`; with spin that of the row through the centre.
     wedge: f64,
@@ -87,8 +86,8 @@ pub(in crate::reynolds) struct Discretisation {
     beyond: Vec<f64>,
     /// Film over that of the first node, of these faces.
     face_films: Vec<f64>,
-    /// The inlets at the faces to the east.
-    inlets: Vec<Inlet>,
+    /// Factors of the inlets at these faces.
+    inlet_factors: Vec<f64>,
     /// Squares of the cosines between the flow and the gradient of the undeformed gap, at these faces.
     alignments: Vec<f64>,
     /// `M` of the faces to the east \[m\].
@@ -125,8 +124,8 @@ impl Discretisation {
             supply: f64::INFINITY,
             film_floor: 0.0,
             closed_film: f64::NEG_INFINITY,
-            east_coefficients: zeros(),
-            north_coefficients: zeros(),
+            east_coefficients: vec![0.0; grid.nx()],
+            north_coefficients: vec![0.0; grid.ny()],
             wedge: 0.0,
             spin: None,
             squeeze: 0.0,
@@ -140,7 +139,7 @@ impl Discretisation {
             content: vec![1.0; grid.len()],
             passed: zeros(),
             face_films: vec![1.0; grid.len()],
-            inlets: vec![Inlet::NONE; grid.len()],
+            inlet_factors: vec![1.0; grid.len()],
             alignments: vec![1.0; grid.len()],
             east: zeros(),
             north: zeros(),
@@ -330,12 +329,12 @@ impl Discretisation {
         for k in 0..n - 1 {
             self.east[k] = self.face_flow(k, k + 1, self.along(k)).mobility;
             let drop = self.nodes[k].potential - self.nodes[k + 1].potential;
-            self.east_flow[k] = self.east_coefficients[k] * self.east[k] * drop;
+            self.east_flow[k] = self.coefficients(k)[0] * self.east[k] * drop;
         }
         for k in 0..n - nx {
             self.north[k] = self.face_flow(k, k + nx, Direction::Across).mobility;
             let drop = self.nodes[k].potential - self.nodes[k + nx].potential;
-            self.north_flow[k] = self.north_coefficients[k] * self.north[k] * drop;
+            self.north_flow[k] = self.coefficients(k)[1] * self.north[k] * drop;
         }
         if let Some(spin) = &mut self.spin {
             spin.update(&self.nodes);

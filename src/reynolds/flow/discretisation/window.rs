@@ -28,17 +28,14 @@ impl Discretisation {
         self.warmth.clear();
         let thinned = if whole.ratios.is_empty() { 0 } else { self.grid.len() };
         self.ratios.resize(thinned, NodeRatios::NEWTONIAN);
-        let (nx, stride) = (self.grid.nx(), whole.grid.nx());
+        let (nx, ny, stride) = (self.grid.nx(), self.grid.ny(), whole.grid.nx());
+        let (column, row) = (first % stride, first / stride);
+        self.east_coefficients.copy_from_slice(&whole.east_coefficients[column..column + nx]);
+        self.north_coefficients.copy_from_slice(&whole.north_coefficients[row..row + ny]);
         for j in 0..self.grid.ny() {
             let there = first + j * stride..first + j * stride + nx;
             let here = j * nx..(j + 1) * nx;
-            for (own, whole) in [
-                (&mut self.alignments, &whole.alignments),
-                (&mut self.east_coefficients, &whole.east_coefficients),
-                (&mut self.north_coefficients, &whole.north_coefficients),
-            ] {
-                own[here.clone()].copy_from_slice(&whole[there.clone()]);
-            }
+            self.alignments[here.clone()].copy_from_slice(&whole.alignments[there.clone()]);
             if !whole.warmth.is_empty() {
                 self.warmth.extend_from_slice(&whole.warmth[there.clone()]);
             }
