@@ -81,9 +81,9 @@ pub(super) struct ContactModel {
     evaluation: Option<Evaluation>,
     /// Whether another solve follows: the solver keeps its buffers for it.
     pub(super) solves_again: bool,
-    /// That of the last one.
+    /// Flow into the last solution and out of it.
     pub(super) flow: Option<FlowBalance>,
-    /// Flows through the cells of the last one; none where films have the bulk temperature.
+    /// Flows through the cells of the last solution; none where films have the bulk temperature.
     pub(super) film_flows: Option<FilmFlows>,
 }
 
