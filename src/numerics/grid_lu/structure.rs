@@ -125,9 +125,8 @@ impl Structure {
     pub(super) fn update(&mut self, dissection: &Dissection, links: impl Fn(usize, usize) -> bool) {
         self.rank.resize(dissection.order.len(), NONE);
         self.fronts.resize(dissection.pieces.len(), Front::default());
-        for list in [&mut self.nodes, &mut self.borders] {
-            list.clear();
-        }
+        self.nodes.clear();
+        self.borders.clear();
         self.edges.clear();
         self.runs.clear();
         (self.factors, self.vectors) = (0, 0);
