@@ -325,7 +325,7 @@ impl ContactModel {
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
         let (heeded, rule, confirms) = (self.deformation.bodies().begin(), self.rule, self.confirms);
-        let (grid, solves_again) = (self.grid, self.solves_again);
+        let solves_again = self.solves_again;
         let mut film_flows = self.film_flows.take();
         let (mut problem, solver, evaluation) = self.problem(gap, limit, squeeze);
         let mut solved = solver.solve(&mut problem, state, &rule);
@@ -334,7 +334,8 @@ impl ContactModel {
             *solver = solver.clone();
         }
         let is_measured = problem.lubricant.is_some() || confirms;
-        let mut evaluation = is_measured.then(|| evaluation.get_or_insert_with(|| Evaluation::new(grid)));
+        let mut evaluation =
+            is_measured.then(|| evaluation.get_or_insert_with(|| Evaluation::new(problem.grid())));
         if let (Some(evaluation), true) = (&mut evaluation, confirms) {
             solved = solved.and_then(|report| confirmed(report, evaluation, &mut problem, state, &rule));
         }

@@ -36,8 +36,6 @@ pub(crate) const STENCIL: usize = 5;
 pub(crate) struct GridLu {
     /// Fronts, factors and vectors.
     tree: Tree,
-    /// Where in the vectors a node is, [`NONE`] of one that no entry links to others.
-    slot: Vec<u32>,
     /// One over the largest entry of each row, and what it makes of a node that is not linked.
     scale: Vec<f32>,
     /// Whether the last factorisation succeeded.
@@ -61,7 +59,7 @@ impl Matrix<'_> {
 
 impl fmt::Debug for GridLu {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("GridLu").field("rows", &self.slot.len()).finish_non_exhaustive()
+        f.debug_struct("GridLu").field("rows", &self.scale.len()).finish_non_exhaustive()
     }
 }
 
@@ -69,12 +67,7 @@ impl GridLu {
     /// Order of elimination and buffers for a grid.
     pub(crate) fn new(nx: usize, ny: usize) -> Self {
         let n = nx * ny;
-        Self {
-            tree: Tree::new(nx, ny, lanes_for(n)),
-            slot: vec![NONE; n],
-            scale: vec![1.0; n],
-            factorised: false,
-        }
+        Self { tree: Tree::new(nx, ny, lanes_for(n)), scale: vec![1.0; n], factorised: false }
     }
 
     /// Factorises the matrix with row `k` at `stencil[5 k..5 k + 5]` in the order centre, east, west, north,
@@ -94,7 +87,6 @@ impl GridLu {
         });
         let matrix = Matrix { stencil, scale: &self.scale };
         let sound = self.tree.eliminate(matrix) && self.invert_alone(stencil);
-        self.place();
         self.factorised = sound;
         sound
     }
@@ -111,34 +103,15 @@ impl GridLu {
         sound
     }
 
-    /// Finds where in the vectors the nodes are.
-    fn place(&mut self) {
-        let structure = &self.tree.structure;
-        self.slot.fill(NONE);
-        for front in &structure.fronts {
-            for (slot, &node) in (front.vectors_at as u32..).zip(&structure.nodes[front.pivots.clone()]) {
-                self.slot[node as usize] = slot;
-            }
-        }
-    }
-
     /// Solves in place; without a factorisation the right-hand side is left as it is.
     pub(crate) fn solve(&mut self, rhs: &mut [f32]) {
         if !self.factorised {
             return;
         }
-        for ((value, &slot), scale) in rhs.iter_mut().zip(&self.slot).zip(&self.scale) {
+        for (value, scale) in rhs.iter_mut().zip(&self.scale) {
             *value *= scale;
-            if let Some(right) = self.tree.vectors.get_mut(slot as usize) {
-                *right = *value;
-            }
         }
-        self.tree.substitute();
-        for (value, &slot) in rhs.iter_mut().zip(&self.slot) {
-            if let Some(solution) = self.tree.vectors.get(slot as usize) {
-                *value = *solution;
-            }
-        }
+        self.tree.solve(rhs);
     }
 }
 

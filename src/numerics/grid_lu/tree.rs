@@ -36,7 +36,7 @@ pub(super) struct Tree {
     /// The fronts of the matrix.
     pub(super) structure: Structure,
     /// Right-hand sides, then solutions, front by front.
-    pub(super) vectors: Vec<f32>,
+    vectors: Vec<f32>,
     /// What all fronts keep of their elimination, front by front.
     factors: Vec<f32>,
     /// What fronts leave for their parents, on two stacks: those of a front and of its grandchildren, those
@@ -94,12 +94,24 @@ impl Tree {
         walk.eliminate(root, branch, stacks, matrix)
     }
 
-    /// Turns the right-hand side in the pivot rows of `vectors` into the solution.
-    pub(super) fn substitute(&mut self) {
+    /// Turns the right-hand side at the nodes that are linked into the solution.
+    pub(super) fn solve(&mut self, rhs: &mut [f32]) {
+        for front in &self.structure.fronts {
+            let nodes = &self.structure.nodes[front.pivots.clone()];
+            for (right, &node) in self.vectors[front.vectors_at..].iter_mut().zip(nodes) {
+                *right = rhs[node as usize];
+            }
+        }
         let root = self.structure.fronts.len() - 1;
         let (walk, mut branch, _) = self.parts();
         walk.forward(root, branch.all());
         walk.backward(root, branch);
+        for front in &self.structure.fronts {
+            let nodes = &self.structure.nodes[front.pivots.clone()];
+            for (solution, &node) in self.vectors[front.vectors_at..].iter().zip(nodes) {
+                rhs[node as usize] = *solution;
+            }
+        }
     }
 
     /// What the branch of each front needs of both stacks: branches that run side by side have parts of their
