@@ -15,6 +15,7 @@ usage: cargo run --release --example mtm_zddp -- [options]
   --seed N        seed of both roughnesses and of their motion (default 1)
   --seeds N       so many seeds from that one on (default 1): the table says how far they lie apart; figures are of the first
   --steps N       number of steps
+  --time-step T   time that a step stands for in seconds (default 10)
   --grid N        nodes along each side of the grid
   --out DIR       where to write (default target/mtm_zddp)
   --checkpoint N  steps from one checkpoint to the next (default 10)
@@ -71,7 +72,7 @@ impl Options {
 /// Reads the command line; the options may stand in any order.
 pub(crate) fn parse() -> Result<Command, lexopt::Error> {
     let mut parser = lexopt::Parser::from_env();
-    let (mut quick, mut grid, mut steps) = (false, None, None);
+    let (mut quick, mut grid, mut steps, mut time_step) = (false, None, None, 10.0);
     let (mut seed, mut seeds) = (1, 1);
     let (mut surface, mut out) = (None, PathBuf::from("target/mtm_zddp"));
     let (mut every, mut resume) = (10, false);
@@ -82,6 +83,7 @@ pub(crate) fn parse() -> Result<Command, lexopt::Error> {
             Long("seed") => seed = parser.value()?.parse()?,
             Long("seeds") => seeds = at_least_one("--seeds", parser.value()?.parse()?)?,
             Long("steps") => steps = Some(at_least_one("--steps", parser.value()?.parse()?)?),
+            Long("time-step") => time_step = parser.value()?.parse()?,
             Long("grid") => grid = Some(at_least_one("--grid", parser.value()?.parse()?)?),
             Long("out") => out = PathBuf::from(parser.value()?),
             Long("checkpoint") => every = at_least_one("--checkpoint", parser.value()?.parse()?)?,
@@ -90,7 +92,7 @@ pub(crate) fn parse() -> Result<Command, lexopt::Error> {
             other => return Err(other.unexpected()),
         }
     }
-    let (default_grid, default_steps, time_step) = if quick { (64, 24, 10.0) } else { (128, 720, 10.0) };
+    let (default_grid, default_steps) = if quick { (64, 24) } else { (128, 720) };
     let grid = match grid {
         Some(grid) => usize::try_from(grid).map_err(|_| format!("--grid {grid} is too large"))?,
         None => default_grid,

@@ -46,6 +46,16 @@ def median_time(call, repeats):
     return statistics.median(times)
 
 
+def median_result(call):
+    """Median time of three calls, and what the last one returns."""
+    times = []
+    for _ in range(3):
+        start = time.perf_counter()
+        result = call()
+        times.append(time.perf_counter() - start)
+    return statistics.median(times), result
+
+
 def report(task, n, **numbers):
     plain = {key: (value if isinstance(value, (str, int)) else float(value)) for key, value in numbers.items()}
     print("RESULT " + json.dumps({"task": task, "n": n, **plain}), flush=True)

@@ -93,11 +93,10 @@ def run(command, **keywords):
     return subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False, **keywords)
 
 
-def solve(program, folder, name, scene):
-    """One contact by the example `solve`; its fields are what the others start from."""
-    path = folder / f"{name}.toml"
+def solve(command, path, scene):
+    """The JSON that a program of ours prints for a scene."""
     path.write_text(scene)
-    ended = run([program, path, "--json", "--fields", folder / f"{name}.npz"])
+    ended = run(command)
     if not ended.stdout:
         return {"failed": ended.stderr.strip()}
     return json.loads(ended.stdout)
@@ -105,7 +104,8 @@ def solve(program, folder, name, scene):
 
 def ours(folder):
     """Builds the programs, runs the work and leaves the gaps for the others."""
-    built = run(["cargo", "build", "--release", "--example", "solve", "--example", "peers_convolution"], cwd=ROOT)
+    examples = ["solve", "peers_contact", "peers_convolution"]
+    built = run(["cargo", "build", "--release", *(f"--example={name}" for name in examples)], cwd=ROOT)
     if built.returncode:
         sys.exit(built.stderr)
     programs = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release" / "examples"
@@ -121,16 +121,17 @@ def ours(folder):
     ]
     for task, name, scene, tolerance in scenes:
         for n in sizes[task]:
-            out = solve(programs / "solve", folder, f"{name}_{n}", scene.format(n=n, tolerance=tolerance))
+            path, fields = folder / f"{name}_{n}.toml", folder / f"{name}_{n}.npz"
+            out = solve([programs / "peers_contact", path, fields], path, scene.format(n=n, tolerance=tolerance))
             if "failed" in out:
                 results[task, n] = out
                 continue
-            value = out["pressure"]["max"] if task == "hertz" else out["contact"]["area"]
-            note = f"{out['status']}, {out['work']['inner_iterations']} steps"
-            results[task, n] = {"seconds": out["seconds"], "value": value, "note": note}
+            value = out["largest_pressure"] if task == "hertz" else out["area"]
+            results[task, n] = {"seconds": out["seconds"], "value": value, "note": f"{out['status']}, {out['steps']} steps"}
     for n in sizes["film"]:
         scene = FILM.format(n=n, modulus=FILM_MODULUS, half=2 * FILM_RADIUS, density_a=0.34 / 5.9e8, density_b=1 / 5.9e8)
-        out = solve(programs / "solve", folder, f"film_{n}", scene)
+        path = folder / f"film_{n}.toml"
+        out = solve([programs / "solve", path, "--json"], path, scene)
         if "failed" in out:
             results["film", n] = out
             continue

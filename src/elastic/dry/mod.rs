@@ -87,6 +87,8 @@ struct Task<'a> {
 pub struct DrySolver {
     /// Which condition holds at each node.
     side: Vec<Side>,
+    /// The free nodes of a pass.
+    free: Vec<u32>,
     /// `gap + K p` less a datum \[m\].
     gap: Vec<f64>,
     /// Gap error of the free nodes, zero elsewhere \[m\].
@@ -109,6 +111,7 @@ impl DrySolver {
         let zeros = || vec![0.0; n];
         Self {
             side: vec![Side::Open; n],
+            free: Vec::with_capacity(n),
             gap: zeros(),
             residual: zeros(),
             estimate: zeros(),

@@ -45,15 +45,8 @@ impl DrySolver {
         outcome: &mut DryOutcome,
     ) -> Result<(), InputError> {
         let mut level = self.free_mean(&self.gap);
-        let (mut squared, mut n_free) = (0.0, 0_usize);
-        for ((r, d), (side, g)) in
-            self.residual.iter_mut().zip(&mut self.direction).zip(self.side.iter().zip(&self.gap))
-        {
-            let is_free = *side == Side::Free;
-            (*r, *d) = (if is_free { level - g } else { 0.0 }, 0.0);
-            squared += *r * *r;
-            n_free += usize::from(is_free);
-        }
+        let mut squared = self.list_free(level);
+        let n_free = self.free.len();
         let goal = (PASS_REDUCTION.powi(2) * squared).max((MARGIN * goal).powi(2) * n_free as f64);
         let own = deformation.influence(0, 0);
         let (mut curvature, mut shift, mut violation) = (f64::INFINITY, 0.0, 0.0);
@@ -86,35 +79,50 @@ impl DrySolver {
         Ok(())
     }
 
+    /// Finds the free nodes and their residuals at this level of the gaps; returns the squared residual. No
+    /// residual and no direction is left elsewhere.
+    fn list_free(&mut self, level: f64) -> f64 {
+        self.residual.fill(0.0);
+        self.direction.fill(0.0);
+        self.free.clear();
+        let mut squared = 0.0;
+        for (k, (side, g)) in self.side.iter().zip(&self.gap).enumerate() {
+            if *side == Side::Free {
+                let r = level - g;
+                self.residual[k] = r;
+                squared += r * r;
+                self.free.push(k as u32);
+            }
+        }
+        squared
+    }
+
     /// The sums of a step over the free nodes.
     fn sums(&self) -> Sums {
         let mut sums = Sums::default();
-        let fields = self.estimate.iter().zip(&self.residual).zip(&self.displacement);
-        for (((z, r), u), side) in fields.zip(&self.side) {
-            if *side == Side::Free {
-                sums.energy += r * z;
-                sums.estimate += z;
-                sums.overlap += z * u;
-            }
+        for k in self.free.iter().map(|&k| k as usize) {
+            let z = self.estimate[k];
+            sums.energy += self.residual[k] * z;
+            sums.estimate += z;
+            sums.overlap += z * self.displacement[k];
         }
         sums
     }
 
     /// The next direction, which keeps the load.
     fn turn(&mut self, mean: f64, beta: f64) {
-        for ((d, z), side) in self.direction.iter_mut().zip(&self.estimate).zip(&self.side) {
-            *d = if *side == Side::Free { z - mean + beta * *d } else { 0.0 };
+        for k in self.free.iter().map(|&k| k as usize) {
+            self.direction[k] = self.estimate[k] - mean + beta * self.direction[k];
         }
     }
 
     /// Direction times its displacement, and the mean displacement.
     fn curvature(&self, n_free: usize) -> (f64, f64) {
         let (mut curvature, mut sum) = (0.0, 0.0);
-        for ((d, u), side) in self.direction.iter().zip(&self.displacement).zip(&self.side) {
-            if *side == Side::Free {
-                curvature += d * u;
-                sum += u;
-            }
+        for k in self.free.iter().map(|&k| k as usize) {
+            let u = self.displacement[k];
+            curvature += self.direction[k] * u;
+            sum += u;
         }
         (curvature, sum / n_free as f64)
     }
@@ -127,22 +135,25 @@ impl DrySolver {
         [length, shift, level, own]: [f64; 4],
     ) -> (f64, f64) {
         let (mut squared, mut violation) = (0.0, 0.0);
-        for (k, p) in pressure.iter_mut().enumerate() {
-            let u = self.displacement[k];
-            let g = self.gap[k] + length * u;
-            self.gap[k] = g;
-            violation += match self.side[k] {
-                Side::Free => {
-                    *p += length * self.direction[k];
-                    let r = self.residual[k] - length * (u - shift);
-                    self.residual[k] = r;
-                    squared += r * r;
-                    let beyond = (-*p).max(*p - problem.limit_of(k)).max(0.0);
-                    own * beyond * beyond
-                }
-                Side::Open => (level - g).max(0.0).powi(2) / own,
-                Side::Limited => (g - level).max(0.0).powi(2) / own,
+        for ((g, u), side) in self.gap.iter_mut().zip(&self.displacement).zip(&self.side) {
+            *g += length * u;
+            // Free nodes follow below; of the others nearly all are on the right side.
+            let wrong = match side {
+                Side::Open => level - *g,
+                Side::Limited => *g - level,
+                Side::Free => 0.0,
             };
+            if wrong > 0.0 {
+                violation += wrong.powi(2) / own;
+            }
+        }
+        for k in self.free.iter().map(|&k| k as usize) {
+            let p = pressure[k] + length * self.direction[k];
+            let r = self.residual[k] - length * (self.displacement[k] - shift);
+            (pressure[k], self.residual[k]) = (p, r);
+            squared += r * r;
+            let beyond = (-p).max(p - problem.limit_of(k)).max(0.0);
+            violation += own * beyond * beyond;
         }
         (squared, violation)
     }

@@ -114,12 +114,12 @@ impl DrySolver {
     pub(super) fn restore_load(&mut self, problem: &DryProblem<'_>, pressure: &mut [f64], target: f64) {
         for _ in 0..50 {
             let missing = target - pressure.iter().sum::<f64>();
-            let room = |k: usize, p: f64| missing < 0.0 || p < problem.limit_of(k);
-            let n =
-                (0..pressure.len()).filter(|&k| self.side[k] == Side::Free && room(k, pressure[k])).count();
             if missing.abs() <= 1e-14 * target {
                 break;
             }
+            let room = |k: usize, p: f64| missing < 0.0 || p < problem.limit_of(k);
+            let n =
+                (0..pressure.len()).filter(|&k| self.side[k] == Side::Free && room(k, pressure[k])).count();
             if n == 0 {
                 if missing > 0.0 {
                     self.widen(problem, pressure);
