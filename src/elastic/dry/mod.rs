@@ -88,7 +88,7 @@ pub struct DrySolver {
     /// Which condition holds at each node.
     side: Vec<Side>,
     /// The free nodes of a pass.
-    free: Vec<u32>,
+    free: Vec<usize>,
     /// `gap + K p` less a datum \[m\].
     gap: Vec<f64>,
     /// Gap error of the free nodes, zero elsewhere \[m\].

@@ -68,7 +68,7 @@ impl DrySolver {
             deformation.displacement_single(&self.direction, &mut self.displacement)?;
             outcome.convolutions += STEP_COST;
             outcome.steps += 1;
-            (curvature, shift) = self.curvature(n_free);
+            (curvature, shift) = self.curvature();
             if curvature <= 0.0 {
                 break;
             }
@@ -91,7 +91,7 @@ impl DrySolver {
                 let r = level - g;
                 self.residual[k] = r;
                 squared += r * r;
-                self.free.push(k as u32);
+                self.free.push(k);
             }
         }
         squared
@@ -100,7 +100,7 @@ impl DrySolver {
     /// The sums of a step over the free nodes.
     fn sums(&self) -> Sums {
         let mut sums = Sums::default();
-        for k in self.free.iter().map(|&k| k as usize) {
+        for &k in &self.free {
             let z = self.estimate[k];
             sums.energy += self.residual[k] * z;
             sums.estimate += z;
@@ -111,20 +111,20 @@ impl DrySolver {
 
     /// The next direction, which keeps the load.
     fn turn(&mut self, mean: f64, beta: f64) {
-        for k in self.free.iter().map(|&k| k as usize) {
+        for &k in &self.free {
             self.direction[k] = self.estimate[k] - mean + beta * self.direction[k];
         }
     }
 
     /// Direction times its displacement, and the mean displacement.
-    fn curvature(&self, n_free: usize) -> (f64, f64) {
+    fn curvature(&self) -> (f64, f64) {
         let (mut curvature, mut sum) = (0.0, 0.0);
-        for k in self.free.iter().map(|&k| k as usize) {
+        for &k in &self.free {
             let u = self.displacement[k];
             curvature += self.direction[k] * u;
             sum += u;
         }
-        (curvature, sum / n_free as f64)
+        (curvature, sum / self.free.len() as f64)
     }
 
     /// Takes a step; returns the squared residual and the energy of the nodes beyond their bounds.
@@ -147,7 +147,7 @@ impl DrySolver {
                 violation += wrong.powi(2) / own;
             }
         }
-        for k in self.free.iter().map(|&k| k as usize) {
+        for &k in &self.free {
             let p = pressure[k] + length * self.direction[k];
             let r = self.residual[k] - length * (self.displacement[k] - shift);
             (pressure[k], self.residual[k]) = (p, r);
