@@ -39,7 +39,8 @@ fn outcome(scene: &Scene, heights: usize) -> Result<String, String> {
                 if report.residual.max() > scene.solver.tolerance {
                     return Err(format!("converged with {:?}", report.residual));
                 }
-                let load = state.pressure.iter().sum::<f64>() * solution.grid.cell_area();
+                let inside = state.pressure.iter().sum::<f64>() * solution.grid.cell_area();
+                let load = inside + solution.pressure.load_outside;
                 if (load / solution.hertz.force - 1.0).abs() > 2.0 * scene.solver.tolerance + 1e-12 {
                     return Err(format!("converged with {load} N instead of {} N", solution.hertz.force));
                 }

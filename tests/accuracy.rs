@@ -44,10 +44,12 @@ fn solved(scene: &Scene) -> ContactSolution {
     solution
 }
 
-/// Central and minimum film of converged solutions by two independent programs, in units of `a^2/R`.
+/// Central and minimum film with a flooded inlet, in units of `a^2/R`. In a box that ends 4.5 half-widths in front of the
+/// contact two independent programs found 0.4325 and 0.2928, 0.1372 and 0.0735 in the limit of fine meshes. In boxes of
+/// 18 half-widths films are 1.2 and 1.6 %, 0.27 and 0.23 % thicker.
 #[test]
 fn estimates_hold_against_known_films() {
-    for (m, l, central, minimum) in [(20.0, 10.0, 0.4325, 0.2928), (100.0, 10.0, 0.1372, 0.0735)] {
+    for (m, l, central, minimum) in [(20.0, 10.0, 0.4377, 0.2975), (100.0, 10.0, 0.1376, 0.0737)] {
         let solution = solved(&contact(m, l, 0.05));
         let moes = solution.moes.unwrap();
         assert!((moes.m / m - 1.0).abs() < 1e-6 && (moes.l / l - 1.0).abs() < 1e-6);

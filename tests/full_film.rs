@@ -7,7 +7,7 @@ use stribeck::reynolds::{
     ContactSolver, ContactState, FaceMobility, LubricatedContact, Multigrid, NewtonKrylov, Scheme, Squeeze,
     StoppingRule,
 };
-use stribeck::sim::scene::{GridSpec, Load, LubricantSpec, SolverKind};
+use stribeck::sim::scene::{GridSpec, InletSpec, Load, LubricantSpec, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
 use stribeck::{Grid, Status};
@@ -30,7 +30,8 @@ fn ball(moes_load: f64, moes_lubricant: f64, n: usize) -> Scene {
         LubricantSpec::roelands(ETA0, 0.68)
             .with_alpha(Some(ALPHA))
             .with_density_a(0.34 / 5.9e8)
-            .with_density_b(1.0 / 5.9e8),
+            .with_density_b(1.0 / 5.9e8)
+            .with_inlet(InletSpec::BoxEdge),
     );
     scene.roughness = Default::default();
     scene.plastic = None;

@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 
 use stribeck::analytic::{rectangle_potential, strip_potential};
 use stribeck::elastic::{DeformationModel, HalfSpace, Layer, LayeredHalfSpace, LineHalfSpace};
-use stribeck::sim::scene::{Elastic, GridSpec, LayerSpec, Load, Material, NamedMaterial, SolverKind};
+use stribeck::sim::scene::{
+    Elastic, GridSpec, InletSpec, LayerSpec, Load, Material, NamedMaterial, SolverKind,
+};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
 use stribeck::testing::deformation_model;
@@ -291,6 +293,7 @@ fn layer_of_the_disc_changes_no_lubricated_contact() {
 fn solvers_agree_on_coated_bodies_in_oil() {
     for (layer, above) in [([10e-6, 70e9, 0.35], false), ([5e-6, 500e9, 0.2], true)] {
         let mut scene = lubricated(layer, 64);
+        scene.lubricant.as_mut().unwrap().inlet = InletSpec::BoxEdge;
         let mut results = Vec::new();
         for kind in [SolverKind::NewtonKrylov, SolverKind::Multigrid] {
             scene.solver.kind = kind;

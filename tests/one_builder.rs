@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use stribeck::lubricant::Barus;
-use stribeck::sim::scene::{Roughness, RoughnessPair, SolverKind};
+use stribeck::sim::scene::{InletSpec, Roughness, RoughnessPair, SolverKind};
 use stribeck::sim::{BodyStart, MixedLubricationSim, Scene, SimError, solve_contact};
 use stribeck::surface::AtRest;
 use stribeck::tribochem::{FilmGrowthLaw, Ghanbarzadeh, Tribofilm, integrate_rates};
@@ -128,6 +128,7 @@ fn every_solver_heeds_an_interrupt() {
     let mut smooth = scene();
     smooth.roughness = RoughnessPair { ball: Roughness::None, disc: Roughness::None };
     smooth.motion.entrainment_speed = 5.0;
+    smooth.lubricant.as_mut().unwrap().inlet = InletSpec::BoxEdge;
     for (kind, scene) in [
         (SolverKind::Auto, scene()),
         (SolverKind::NewtonKrylov, scene()),

@@ -1,7 +1,7 @@
 //! What reports tell: the way to the solution, the residuals of each step.
 
 use stribeck::reynolds::{Attempt, ContactDefinition, NewtonKrylov, NewtonSettings};
-use stribeck::sim::scene::SolverKind;
+use stribeck::sim::scene::{InletSpec, SolverKind};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, solve_contact};
 use stribeck::{Status, Strategy};
 
@@ -9,6 +9,7 @@ fn smooth(cells: usize) -> Scene {
     let mut scene = Scene::azam_2019(cells);
     (scene.roughness, scene.plastic) = (Default::default(), None);
     scene.motion.entrainment_speed = 1.0;
+    scene.lubricant.as_mut().unwrap().inlet = InletSpec::BoxEdge;
     scene
 }
 

@@ -23,7 +23,8 @@ fn solve(scene: &Scene) -> ContactSolution {
 /// Load by summation, film and pressure bounds, contact only where the film is the cut-off.
 fn check_consistency(scene: &Scene, solution: &ContactSolution) {
     let state = &solution.state;
-    let load: f64 = state.pressure.iter().sum::<f64>() * solution.grid.cell_area();
+    let inside: f64 = state.pressure.iter().sum::<f64>() * solution.grid.cell_area();
+    let load = inside + solution.pressure.load_outside;
     assert!((load / solution.hertz.force - 1.0).abs() < 1e-6, "load {load}");
     let limit = scene.plastic.map_or(f64::INFINITY, |plastic| plastic.hardness);
     let cutoff = scene.solver.film_cutoff;

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::common::scene_text::{assert_names, dry, error_of};
 use stribeck::Boundary;
-use stribeck::sim::scene::{FrictionalEnergySpec, GridSpec, Roughness, RoughnessPair, WearSpec};
+use stribeck::sim::scene::{FrictionalEnergySpec, GridSpec, InletSpec, Roughness, RoughnessPair, WearSpec};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, solve_contact};
 use stribeck::surface::{
     Autocorrelation, DimpleLayout, Form, GrooveDirection, HeightDistribution, HeightScale, RandomShape,
@@ -241,7 +241,8 @@ fn turned(radii: [f64; 2], angle: f64, lubricated: bool) -> Scene {
     scene.motion.entrainment_speed = 1.0;
     let [x, y] = scene.hertz().unwrap().half_extents();
     scene.grid = GridSpec::Cells { nx: 48, ny: 48, x: [-1.8 * x, 1.8 * x], y: [-1.8 * y, 1.8 * y] };
-    scene.lubricant = scene.lubricant.filter(|_| lubricated);
+    let oil = scene.lubricant.filter(|_| lubricated);
+    scene.lubricant = oil.map(|oil| oil.with_inlet(InletSpec::BoxEdge));
     scene
 }
 

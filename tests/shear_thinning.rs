@@ -2,7 +2,7 @@
 
 use stribeck::lubricant::Rheology;
 use stribeck::reynolds::ShearThinning;
-use stribeck::sim::scene::{FlowThinning, FrictionSpec, GridSpec, Load, SolverKind};
+use stribeck::sim::scene::{FlowThinning, FrictionSpec, GridSpec, InletSpec, Load, SolverKind};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
 use stribeck::{InputError, Status};
@@ -16,7 +16,8 @@ fn ball(n: usize) -> Scene {
     scene.load = Load::hertz_pressure(0.5e9);
     scene.motion.entrainment_speed = 1.0;
     scene.motion.slide_roll_ratio = 0.5;
-    scene.lubricant = Some(scene.lubricant.unwrap().with_eta0(0.04).with_alpha(Some(20e-9)));
+    scene.lubricant =
+        Some(scene.lubricant.unwrap().with_eta0(0.04).with_alpha(Some(20e-9)).with_inlet(InletSpec::BoxEdge));
     let a = scene.hertz().unwrap().half_width_x;
     scene.grid = GridSpec::Cells { nx: n, ny: n, x: [-4.5 * a, 1.5 * a], y: [-3.0 * a, 3.0 * a] };
     scene
@@ -99,6 +100,7 @@ fn solvers_agree() {
     smooth.plastic = None;
     smooth.motion.entrainment_speed = 10.0;
     smooth.motion.slide_roll_ratio = 0.5;
+    smooth.lubricant.as_mut().unwrap().inlet = InletSpec::BoxEdge;
     let eyring = |friction: &mut FrictionSpec| friction.eyring_stress = Some(5e6);
     for flow in FLOWS {
         for scene in [with_flow(&smooth, flow, eyring), with_flow(&smooth, flow, carreau(0.5))] {

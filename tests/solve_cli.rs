@@ -262,7 +262,7 @@ fn estimates_are_printed_and_written() {
     let json = json_of(&solve(&[path.to_str().unwrap(), "--json"]));
     assert_eq!(json["status"], "converged");
     let estimates = json["error_estimate"].as_object().unwrap();
-    assert_eq!(estimates.len(), 7);
+    assert_eq!(estimates.len(), 8);
     for (key, value) in estimates {
         let documented = include_str!("../docs/output.md").contains(&format!("`error_estimate.{key}`"));
         assert!(documented && value.as_f64().unwrap() >= 0.0, "{key}: {value}");

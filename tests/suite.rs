@@ -15,6 +15,7 @@ mod conformance;
 mod dry;
 mod elastic;
 mod ensemble;
+mod flooded_inlets;
 mod formats;
 mod friction;
 mod full_film;

@@ -9,7 +9,7 @@ use stribeck::lubricant::{
 use stribeck::reynolds::{
     ContactSolver, ContactState, LubricatedContact, NewtonKrylov, ShearThinning, StoppingRule,
 };
-use stribeck::sim::scene::GridSpec;
+use stribeck::sim::scene::{GridSpec, InletSpec};
 use stribeck::sim::{ContactSolution, Scene, solve_contact};
 use stribeck::surface::Form;
 use stribeck::thermal::{FilmProfile, FilmSection, FilmThermal, SectionSolver};
@@ -80,6 +80,8 @@ fn smooth(speed: f64, ratio: f64) -> Scene {
     let oil = scene.lubricant.as_mut().unwrap();
     (oil.eta0, oil.alpha, oil.formula_alpha) = (0.04, Some(18e-9), None);
     (oil.temperature, oil.roelands_s0) = (Some(BULK), Some(1.1));
+    // The heat that is balanced is that in the box.
+    oil.inlet = InletSpec::BoxEdge;
     scene
 }
 

@@ -14,6 +14,7 @@ mod hertz;
 mod hertz_line;
 mod line_film_formulas;
 mod love;
+mod rigid_paraboloids;
 mod strip;
 mod westergaard;
 
@@ -23,5 +24,6 @@ pub use hertz::{HertzPoint, equivalent_modulus};
 pub use hertz_line::HertzLine;
 pub use line_film_formulas::LineFilmConditions;
 pub use love::{rectangle_displacement, rectangle_potential};
+pub use rigid_paraboloids::RigidParaboloids;
 pub use strip::{strip_displacement, strip_potential};
 pub use westergaard::Westergaard;

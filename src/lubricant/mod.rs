@@ -244,6 +244,11 @@ impl Lubricant {
         warm.map_or([1.0; 2], |warm| [warm.viscosity, warm.density])
     }
 
+    /// All films have the temperature of the laws.
+    pub(crate) fn forget_film_temperatures(&mut self) {
+        self.film.clear();
+    }
+
     /// Temperatures of the film at the nodes; empty where all have that of the laws.
     pub(crate) fn film(&self) -> &[NodeWarmth] {
         &self.film

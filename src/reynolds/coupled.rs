@@ -250,7 +250,7 @@ impl Coupled {
         let per_area = grid.cell_area() / (film_scale * std::f64::consts::PI * half_x * half_y);
         Residuals {
             mass: mass * per_flux,
-            load: (load - problem.load).abs() / problem.load,
+            load: problem.box_load().map_or(0.0, |wanted| (load - wanted).abs() / wanted),
             complementarity: (build_up * per_flux).max(gap_error * per_area),
         }
     }

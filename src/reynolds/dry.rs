@@ -75,7 +75,8 @@ impl DryStart {
         if state.pressure.iter().all(|&p| p <= 0.0) {
             hertzian(problem, &mut state.pressure);
         }
-        let dry = DryProblem { gap: problem.gap, load: problem.load, limit: problem.pressure_limit };
+        let load = problem.box_load().unwrap_or(problem.load);
+        let dry = DryProblem { gap: problem.gap, load, limit: problem.pressure_limit };
         let outcome =
             self.solver.solve(&dry, problem.deformation, &mut state.pressure, tolerance, max_passes)?;
         for (k, p) in state.pressure.iter_mut().enumerate() {

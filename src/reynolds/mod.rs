@@ -38,8 +38,8 @@ pub use flow::{Cavitation, FaceMobility, FilmFlows, FlowBalance, Scheme, ShearTh
 pub use given_film::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
 pub use multigrid::Multigrid;
 pub use newton_krylov::{Attempt, NewtonKrylov, NewtonSettings, PocketSettings};
-pub use problem::{ContactDefinition, LubricatedContact, Squeeze};
-pub(crate) use problem::{LEAST_SPEED, SPEED_REQUIREMENT, require_speed};
+pub use problem::{ContactDefinition, EdgePressure, LubricatedContact, Squeeze};
+pub(crate) use problem::{LEAST_SPEED, SPEED_REQUIREMENT, outermost, require_speed};
 pub use semi_system::SemiSystem;
 pub use state::ContactState;
 use thiserror::Error;

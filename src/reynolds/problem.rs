@@ -106,6 +106,30 @@ impl<'a> Squeeze<'a> {
     }
 }
 
+/// Fluid pressure at the edge of the box, of a contact whose pressure reaches beyond it.
+///
+/// The pressures hold at the outermost nodes themselves; they belong to the fluid outside, which carries
+/// `load_outside`. Where that is not known, [`NewtonKrylov`](super::NewtonKrylov) holds the approach of the state that
+/// it starts from, and the load of the contact follows. Without edge pressures the pressure is ambient half a cell
+/// beyond the outermost nodes.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::reynolds::EdgePressure;
+/// let field = [0.0; 64];
+/// let edge = EdgePressure { field: &field, load_outside: Some(0.2) };
+/// assert!(edge.field.iter().all(|pressure| *pressure >= 0.0) && edge.load_outside < Some(1.0));
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct EdgePressure<'a> {
+    /// A field of the grid, of which the outermost nodes count \[Pa\].
+    pub field: &'a [f64],
+    /// Load that is carried outside, at the outermost nodes and beyond them \[N\]; none where the approach is held in
+    /// its place.
+    pub load_outside: Option<f64>,
+}
+
 /// One contact to be solved: find pressure, film and approach so that
 ///
 /// - fluid pressure `p_f >= 0` with `F(p_f, h) >= 0`, one of them zero, `F` being the net outflow of a cell,
@@ -113,10 +137,10 @@ impl<'a> Squeeze<'a> {
 /// - solid pressure `p_s >= 0` with `h >= h_cut`, one of them an equality;
 /// - total pressure `p = p_f + p_s <= pressure_limit` with plastic depth `d >= 0`, one of them an equality;
 /// - film `h = gap - approach + K p + d`;
-/// - load balance: the integral of `p` is `load`.
+/// - load balance: the integral of `p` is `load`, less what an [`EdgePressure`] says is carried outside.
 ///
-/// Without lubricant `p_f = 0` and `h_cut = 0`: dry contact. Fluid pressure is zero on the outermost nodes;
-/// solids touch there as anywhere.
+/// Without lubricant `p_f = 0` and `h_cut = 0`: dry contact. In the state fluid pressure is zero on the outermost
+/// nodes; solids touch there as anywhere.
 ///
 /// On a grid with one row this is a line contact: the two ends of the row are its outermost nodes, nothing
 /// flows across it, and loads are those of the length `dy`.
@@ -184,6 +208,8 @@ pub struct LubricatedContact<'a> {
     /// inlet: of what full gaps would carry through the first faces, at most this. Needs cavitation that conserves
     /// mass.
     pub supplied_film: Option<f64>,
+    /// Fluid pressure at the edge of the box, or none for ambient pressure there.
+    pub edge_pressure: Option<EdgePressure<'a>>,
     /// Shear thinning of the pressure flow, or none for a Newtonian one.
     pub shear_thinning: Option<ShearThinning>,
     /// Half-widths `(a_x, a_y)` of the contact \[m\] that residuals are scaled with and starts are built
@@ -209,6 +235,7 @@ with_fields!(<'a> LubricatedContact<'a> {
     with_face_mobility face_mobility: FaceMobility,
     with_cavitation cavitation: Cavitation,
     with_supplied_film supplied_film: Option<f64>,
+    with_edge_pressure edge_pressure: Option<EdgePressure<'a>>,
     with_shear_thinning shear_thinning: Option<ShearThinning>,
     with_reference_film reference_film: f64,
 });
@@ -238,6 +265,7 @@ impl<'a> LubricatedContact<'a> {
             face_mobility: FaceMobility::default(),
             cavitation: Cavitation::default(),
             supplied_film: None,
+            edge_pressure: None,
             shear_thinning: None,
             reference_half_widths,
             reference_pressure,
@@ -258,6 +286,17 @@ impl LubricatedContact<'_> {
     /// Contact film thickness: the cut-off of a lubricated contact, zero of a dry one \[m\].
     pub fn contact_film(&self) -> f64 {
         if self.lubricant.is_some() { self.film_cutoff } else { 0.0 }
+    }
+
+    /// The load that the pressures in the box carry \[N\]; none where the approach is held.
+    pub fn box_load(&self) -> Option<f64> {
+        let outside = self.edge_pressure.map_or(Some(0.0), |edge| edge.load_outside);
+        outside.map(|outside| self.load - outside)
+    }
+
+    /// Fluid pressure of the outermost node `k` \[Pa\].
+    pub(super) fn edge_pressure_at(&self, k: usize) -> f64 {
+        self.edge_pressure.map_or(0.0, |edge| edge.field[k])
     }
 
     /// Pressure limit of node `k` \[Pa\], infinite where there is none.
@@ -313,6 +352,15 @@ impl LubricatedContact<'_> {
                 self.cavitation.require_conserved("supplied_film", film)?;
             }
         }
+        if let Some(edge) = self.edge_pressure {
+            grid.require_field("edge_pressure.field", edge.field)?;
+            let low = edge.field.iter().copied().fold(0.0, f64::min);
+            InputError::require_non_negative("edge_pressure.field", low)?;
+            let outside = edge.load_outside.unwrap_or(0.0);
+            let fits = outside >= 0.0 && outside < self.load;
+            let requirement = "at least 0 and less than the load";
+            InputError::require(fits, "edge_pressure.load_outside", outside, requirement)?;
+        }
         if let Some(squeeze) = self.squeeze {
             InputError::require_positive("squeeze.time_step", squeeze.time_step)?;
             grid.require_field("squeeze.previous_mass", squeeze.previous_mass)?;
@@ -327,12 +375,12 @@ impl LubricatedContact<'_> {
             InputError::require_positive("pressure_limit", low)?;
         }
         let largest: f64 = interior(grid).map(|k| limit[k]).sum::<f64>() * grid.cell_area();
-        if self.load >= largest {
+        let Some(load) = self.box_load() else { return Ok(()) };
+        if load >= largest {
             return Err(InputError::Conflict {
                 field: "load".to_owned(),
                 reason: format!(
-                    "{} N is more than the pressure limit lets the inner nodes of the box carry, below {largest:.6e} N; take less load, or harder bodies",
-                    self.load
+                    "{load} N is more than the pressure limit lets the inner nodes of the box carry, below {largest:.6e} N; take less load, or harder bodies"
                 ),
             });
         }
@@ -349,6 +397,16 @@ pub(super) fn inner_rows(grid: &Grid) -> std::ops::Range<usize> {
 pub(super) fn interior(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
     let nx = grid.nx();
     inner_rows(grid).flat_map(move |j| (1..nx.saturating_sub(1)).map(move |i| j * nx + i))
+}
+
+/// Indices of the outermost nodes, of a line contact of the two ends of its row.
+pub(crate) fn outermost(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
+    let (nx, ny) = (grid.nx(), grid.ny());
+    let at_side = move |j: usize| ny > 1 && (j == 0 || j + 1 == ny);
+    (0..ny).flat_map(move |j| {
+        let step = if at_side(j) { 1 } else { nx.max(2) - 1 };
+        (0..nx).step_by(step).map(move |i| j * nx + i)
+    })
 }
 
 /// Slowest entrainment of a film \[m/s\]: what slower ones carry is lost to rounding where Newton's method

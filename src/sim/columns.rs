@@ -158,7 +158,7 @@ macro_rules! column {
 }
 
 /// All columns, in the order of a line.
-pub(super) static COLUMNS: [Column; 64] = [
+pub(super) static COLUMNS: [Column; 65] = [
     column!("", step),
     column!("s", time),
     column!("s", time_step),
@@ -178,6 +178,7 @@ pub(super) static COLUMNS: [Column; 64] = [
     column!("Pa", pressure.max),
     column!("Pa", pressure.central),
     column!("Pa", pressure.mean),
+    column!("N", pressure.load_outside),
     column!("", contact.area_ratio),
     column!("", contact.load_ratio),
     column!("m^2", contact.area),

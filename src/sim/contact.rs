@@ -8,12 +8,13 @@ use std::sync::atomic::Ordering;
 
 use super::builder::SimBuilder;
 use super::compliant_films::CompliantFilms;
+use super::far_field::{FarField, Inlet};
 use super::film_heat;
 use super::formula::{FormulaFilm, formula_film, stated_film};
 use super::hertz::HertzContact;
 use super::interrupt::{Interrupt, Interruptible};
 use super::owned::{OwnedModel, OwnedSolver};
-use super::scene::{Motion, PlasticSpec, Scene};
+use super::scene::{InletSpec, Motion, PlasticSpec, Scene};
 use super::solution::ContactSolution;
 use super::timetable::{Conditions, Timetable};
 use super::{SimError, own_laws, setup};
@@ -23,8 +24,9 @@ use crate::grid::Grid;
 use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
 use crate::report::{SolveReport, Status};
 use crate::reynolds::{
-    Cavitation, ContactDefinition, ContactState, Evaluation, FaceMobility, FilmFlows, FlowBalance,
-    LubricatedContact, ReynoldsError, Scheme, ShearThinning, Squeeze, StoppingRule, require_spin,
+    Cavitation, ContactDefinition, ContactState, EdgePressure, Evaluation, FaceMobility, FilmFlows,
+    FlowBalance, LubricatedContact, ReynoldsError, Scheme, ShearThinning, Squeeze, StoppingRule,
+    require_spin,
 };
 
 /// Residuals over the tolerance up to which a solver from outside has converged: films carry the rounding of
@@ -49,9 +51,9 @@ pub(super) struct ContactModel {
     /// The solver of the scene, or that of the user.
     pub(super) solver: Box<dyn OwnedSolver>,
     /// Whether the solver is one of the user's, whose states are evaluated before they count.
-    confirms: bool,
+    pub(super) confirms: bool,
     /// Tolerance and largest number of iterations.
-    rule: StoppingRule,
+    pub(super) rule: StoppingRule,
     /// Discretisation of entrainment.
     pub(super) scheme: Scheme,
     /// Law of the pressure flow through a face.
@@ -59,9 +61,9 @@ pub(super) struct ContactModel {
     /// What becomes of the fluid where its pressure would fall below zero.
     pub(super) cavitation: Cavitation,
     /// Film that the inlet gets \[m\]; none where it is flooded.
-    supplied_film: Option<f64>,
+    pub(super) supplied_film: Option<f64>,
     /// What sliding leaves of the viscosity for the flow by pressure; none where that is not modelled.
-    shear_thinning: Option<ShearThinning>,
+    pub(super) shear_thinning: Option<ShearThinning>,
     /// Film at which solids touch \[m\].
     pub(super) film_cutoff: f64,
     /// What solid contact is.
@@ -69,7 +71,7 @@ pub(super) struct ContactModel {
     /// Entrainment speed and slide-roll ratio.
     pub(super) motion: Motion,
     /// Load that was asked for; that of the Hertz contact is rounded \[N\].
-    load: f64,
+    pub(super) load: f64,
     /// That of the lubricant \[K\].
     pub(super) bulk_temperature: f64,
     /// Film formulas of the smooth contact; none without lubricant.
@@ -78,13 +80,17 @@ pub(super) struct ContactModel {
     /// lubricant \[m\].
     pub(super) stated_film: f64,
     /// Measures the flow of solutions, and evaluates those of solvers from outside; made when it is first used.
-    evaluation: Option<Evaluation>,
+    pub(super) evaluation: Option<Evaluation>,
     /// Whether another solve follows: the solver keeps its buffers for it.
     pub(super) solves_again: bool,
     /// Flow into the last solution and out of it.
     pub(super) flow: Option<FlowBalance>,
     /// Flows through the cells of the last solution; none where films have the bulk temperature.
     pub(super) film_flows: Option<FilmFlows>,
+    /// Finds the fluid outside of the box; none where the oil begins at its edge.
+    pub(super) inlet: Option<Inlet>,
+    /// The fluid outside of the box; none where the box holds the inlet.
+    pub(super) far_field: Option<FarField>,
 }
 
 /// What changes of a contact model from step to step.
@@ -144,6 +150,7 @@ impl ContactModel {
         setup::validate_memory(&grid, scene.is_lubricated())?;
         let mut form_gap = vec![0.0; grid.len()];
         scene.form.gap_into(&grid, &mut form_gap)?;
+        let has_own_body = overrides.deformation.is_some();
         let deformation = checked_deformation(scene, grid, overrides.deformation)?;
         let deformation = WithLocalCompliance::new(Interruptible::new(deformation, overrides.interrupt));
         let missing =
@@ -177,6 +184,8 @@ impl ContactModel {
         };
         let law = lubricant.as_ref().map(Lubricant::viscosity);
         film_heat::validate(scene, law)?;
+        let is_flooded = scene.lubricant.is_some_and(|oil| oil.inlet == InletSpec::Flooded);
+        let inlet = is_flooded.then(|| Inlet::new(scene, has_own_body));
         let formulas = formula_film(scene, &hertz, conditions.motion.entrainment_speed, law, None)?;
         let stated_film = stated_film(scene, &hertz, &conditions, law)?;
         Ok(Self {
@@ -202,6 +211,8 @@ impl ContactModel {
             shear_thinning: scene.friction.shear_thinning(conditions.motion.sliding_speed())?,
             film_cutoff: scene.solver.film_cutoff,
             contact: scene.solver.contact,
+            inlet,
+            far_field: None,
             motion: conditions.motion,
             load: conditions.load,
             bulk_temperature: conditions.bulk_temperature,
@@ -278,6 +289,7 @@ impl ContactModel {
         gap: &'a [f64],
         limit: Option<&'a [f64]>,
         squeeze: Option<Squeeze<'a>>,
+        edge_pressure: Option<EdgePressure<'a>>,
     ) -> (LubricatedContact<'a>, &'a mut Box<dyn OwnedSolver>, &'a mut Option<Evaluation>) {
         let reference_film = self.formula_film().min(self.supplied_film.unwrap_or(f64::INFINITY));
         let problem = LubricatedContact {
@@ -295,6 +307,7 @@ impl ContactModel {
             face_mobility: self.face_mobility,
             cavitation: self.cavitation,
             supplied_film: self.supplied_film,
+            edge_pressure,
             shear_thinning: self.shear_thinning,
             reference_half_widths: self.hertz.half_extents().into(),
             reference_pressure: self.hertz.pressure,
@@ -311,7 +324,7 @@ impl ContactModel {
         state: &ContactState,
     ) -> Result<(), ReynoldsError> {
         let rule = self.rule;
-        let (problem, solver, _) = self.problem(gap, limit, None);
+        let (problem, solver, _) = self.problem(gap, limit, None, None);
         solver.check(&problem, state, &rule)
     }
 
@@ -324,10 +337,30 @@ impl ContactModel {
         squeeze: Option<Squeeze<'_>>,
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
+        let Some(mut far) = self.far_field.take() else {
+            return self.solve_box(gap, limit, (squeeze, None), state);
+        };
+        let grid = self.grid;
+        let smooth = self.face_mobility == FaceMobility::Wedge;
+        let solved = far.solve(&grid, gap, smooth, state, |edge, gap, state| {
+            self.solve_box(gap, limit, (squeeze, Some(edge)), state)
+        });
+        self.far_field = Some(far);
+        solved
+    }
+
+    /// The same with ambient or other pressure at the edge of the box.
+    fn solve_box(
+        &mut self,
+        gap: &[f64],
+        limit: Option<&[f64]>,
+        (squeeze, edge): (Option<Squeeze<'_>>, Option<EdgePressure<'_>>),
+        state: &mut ContactState,
+    ) -> Result<SolveReport, SimError> {
         let (heeded, rule, confirms) = (self.deformation.bodies().begin(), self.rule, self.confirms);
         let solves_again = self.solves_again;
         let mut film_flows = self.film_flows.take();
-        let (mut problem, solver, evaluation) = self.problem(gap, limit, squeeze);
+        let (mut problem, solver, evaluation) = self.problem(gap, limit, squeeze, edge);
         let mut solved = solver.solve(&mut problem, state, &rule);
         if !solves_again {
             // A copy has no buffers yet.
@@ -439,7 +472,7 @@ fn checked_deformation(
             }));
         }
         Some(model) => model,
-        None => half_space(scene, grid)?,
+        None => half_space(scene, grid, scene.form.radii().0.max(grid.size_x()))?,
     };
     let influence = deformation.influence(0, 0);
     if !influence.is_normal() || influence < 0.0 {
@@ -456,11 +489,13 @@ fn checked_deformation(
     Ok(deformation)
 }
 
-/// The elastic bodies of the scene. Displacements of a line contact count from the distance of the radius, or
-/// the length of the box where that is longer.
-fn half_space(scene: &Scene, grid: Grid) -> Result<Box<dyn OwnedModel>, InputError> {
+/// The elastic bodies of the scene. Displacements of a line contact count from the distance `reference` \[m\].
+pub(super) fn half_space(
+    scene: &Scene,
+    grid: Grid,
+    reference: f64,
+) -> Result<Box<dyn OwnedModel>, InputError> {
     let modulus = scene.equivalent_modulus()?;
-    let reference = scene.form.radii().0.max(grid.size_x());
     Ok(match (scene.layer()?, scene.form.is_line()) {
         (None, false) => Box::new(HalfSpace::new(grid, modulus)?),
         (None, true) => Box::new(LineHalfSpace::new(grid, modulus, reference)?),

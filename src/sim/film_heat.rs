@@ -85,6 +85,7 @@ pub(super) fn solve(
     (model, state, friction): Contact<'_>,
     solve_once: SolveOnce<'_>,
 ) -> Result<Solved, SimError> {
+    model.find_far_field(given.laws)?;
     match heat {
         Some(heat) => heat.solve(given, (model, state, friction), solve_once),
         None => {
@@ -255,10 +256,14 @@ impl FilmIteration {
                 reason: "the contact is dry".to_owned(),
             });
         };
+        let mut pressure = state.fluid_pressure.clone();
+        if let Some(far) = &model.far_field {
+            far.fill_edge(&model.grid, &mut pressure);
+        }
         self.temperature.update(&FilmFlow {
             lubricant,
             rheology: friction.rheology(),
-            pressure: &state.fluid_pressure,
+            pressure: &pressure,
             film: &state.film,
             flows,
             boundary_heat: &friction.boundary_heat(),

@@ -130,7 +130,8 @@ impl FrictionFields {
         let boundary = reference * self.solid.iter().sum::<f64>() + beyond;
         let fluid = self.shear.iter().sum::<f64>();
         let area = contact.grid.cell_area();
-        Ok(FrictionNumbers::of(boundary * area, fluid * area, contact.hertz.force))
+        let outside = contact.far_field.as_ref().map_or(0.0, |far| far.friction_force);
+        Ok(FrictionNumbers::of(boundary * area, fluid * area + outside, contact.hertz.force))
     }
 }
 

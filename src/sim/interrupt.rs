@@ -48,6 +48,16 @@ impl Interruptible {
         Self { model, interrupt, heeded: Arc::default() }
     }
 
+    /// What may end the solve.
+    pub(super) fn interrupt(&self) -> Option<&Interrupt> {
+        self.interrupt.as_ref()
+    }
+
+    /// Whether a displacement was refused.
+    pub(super) fn is_interrupted(&self) -> bool {
+        self.heeded.load(Ordering::Relaxed)
+    }
+
     /// Forgets what was heeded before; the flag that an interrupt of the solve to come sets.
     pub(super) fn begin(&self) -> Arc<AtomicBool> {
         self.heeded.store(false, Ordering::Relaxed);

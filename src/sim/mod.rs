@@ -35,6 +35,7 @@ mod course;
 pub mod ensemble;
 mod error;
 mod exposure;
+mod far_field;
 mod film_heat;
 mod formula;
 mod friction;

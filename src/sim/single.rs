@@ -271,7 +271,9 @@ impl Prepared {
         let numbers = Numbers::of(&model, &state, known, limit.as_deref(), self.rq)?;
         let stress =
             known.map(|fields| StressNumbers::of(&scene, &model, &state, fields)).transpose()?.flatten();
-        let solution = model.solution(solved, state, gap, known, numbers);
-        Ok(ContactSolution { stress, warnings: self.warnings, ..solution })
+        let mut solution = model.solution(solved, state, gap, known, numbers);
+        solution.stress = stress;
+        solution.warnings.splice(..0, self.warnings);
+        Ok(solution)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::accuracy::ErrorEstimate;
 use super::contact::ContactModel;
+use super::far_field::Inlet;
 use super::film_heat::Solved;
 use super::friction::FrictionFields;
 use super::hertz::HertzContact;
@@ -78,6 +79,8 @@ pub struct ContactSolution {
     pub(super) boundary_friction: f64,
     /// Shear stress of the fluid \[Pa\].
     pub(super) shear: Vec<f64>,
+    /// Relative error of the central film by the box.
+    pub(super) box_error: f64,
 }
 
 impl ContactSolution {
@@ -138,7 +141,8 @@ impl ContactModel {
             state,
             gap,
             error_estimate: None,
-            warnings: Vec::new(),
+            box_error: self.inlet.as_ref().map_or(0.0, Inlet::film_error),
+            warnings: self.inlet.iter().filter_map(|inlet| inlet.warning(&self.grid)).collect(),
             stress: None,
             thermal,
             film_temperature: film_temperature.unwrap_or_default(),

@@ -110,6 +110,7 @@ impl Case {
             face_mobility: FaceMobility::default(),
             cavitation: Default::default(),
             supplied_film: None,
+            edge_pressure: None,
             shear_thinning: None,
             reference_half_widths: (self.hertz.half_width_x, self.hertz.half_width_y),
             reference_pressure: self.hertz.pressure,

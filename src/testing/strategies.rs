@@ -48,21 +48,9 @@ fn roughness() -> impl Strategy<Value = Roughness> {
 /// No oil in a quarter of all scenes, else Roelands oils of 1 mPa s to 0.5 Pa s with the density of Dowson
 /// and Higginson; half of them give `alpha` too.
 fn lubricants() -> impl Strategy<Value = Option<LubricantSpec>> {
-    let oil =
-        (decades(1e-3, 0.5), 0.3..0.8, any::<bool>()).prop_map(|(eta0, roelands_z, given)| LubricantSpec {
-            eta0,
-            roelands_z,
-            roelands_p0: 1.96e8,
-            alpha: given.then_some(1.5e-8),
-            temperature: None,
-            roelands_s0: None,
-            viscosity: None,
-            formula_alpha: None,
-            density_a: 0.6e-9,
-            density_b: 1.7e-9,
-            supplied_film: None,
-            thermal: None,
-        });
+    let oil = (decades(1e-3, 0.5), 0.3..0.8, any::<bool>()).prop_map(|(eta0, roelands_z, given)| {
+        LubricantSpec::roelands(eta0, roelands_z).with_alpha(given.then_some(1.5e-8))
+    });
     prop::option::weighted(0.75, oil)
 }
 

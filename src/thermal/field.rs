@@ -292,10 +292,18 @@ impl FilmTemperature {
         self.pressure_heat.fill(0.0);
         for k in 0..n {
             if k % nx + 1 < nx {
-                self.drive(flow, [k, k + 1], flow.flows.east[k] / (cells_to_next(k % nx, nx) * dx));
+                self.drive(
+                    flow,
+                    [k, k + 1],
+                    flow.flows.east[k] / (cells_to_next(flow.flows, k % nx, nx) * dx),
+                );
             }
             if k + nx < n {
-                self.drive(flow, [k, k + nx], flow.flows.north[k] / (cells_to_next(k / nx, ny) * dy));
+                self.drive(
+                    flow,
+                    [k, k + nx],
+                    flow.flows.north[k] / (cells_to_next(flow.flows, k / nx, ny) * dy),
+                );
             }
             self.resistance[k] = flow.film_at(k) / self.properties.conductivity;
             let (before, after) = (k - usize::from(k % nx > 0), k + usize::from(k % nx + 1 < nx));
@@ -357,8 +365,8 @@ impl FilmTemperature {
     }
 }
 
-/// Cells over which the pressure drops between node `i` of `n` in a row and the next one: at the edges of the
-/// box it is ambient half a cell beyond the outermost nodes.
-fn cells_to_next(i: usize, n: usize) -> f64 {
-    if i == 0 || i + 2 == n { 1.5 } else { 1.0 }
+/// Cells over which the pressure drops between node `i` of `n` in a row and the next one: without pressures at the
+/// edges of the box it is ambient half a cell beyond the outermost nodes.
+fn cells_to_next(flows: &FilmFlows, i: usize, n: usize) -> f64 {
+    if !flows.has_edge_pressure && (i == 0 || i + 2 == n) { 1.5 } else { 1.0 }
 }

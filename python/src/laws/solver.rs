@@ -8,7 +8,8 @@ use pyo3::types::PyDict;
 use stribeck::elastic::DeformationModel;
 use stribeck::lubricant::Lubricant;
 use stribeck::reynolds::{
-    ContactSolver, ContactState, Evaluation, LubricatedContact, ReynoldsError, Squeeze, StoppingRule,
+    ContactSolver, ContactState, EdgePressure, Evaluation, LubricatedContact, ReynoldsError, Squeeze,
+    StoppingRule,
 };
 use stribeck::{Grid, InputError, SolveReport, SolverId, Status};
 
@@ -138,6 +139,7 @@ pub(crate) struct Problem {
 /// What is no field of it.
 struct Numbers {
     load: f64,
+    edge: Option<(Vec<f64>, Option<f64>)>,
     entrainment_speed: f64,
     spin_radius: Option<f64>,
     film_cutoff: f64,
@@ -175,6 +177,7 @@ impl Problem {
             work: Mutex::new((model, Evaluation::new(grid))),
             numbers: Numbers {
                 load: problem.load,
+                edge: problem.edge_pressure.map(|edge| (edge.field.to_vec(), edge.load_outside)),
                 entrainment_speed: problem.entrainment_speed,
                 spin_radius: problem.spin_radius,
                 film_cutoff: problem.film_cutoff,
@@ -195,7 +198,7 @@ impl Problem {
     }
 
     fn contact<'a>(&'a self, model: &'a mut dyn DeformationModel) -> LubricatedContact<'a> {
-        let Numbers { load, half_widths, reference_pressure, choices, .. } = &self.numbers;
+        let Numbers { load, edge, half_widths, reference_pressure, choices, .. } = &self.numbers;
         let squeeze = self.squeeze.as_ref();
         LubricatedContact::new(&self.gap, model, *load, *half_widths, *reference_pressure)
             .with_lubricant(self.lubricant.as_ref())
@@ -211,8 +214,18 @@ impl Problem {
             .with_face_mobility(choices.face_mobility)
             .with_cavitation(choices.cavitation)
             .with_supplied_film(self.numbers.supplied_film)
+            .with_edge_pressure(
+                edge.as_ref()
+                    .map(|(field, load_outside)| EdgePressure { field, load_outside: *load_outside }),
+            )
             .with_shear_thinning(choices.shear_thinning)
             .with_reference_film(self.numbers.reference_film)
+    }
+
+    /// The load that the pressures in the box carry \[N\].
+    fn box_load(&self) -> f64 {
+        let outside = self.numbers.edge.as_ref().and_then(|(_, outside)| *outside);
+        self.numbers.load - outside.unwrap_or(0.0)
     }
 
     /// A field that was handed over.
@@ -246,7 +259,7 @@ impl Problem {
         let numbers = &self.numbers;
         Ok(dictionary!(py, {
             "grid": grid_dict(py, &self.grid)?,
-            "load": numbers.load,
+            "load": self.box_load(),
             "entrainment_speed": numbers.entrainment_speed,
             "spin_radius": numbers.spin_radius,
             "contact_film": if self.lubricant.is_some() { numbers.film_cutoff } else { 0.0 },

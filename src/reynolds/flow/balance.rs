@@ -61,6 +61,8 @@ pub struct FilmFlows {
     pub north: Vec<f64>,
     /// All that flows along x through the cell of the node: mean over its two faces along x.
     pub through: Vec<f64>,
+    /// Whether the pressure at the outermost nodes is given; else it is ambient half a cell beyond them.
+    pub has_edge_pressure: bool,
 }
 
 impl FilmFlows {

@@ -144,6 +144,7 @@ impl Multigrid {
         grid.nx().min(grid.ny()) >= SMALLEST_GRID
             && problem.supplied_film.is_none()
             && problem.spin_radius.is_none()
+            && problem.edge_pressure.is_none()
             && expects_full_film(problem, EXPECTED_OVER_CONTACT)
     }
 
@@ -162,6 +163,9 @@ impl Multigrid {
             return Err(
                 self.wrong("its relaxations sweep along x, and turning surfaces carry fluid along y too")
             );
+        }
+        if problem.edge_pressure.is_some() {
+            return Err(self.wrong("its grids have ambient pressure at the edge of the box: take another solver, a wider box or lubricant.inlet = \"box_edge\""));
         }
         problem.lubricant.ok_or_else(|| self.wrong("the problem has no lubricant"))
     }

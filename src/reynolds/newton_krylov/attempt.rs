@@ -25,7 +25,7 @@ impl Workspace {
         self.best_residuals = Residuals::UNKNOWN;
         let cold = state.pressure.iter().all(|&p| p <= 0.0);
         let mut status = self.attempt(cold, problem, state, stop)?;
-        if may_go_on(status) && self.can_continue(problem, state) {
+        if may_go_on(status) && problem.box_load().is_some() && self.can_continue(problem, state) {
             status = self.continue_in_contact_film(problem, state, stop)?;
         }
         if status != Status::Converged && self.best_residuals == Residuals::UNKNOWN {
@@ -60,7 +60,8 @@ impl Workspace {
     ) -> Result<Status, ReynoldsError> {
         let attempt = self.settings.attempt_on(&problem.grid());
         let homotopy = Homotopy::to(problem);
-        let attempt = if !cold && self.begins_near(problem, state)? {
+        let holds_approach = problem.box_load().is_none();
+        let attempt = if !cold && (self.begins_near(problem, state)? || holds_approach) {
             Attempt { pseudo_transient: STEADY, ..attempt }
         } else {
             problem.film_cutoff *= attempt.first_contact_film;

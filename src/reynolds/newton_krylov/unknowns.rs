@@ -56,7 +56,7 @@ pub(super) struct Unknowns {
     /// The reference pressure \[Pa\] and the deflection of a node under it \[m\].
     pressure_unit: f64,
     film_unit: f64,
-    /// Load of the reference pressure in one cell over the load.
+    /// Load of the reference pressure in one cell over the load; zero where the approach is held.
     cell_load: f64,
     /// Changes of total pressure \[Pa\] and of the film without plastic depth \[m\].
     pressure: Vec<f64>,
@@ -134,7 +134,8 @@ impl Unknowns {
     pub(super) fn sort(&mut self, coupled: &Coupled, problem: &LubricatedContact<'_>, state: &ContactState) {
         self.pressure_unit = problem.reference_pressure;
         self.film_unit = coupled.near.own * problem.reference_pressure;
-        self.cell_load = coupled.fluid.grid.cell_area() * problem.reference_pressure / problem.load;
+        let area = coupled.fluid.grid.cell_area();
+        self.cell_load = problem.box_load().map_or(0.0, |load| area * problem.reference_pressure / load);
         self.balanced.clear();
         push_all(&mut self.balanced, &coupled.kinds, Kind::is_open_fluid);
         self.limited_from = self.balanced.len();
@@ -241,7 +242,7 @@ impl Unknowns {
             let present = (at.coupled.elastic_film[k as usize] - contact_film) / self.film_unit;
             *row = -((self.elastic[k as usize] / self.film_unit + present) as f32);
         }
-        rest[self.contact.len()] = (1.0 - carried) as f32;
+        rest[self.contact.len()] = if self.cell_load > 0.0 { (1.0 - carried) as f32 } else { 0.0 };
         Ok(())
     }
 

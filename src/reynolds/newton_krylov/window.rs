@@ -110,7 +110,11 @@ impl Window {
             self.nodes[q] = NodeState {
                 kind: coupled.kinds[k],
                 pressure: state.pressure[k],
-                fluid_pressure: state.fluid_pressure[k],
+                fluid_pressure: if coupled.kinds[k].fluid == Fluid::Boundary {
+                    problem.edge_pressure_at(k)
+                } else {
+                    state.fluid_pressure[k]
+                },
                 depth: state.plastic_depth[k],
             };
             (self.foreseen_film[q], self.foreseen_pressure[q]) = (foreseen[0][k], foreseen[1][k]);

@@ -61,7 +61,7 @@ fn start_from_hertz(problem: &LubricatedContact<'_>, state: &mut ContactState) {
     let carried = state.pressure.iter().sum::<f64>() * problem.grid().cell_area();
     if carried > 0.0 {
         for p in &mut state.pressure {
-            *p *= problem.load / carried;
+            *p *= problem.box_load().unwrap_or(problem.load) / carried;
         }
     }
     state.fluid_pressure.clone_from(&state.pressure);

@@ -23,9 +23,9 @@ use crate::report::Work;
 /// Estimated errors of a solution, those of films, pressure and friction over their value, those of the two
 /// ratios as they are.
 ///
-/// The estimates of a smooth contact that picks its mesh come from three meshes and hold the error of the
-/// box, which no mesh shows; all others from one mesh of half the cells, on which the surfaces are the
-/// Fourier series of the given ones. How far they were found to hold is in `docs/errors.md`.
+/// The estimates of a smooth contact that picks its mesh come from three meshes, all others from one mesh of half
+/// the cells, on which the surfaces are the Fourier series of the given ones. All hold the error of the box, which
+/// no mesh shows, against a flooded inlet. How far they were found to hold is in `docs/errors.md`.
 ///
 /// # Examples
 ///
@@ -57,6 +57,9 @@ pub struct ErrorEstimate {
     pub contact_area_ratio: f64,
     /// Of the friction coefficient; 0 without sliding.
     pub friction_coefficient: f64,
+    /// The part of the errors of the central and the mean film that the edges of the box make, which is in them; the
+    /// rest is that of the mesh. 0 where the oil begins at the edge of the box.
+    pub film_by_box: f64,
 }
 
 /// The meshes of one contact, of which nothing is solved yet.

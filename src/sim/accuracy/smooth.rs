@@ -3,19 +3,19 @@
 //!
 //! Of three meshes whose cells halve, a number changes by `d_2` and then `d_1`. The estimate is 1.5 times the
 //! largest of `|d_1|/3` and `|d_2|/15`, which are the error at second order, and `|d_1| r/(1 - r)` with
-//! `r = |d_1/d_2|`, which is that at the order observed. The box ends at a finite distance `X` before the
-//! contact, in Hertz half-widths, which makes a film `h = H a^2/R` thinner by about `4 H^1.3 X^-3.2` (line
-//! contact: 6.5).
+//! `r = |d_1/d_2|`, which is that at the order observed. The box is as long as its error asks for
+//! ([`InletScale`]), which is added.
 
 use super::{ErrorEstimate, Spent, change};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::Status;
 use crate::reynolds::ContactState;
+use crate::sim::far_field::{Contact, InletScale};
 use crate::sim::formula::formula_film;
 use crate::sim::hertz::HertzContact;
 use crate::sim::interrupt::Interrupt;
-use crate::sim::scene::{GridSpec, Scene};
+use crate::sim::scene::{GridSpec, InletSpec, Scene};
 use crate::sim::single::prepare_on_grid;
 use crate::sim::solution::ContactSolution;
 use crate::sim::warnings::Warning;
@@ -43,16 +43,8 @@ const SPIKE_FROM: f64 = 0.5;
 const AIM: f64 = 0.3;
 /// Share of the wanted error that the box may make.
 const BOX_SHARE: f64 = 0.5;
-/// A box that ends at the distance `X` before a contact of film `H` (both in Hertz units) makes the film
-/// thinner by `c H^1.3 X^-3.2`: `c` of a line and of a point contact, fitted to boxes of 3 to 12.
-const BOX_CONSTANT: [f64; 2] = [6.5, 4.0];
-/// Exponent of the film.
-const BOX_BY_FILM: f64 = 1.3;
-/// Exponent of the distance.
-const BOX_BY_INLET: f64 = -3.2;
-/// The error that a box makes of the minimum film, over that of the central one: at most, measured 0.8 to
-/// 1.4.
-const BOX_MINIMUM: f64 = 1.4;
+/// Ends of boxes upstream that are tried, in half-widths.
+const INLETS: [f64; 6] = [2.5, 3.0, 4.0, 5.0, 6.0, 8.0];
 /// Meshes that are refined once more before what has been reached is handed back.
 const ROUNDS: u32 = 3;
 /// More nodes than these are refused.
@@ -69,8 +61,6 @@ pub(super) struct Plan {
     pub(super) side: f64,
     /// Cell size of the finest mesh, in half-widths.
     cell: f64,
-    /// Relative error of the films that the box makes.
-    box_error: f64,
 }
 
 impl Plan {
@@ -80,21 +70,28 @@ impl Plan {
         let conditions = scene.conditions(0.0)?;
         let viscosity = setup::viscosity(scene, conditions.bulk_temperature)?;
         let speed = conditions.motion.entrainment_speed;
-        let Some(formulas) = formula_film(scene, hertz, speed, viscosity.as_deref(), None)? else {
+        let formulas = formula_film(scene, hertz, speed, viscosity.as_deref(), None)?;
+        let (Some(viscosity), Some(formulas)) = (viscosity.as_deref(), formulas) else {
             let (side, cell) = (1.5, 0.25 * accuracy.sqrt());
-            return Ok(Self { inlet: side, outlet: side, side, cell, box_error: 0.0 });
+            return Ok(Self { inlet: side, outlet: side, side, cell });
         };
-        let film = formulas.central * scene.form.radii().0 / hertz.half_width_x.powi(2);
+        if scene.lubricant.is_some_and(|oil| oil.inlet == InletSpec::BoxEdge) {
+            return Err(box_edge());
+        }
+        let scale =
+            InletScale::new(&Contact { scene, hertz, viscosity, entrainment_speed: speed, formulas })?;
+        let film = scale.film() * scene.form.radii().0 / hertz.half_width_x.powi(2);
         let constant = 1.5 * (formulas.moes.m / 20.0).max(1.0).powf(0.2);
-        let [line, point] = BOX_CONSTANT;
-        let flooded = if scene.form.is_line() { line } else { point } * film.powf(BOX_BY_FILM);
-        let inlet = (BOX_SHARE * accuracy / flooded).powf(1.0 / BOX_BY_INLET).max(2.5);
+        let [half_x, half_y] = hertz.half_extents();
+        let side = |inlet: f64| (inlet / 1.5).max(1.75);
+        let error = |inlet: f64| scale.box_error(inlet * half_x, side(inlet) * half_y).of_solve();
+        let fits = |inlet: &f64| error(*inlet) <= BOX_SHARE * accuracy;
+        let inlet = INLETS.into_iter().find(fits).unwrap_or(INLETS[INLETS.len() - 1]);
         Ok(Self {
             inlet,
             outlet: 1.5,
-            side: (inlet / 1.5).max(1.75),
+            side: side(inlet),
             cell: (AIM * accuracy * film / constant).sqrt().min(0.1),
-            box_error: flooded * inlet.powf(BOX_BY_INLET),
         })
     }
 
@@ -137,6 +134,16 @@ impl Plan {
         } else {
             GridSpec::Cells { nx, ny: coarser(rows), x, y: [-y, y] }
         })
+    }
+}
+
+/// The error of an oil that begins at the edge of a box that is not given.
+fn box_edge() -> InputError {
+    InputError::Conflict {
+        field: "lubricant.inlet = \"box_edge\"".to_owned(),
+        reason: "grid.accuracy picks the box, at whose edge no oil can begin: give nx, ny, x and y, or leave the inlet \
+                 flooded"
+            .to_owned(),
     }
 }
 
@@ -187,12 +194,12 @@ impl Picked {
         loop {
             round += 1;
             let meshes = Meshes::solve((&mut scene, interrupt.as_ref()), &hertz, &plan, &mut work)?;
-            let (mut solution, estimate) =
-                meshes.estimate(scene.is_lubricated(), plan.box_error, spike_growth);
+            let (mut solution, estimate) = meshes.estimate(scene.is_lubricated(), spike_growth);
             let reached = estimate.map_or(f64::INFINITY, |e| {
                 if scene.is_lubricated() { e.film_central } else { e.pressure_max }
             });
-            let mesh = (reached - plan.box_error) / (accuracy - plan.box_error);
+            let by_box = solution.box_error;
+            let mesh = (reached - by_box) / (accuracy - by_box.min(BOX_SHARE * accuracy));
             let finer = Plan { cell: plan.cell * (0.8 / mesh).sqrt().clamp(0.5, 0.9), ..plan };
             let affordable = finer.cells(&hertz, 0, scene.form.is_line()).is_ok();
             if reached <= accuracy || round == ROUNDS || !affordable {
@@ -250,12 +257,7 @@ impl Meshes {
     }
 
     /// The finest solution and its estimate, which takes two converged meshes.
-    fn estimate(
-        self,
-        lubricated: bool,
-        box_error: f64,
-        spike_growth: f64,
-    ) -> (ContactSolution, Option<ErrorEstimate>) {
+    fn estimate(self, lubricated: bool, spike_growth: f64) -> (ContactSolution, Option<ErrorEstimate>) {
         let numbers = match self.numbers.as_slice() {
             [.., coarsest, middle, finest] => Some((Some(coarsest), middle, finest)),
             [middle, finest] => Some((None, middle, finest)),
@@ -264,14 +266,14 @@ impl Meshes {
         let changes = self.middle.and_then(|middle| change::estimate(&middle, &self.finest));
         let errors = numbers.zip(changes).map(|((coarsest, middle, finest), changes)| {
             let of = |k: usize| relative_error(coarsest.map(|c| c[k]), middle[k], finest[k]);
+            let box_error = self.finest.box_error;
             let film = |k, share| if lubricated { of(k) + share * box_error } else { 0.0 };
             let spike = highest_spike(&self.finest);
             let overtaken = (1.0 + spike_growth) * spike / self.finest.pressure.max - 1.0;
             ErrorEstimate {
                 film_central: film(0, 1.0),
-                film_minimum: film(1, BOX_MINIMUM),
+                film_minimum: film(1, change::BOX_MINIMUM),
                 pressure_max: of(2).max(overtaken),
-                film_mean_central: changes.film_mean_central + box_error,
                 ..changes
             }
         });

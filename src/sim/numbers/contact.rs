@@ -122,11 +122,14 @@ pub struct PressureNumbers {
     pub central: f64,
     /// Mean over the nodes that carry any.
     pub mean: f64,
+    /// Load that the fluid outside of the box carries, where the box cuts a flooded inlet \[N\]: the pressures in the box
+    /// carry the rest.
+    pub load_outside: f64,
 }
 
 impl PressureNumbers {
     /// Of a solve that diverged.
-    const UNKNOWN: Self = Self { max: f64::NAN, central: f64::NAN, mean: f64::NAN };
+    const UNKNOWN: Self = Self { max: f64::NAN, central: f64::NAN, mean: f64::NAN, load_outside: f64::NAN };
 
     /// Of `state` whose nodes carry no more than the `limit`.
     pub(in crate::sim) fn of(
@@ -138,10 +141,14 @@ impl PressureNumbers {
         let top = state.pressure.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1));
         let bound = top.and_then(|(k, _)| limit?.get(k).copied()).unwrap_or(f64::INFINITY);
         let carrying = state.pressure.iter().filter(|p| **p > 0.0).count().max(1);
+        let sum = state.pressure.iter().sum::<f64>();
+        let carried = sum * model.grid.cell_area();
+        let outside = model.far_field.as_ref().map(|far| far.load_outside(model.hertz.force, carried));
         Ok(Self {
             max: metrics::peak(&model.grid, &state.pressure)?.min(bound),
             central: model.grid.interpolate(&state.pressure, 0.0, 0.0)?,
-            mean: state.pressure.iter().sum::<f64>() / carrying as f64,
+            mean: sum / carrying as f64,
+            load_outside: outside.unwrap_or(0.0),
         })
     }
 }

@@ -60,6 +60,9 @@ pub struct LubricantSpec {
     /// cavitation that conserves mass.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub supplied_film: Option<f64>,
+    /// Where the oil begins.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "InletSpec::is_flooded"))]
+    pub inlet: InletSpec,
     /// Thermal properties, with which the film has a temperature of its own; absent: the bulk temperature.
     /// Needs a viscosity that knows temperature.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -82,6 +85,7 @@ impl LubricantSpec {
             density_a: 0.6e-9,
             density_b: 1.7e-9,
             supplied_film: None,
+            inlet: InletSpec::Flooded,
             thermal: None,
         }
     }
@@ -99,8 +103,40 @@ with_fields!(LubricantSpec {
     with_density_a density_a: f64,
     with_density_b density_b: f64,
     with_supplied_film supplied_film: Option<f64>,
+    with_inlet inlet: InletSpec,
     with_thermal thermal: Option<FilmThermal>,
 });
+
+/// Where the oil in front of a contact begins.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::{InletSpec, LubricantSpec};
+/// let oil = LubricantSpec::roelands(0.04, 0.68);
+/// assert_eq!(oil.inlet, InletSpec::Flooded);
+/// let meniscus = oil.with_inlet(InletSpec::BoxEdge);
+/// assert_ne!(meniscus, oil);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
+pub enum InletSpec {
+    /// Far away: the film does not depend on the box. Where a box cuts the inlet, the smooth contact in a wider box
+    /// tells the pressures at its edge.
+    #[default]
+    Flooded,
+    /// At the edges of the box, where the pressure is ambient: a meniscus there.
+    BoxEdge,
+}
+
+impl InletSpec {
+    /// Whether it is the default.
+    #[cfg(feature = "serde")]
+    fn is_flooded(&self) -> bool {
+        *self == Self::Flooded
+    }
+}
 
 /// A law of viscosity by pressure and temperature, at the bulk temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -155,6 +191,8 @@ struct LubricantTable {
     density_a: Option<f64>,
     density_b: Option<f64>,
     supplied_film: Option<f64>,
+    #[serde(default)]
+    inlet: InletSpec,
     thermal: Option<FilmThermal>,
 }
 
@@ -202,6 +240,7 @@ impl TryFrom<LubricantTable> for LubricantSpec {
             density_a: table.density_a.unwrap_or(usual.density_a),
             density_b: table.density_b.unwrap_or(usual.density_b),
             supplied_film: table.supplied_film,
+            inlet: table.inlet,
             thermal: table.thermal,
             ..usual
         })

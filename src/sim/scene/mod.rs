@@ -34,7 +34,7 @@ mod wear;
 pub use elastic::{Elastic, FilmElasticSpec, LayerSpec};
 pub use grid::GridSpec;
 pub use load::Load;
-pub use lubricant::{BarusConstants, LubricantSpec, ViscositySpec};
+pub use lubricant::{BarusConstants, InletSpec, LubricantSpec, ViscositySpec};
 pub(super) use materials::BODIES;
 pub use materials::{Material, Materials, NamedMaterial};
 pub use motion::Motion;
@@ -158,6 +158,7 @@ impl Scene {
                 density_a: 0.6e-9,
                 density_b: 1.7e-9,
                 supplied_film: None,
+                inlet: InletSpec::Flooded,
                 thermal: None,
             }),
             grid: GridSpec::Cells { nx: n, ny: n, x: [-0.25e-3, 0.25e-3], y: [-0.25e-3, 0.25e-3] },

@@ -107,6 +107,7 @@ impl Discretisation {
         let (nx, n) = (self.grid.nx(), self.grid.len());
         let (along, across) = (self.rate * self.grid.dx(), self.rate * self.grid.dy());
         flows.resize(n);
+        flows.has_edge_pressure = !self.edge_pressure.is_empty();
         for k in 0..n {
             if k % nx + 1 < nx {
                 flows.east[k] = along * self.east_flow[k];

@@ -9,8 +9,9 @@ use super::super::face_mobility::{Direction, FaceFlow, FaceMobility};
 use super::super::inlet::Inlet;
 use super::{Discretisation, Scheme};
 
-/// The pressure is ambient at the edge of the box, half a cell beyond the outermost nodes, whose own pressure
-/// counts as ambient: of the difference to the next nodes this share is left.
+/// Without an [`EdgePressure`](crate::reynolds::EdgePressure) the pressure is ambient at the edge of the box, half a
+/// cell beyond the outermost nodes, whose own pressure counts as ambient: this share of the difference to the next
+/// nodes is left.
 const EDGE_SHARE: f64 = 2.0 / 3.0;
 
 impl Discretisation {
@@ -18,7 +19,8 @@ impl Discretisation {
     pub(super) fn set_coefficients(&mut self, along: f64, across: f64) {
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
         let at_edge = |i: usize, n: usize| i == 0 || i + 2 == n;
-        let share = |i: usize, n: usize| if at_edge(i, n) { EDGE_SHARE } else { 1.0 };
+        let edge = if self.edge_pressure.is_empty() { EDGE_SHARE } else { 1.0 };
+        let share = |i: usize, n: usize| if at_edge(i, n) { edge } else { 1.0 };
         for (i, c) in self.east_coefficients.iter_mut().enumerate() {
             *c = share(i, nx) * along;
         }

@@ -42,7 +42,7 @@ use super::shear_thinning::{NodeRatios, ShearThinning};
 use super::spin::Spin;
 use crate::grid::Grid;
 use crate::lubricant::{Lubricant, NodeWarmth, WarmPoint};
-use crate::reynolds::problem::{LubricatedContact, interior};
+use crate::reynolds::problem::{LubricatedContact, interior, outermost};
 
 /// Quantities of the nodes and faces at the current pressure and film, and the coefficients of the balance.
 #[derive(Debug, Clone)]
@@ -57,6 +57,8 @@ pub(in crate::reynolds) struct Discretisation {
     cavitation: Cavitation,
     /// What enters a row of cells at most \[m\]; infinite at a flooded inlet.
     supply: f64,
+    /// Fluid pressures of the outermost nodes \[Pa\]; empty where the pressure is ambient beyond them.
+    edge_pressure: Vec<f64>,
     /// Least film that mobilities count with \[m\].
     film_floor: f64,
     /// Film below which pressure moves nothing \[m\]; no such film in hard contact.
@@ -122,6 +124,7 @@ impl Discretisation {
             scheme: Scheme::default(),
             cavitation: Cavitation::default(),
             supply: f64::INFINITY,
+            edge_pressure: Vec::new(),
             film_floor: 0.0,
             closed_film: f64::NEG_INFINITY,
             east_coefficients: vec![0.0; grid.nx()],
@@ -160,6 +163,10 @@ impl Discretisation {
         self.scheme = problem.scheme;
         self.cavitation = problem.cavitation;
         self.supply = problem.supplied_film.unwrap_or(f64::INFINITY);
+        self.edge_pressure.clear();
+        if let Some(edge) = problem.edge_pressure.filter(|edge| edge.field.len() == self.grid.len()) {
+            self.edge_pressure.extend_from_slice(edge.field);
+        }
         // Below the contact film, where only unfinished iterations are, the mobility keeps falling: a floor
         // at the contact film itself would hide from Newton that a node just under it can open.
         self.film_floor = 0.5 * problem.contact_film();
@@ -314,14 +321,25 @@ impl Discretisation {
         }
     }
 
+    /// The quantities of node `k` at fluid pressure `p` and film `h`.
+    #[inline]
+    fn update_node(&mut self, lubricant: &Lubricant, k: usize, p: f64, h: f64) {
+        let warm = self.warm_at(lubricant, k, p);
+        self.nodes[k] = self.node_flow(lubricant, warm, p, h);
+        self.masses[k] = self.nodes[k].density * h;
+        if !self.ratios.is_empty() {
+            self.ratios[k] = self.viscosity_ratios(lubricant, warm, p, h);
+        }
+    }
+
     /// Nodes, faces, and what entrainment carries beyond the nodes.
     fn update_faces(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
         for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
-            let warm = self.warm_at(lubricant, k, p);
-            self.nodes[k] = self.node_flow(lubricant, warm, p, h);
-            self.masses[k] = self.nodes[k].density * h;
-            if !self.ratios.is_empty() {
-                self.ratios[k] = self.viscosity_ratios(lubricant, warm, p, h);
+            self.update_node(lubricant, k, p, h);
+        }
+        if !self.edge_pressure.is_empty() {
+            for k in outermost(&self.grid) {
+                self.update_node(lubricant, k, self.edge_pressure[k], film[k]);
             }
         }
         self.update_entrainment();
@@ -345,7 +363,9 @@ impl Discretisation {
     fn starve(&mut self) {
         for first in (0..self.grid.len()).step_by(self.grid.nx()) {
             let full = self.carried[first];
-            if full > self.supply {
+            // A meniscus upstream of the box has filled the gap where pressure reaches its edge.
+            let is_filled = self.edge_pressure.get(first).is_some_and(|pressure| *pressure > 0.0);
+            if full > self.supply && !is_filled {
                 self.content[first] = self.supply / full;
                 self.carried[first] = self.supply;
             }
