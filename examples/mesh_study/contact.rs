@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::Path;
 
 use stribeck::reynolds::{Cavitation, ContactDefinition, FaceMobility, Scheme};
-use stribeck::sim::scene::{FileRoughness, Roughness, RoughnessPair, SolverKind};
+use stribeck::sim::scene::{FileRoughness, InletSpec, Roughness, RoughnessPair, SolverKind};
 use stribeck::sim::{Scene, solve_contact};
 use stribeck::surface::{Autocorrelation, Heights, RoughnessSpec, generate, write_npy};
 
@@ -83,6 +83,7 @@ impl Row {
 pub(crate) fn solve(job: &Job, folder: &Path) -> Result<Row, Box<dyn Error>> {
     let mut scene = Scene::azam_2019(job.cells);
     scene.motion.entrainment_speed = job.speed;
+    scene.lubricant = scene.lubricant.map(|oil| oil.with_inlet(InletSpec::BoxEdge));
     scene.solver.film_cutoff = job.cutoff;
     scene.solver.cavitation = Some(Cavitation::Reynolds);
     match job.contact {

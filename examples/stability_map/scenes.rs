@@ -7,7 +7,7 @@ use stribeck::InputError;
 use stribeck::analytic::HertzLine;
 use stribeck::sim::Scene;
 use stribeck::sim::scene::{
-    FileRoughness, FlowThinning, GridSpec, LayerSpec, PlasticSpec, Roughness, RoughnessPair,
+    FileRoughness, FlowThinning, GridSpec, InletSpec, LayerSpec, PlasticSpec, Roughness, RoughnessPair,
 };
 use stribeck::surface::{Autocorrelation, Form, RoughnessSpec};
 use stribeck::thermal::FilmThermal;
@@ -127,6 +127,10 @@ impl Case {
         }
         scene.load.hertz_pressure = Some(self.pressure);
         scene.motion.entrainment_speed = self.speed;
+        if let Some(oil) = &mut scene.lubricant {
+            // The same equations for all solvers, multigrid among them.
+            oil.inlet = InletSpec::BoxEdge;
+        }
         scene.plastic = self.hardness.map(PlasticSpec::new);
         let rough = |body: usize| self.roughness(body);
         scene.roughness = RoughnessPair { ball: rough(0), disc: rough(1) };

@@ -41,7 +41,7 @@ use stribeck::reynolds::{
     SemiSystem, StoppingRule,
 };
 use stribeck::sim::Scene;
-use stribeck::sim::scene::{GridSpec, Load};
+use stribeck::sim::scene::{GridSpec, InletSpec, Load};
 use stribeck::surface::Form;
 use stribeck::{Grid, SolveReport, Status};
 
@@ -178,7 +178,7 @@ fn ball(moes_load: f64, n: usize) -> Scene {
     const MODULUS: f64 = 226e9;
     let mut scene = Scene::azam_2019(n);
     let Some(oil) = &mut scene.lubricant else { return scene };
-    (oil.eta0, oil.alpha) = (0.04, Some(2.2e-8));
+    (oil.eta0, oil.alpha, oil.inlet) = (0.04, Some(2.2e-8), InletSpec::BoxEdge);
     let speed = (10.0 / (2.2e-8 * MODULUS)).powi(4);
     scene.form = Form::Sphere { radius: RADIUS };
     scene.elastic.equivalent_modulus = MODULUS;

@@ -123,6 +123,7 @@ impl Run {
     /// The scene without its roughness.
     pub(crate) fn scene(&self) -> Scene {
         let mut scene = Scene::azam_2019(self.cells);
+        scene.lubricant = scene.lubricant.map(|oil| oil.with_inlet(InletSpec::BoxEdge));
         if let Form::Sphere { radius } = &mut scene.form {
             *radius *= SCALE;
         }
