@@ -4,7 +4,7 @@
 
 use stribeck::reynolds::{Cavitation, FaceMobility, Scheme};
 use stribeck::sim::Scene;
-use stribeck::sim::scene::GridSpec;
+use stribeck::sim::scene::{GridSpec, InletSpec};
 use stribeck::surface::Form;
 
 /// Over the box and the radius of the reference scene.
