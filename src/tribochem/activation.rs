@@ -1,8 +1,8 @@
-//! What wakes the chemistry of a node.
+//! Conditions for tribochemical activity of a node.
 
 use crate::rubbing::RubbingPoint;
 
-/// The condition under which a node grows and loses film; otherwise its film is frozen.
+/// Condition under which the film of a node grows and is removed; the film of an inactive node is frozen.
 ///
 /// ```
 /// use stribeck::RubbingPoint;
@@ -17,17 +17,17 @@ use crate::rubbing::RubbingPoint;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Activation {
-    /// The node counts as solid contact (default; boundary films on asperities).
+    /// Solid contact (default; boundary films on asperities).
     #[default]
     SolidContact,
-    /// The node carries pressure, fluid or solid.
+    /// Pressure, of fluid or solid contact.
     Pressure,
-    /// The node is sheared, whether by fluid or by contact (growth in full films).
+    /// Shear stress, of fluid or solid contact (growth in full films).
     ShearStress,
 }
 
 impl Activation {
-    /// Whether chemistry runs at a node in the state `at`.
+    /// Whether a node in the state `at` is active.
     pub fn is_active(self, at: &RubbingPoint) -> bool {
         match self {
             Self::SolidContact => at.in_contact,
