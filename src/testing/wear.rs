@@ -4,12 +4,12 @@ use super::{Contract, Violation, rubbing_points, same};
 use crate::rubbing::RubbingPoint;
 use crate::wear::WearLaw;
 
-/// Films \[m\] that rates are asked for.
+/// Films \[m\] of the check.
 const FILMS: [f64; 4] = [0.0, 20e-9, 200e-9, 1e-6];
 
-/// Checks `law` against the contract of [`WearLaw`]: rates are finite and never negative; nothing wears at
-/// rest or without load; faster sliding and, in contact, higher load never wear less; fields have the rates
-/// of their nodes.
+/// Checks `law` against the contract of [`WearLaw`]: rates are finite and non-negative, zero at rest and
+/// without load; they do not decrease with the sliding speed or, in contact, with the load; field values
+/// equal node values.
 ///
 /// # Errors
 /// The first violation.
@@ -46,10 +46,11 @@ fn check_at(contract: &Contract, law: &dyn WearLaw, at: &RubbingPoint, film: f64
     })?;
     let resting = law.depth_rate(&RubbingPoint { sliding_speed: 0.0, ..*at }, film);
     contract
-        .require(resting == 0.0, "nothing wears at rest", || format!("{resting} m/s at {at:?} at rest"))?;
+        .require(resting == 0.0, "the rate is zero at rest", || format!("{resting} m/s at {at:?} at rest"))?;
     let unloaded = loaded(at, 0.0);
     let idle = law.depth_rate(&unloaded, film);
-    contract.require(idle == 0.0, "nothing wears without load", || format!("{idle} m/s at {unloaded:?}"))?;
+    contract
+        .require(idle == 0.0, "the rate is zero without load", || format!("{idle} m/s at {unloaded:?}"))?;
     for factor in [1.5, 4.0] {
         let faster = RubbingPoint { sliding_speed: factor * at.sliding_speed, ..*at };
         let heavier = loaded(at, factor);
@@ -65,7 +66,7 @@ fn check_at(contract: &Contract, law: &dyn WearLaw, at: &RubbingPoint, film: f64
     Ok(())
 }
 
-/// The same node with all its stresses times `factor`.
+/// The node with all stresses multiplied by `factor`.
 fn loaded(at: &RubbingPoint, factor: f64) -> RubbingPoint {
     RubbingPoint {
         pressure: factor * at.pressure,
