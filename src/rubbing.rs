@@ -1,11 +1,11 @@
-//! What a surface point feels while it rubs: the input of film growth and wear laws.
+//! The state of a surface node during a step: the input of film growth and wear laws.
 //!
-//! A point is made anew for every node and step from the solved contact. A quantity that a law of the crate
-//! or of a user needs beyond these is a field here and a line where `sim` fills the points.
+//! Points are computed for every node and step from the solved contact. A new quantity for laws is a field
+//! here and a line where `sim` fills the points.
 
 use crate::with_fields::with_fields;
 
-/// The state of one surface node during a step, all SI. Laws read from it what they need.
+/// The state of a surface node during a step in SI units, as input of laws.
 ///
 /// # Examples
 ///
@@ -21,13 +21,13 @@ use crate::with_fields::with_fields;
 pub struct RubbingPoint {
     /// Total pressure, fluid and solid \[Pa\].
     pub pressure: f64,
-    /// Share of the pressure that solid contact carries \[Pa\].
+    /// Pressure of solid contact \[Pa\].
     pub solid_pressure: f64,
     /// Shear stress on the surface \[Pa\].
     pub shear_stress: f64,
     /// Surface temperature, bulk plus flash \[K\].
     pub temperature: f64,
-    /// Sliding speed between the surfaces, never negative \[m/s\].
+    /// Sliding speed, non-negative \[m/s\].
     pub sliding_speed: f64,
     /// Gap between the surfaces \[m\].
     pub gap: f64,
@@ -46,8 +46,8 @@ with_fields!(RubbingPoint {
 });
 
 impl RubbingPoint {
-    /// A node under the fluid pressure `pressure` \[Pa\] at `temperature` \[K\]: no solid contact, no film,
-    /// nothing slides.
+    /// A node under the fluid pressure `pressure` \[Pa\] at `temperature` \[K\], without solid contact, film
+    /// or sliding.
     pub const fn new(pressure: f64, temperature: f64) -> Self {
         Self {
             pressure,
@@ -60,7 +60,7 @@ impl RubbingPoint {
         }
     }
 
-    /// The state of a point that lies `share` of the way from this node to `other`; the nearer one decides on
+    /// Linear interpolation from this node to `other` at the fraction `share`; the nearer one determines
     /// contact.
     pub(crate) fn towards(&self, other: &Self, share: f64) -> Self {
         let mix = |here: f64, there: f64| here + share * (there - here);
