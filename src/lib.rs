@@ -95,11 +95,11 @@ pub mod plastic;
 mod regular_file;
 mod report;
 pub mod reynolds;
-mod rubbing;
 pub mod sim;
 mod solver_id;
 mod strategy;
 pub mod surface;
+mod surface_state;
 #[cfg(feature = "testing")]
 pub mod testing;
 mod text_file;
@@ -115,10 +115,10 @@ pub use boundary_friction::{BoundaryFriction, ConstantFriction, FilmFriction};
 pub use error::InputError;
 pub use grid::Grid;
 pub use report::{NotConverged, Residuals, SolveReport, Status, Work};
-pub use rubbing::RubbingPoint;
 pub use sim::Warning;
 pub use solver_id::SolverId;
 pub use strategy::Strategy;
+pub use surface_state::SurfaceState;
 
 // Doctests of the README and of the first page of the book.
 #[cfg(doctest)]

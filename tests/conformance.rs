@@ -15,7 +15,7 @@ use stribeck::tribochem::{
     ThermalArrhenius,
 };
 use stribeck::wear::{Archard, FrictionalEnergy, WearLaw, WearPressure};
-use stribeck::{BoundaryFriction, ConstantFriction, FilmFriction, Grid, InputError, RubbingPoint};
+use stribeck::{BoundaryFriction, ConstantFriction, FilmFriction, Grid, InputError, SurfaceState};
 
 #[test]
 fn growth_laws_satisfy_the_contract() {
@@ -42,7 +42,7 @@ fn growth_laws_satisfy_the_contract() {
 struct Quadratic;
 
 impl FilmGrowthLaw for Quadratic {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         let left = 1.0 - thickness / 100e-9;
         if at.in_contact { 1e-10 * left * left } else { 0.0 }
     }
@@ -55,7 +55,7 @@ impl FilmGrowthLaw for Quadratic {
 struct Kinked;
 
 impl FilmGrowthLaw for Kinked {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if at.in_contact {
             1e-2 * (70e-9 - thickness).max(0.0) - 1e-3 * (thickness - 50e-9).max(0.0)
         } else {
@@ -78,7 +78,7 @@ fn laws_of_a_rate_alone_satisfy_the_contract() {
 struct Hidden;
 
 impl FilmGrowthLaw for Hidden {
-    fn rate(&self, _: &RubbingPoint, _: f64) -> f64 {
+    fn rate(&self, _: &SurfaceState, _: f64) -> f64 {
         0.0
     }
     fn maximum_thickness(&self) -> f64 {
@@ -87,7 +87,7 @@ impl FilmGrowthLaw for Hidden {
     fn thickness(&self, states: &[f64]) -> f64 {
         states[0].max(0.0)
     }
-    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+    fn advance(&self, at: &SurfaceState, time_step: f64, states: &mut [f64]) {
         if at.in_contact && states[0] == 0.0 && time_step > 0.0 {
             states[0] = f64::NAN;
         }
@@ -230,7 +230,7 @@ enum Broken {
 }
 
 impl FilmGrowthLaw for Broken {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         match self {
             Self::NotANumber => f64::NAN,
             Self::GrowsIdle => 1e-3 * (100e-9 - thickness),
@@ -241,7 +241,7 @@ impl FilmGrowthLaw for Broken {
     fn maximum_thickness(&self) -> f64 {
         100e-9
     }
-    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+    fn advance(&self, at: &SurfaceState, time_step: f64, states: &mut [f64]) {
         if !at.in_contact && !matches!(self, Self::GrowsIdle) {
             return;
         }
@@ -260,22 +260,22 @@ impl FilmGrowthLaw for Broken {
 struct Apart;
 
 impl FilmGrowthLaw for Apart {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if at.in_contact { 1e-3 * (100e-9 - thickness) } else { 0.0 }
     }
     fn maximum_thickness(&self) -> f64 {
         100e-9
     }
-    fn advance_all(&self, _: &[RubbingPoint], _: f64, states: &mut [f64]) {
+    fn advance_all(&self, _: &[SurfaceState], _: f64, states: &mut [f64]) {
         states.fill(50e-9);
     }
 }
 
 impl WearLaw for Apart {
-    fn depth_rate(&self, at: &RubbingPoint, _film: f64) -> f64 {
+    fn depth_rate(&self, at: &SurfaceState, _film: f64) -> f64 {
         1e-20 * at.pressure * at.sliding_speed
     }
-    fn depth_rates(&self, _: &[RubbingPoint], _: &[f64], rates: &mut [f64]) {
+    fn depth_rates(&self, _: &[SurfaceState], _: &[f64], rates: &mut [f64]) {
         rates.fill(1e-12);
     }
 }
@@ -302,7 +302,7 @@ impl PlasticityModel for Softening {
 struct Healing;
 
 impl WearLaw for Healing {
-    fn depth_rate(&self, _at: &RubbingPoint, _film: f64) -> f64 {
+    fn depth_rate(&self, _at: &SurfaceState, _film: f64) -> f64 {
         -1e-9
     }
 }

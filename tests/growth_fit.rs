@@ -3,15 +3,15 @@
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, Normal};
-use stribeck::RubbingPoint;
+use stribeck::SurfaceState;
 use stribeck::tribochem::{
     FilmGrowthLaw, FitError, Ghanbarzadeh, GrowthCurve, GrowthFit, ThermalArrhenius, fit_growth_law,
 };
 
 const TRUTH: [f64; 4] = [200e-9, 1.66e-16, 54.32e-9, 4.022e-4];
 const START: [(&str, f64); 4] = [("h_max", 150e-9), ("x_tribo", 1e-16), ("C3", 20e-9), ("C4", 1e-3)];
-fn rubbing() -> RubbingPoint {
-    RubbingPoint::new(1e9, 353.15)
+fn rubbing() -> SurfaceState {
+    SurfaceState::new(1e9, 353.15)
         .with_solid_pressure(1e9)
         .with_shear_stress(1e8)
         .with_sliding_speed(0.005)

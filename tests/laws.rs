@@ -11,10 +11,10 @@ use stribeck::tribochem::{
     Activation, FilmGrowthLaw, FlashTemperature, Ghanbarzadeh, ThermalBody, Tribofilm, estimate_maximum_rise,
 };
 use stribeck::wear::{Archard, SurfaceLedger, WearDepth, WearLaw, WearPressure};
-use stribeck::{Grid, InputError, RubbingPoint};
+use stribeck::{Grid, InputError, SurfaceState};
 
-fn contact(pressure: f64) -> RubbingPoint {
-    RubbingPoint::new(pressure, 353.15)
+fn contact(pressure: f64) -> SurfaceState {
+    SurfaceState::new(pressure, 353.15)
         .with_solid_pressure(pressure)
         .with_shear_stress(0.115 * pressure)
         .with_sliding_speed(0.005)
@@ -121,7 +121,7 @@ impl Balanced {
 }
 
 impl FilmGrowthLaw for Balanced {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if at.in_contact { self.k * (LIMIT - thickness) - self.removal * thickness } else { 0.0 }
     }
     fn maximum_thickness(&self) -> f64 {
@@ -136,7 +136,7 @@ struct Quadratic {
 }
 
 impl FilmGrowthLaw for Quadratic {
-    fn rate(&self, _at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, _at: &SurfaceState, thickness: f64) -> f64 {
         self.k * (LIMIT - thickness) * (LIMIT - thickness).abs() / LIMIT
     }
     fn maximum_thickness(&self) -> f64 {
@@ -149,7 +149,7 @@ impl FilmGrowthLaw for Quadratic {
 struct Decaying;
 
 impl FilmGrowthLaw for Decaying {
-    fn rate(&self, _at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, _at: &SurfaceState, thickness: f64) -> f64 {
         1e-10 * (-thickness / 10e-9).exp()
     }
     fn maximum_thickness(&self) -> f64 {
@@ -162,7 +162,7 @@ impl FilmGrowthLaw for Decaying {
 struct Jump;
 
 impl FilmGrowthLaw for Jump {
-    fn rate(&self, _at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, _at: &SurfaceState, thickness: f64) -> f64 {
         if thickness < 0.37 * LIMIT { 1e-10 } else { -2e-10 }
     }
     fn maximum_thickness(&self) -> f64 {
@@ -185,7 +185,7 @@ fn default_integrator_handles_kinks_bounds_and_nan() {
     #[derive(Debug)]
     struct Nonsense;
     impl FilmGrowthLaw for Nonsense {
-        fn rate(&self, _at: &RubbingPoint, _thickness: f64) -> f64 {
+        fn rate(&self, _at: &SurfaceState, _thickness: f64) -> f64 {
             f64::NAN
         }
         fn maximum_thickness(&self) -> f64 {
@@ -583,7 +583,7 @@ fn wear_rejects_bad_input() {
     #[derive(Debug)]
     struct Healing;
     impl WearLaw for Healing {
-        fn depth_rate(&self, _at: &RubbingPoint, _film: f64) -> f64 {
+        fn depth_rate(&self, _at: &SurfaceState, _film: f64) -> f64 {
             -1e-9
         }
     }

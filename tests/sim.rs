@@ -13,7 +13,7 @@ use stribeck::sim::scene::{Flash, SolverKind};
 use stribeck::sim::{MixedLubricationSim, RunEnd, Scene, Schedule, SimBuilder, SimError, StepRecord};
 use stribeck::surface::AlongTrack;
 use stribeck::wear::{Archard, WearLaw};
-use stribeck::{Grid, InputError, RubbingPoint, SolveReport, SolverId, Status};
+use stribeck::{Grid, InputError, SolveReport, SolverId, Status, SurfaceState};
 
 fn scene() -> Scene {
     let mut scene = Scene::azam_2019(48).with_tribofilm();
@@ -107,7 +107,7 @@ fn a_failed_step_changes_nothing() {
 struct Broken;
 
 impl WearLaw for Broken {
-    fn depth_rate(&self, _at: &RubbingPoint, _film_thickness: f64) -> f64 {
+    fn depth_rate(&self, _at: &SurfaceState, _film_thickness: f64) -> f64 {
         f64::NAN
     }
 }
@@ -128,7 +128,7 @@ fn a_broken_law_is_an_error_and_changes_nothing() {
 struct Melting;
 
 impl WearLaw for Melting {
-    fn depth_rate(&self, at: &RubbingPoint, _film_thickness: f64) -> f64 {
+    fn depth_rate(&self, at: &SurfaceState, _film_thickness: f64) -> f64 {
         if at.temperature > 380.0 { f64::NAN } else { 1e-13 }
     }
 }

@@ -15,7 +15,7 @@ use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
 use stribeck::thermal::{FilmFlow, FilmTemperature, FilmThermal};
 use stribeck::tribochem::{FilmGrowthLaw, FlashTemperature, Ghanbarzadeh, ThermalBody, Tribofilm};
 use stribeck::wear::{Archard, WearDepth};
-use stribeck::{Grid, RubbingPoint, SolveReport, Status};
+use stribeck::{Grid, SolveReport, Status, SurfaceState};
 
 thread_local! {
     // Per thread, as tests and harness run concurrently.
@@ -63,8 +63,8 @@ fn grids() -> impl Iterator<Item = Grid> {
     SHAPES.into_iter().map(|(nx, ny)| Grid::centred(nx, ny, 10e-6, 12e-6).unwrap())
 }
 
-fn touching() -> RubbingPoint {
-    RubbingPoint::new(1e9, 353.15)
+fn touching() -> SurfaceState {
+    SurfaceState::new(1e9, 353.15)
         .with_solid_pressure(1e9)
         .with_shear_stress(0.115e9)
         .with_sliding_speed(0.005)
@@ -240,7 +240,7 @@ fn second_multigrid_solve_allocates_nothing() {
 struct Saturating;
 
 impl FilmGrowthLaw for Saturating {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if at.in_contact { 1e-12 * (at.pressure - 1e16 * thickness) } else { 0.0 }
     }
 

@@ -1,7 +1,7 @@
 //! The contract of film growth.
 
-use super::{Contract, IDLE, Violation, close, rubbing_points, same};
-use crate::rubbing::RubbingPoint;
+use super::{Contract, IDLE, Violation, close, same, surface_states};
+use crate::surface_state::SurfaceState;
 use crate::tribochem::FilmGrowthLaw;
 
 /// Initial thicknesses relative to the largest one.
@@ -32,7 +32,7 @@ pub fn film_growth_law(law: &dyn FilmGrowthLaw) -> Result<(), Violation> {
     })?;
     let bare = law.thickness(&vec![0.0; states_of(law)]);
     contract.require(bare == 0.0, "a bare surface has no film", || format!("{bare} m"))?;
-    for at in rubbing_points() {
+    for at in surface_states() {
         for filling in FILLINGS {
             check_rate(&contract, law, &at, filling * largest)?;
             check_bounds(&contract, law, &at, filling * largest)?;
@@ -70,7 +70,7 @@ fn started(law: &dyn FilmGrowthLaw, thickness: f64) -> Vec<f64> {
 }
 
 /// Thickness after `steps` \[s\] from `start`.
-fn after(law: &dyn FilmGrowthLaw, at: &RubbingPoint, start: f64, steps: &[f64]) -> f64 {
+fn after(law: &dyn FilmGrowthLaw, at: &SurfaceState, start: f64, steps: &[f64]) -> f64 {
     let mut states = started(law, start);
     for &step in steps {
         law.advance(at, step, &mut states);
@@ -82,7 +82,7 @@ fn after(law: &dyn FilmGrowthLaw, at: &RubbingPoint, start: f64, steps: &[f64]) 
 fn check_rate(
     contract: &Contract,
     law: &dyn FilmGrowthLaw,
-    at: &RubbingPoint,
+    at: &SurfaceState,
     thickness: f64,
 ) -> Result<(), Violation> {
     let rate = law.rate(at, thickness);
@@ -93,7 +93,7 @@ fn check_rate(
 /// Compares the advance of a field of all points by `time` \[s\], with films of `start` \[m\], with that of
 /// its nodes.
 fn check_field(contract: &Contract, law: &dyn FilmGrowthLaw, start: f64, time: f64) -> Result<(), Violation> {
-    let (points, states) = (rubbing_points(), started(law, start));
+    let (points, states) = (surface_states(), started(law, start));
     let mut field = states.repeat(points.len());
     law.advance_all(&points, time, &mut field);
     for (at, node) in points.iter().zip(field.chunks_exact(states.len())) {
@@ -111,7 +111,7 @@ fn check_field(contract: &Contract, law: &dyn FilmGrowthLaw, start: f64, time: f
 fn check_bounds(
     contract: &Contract,
     law: &dyn FilmGrowthLaw,
-    at: &RubbingPoint,
+    at: &SurfaceState,
     start: f64,
 ) -> Result<(), Violation> {
     let largest = law.maximum_thickness();
@@ -143,7 +143,7 @@ fn check_bounds(
 fn check_cuts(
     contract: &Contract,
     law: &dyn FilmGrowthLaw,
-    at: &RubbingPoint,
+    at: &SurfaceState,
     start: f64,
 ) -> Result<(), Violation> {
     for time in [10.0, 1e3, 1e5] {
@@ -162,7 +162,7 @@ fn check_cuts(
 fn check_derivative(
     contract: &Contract,
     law: &dyn FilmGrowthLaw,
-    at: &RubbingPoint,
+    at: &SurfaceState,
     start: f64,
 ) -> Result<(), Violation> {
     let largest = law.maximum_thickness();

@@ -43,20 +43,20 @@ pub use strategies::{pressures, scenes};
 use thiserror::Error;
 pub use wear::wear_law;
 
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// The first violated clause of a contract.
 ///
 /// # Examples
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::wear::WearLaw;
 /// /// Wears at rest, which violates the contract.
 /// #[derive(Debug)]
 /// struct Rusting;
 /// impl WearLaw for Rusting {
-///     fn depth_rate(&self, _at: &RubbingPoint, _film_thickness: f64) -> f64 {
+///     fn depth_rate(&self, _at: &SurfaceState, _film_thickness: f64) -> f64 {
 ///         1e-12
 ///     }
 /// }
@@ -113,7 +113,7 @@ fn same(a: f64, b: f64) -> bool {
 }
 
 /// A node in boundary lubrication, 1 GPa at 80 C.
-const IN_CONTACT: RubbingPoint = RubbingPoint {
+const IN_CONTACT: SurfaceState = SurfaceState {
     pressure: 1e9,
     solid_pressure: 1e9,
     shear_stress: 1.15e8,
@@ -124,7 +124,7 @@ const IN_CONTACT: RubbingPoint = RubbingPoint {
 };
 
 /// A node without contact, pressure or shear.
-const IDLE: RubbingPoint = RubbingPoint {
+const IDLE: SurfaceState = SurfaceState {
     pressure: 0.0,
     solid_pressure: 0.0,
     shear_stress: 0.0,
@@ -135,17 +135,17 @@ const IDLE: RubbingPoint = RubbingPoint {
 };
 
 /// Nodes from idle to far beyond any contact.
-fn rubbing_points() -> [RubbingPoint; 9] {
+fn surface_states() -> [SurfaceState; 9] {
     [
         IDLE,
         IN_CONTACT,
-        RubbingPoint { temperature: 293.15, ..IN_CONTACT },
-        RubbingPoint { temperature: 473.15, ..IN_CONTACT },
-        RubbingPoint { pressure: 6e9, solid_pressure: 6e9, shear_stress: 6.9e8, ..IN_CONTACT },
-        RubbingPoint { solid_pressure: 0.0, shear_stress: 1e7, gap: 50e-9, in_contact: false, ..IN_CONTACT },
-        RubbingPoint { sliding_speed: 10.0, ..IN_CONTACT },
-        RubbingPoint { temperature: 0.0, ..IN_CONTACT },
-        RubbingPoint {
+        SurfaceState { temperature: 293.15, ..IN_CONTACT },
+        SurfaceState { temperature: 473.15, ..IN_CONTACT },
+        SurfaceState { pressure: 6e9, solid_pressure: 6e9, shear_stress: 6.9e8, ..IN_CONTACT },
+        SurfaceState { solid_pressure: 0.0, shear_stress: 1e7, gap: 50e-9, in_contact: false, ..IN_CONTACT },
+        SurfaceState { sliding_speed: 10.0, ..IN_CONTACT },
+        SurfaceState { temperature: 0.0, ..IN_CONTACT },
+        SurfaceState {
             pressure: 1e12,
             solid_pressure: 1e12,
             shear_stress: 1e12,

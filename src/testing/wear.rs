@@ -1,7 +1,7 @@
 //! The contract of wear.
 
-use super::{Contract, Violation, rubbing_points, same};
-use crate::rubbing::RubbingPoint;
+use super::{Contract, Violation, same, surface_states};
+use crate::surface_state::SurfaceState;
 use crate::wear::WearLaw;
 
 /// Films \[m\] of the check.
@@ -20,13 +20,13 @@ const FILMS: [f64; 4] = [0.0, 20e-9, 200e-9, 1e-6];
 /// ```
 pub fn wear_law(law: &dyn WearLaw) -> Result<(), Violation> {
     let contract = Contract::of(law);
-    for at in rubbing_points() {
+    for at in surface_states() {
         for film in FILMS {
             check_at(&contract, law, &at, film)?;
         }
     }
-    let (points, films): (Vec<RubbingPoint>, Vec<f64>) =
-        rubbing_points().into_iter().flat_map(|at| FILMS.map(|film| (at, film))).unzip();
+    let (points, films): (Vec<SurfaceState>, Vec<f64>) =
+        surface_states().into_iter().flat_map(|at| FILMS.map(|film| (at, film))).unzip();
     let mut rates = vec![0.0; points.len()];
     law.depth_rates(&points, &films, &mut rates);
     for (rate, (at, film)) in rates.into_iter().zip(points.iter().zip(films)) {
@@ -39,12 +39,12 @@ pub fn wear_law(law: &dyn WearLaw) -> Result<(), Violation> {
 }
 
 /// Checks all clauses at one node under `film` \[m\].
-fn check_at(contract: &Contract, law: &dyn WearLaw, at: &RubbingPoint, film: f64) -> Result<(), Violation> {
+fn check_at(contract: &Contract, law: &dyn WearLaw, at: &SurfaceState, film: f64) -> Result<(), Violation> {
     let rate = law.depth_rate(at, film);
     contract.require(rate.is_finite() && rate >= 0.0, "rates are finite and never negative", || {
         format!("{rate} m/s under {film} m of film at {at:?}")
     })?;
-    let resting = law.depth_rate(&RubbingPoint { sliding_speed: 0.0, ..*at }, film);
+    let resting = law.depth_rate(&SurfaceState { sliding_speed: 0.0, ..*at }, film);
     contract
         .require(resting == 0.0, "the rate is zero at rest", || format!("{resting} m/s at {at:?} at rest"))?;
     let unloaded = loaded(at, 0.0);
@@ -52,7 +52,7 @@ fn check_at(contract: &Contract, law: &dyn WearLaw, at: &RubbingPoint, film: f64
     contract
         .require(idle == 0.0, "the rate is zero without load", || format!("{idle} m/s at {unloaded:?}"))?;
     for factor in [1.5, 4.0] {
-        let faster = RubbingPoint { sliding_speed: factor * at.sliding_speed, ..*at };
+        let faster = SurfaceState { sliding_speed: factor * at.sliding_speed, ..*at };
         let heavier = loaded(at, factor);
         for (clause, harder) in
             [("faster sliding never wears less", faster), ("higher load never wears less", heavier)]
@@ -67,8 +67,8 @@ fn check_at(contract: &Contract, law: &dyn WearLaw, at: &RubbingPoint, film: f64
 }
 
 /// The node with all stresses multiplied by `factor`.
-fn loaded(at: &RubbingPoint, factor: f64) -> RubbingPoint {
-    RubbingPoint {
+fn loaded(at: &SurfaceState, factor: f64) -> SurfaceState {
+    SurfaceState {
         pressure: factor * at.pressure,
         solid_pressure: factor * at.solid_pressure,
         shear_stress: factor * at.shear_stress,

@@ -1,13 +1,13 @@
 //! Conditions for tribochemical activity of a node.
 
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// Condition under which the film of a node grows and is removed; the film of an inactive node is frozen.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::tribochem::Activation;
-/// let at = RubbingPoint::new(1e9, 353.15).with_sliding_speed(0.005)
+/// let at = SurfaceState::new(1e9, 353.15).with_sliding_speed(0.005)
 ///     .with_gap(20e-9);
 /// assert!(!Activation::SolidContact.is_active(&at));
 /// assert!(Activation::Pressure.is_active(&at));
@@ -28,7 +28,7 @@ pub enum Activation {
 
 impl Activation {
     /// Whether a node in the state `at` is active.
-    pub fn is_active(self, at: &RubbingPoint) -> bool {
+    pub fn is_active(self, at: &SurfaceState) -> bool {
         match self {
             Self::SolidContact => at.in_contact,
             Self::Pressure => at.pressure > 0.0,

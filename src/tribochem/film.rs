@@ -2,7 +2,7 @@
 
 use super::FilmGrowthLaw;
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// The tribofilm on the nodes of a body's own surface; it moves with the body.
 /// States are node-major, `states[node * n_states + s]`. The film stores the states, not the law: every call
@@ -10,11 +10,11 @@ use crate::rubbing::RubbingPoint;
 /// same law to every call.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::tribochem::{Ghanbarzadeh, Tribofilm};
 /// let law = Ghanbarzadeh::azam_2019();
 /// let mut film = Tribofilm::bare(&law, 4);
-/// let contact = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+/// let contact = SurfaceState::new(1e9, 353.15).with_solid_pressure(1e9)
 ///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
 /// let open = contact.with_in_contact(false);
 /// film.advance(&law, 600.0, |node| if node < 2 { contact } else { open })?;
@@ -123,7 +123,7 @@ impl Tribofilm {
         &mut self,
         law: &dyn FilmGrowthLaw,
         time_step: f64,
-        mut point: impl FnMut(usize) -> RubbingPoint,
+        mut point: impl FnMut(usize) -> SurfaceState,
     ) -> Result<(), InputError> {
         InputError::require_non_negative("time_step", time_step)?;
         self.require_law(law)?;
@@ -141,7 +141,7 @@ impl Tribofilm {
         &mut self,
         law: &dyn FilmGrowthLaw,
         time_step: f64,
-        at: &[RubbingPoint],
+        at: &[SurfaceState],
     ) -> Result<(), InputError> {
         InputError::require_non_negative("time_step", time_step)?;
         self.require_law(law)?;

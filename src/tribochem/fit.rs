@@ -15,7 +15,7 @@ use thiserror::Error;
 
 use super::{FilmGrowthLaw, GrowthCurve};
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// Step of the difference quotients, in the logarithm of a constant.
 const PROBE: f64 = 1e-5;
@@ -111,9 +111,9 @@ pub struct GrowthFit<L> {
 /// a factor of 10.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::tribochem::{FilmGrowthLaw, Ghanbarzadeh, GrowthCurve, fit_growth_law};
-/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+/// let at = SurfaceState::new(1e9, 353.15).with_solid_pressure(1e9)
 ///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
 /// // A film by the law itself, rounded to 0.1 nm.
 /// let truth = Ghanbarzadeh::azam_2019();
@@ -134,7 +134,7 @@ pub struct GrowthFit<L> {
 /// ```
 pub fn fit_growth_law<L: FilmGrowthLaw>(
     curve: &GrowthCurve,
-    at: &RubbingPoint,
+    at: &SurfaceState,
     start: &[(&str, f64)],
     law: impl Fn(&[f64]) -> Result<L, InputError>,
 ) -> Result<GrowthFit<L>, FitError> {
@@ -166,7 +166,7 @@ struct Problem<'a, F> {
     /// The measurement.
     curve: &'a GrowthCurve,
     /// Conditions of the measurement.
-    at: &'a RubbingPoint,
+    at: &'a SurfaceState,
     /// Constructs the law from the constants.
     law: &'a F,
     /// Largest thickness, the scale of the residuals.

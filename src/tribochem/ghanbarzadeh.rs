@@ -4,7 +4,7 @@ use super::barrier::BOLTZMANN;
 use super::first_order::relax;
 use super::{Activation, FilmGrowthLaw};
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// Planck constant \[J s\].
 const PLANCK: f64 = 6.62607015e-34;
@@ -24,10 +24,10 @@ const PLANCK: f64 = 6.62607015e-34;
 /// by Azam, Ghanbarzadeh, Neville, Morina, Wilson (2019), Tribology International 135, 161-169.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::tribochem::{FilmGrowthLaw, Ghanbarzadeh};
 /// let law = Ghanbarzadeh::azam_2019();
-/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+/// let at = SurfaceState::new(1e9, 353.15).with_solid_pressure(1e9)
 ///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
 /// let mut states = [0.0; 2];
 /// law.advance(&at, 2947.0, &mut states);
@@ -105,7 +105,7 @@ impl Ghanbarzadeh {
 }
 
 impl FilmGrowthLaw for Ghanbarzadeh {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if !self.activation.is_active(at) {
             return 0.0;
         }
@@ -133,7 +133,7 @@ impl FilmGrowthLaw for Ghanbarzadeh {
         states.first().copied()
     }
 
-    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+    fn advance(&self, at: &SurfaceState, time_step: f64, states: &mut [f64]) {
         if let [grown, removed, ..] = states
             && self.activation.is_active(at)
             && time_step > 0.0

@@ -48,7 +48,7 @@ pub use proportional_removal::ProportionalRemoval;
 pub use stress_activated::StressActivated;
 pub use thermal_arrhenius::ThermalArrhenius;
 
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// Growth and removal of a tribofilm at a node.
 ///
@@ -62,13 +62,13 @@ use crate::rubbing::RubbingPoint;
 /// there.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::tribochem::FilmGrowthLaw;
 ///
 /// #[derive(Debug)]
 /// struct Saturating;
 /// impl FilmGrowthLaw for Saturating {
-///     fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+///     fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
 ///         if at.in_contact { 1e-3 * (100e-9 - thickness) } else { 0.0 }
 ///     }
 ///     fn maximum_thickness(&self) -> f64 {
@@ -77,7 +77,7 @@ use crate::rubbing::RubbingPoint;
 /// }
 ///
 /// let mut states = [0.0];
-/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+/// let at = SurfaceState::new(1e9, 353.15).with_solid_pressure(1e9)
 ///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
 /// Saturating.advance(&at, 5000.0, &mut states);
 /// assert!((states[0] - 100e-9 * (1.0 - (-5.0_f64).exp())).abs() < 1e-18);
@@ -85,7 +85,7 @@ use crate::rubbing::RubbingPoint;
 pub trait FilmGrowthLaw: Debug + Send + Sync {
     /// Net growth rate `dh/dt` \[m/s\] of a film of `thickness` \[m\] without further history, with the
     /// states of [`start`](Self::start); zero at an inactive node.
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64;
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64;
 
     /// Thickness limit of growth \[m\], the reference thickness of hardness and wear.
     fn maximum_thickness(&self) -> f64;
@@ -121,7 +121,7 @@ pub trait FilmGrowthLaw: Debug + Send + Sync {
     /// rounding for rates linear in the thickness, and accurate to about 1e-5 of the largest thickness for
     /// smooth rates. It is stable for any step, bounded in work, and does not cross zero, the largest
     /// thickness or an equilibrium of growth and removal. A rate that is not finite freezes the film.
-    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+    fn advance(&self, at: &SurfaceState, time_step: f64, states: &mut [f64]) {
         if let Some(thickness) = states.first_mut() {
             let rate = |thickness: f64| self.rate(at, thickness);
             *thickness = integrate::integrate(rate, self.maximum_thickness(), *thickness, time_step);
@@ -133,7 +133,7 @@ pub trait FilmGrowthLaw: Debug + Send + Sync {
     ///
     /// The default calls [`advance`](Self::advance) for each node. It is overridden by laws that process
     /// whole fields, with [`integrate_rates`] as the corresponding default integration. Both must agree.
-    fn advance_all(&self, at: &[RubbingPoint], time_step: f64, states: &mut [f64]) {
+    fn advance_all(&self, at: &[SurfaceState], time_step: f64, states: &mut [f64]) {
         for (at, states) in at.iter().zip(states.chunks_exact_mut(self.n_states().max(1))) {
             self.advance(at, time_step, states);
         }

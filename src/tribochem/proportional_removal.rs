@@ -4,7 +4,7 @@ use super::barrier::Barrier;
 use super::first_order::relax;
 use super::{Activation, FilmGrowthLaw};
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// `dh/dt = G exp[-(E - tau V) / (k_B T)] - a h` at active nodes: growth activated by the shear stress `tau`,
 /// independent of the film, and removal proportional to the film, as thick films are softer at the top. The
@@ -14,11 +14,11 @@ use crate::rubbing::RubbingPoint;
 /// constants are for the user to provide; they were fitted for each experiment.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::tribochem::{FilmGrowthLaw, ProportionalRemoval};
 /// // 0.2 nm/s at any stress and 2e-3 1/s: 100 nm in equilibrium.
 /// let law = ProportionalRemoval::new(200e-9, 0.2e-9, 0.0, 0.0, 2e-3)?;
-/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+/// let at = SurfaceState::new(1e9, 353.15).with_solid_pressure(1e9)
 ///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
 /// let mut states = [0.0];
 /// law.advance(&at, 500.0, &mut states);
@@ -67,13 +67,13 @@ impl ProportionalRemoval {
     }
 
     /// Growth rate at a node without removal \[m/s\].
-    fn growth(&self, at: &RubbingPoint) -> f64 {
+    fn growth(&self, at: &SurfaceState) -> f64 {
         self.barrier.rate(at.shear_stress, at.temperature)
     }
 }
 
 impl FilmGrowthLaw for ProportionalRemoval {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if !self.activation.is_active(at) {
             return 0.0;
         }
@@ -85,7 +85,7 @@ impl FilmGrowthLaw for ProportionalRemoval {
         self.maximum
     }
 
-    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+    fn advance(&self, at: &SurfaceState, time_step: f64, states: &mut [f64]) {
         let [thickness, ..] = states else { return };
         if !(self.activation.is_active(at) && time_step > 0.0) {
             return;

@@ -4,7 +4,7 @@ use super::barrier::Barrier;
 use super::first_order::relax;
 use super::{Activation, FilmGrowthLaw};
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// `dh/dt = k_0 exp[-(E - s V) / (k_B T)] (h_max - h)` at active nodes, the Bell model: a stress `s` on the
 /// activation volume `V` lowers the barrier `E`, down to zero. Exact for any time step.
@@ -110,7 +110,7 @@ impl StressActivated {
     }
 
     /// Rate constant at a node, by its activating stress.
-    fn rate_constant_at(&self, at: &RubbingPoint) -> f64 {
+    fn rate_constant_at(&self, at: &SurfaceState) -> f64 {
         let stress = match self.stress {
             Stress::Shear => at.shear_stress,
             Stress::Normal => at.pressure,
@@ -120,7 +120,7 @@ impl StressActivated {
 }
 
 impl FilmGrowthLaw for StressActivated {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if self.activation.is_active(at) {
             self.rate_constant_at(at) * (self.maximum - thickness)
         } else {
@@ -132,7 +132,7 @@ impl FilmGrowthLaw for StressActivated {
         self.maximum
     }
 
-    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+    fn advance(&self, at: &SurfaceState, time_step: f64, states: &mut [f64]) {
         if let [thickness, ..] = states
             && self.activation.is_active(at)
             && time_step > 0.0

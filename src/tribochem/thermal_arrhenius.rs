@@ -4,7 +4,7 @@ use super::barrier::Barrier;
 use super::first_order::relax;
 use super::{Activation, FilmGrowthLaw};
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// `dh/dt = k_0 exp[-E / (k_B T)] (h_max - h)` at active nodes: saturating growth at a rate that depends on
 /// the temperature alone, including the flash temperature. Exact for any time step.
@@ -66,7 +66,7 @@ impl ThermalArrhenius {
 }
 
 impl FilmGrowthLaw for ThermalArrhenius {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if self.activation.is_active(at) {
             self.rate_constant(at.temperature) * (self.maximum - thickness)
         } else {
@@ -78,7 +78,7 @@ impl FilmGrowthLaw for ThermalArrhenius {
         self.maximum
     }
 
-    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+    fn advance(&self, at: &SurfaceState, time_step: f64, states: &mut [f64]) {
         if let [thickness, ..] = states
             && self.activation.is_active(at)
             && time_step > 0.0

@@ -10,15 +10,15 @@ use crate::with_fields::with_fields;
 /// # Examples
 ///
 /// ```
-/// use stribeck::RubbingPoint;
-/// let fluid = RubbingPoint::new(5e8, 353.15);
+/// use stribeck::SurfaceState;
+/// let fluid = SurfaceState::new(5e8, 353.15);
 /// assert!(!fluid.in_contact && fluid.solid_pressure == 0.0);
 /// let solid = fluid.with_solid_pressure(5e8).with_shear_stress(5.75e7).with_in_contact(true);
 /// assert!((solid.shear_stress / solid.solid_pressure - 0.115).abs() < 1e-12);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct RubbingPoint {
+pub struct SurfaceState {
     /// Total pressure, fluid and solid \[Pa\].
     pub pressure: f64,
     /// Pressure of solid contact \[Pa\].
@@ -35,7 +35,7 @@ pub struct RubbingPoint {
     pub in_contact: bool,
 }
 
-with_fields!(RubbingPoint {
+with_fields!(SurfaceState {
     with_pressure pressure: f64,
     with_solid_pressure solid_pressure: f64,
     with_shear_stress shear_stress: f64,
@@ -45,7 +45,7 @@ with_fields!(RubbingPoint {
     with_in_contact in_contact: bool,
 });
 
-impl RubbingPoint {
+impl SurfaceState {
     /// A node under the fluid pressure `pressure` \[Pa\] at `temperature` \[K\], without solid contact, film
     /// or sliding.
     pub const fn new(pressure: f64, temperature: f64) -> Self {
