@@ -77,8 +77,8 @@ impl BoundaryFriction for ConstantFriction {
     }
 }
 
-/// Friction between bare and covered surfaces: `mu = mu_bare + c (mu_covered - mu_bare)` with the coverage `c
-/// = min{(h_1 + h_2) / h_full, 1}` of the tribofilms `h_1` and `h_2` between the solids.
+/// Friction between bare and covered surfaces: `mu = mu_bare + c (mu_covered - mu_bare)` with the coverage
+/// `c = min{(h_1 + h_2) / h_full, 1}` of the tribofilms `h_1` and `h_2` between the solids.
 ///
 /// ```
 /// use stribeck::{BoundaryFriction, FilmFriction};

@@ -116,7 +116,7 @@ fn contact_at_the_box_edge_is_an_error_unless_allowed() {
             }
             scene.solver.edge_contact = true;
             let solution = solved(&scene);
-            assert!(solution.pressure.max > 1.0003 * 1.15e9, "what is missing outside is carried inside");
+            assert!(solution.pressure.max > 1.0003 * 1.15e9, "the load outside of the box is carried inside");
             let load = solution.state.pressure.iter().sum::<f64>() * solution.grid.cell_area();
             assert!((load / solution.hertz.force - 1.0).abs() < 1e-9);
         }

@@ -47,10 +47,10 @@ fn estimate(body: &mut dyn DeformationModel, displacement: &[f64]) -> Vec<f64> {
     out
 }
 
-fn assert_close(found: &[f64], expected: &[f64], relative: f64, what: &str) {
+fn assert_close(found: &[f64], expected: &[f64], relative: f64, label: &str) {
     let scale = largest(expected);
     for (k, (f, e)) in found.iter().zip(expected).enumerate() {
-        assert!((f - e).abs() <= relative * scale, "{what}, node {k}: {f:e} instead of {e:e}");
+        assert!((f - e).abs() <= relative * scale, "{label}, node {k}: {f:e} instead of {e:e}");
     }
 }
 
@@ -255,8 +255,8 @@ impl DeformationModel for Springs {
     }
 }
 
-/// A paraboloid on springs in dry contact and with a negligible film: `p = (depth - gap)/c` inside, `depth =
-/// sqrt(load c/(pi r))`.
+/// A paraboloid on springs in dry contact and with a negligible film: `p = (depth - gap)/c` inside,
+/// `depth = sqrt(load c/(pi r))`.
 #[test]
 fn spring_foundation_is_solved_exactly() {
     let (radius, load) = (1e-2, 2.0);
@@ -749,10 +749,10 @@ fn dry_solver_rejects_invalid_problems_by_name() {
     short.gap = &gap;
     let error = Dry::new().solve(&mut short, &mut state, &stop).unwrap_err();
     assert!(matches!(&error, ReynoldsError::Input(e) if e.to_string().starts_with("gap has 255")), "{error}");
-    for (what, limit) in &limits {
+    for (case, limit) in &limits {
         let mut bad = scene.problem().with_pressure_limit(Some(limit));
         let error = Dry::new().solve(&mut bad, &mut state, &stop).unwrap_err();
-        assert!(error.to_string().starts_with("pressure_limit"), "{what}: {error}");
+        assert!(error.to_string().starts_with("pressure_limit"), "{case}: {error}");
     }
     for (name, load) in [("negative", -1.0), ("none", 0.0), ("not a number", f64::NAN)] {
         let mut bad = scene.problem().with_load(load);

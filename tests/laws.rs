@@ -219,9 +219,10 @@ proptest! {
         prop_assert!((0.0..=200e-9).contains(&a));
     }
 
-    /// Linear law: the only error is that of the numerical slope. Rates have rounding errors of about `3 eps
-    /// k h_max` and the increment is 1e-5 h_max, so the relative error of the slope is `3 eps / 1e-5 = 7e-11`
-    /// and that of the film less than twice that (half steps) times the distance to the equilibrium.
+    /// Linear law: the only error is that of the numerical slope. Rates have rounding errors of about
+    /// `3 eps k h_max` and the increment is 1e-5 h_max, so the relative error of the slope is
+    /// `3 eps / 1e-5 = 7e-11` and that of the film less than twice that (half steps) times the distance to
+    /// the equilibrium.
     #[test]
     fn default_integrator_is_exact_for_linear_laws(
         log_k in -6.0..4.0_f64, removal_share in 0.0..3.0_f64,
@@ -364,8 +365,8 @@ fn moving_disc_matches_tian_and_kennedy() {
     }
 }
 
-/// Cells larger than the thermal boundary layer (cell Peclet number 50) still give the strip limit `2 q
-/// sqrt(l / (pi k rho c V))` of a square at high speed.
+/// Cells larger than the thermal boundary layer (cell Peclet number 50) still give the strip limit
+/// `2 q sqrt(l / (pi k rho c V))` of a square at high speed.
 #[test]
 fn coarse_cells_at_high_speed_match_the_strip_limit() {
     let (half, n) = (1e-4, 10);

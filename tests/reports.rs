@@ -1,4 +1,4 @@
-//! What reports tell: the way to the solution, the residuals of each step.
+//! Solve reports: strategy and residual history.
 
 use stribeck::reynolds::{Attempt, ContactDefinition, NewtonKrylov, NewtonSettings};
 use stribeck::sim::scene::SolverKind;

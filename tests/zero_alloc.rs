@@ -1,4 +1,4 @@
-//! What a simulation calls in every step allocates nothing once its buffers are made.
+//! Solves, laws and simulation steps allocate nothing after their first call.
 #![expect(clippy::unwrap_used, reason = "tests")]
 
 use std::alloc::{GlobalAlloc, Layout, System};

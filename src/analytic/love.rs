@@ -23,8 +23,8 @@ const GAUSS_8: [(f64, f64); 4] = [
     (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
 ];
 
-/// Integral of `1/r` \[m\] over the rectangle `|x'| <= half_x`, `|y'| <= half_y`, evaluated at the point `(x,
-/// y)` of its plane:
+/// Integral of `1/r` \[m\] over the rectangle `|x'| <= half_x`, `|y'| <= half_y`, evaluated at the point
+/// `(x, y)` of its plane:
 ///
 /// `f(x, y) = integral dx' dy' / sqrt((x - x')^2 + (y - y')^2)`.
 ///
@@ -59,9 +59,9 @@ pub fn rectangle_potential(x: f64, y: f64, half_x: f64, half_y: f64) -> f64 {
     potential(x.abs(), y.abs(), half_x, half_y)
 }
 
-/// Displacement \[m\] of the pair of surfaces at `(x, y)` under `pressure` \[Pa\] on the rectangle `|x'| <=
-/// half_x`, `|y'| <= half_y` \[m\]: `u = 2 p / (pi E') f(x, y)` with the equivalent modulus `E'` \[Pa\] and
-/// [`rectangle_potential`] `f`.
+/// Displacement \[m\] of the pair of surfaces at `(x, y)` under `pressure` \[Pa\] on the rectangle
+/// `|x'| <= half_x`, `|y'| <= half_y` \[m\]: `u = 2 p / (pi E') f(x, y)` with the equivalent modulus `E'`
+/// \[Pa\] and [`rectangle_potential`] `f`.
 ///
 /// Arguments outside their range (`E'` above zero, sizes non-negative, all finite) give `NaN`.
 ///

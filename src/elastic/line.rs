@@ -14,8 +14,8 @@ use crate::grid::Grid;
 /// FFTs of twice the line.
 ///
 /// Plane-strain displacements have no finite limit at infinity: `u`, and the approach of the bodies with it,
-/// are zero at the distance `reference` from a line load. Another reference shifts `u` and the approach by `4
-/// w/(pi E')` times the logarithm of the ratio of references, with the load per length `w`, and changes
+/// are zero at the distance `reference` from a line load. Another reference shifts `u` and the approach by
+/// `4 w/(pi E')` times the logarithm of the ratio of references, with the load per length `w`, and changes
 /// neither pressure nor gap.
 ///
 /// The grid has one row. `E'` is the equivalent modulus, `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`. Cost: one

@@ -81,7 +81,7 @@ impl<M: DeformationModel> WithLocalCompliance<M> {
         &self.bodies
     }
 
-    /// Mean of the compliance weighted with itself, `sum(c^2)/sum(c)` \[m/Pa\]: the mean_compliance value of covered
+    /// Mean of the compliance weighted with itself, `sum(c^2)/sum(c)` \[m/Pa\]: the typical value of covered
     /// nodes.
     pub fn mean_compliance(&self) -> f64 {
         self.mean_compliance

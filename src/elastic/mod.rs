@@ -84,8 +84,9 @@ pub trait DeformationModel: Debug + Send + Sync {
     /// most [`NEAR`]): line relaxations solve for these implicitly.
     fn influence(&self, di: usize, dj: usize) -> f64;
 
-    /// The displacement of node `node` under unit pressure on itself \[m/Pa\]. The default is `influence(0,
-    /// 0)` for all nodes. Where the value varies over the nodes, `influence(0, 0)` is a representative value.
+    /// The displacement of node `node` under unit pressure on itself \[m/Pa\]. The default is
+    /// `influence(0, 0)` for all nodes. Where the value varies over the nodes, `influence(0, 0)` is a
+    /// representative value.
     fn self_influence(&self, _node: usize) -> f64 {
         self.influence(0, 0)
     }

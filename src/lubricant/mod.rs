@@ -298,9 +298,9 @@ impl Lubricant {
     /// with a relative error of the reduced pressure below 1e-7 for `alpha` up to 40 1/GPa; linear above
     /// 20.48 GPa.
     ///
-    /// The flow through a face at film `h` between pressures 1 and 2 is exactly `h^3 (q_1 - q_2) / (12
-    /// eta_0)` times width over length. It increases with `p_1` and decreases with `p_2` for any viscosity
-    /// law.
+    /// The flow through a face at film `h` between pressures 1 and 2 is exactly
+    /// `h^3 (q_1 - q_2) / (12 eta_0)` times width over length. It increases with `p_1` and decreases with
+    /// `p_2` for any viscosity law.
     ///
     /// ```
     /// use stribeck::lubricant::{Barus, Incompressible, Lubricant};

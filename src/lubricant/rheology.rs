@@ -3,9 +3,9 @@
 use super::thinning::Thinning;
 use crate::error::InputError;
 
-/// Newtonian, `tau = eta g`, Eyring, `tau = tau_E asinh(eta g / tau_E)`, or Carreau, `tau = eta g [1 + (eta
-/// g/G)^2]^((n - 1)/2)`, each with an optional limiting stress, constant or proportional to the pressure. `g`
-/// is the shear rate \[1/s\].
+/// Newtonian, `tau = eta g`, Eyring, `tau = tau_E asinh(eta g / tau_E)`, or Carreau,
+/// `tau = eta g [1 + (eta g/G)^2]^((n - 1)/2)`, each with an optional limiting stress, constant or
+/// proportional to the pressure. `g` is the shear rate \[1/s\].
 ///
 /// Mineral oils have Eyring stresses of about 5 to 10 MPa and limiting stresses of 5 to 10 % of the pressure.
 /// The rheology determines friction and heat; for pressure flow see

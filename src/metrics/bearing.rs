@@ -98,8 +98,8 @@ impl BearingCurve {
         Ok(Self { heights })
     }
 
-    /// The heights \[m\] about their mean, highest first; the i-th of n is at the material ratio `(i +
-    /// 1/2)/n`.
+    /// The heights \[m\] about their mean, highest first; the i-th of n is at the material ratio
+    /// `(i + 1/2)/n`.
     #[must_use]
     pub fn heights(&self) -> &[f64] {
         &self.heights
@@ -146,8 +146,8 @@ impl BearingCurve {
 
     /// Core, peak and valley parameters.
     ///
-    /// For a normal distribution with standard deviation Sq: `sk = 2.622 Sq`, `spk = svk = 0.937 Sq`, `smr1 =
-    /// 9.49 %`.
+    /// For a normal distribution with standard deviation Sq: `sk = 2.622 Sq`, `spk = svk = 0.937 Sq`,
+    /// `smr1 = 9.49 %`.
     ///
     /// ```
     /// # use stribeck::metrics::BearingCurve;

@@ -7,8 +7,8 @@ use crate::grid::Grid;
 /// Share of the Hertz radii that bounds the central region.
 pub(crate) const CENTRAL: f64 = 2.0 / 3.0;
 
-/// Mean central film \[m\]: the mean of `max(film, 0)` over the nodes with `(x/a_x)^2 + (y/a_y)^2 <=
-/// (2/3)^2`, for Hertz semi-axes `a_x`, `a_y` \[m\] at the origin of the grid.
+/// Mean central film \[m\]: the mean of `max(film, 0)` over the nodes with
+/// `(x/a_x)^2 + (y/a_y)^2 <= (2/3)^2`, for Hertz semi-axes `a_x`, `a_y` \[m\] at the origin of the grid.
 ///
 /// Negative gaps (overlaps in a solution with errors) count as zero.
 /// Source: Zhu, D. and Hu, Y. Z. (2001), Tribology Transactions 44, 383-390 (the two-thirds region).

@@ -95,8 +95,8 @@ pub fn radial_spectrum(grid: &Grid, heights: &[f64], boundary: Boundary) -> Resu
     Ok(Spectrum { wavenumber, density })
 }
 
-/// Mean of the one-sided density `C(q) = |h(q)|^2 / L` of all profiles along `axis` \[m^3\], with `h(q) = d
-/// sum z exp(-i q x)` and the length L: `Rq^2 = 1/pi` times the integral of C over q > 0.
+/// Mean of the one-sided density `C(q) = |h(q)|^2 / L` of all profiles along `axis` \[m^3\], with
+/// `h(q) = d sum z exp(-i q x)` and the length L: `Rq^2 = 1/pi` times the integral of C over q > 0.
 ///
 /// Profiles of an open surface are weighted with a Hann window of mean square 1. The mean of the whole
 /// surface is removed.

@@ -1,8 +1,8 @@
 //! Fourier transforms of periodic fields.
 //!
 //! Complex fields of `nx` x `ny` values, row-major: `F[l, k] = sum f[j, i] exp(-+ 2 pi i (k i/nx + l j/ny))`
-//! with the upper sign for the forward transform. A forward and an inverse transform multiply a field by `nx
-//! ny`.
+//! with the upper sign for the forward transform. A forward and an inverse transform multiply a field by
+//! `nx ny`.
 //!
 //! Real fields use [`RealFft2`](super::RealFft2); spectra and correlations need the complex transform.
 

@@ -1,8 +1,8 @@
 //! Numerical algorithms of the modules above: zero-padded convolution, periodic transforms, sparse LU,
 //! tridiagonal elimination, GMRES, vectors.
 //!
-//! The module is private and independent of contact mechanics. Fields are row-major slices without units, `k
-//! = j nx + i`.
+//! The module is private and independent of contact mechanics. Fields are row-major slices without units,
+//! `k = j nx + i`.
 //!
 //! | topic | module |
 //! |---|---|

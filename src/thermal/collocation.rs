@@ -5,8 +5,9 @@ pub(super) const POINTS: usize = 8;
 /// Iteration limit of Newton's method for the roots of a Legendre polynomial; a few steps suffice.
 const MAX_STEPS: usize = 50;
 
-/// Nodes and weights on (0, 1), and the Green's function of conduction: `theta'' = -s` with `theta(0) =
-/// theta(1) = 0` has the solution `theta_i = sum_j green[i][j] s_j`, exact for polynomials of degree 7.
+/// Nodes and weights on (0, 1), and the Green's function of conduction: `theta'' = -s` with
+/// `theta(0) = theta(1) = 0` has the solution `theta_i = sum_j green[i][j] s_j`, exact for polynomials of
+/// degree 7.
 #[derive(Debug, Clone)]
 pub(super) struct Collocation {
     pub(super) nodes: [f64; POINTS],

@@ -121,11 +121,11 @@ impl HeatBalance {
 
 /// Temperatures of film and surfaces in a contact.
 ///
-/// Each node is a [`FilmSection`]. Sections of a row are coupled by two advecting streams, `C = rho c (Q+ +
-/// Q-) / dx`, first-order upwind: forward flow `Q+` brings the mean temperature of the upstream node, reverse
-/// flow `Q-` that of the downstream node. `Q+ - Q-` is the flow through the section, entrainment less
-/// pressure backflow. In an inlet it is a small difference, so both must be those of the solved contact. The
-/// streams are those of a film of uniform viscosity.
+/// Each node is a [`FilmSection`]. Sections of a row are coupled by two advecting streams,
+/// `C = rho c (Q+ + Q-) / dx`, first-order upwind: forward flow `Q+` brings the mean temperature of the
+/// upstream node, reverse flow `Q-` that of the downstream node. `Q+ - Q-` is the flow through the section,
+/// entrainment less pressure backflow. In an inlet it is a small difference, so both must be those of the
+/// solved contact. The streams are those of a film of uniform viscosity.
 ///
 /// Heat conducted to the surfaces raises their temperature by [`FlashTemperature::rises_through_film`]. Film
 /// and surfaces are solved in alternating passes, in which the surface temperature of a node responds in

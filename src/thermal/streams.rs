@@ -10,13 +10,13 @@
 ///
 /// `Q- = E [F(y_1) - F(y_2)]`, `F = y (2 b y^2 + S y/2 + 1 - 3 b/2)`, `Q+ = Q + Q-`.
 ///
-/// With `r^2 = S^2 - 24 b (1 - 3 b/2)` the limits are the roots of `u(y)`, `y_1 = -(S + r)/(12 b)` and `y_2 =
-/// -2 (1 - 3 b/2)/(S + r)`. With `b <= 0`, where pressure drives the film forward, all layers below `y_2`
-/// move backward: `y_1 = -1/2`.
+/// With `r^2 = S^2 - 24 b (1 - 3 b/2)` the limits are the roots of `u(y)`, `y_1 = -(S + r)/(12 b)` and
+/// `y_2 = -2 (1 - 3 b/2)/(S + r)`. With `b <= 0`, where pressure drives the film forward, all layers below
+/// `y_2` move backward: `y_1 = -1/2`.
 ///
-/// Between surfaces of equal speed there is reverse flow only for `Q < E/3`; at `Q = 0` it is `E / (3 sqrt
-/// 3)`. With `S > 2`, where the slower surface moves backward, reverse flow exists for any `b`; with `S <= 2`
-/// and `b <= 0` there is none.
+/// Between surfaces of equal speed there is reverse flow only for `Q < E/3`; at `Q = 0` it is
+/// `E / (3 sqrt 3)`. With `S > 2`, where the slower surface moves backward, reverse flow exists for any `b`;
+/// with `S <= 2` and `b <= 0` there is none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Streams {
     /// Forward flow `Q+` \[m^2/s\].

@@ -52,10 +52,10 @@ pub struct FlashReport {
 ///
 /// computed by zero-padded FFT convolution over cells of uniform flux with exactly integrated coefficients,
 /// without periodic images and with the zero mode. The friction heat `q = q_1 + q_2` is partitioned such that
-/// `T_1 = T_2` at every heated node (`q > 0`), by iteration from the initial guess `q_1 = q T_2[q] / (T_1[q]
-/// + T_2[q])`; equal bodies at equal speeds need no iteration. The quotient of spectra `G_1 G_2 / (G_1 +
-/// G_2)` is not used: it would let heat cross the gap where the bodies do not touch, and it is not exact for
-/// truncated kernels.
+/// `T_1 = T_2` at every heated node (`q > 0`), by iteration from the initial guess
+/// `q_1 = q T_2[q] / (T_1[q] + T_2[q])`; equal bodies at equal speeds need no iteration. The quotient of
+/// spectra `G_1 G_2 / (G_1 + G_2)` is not used: it would let heat cross the gap where the bodies do not
+/// touch, and it is not exact for truncated kernels.
 ///
 /// Valid for heat that varies slowly compared with the transit time of the contact, and for contacts small
 /// compared with the bodies. Memory: about 20 fields and three padded spectra. Cost per call: 5 convolutions
@@ -240,9 +240,9 @@ impl FlashTemperature {
 /// [`FlashTemperature`] is needed.
 ///
 /// Heat flux `mu p |V_1 - V_2|` with the Hertz pressure (maximum `hertz_pressure` \[Pa\], radius `radius`
-/// \[m\], approximated as parabolic with the mean `2 p_H / 3`). Body `b` alone would reach `2.32 q_mean a /
-/// (k_b sqrt(pi (1.234 + Pe_b)))`, `Pe_b = |V_b| a / (2 kappa_b)`; together `1/T = 1/T_1 + 1/T_2`. Rough
-/// contacts are hotter at asperities, by about a tenth in the reference scene.
+/// \[m\], approximated as parabolic with the mean `2 p_H / 3`). Body `b` alone would reach
+/// `2.32 q_mean a / (k_b sqrt(pi (1.234 + Pe_b)))`, `Pe_b = |V_b| a / (2 kappa_b)`; together
+/// `1/T = 1/T_1 + 1/T_2`. Rough contacts are hotter at asperities, by about a tenth in the reference scene.
 ///
 /// Source: Tian and Kennedy (1994), Journal of Tribology 116, 167-174.
 ///

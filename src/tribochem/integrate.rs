@@ -18,8 +18,8 @@ const ROUNDING: f64 = 1e-9;
 /// Number of bisections at an equilibrium.
 const BISECTIONS: usize = 60;
 
-/// Thickness after `time_step` from `start` with the rate `rate(thickness)`, within `0..=max(ceiling,
-/// start)`.
+/// Thickness after `time_step` from `start` with the rate `rate(thickness)`, within
+/// `0..=max(ceiling, start)`.
 pub(super) fn integrate(rate: impl Fn(f64) -> f64, ceiling: f64, start: f64, time_step: f64) -> f64 {
     let Some(mut step) = FilmStep::new(ceiling, start, time_step) else { return start.max(0.0) };
     let mut requested = step.thickness;

@@ -1,8 +1,8 @@
 //! The dry contact problem and the outcome of a solve.
 
-/// Find pressure `p` and approach `delta` with `g = gap + K p - delta` and `0 <= p <= limit` such that `g >=
-/// 0` where `p = 0`, `g = 0` where `0 < p < limit`, `g <= 0` where `p = limit`, and the sum of `p` times the
-/// cell area equals the load.
+/// Find pressure `p` and approach `delta` with `g = gap + K p - delta` and `0 <= p <= limit` such that
+/// `g >= 0` where `p = 0`, `g = 0` where `0 < p < limit`, `g <= 0` where `p = limit`, and the sum of `p`
+/// times the cell area equals the load.
 ///
 /// # Examples
 ///

@@ -3,9 +3,9 @@
 //! Preconditioned conjugate gradients for `K d = r` on the free nodes, with the constraint that directions
 //! add no load. The preconditioned residual `z` is reduced by its mean, `d = z - mean(z) + beta d'`. `beta`
 //! makes the direction conjugate to the previous one by means of its computed displacement, not by a quotient
-//! of residuals, which tolerates products in single precision. The energy along `d` is smallest at `length =
-//! sum(r z) / sum(d K d)`. The level of the gaps, the Lagrange multiplier of the load, changes by `length`
-//! times the mean displacement of `d`.
+//! of residuals, which tolerates products in single precision. The energy along `d` is smallest at
+//! `length = sum(r z) / sum(d K d)`. The level of the gaps, the Lagrange multiplier of the load, changes by
+//! `length` times the mean displacement of `d`.
 
 use super::active_set::NodeState;
 use super::{DryOutcome, DryProblem, DrySolver};

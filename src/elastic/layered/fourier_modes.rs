@@ -23,8 +23,8 @@ use super::Layer;
 /// A function of `x = q z` and its three derivatives.
 type Derivatives = [f64; 4];
 
-/// Correction functions: `g` or `k` under unit pressure and under unit `f'(0)`, with derivatives, and `v -
-/// exp(-x)` with its derivative.
+/// Correction functions: `g` or `k` under unit pressure and under unit `f'(0)`, with derivatives, and
+/// `v - exp(-x)` with its derivative.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LayerCorrection {
     /// Under unit pressure.

@@ -41,7 +41,7 @@ pub(super) struct ImageSource {
     pub(super) strength: f64,
 }
 
-/// ImageSource sources of `layer` by least squares of the relative error; empty for a layer of the substrate's
+/// Image sources of `layer` by least squares of the relative error; empty for a layer of the substrate's
 /// material.
 pub(super) fn images(layer: &Layer) -> Result<Vec<ImageSource>, InputError> {
     let growth = (WAVE_NUMBERS[1] / WAVE_NUMBERS[0]).powf(1.0 / (SAMPLES - 1) as f64);

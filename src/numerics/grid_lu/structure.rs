@@ -120,8 +120,8 @@ impl Structure {
         structure
     }
 
-    /// Updates the structure for a new sparsity pattern. `is_coupled` states whether a node and its neighbor to
-    /// the east, west, north or south (0 to 3) are coupled by a non-zero entry in either row.
+    /// Updates the structure for a new sparsity pattern. `is_coupled` states whether a node and its neighbor
+    /// to the east, west, north or south (0 to 3) are coupled by a non-zero entry in either row.
     pub(super) fn update(&mut self, dissection: &Dissection, is_coupled: impl Fn(usize, usize) -> bool) {
         self.rank.resize(dissection.order.len(), DECOUPLED);
         self.fronts.resize(dissection.supernodes.len(), Front::default());

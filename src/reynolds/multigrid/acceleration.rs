@@ -1,8 +1,8 @@
 //! Recombination of the last two iterates.
 //!
-//! With the residuals `r` and `r'` before the last two cycles, the weight `s` that minimizes `|r + s (r' -
-//! r)|` combines the results of both cycles, pressures and approach: `p + s (p' - p)`. In cavitated cells
-//! only a deficit counts as residual.
+//! With the residuals `r` and `r'` before the last two cycles, the weight `s` that minimizes
+//! `|r + s (r' - r)|` combines the results of both cycles, pressures and approach: `p + s (p' - p)`. In
+//! cavitated cells only a deficit counts as residual.
 
 use crate::reynolds::state::ContactState;
 

@@ -1,9 +1,10 @@
 //! One grid of the hierarchy: its equations and fields.
 //!
-//! With the net outflow `F` of a cell the equations of a level are `F(p, h) = source` where `p > 0` and `F(p,
-//! h) >= source` where `p = 0`, with the film `h = gap - approach + K p` and the load as the sum of `p dx
-//! dy`. On the finest grid `source` is zero and `gap` that of the problem. On coarser grids both contain the
-//! FAS right-hand sides, for which the restricted solution of the finer grid solves the coarse equations.
+//! With the net outflow `F` of a cell the equations of a level are `F(p, h) = source` where `p > 0` and
+//! `F(p, h) >= source` where `p = 0`, with the film `h = gap - approach + K p` and the load as the sum of
+//! `p dx dy`. On the finest grid `source` is zero and `gap` that of the problem. On coarser grids both
+//! contain the FAS right-hand sides, for which the restricted solution of the finer grid solves the coarse
+//! equations.
 //!
 //! All fields are row-major on the grid of the level. The pressure is zero on the outermost ring of nodes.
 

@@ -233,8 +233,8 @@ impl ContactSolver for Multigrid {
 
 impl Workspace {
     /// Cycles until convergence, stall or the iteration limit; leaves the best state in `state`, evaluated,
-    /// and returns its status and residuals. Relaxation is damped more if a cycle leaves more than [`SLOW_REDUCTION`]
-    /// of the residual.
+    /// and returns its status and residuals. Relaxation is damped more if a cycle leaves more than
+    /// [`SLOW_REDUCTION`] of the residual.
     fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,
