@@ -292,7 +292,7 @@ fn mean(
 
 /// A Fourier mode with the wave vector along `(cos, sin)`.
 struct FourierMode {
-    /// FourierMode number \[1/m\].
+    /// Wave number \[1/m\].
     number: f64,
     /// Cosine of the angle between wave vector and x.
     cos: f64,

@@ -1,6 +1,6 @@
 //! Dense kernels on column-major blocks in single precision.
 //!
-//! Columns are zero-padded to whole SIMD vectors, so that loops have no update_matrix.
+//! Columns are zero-padded to whole SIMD vectors, so that loops have no remainder.
 
 use std::ops::Range;
 

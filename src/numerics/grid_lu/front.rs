@@ -1,4 +1,4 @@
-//! Dense operations on one front: elimination of its pivots and both children of a substitution.
+//! Dense operations on one front: elimination of its pivots and both halves of a substitution.
 //!
 //! All functions are inlined into a SIMD context; closures would not be.
 

@@ -206,9 +206,9 @@ impl Structure {
             edge.border = place as u32;
         }
         for child in children.into_iter().flatten() {
-            let first_run = index_ranges.len();
+            let first_range = index_ranges.len();
             append_index_ranges(&borders[fronts[child].border.clone()], &pivots, border, index_ranges);
-            fronts[child].index_ranges = first_run..index_ranges.len();
+            fronts[child].index_ranges = first_range..index_ranges.len();
         }
         fronts[number].border = from..borders.len();
     }
