@@ -134,7 +134,6 @@ impl HeatBalance {
 /// The heat of pressure flow is the flow through a face times the pressure drop, half to each of its nodes.
 /// The heat of compression is `T a_V Q dp/dx`. Not included: conduction along the film, advection by flow
 /// across x, and separate temperatures of the layers.
-/// flow across x carries, and that layers have temperatures of their own.
 #[derive(Debug, Clone)]
 pub struct FilmTemperature {
     /// The grid of the contact.

@@ -5,9 +5,9 @@ use crate::error::InputError;
 use crate::surface_state::SurfaceState;
 
 /// The tribofilm on the nodes of a body's own surface; it moves with the body.
+///
 /// States are node-major, `states[node * n_states + s]`. The film stores the states, not the law: every call
 /// requires the same law.
-/// same law to every call.
 ///
 /// ```
 /// use stribeck::SurfaceState;

@@ -106,6 +106,7 @@ pub struct GrowthFit<L> {
 /// The confidence intervals are those of the linearized problem, `ln c +- t s sqrt[(J^T J)^-1]`, with the
 /// Student quantile `t` for the degrees of freedom. Measurement errors are assumed independent and equal.
 ///
+/// # Errors
 /// Too few points; constants that `law` rejects; no convergence; a constant that the measurement does not
 /// determine because its effect is indistinguishable from that of the others, or because its interval exceeds
 /// a factor of 10.

@@ -188,8 +188,8 @@ impl FlashTemperature {
     }
 
     /// Solves for the flux into the first body; returns the number of iterations.
-    // initial guess: the partition of equal node temperatures
     fn partition(&mut self, heat_flux: &[f64], resistance: Option<&[f64]>) -> usize {
+        // initial guess: equal temperatures node by node
         let [first, second] = &mut self.temperatures;
         self.bodies[0].apply(heat_flux, first);
         self.bodies[1].apply(heat_flux, second);

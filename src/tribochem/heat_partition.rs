@@ -5,7 +5,6 @@
 //! bodies with the heat source in its middle the equation is `(C_1 + C_2 + R) q_1 = (C_2 + R/2) q`. The
 //! operator is unsymmetric, as moving bodies advect heat downstream; hence generalized conjugate residuals
 //! instead of conjugate gradients.
-//! residuals and not conjugate gradients.
 
 use crate::numerics::{Convolution, add_scaled, dot};
 

@@ -32,13 +32,13 @@ use super::parallel::chunk_count;
 /// Number of entries in a row of the five-point stencil: center, east, west, north, south.
 pub(crate) const STENCIL: usize = 5;
 
-/// LU factorisation of a matrix that couples each node of an `nx` x `ny` grid to its four neighbours.
+/// LU factorization of a matrix that couples each node of an `nx` x `ny` grid to its four neighbors.
 pub(crate) struct GridLu {
     /// Fronts, factors and vectors.
     tree: Tree,
     /// Reciprocal of the largest entry of each row, divided by the pivot for decoupled nodes.
     scale: Vec<f32>,
-    /// Whether the last factorisation succeeded.
+    /// Whether the last factorization succeeded.
     factorised: bool,
 }
 

@@ -107,7 +107,6 @@ impl Tree {
     }
 
     /// Overwrites the right-hand side at the coupled nodes with the solution.
-    // scatter to the fronts, substitute, gather
     pub(super) fn solve(&mut self, rhs: &mut [f32]) {
         for front in &self.structure.fronts {
             let nodes = &self.structure.nodes[front.pivots.clone()];
@@ -116,6 +115,7 @@ impl Tree {
             }
         }
         let root = self.structure.fronts.len() - 1;
+        // substitution on all fronts
         let (traversal, mut subtree, _) = self.parts();
         traversal.forward(root, subtree.all());
         traversal.backward(root, subtree);

@@ -4,7 +4,6 @@
 //! each other. A transfer is the tensor product of stencils along x and y with four entries each. Pressures
 //! and residuals are restricted by averages, which conserve loads and flows; gaps are sampled. Changes of
 //! pressure are interpolated linearly, initial pressures cubically.
-//! pressure come up linearly, and whole pressures of a start cubically.
 
 use crate::grid::Grid;
 
