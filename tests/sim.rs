@@ -185,7 +185,7 @@ fn stumbling() -> Altered {
 }
 
 /// Says that it has solved what it has not: its pressures carry nine tenths of the load.
-fn liar() -> Altered {
+fn falsely_converging() -> Altered {
     Altered::by(|_, state, _| {
         state.pressure.iter_mut().chain(&mut state.fluid_pressure).for_each(|p| *p *= 0.9);
     })
@@ -201,8 +201,8 @@ fn another_position_is_tried_from_the_last_contact() {
 }
 
 #[test]
-fn a_solver_that_lies_changes_nothing() {
-    let mut sim = MixedLubricationSim::builder(scene()).solver(liar()).build().unwrap();
+fn false_convergence_is_detected_and_changes_nothing() {
+    let mut sim = MixedLubricationSim::builder(scene()).solver(falsely_converging()).build().unwrap();
     let before = sim.bodies().each_ref().map(|body| body.surface().to_vec());
     match sim.step(10.0) {
         Err(SimError::NotConverged { source, .. }) => {
@@ -213,7 +213,7 @@ fn a_solver_that_lies_changes_nothing() {
     }
     let after = sim.bodies().each_ref().map(|body| body.surface().to_vec());
     assert_eq!((sim.steps(), after), (0, before));
-    let single = MixedLubricationSim::builder(scene()).solver(liar()).solve().unwrap();
+    let single = MixedLubricationSim::builder(scene()).solver(falsely_converging()).solve().unwrap();
     assert_eq!(single.report.status, Status::Unconfirmed);
     let honest = MixedLubricationSim::builder(scene()).solver(NewtonKrylov::new()).solve().unwrap();
     honest.report.require_converged().unwrap();
