@@ -3,7 +3,7 @@
 
 use std::ops::ControlFlow;
 
-use stribeck::RubbingPoint;
+use stribeck::SurfaceState;
 use stribeck::sim::{MixedLubricationSim, Scene, SimError, StepRecord};
 use stribeck::tribochem::FilmGrowthLaw;
 
@@ -12,7 +12,7 @@ use stribeck::tribochem::FilmGrowthLaw;
 struct PowerDriven;
 
 impl FilmGrowthLaw for PowerDriven {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         let left = 1.0 - thickness / self.maximum_thickness();
         4e-16 * at.shear_stress * at.sliding_speed * left * left
     }

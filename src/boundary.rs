@@ -1,9 +1,8 @@
-//! What lies beyond the edges of a field.
+//! Continuation of a field beyond its edges.
 //!
-//! Means, spectra and patches of solid contact are counted otherwise on a field that repeats than on one that
-//! ends.
+//! Means, spectra and contact patches differ between periodic and bounded fields.
 
-/// What lies beyond the edges of a surface or a grid.
+/// Continuation of a surface or field beyond its edges.
 ///
 /// # Examples
 ///
@@ -12,7 +11,7 @@
 /// use stribeck::{Boundary, Grid};
 /// let grid = Grid::centred(8, 1, 1e-6, 1e-6)?;
 /// let contact = [true, true, false, false, false, false, true, true];
-/// // Across opposite edges it is one patch where the field repeats.
+/// // On a periodic field a patch may extend across opposite edges.
 /// assert_eq!(contact_patches(&grid, &contact, Boundary::Periodic)?.areas.len(), 1);
 /// assert_eq!(contact_patches(&grid, &contact, Boundary::Open)?.areas.len(), 2);
 /// # Ok::<(), stribeck::InputError>(())
@@ -21,9 +20,9 @@
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Boundary {
-    /// The field repeats: opposite edges fit together.
+    /// Periodic: opposite edges join.
     #[default]
     Periodic,
-    /// Nothing is known, as of a measured surface.
+    /// Unknown, as for a measured surface.
     Open,
 }

@@ -1,4 +1,4 @@
-//! Friction of solid contact: the open set of laws.
+//! Friction of solid contact: an open trait and its laws.
 
 use std::fmt::Debug;
 
@@ -6,13 +6,13 @@ use crate::error::InputError;
 
 /// The friction coefficient of a node in solid contact.
 ///
-/// Contract: a coefficient is finite and not negative for all finite arguments that are not negative, and
-/// depends on the arguments alone.
+/// Contract: a coefficient is finite and non-negative for all finite non-negative arguments, and depends on
+/// the arguments alone.
 ///
 /// ```
 /// use stribeck::BoundaryFriction;
 ///
-/// /// Friction that falls as the surfaces slide faster.
+/// /// Friction that decreases with the sliding speed.
 /// #[derive(Debug)]
 /// struct Falling;
 /// impl BoundaryFriction for Falling {
@@ -23,13 +23,13 @@ use crate::error::InputError;
 /// assert!((Falling.coefficient(1e9, 0.1, [0.0; 2]) - 0.1).abs() < 1e-15);
 /// ```
 pub trait BoundaryFriction: Debug + Send + Sync {
-    /// Shear stress over `solid_pressure` \[Pa\] where the bodies slide past each other at `sliding_speed`
-    /// \[m/s\] and carry `tribofilm` \[m\], that of the ball first.
+    /// Shear stress over `solid_pressure` \[Pa\] at the `sliding_speed` \[m/s\] with `tribofilm` \[m\] on
+    /// ball and disc.
     fn coefficient(&self, solid_pressure: f64, sliding_speed: f64, tribofilm: [f64; 2]) -> f64;
 
-    /// Overwrites `coefficients` with those of all nodes, under `solid_pressure` \[Pa\] and the tribofilms of
-    /// ball and disc \[m\], slices of one length. By default node by node with
-    /// [`coefficient`](Self::coefficient), to which it must come.
+    /// Overwrites `coefficients` of all nodes, for `solid_pressure` \[Pa\] and the tribofilms of ball and
+    /// disc \[m\]; all slices have the same length. The default calls [`coefficient`](Self::coefficient) for
+    /// each node, which an override must reproduce.
     fn coefficients(
         &self,
         solid_pressure: &[f64],
@@ -46,7 +46,7 @@ pub trait BoundaryFriction: Debug + Send + Sync {
     }
 }
 
-/// One coefficient everywhere.
+/// A constant coefficient.
 ///
 /// ```
 /// use stribeck::{BoundaryFriction, ConstantFriction};
@@ -77,9 +77,8 @@ impl BoundaryFriction for ConstantFriction {
     }
 }
 
-/// Friction between that of bare and that of covered surfaces: `mu = mu_bare + c (mu_covered - mu_bare)` with
-/// the cover `c = min{(h_1 + h_2) / h_full, 1}` of the tribofilms `h_1` and `h_2` that lie between the
-/// solids.
+/// Friction between bare and covered surfaces: `mu = mu_bare + c (mu_covered - mu_bare)` with the coverage
+/// `c = min{(h_1 + h_2) / h_full, 1}` of the tribofilms `h_1` and `h_2` between the solids.
 ///
 /// ```
 /// use stribeck::{BoundaryFriction, FilmFriction};
@@ -97,7 +96,8 @@ pub struct FilmFriction {
 }
 
 impl FilmFriction {
-    /// A law with the coefficients of `bare` and `covered` surfaces, covered from `full_thickness` \[m\] on.
+    /// A law with the coefficients of `bare` and of fully `covered` surfaces, with full coverage from
+    /// `full_thickness` \[m\] on.
     ///
     /// # Errors
     /// A coefficient that is negative or not finite, a thickness that is not finite and positive.
@@ -112,7 +112,7 @@ impl FilmFriction {
 impl BoundaryFriction for FilmFriction {
     fn coefficient(&self, _solid_pressure: f64, _sliding_speed: f64, tribofilm: [f64; 2]) -> f64 {
         let cover = ((tribofilm[0] + tribofilm[1]) / self.full_thickness).clamp(0.0, 1.0);
-        // Both ends are met exactly.
+        // Exact at both ends.
         (1.0 - cover) * self.bare + cover * self.covered
     }
 }

@@ -1,6 +1,6 @@
-//! Words that are written as they are displayed.
+//! Types serialized by their display form.
 
-/// `Serialize` of a type by its `Display`, with the feature `serde`.
+/// Implements `Serialize` of a type by its `Display`, with the feature `serde`.
 macro_rules! serialize_as_displayed {
     ($type:ty) => {
         #[cfg(feature = "serde")]

@@ -1,12 +1,12 @@
-//! The grid: `nx` by `ny` cells of `dx` by `dy`, nodes at cell centres, fields as row-major slices.
+//! The grid: `nx` by `ny` cells of `dx` by `dy`, nodes at cell centers, fields as row-major slices.
 
 use crate::error::InputError;
 
-/// A uniform, cell-centred grid. Node `(i, j)` of a field is entry `j * nx + i`: x (the direction of
-/// entrainment) runs fastest. Lengths in metres.
+/// A uniform, cell-centered grid. Node `(i, j)` of a field is entry `j * nx + i`: x (the direction of
+/// entrainment) varies fastest. Lengths in metres.
 ///
-/// A grid with one row is a line contact: `dy` is then the length that all loads and areas refer to, one
-/// metre by custom.
+/// A grid with one row is a line contact: `dy` is the contact length of all loads and areas, one metre by
+/// convention.
 ///
 /// ```
 /// use stribeck::Grid;
@@ -21,21 +21,21 @@ pub struct Grid {
     nx: usize,
     /// Nodes along y.
     ny: usize,
-    /// Distance of the nodes along x \[m\].
+    /// Node spacing along x \[m\].
     dx: f64,
-    /// Distance of the nodes along y \[m\].
+    /// Node spacing along y \[m\].
     dy: f64,
-    /// First column \[m\].
+    /// Coordinate of the first column \[m\].
     x0: f64,
-    /// First row \[m\].
+    /// Coordinate of the first row \[m\].
     y0: f64,
 }
 
 impl Grid {
-    /// The largest number of nodes accepted, so that a typing error is refused instead of exhausting memory.
+    /// Largest accepted number of nodes, a guard against typing errors.
     pub const MAX_NODES: usize = 1 << 26;
 
-    /// Grid of `nx` x `ny` cells of `dx` x `dy` \[m\], centred on the origin.
+    /// Grid of `nx` x `ny` cells of `dx` x `dy` \[m\], centered on the origin.
     ///
     /// # Errors
     /// A count of zero, more than [`Grid::MAX_NODES`] nodes, or a spacing that is not finite and positive.
@@ -73,7 +73,7 @@ impl Grid {
         Self { nx, ny, ..*self }
     }
 
-    /// Refuses a count of zero, and more nodes than [`Grid::MAX_NODES`].
+    /// Rejects a count of zero, and more nodes than [`Grid::MAX_NODES`].
     fn check(nx: usize, ny: usize) -> Result<(), InputError> {
         InputError::require(nx > 0, "grid.nx", nx as f64, "at least 1")?;
         InputError::require(ny > 0, "grid.ny", ny as f64, "at least 1")?;
@@ -133,8 +133,7 @@ impl Grid {
         (0..self.ny).flat_map(move |j| (0..self.nx).map(move |i| (self.x(i), self.y(j))))
     }
 
-    /// Value of `field` at `(x, y)` \[m\] by bilinear interpolation between nodes (constant beyond the
-    /// outermost ones).
+    /// Value of `field` at `(x, y)` \[m\] by bilinear interpolation (constant beyond the outermost nodes).
     ///
     /// # Errors
     /// [`InputError::Shape`] when `field` does not fit the grid.
@@ -152,7 +151,7 @@ impl Grid {
             + fy * ((1.0 - fx) * at(i0, j1) + fx * at(i1, j1)))
     }
 
-    /// Error unless `values` are finite and one a node; an offending one is named by row and column.
+    /// Checks that `values` are finite, one per node; an error names the row and column.
     pub(crate) fn require_field(&self, field: &str, values: &[f64]) -> Result<(), InputError> {
         InputError::require_len(field, values, self.len())?;
         InputError::require_finite(field, values).map_err(|error| match error {
@@ -163,17 +162,17 @@ impl Grid {
         })
     }
 
-    /// Name of the row of `field` that holds node `k`; that of the field itself where there is one row.
+    /// Name of the row of `field` that contains node `k`; the name of the field itself for a single row.
     pub(crate) fn row(&self, field: &str, k: usize) -> String {
         if self.ny == 1 { field.to_owned() } else { format!("{field}[{}]", k / self.nx) }
     }
 
-    /// Error unless the system grants `bytes` of memory for each node at once.
+    /// Checks that the system can allocate `bytes` per node.
     pub(crate) fn require_memory(&self, bytes: usize) -> Result<(), InputError> {
         let bytes = self.len().saturating_mul(bytes);
         let mut trial: Vec<u8> = Vec::new();
         let granted = trial.try_reserve_exact(bytes).is_ok();
-        // An allocation that nobody looks at would be optimised away.
+        // The compiler would remove an unused allocation.
         std::hint::black_box(&mut trial);
         if granted {
             return Ok(());
@@ -181,7 +180,7 @@ impl Grid {
         Err(InputError::Conflict {
             field: format!("grid.nx * grid.ny = {}", self.len()),
             reason: format!(
-                "a contact on so many nodes needs {:.0} GB of memory, more than there is",
+                "a contact on so many nodes needs {:.0} GB of memory, more than is available",
                 bytes as f64 * 1e-9
             ),
         })
@@ -193,7 +192,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn memory_that_no_machine_has_is_refused() -> Result<(), InputError> {
+    fn grid_beyond_the_memory_is_rejected() -> Result<(), InputError> {
         let grid = Grid::centred(8, 8, 1e-6, 1e-6)?;
         let refused = grid.require_memory(1 << 50);
         assert!(matches!(&refused, Err(error) if error.to_string().contains("72057594 GB")), "{refused:?}");

@@ -1,5 +1,5 @@
-//! Rough lubricated contacts that change as they rub: mixed elastohydrodynamic lubrication, plastic
-//! flattening, growth of anti-wear tribofilms and wear, solved together on one grid.
+//! Coupled simulation of rough lubricated contacts: mixed elastohydrodynamic lubrication, plastic
+//! flattening, tribofilm growth and wear on one grid.
 //!
 //! # The model
 //!
@@ -12,13 +12,13 @@
 //! | `∫ p dA = W` | load balance |
 //! | `z = z_0 - w - d + f` on each body | the surfaces of the next step: wear, plastic depth, tribofilm |
 //!
-//! Of two terms around `⊥` neither is negative and one is zero.
+//! `a ⊥ b` stands for complementarity: neither term is negative and their product is zero.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | `p`, `p_f` | total and fluid pressure | Pa |
-//! | `h`, `h_cut` | film thickness, film at which solids touch | m |
-//! | `g`, `δ` | gap of the undeformed bodies at first touch; rigid-body approach, positive is closer | m |
+//! | `h`, `h_cut` | film thickness, contact film | m |
+//! | `g`, `δ` | gap of the undeformed bodies at first contact; rigid-body approach, positive toward each other | m |
 //! | `K` | elastic displacement of both bodies per pressure | m/Pa |
 //! | `u` | entrainment speed, mean of both surfaces, along +x | m/s |
 //! | `η`, `ρ` | viscosity, density over that at ambient pressure | Pa s, 1 |
@@ -33,14 +33,14 @@
 //! | [`sim::Scene`] | the whole physical description; TOML with the feature `serde` |
 //! | [`sim::solve_contact`] | one quasi-static contact |
 //! | [`sim::MixedLubricationSim`] | the history; every law replaceable through its builder |
-//! | [`reynolds::LubricatedContact`], [`reynolds::ContactSolver`] | the coupled problem and who solves it |
-//! | [`reynolds::GivenFilm`] | pressure and cavitation between rigid surfaces with a given film |
+//! | [`reynolds::LubricatedContact`], [`reynolds::ContactSolver`] | the coupled problem and its solvers |
+//! | [`reynolds::GivenFilm`] | pressure and cavitation between rigid surfaces with a prescribed film |
 //! | [`elastic::DeformationModel`] | elastic response; [`elastic::HalfSpace`] by DC-FFT |
 //! | [`lubricant::ViscosityLaw`], [`lubricant::DensityLaw`] | the fluid |
-//! | [`sim::Observer`] | sees every step; `sim::RunFolder` (features `serde`, `npz`) writes, checkpoints and resumes |
+//! | [`sim::Observer`] | callback after every step; `sim::RunFolder` (features `serde`, `npz`) writes, checkpoints and resumes |
 //! | [`sim::ensemble`] | many histories over threads |
-//! | [`plastic::PlasticityModel`], [`tribochem::FilmGrowthLaw`], [`wear::WearLaw`] | what changes the surfaces |
-//! | [`SolveReport`], [`Status`], [`Residuals`] | how a solve ended; not converging is a status, never silent |
+//! | [`plastic::PlasticityModel`], [`tribochem::FilmGrowthLaw`], [`wear::WearLaw`] | evolution of the surfaces |
+//! | [`SolveReport`], [`Status`], [`Residuals`] | outcome of a solve; failure to converge is a status |
 //!
 //! # Example
 //!
@@ -59,7 +59,7 @@
 //! let last = &history[3];
 //! assert_eq!(last.time, 240.0);
 //! let solids = last.contact.load_ratio;
-//! assert!(solids > 0.0 && solids < 1.0, "mixed lubrication: solids carry a part of the load");
+//! assert!(solids > 0.0 && solids < 1.0, "mixed lubrication: solid contact carries part of the load");
 //! assert!(last.tribofilm.disc_mean > history[0].tribofilm.disc_mean, "the film grows");
 //! assert!(sim.ledger_residual()? < 1e-20, "every nanometre is accounted for");
 //! # Ok::<(), stribeck::sim::SimError>(())
@@ -68,16 +68,16 @@
 //! # Conventions and limits
 //!
 //! SI units throughout. Fields are row-major slices, node `(i, j)` at `j * nx + i`, x along the entrainment.
-//! Heights point out of their body. Isothermal fluid unless a scene asks for the temperature of its film,
-//! smooth far field, parabolic bodies, half-space elasticity, no subsurface plasticity; contact area and load
-//! ratio depend on `h_cut`, and on the grid where both solids and fluid carry much of the load.
+//! Heights are positive out of their body. The fluid is isothermal unless a scene enables film heating. Bodies
+//! are parabolic elastic half-spaces without subsurface plasticity. Contact area and load ratio depend on
+//! `h_cut`, and on the grid in the mixed regime.
 //!
 //! # Features
 //!
 //! None by default. `serde`: scenes as TOML, checkpoints. `formats`: files of measured surfaces. `npz`,
-//! `vtk`: fields for `NumPy` and `ParaView`. `parallel`: several threads on large grids, with the same
-//! results. `testing`: conformance of own laws and solvers, random scenes. `fit`: constants of growth laws
-//! from measured films.
+//! `vtk`: fields for `NumPy` and `ParaView`. `parallel`: multithreading on large grids, with identical
+//! results. `testing`: conformance checks of custom laws and solvers, random scenes. `fit`: fits of growth-law
+//! constants to measured films.
 #![deny(missing_docs)]
 #![forbid(unsafe_code)]
 
@@ -95,11 +95,11 @@ pub mod plastic;
 mod regular_file;
 mod report;
 pub mod reynolds;
-mod rubbing;
 pub mod sim;
 mod solver_id;
 mod strategy;
 pub mod surface;
+mod surface_state;
 #[cfg(feature = "testing")]
 pub mod testing;
 mod text_file;
@@ -109,19 +109,19 @@ pub mod units;
 pub mod wear;
 mod with_fields;
 
-// What every room speaks of.
+// Types shared by all modules.
 pub use boundary::Boundary;
 pub use boundary_friction::{BoundaryFriction, ConstantFriction, FilmFriction};
 pub use error::InputError;
 pub use grid::Grid;
 pub use report::{NotConverged, Residuals, SolveReport, Status, Work};
-pub use rubbing::RubbingPoint;
 pub use sim::Warning;
 pub use solver_id::SolverId;
 pub use strategy::Strategy;
+pub use surface_state::SurfaceState;
 
-// The programs of the first pages are tested as those above are.
+// Doctests of the README and of the first page of the book.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 #[doc = include_str!("../docs/getting_started.md")]
-struct FirstPages;
+struct ReadmeDoctests;

@@ -1,7 +1,7 @@
-//! Files from strangers: read whole where they are files of a known size, refused else.
+//! Untrusted files: only regular files of bounded size are read.
 //!
-//! Scenes, checkpoints, surfaces, tables and archives are opened through here: pipes would be waited for
-//! without end, devices read without end.
+//! Scenes, checkpoints, surfaces, tables and archives are opened by this module. Reading from a pipe could
+//! block, and reading from a device could be endless.
 
 use std::fs::{self, File};
 use std::io::{Error, ErrorKind, Read, Result};
@@ -10,20 +10,20 @@ use std::path::Path;
 /// The size of the file at `path` \[bytes\].
 ///
 /// # Errors
-/// What is not there, and what is no file.
+/// A path that does not exist or is not a regular file.
 pub(crate) fn size(path: &Path) -> Result<u64> {
     let found = fs::metadata(path)?;
     if found.is_file() {
         return Ok(found.len());
     }
-    let what = if found.is_dir() { "this is a folder" } else { "this is a pipe or a device" };
-    Err(Error::new(ErrorKind::InvalidInput, format!("{what}, give a file")))
+    let kind = if found.is_dir() { "this is a folder" } else { "this is a pipe or a device" };
+    Err(Error::new(ErrorKind::InvalidInput, format!("{kind}, give a file")))
 }
 
-/// The file at `path`, to read.
+/// Opens the file at `path`.
 ///
 /// # Errors
-/// As of [`size`], and a file that cannot be opened.
+/// The errors of [`size`], and a file that cannot be opened.
 #[cfg(all(feature = "formats", feature = "npz"))]
 pub(crate) fn open(path: &Path) -> Result<File> {
     size(path).and_then(|_| File::open(path))
@@ -32,7 +32,7 @@ pub(crate) fn open(path: &Path) -> Result<File> {
 /// Whether the file at `path` begins with `bytes`.
 ///
 /// # Errors
-/// As of [`size`], and a file that cannot be read.
+/// The errors of [`size`], and a file that cannot be read.
 #[cfg(feature = "serde")]
 pub(crate) fn begins_with(path: &Path, bytes: &[u8]) -> Result<bool> {
     size(path)?;
@@ -44,7 +44,7 @@ pub(crate) fn begins_with(path: &Path, bytes: &[u8]) -> Result<bool> {
 /// The content of a file of at most `largest` bytes.
 ///
 /// # Errors
-/// As of [`size`], a file that is larger, and one that cannot be read.
+/// The errors of [`size`], a file that is too large, and one that cannot be read.
 pub(crate) fn read(path: &Path, largest: u64) -> Result<Vec<u8>> {
     let size = size(path)?;
     if size > largest {

@@ -1,7 +1,7 @@
-//! What a solve reports: how it ended, how well the equations hold, what it cost.
+//! Solve reports: status, residuals and work.
 //!
-//! A report is data: it decides nothing and is the same from every solver. [`SolveReport::require_converged`]
-//! turns a status into an error where a solution is needed.
+//! A report is plain data with the same meaning for every solver. [`SolveReport::require_converged`] turns a
+//! status into an error where a solution is required.
 
 use std::fmt;
 use std::ops::AddAssign;
@@ -12,7 +12,7 @@ use crate::displayed::serialize_as_displayed;
 use crate::solver_id::SolverId;
 use crate::strategy::Strategy;
 
-/// How an iterative solve ended. Everything but [`Status::Converged`] leaves the best state found.
+/// The outcome of an iterative solve. All but [`Status::Converged`] leave the best state found.
 ///
 /// # Examples
 ///
@@ -21,7 +21,7 @@ use crate::strategy::Strategy;
 /// use stribeck::sim::{Scene, solve_contact};
 /// let mut scene = Scene::azam_2019(32);
 /// scene.solver.max_iterations = 1;
-/// // Too few: a status, not an error, and the state is the best one found.
+/// // Too few iterations: a status, not an error; the state is the best one found.
 /// let solution = solve_contact(&scene)?;
 /// assert_eq!(solution.report.status, Status::MaxIterations);
 /// assert!(solution.report.residual.is_finite());
@@ -32,17 +32,16 @@ use crate::strategy::Strategy;
 pub enum Status {
     /// All residuals are at or below the tolerance.
     Converged,
-    /// The iteration limit came first.
+    /// The iteration limit was reached.
     MaxIterations,
-    /// The residuals no longer fell.
+    /// The residuals stopped decreasing.
     Stalled,
-    /// The mesh is too coarse to hold a positive film: films fall to the contact film or below although the
-    /// film expected of the contact is well above it.
+    /// The mesh is too coarse for a positive film: films fall to the contact film or below although the
+    /// expected film is well above it.
     MeshTooCoarse,
-    /// The residuals grew without bound or were no longer finite.
+    /// The residuals diverged or are not finite.
     Diverged,
-    /// A solver from outside of the crate says that it has converged, but the residuals of its state, as the
-    /// crate evaluates them, are above the tolerance.
+    /// A custom solver reported convergence, but the residuals evaluated by the crate exceed the tolerance.
     Unconfirmed,
 }
 
@@ -61,10 +60,9 @@ impl fmt::Display for Status {
     }
 }
 
-/// How far the state is from solving the discrete problem; all dimensionless, computed the same way for every
-/// solver.
+/// Residuals of the discrete problem, dimensionless and evaluated in the same way for every solver.
 ///
-/// With `h_m` the pressure-weighted mean film and `a_x`, `a_y` the reference contact half-widths:
+/// `h_m` is the pressure-weighted mean film, `a_x` and `a_y` are the reference contact half-widths.
 ///
 /// # Examples
 ///
@@ -79,26 +77,26 @@ impl fmt::Display for Status {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// Sum of the absolute mass imbalances of the cells that hold fluid under pressure, of all cells where
-    /// cavitation conserves mass, over the mass that the mean film `h_m` carries through the contact width
-    /// `2 a_y`, or that flows into the box where that is less. Zero without lubricant.
+    /// Sum of the absolute mass imbalances of the cells with fluid under pressure, or of all cells with
+    /// mass-conserving cavitation. The scale is the mass flow of the mean film `h_m` through the contact
+    /// width `2 a_y`, or the inflow of the box if that is less. Zero without lubricant.
     ///
-    /// Where cavitation conserves mass and the surfaces move it bounds the imbalance of the
-    /// [flow through the box](crate::reynolds::FlowBalance).
+    /// With mass-conserving cavitation and moving surfaces it bounds the imbalance of the [flow through the
+    /// box](crate::reynolds::FlowBalance).
     pub mass: f64,
     /// `|sum of pressure - load| / load`.
     pub load: f64,
-    /// Violation of the inequalities: fluid that builds up in cavitated cells (scaled as `mass`; with
-    /// Reynolds' condition alone, `mass` counts it else), and the gap error of solid contact plus penetration
-    /// elsewhere, averaged over the Hertz area and divided by `h_m`; the larger.
+    /// Violation of the inequalities, the larger of two values: fluid accumulation in cavitated cells (scaled
+    /// as `mass`; with mass-conserving cavitation part of `mass`), and the gap error of solid contact plus
+    /// penetration elsewhere, averaged over the Hertz area and divided by `h_m`.
     pub complementarity: f64,
 }
 
 impl Residuals {
-    /// Before any state is known: larger than those of all states.
+    /// Initial value, larger than the residuals of any state.
     pub(crate) const UNKNOWN: Self = Self { mass: f64::INFINITY, load: 0.0, complementarity: 0.0 };
 
-    /// The largest of the three; infinite where one is no number.
+    /// The largest of the three; infinite if one is NaN.
     pub fn max(&self) -> f64 {
         let all = [self.mass, self.load, self.complementarity];
         if all.iter().any(|residual| residual.is_nan()) {
@@ -114,20 +112,20 @@ impl Residuals {
 }
 
 impl fmt::Display for Residuals {
-    /// The three by name.
+    /// The three residuals by name.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { mass, load, complementarity } = self;
         write!(f, "mass {mass:.1e}, load {load:.1e}, complementarity {complementarity:.1e}")
     }
 }
 
-/// Work done, by cause.
+/// Work of a solve.
 ///
 /// # Examples
 ///
 /// ```
 /// let mut work = stribeck::Work::default();
-/// work.convolutions = 12.25; // twelve on the grid, one without padding
+/// work.convolutions = 12.25; // twelve on the grid and one without padding
 /// work += work;
 /// assert_eq!(work.convolutions, 24.5);
 /// ```
@@ -135,12 +133,12 @@ impl fmt::Display for Residuals {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Work {
-    /// Elastic convolutions in equivalents of the finest grid: a coarser one counts by its share of nodes, a
-    /// pressure estimate, whose transforms need no padding, as a quarter.
+    /// Elastic convolutions in equivalents of the finest grid. A convolution on a coarser grid counts by its
+    /// share of nodes; a pressure estimate, without padding, as a quarter.
     pub convolutions: f64,
     /// Outer iterations: sweeps, Newton steps or active-set passes.
     pub iterations: u64,
-    /// Inner iterations: Krylov or conjugate-gradient steps, passes over all lines of the semi-system.
+    /// Inner iterations: Krylov or conjugate-gradient steps, or line passes of the semi-system.
     pub inner_iterations: u64,
 }
 
@@ -152,7 +150,7 @@ impl AddAssign for Work {
     }
 }
 
-/// The outcome of one solve of a contact.
+/// The outcome of a contact solve.
 ///
 /// # Examples
 ///
@@ -169,30 +167,30 @@ impl AddAssign for Work {
 #[non_exhaustive]
 #[must_use = "a solve that did not converge is a status, not an error"]
 pub struct SolveReport {
-    /// The solver that produced the final state.
+    /// The solver of the final state.
     pub solver: SolverId,
-    /// How the solve ended.
+    /// Status of the solve.
     pub status: Status,
-    /// Residuals of the state that was returned.
+    /// Residuals of the returned state.
     pub residual: Residuals,
-    /// Of dry contacts: what the energy lies above its minimum at most, over the elastic energy
-    /// ([`DryOutcome::energy_error`](crate::elastic::DryOutcome::energy_error)). It holds whatever the solver
-    /// did. None with a lubricant, which has no energy to minimise, and from solvers that do not tell.
+    /// Bound on the relative energy error of a dry contact
+    /// ([`DryOutcome::energy_error`](crate::elastic::DryOutcome::energy_error)). It holds for any solver.
+    /// `None` with a lubricant, where no energy is minimized, and for solvers without it.
     pub energy_error: Option<f64>,
-    /// Work of the whole solve, starts and fallbacks included.
+    /// Total work, including starts and fallbacks.
     pub work: Work,
-    /// The way that led to the state; none from solvers that know one alone.
+    /// The strategy that led to the state; `None` for solvers with a single one.
     pub strategy: Option<Strategy>,
-    /// Residuals of each start and after each outer iteration, in order, for plots. On the way to a solution
-    /// they may be those of other equations than the problem's: of thicker contact films, of Reynolds'
-    /// condition, of a contact on the way in time. Where one start is all that a solve needs, the last are
-    /// those of the state. Empty from solvers that do not tell, [`Dry`](crate::reynolds::Dry) among them.
+    /// Residuals of each start and after each outer iteration, in order. Intermediate values may belong to
+    /// modified equations: thicker contact films, Reynolds' condition, or pseudo-time steps. For a solve from
+    /// a single start the last residuals are those of the state. Empty for solvers without a history, such as
+    /// [`Dry`](crate::reynolds::Dry).
     #[cfg_attr(feature = "serde", serde(skip))]
     pub residual_history: Vec<Residuals>,
 }
 
 impl SolveReport {
-    /// A report with nothing beside these.
+    /// A report without energy error, work, strategy and history.
     pub fn new(solver: SolverId, status: Status, residual: Residuals) -> Self {
         Self {
             solver,
@@ -205,43 +203,43 @@ impl SolveReport {
         }
     }
 
-    /// The same with an energy error.
+    /// Sets the energy error.
     pub fn with_energy_error(self, energy_error: f64) -> Self {
         Self { energy_error: Some(energy_error), ..self }
     }
 
-    /// The same with the work of the whole solve.
+    /// Sets the work of the whole solve.
     pub fn with_work(self, work: Work) -> Self {
         Self { work, ..self }
     }
 
-    /// The same with the way that led to the state.
+    /// Sets the strategy.
     pub fn with_strategy(self, strategy: Strategy) -> Self {
         Self { strategy: Some(strategy), ..self }
     }
 
-    /// The same with the residuals of each start and after each outer iteration.
+    /// Sets the residuals of each start and after each outer iteration.
     pub fn with_residual_history(self, residual_history: Vec<Residuals>) -> Self {
         Self { residual_history, ..self }
     }
 
-    /// Counts in what a solve before this one took.
+    /// Adds the work and history of a preceding solve.
     pub(crate) fn preceded_by(mut self, mut first: Self) -> Self {
         self.work += first.work;
         first.residual_history.append(&mut self.residual_history);
         Self { residual_history: first.residual_history, ..self }
     }
 
-    /// Counts in what a solve after this one took, whose state was not kept.
+    /// Adds the work of a subsequent solve with a discarded state.
     pub(crate) fn followed_by(mut self, second: Self) -> Self {
-        // The sum that `preceded_by` makes, in its order: rounding is the same.
+        // Summation in the order of `preceded_by`, for equal rounding.
         let mut work = second.work;
         work += self.work;
         self.residual_history.extend(second.residual_history);
         Self { work, ..self }
     }
 
-    /// Refuses a solve that did not converge.
+    /// Returns an error unless the solve converged.
     ///
     /// # Errors
     /// [`NotConverged`], with a copy of the report.
@@ -254,7 +252,7 @@ impl SolveReport {
 }
 
 impl fmt::Display for SolveReport {
-    /// Status, solver, residuals and work in one line.
+    /// Status, solver, residuals and work on one line.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { solver, status, residual, work, .. } = self;
         write!(
@@ -265,7 +263,7 @@ impl fmt::Display for SolveReport {
     }
 }
 
-/// A solve that had to converge did not.
+/// Error of a solve that was required to converge.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error(
     "{} ended as {} with residuals mass {:.2e}, load {:.2e}, complementarity {:.2e}",

@@ -1,4 +1,4 @@
-//! Which solver.
+//! Identification of solvers.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,7 +6,7 @@ use std::str::FromStr;
 use crate::displayed::serialize_as_displayed;
 use crate::error::InputError;
 
-/// The solver of a report: those of the crate, and those of its users by the name that they give themselves.
+/// The solver of a report: one of the crate, or a custom one by its name.
 ///
 /// ```
 /// use stribeck::SolverId;
@@ -23,21 +23,21 @@ pub enum SolverId {
     SemiSystem,
     /// [`Multigrid`](crate::reynolds::Multigrid).
     Multigrid,
-    /// Begun by [`Multigrid`](crate::reynolds::Multigrid), finished by
+    /// Started by [`Multigrid`](crate::reynolds::Multigrid) and finished by
     /// [`NewtonKrylov`](crate::reynolds::NewtonKrylov).
     MultigridThenNewton,
     /// [`Dry`](crate::reynolds::Dry).
     Dry,
-    /// [`Auto`](crate::reynolds::Auto); its reports name the solver that it picked.
+    /// [`Auto`](crate::reynolds::Auto); its reports name the selected solver.
     Auto,
-    /// That of [`GivenFilm`](crate::reynolds::GivenFilm).
+    /// The solver of [`GivenFilm`](crate::reynolds::GivenFilm).
     GivenFilm,
-    /// A solver from outside of the crate.
+    /// A custom solver.
     Custom(&'static str),
 }
 
 impl SolverId {
-    /// Those of the crate.
+    /// Solvers of the crate.
     const OWN: [Self; 7] = [
         Self::NewtonKrylov,
         Self::SemiSystem,
@@ -76,8 +76,7 @@ impl FromStr for SolverId {
     /// The solver of the crate with this name.
     ///
     /// # Errors
-    /// [`InputError::Conflict`] for all other names: those of [`SolverId::Custom`] live in the programs of
-    /// their users.
+    /// [`InputError::Conflict`] for all other names; names of [`SolverId::Custom`] are unknown to the crate.
     fn from_str(name: &str) -> Result<Self, InputError> {
         Self::OWN.into_iter().find(|solver| solver.name() == name).ok_or_else(|| InputError::Conflict {
             field: "solver".to_owned(),
@@ -91,7 +90,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_the_crate_are_read_back() {
+    fn solver_names_round_trip() {
         for solver in SolverId::OWN {
             assert_eq!(solver.to_string().parse(), Ok(solver));
         }

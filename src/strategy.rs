@@ -1,10 +1,10 @@
-//! Which way led to a solution.
+//! The strategy that led to a solution.
 
 use std::fmt;
 
 use crate::displayed::serialize_as_displayed;
 
-/// The way by which a solver that knows several has found the state of its report.
+/// Strategy of a solver with several that found the reported state.
 ///
 /// # Examples
 ///
@@ -18,10 +18,10 @@ use crate::displayed::serialize_as_displayed;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Strategy {
-    /// From the given state or the dry contact, by the numbers of
+    /// From the given state or the dry contact, with the settings of
     /// [`NewtonSettings::attempt`](crate::reynolds::NewtonSettings::attempt).
     Attempt,
-    /// By way of thicker contact films
+    /// Continuation in the contact film, from thicker films
     /// ([`NewtonSettings::least_film_ratio`](crate::reynolds::NewtonSettings::least_film_ratio)).
     Continuation,
 }

@@ -1,6 +1,6 @@
-//! Methods that replace one field each: how structs are filled in that may get more fields.
+//! Methods that replace one field each, the constructors of non-exhaustive structs.
 
-/// `with_fields!(Type { with_field field: Type of the field, ... })`; a lifetime goes in front of the type.
+/// `with_fields!(Type { with_field field: Type of the field, ... })`; a lifetime precedes the type.
 macro_rules! with_fields {
     (<$life:lifetime> $type:ty { $($method:ident $field:ident: $value:ty),* $(,)? }) => {
         impl<$life> $type {
@@ -13,7 +13,7 @@ macro_rules! with_fields {
         }
     };
     (@ $method:ident $field:ident: $value:ty) => {
-        #[doc = concat!("The same with another [`", stringify!($field), "`](Self#structfield.", stringify!($field), ").")]
+        #[doc = concat!("Replaces the field [`", stringify!($field), "`](Self#structfield.", stringify!($field), ").")]
         #[must_use]
         pub fn $method(mut self, $field: $value) -> Self {
             self.$field = $field;

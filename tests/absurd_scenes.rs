@@ -132,19 +132,19 @@ fn try_scenes(count: usize) {
 }
 
 #[test]
-fn scenes_end_as_they_may() {
+fn random_invalid_scenes_end_in_a_status_or_a_named_error() {
     try_scenes(60);
 }
 
 #[test]
 #[ignore = "takes minutes"]
-fn a_thousand_scenes_end_as_they_may() {
+fn thousand_random_invalid_scenes_end_in_a_status_or_a_named_error() {
     try_scenes(1000);
 }
 
-/// What random scenes have found: a start above the pressure limit, wear beyond the range of numbers.
+/// Failures found by random scenes: a start above the pressure limit, wear beyond the range of numbers.
 #[test]
-fn scenes_that_once_did_not() {
+fn scenes_of_earlier_failures_end_in_a_status() {
     let mut start = Scene::azam_2019(16);
     start.solver.kind = SolverKind::SemiSystem;
     start.solver.max_iterations = 500;

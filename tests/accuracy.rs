@@ -106,7 +106,7 @@ fn line_contacts_are_estimated_too() {
 }
 
 #[test]
-fn what_it_cannot_be_asked_of_is_refused() {
+fn estimate_rejects_unsupported_scenes() {
     let named = |scene: &Scene, part: &str| {
         let message = solve_contact(scene).unwrap_err().to_string();
         assert!(message.starts_with("grid.accuracy") && message.contains(part), "{message}");

@@ -8,7 +8,7 @@ use stribeck::analytic::{
 };
 
 #[test]
-fn rectangle_potential_agrees_with_high_precision_values() {
+fn rectangle_potential_matches_high_precision_values() {
     let table = include_str!("data/rectangle_potential.csv");
     let mut rows = 0;
     for line in table.lines().skip(1) {
@@ -32,7 +32,7 @@ fn rectangle_potential_is_additive_and_symmetric() {
 }
 
 #[test]
-fn rectangle_potential_answers_every_argument() {
+fn rectangle_potential_is_defined_for_all_arguments() {
     assert!(rectangle_potential(f64::NAN, 0.0, 1.0, 1.0).is_nan());
     assert!(rectangle_potential(0.0, 0.0, f64::INFINITY, 1.0).is_nan());
     assert!(rectangle_potential(0.0, 0.0, -1.0, 1.0).is_nan());
@@ -42,7 +42,7 @@ fn rectangle_potential_answers_every_argument() {
 }
 
 #[test]
-fn hertz_circular_is_the_contact_of_the_paper() {
+fn hertz_circular_matches_the_published_contact() {
     let modulus = equivalent_modulus([209e9, 0.3], [209e9, 0.3]).unwrap();
     assert_relative_eq!(modulus, 229.67e9, max_relative = 2e-6);
     let contact = HertzPoint::from_max_pressure(9.525e-3, 9.525e-3, 229.67e9, 1.15e9).unwrap();
@@ -74,7 +74,7 @@ const ELLIPSES: [[f64; 6]; 4] = [
 ];
 
 #[test]
-fn hertz_elliptical_agrees_with_high_precision_values() {
+fn hertz_elliptical_matches_high_precision_values() {
     for [rx, ry, long, short, p_max, approach] in ELLIPSES {
         let along = HertzPoint::from_load(rx, ry, 230e9, 50.0).unwrap();
         let across = HertzPoint::from_load(ry, rx, 230e9, 50.0).unwrap();
@@ -90,8 +90,7 @@ fn hertz_elliptical_agrees_with_high_precision_values() {
 
 #[test]
 fn hertz_pressure_deforms_the_half_space_into_the_shape_of_the_body() {
-    // the displacement under the elliptical pressure must fill the gap: u(x, y) + x^2/2Rx + y^2/2Ry =
-    // approach
+    // the displacement under the elliptical pressure closes the gap: u(x, y) + x^2/2Rx + y^2/2Ry = approach
     let contact = HertzPoint::from_load(20e-3, 8e-3, 230e9, 50.0).unwrap();
     let n = 200;
     let (hx, hy) = (contact.half_width_x / f64::from(n), contact.half_width_y / f64::from(n));
@@ -112,10 +111,10 @@ fn hertz_pressure_deforms_the_half_space_into_the_shape_of_the_body() {
 }
 
 #[test]
-fn hertz_limits_and_near_circles() {
+fn hertz_axis_ratio_matches_its_limits() {
     for excess in [1e-15, 1e-12, 1e-8, 1e-4] {
         let near = HertzPoint::from_load(10e-3 * (1.0 + excess), 10e-3, 230e9, 50.0).unwrap();
-        // to first order the ratio of the axes goes with the power 2/3 of the ratio of the radii
+        // to first order the ratio of the axes is the ratio of the radii to the power 2/3
         assert_relative_eq!(
             near.half_width_x / near.half_width_y,
             1.0 + 2.0 / 3.0 * excess,
@@ -127,7 +126,7 @@ fn hertz_limits_and_near_circles() {
 }
 
 #[test]
-fn hertz_refuses_bad_input_by_name() {
+fn hertz_rejects_bad_input_by_name() {
     let error = HertzPoint::from_load(0.0, 1e-2, 230e9, 50.0).unwrap_err().to_string();
     assert!(error.contains("radius_x"), "{error}");
     let error = HertzPoint::from_load(1e-2, 1e-2, 230e9, f64::NAN).unwrap_err().to_string();
@@ -151,7 +150,7 @@ fn scene() -> FilmConditions {
 }
 
 #[test]
-fn film_formulas_give_the_films_of_the_scene() {
+fn film_formulas_match_the_films_of_the_scene() {
     let scene = scene();
     assert_relative_eq!(scene.speed_parameter(), 1.8285e-13, max_relative = 1e-4);
     assert_relative_eq!(scene.material_parameter(), 3431.0, max_relative = 1e-3);
@@ -164,7 +163,7 @@ fn film_formulas_give_the_films_of_the_scene() {
 }
 
 #[test]
-fn film_formulas_follow_speed_and_refuse_bad_input() {
+fn film_formulas_scale_with_speed_and_reject_bad_input() {
     let slow = scene();
     let fast = FilmConditions { entrainment_speed: 1.0, ..slow };
     let ratio = fast.hamrock_dowson_central().unwrap() / slow.hamrock_dowson_central().unwrap();
@@ -176,7 +175,7 @@ fn film_formulas_follow_speed_and_refuse_bad_input() {
 }
 
 #[test]
-fn westergaard_pressure_carries_the_mean_pressure() {
+fn westergaard_pressure_integrates_to_the_mean_pressure() {
     let wave = Westergaard { amplitude: 0.2e-6, wavelength: 50e-6, equivalent_modulus: 230e9 };
     let full = wave.full_contact_pressure().unwrap();
     assert_relative_eq!(full, PI * 115e9 * 0.2e-6 / 50e-6, max_relative = 1e-14);

@@ -32,7 +32,7 @@ fn pages() -> Vec<PathBuf> {
 }
 
 #[test]
-fn links_lead_somewhere() {
+fn links_have_existing_targets() {
     let (mut links, mut broken) = (0, Vec::new());
     for page in pages() {
         let text = fs::read_to_string(&page).unwrap();

@@ -17,10 +17,10 @@ const STEEL: [f64; 2] = [210e9, 0.3];
 const RIGID: [f64; 2] = [f64::INFINITY, 0.3];
 const SOFT: FilmElasticSpec = FilmElasticSpec::new(30e9, 0.3);
 
-/// What is left of the response of a thin layer to a wave once that of the substrate is taken out, per
-/// thickness, extrapolated to no thickness from two of them.
+/// Response of a thin layer to a wave, less that of the substrate, per thickness, extrapolated to zero
+/// thickness.
 #[test]
-fn compliance_is_the_first_order_of_a_thin_layer() {
+fn compliance_is_the_first_order_term_of_a_thin_layer() {
     for (film, below) in [
         ([30e9, 0.3], STEEL),
         ([90e9, 0.3], STEEL),
@@ -40,7 +40,7 @@ fn compliance_is_the_first_order_of_a_thin_layer() {
         let error = (2.0 * found - coarser - exact.compliance()) / scale;
         assert!(error.abs() < 1e-6, "{film:?} on {below:?}: {error:e}");
     }
-    // The documented share of the next orders.
+    // The documented magnitude of the next orders.
     let layer = Layer::new(1.0, [30e9, 0.3], STEEL).unwrap();
     let exact = BondedFilm::new([30e9, 0.3], STEEL).unwrap().compliance();
     for (wavelength, bound) in [(600.0, 1.2e-3), (60.0, 1e-2)] {
@@ -51,9 +51,9 @@ fn compliance_is_the_first_order_of_a_thin_layer() {
     }
 }
 
-/// Films that are hardly softer than what they are on add next to nothing, and softer ones more.
+/// Films slightly softer than their substrate add little, softer ones more.
 #[test]
-fn films_count_nothing_twice() {
+fn compliance_vanishes_for_a_film_of_the_substrate() {
     let almost = BondedFilm::new([0.999 * STEEL[0], STEEL[1]], STEEL).unwrap();
     assert!(almost.compliance() * almost.confined_modulus() < 2e-3);
     let [stiff, soft] = [60e9, 30e9].map(|modulus| BondedFilm::new([modulus, 0.3], RIGID).unwrap());
@@ -63,7 +63,7 @@ fn films_count_nothing_twice() {
 
 /// Displacements under 1 GPa of films of 100 nm on steel and on a rigid body \[nm\], by modulus \[GPa\].
 #[test]
-fn documented_films() {
+fn displacements_of_films_match_the_documentation() {
     for (modulus, on_steel, on_rigid) in
         [(15.0, 4.73, 4.95), (30.0, 2.24, 2.48), (90.0, 0.55, 0.83), (130.0, 0.27, 0.57)]
     {
@@ -79,7 +79,8 @@ fn patchy(n: usize, largest: f64) -> Vec<f64> {
     (0..n).map(|k| largest * (0.5 + 0.5 * (0.7 * k as f64).sin()).powi(2)).collect()
 }
 
-/// `u = K p + c p` for `bare` bodies, and half of what a film adds for one twice as stiff.
+/// `u = K p + c p` for `bare` bodies, and half of the additional displacement for a film of twice the
+/// stiffness.
 fn adds_up<M: DeformationModel + Clone>(mut bare: M) {
     let n = bare.grid().len();
     let pressure: Vec<f64> = (0..n).map(|k| 1e9 * (1.0 + (0.3 * k as f64).cos())).collect();
@@ -109,7 +110,7 @@ fn adds_up<M: DeformationModel + Clone>(mut bare: M) {
 }
 
 #[test]
-fn displacements_add_up() {
+fn displacements_of_body_and_film_add_up() {
     let plane = Grid::centred(24, 20, 1e-6, 2e-6).unwrap();
     adds_up(HalfSpace::new(plane, 230e9).unwrap());
     let layer = Layer::new(2e-6, [80e9, 0.3], STEEL).unwrap();
@@ -118,7 +119,7 @@ fn displacements_add_up() {
 }
 
 #[test]
-fn bodies_with_films_keep_the_contract() {
+fn bodies_with_films_satisfy_the_contract() {
     let grid = Grid::centred(9, 8, 1e-6, 2e-6).unwrap();
     let mut body = WithLocalCompliance::new(HalfSpace::new(grid, 230e9).unwrap());
     deformation_model(&mut body).unwrap();
@@ -129,9 +130,9 @@ fn bodies_with_films_keep_the_contract() {
     }
 }
 
-/// Without a film, with one of no thickness, and with one that is gone again.
+/// Without a film, with a film of zero thickness, and after the removal of a film.
 #[test]
-fn no_film_is_the_half_space_to_the_last_bit() {
+fn zero_compliance_is_bit_identical_to_the_half_space() {
     let grid = Grid::centred(24, 20, 1e-6, 2e-6).unwrap();
     let field: Vec<f64> = (0..grid.len()).map(|k| (k as f64).sin()).collect();
     let outcome = |body: &mut dyn DeformationModel| {
@@ -153,9 +154,9 @@ fn no_film_is_the_half_space_to_the_last_bit() {
     assert!(outcome(&mut body) == expected);
 }
 
-/// The estimate is the inverse on a periodic grid: of a wave it is the wave over its displacement.
+/// The estimate is the inverse on a periodic grid: for a wave, the wave over its displacement.
 #[test]
-fn estimated_pressures_know_the_film() {
+fn pressure_estimate_includes_the_mean_compliance() {
     let n = 64;
     let grid = Grid::centred(n, n, 1e-6, 1e-6).unwrap();
     let compliance = 1e-17;
@@ -188,7 +189,7 @@ fn on_springs(mut body: WithLocalCompliance<impl DeformationModel>, c: f64, load
 }
 
 #[test]
-fn soft_films_are_springs() {
+fn soft_films_match_a_spring_foundation() {
     let (a, radius, thickness) = (1e-4, 1e-2, 10e-6);
     let film = BondedFilm::new([1e9, 0.3], RIGID).unwrap();
     let c = thickness * film.compliance();
@@ -244,15 +245,15 @@ fn scenes_without_film_are_bit_identical() {
     assert_eq!(bits(&with.state.pressure), bits(&without.state.pressure));
     assert_eq!(bits(&with.state.film), bits(&without.state.film));
     assert_eq!(with.report.work, without.report.work);
-    // A film without a compliance is height alone, and one with it gives way.
+    // A rigid film only changes the height; a compliant one deflects.
     let (hard, soft) = (covered(&scene(32), |_| 1e-7), covered(&soft(32), |_| 1e-7));
     assert!(bits(&hard.state.pressure) != bits(&soft.state.pressure));
     assert!(soft.pressure.max < hard.pressure.max * (1.0 + 1e-9));
 }
 
-/// Gaps of a dry contact are those of the pressures that it found: `gap + K p + c p - approach`.
+/// Gaps of a dry contact are consistent with its pressures: `gap + K p + c p - approach`.
 #[test]
-fn dry_scene_has_the_gaps_of_its_pressures() {
+fn dry_gaps_are_consistent_with_the_pressures() {
     let mut scene = soft(48);
     (scene.lubricant, scene.plastic, scene.solver.tolerance) = (None, None, 1e-9);
     scene.roughness.ball = Roughness::None;
@@ -267,14 +268,14 @@ fn dry_scene_has_the_gaps_of_its_pressures() {
         let gap = solution.gap[k] + u + own - solution.state.approach;
         assert!((gap - solution.state.film[k]).abs() < 1e-15, "{k}: {gap:e} {:e}", solution.state.film[k]);
     }
-    // Asperities carry less where they rest on the film.
+    // Asperities on the film carry less load.
     scene.elastic.tribofilm = None;
     assert!(solution.pressure.max < 0.99 * covered(&scene, thickness).pressure.max);
 }
 
 /// All solvers find the same smooth film.
 #[test]
-fn solvers_agree() {
+fn solvers_agree_on_compliant_films() {
     let mut scene = soft(64);
     (scene.roughness, scene.plastic) = (Default::default(), None);
     scene.load.hertz_pressure = Some(0.6e9);
@@ -282,7 +283,7 @@ fn solvers_agree() {
     let oil = scene.lubricant.as_mut().unwrap();
     // Multigrid has ambient pressure at the edge of the box.
     (oil.eta0, oil.inlet) = (0.02, InletSpec::BoxEdge);
-    // Softer than any: under the largest pressure it gives way by half of its thickness.
+    // Softer than any real film: the deflection at the largest pressure is half of the thickness.
     scene.elastic.tribofilm = Some(SOFT.with_modulus(1e9));
     let found = [SolverKind::NewtonKrylov, SolverKind::Multigrid, SolverKind::SemiSystem].map(|kind| {
         scene.solver.kind = kind;
@@ -295,14 +296,14 @@ fn solvers_agree() {
     }
 }
 
-/// Steps of the reference history, its films grown fast.
+/// Steps of the reference history with fast film growth.
 fn history(scene: &Scene, steps: usize) -> Vec<StepRecord> {
     let mut sim = MixedLubricationSim::builder(scene.clone()).build().unwrap();
     (0..steps).map(|_| sim.step(180.0).unwrap()).collect()
 }
 
 #[test]
-fn histories_converge_for_the_same_work() {
+fn histories_with_compliant_films_need_no_more_work() {
     let (without, with) = (history(&scene(64), 24), history(&soft(64), 24));
     // The first contact is bare.
     assert_eq!(without[0], with[0]);
@@ -325,7 +326,7 @@ fn records_converged(records: &[StepRecord]) -> bool {
 }
 
 #[test]
-fn threads_change_no_bit() {
+fn results_are_bit_identical_with_threads() {
     let mut scene = soft(192);
     scene.solver.tolerance = 1e-3;
     let [one, three] = [1, 3].map(|threads| {
@@ -337,7 +338,7 @@ fn threads_change_no_bit() {
 }
 
 #[test]
-fn what_is_below_the_films() {
+fn compliance_uses_the_material_below_each_film() {
     let confined = |scene: &Scene| scene.bonded_films().unwrap().unwrap().map(|film| film.compliance());
     let on = |below: [f64; 2]| BondedFilm::new([30e9, 0.3], below).unwrap().compliance();
     let close = |found: [f64; 2], below: [[f64; 2]; 2]| {
@@ -351,7 +352,7 @@ fn what_is_below_the_films() {
     let coating = LayerSpec::new(2e-6, 100e9, 0.2);
     scene.elastic.layer = Some(coating.with_substrate_modulus(Some(210e9)).with_substrate_poisson(Some(0.3)));
     close(confined(&scene), [STEEL, [100e9, 0.2]]);
-    // A disc that has all of the compliance leaves a rigid ball.
+    // A disc with all of the compliance leaves a rigid ball.
     scene.elastic.equivalent_modulus = 2.0 * 210e9 / 0.91;
     close(confined(&scene), [RIGID, [100e9, 0.2]]);
     let mut scene = soft(16);

@@ -15,10 +15,10 @@ use stribeck::tribochem::{
     ThermalArrhenius,
 };
 use stribeck::wear::{Archard, FrictionalEnergy, WearLaw, WearPressure};
-use stribeck::{BoundaryFriction, ConstantFriction, FilmFriction, Grid, InputError, RubbingPoint};
+use stribeck::{BoundaryFriction, ConstantFriction, FilmFriction, Grid, InputError, SurfaceState};
 
 #[test]
-fn growth_laws() {
+fn growth_laws_satisfy_the_contract() {
     let energy = 0.8 * ELECTRON_VOLT;
     let thermal = ThermalArrhenius::new(200e-9, 1.0, energy).unwrap().calibrated(1.2215e-3, 353.15).unwrap();
     let shear = StressActivated::by_shear_stress(200e-9, 1.0, energy, 0.13e-27).unwrap();
@@ -37,12 +37,12 @@ fn growth_laws() {
     }
 }
 
-/// Three rates that the default integration carries: smooth, stiff, and with a kink.
+/// Three rates for the default integration: smooth, stiff, and with a kink.
 #[derive(Debug)]
 struct Quadratic;
 
 impl FilmGrowthLaw for Quadratic {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         let left = 1.0 - thickness / 100e-9;
         if at.in_contact { 1e-10 * left * left } else { 0.0 }
     }
@@ -55,7 +55,7 @@ impl FilmGrowthLaw for Quadratic {
 struct Kinked;
 
 impl FilmGrowthLaw for Kinked {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if at.in_contact {
             1e-2 * (70e-9 - thickness).max(0.0) - 1e-3 * (thickness - 50e-9).max(0.0)
         } else {
@@ -68,17 +68,17 @@ impl FilmGrowthLaw for Kinked {
 }
 
 #[test]
-fn laws_that_are_only_a_rate() {
+fn laws_of_a_rate_alone_satisfy_the_contract() {
     film_growth_law(&Quadratic).unwrap();
     film_growth_law(&Kinked).unwrap();
 }
 
-/// A state that is no number behind a thickness that is one.
+/// A NaN state behind a finite thickness.
 #[derive(Debug)]
 struct Hidden;
 
 impl FilmGrowthLaw for Hidden {
-    fn rate(&self, _: &RubbingPoint, _: f64) -> f64 {
+    fn rate(&self, _: &SurfaceState, _: f64) -> f64 {
         0.0
     }
     fn maximum_thickness(&self) -> f64 {
@@ -87,7 +87,7 @@ impl FilmGrowthLaw for Hidden {
     fn thickness(&self, states: &[f64]) -> f64 {
         states[0].max(0.0)
     }
-    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+    fn advance(&self, at: &SurfaceState, time_step: f64, states: &mut [f64]) {
         if at.in_contact && states[0] == 0.0 && time_step > 0.0 {
             states[0] = f64::NAN;
         }
@@ -95,10 +95,10 @@ impl FilmGrowthLaw for Hidden {
 }
 
 #[test]
-fn hidden_states_are_found() {
+fn nan_states_behind_a_finite_thickness_are_detected() {
     assert_eq!(film_growth_law(&Hidden).unwrap_err().clause, "states are finite");
     let mut scene = stribeck::sim::Scene::azam_2019(16);
-    // Slow enough for solids to touch.
+    // Slow enough for solid contact.
     scene.motion.entrainment_speed = 1e-3;
     let mut sim = stribeck::sim::MixedLubricationSim::builder(scene).growth_law(Hidden).build().unwrap();
     let error = sim.step(10.0).unwrap_err().to_string();
@@ -106,7 +106,7 @@ fn hidden_states_are_found() {
 }
 
 #[test]
-fn wear_laws() {
+fn wear_laws_satisfy_the_contract() {
     wear_law(&Archard::azam_2019()).unwrap();
     wear_law(&Archard::azam_2019().with_pressure(WearPressure::Solid)).unwrap();
     wear_law(&Archard::azam_2019().with_film_hardness(2e9).unwrap()).unwrap();
@@ -114,7 +114,7 @@ fn wear_laws() {
 }
 
 #[test]
-fn fluids() {
+fn fluid_laws_satisfy_the_contract() {
     viscosity_law(&Roelands::new(0.004, 0.68, 1.96e8).unwrap()).unwrap();
     viscosity_law(&Roelands::from_alpha(0.004, 14.94e-9, 0.68, 1.96e8).unwrap()).unwrap();
     viscosity_law(&Barus::new(0.04, 20e-9).unwrap()).unwrap();
@@ -123,21 +123,21 @@ fn fluids() {
 }
 
 #[test]
-fn plasticity_models() {
+fn plasticity_models_satisfy_the_contract() {
     plasticity_model(&ElasticPerfectlyPlastic::azam_2019()).unwrap();
     plasticity_model(&ElasticPerfectlyPlastic::uniform(2e9).unwrap()).unwrap();
     plasticity_model(&IsotropicHardening::new(ElasticPerfectlyPlastic::azam_2019(), 1e16).unwrap()).unwrap();
 }
 
 #[test]
-fn deformation_models() {
+fn deformation_models_satisfy_the_contract() {
     for (nx, ny) in [(8, 8), (7, 13), (16, 9)] {
         let grid = Grid::centred(nx, ny, 1e-6, 1.5e-6).unwrap();
         deformation_model(&mut HalfSpace::new(grid, 230e9).unwrap()).unwrap();
     }
 }
 
-/// Springs side by side: a node gives way under its own pressure alone.
+/// Independent springs: a node deflects under its own pressure alone.
 #[derive(Debug)]
 struct Winkler {
     grid: Grid,
@@ -165,7 +165,7 @@ impl DeformationModel for Winkler {
 }
 
 #[test]
-fn displacement_need_not_reach_everywhere() {
+fn local_deformation_models_satisfy_the_contract() {
     let grid = Grid::centred(8, 7, 1e-6, 1e-6).unwrap();
     deformation_model(&mut Winkler { grid, compliance: 1e-16 }).unwrap();
     for compliance in [0.0, -1e-16] {
@@ -175,7 +175,7 @@ fn displacement_need_not_reach_everywhere() {
 }
 
 #[test]
-fn solvers() {
+fn solvers_satisfy_the_contract() {
     contact_solver(&mut Dry::new(), false).unwrap();
     contact_solver(&mut Auto::new(), false).unwrap();
     contact_solver(&mut Auto::new(), true).unwrap();
@@ -185,7 +185,7 @@ fn solvers() {
 }
 
 #[test]
-fn motions() {
+fn motions_satisfy_the_contract() {
     roughness_motion(&AtRest).unwrap();
     roughness_motion(&Carried).unwrap();
     for seed in [0, 1, u64::MAX] {
@@ -194,7 +194,7 @@ fn motions() {
     }
 }
 
-/// Walks across the track and says something else.
+/// Moves across the track but declares another revisit.
 #[derive(Debug)]
 struct Straying(Visits);
 
@@ -207,7 +207,7 @@ impl RoughnessMotion for Straying {
     }
 }
 
-/// Nowhere.
+/// An invalid fraction.
 #[derive(Debug)]
 struct Lost;
 
@@ -220,7 +220,7 @@ impl RoughnessMotion for Lost {
     }
 }
 
-/// One broken clause each.
+/// Laws that violate one clause each.
 #[derive(Debug)]
 enum Broken {
     GrowsIdle,
@@ -230,7 +230,7 @@ enum Broken {
 }
 
 impl FilmGrowthLaw for Broken {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         match self {
             Self::NotANumber => f64::NAN,
             Self::GrowsIdle => 1e-3 * (100e-9 - thickness),
@@ -241,41 +241,41 @@ impl FilmGrowthLaw for Broken {
     fn maximum_thickness(&self) -> f64 {
         100e-9
     }
-    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+    fn advance(&self, at: &SurfaceState, time_step: f64, states: &mut [f64]) {
         if !at.in_contact && !matches!(self, Self::GrowsIdle) {
             return;
         }
         let step = match self {
             // Forward Euler.
             Self::Overshoots => 1e-3 * time_step,
-            // Backward Euler: stable, but another film for every cut.
+            // Backward Euler: stable, but dependent on the division of the step.
             _ => 1e-3 * time_step / (1.0 + 1e-3 * time_step),
         };
         states[0] += step * (100e-9 - states[0]);
     }
 }
 
-/// Another law for fields than for nodes.
+/// Field results that differ from node results.
 #[derive(Debug)]
 struct Apart;
 
 impl FilmGrowthLaw for Apart {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if at.in_contact { 1e-3 * (100e-9 - thickness) } else { 0.0 }
     }
     fn maximum_thickness(&self) -> f64 {
         100e-9
     }
-    fn advance_all(&self, _: &[RubbingPoint], _: f64, states: &mut [f64]) {
+    fn advance_all(&self, _: &[SurfaceState], _: f64, states: &mut [f64]) {
         states.fill(50e-9);
     }
 }
 
 impl WearLaw for Apart {
-    fn depth_rate(&self, at: &RubbingPoint, _film: f64) -> f64 {
+    fn depth_rate(&self, at: &SurfaceState, _film: f64) -> f64 {
         1e-20 * at.pressure * at.sliding_speed
     }
-    fn depth_rates(&self, _: &[RubbingPoint], _: &[f64], rates: &mut [f64]) {
+    fn depth_rates(&self, _: &[SurfaceState], _: &[f64], rates: &mut [f64]) {
         rates.fill(1e-12);
     }
 }
@@ -302,7 +302,7 @@ impl PlasticityModel for Softening {
 struct Healing;
 
 impl WearLaw for Healing {
-    fn depth_rate(&self, _at: &RubbingPoint, _film: f64) -> f64 {
+    fn depth_rate(&self, _at: &SurfaceState, _film: f64) -> f64 {
         -1e-9
     }
 }
@@ -329,11 +329,11 @@ impl DensityLaw for WrongSlope {
 }
 
 #[test]
-fn broken_contracts_are_found() {
+fn violated_contracts_are_detected() {
     for (law, clause) in [
         (Broken::GrowsIdle, "any"),
         (Broken::Overshoots, "between zero and the largest"),
-        (Broken::CountsSteps, "cut anywhere"),
+        (Broken::CountsSteps, "may be divided"),
         (Broken::NotANumber, "rates are finite"),
     ] {
         let violation = film_growth_law(&law).unwrap_err();
@@ -350,16 +350,16 @@ fn broken_contracts_are_found() {
     roughness_motion(&Straying(Visits::Patch)).unwrap();
     assert!(plasticity_model(&Softening).unwrap_err().clause.contains("do not fall"));
     assert!(wear_law(&Healing).unwrap_err().clause.contains("never negative"));
-    assert_eq!(film_growth_law(&Apart).unwrap_err().clause, "fields go as their nodes do");
+    assert_eq!(film_growth_law(&Apart).unwrap_err().clause, "fields advance like their nodes");
     assert_eq!(wear_law(&Apart).unwrap_err().clause, "fields have the rates of their nodes");
     assert_eq!(boundary_friction(&Apart).unwrap_err().clause, "fields have the coefficients of their nodes");
     assert!(viscosity_law(&Thinning).unwrap_err().clause.contains("does not fall"));
     assert!(density_law(&WrongSlope).unwrap_err().clause.contains("derivative"));
-    // A dry solver cannot do a lubricated contact, and the check says so instead of passing.
+    // A dry solver cannot solve a lubricated contact, and the check reports it.
     assert!(contact_solver(&mut Dry::new(), true).is_err());
 }
 
-/// A coefficient that counts how often it was asked for.
+/// A coefficient that depends on the number of calls.
 #[derive(Debug, Default)]
 struct Counting(std::sync::atomic::AtomicU32);
 
@@ -380,7 +380,7 @@ impl BoundaryFriction for Diverging {
 }
 
 #[test]
-fn boundary_friction_laws() {
+fn boundary_friction_laws_satisfy_the_contract() {
     boundary_friction(&ConstantFriction::new(0.115).unwrap()).unwrap();
     boundary_friction(&FilmFriction::new(0.08, 0.12, 20e-9).unwrap()).unwrap();
     boundary_friction(&FilmFriction::new(0.12, 0.0, 1e-12).unwrap()).unwrap();

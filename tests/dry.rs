@@ -28,10 +28,11 @@ fn solved(scene: &Scene) -> ContactSolution {
     solution
 }
 
-/// Peak, approach, force and radius of the smooth ball. The rim crosses the cells, so that errors scatter
-/// about n^-2: measured 3.6e-5, 6.8e-6 and 2.1e-6 for the peak, 2.1e-5, 7.4e-6 and 1.4e-6 for the approach.
+/// Peak, approach, force and radius of the smooth ball. Errors scatter about n^-2, as the contact edge
+/// crosses cells: measured 3.6e-5, 6.8e-6 and 2.1e-6 for the peak, 2.1e-5, 7.4e-6 and 1.4e-6 for the
+/// approach.
 #[test]
-fn smooth_ball_is_hertz_to_second_order() {
+fn smooth_ball_converges_to_hertz_at_second_order() {
     for (n, peak_bound) in [(128, 5e-5), (256, 1e-5), (512, 3e-6)] {
         let solution = solved(&smooth(n));
         let hertz = solution.hertz;
@@ -39,7 +40,7 @@ fn smooth_ball_is_hertz_to_second_order() {
         let approach = solution.state.approach / (hertz.half_width_x.powi(2) / 9.525e-3) - 1.0;
         let load =
             solution.state.pressure.iter().sum::<f64>() * solution.grid.cell_area() / hertz.force - 1.0;
-        // The second moment of the pressure is that of the Hertz contact, a^2/5.
+        // The second moment of the Hertz pressure is a^2/5.
         let (mut moment, mut sum) = (0.0, 0.0);
         for ((x, _), p) in solution.grid.nodes().zip(&solution.state.pressure) {
             moment += x * x * p;
@@ -54,7 +55,7 @@ fn smooth_ball_is_hertz_to_second_order() {
 }
 
 #[test]
-fn capped_rough_contact_takes_steps_that_do_not_grow_with_the_grid() {
+fn steps_of_a_yielding_rough_contact_do_not_grow_with_the_grid() {
     for n in [128, 256, 512] {
         for hardness in [6e9, 2e9] {
             let mut scene = dry(n);
@@ -68,10 +69,10 @@ fn capped_rough_contact_takes_steps_that_do_not_grow_with_the_grid() {
     }
 }
 
-/// Conjugate-gradient steps on the grid itself, to 1e-8: measured 23 to 29, and 30 to 33 on 1024 x 1024
+/// Conjugate-gradient steps on the finest grid, to 1e-8: measured 23 to 29, and 30 to 33 on 1024 x 1024
 /// nodes.
 #[test]
-fn rough_contacts_take_at_most_forty_steps_on_every_grid() {
+fn rough_contacts_need_at_most_forty_steps_on_every_grid() {
     for n in [128, 129, 256, 512] {
         for hardness in [None, Some(6e9), Some(2e9)] {
             let mut scene = dry(n);
@@ -88,7 +89,7 @@ fn rough_contacts_take_at_most_forty_steps_on_every_grid() {
 }
 
 #[test]
-fn a_load_that_the_hardness_cannot_carry_names_the_largest() {
+fn load_above_the_hardness_names_the_largest_load() {
     let mut scene = smooth(64);
     let area = solve_contact(&scene).unwrap().grid.cell_area() * 62.0 * 62.0;
     let hardness = 0.99 * scene.hertz().unwrap().force / area;
@@ -99,7 +100,7 @@ fn a_load_that_the_hardness_cannot_carry_names_the_largest() {
 }
 
 #[test]
-fn contact_at_the_edge_of_the_box_is_an_error_unless_allowed() {
+fn contact_at_the_box_edge_is_an_error_unless_allowed() {
     for x in [[-0.14e-3, 0.25e-3], [-0.25e-3, 0.1e-3], [-0.14e-3, 0.14e-3]] {
         for turned in [false, true] {
             let mut scene = smooth(64);
@@ -115,7 +116,7 @@ fn contact_at_the_edge_of_the_box_is_an_error_unless_allowed() {
             }
             scene.solver.edge_contact = true;
             let solution = solved(&scene);
-            assert!(solution.pressure.max > 1.0003 * 1.15e9, "what is missing outside is carried inside");
+            assert!(solution.pressure.max > 1.0003 * 1.15e9, "the load outside of the box is carried inside");
             let load = solution.state.pressure.iter().sum::<f64>() * solution.grid.cell_area();
             assert!((load / solution.hertz.force - 1.0).abs() < 1e-9);
         }
@@ -123,7 +124,7 @@ fn contact_at_the_edge_of_the_box_is_an_error_unless_allowed() {
 }
 
 #[test]
-fn what_rounding_does_not_allow_ends_as_stalled() {
+fn tolerance_below_rounding_ends_as_stalled() {
     for tolerance in [1e-300, 1e-17] {
         let mut scene = dry(64);
         (scene.solver.tolerance, scene.solver.max_iterations) = (tolerance, u64::MAX);
@@ -134,11 +135,11 @@ fn what_rounding_does_not_allow_ends_as_stalled() {
     }
 }
 
-/// The area of a Hertz circle: cells along its edge count too much by a share of their size, which the
-/// correction knows.
+/// The area of a Hertz circle: whole cells along its edge overestimate it by a share of the cell size, which
+/// the edge correction removes.
 #[test]
-fn corrected_areas_fall_faster_to_that_of_hertz() {
-    // Root mean square over sizes next to each other, as the rounding of one circle to cells is chance.
+fn corrected_area_converges_to_hertz_faster() {
+    // Root mean square over adjacent sizes, as the error of a single rasterized circle is random.
     let errors = |sizes: [usize; 6]| {
         let mut squares = [0.0; 2];
         for n in sizes {

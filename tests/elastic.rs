@@ -47,17 +47,17 @@ fn estimate(body: &mut dyn DeformationModel, displacement: &[f64]) -> Vec<f64> {
     out
 }
 
-fn assert_close(found: &[f64], expected: &[f64], relative: f64, what: &str) {
+fn assert_close(found: &[f64], expected: &[f64], relative: f64, label: &str) {
     let scale = largest(expected);
     for (k, (f, e)) in found.iter().zip(expected).enumerate() {
-        assert!((f - e).abs() <= relative * scale, "{what}, node {k}: {f:e} instead of {e:e}");
+        assert!((f - e).abs() <= relative * scale, "{label}, node {k}: {f:e} instead of {e:e}");
     }
 }
 
 // ---- displacement of the half-space ----
 
 #[test]
-fn convolution_is_the_direct_sum() {
+fn convolution_equals_the_direct_sum() {
     let counts = [1, 2, 3, 5, 7, 8, 12, 13, 16, 17, 31];
     let pairs = counts.iter().flat_map(|&nx| counts.map(|ny| (nx, ny)));
     for (nx, ny) in pairs.chain([(101, 1), (1, 97), (64, 37), (27, 50)]) {
@@ -68,14 +68,14 @@ fn convolution_is_the_direct_sum() {
         let expected = direct_displacement(&grid, MODULUS, &pressure).unwrap();
         // Measured: 4e-15 and below.
         assert_close(&displacement(&mut body, &pressure), &expected, 1e-12, &format!("{nx} x {ny}"));
-        // A copy shares the plan and has buffers of its own; what a call leaves in them has no effect.
+        // A clone shares the plan and has its own buffers; earlier content of the buffers has no effect.
         let mut copy = body.clone();
         assert_eq!(displacement(&mut body, &pressure), displacement(&mut copy, &pressure));
     }
 }
 
 #[test]
-fn influence_is_the_displacement_under_one_cell() {
+fn influence_equals_the_displacement_under_one_cell() {
     let grid = Grid::centred(9, 8, 2.0e-6, 1.1e-6).unwrap();
     let mut pressure = vec![0.0; grid.len()];
     pressure[0] = 1.0;
@@ -90,7 +90,7 @@ fn influence_is_the_displacement_under_one_cell() {
 }
 
 #[test]
-fn far_field_is_that_of_a_point_force() {
+fn far_field_approaches_a_point_force() {
     let grid = Grid::centred(512, 8, 1.0e-6, 1.0e-6).unwrap();
     let mut pressure = vec![0.0; grid.len()];
     pressure[0] = 1e9;
@@ -104,7 +104,7 @@ fn far_field_is_that_of_a_point_force() {
     }
 }
 
-/// A grid of 1 to 12 by 1 to 12 nodes of any aspect, with two pressures between -1 and 1 GPa.
+/// A grid of 1 to 12 by 1 to 12 nodes with any aspect ratio, and two pressures between -1 and 1 GPa.
 fn fields() -> impl Strategy<Value = (Grid, Vec<f64>, Vec<f64>)> {
     (1_usize..13, 1_usize..13, 0.2_f64..5.0).prop_flat_map(|(nx, ny, aspect)| {
         let field = || vec(-1e9..1e9, nx * ny);
@@ -112,7 +112,7 @@ fn fields() -> impl Strategy<Value = (Grid, Vec<f64>, Vec<f64>)> {
     })
 }
 
-/// What a body makes of a field.
+/// Operators on a field.
 type Map = fn(&mut dyn DeformationModel, &[f64]) -> Vec<f64>;
 
 /// Precision of estimates, relative to the largest value.
@@ -160,7 +160,7 @@ proptest! {
     }
 
     #[test]
-    fn displacement_moves_with_the_pressure((grid, p, _) in fields(), at in (0_usize..12, 0_usize..12)) {
+    fn displacement_is_translation_invariant((grid, p, _) in fields(), at in (0_usize..12, 0_usize..12)) {
         let (nx, ny) = (grid.nx(), grid.ny());
         let (i0, j0) = (at.0 % nx, at.1 % ny);
         let in_block = |k: usize| k % nx < nx - i0 && k / nx < ny - j0;
@@ -178,7 +178,7 @@ proptest! {
 }
 
 #[test]
-fn displacement_single_has_single_precision_for_numbers_of_any_size() {
+fn displacement_single_has_single_precision_at_any_magnitude() {
     for (nx, ny) in [(64, 48), (33, 70)] {
         let grid = Grid::centred(nx, ny, 4e-6, 3e-6).unwrap();
         for (modulus, unit) in [(MODULUS, 1e9), (1e-30, 1e200), (1e30, 1e-60), (MODULUS, 0.0)] {
@@ -196,7 +196,7 @@ fn displacement_single_has_single_precision_for_numbers_of_any_size() {
 }
 
 #[test]
-fn displacement_periodic_is_the_estimate_between_near_nodes() {
+fn displacement_periodic_is_exact_between_near_nodes() {
     let grid = Grid::centred(64, 48, 4e-6, 3e-6).unwrap();
     let mut body = HalfSpace::new(grid, MODULUS).unwrap();
     let mut pressure = vec![0.0; grid.len()];
@@ -205,7 +205,7 @@ fn displacement_periodic_is_the_estimate_between_near_nodes() {
     body.displacement_periodic(&pressure, &mut sketch).unwrap();
     body.displacement_single(&pressure, &mut estimate).unwrap();
     assert_close(&sketch, &estimate, 1e-5, "from the middle no way round is shorter");
-    // From a corner the opposite one is next door.
+    // Opposite corners are neighbors on the periodic grid.
     pressure.rotate_left(24 * 64 + 32);
     body.displacement_periodic(&pressure, &mut sketch).unwrap();
     body.displacement_single(&pressure, &mut estimate).unwrap();
@@ -215,8 +215,9 @@ fn displacement_periodic_is_the_estimate_between_near_nodes() {
 
 #[test]
 fn pressure_estimate_is_close_to_the_pressure() {
-    // Exact but for the displacement beyond the box, which it takes for zero: 0.070, 0.069 and 0.068 were
-    // measured, whatever the mesh; a division by the self-influence is wrong by a factor that grows with it.
+    // Exact except for the displacement outside the box, which is taken as zero: measured 0.070, 0.069 and
+    // 0.068, independent of the mesh. Division by the self-influence would be wrong by a factor that grows
+    // with the mesh.
     for n in [32, 64, 128] {
         let grid = Grid::centred(n, n, 0.5e-3 / n as f64, 0.5e-3 / n as f64).unwrap();
         let ball = HertzPoint::from_max_pressure(RADIUS, RADIUS, MODULUS, 1.15e9).unwrap();
@@ -231,7 +232,7 @@ fn pressure_estimate_is_close_to_the_pressure() {
     }
 }
 
-/// Springs side by side: the smallest deformation model, without approximations.
+/// Independent springs: the smallest deformation model, without approximations.
 #[derive(Debug)]
 struct Springs(Grid);
 
@@ -254,10 +255,10 @@ impl DeformationModel for Springs {
     }
 }
 
-/// A paraboloid pressed into springs by dry contact and in a film too thin to count: `p = (depth - gap)/c`
-/// inside, `depth = sqrt(load c/(pi r))`.
+/// A paraboloid on springs in dry contact and with a negligible film: `p = (depth - gap)/c` inside,
+/// `depth = sqrt(load c/(pi r))`.
 #[test]
-fn springs_alone_are_a_body() {
+fn spring_foundation_is_solved_exactly() {
     let (radius, load) = (1e-2, 2.0);
     let depth = (load * 1e-15 / (std::f64::consts::PI * radius)).sqrt();
     let half = (2.0 * radius * depth).sqrt();
@@ -283,7 +284,7 @@ fn springs_alone_are_a_body() {
     }
 }
 
-/// Springs that refuse one displacement.
+/// Springs that fail at one displacement.
 #[derive(Debug)]
 struct Refusing {
     springs: Springs,
@@ -296,7 +297,7 @@ impl DeformationModel for Refusing {
     }
     fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         let Some(left) = self.left.checked_sub(1) else {
-            // Once: what comes after must not be what ends the solve.
+            // A single failure: a later one must not be the reason for the end of the solve.
             self.left = u32::MAX;
             return Err(InputError::Conflict { field: "springs".to_owned(), reason: "it broke".to_owned() });
         };
@@ -309,7 +310,7 @@ impl DeformationModel for Refusing {
 }
 
 #[test]
-fn an_error_of_the_body_ends_the_solve_wherever_it_comes() {
+fn error_of_the_body_ends_the_solve_at_any_call() {
     let grid = Grid::centred(16, 16, 1e-6, 1e-6).unwrap();
     let gap: Vec<f64> = grid.nodes().map(|(x, y)| 50.0 * (x * x + y * y)).collect();
     let oil = Lubricant::new(Barus::new(0.01, 1e-8).unwrap(), Incompressible);
@@ -398,7 +399,7 @@ fn dry_solver_names_the_field_that_does_not_fit() {
 
 // ---- dry contact ----
 
-/// A dry contact with everything that a solve needs.
+/// A dry contact problem with state and solver.
 struct Scene {
     grid: Grid,
     gap: Vec<f64>,
@@ -464,7 +465,7 @@ impl Scene {
         solver.solve(&mut self.problem(), state, &stop).unwrap()
     }
 
-    /// From nothing to 1e-9.
+    /// Solves from zero pressure to 1e-9.
     fn solved(&mut self) -> (ContactState, SolveReport) {
         let mut state = ContactState::new(&self.grid);
         let report = self.solve(&mut Dry::new(), &mut state, 500);
@@ -481,7 +482,7 @@ impl Scene {
         (1..nx - 1).contains(&(k % nx)) && (1..ny - 1).contains(&(k / nx))
     }
 
-    /// Checks every inequality of a converged state, the gap to `eps` \[m\], from the pressure alone.
+    /// Checks all inequalities of a converged state, the gap to `eps` \[m\], from the pressure alone.
     fn check(&mut self, state: &ContactState, eps: f64) {
         let u = displacement(&mut self.body, &state.pressure);
         let sum: f64 = state.pressure.iter().sum();
@@ -511,7 +512,7 @@ impl Scene {
 }
 
 #[test]
-fn smooth_ball_is_hertz() {
+fn smooth_ball_matches_hertz() {
     for n in [64, 65, 128] {
         let (mut scene, hertz) = Scene::ball(n);
         let (state, report) = scene.solved();
@@ -526,11 +527,12 @@ fn smooth_ball_is_hertz() {
         let approach = state.approach / hertz.approach - 1.0;
         assert!(approach.abs() < second_order, "{n}: approach {approach}");
         assert!((hertz.approach / (hertz.half_width_x.powi(2) / RADIUS) - 1.0).abs() < 1e-12);
-        // The rim is known to a fraction of a cell.
+        // The contact radius is resolved to a fraction of a cell.
         let step = scene.grid.dx() / hertz.half_width_x;
         let radius = (scene.contact_area(&state) / hertz.area()).sqrt() - 1.0;
         assert!(radius.abs() < 0.25 * step, "{n}: radius {radius}");
-        // The slope of the pressure is infinite at the rim, so half a cell there costs some sqrt(step).
+        // The slope of the pressure is infinite at the edge, where half a cell causes an error of order
+        // sqrt(step).
         for ((x, y), p) in scene.grid.nodes().zip(&state.pressure) {
             let near_rim = (x.hypot(y) / hertz.half_width_x - 1.0).abs() < 0.1;
             let bound = if near_rim { 0.2 * step.sqrt() } else { 2e-3 * 64.0 / n as f64 };
@@ -541,7 +543,7 @@ fn smooth_ball_is_hertz() {
 }
 
 #[test]
-fn ellipsoid_on_oblong_cells_is_hertz() {
+fn ellipsoid_on_oblong_cells_matches_hertz() {
     let hertz = HertzPoint::from_max_pressure(20e-3, 5e-3, MODULUS, 1e9).unwrap();
     let grid = Grid::from_edges(
         96,
@@ -556,12 +558,12 @@ fn ellipsoid_on_oblong_cells_is_hertz() {
     let peak = largest(&state.pressure) / hertz.pressure - 1.0;
     let approach = state.approach / hertz.approach - 1.0;
     let area = scene.contact_area(&state) / hertz.area() - 1.0;
-    // Measured: -4e-5, -4e-5 and 0.011, the last for a rim known to a fraction of a cell.
+    // Measured: -4e-5, -4e-5 and 0.011, the last limited by the resolution of the contact radius.
     assert!(peak.abs() < 2e-4 && approach.abs() < 2e-4 && area.abs() < 0.02, "{peak} {approach} {area}");
 }
 
 #[test]
-fn a_flat_punch_sinks_in_as_known() {
+fn flat_punch_has_the_analytical_indentation() {
     let grid = Grid::centred(81, 81, 1e-6, 1e-6).unwrap();
     let gap: Vec<f64> = grid.nodes().map(|(x, y)| if x.hypot(y) > 30.2e-6 { 1e-3 } else { 0.0 }).collect();
     let n_touching = gap.iter().filter(|&&g| g == 0.0).count() as f64;
@@ -572,15 +574,15 @@ fn a_flat_punch_sinks_in_as_known() {
         .solve(&problem, &mut HalfSpace::new(grid, MODULUS).unwrap(), &mut pressure, 1e-9, 100)
         .unwrap();
     assert!(outcome.converged, "{outcome:?}");
-    // F / (a E'), and half of the mean pressure in the centre (Johnson, Contact Mechanics, section 3.8).
+    // F / (a E'), and half of the mean pressure in the center (Johnson, Contact Mechanics, section 3.8).
     let approach = outcome.approach / (1.0 / (radius * MODULUS)) - 1.0;
     let centre = pressure[40 * 81 + 40] / (0.5 / (std::f64::consts::PI * radius * radius)) - 1.0;
-    // Measured: 0.004 and 0.007, for a rim of square cells.
+    // Measured: 0.004 and 0.007, due to the edge of square cells.
     assert!(approach.abs() < 0.01 && centre.abs() < 0.02, "{approach} {centre}");
     assert!(pressure.iter().zip(&gap).all(|(&p, &g)| (p > 0.0) == (g == 0.0)));
 }
 
-/// What a solve ends with after `passes` from `pressure`, its gap raised by `offset` \[m\].
+/// Outcome of `passes` from `pressure`, with the gap raised by `offset` \[m\].
 fn dry_outcome(scene: &mut Scene, offset: f64, pressure: &mut [f64], passes: u64) -> DryOutcome {
     let gap: Vec<f64> = scene.gap.iter().map(|gap| gap + offset).collect();
     let limit = scene.limit.clone();
@@ -597,7 +599,7 @@ fn energies(scene: &mut Scene, pressure: &[f64]) -> [f64; 2] {
 }
 
 #[test]
-fn the_energy_error_is_bounded_whatever_the_solver_did() {
+fn energy_error_is_bounded_for_any_pressure() {
     for limit in [None, Some(6e9), Some(2e9)] {
         let mut scene = Scene::rough(64, 1, limit);
         let mut best = vec![0.0; scene.gap.len()];
@@ -616,7 +618,7 @@ fn the_energy_error_is_bounded_whatever_the_solver_did() {
 }
 
 #[test]
-fn a_start_of_one_node_is_not_taken_for_the_answer() {
+fn start_of_one_node_is_not_accepted() {
     let (mut scene, _) = Scene::ball(64);
     let mut pressure = vec![0.0; scene.gap.len()];
     pressure[20 * 64 + 40] = 1.0;
@@ -629,20 +631,20 @@ fn a_start_of_one_node_is_not_taken_for_the_answer() {
 }
 
 #[test]
-fn an_offset_of_the_gap_moves_the_approach_alone() {
+fn gap_offset_changes_the_approach_alone() {
     let (mut scene, _) = Scene::ball(64);
     let mut pressure = vec![0.0; scene.gap.len()];
     let near = dry_outcome(&mut scene, 0.0, &mut pressure, 500);
     let mut far_pressure = vec![0.0; scene.gap.len()];
     let far = dry_outcome(&mut scene, 1e6, &mut far_pressure, 500);
-    // Gaps of a million metres are known to 1e-10 m, a ten thousandth of the displacement.
+    // Gaps of a million metres are resolved to 1e-10 m, a ten-thousandth of the displacement.
     assert!(far.converged && far.energy_error < 1e-5, "{far:?}");
     assert!((far.approach - 1e6 - near.approach).abs() < 1e-9, "{far:?}");
     assert_close(&far_pressure, &pressure, 1e-3, "pressure of a distant body");
 }
 
 #[test]
-fn rough_ball_with_and_without_limit() {
+fn rough_ball_satisfies_the_inequalities_with_and_without_limit() {
     for seed in 1..4 {
         let mut areas = Vec::new();
         for limit in [None, Some(6e9), Some(2e9)] {
@@ -651,7 +653,7 @@ fn rough_ball_with_and_without_limit() {
             // Measured: 25 to 31 steps.
             assert!(report.work.inner_iterations <= 45, "{report:?}");
             assert!(report.residual.max() <= 1e-9);
-            // 1e-13 m is 1e-7 of the displacement; 1e-9 is asked of the mean.
+            // 1e-13 m is 1e-7 of the displacement; the tolerance on the mean is 1e-9.
             scene.check(&state, 1e-13);
             areas.push(scene.contact_area(&state));
             if let Some(limit) = limit {
@@ -664,7 +666,7 @@ fn rough_ball_with_and_without_limit() {
 }
 
 #[test]
-fn converged_state_costs_almost_nothing_to_solve_again() {
+fn warm_start_from_the_solution_takes_few_steps() {
     for limit in [None, Some(6e9), Some(2e9)] {
         for seed in 1..4 {
             let mut scene = Scene::rough(128, seed, limit);
@@ -672,7 +674,7 @@ fn converged_state_costs_almost_nothing_to_solve_again() {
             let before = state.clone();
             let again = scene.solve(&mut Dry::new(), &mut state, 500);
             assert_eq!((again.status, again.work.iterations), (Status::Converged, 1), "{again:?}");
-            // Measured: up to 6, which takes the residual a digit below the tolerance.
+            // Measured: up to 6, which reduce the residual by a digit below the tolerance.
             assert!(again.work.inner_iterations <= 12, "{again:?}");
             assert_close(&state.pressure, &before.pressure, 1e-6, "pressure after a second solve");
         }
@@ -680,7 +682,7 @@ fn converged_state_costs_almost_nothing_to_solve_again() {
 }
 
 #[test]
-fn a_used_solver_finds_the_same_bits() {
+fn reused_solver_is_bit_identical() {
     let mut solver = Dry::new();
     let mut first = None;
     for (seed, limit) in [(1, Some(2e9)), (2, None), (1, Some(2e9))] {
@@ -696,7 +698,7 @@ fn a_used_solver_finds_the_same_bits() {
 }
 
 #[test]
-fn the_iteration_limit_is_a_status_and_leaves_a_usable_state() {
+fn iteration_limit_returns_a_status_and_a_valid_state() {
     let mut scene = Scene::rough(64, 1, Some(2e9));
     let mut state = ContactState::new(&scene.grid);
     let mut solver = Dry::new();
@@ -710,7 +712,7 @@ fn the_iteration_limit_is_a_status_and_leaves_a_usable_state() {
 }
 
 #[test]
-fn a_load_beyond_the_limit_is_an_error_that_names_the_largest() {
+fn load_above_the_pressure_limit_names_the_largest_load() {
     let mut scene = Scene::rough(64, 1, Some(2e9));
     let largest_load = 2e9 * 62.0 * 62.0 * scene.grid.cell_area();
     for load in [largest_load * (1.0 + 1e-9), 2.0 * largest_load, 1e30] {
@@ -724,7 +726,7 @@ fn a_load_beyond_the_limit_is_an_error_that_names_the_largest() {
         assert!(reason.contains(&format!("{largest_load:.6e} N")), "{reason}");
         assert_eq!(state, ContactState::new(&scene.grid), "a refused problem leaves the state alone");
     }
-    // Just below, every node but a few yields, up to the edge.
+    // Just below that load all but a few nodes yield, up to the edge.
     scene.load = 0.9999 * largest_load;
     let mut state = ContactState::new(&scene.grid);
     let report = scene.solve(&mut Dry::allowing_edge_contact(), &mut state, 500);
@@ -733,7 +735,7 @@ fn a_load_beyond_the_limit_is_an_error_that_names_the_largest() {
 }
 
 #[test]
-fn dry_solver_refuses_what_it_is_not_made_for() {
+fn dry_solver_rejects_invalid_problems_by_name() {
     let oil = Lubricant::new(Barus::new(0.04, 2e-8).unwrap(), Incompressible);
     let (mut scene, _) = Scene::ball(16);
     let mut state = ContactState::new(&scene.grid);
@@ -747,10 +749,10 @@ fn dry_solver_refuses_what_it_is_not_made_for() {
     short.gap = &gap;
     let error = Dry::new().solve(&mut short, &mut state, &stop).unwrap_err();
     assert!(matches!(&error, ReynoldsError::Input(e) if e.to_string().starts_with("gap has 255")), "{error}");
-    for (what, limit) in &limits {
+    for (case, limit) in &limits {
         let mut bad = scene.problem().with_pressure_limit(Some(limit));
         let error = Dry::new().solve(&mut bad, &mut state, &stop).unwrap_err();
-        assert!(error.to_string().starts_with("pressure_limit"), "{what}: {error}");
+        assert!(error.to_string().starts_with("pressure_limit"), "{case}: {error}");
     }
     for (name, load) in [("negative", -1.0), ("none", 0.0), ("not a number", f64::NAN)] {
         let mut bad = scene.problem().with_load(load);
@@ -763,8 +765,8 @@ fn dry_solver_refuses_what_it_is_not_made_for() {
 }
 
 #[test]
-fn a_start_far_above_the_limit_finds_its_way_back() {
-    // Every node begins at its limit, and together they carry a thousand times the load.
+fn start_far_above_the_limit_converges() {
+    // Every node starts at its limit; together they carry a thousand times the load.
     for limit in [2e9, 6e9] {
         let mut scene = Scene::rough(64, 1, Some(limit));
         let (expected, _) = scene.solved();
@@ -777,25 +779,25 @@ fn a_start_far_above_the_limit_finds_its_way_back() {
     }
 }
 
-/// What the start of a random scene holds.
+/// Initial pressure of a random scene.
 #[derive(Debug, Clone, Copy)]
 enum Start {
-    /// Nothing: the solver begins with the Hertzian pressure of the reference.
+    /// Zero: the solver starts from the Hertzian pressure of the reference.
     Cold,
     /// One node.
     Peak,
-    /// Any pressure, within the limits or not, infinite, negative or no number here and there.
+    /// Any pressure, within the limits or not, with infinite, negative or NaN values.
     Wild,
 }
 
 #[derive(Debug)]
 struct RandomScene {
     heights: Vec<f64>,
-    /// Decadic logarithms of the roughness \[m\], of the load over the largest that 5 GPa carry, of the
-    /// pressure \[Pa\] of the start.
+    /// Decadic logarithms of the roughness \[m\], of the load relative to the largest that 5 GPa carry, and
+    /// of the initial pressure \[Pa\].
     logs: (f64, f64, f64),
     curved: bool,
-    /// None, or the limits in 5 GPa.
+    /// Pressure limits in 5 GPa; `None` for elastic contact.
     limits: Option<Vec<f64>>,
     start: Start,
 }
@@ -857,7 +859,7 @@ proptest! {
         let mut state = random.start(&scene);
         let report = scene.solve(&mut Dry::allowing_edge_contact(), &mut state, 200);
         prop_assert_eq!(report.status, Status::Converged, "{:?}", report);
-        // Of the displacement, which grows with the load.
+        // Relative to the displacement, which grows with the load.
         let u = displacement(&mut scene.body, &state.pressure);
         scene.check(&state, 1e-6 * largest(&u));
     }

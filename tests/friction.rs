@@ -6,15 +6,15 @@ use stribeck::metrics::height_statistics;
 use stribeck::sim::scene::{FrictionSpec, SolverKind};
 use stribeck::sim::{Body, BodyStart, MixedLubricationSim, Scene, solve_contact};
 
-/// Rough, dry and quick.
+/// A rough dry scene, fast to solve.
 fn dry(n: usize) -> Scene {
     let mut scene = Scene::azam_2019(n);
     scene.solver.kind = SolverKind::Dry;
     scene
 }
 
-/// The friction of a film grows with what it covers, and its boundary share is the mean coefficient times the
-/// load on solids.
+/// The friction changes with the coverage of the film; its boundary part is the mean coefficient times the
+/// solid load ratio.
 #[test]
 fn friction_follows_the_tribofilm() {
     let friction = |film_coefficient: Option<f64>, thickness: f64| {
@@ -46,7 +46,7 @@ fn friction_follows_the_tribofilm() {
     }
 }
 
-/// Slips through the film where it is thick.
+/// Lower friction on thick films.
 #[derive(Debug)]
 struct Soap;
 
@@ -57,7 +57,7 @@ impl BoundaryFriction for Soap {
     }
 }
 
-/// What no coefficient is.
+/// A law that returns invalid coefficients.
 #[derive(Debug)]
 struct Wild;
 
@@ -68,7 +68,7 @@ impl BoundaryFriction for Wild {
 }
 
 #[test]
-fn friction_of_the_user_takes_the_place_of_the_scenes() {
+fn custom_friction_replaces_that_of_the_scene() {
     let scene = dry(32);
     let mut sim = MixedLubricationSim::builder(scene.clone()).boundary_friction(Soap).build().unwrap();
     let record = sim.step(1.0).unwrap();
@@ -82,7 +82,7 @@ fn friction_of_the_user_takes_the_place_of_the_scenes() {
 }
 
 #[test]
-fn friction_laws_out_of_range_are_named() {
+fn invalid_friction_coefficients_are_rejected_by_name() {
     for (change, part) in [
         (
             &(|spec: &mut FrictionSpec| spec.film_coefficient = Some(-0.1)) as &dyn Fn(&mut FrictionSpec),
@@ -101,9 +101,9 @@ fn friction_laws_out_of_range_are_named() {
     }
 }
 
-/// A smooth film without boundary friction, sheared at a slide-roll ratio of 1: the estimate knows its heat.
+/// A smooth film without boundary friction at a slide-roll ratio of 1: the estimate includes its shear heat.
 #[test]
-fn the_estimate_of_the_flash_temperature_knows_the_fluid() {
+fn flash_temperature_estimate_includes_fluid_shear() {
     for speed in [2.0, 5.0] {
         let mut scene = Scene::azam_2019(64);
         scene.roughness = Default::default();
@@ -122,10 +122,10 @@ fn the_estimate_of_the_flash_temperature_knows_the_fluid() {
     }
 }
 
-/// Numbers of a record belong together: roughness and film of one contact, pressures within the limit of
-/// their nodes.
+/// Values of a record are consistent: roughness and film of one contact, pressures within the limit of their
+/// nodes.
 #[test]
-fn the_record_tells_the_truth() {
+fn record_values_are_consistent() {
     let mut scene = Scene::azam_2019(48).with_tribofilm();
     scene.solver.tolerance = 1e-4;
     (scene.plastic.as_mut().unwrap().hardness, scene.roughness.ball) = (2.5e9, Default::default());

@@ -55,7 +55,7 @@ fn films(solution: &ContactSolution) -> (f64, f64) {
 
 /// Hertz pressure and the speed parameter `12 eta0 u R^2 / (a^3 p_h)` of the known films below.
 #[test]
-fn moes_parameters_give_the_scales_of_the_known_films() {
+fn moes_parameters_give_the_scales_of_the_reference_films() {
     for (m, pressure, lambda) in [
         (20.0, 0.449_574e9, 0.202_211_62),
         (100.0, 0.768_761e9, 0.023_650_815),
@@ -72,7 +72,7 @@ fn moes_parameters_give_the_scales_of_the_known_films() {
 
 /// Converged values by two independent programs (multigrid and Newton, extrapolated from 256 to 1024 cells).
 #[test]
-fn films_converge_to_known_values_at_second_order() {
+fn films_converge_to_reference_values_at_second_order() {
     for (m, central, minimum) in [(20.0, 0.4325, 0.2928), (100.0, 0.1372, 0.0735), (200.0, 0.0824, 0.0391)] {
         let solved = [128, 256, 512].map(|n| {
             let solution = converged(&ball(m, 10.0, n));
@@ -89,8 +89,8 @@ fn films_converge_to_known_values_at_second_order() {
 }
 
 #[test]
-fn first_order_films_are_a_little_too_thick() {
-    // 1.9 % at M = 20: the arithmetic means of a smooth contact of first order make its film thinner.
+fn first_order_films_exceed_the_reference_slightly() {
+    // 1.9 % at M = 20; first-order arithmetic means would make the film of a smooth contact thinner.
     for (m, central, least) in [(20.0, 0.4325, 0.015), (100.0, 0.1372, 0.02), (200.0, 0.0824, 0.02)] {
         let mut scene = ball(m, 10.0, 256);
         scene.solver.scheme = Some(Scheme::FirstOrder);
@@ -100,8 +100,8 @@ fn first_order_films_are_a_little_too_thick() {
     }
 }
 
-/// The example of a public code of sweeps whose load loop ends in a limit cycle at 128 and at 256 cells. On
-/// the coarsest mesh its film is a hundredth thinner than on the finest.
+/// The example of a public sweep code whose load iteration ends in a limit cycle at 128 and at 256 cells. On
+/// the coarsest mesh its film is thinner by a hundredth than on the finest.
 #[test]
 fn steel_ball_in_thick_oil_converges_on_every_grid() {
     let modulus = 200e9 / (1.0 - 0.3_f64.powi(2));
@@ -129,7 +129,7 @@ fn steel_ball_in_thick_oil_converges_on_every_grid() {
     assert!((films[1] / films[3] - 1.0).abs() < 0.005, "{films:?}");
 }
 
-/// The problem of a scene on its grid, for solvers called one by one.
+/// The problem of a scene on its grid, for direct calls of solvers.
 fn with_problem<T>(scene: &Scene, run: impl FnOnce(&mut LubricatedContact<'_>) -> T) -> T {
     let (grid, hertz) = (scene.grid().unwrap(), scene.hertz().unwrap());
     let mut gap = vec![0.0; grid.len()];
@@ -155,7 +155,7 @@ fn with_problem<T>(scene: &Scene, run: impl FnOnce(&mut LubricatedContact<'_>) -
 }
 
 #[test]
-fn the_multigrid_start_costs_less_than_thirty_convolutions() {
+fn multigrid_start_costs_less_than_thirty_convolutions() {
     for n in [128, 256] {
         for (m, error) in [(20.0, 0.01), (200.0, 0.06), (1000.0, 0.25)] {
             let mut scene = ball(m, 10.0, n);
@@ -166,7 +166,7 @@ fn the_multigrid_start_costs_less_than_thirty_convolutions() {
             assert_eq!(start.report.status, Status::MaxIterations);
             let work = start.report.work.convolutions;
             assert!(work <= 30.0, "M {m}, {n} cells: {work} convolutions");
-            // The error of discretisation falls by four from 128 to 256 cells.
+            // The discretization error decreases by four from 128 to 256 cells.
             let discretisation = error * (128.0 / n as f64).powi(2);
             let algebraic = (films(&start).0 / exact - 1.0).abs();
             assert!(algebraic < discretisation, "M {m}, {n} cells: {algebraic}");
@@ -175,7 +175,7 @@ fn the_multigrid_start_costs_less_than_thirty_convolutions() {
 }
 
 #[test]
-fn highly_loaded_films_cost_no_more() {
+fn cost_of_highly_loaded_films_does_not_grow() {
     for (n, m) in [(128, 500.0), (128, 1000.0), (256, 50.0), (256, 1000.0)] {
         let report = converged(&ball(m, 10.0, n)).report;
         assert!(report.work.convolutions <= 130.0, "M {m}, {n} cells: {report:?}");
@@ -195,10 +195,10 @@ fn multigrid_alone_needs_few_convolutions() {
     }
 }
 
-/// A film of 0.4 % of the displacement, which coarse grids do not hold; converged it is 7.56 nm, 1.90 nm at
-/// its minimum.
+/// A film of 0.4 % of the displacement, unresolved on coarse grids; the converged values are 7.56 nm and 1.90
+/// nm at the minimum.
 #[test]
-fn the_very_thin_film_of_the_reference_contact_is_found() {
+fn very_thin_film_of_the_reference_contact_matches_its_limit() {
     let [coarse, fine] = [256, 512].map(|n| {
         let mut scene = Scene::from_toml(include_str!("../examples/scenes/smooth.toml")).unwrap();
         let GridSpec::Cells { nx, ny, .. } = &mut scene.grid else { panic!("the scene gives its cells") };
@@ -219,9 +219,9 @@ fn the_very_thin_film_of_the_reference_contact_is_found() {
     }
 }
 
-/// Krylov steps of one Newton step at the same distance from the solution.
+/// Krylov steps of a Newton step at the same distance from the solution.
 #[test]
-fn krylov_steps_hardly_grow_with_the_grid() {
+fn krylov_steps_are_nearly_independent_of_the_grid() {
     for m in [20.0, 100.0, 200.0, 1000.0] {
         let [coarse, fine] = [64, 256].map(|n| {
             with_problem(&ball(m, 10.0, n), |problem| {
@@ -239,11 +239,11 @@ fn krylov_steps_hardly_grow_with_the_grid() {
 }
 
 #[test]
-fn meshes_without_a_positive_film_are_named() {
+fn meshes_without_a_positive_film_are_reported() {
     for m in [1000.0, 5000.0] {
         for kind in [SolverKind::Auto, SolverKind::Multigrid] {
             let mut scene = ball(m, 10.0, 64);
-            // The limited scheme finds a film there.
+            // The limited scheme finds a positive film there.
             scene.solver.scheme = Some(Scheme::SecondOrder);
             scene.solver.face_mobility = Some(FaceMobility::ReducedPressure);
             scene.solver.kind = kind;
@@ -256,7 +256,7 @@ fn meshes_without_a_positive_film_are_named() {
 }
 
 #[test]
-fn multigrid_refuses_what_it_cannot_do() {
+fn multigrid_rejects_unsupported_problems() {
     let mut scene = ball(100.0, 10.0, 64);
     scene.form = Form::Cylinder { radius: RADIUS };
     scene.load = Load::hertz_pressure(0.5e9);
@@ -270,11 +270,10 @@ fn multigrid_refuses_what_it_cannot_do() {
     assert!(solution.state.pressure.iter().chain(&solution.state.film).all(|v| v.is_finite()));
 }
 
-/// A made-up pressure that is zero at the edge, and a made-up film, on the square of -1 to 1 in units of
-/// `LENGTH`.
+/// Manufactured pressure, zero at the edge, and film on the square of -1 to 1 in units of `LENGTH`.
 const LENGTH: f64 = 1e-4;
 const PEAK: f64 = 2e8;
-/// Fast enough that entrainment is as large as pressure flow.
+/// Entrainment of the magnitude of pressure flow.
 const SPEED: f64 = 20.0;
 
 fn made_pressure(x: f64, y: f64) -> f64 {
@@ -287,10 +286,10 @@ fn made_film(x: f64, y: f64) -> f64 {
     1e-6 * (1.0 + 0.3 * (2.0 * x).sin() + 0.2 * y * y)
 }
 
-/// Largest pressure error over the peak of a made-up solution on `n` by `n` nodes, the outermost at the edge.
-/// What the equations leave over for it goes into the previous mass of the squeeze term.
+/// Largest pressure error of a manufactured solution relative to the peak, on `n` by `n` nodes with the
+/// outermost at the edge. The source term is included in the previous mass of the squeeze term.
 fn manufactured_error(n: usize, scheme: Scheme, face_mobility: FaceMobility) -> f64 {
-    // The pressure is ambient at the edge of the box.
+    // Ambient pressure at the edge of the box.
     let step = 2.0 * LENGTH / n as f64;
     let grid = Grid::centred(n, n, step, step).unwrap();
     let oil = Lubricant::new(
@@ -341,7 +340,7 @@ fn manufactured_error(n: usize, scheme: Scheme, face_mobility: FaceMobility) -> 
 }
 
 #[test]
-fn manufactured_solutions_are_found_at_the_order_of_the_scheme() {
+fn manufactured_solutions_converge_at_the_order_of_the_scheme() {
     for face_mobility in
         [FaceMobility::Arithmetic, FaceMobility::ReducedPressure, FaceMobility::Wedge, FaceMobility::Inlet]
     {

@@ -3,15 +3,15 @@
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, Normal};
-use stribeck::RubbingPoint;
+use stribeck::SurfaceState;
 use stribeck::tribochem::{
     FilmGrowthLaw, FitError, Ghanbarzadeh, GrowthCurve, GrowthFit, ThermalArrhenius, fit_growth_law,
 };
 
 const TRUTH: [f64; 4] = [200e-9, 1.66e-16, 54.32e-9, 4.022e-4];
 const START: [(&str, f64); 4] = [("h_max", 150e-9), ("x_tribo", 1e-16), ("C3", 20e-9), ("C4", 1e-3)];
-fn rubbing() -> RubbingPoint {
-    RubbingPoint::new(1e9, 353.15)
+fn rubbing() -> SurfaceState {
+    SurfaceState::new(1e9, 353.15)
         .with_solid_pressure(1e9)
         .with_shear_stress(1e8)
         .with_sliding_speed(0.005)
@@ -41,7 +41,7 @@ fn fit(curve: &GrowthCurve) -> Result<GrowthFit<Ghanbarzadeh>, FitError> {
 }
 
 #[test]
-fn exact_films_give_the_constants_back() {
+fn fit_of_exact_films_recovers_the_constants() {
     let fit = fit(&measured(60, 14400.0, 0.0, 1)).unwrap();
     for (constant, expected) in fit.constants.iter().zip(TRUTH) {
         assert!((constant.value / expected - 1.0).abs() < 1e-5, "{constant:?}");
@@ -49,9 +49,9 @@ fn exact_films_give_the_constants_back() {
     assert!(fit.standard_deviation < 1e-13, "{}", fit.standard_deviation);
 }
 
-/// 95 % intervals of 40 noisy measurements hold the constants of the paper about 95 times in 100.
+/// The 95 % intervals of 40 noisy measurements contain the constants in about 95 of 100 cases.
 #[test]
-fn noisy_films_give_intervals_that_hold_the_constants() {
+fn confidence_intervals_of_noisy_films_cover_the_constants() {
     let (mut held, mut total, mut worst) = (0, 0, 0.0_f64);
     for seed in 0..40 {
         let fit = fit(&measured(200, 14400.0, 1e-9, seed)).unwrap();
@@ -72,22 +72,22 @@ fn noisy_films_give_intervals_that_hold_the_constants() {
 }
 
 #[test]
-fn what_the_data_cannot_determine_is_refused() {
-    // The first minutes know the rate of growth alone.
+fn undetermined_constants_are_rejected() {
+    // The first minutes determine the growth rate alone.
     let early = fit(&measured(40, 60.0, 1e-9, 3)).unwrap_err();
     assert!(matches!(early, FitError::Undetermined { .. }), "{early}");
-    // A plateau without the way there.
+    // A plateau without its transient.
     let times: Vec<f64> = (0..30).map(|k| 1e6 + f64::from(k)).collect();
     let plateau = GrowthCurve::new(times, vec![145.68e-9; 30]).unwrap();
     let late = fit(&plateau).unwrap_err();
     assert!(matches!(late, FitError::Undetermined { .. } | FitError::NotConverged { .. }), "{late}");
-    // Prefactor and barrier at one temperature are one number.
+    // At a single temperature prefactor and barrier are degenerate.
     let arrhenius = |c: &[f64]| ThermalArrhenius::new(c[0], c[1], c[2]);
     let start = [("h_max", 150e-9), ("prefactor", 1e8), ("energy", 1.2e-19)];
     let one_temperature =
         fit_growth_law(&measured(40, 1800.0, 1e-9, 3), &rubbing(), &start, arrhenius).unwrap_err();
     assert!(matches!(one_temperature, FitError::Undetermined { .. }), "{one_temperature}");
-    // A node that does not rub grows nothing.
+    // The film does not grow at an inactive node.
     let idle = rubbing().with_in_contact(false);
     let idle = fit_growth_law(&measured(40, 7200.0, 1e-9, 3), &idle, &START, ghanbarzadeh).unwrap_err();
     assert!(matches!(idle, FitError::Undetermined { .. }), "{idle}");
@@ -98,7 +98,7 @@ fn what_the_data_cannot_determine_is_refused() {
 }
 
 #[test]
-fn tables_and_starts_that_do_not_fit_are_refused() {
+fn invalid_tables_and_initial_values_are_rejected() {
     assert!(GrowthCurve::new(vec![1.0, 1.0], vec![0.0; 2]).is_err());
     assert!(GrowthCurve::new(vec![-1.0, 1.0], vec![0.0; 2]).is_err());
     assert!(GrowthCurve::new(vec![1.0, 2.0], vec![0.0, f64::NAN]).is_err());

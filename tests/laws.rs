@@ -11,10 +11,10 @@ use stribeck::tribochem::{
     Activation, FilmGrowthLaw, FlashTemperature, Ghanbarzadeh, ThermalBody, Tribofilm, estimate_maximum_rise,
 };
 use stribeck::wear::{Archard, SurfaceLedger, WearDepth, WearLaw, WearPressure};
-use stribeck::{Grid, InputError, RubbingPoint};
+use stribeck::{Grid, InputError, SurfaceState};
 
-fn contact(pressure: f64) -> RubbingPoint {
-    RubbingPoint::new(pressure, 353.15)
+fn contact(pressure: f64) -> SurfaceState {
+    SurfaceState::new(pressure, 353.15)
         .with_solid_pressure(pressure)
         .with_shear_stress(0.115 * pressure)
         .with_sliding_speed(0.005)
@@ -30,7 +30,7 @@ fn grow(law: &dyn FilmGrowthLaw, time: f64) -> f64 {
 // ---- film growth ----
 
 #[test]
-fn ghanbarzadeh_reproduces_its_table() {
+fn ghanbarzadeh_matches_its_published_table() {
     let law = Ghanbarzadeh::azam_2019();
     let (k, h_max, c3, c4): (f64, f64, f64, f64) =
         (1.380649e-23 * 353.15 / 6.62607015e-34 * 1.66e-16, 200e-9, 54.32e-9, 4.022e-4);
@@ -49,7 +49,7 @@ fn ghanbarzadeh_reproduces_its_table() {
     ];
     for (time, nanometres) in table {
         let film = grow(&law, time);
-        // The table is printed to 0.01 nm; the formula itself is met to 1e-3 nm and far better.
+        // The table is printed to 0.01 nm; the formula is matched to better than 1e-3 nm.
         assert!((film * 1e9 - nanometres).abs() <= 0.0051, "{time} s: {} nm", film * 1e9);
         let formula = h_max * (1.0 - (-k * time).exp()) - c3 * (1.0 - (-c4 * time).exp());
         assert!((film - formula).abs() < 1e-21, "{time} s: {film} {formula}");
@@ -72,7 +72,7 @@ fn ghanbarzadeh_film_is_frozen_while_inactive_and_never_negative() {
 }
 
 #[test]
-fn activation_chooses_the_nodes() {
+fn activation_selects_the_nodes() {
     let lubricated = contact(1e9).with_in_contact(false).with_solid_pressure(0.0).with_shear_stress(-1e7);
     let law = Ghanbarzadeh::azam_2019();
     for (activation, active) in
@@ -83,9 +83,9 @@ fn activation_chooses_the_nodes() {
     }
 }
 
-/// `rate` is the slope of `advance` from a film without history, for every law.
+/// `rate` is the derivative of `advance` for a film without history, for every law.
 #[test]
-fn rate_is_the_derivative_of_advance() {
+fn rate_equals_the_derivative_of_advance() {
     let laws: [Box<dyn FilmGrowthLaw>; 4] = [
         Box::new(Ghanbarzadeh::azam_2019()),
         Box::new(Balanced { k: 1e-3, removal: 5e-4 }),
@@ -107,7 +107,7 @@ fn rate_is_the_derivative_of_advance() {
 
 const LIMIT: f64 = 100e-9;
 
-/// Growth towards `LIMIT` less removal in proportion to the film: linear, balanced below the limit.
+/// Growth toward `LIMIT` with removal proportional to the film: linear, with an equilibrium below the limit.
 #[derive(Debug)]
 struct Balanced {
     k: f64,
@@ -121,7 +121,7 @@ impl Balanced {
 }
 
 impl FilmGrowthLaw for Balanced {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if at.in_contact { self.k * (LIMIT - thickness) - self.removal * thickness } else { 0.0 }
     }
     fn maximum_thickness(&self) -> f64 {
@@ -136,7 +136,7 @@ struct Quadratic {
 }
 
 impl FilmGrowthLaw for Quadratic {
-    fn rate(&self, _at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, _at: &SurfaceState, thickness: f64) -> f64 {
         self.k * (LIMIT - thickness) * (LIMIT - thickness).abs() / LIMIT
     }
     fn maximum_thickness(&self) -> f64 {
@@ -144,12 +144,12 @@ impl FilmGrowthLaw for Quadratic {
     }
 }
 
-/// `h' = c exp(-h / h_0)`, stopped by the ceiling alone.
+/// `h' = c exp(-h / h_0)`, limited by the ceiling alone.
 #[derive(Debug)]
 struct Decaying;
 
 impl FilmGrowthLaw for Decaying {
-    fn rate(&self, _at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, _at: &SurfaceState, thickness: f64) -> f64 {
         1e-10 * (-thickness / 10e-9).exp()
     }
     fn maximum_thickness(&self) -> f64 {
@@ -157,12 +157,12 @@ impl FilmGrowthLaw for Decaying {
     }
 }
 
-/// Two constant rates that meet at `h = 0.37 LIMIT`: a jump, the hardest case for an integrator.
+/// Two constant rates with a jump at `h = 0.37 LIMIT`, the hardest case for an integrator.
 #[derive(Debug)]
 struct Jump;
 
 impl FilmGrowthLaw for Jump {
-    fn rate(&self, _at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, _at: &SurfaceState, thickness: f64) -> f64 {
         if thickness < 0.37 * LIMIT { 1e-10 } else { -2e-10 }
     }
     fn maximum_thickness(&self) -> f64 {
@@ -171,7 +171,7 @@ impl FilmGrowthLaw for Jump {
 }
 
 #[test]
-fn default_integrator_handles_kinks_bounds_and_nonsense() {
+fn default_integrator_handles_kinks_bounds_and_nan() {
     assert!((grow(&Jump, 100.0) - 10e-9).abs() < 1e-20);
     for time in [370.0, 371.0, 1e3, 1e6, 1e12] {
         assert!((grow(&Jump, time) - 0.37 * LIMIT).abs() < 1e-6 * LIMIT, "{time}: {}", grow(&Jump, time));
@@ -179,13 +179,13 @@ fn default_integrator_handles_kinks_bounds_and_nonsense() {
     let mut states = [80e-9];
     Jump.advance(&contact(1e9), 100.0, &mut states);
     assert!((states[0] - 60e-9).abs() < 1e-18);
-    // Growth against the ceiling ends there.
+    // Growth stops at the ceiling.
     assert_eq!(grow(&Decaying, 1e30), LIMIT);
 
     #[derive(Debug)]
     struct Nonsense;
     impl FilmGrowthLaw for Nonsense {
-        fn rate(&self, _at: &RubbingPoint, _thickness: f64) -> f64 {
+        fn rate(&self, _at: &SurfaceState, _thickness: f64) -> f64 {
             f64::NAN
         }
         fn maximum_thickness(&self) -> f64 {
@@ -219,9 +219,10 @@ proptest! {
         prop_assert!((0.0..=200e-9).contains(&a));
     }
 
-    /// Linear law: the only error is that of the probed slope. Rates carry rounding of about `3 eps k h_max`,
-    /// the probe reaches 1e-5 h_max, so the slope is off by `3 eps / 1e-5 = 7e-11` of itself and the film by
-    /// less than two (half steps) times that share of the distance to the balance.
+    /// Linear law: the only error is that of the numerical slope. Rates have rounding errors of about
+    /// `3 eps k h_max` and the increment is 1e-5 h_max, so the relative error of the slope is
+    /// `3 eps / 1e-5 = 7e-11` and that of the film less than twice that (half steps) times the distance to
+    /// the equilibrium.
     #[test]
     fn default_integrator_is_exact_for_linear_laws(
         log_k in -6.0..4.0_f64, removal_share in 0.0..3.0_f64,
@@ -239,9 +240,9 @@ proptest! {
         prop_assert!(states[0] >= low - tolerance && states[0] <= high + tolerance);
     }
 
-    /// Nonlinear laws: substeps differ from their halves by 1e-5 at most; extrapolation takes the third-order
-    /// term away, and contracting flows forget what is left. At 1e-4 a film just below
-    /// saturation was off by 5e-5 after a very long step.
+    /// Nonlinear laws: full and half substeps differ by at most 1e-5. Extrapolation removes the third-order
+    /// term, and contracting rates damp the rest. With 1e-4 a film just below saturation had an error of 5e-5
+    /// after a very long step.
     #[test]
     fn default_integrator_follows_nonlinear_laws(
         log_k in -6.0..2.0_f64, start in 0.0..1.0_f64, log_time in -3.0..8.0_f64,
@@ -270,7 +271,7 @@ proptest! {
 }
 
 #[test]
-fn film_of_a_body_keeps_its_account() {
+fn film_gain_less_loss_equals_its_volume() {
     let law = Ghanbarzadeh::azam_2019();
     let mut film = Tribofilm::bare(&law, 3);
     for step in 0..72 {
@@ -289,7 +290,7 @@ fn film_of_a_body_keeps_its_account() {
 }
 
 #[test]
-fn film_refuses_bad_input_and_stays_as_it_was() {
+fn film_rejects_bad_input_and_is_unchanged() {
     let law = Ghanbarzadeh::azam_2019();
     let mut film = Tribofilm::from_thickness(&law, &[50e-9, 0.0]).unwrap();
     assert_eq!(film.thickness(), [50e-9, 0.0]);
@@ -312,7 +313,7 @@ fn film_refuses_bad_input_and_stays_as_it_was() {
 
 // ---- flash temperature ----
 
-/// Flux of 1 on the cells within `radius`, weighted by the share of the cell inside at the rim, and its mean
+/// Unit flux on the cells within `radius`, weighted by the covered share of cells at the edge, and its mean
 /// rise.
 fn disc_rise(n: usize, speed: f64, bodies: [ThermalBody; 2], speeds_ratio: f64) -> (f64, f64, f64) {
     let radius = 1e-4;
@@ -339,7 +340,7 @@ fn cell_share(grid: &Grid, x: f64, y: f64, radius: f64) -> f64 {
 }
 
 #[test]
-fn resting_disc_reaches_the_classical_rise() {
+fn stationary_disc_matches_the_classical_rise() {
     let (maximum, mean, iterations) = disc_rise(64, 0.0, [ThermalBody::STEEL; 2], 1.0);
     println!("rest: max {:.4} mean {:.4}", 2.0 * maximum, 2.0 * mean);
     assert!((2.0 * maximum - 1.0).abs() < 2e-3, "{maximum}");
@@ -348,7 +349,7 @@ fn resting_disc_reaches_the_classical_rise() {
 }
 
 #[test]
-fn moving_disc_agrees_with_tian_and_kennedy() {
+fn moving_disc_matches_tian_and_kennedy() {
     for peclet in [0.12, 1.18, 11.8] {
         let speed = 2.0 * 1.27e-5 * peclet / 1e-4;
         let (maximum, mean, _) = disc_rise(96, speed, [ThermalBody::STEEL; 2], 1.0);
@@ -364,10 +365,10 @@ fn moving_disc_agrees_with_tian_and_kennedy() {
     }
 }
 
-/// Cells larger than the thermal layer (cell Peclet number 50): the strip limit
-/// `2 q sqrt(l / (pi k rho c V))` of a square at high speed still comes out.
+/// Cells larger than the thermal boundary layer (cell Peclet number 50) still give the strip limit
+/// `2 q sqrt(l / (pi k rho c V))` of a square at high speed.
 #[test]
-fn coarse_cells_at_high_speed_reach_the_strip_limit() {
+fn coarse_cells_at_high_speed_match_the_strip_limit() {
     let (half, n) = (1e-4, 10);
     let grid = Grid::centred(n, n, 2.0 * half / n as f64, 2.0 * half / n as f64).unwrap();
     let steel = ThermalBody::STEEL;
@@ -383,7 +384,7 @@ fn coarse_cells_at_high_speed_reach_the_strip_limit() {
 }
 
 #[test]
-fn unlike_bodies_share_one_temperature() {
+fn unlike_bodies_have_equal_contact_temperatures() {
     let ceramic = ThermalBody { conductivity: 3.0, diffusivity: 1e-6 };
     for (bodies, ratio) in [
         ([ThermalBody::STEEL; 2], 0.0),
@@ -398,14 +399,14 @@ fn unlike_bodies_share_one_temperature() {
         );
         assert!(maximum > mean && mean > 0.0 && iterations < 60.0, "{iterations}");
     }
-    // Heat of a perfect insulator goes into the other body alone.
+    // The heat of a perfect insulator flows into the other body.
     let insulator = ThermalBody { conductivity: 1e-9, diffusivity: 1e-6 };
     let (alone, ..) = disc_rise(32, 0.0, [ThermalBody::STEEL, insulator], 1.0);
     assert!((alone - 1.0).abs() < 5e-3, "{alone}");
 }
 
 #[test]
-fn flash_is_linear_mirror_symmetric_and_refuses_bad_input() {
+fn flash_temperature_is_linear_symmetric_and_rejects_bad_input() {
     let grid = Grid::centred(13, 7, 5e-6, 4e-6).unwrap();
     let flux: Vec<f64> =
         (0..grid.len()).map(|k| if k % 3 == 0 { 1e6 * (1 + k % 5) as f64 } else { 0.0 }).collect();
@@ -437,7 +438,7 @@ fn flash_is_linear_mirror_symmetric_and_refuses_bad_input() {
 
 /// The estimate against the full solution for the smooth contact of the reference scene.
 #[test]
-fn estimate_agrees_with_the_field_for_a_smooth_contact() {
+fn estimate_matches_the_field_for_a_smooth_contact() {
     let (radius, peak) = (149.83e-6, 1.15e9);
     let grid = Grid::centred(64, 64, 0.5e-3 / 64.0, 0.5e-3 / 64.0).unwrap();
     for (speeds, tolerance) in [([0.1025, 0.0975], 0.06), ([0.2, 0.1], 0.06), ([2.0, 0.5], 0.1)] {
@@ -458,7 +459,7 @@ fn estimate_agrees_with_the_field_for_a_smooth_contact() {
 // ---- plasticity ----
 
 #[test]
-fn flattening_accumulates_on_the_softer_body() {
+fn plastic_depth_accumulates_on_the_softer_body() {
     let model = ElasticPerfectlyPlastic::azam_2019();
     let films = [[0.0, 0.0, 200e-9], [0.0, 100e-9, 0.0]];
     let limits = films.map(|film| film.map(|h| model.pressure_limit(h, 0.0)));
@@ -478,7 +479,7 @@ fn flattening_accumulates_on_the_softer_body() {
 }
 
 #[test]
-fn hardness_refuses_bad_input() {
+fn hardness_rejects_bad_input() {
     for bad in [f64::NAN, f64::INFINITY, 0.0, -1.0] {
         assert!(ElasticPerfectlyPlastic::uniform(bad).is_err());
         assert!(ElasticPerfectlyPlastic::with_film(bad, 2e9, 2e-7).is_err());
@@ -511,9 +512,9 @@ proptest! {
 
 // ---- wear ----
 
-/// Mean depth is `K F s / (H A)`, whatever the distribution of pressure.
+/// The mean depth is `K F s / (H A)` for any pressure distribution.
 #[test]
-fn mean_wear_depends_on_force_and_distance_alone() {
+fn mean_wear_depends_on_load_and_distance_alone() {
     let grid = Grid::centred(128, 128, 0.5e-3 / 128.0, 0.5e-3 / 128.0).unwrap();
     let hertz_radius = PI * 1.15e9 * 9.525e-3 / 229.67e9;
     let force = 2.0 / 3.0 * PI * hertz_radius * hertz_radius * 1.15e9;
@@ -542,9 +543,9 @@ fn mean_wear_depends_on_force_and_distance_alone() {
     assert!((over_hertz - 250.7e-9).abs() < 5e-11);
 }
 
-/// A film that grows from the start on wears with 0.3670 of the bare coefficient over two hours.
+/// A film that grows from the start reduces the wear over two hours to 0.3670 of the bare coefficient.
 #[test]
-fn growing_film_lowers_the_mean_coefficient() {
+fn growing_film_reduces_the_mean_coefficient() {
     let (growth, law) = (Ghanbarzadeh::azam_2019(), Archard::azam_2019());
     let mut film = Tribofilm::bare(&growth, 1);
     let mut wear = WearDepth::new(1);
@@ -562,7 +563,7 @@ fn growing_film_lowers_the_mean_coefficient() {
 }
 
 #[test]
-fn wear_pressure_chooses_the_share() {
+fn wear_pressure_selects_total_or_solid_pressure() {
     let at = contact(1e9).with_solid_pressure(0.25e9);
     let total = Archard::azam_2019();
     let solid = Archard::azam_2019().with_pressure(WearPressure::Solid);
@@ -571,7 +572,7 @@ fn wear_pressure_chooses_the_share() {
 }
 
 #[test]
-fn wear_refuses_bad_input() {
+fn wear_rejects_bad_input() {
     for bad in [f64::NAN, f64::INFINITY, -1.0] {
         assert!(Archard::new(bad, 0.0, 1e-7, 6e9).is_err());
         assert!(Archard::new(1e-8, bad, 1e-7, 6e9).is_err());
@@ -583,7 +584,7 @@ fn wear_refuses_bad_input() {
     #[derive(Debug)]
     struct Healing;
     impl WearLaw for Healing {
-        fn depth_rate(&self, _at: &RubbingPoint, _film: f64) -> f64 {
+        fn depth_rate(&self, _at: &SurfaceState, _film: f64) -> f64 {
             -1e-9
         }
     }

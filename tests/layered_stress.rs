@@ -20,7 +20,7 @@ fn largest_difference(one: &StressField, other: &StressField) -> f64 {
 }
 
 #[test]
-fn a_layer_of_the_substrate_changes_nothing() {
+fn layer_of_the_substrate_material_has_half_space_stresses() {
     for (nx, ny) in [(20, 17), (40, 1)] {
         let grid = Grid::centred(nx, ny, 0.1, if ny == 1 { 1.0 } else { 0.13 }).unwrap();
         let [pressure, traction] = smooth(&grid);
@@ -41,7 +41,7 @@ fn a_layer_of_the_substrate_changes_nothing() {
     }
 }
 
-/// At the surface the stresses are the loads, at the bond tractions are continuous, whatever the layer.
+/// At the surface the stresses equal the loads, at the bond tractions are continuous, for any layer.
 #[test]
 fn loads_and_tractions_are_exact() {
     let grid = Grid::centred(24, 20, 0.1, 0.13).unwrap();
@@ -65,7 +65,7 @@ fn loads_and_tractions_are_exact() {
     }
 }
 
-/// Strains in the plane of the bond are the same on both sides: displacements are continuous.
+/// In-plane strains are equal on both sides of the bond: displacements are continuous.
 #[test]
 fn displacements_are_continuous_at_the_bond() {
     let n = 161;
@@ -104,8 +104,8 @@ fn middle(n: usize, margin: usize) -> impl Iterator<Item = usize> {
     inner.clone().flat_map(move |j| inner.clone().map(move |i| j * n + i))
 }
 
-/// What is left of the forces on a volume is the gradient of the stresses of the images, which falls with
-/// the size of the box.
+/// The residual body force is the stress gradient of the periodic images, which decreases with the size of
+/// the box.
 #[test]
 fn stresses_are_in_equilibrium() {
     for materials in PAIRS {
@@ -120,7 +120,7 @@ fn stresses_are_in_equilibrium() {
     }
 }
 
-/// Largest force on a volume in the middle of a box of `n` x `n` cells at `depth`.
+/// Largest residual body force in the middle of a box of `n` x `n` cells at `depth`.
 fn force(materials: Materials, n: usize, depth: f64) -> f64 {
     let (cell, step) = (0.05, 0.01);
     let grid = Grid::centred(n, n, cell, cell).unwrap();
@@ -129,7 +129,7 @@ fn force(materials: Materials, n: usize, depth: f64) -> f64 {
     let at = |z: f64| if depth < 0.5 { stress.in_layer(z) } else { stress.in_substrate(z) }.unwrap();
     let [before, here, after] = [depth - step, depth, depth + step].map(at);
     let forces = middle(n, n / 2 - 20).map(|k| {
-        // Fourth order along the nodes.
+        // Fourth-order differences along the nodes.
         let slope = |field: &[f64], by: usize| {
             (8.0 * (field[k + by] - field[k - by]) - field[k + 2 * by] + field[k - 2 * by]) / (12.0 * cell)
         };
@@ -144,9 +144,9 @@ fn force(materials: Materials, n: usize, depth: f64) -> f64 {
     forces.fold(0.0, f64::max)
 }
 
-/// A thin layer leaves the substrate as it is, a thick one is all there is.
+/// A thin layer leaves the stresses of the substrate unchanged, a thick one has those of a half-space.
 #[test]
-fn thin_and_thick_layers_are_half_spaces() {
+fn thin_and_thick_layers_approach_half_spaces() {
     let grid = Grid::centred(61, 61, 0.1, 0.1).unwrap();
     let [pressure, traction] = smooth(&grid);
     for materials in PAIRS {
@@ -164,8 +164,8 @@ fn thin_and_thick_layers_are_half_spaces() {
     }
 }
 
-/// A thin layer has the strains of the surface of the substrate, under plane stress and the pressure. It is
-/// thinner than the cells: of first order.
+/// A thin layer has the surface strains of the substrate, in plane stress plus the pressure. It is thinner
+/// than the cells: first order.
 #[test]
 fn thin_layers_have_the_strains_of_the_substrate() {
     for materials in PAIRS {
@@ -175,7 +175,7 @@ fn thin_layers_have_the_strains_of_the_substrate() {
     }
 }
 
-/// Largest error of a stress in the plane of a thin layer on `n` x `n` cells.
+/// Largest error of an in-plane stress of a thin layer on `n` x `n` cells.
 fn strain_error(materials: Materials, n: usize, cell: f64) -> f64 {
     let grid = Grid::centred(n, n, cell, cell).unwrap();
     let [pressure, traction] = smooth(&grid);
@@ -200,7 +200,7 @@ fn strain_error(materials: Materials, n: usize, cell: f64) -> f64 {
     errors.fold(0.0, f64::max)
 }
 
-/// Box and cells: with twice the box, and with half the cells, the largest stresses stay.
+/// The largest stresses hardly change with twice the box or half the cells.
 #[test]
 fn extremes_depend_little_on_box_and_cells() {
     let body = layer(0.3, PAIRS[0]);

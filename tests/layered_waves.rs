@@ -11,10 +11,10 @@ use crate::common::dense::solve;
 /// Airy's function with two derivatives under both loads, and the derivative of shear across the wave.
 type Functions = ([[f64; 3]; 2], f64);
 
-/// Airy's function and its first two derivatives at the depth `x` over the wave number, below a layer of `d`
-/// over it or in it, under unit pressure and under a unit first derivative at the surface; and the first
-/// derivative of the function of shear across the wave under a unit one. All from the conditions at surface
-/// and bond, six and three at a time.
+/// Airy's function and its first two derivatives at the depth `x` over the wave number, in or below a layer
+/// of thickness `d` over the wave number, under unit pressure and under a unit first derivative at the
+/// surface; and the first derivative of the function of shear across the wave under a unit one. Linear
+/// systems of six and three conditions at surface and bond.
 fn wave([[g1, v1], [g2, v2]]: Materials, d: f64, x: f64) -> Functions {
     let falling = |x: f64| {
         [
@@ -66,9 +66,10 @@ fn integral(to: f64, n: u32, value: impl Fn(f64) -> f64) -> f64 {
     (0..n).map(|k| value((f64::from(k) + 0.5) * step)).sum::<f64>() * step
 }
 
-/// Below the centre of Hertz' pressure, and of a traction of that shape, stresses are integrals over waves.
+/// Below the center of a Hertz pressure, and of a traction of that shape, stresses are integrals over wave
+/// numbers.
 #[test]
-fn the_axis_of_a_coated_hertz_contact_is_the_integral_over_waves() {
+fn axis_stresses_of_a_coated_hertz_contact_match_the_hankel_integral() {
     let (n, cell) = (161, 0.03);
     let grid = Grid::centred(n, n, cell, cell).unwrap();
     let (load, centre, none) = (hertz(&grid), n / 2 * n + n / 2, vec![0.0; n * n]);
@@ -81,7 +82,7 @@ fn the_axis_of_a_coated_hertz_contact_is_the_integral_over_waves() {
                 let at = |s: &LayeredStress| if below { s.in_substrate(z) } else { s.in_layer(z) }.unwrap();
                 let v = materials[usize::from(below)][1];
                 let share = if below { 1.0 + 1e-12 } else { 1.0 };
-                // Of Hertz' pressure, times q/(2 pi).
+                // Transform of the Hertz pressure times q/(2 pi).
                 let spectrum = |q: f64| (q.sin() - q * q.cos()) / (q * q);
                 let over_waves = |value: fn(f64, Functions) -> f64| {
                     integral(60.0, 12_000, |q| {
@@ -108,9 +109,9 @@ fn the_axis_of_a_coated_hertz_contact_is_the_integral_over_waves() {
     }
 }
 
-/// The same below the middle of a strip under uniform loads, in plane strain.
+/// The plane-strain counterpart below the middle of a strip under uniform loads.
 #[test]
-fn a_coated_line_is_the_integral_over_waves() {
+fn coated_line_stresses_match_the_fourier_integral() {
     let unit = 1e-4;
     let grid = Grid::from_edges(201, 1, [-2.01 * unit, 2.01 * unit], [-0.5, 0.5]).unwrap();
     // The cells of 0.02 end at 1.01.

@@ -78,7 +78,7 @@ fn transform_solves_the_equations_of_elasticity() {
     }
 }
 
-/// Bessel's function of order zero by its integral, the trapezoidal rule being exact for periodic functions.
+/// Bessel function of order zero by its integral; the trapezoidal rule is exact for periodic functions.
 fn j0(x: f64) -> f64 {
     let n = 40 + 2 * x.abs() as usize;
     (0..n).map(|k| (x * (PI * (k as f64 + 0.5) / n as f64).sin()).cos()).sum::<f64>() / n as f64
@@ -100,7 +100,7 @@ const STEEL: [f64; 2] = [210e9, 0.3];
 const RIGID: f64 = 2.0 * 210e9 / 0.91;
 
 #[test]
-fn coefficients_are_the_integral_of_the_transform() {
+fn coefficients_equal_the_integral_of_the_transform() {
     let grid = Grid::centred(64, 64, 1e-6, 1e-6).unwrap();
     for (thickness, own) in [(3e-6, [70e9, 0.2]), (20e-6, [600e9, 0.25]), (50e-6, [20e9, 0.4])] {
         let layer = Layer::new(thickness, own, STEEL).unwrap();
@@ -112,7 +112,7 @@ fn coefficients_are_the_integral_of_the_transform() {
         let correction =
             |r: f64| simpson(30.0, 3000, |x| (layer.transform(x) - 1.0) * j0(x * r / thickness)) / thickness;
         for k in [3_usize, 20, 40, 63] {
-            // The correction is smooth: Gauss' rule with 2 x 2 points.
+            // The correction is smooth: Gauss rule with 2 x 2 points.
             let (r, g) = (1e-6 * k as f64, 0.5e-6 / 3.0_f64.sqrt());
             let mean = 0.5 * (correction((r - g).hypot(g)) + correction((r + g).hypot(g)));
             let exact =
@@ -126,7 +126,7 @@ fn coefficients_are_the_integral_of_the_transform() {
 }
 
 #[test]
-fn strips_are_the_integral_of_the_transform() {
+fn strip_coefficients_equal_the_integral_of_the_transform() {
     let grid = Grid::from_edges(64, 1, [0.0, 64e-6], [-0.5, 0.5]).unwrap();
     let layer = Layer::new(10e-6, [70e9, 0.2], STEEL).unwrap();
     let mut body = LayeredHalfSpace::plane_strain(grid, RIGID, layer, 1e-2).unwrap();
@@ -166,7 +166,7 @@ fn assert_same(one: &mut dyn DeformationModel, other: &mut dyn DeformationModel,
 }
 
 #[test]
-fn limits_are_half_spaces() {
+fn thin_and_thick_layers_approach_half_spaces() {
     let grid = Grid::centred(33, 20, 1e-6, 1.5e-6).unwrap();
     let layered = |pair, thickness, own| {
         LayeredHalfSpace::new(grid, pair, Layer::new(thickness, own, STEEL).unwrap()).unwrap()
@@ -174,18 +174,18 @@ fn limits_are_half_spaces() {
     for pair in [RIGID, 230.77e9, 1e9] {
         let mut bare = HalfSpace::new(grid, pair).unwrap();
         assert_same(&mut bare, &mut layered(pair, 5e-6, STEEL), 1e-14);
-        // Thin against the cells: twelve times the stiffness or a fifth of it, over 1e-12 m.
+        // Thin compared with the cells: twelve times or a fifth of the stiffness, over 1e-12 m.
         assert_same(&mut bare, &mut layered(pair, 1e-12, [600e9, 0.3]), 1e-5);
         assert_same(&mut bare, &mut layered(pair, 1e-12, [40e9, 0.3]), 1e-5);
     }
-    // Thick against the box; what the substrate adds there is a displacement of the whole box.
+    // Thick compared with the box; the substrate contributes a uniform displacement.
     let soft = [42e9, 0.3];
     let mut thick = HalfSpace::new(grid, 2.0 * 42e9 / 0.91).unwrap();
     assert_same(&mut thick, &mut layered(RIGID, 1.0, soft), 1e-3);
 }
 
 #[test]
-fn coated_bodies_keep_the_contract() {
+fn coated_bodies_satisfy_the_contract() {
     for (nx, ny) in [(8, 8), (7, 13)] {
         let grid = Grid::centred(nx, ny, 1e-6, 1.5e-6).unwrap();
         for (thickness, own) in [(1e-7, [600e9, 0.2]), (3e-6, [20e9, 0.4]), (1e-3, [2e9, 0.35])] {
@@ -195,8 +195,8 @@ fn coated_bodies_keep_the_contract() {
     }
 }
 
-/// A rigid ball on a layer of a tenth of its radius, under the load that would make a contact of that size on
-/// the substrate.
+/// A rigid ball on a layer of a tenth of its radius, under the load of a contact of that radius on the
+/// substrate.
 fn coated_ball(ratio: f64, n: usize) -> Scene {
     let mut scene = Scene::azam_2019(n);
     scene.form = Form::Sphere { radius: 1e-3 };
@@ -222,7 +222,7 @@ fn solved(scene: &Scene) -> ContactSolution {
 }
 
 #[test]
-fn coated_ball_has_the_known_peaks() {
+fn coated_ball_matches_published_peaks() {
     for (ratio, peak) in [(0.5, 0.705), (1.0, 1.0), (2.0, 1.475)] {
         let solution = solved(&coated_ball(ratio, 128));
         assert!((solution.hertz.half_width_x / 1e-4 - 1.0).abs() < 1e-12);
@@ -231,9 +231,9 @@ fn coated_ball_has_the_known_peaks() {
     }
 }
 
-/// Soft and stiff layers and thin ones still make a contact between those of substrate and layer.
+/// The contact on extreme layers lies between those of substrate and layer.
 #[test]
-fn extreme_layers_are_solved() {
+fn extreme_layers_converge() {
     for ratio in [0.01, 0.1, 10.0, 100.0] {
         for thickness in [1e-7, 1e-5, 1e-4] {
             let mut scene = coated_ball(ratio, 64);
@@ -249,7 +249,7 @@ fn extreme_layers_are_solved() {
 }
 
 #[test]
-fn accuracy_finds_box_and_cells_of_a_coated_ball() {
+fn accuracy_selects_box_and_cells_of_a_coated_ball() {
     for ratio in [0.1, 2.0] {
         let mut scene = coated_ball(ratio, 256);
         scene.grid = GridSpec::Cells { nx: 256, ny: 256, x: [-3e-4, 3e-4], y: [-3e-4, 3e-4] };
@@ -279,7 +279,7 @@ fn lubricated(layer: [f64; 3], n: usize) -> Scene {
 }
 
 #[test]
-fn layer_of_the_disc_changes_no_lubricated_contact() {
+fn layer_of_the_substrate_material_leaves_the_lubricated_contact_unchanged() {
     let with = solved(&lubricated([10e-6, 210e9, 0.3], 64));
     let mut bare = lubricated([10e-6, 210e9, 0.3], 64);
     bare.elastic.layer = None;
@@ -288,7 +288,7 @@ fn layer_of_the_disc_changes_no_lubricated_contact() {
     assert!((with.pressure.max / without.pressure.max - 1.0).abs() < 1e-9);
 }
 
-/// Newton's method and multigrid find the same films; a soft layer takes the pressure down.
+/// Newton's method and multigrid agree; a soft layer reduces the pressure.
 #[test]
 fn solvers_agree_on_coated_bodies_in_oil() {
     for (layer, above) in [([10e-6, 70e9, 0.35], false), ([5e-6, 500e9, 0.2], true)] {
@@ -311,7 +311,7 @@ fn solvers_agree_on_coated_bodies_in_oil() {
 /// Elasticity factors of pairs of materials in ISO 6336-2, `sqrt{1/(pi [(1 - v1^2)/E1 + (1 - v2^2)/E2])}` in
 /// MPa^(1/2); a named disc is the substrate of its layer.
 #[test]
-fn named_materials() {
+fn named_materials_match_iso_6336() {
     let named = |material| Material::default().with_material(Some(material));
     for (disc, factor) in [
         (NamedMaterial::Steel, 189.8),
@@ -337,9 +337,9 @@ fn named_materials() {
     );
 }
 
-/// A coated roller: the same limits, and a layer that the pressure feels.
+/// A coated roller: the same limits, and a response to the layer.
 #[test]
-fn coated_roller_is_between_its_layer_and_its_substrate() {
+fn coated_roller_lies_between_layer_and_substrate() {
     let mut scene = coated_ball(0.5, 64);
     scene.form = Form::Cylinder { radius: 1e-3 };
     scene.grid = GridSpec::Row { nx: 512, x: [-3e-4, 3e-4] };

@@ -9,7 +9,7 @@ use stribeck::metrics::{
 };
 use stribeck::{Boundary, Grid};
 
-/// The quantile of the standard normal distribution by Newton's method on the series of its distribution
+/// Quantile of the standard normal distribution by Newton's method on the series of the distribution
 /// function.
 fn quantile(share: f64) -> f64 {
     let mut z: f64 = 0.0;
@@ -50,7 +50,7 @@ fn normal_heights(sq: f64) -> Vec<f64> {
 }
 
 #[test]
-fn normal_heights_have_the_parameters_of_the_normal_distribution() {
+fn parameters_of_normal_heights_match_theory() {
     let sq = 130e-9;
     let heights = normal_heights(sq);
     let statistics = height_statistics(&heights).unwrap();
@@ -73,7 +73,7 @@ fn normal_heights_have_the_parameters_of_the_normal_distribution() {
 }
 
 #[test]
-fn a_sine_has_the_parameters_of_a_sine() {
+fn parameters_of_a_sine_match_theory() {
     let heights: Vec<f64> =
         (0..4096).map(|i| 5.0 + 1e-6 * (2.0 * std::f64::consts::PI * f64::from(i) / 4096.0).sin()).collect();
     let statistics = height_statistics(&heights).unwrap();
@@ -86,7 +86,7 @@ fn a_sine_has_the_parameters_of_a_sine() {
 }
 
 #[test]
-fn flat_and_single_surfaces_have_no_shape() {
+fn flat_and_single_node_surfaces_have_zero_moments() {
     for heights in [vec![0.1; 1000], vec![-3e-9], vec![0.0; 7]] {
         let statistics = height_statistics(&heights).unwrap();
         assert!(statistics.sq < 1e-16);
@@ -98,7 +98,7 @@ fn flat_and_single_surfaces_have_no_shape() {
 }
 
 #[test]
-fn a_plateau_with_grooves_is_core_and_valleys() {
+fn plateau_with_grooves_has_core_and_valleys() {
     // 90 % at 0..1 nm, 10 % in grooves down to -100 nm: nearly no peaks, deep valleys
     let heights: Vec<f64> = (0..10_000)
         .map(|i| if i < 9000 { 1e-9 * f64::from(i) / 9000.0 } else { -100e-9 * f64::from(i - 9000) / 1000.0 })
@@ -111,7 +111,7 @@ fn a_plateau_with_grooves_is_core_and_valleys() {
 }
 
 #[test]
-fn heights_must_be_finite_and_present() {
+fn empty_or_infinite_heights_are_rejected() {
     assert!(height_statistics(&[]).is_err());
     let error = height_statistics(&[0.0, f64::NAN]).unwrap_err().to_string();
     assert!(error.contains("heights[1]"), "{error}");
@@ -127,7 +127,7 @@ fn heights_must_be_finite_and_present() {
 }
 
 #[test]
-fn the_mean_film_is_that_of_the_clipped_centre() {
+fn mean_film_averages_the_clipped_central_region() {
     let grid = Grid::centred(200, 150, 1e-6, 1e-6).unwrap();
     // film x^2 + y^2: mean over a disc of radius r is r^2/2
     let film: Vec<f64> = grid.nodes().map(|(x, y)| x * x + y * y).collect();
@@ -146,7 +146,7 @@ fn the_mean_film_is_that_of_the_clipped_centre() {
 }
 
 #[test]
-fn smallest_films() {
+fn smallest_film_counts_loaded_nodes_only() {
     assert_eq!(minimum_film(&[1.0, -2.0, 3.0], &[1.0, 1.0, 1.0]).unwrap(), Some(-2.0));
     assert_eq!(minimum_film(&[1.0, -2.0], &[0.0, 0.0]).unwrap(), None);
     assert!(minimum_film(&[1.0], &[]).is_err());
@@ -156,7 +156,7 @@ fn smallest_films() {
 }
 
 #[test]
-fn contact_counts_area_and_load() {
+fn contact_statistics_match_hand_counts() {
     let grid = Grid::centred(128, 128, 0.5e-3 / 128.0, 0.5e-3 / 128.0).unwrap();
     let a = 149.83e-6;
     let inside: Vec<bool> = grid.nodes().map(|(x, y)| x.hypot(y) <= a).collect();
@@ -174,7 +174,7 @@ fn contact_counts_area_and_load() {
 }
 
 #[test]
-fn friction_adds_boundary_and_viscous_shares() {
+fn friction_is_the_sum_of_boundary_and_viscous_parts() {
     let grid = Grid::centred(10, 10, 1e-6, 1e-6).unwrap();
     let mut shear = vec![0.0; 100];
     viscous_shear_into(&[0.01; 100], &[1e-6; 100], 2.0, &Rheology::newtonian(), &mut shear).unwrap();
@@ -194,19 +194,19 @@ fn friction_adds_boundary_and_viscous_shares() {
     assert!(friction_coefficient(&grid, -0.1, &shear, &shear, 1.0).is_err());
 }
 
-/// Heights without any order, of mean square near 1e-18.
+/// White noise with a mean square near 1e-18.
 fn scattered(count: usize) -> Vec<f64> {
     (0..count).map(|k| 1e-9 * ((k as f64 * 12.9898).sin() * 43_758.547).fract()).collect()
 }
 
 #[test]
-fn spectra_add_up_to_the_mean_square() {
+fn spectra_integrate_to_the_mean_square() {
     use std::f64::consts::{PI, TAU};
     for (nx, ny) in [(64, 48), (63, 32), (40, 41)] {
         let grid = Grid::centred(nx, ny, 1e-6, 2e-6).unwrap();
         let heights = scattered(grid.len());
         let square = height_statistics(&heights).unwrap().sq.powi(2);
-        // every profile has its own mean, which is a part of the mean square that its spectrum lacks
+        // every profile has its own mean, which is missing in its spectrum
         for (axis, profiles) in [(Axis::X, ny), (Axis::Y, nx)] {
             let spectrum = profile_spectrum(&grid, &heights, axis, Boundary::Periodic).unwrap();
             let sum: f64 = spectrum.density.iter().sum::<f64>() * spectrum.wavenumber[0] / PI;
@@ -222,7 +222,7 @@ fn spectra_add_up_to_the_mean_square() {
             assert_relative_eq!(sum + means, square, max_relative = 1e-10);
         }
     }
-    // white noise: the same density in every ring, variance times the area of a cell
+    // white noise: uniform density, variance times the area of a cell
     let grid = Grid::centred(256, 256, 1e-6, 1e-6).unwrap();
     let heights = scattered(grid.len());
     let square = height_statistics(&heights).unwrap().sq.powi(2);
@@ -244,7 +244,7 @@ fn spectra_add_up_to_the_mean_square() {
 }
 
 #[test]
-fn autocorrelation_is_the_mean_over_pairs_of_defined_points() {
+fn autocorrelation_matches_the_mean_over_pairs_of_defined_points() {
     let (nx, ny) = (14, 11);
     let grid = Grid::centred(nx, ny, 1e-6, 2e-6).unwrap();
     let heights: Vec<f64> = scattered(nx * ny).iter().map(|z| z + 0.01).collect();
@@ -285,9 +285,8 @@ fn autocorrelation_is_the_mean_over_pairs_of_defined_points() {
 }
 
 #[test]
-fn texture_aspect_ratio_is_that_of_the_lengths() {
-    // correlations that fall to 0.2 at 20 and 50 nodes; waves of many directions are too few for a perfect
-    // one
+fn texture_aspect_ratio_matches_the_correlation_lengths() {
+    // correlations that fall to 0.2 at 20 and 50 nodes; approximate, with a finite number of directions
     let grid = Grid::centred(512, 512, 1e-6, 1e-6).unwrap();
     let lengths = [20e-6, 50e-6].map(|length: f64| length / (0.2_f64.ln() / -std::f64::consts::LN_10).sqrt());
     let spec = stribeck::surface::RoughnessSpec {
@@ -305,7 +304,7 @@ fn texture_aspect_ratio_is_that_of_the_lengths() {
     for threshold in [0.0, 1.0, -0.1, f64::NAN] {
         assert!(correlation.spatial(threshold).is_err());
     }
-    // grooves never decorrelate along themselves
+    // grooves stay correlated along their direction
     let grooves: Vec<f64> = grid.nodes().map(|(x, _)| (x / 5e-6).sin()).collect();
     let spatial = AreaCorrelation::new(&grid, &grooves, None, Boundary::Open).unwrap().spatial(0.2).unwrap();
     // cos(x / 5 um) = 0.2
@@ -314,16 +313,16 @@ fn texture_aspect_ratio_is_that_of_the_lengths() {
 }
 
 #[test]
-fn slopes_and_areas_of_known_shapes() {
+fn slopes_and_areas_match_known_shapes() {
     let grid = Grid::centred(400, 400, 1e-7, 1e-7).unwrap();
     let wave = std::f64::consts::TAU / 10e-6;
     let heights: Vec<f64> = grid.nodes().map(|(x, y)| 0.3e-6 * (wave * x).sin() * (wave * y).cos()).collect();
     let hybrid = hybrid_parameters(&grid, &heights, None).unwrap();
-    // rms of each slope is half the amplitude times the wavenumber
+    // the rms slope of each wave is half of the amplitude times the wave number
     assert_relative_eq!(hybrid.sdq, 0.3e-6 * wave / 2f64.sqrt(), max_relative = 1e-3);
     // small slopes: half the mean square gradient, less an eighth of its mean square
     assert!((hybrid.sdr / (0.5 * hybrid.sdq * hybrid.sdq) - 1.0).abs() < 0.02, "{hybrid:?}");
-    // a roof with a hole: the same slope wherever it is defined
+    // a roof with undefined points: the slope is uniform
     let roof: Vec<f64> = grid.nodes().map(|(x, _)| x.abs()).collect();
     let mask: Vec<bool> = (0..grid.len()).map(|k| k % 17 != 3).collect();
     let hybrid = hybrid_parameters(&grid, &roof, Some(&mask)).unwrap();
@@ -335,7 +334,7 @@ fn slopes_and_areas_of_known_shapes() {
 }
 
 #[test]
-fn patches_are_counted_measured_and_corrected() {
+fn patches_of_discs_have_known_number_area_and_perimeter() {
     // discs of known area, one of them across the corner of a periodic grid
     let n = 256;
     let grid = Grid::centred(n, n, 1e-6, 1e-6).unwrap();
@@ -351,7 +350,7 @@ fn patches_are_counted_measured_and_corrected() {
     for (area, radius) in periodic.areas.iter().zip(radii) {
         assert_relative_eq!(*area, std::f64::consts::PI * radius * radius, max_relative = 0.01);
     }
-    // the outline of a disc of pixels is that of the square around it
+    // the perimeter of a disc of cells equals that of the enclosing square
     assert_relative_eq!(periodic.perimeter, 8.0 * (radii[0] + radii[1]), max_relative = 0.03);
     let whole: f64 = periodic.areas.iter().sum();
     let factor = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
@@ -368,7 +367,7 @@ fn patches_are_counted_measured_and_corrected() {
 }
 
 #[test]
-fn histograms_hold_every_height_once() {
+fn histograms_count_every_height_once() {
     let heights = scattered(1000);
     for classes in [1, 7, 1000] {
         let histogram = height_histogram(&heights, classes).unwrap();

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use stribeck::RubbingPoint;
+use stribeck::SurfaceState;
 use stribeck::sim::scene::{FileRoughness, GridSpec, Roughness};
 use stribeck::sim::{MixedLubricationSim, Scene, Schedule, Warning, solve_contact};
 use stribeck::surface::{Heights, write_npy, write_text};
@@ -534,7 +534,7 @@ fn wear_that_is_too_deep_is_said_once() {
 struct WornAway;
 
 impl WearLaw for WornAway {
-    fn depth_rate(&self, _at: &RubbingPoint, _film_thickness: f64) -> f64 {
+    fn depth_rate(&self, _at: &SurfaceState, _film_thickness: f64) -> f64 {
         1.0
     }
 }

@@ -112,11 +112,11 @@ fn the_rough_reference_contact_is_found_on_every_mesh() {
     assert!(per_step(coarse) < 3.5 && per_step(fine) < 3.5, "{coarse:?}, {fine:?}");
 }
 
-/// A step leaves solids that touch some nanometres off the contact film. Fluid that flowed through those
-/// films would drain the pockets whose rims they are, and these contacts took 757 to 4914 convolutions; 82 to
-/// 114 were measured.
+/// A Newton step leaves touching solids some nanometres off the contact film. Fluid flow through those films
+/// would drain the isolated regions that they enclose, and the contacts would take 757 to 4914 convolutions;
+/// measured: 82 to 114.
 #[test]
-fn the_rims_of_pockets_hold() {
+fn boundary_of_isolated_region_converges() {
     for (speed, rq, length, pressure) in
         [(0.01, 60e-9, 10e-6, 2e9), (0.01, 130e-9, 40e-6, 1.15e9), (0.001, 60e-9, 10e-6, 2e9)]
     {
@@ -126,11 +126,11 @@ fn the_rims_of_pockets_hold() {
     }
 }
 
-/// A pocket of one node may go in and out of cavitation step by step, for good if nothing ends it. Of sixteen such
-/// contacts fifteen take 24 to 76 Newton steps and one, led by thicker contact films, 484. Roundings decide about
-/// single ones.
+/// A region of one node may switch between cavitation and fluid in every step, an endless cycle without a
+/// safeguard. Of sixteen such contacts fifteen take 24 to 76 Newton steps and one, by continuation from thicker
+/// contact films, 484. Single counts depend on rounding.
 #[test]
-fn pockets_do_not_go_round_in_cycles() {
+fn isolated_regions_do_not_cycle() {
     let steps = |scene: &Scene| solve_soundly(scene, "pockets").report.work.iterations;
     let mut slow = 0;
     for seed in (1..16).step_by(2) {

@@ -42,7 +42,7 @@ fn laws() -> [Box<dyn ViscosityLaw>; 3] {
 }
 
 #[test]
-fn laws_keep_the_contract_at_all_temperatures() {
+fn laws_satisfy_the_contract_at_all_temperatures() {
     for law in laws() {
         for temperature in [1.0, 100.0, 250.0, 313.15, 350.0, 450.0, 2e3, 1e6] {
             viscosity_law(&*law.at_temperature(temperature).unwrap()).unwrap();
@@ -56,7 +56,7 @@ fn laws_keep_the_contract_at_all_temperatures() {
 }
 
 #[test]
-fn hotter_oil_is_thinner_and_thickens_less() {
+fn viscosity_and_its_pressure_coefficient_decrease_with_temperature() {
     for law in laws() {
         let at = |t: f64| law.at_temperature(t).unwrap();
         for (cold, hot) in [(280.0, 300.0), (313.15, 353.15), (353.15, 400.0)] {
@@ -66,7 +66,7 @@ fn hotter_oil_is_thinner_and_thickens_less() {
             }
             assert!(hot.log_slope(1e7) < cold.log_slope(1e7), "{law:?}");
         }
-        // What holds is what is asked for, whatever held before.
+        // The result depends on the requested temperature alone, not on earlier ones.
         let back = at(400.0).at_temperature(313.15).unwrap();
         assert!((back.viscosity(2e8) / at(313.15).viscosity(2e8) - 1.0).abs() < 1e-14);
         assert_eq!(
@@ -77,10 +77,10 @@ fn hotter_oil_is_thinner_and_thickens_less() {
     }
 }
 
-/// The equation as written, its temperature coefficient at the reference, and no temperature where the index
-/// is zero.
+/// The published equation, its temperature coefficient at the reference, and no temperature dependence for a
+/// zero index.
 #[test]
-fn roelands_with_temperature() {
+fn thermal_roelands_matches_its_equation() {
     let law = ThermalRoelands::new(roelands(), 313.15, 1.1).unwrap();
     for (t, p) in [(313.15, 0.0), (313.15, 3e8), (353.15, 0.0), (353.15, 3e8), (290.0, 1e8)] {
         let factor = ((t - 138.0) / (313.15 - 138.0_f64)).powf(-1.1);
@@ -90,7 +90,7 @@ fn roelands_with_temperature() {
     let at = |t: f64| law.at_temperature(t).unwrap().viscosity(0.0).ln();
     let coefficient = 1.1 * (0.04_f64.ln() + 9.67) / (313.15 - 138.0);
     assert!(((at(313.14) - at(313.16)) / 0.02 / coefficient - 1.0).abs() < 1e-6);
-    // By alpha the exponent is alpha p0/z.
+    // With alpha the exponent is alpha p0/z.
     let by_alpha = Roelands::from_alpha(0.04, 2e-8, 0.6, 1.96e8).unwrap();
     let warm = ThermalRoelands::new(by_alpha, 313.15, 1.0).unwrap().at_temperature(353.15).unwrap();
     let factor = (313.15 - 138.0) / (353.15 - 138.0);
@@ -99,10 +99,10 @@ fn roelands_with_temperature() {
     assert_eq!(without.viscosity(4e8).to_bits(), roelands().viscosity(4e8).to_bits());
 }
 
-/// Tait's bulk modulus and its rise at ambient pressure, Doolittle's free volume, and no temperature without
-/// expansion.
+/// Tait's bulk modulus and its pressure derivative at ambient pressure, Doolittle's free volume, and no
+/// temperature dependence without expansion.
 #[test]
-fn doolittle_tait() {
+fn doolittle_tait_matches_its_equations() {
     let law = DoolittleTait::new(FREE_VOLUME).unwrap();
     let stiffness = 9e9 * (-6e-3_f64 * 313.15).exp();
     assert!((law.slope(0.0) * stiffness - 1.0).abs() < 1e-12);
@@ -114,7 +114,7 @@ fn doolittle_tait() {
         let exact = 0.02 * (4.0 * 0.65 * (1.0 / free - 1.0 / 0.35)).exp();
         assert!((law.viscosity(p) / exact - 1.0).abs() < 1e-12, "{p:e}");
     }
-    // Far beyond the fit the free volume ends: a finite plateau.
+    // Far beyond the fitted range the free volume vanishes: a finite plateau.
     assert!((law.viscosity(1e12) / law.viscosity(0.0)).ln() <= Roelands::MAX_EXPONENT + 1e-9);
     let rigid = DoolittleTaitConstants { epsilon: 0.0, beta: 0.0, expansion: 0.0, ..FREE_VOLUME };
     let rigid = DoolittleTait::new(rigid).unwrap();
@@ -123,7 +123,7 @@ fn doolittle_tait() {
 }
 
 #[test]
-fn improved_yasutomi() {
+fn improved_yasutomi_matches_its_equation() {
     let law = |t: f64| ImprovedYasutomi::new(GLASS, t).unwrap();
     for (t, p) in [(313.15, 0.0_f64), (353.15, 2e8), (300.0, 1e8)] {
         let glass = 200.0 + 80.0 * (1.0 + 1e-9 * p).ln();
@@ -138,7 +138,7 @@ fn improved_yasutomi() {
 }
 
 #[test]
-fn carreau_and_limits_by_pressure() {
+fn carreau_stress_and_pressure_limits_match_their_equations() {
     let oil = Rheology::carreau(5e6, 0.4).unwrap();
     assert!((oil.shear_stress(1e-4, 1e3) / 0.1 - 1.0).abs() < 1e-12);
     assert!((oil.shear_stress(10.0, 1e6) / (1e7 * 5.0_f64.powf(-0.3)) - 1.0).abs() < 1e-12);
@@ -168,9 +168,9 @@ fn scene() -> Scene {
     scene
 }
 
-/// The scene at a bulk temperature is that of the viscosity there.
+/// A scene at a bulk temperature equals one with the viscosity at that temperature.
 #[test]
-fn contacts_take_the_viscosity_of_their_bulk_temperature() {
+fn contact_uses_the_viscosity_at_its_bulk_temperature() {
     let mut warm = scene();
     let oil = warm.lubricant.as_mut().unwrap();
     (oil.temperature, oil.roelands_s0) = (Some(313.15), Some(1.2));
@@ -185,7 +185,7 @@ fn contacts_take_the_viscosity_of_their_bulk_temperature() {
 }
 
 #[test]
-fn every_law_is_solved_from_a_scene() {
+fn contact_converges_for_every_viscosity_law() {
     let mut films = Vec::new();
     for law in [ViscositySpec::DoolittleTait(FREE_VOLUME), ViscositySpec::ImprovedYasutomi(GLASS)] {
         let mut scene = scene();
@@ -208,10 +208,10 @@ fn every_law_is_solved_from_a_scene() {
     assert!(films[1] < 0.6 * films[0] && films[3] < 0.6 * films[2], "{films:?}");
 }
 
-/// Films of a history follow the schedule of the bulk temperature where the law knows temperature, and come
-/// back.
+/// Films of a history follow the scheduled bulk temperature for a law with temperature dependence,
+/// reversibly.
 #[test]
-fn an_oil_that_does_not_thicken_is_solved() {
+fn contact_converges_without_pressure_thickening() {
     let soft = |form: Form| {
         let mut scene = Scene::azam_2019(24);
         (scene.form, scene.elastic, scene.plastic) = (form, Elastic::new(10e6), None);
@@ -245,7 +245,7 @@ fn an_oil_that_does_not_thicken_is_solved() {
 }
 
 #[test]
-fn histories_follow_the_bulk_temperature() {
+fn history_follows_the_bulk_temperature() {
     let mut scene = scene();
     scene.thermal.flash = Flash::Off;
     let temperatures = Schedule::Steps { times: vec![0.0, 10.0, 20.0], values: vec![313.15, 363.15, 313.15] };
@@ -264,9 +264,9 @@ fn histories_follow_the_bulk_temperature() {
     assert!((following[2] / following[0] - 1.0).abs() < 1e-3, "{following:?}");
 }
 
-/// A step that fails leaves the oil at its temperature, and the next one takes it to that of its time.
+/// A failed step leaves the oil at its temperature, and the next step sets that of its own time.
 #[test]
-fn a_failed_step_leaves_the_oil_as_it_was() {
+fn failed_step_leaves_the_oil_unchanged() {
     let mut scene = scene();
     scene.thermal.flash = Flash::Off;
     let oil = scene.lubricant.as_mut().unwrap();
@@ -289,7 +289,7 @@ fn a_failed_step_leaves_the_oil_as_it_was() {
 }
 
 #[test]
-fn scene_files_name_laws_and_what_is_wrong_with_them() {
+fn scene_files_select_laws_and_report_their_errors() {
     let head = "[form]\nkind = \"sphere\"\nradius = 1e-2\n[elastic]\nequivalent_modulus = 2.3e11\n[load]\nforce = 10.0\n\
                 [motion]\nentrainment_speed = 1.0\n[grid]\nnx = 32\nny = 32\nx = [-2e-4, 2e-4]\ny = [-2e-4, 2e-4]\n";
     let law = "[lubricant.viscosity]\nlaw = \"doolittle_tait\"\nviscosity = 0.02\ntemperature = 313.15\nb = 4.0\nr0 = 0.65\n\

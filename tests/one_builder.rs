@@ -12,7 +12,7 @@ use stribeck::sim::{BodyStart, MixedLubricationSim, Scene, SimError, solve_conta
 use stribeck::surface::AtRest;
 use stribeck::tribochem::{FilmGrowthLaw, Ghanbarzadeh, Tribofilm, integrate_rates};
 use stribeck::wear::{Archard, WearDepth, WearLaw};
-use stribeck::{BoundaryFriction, ConstantFriction, InputError, RubbingPoint, Status};
+use stribeck::{BoundaryFriction, ConstantFriction, InputError, Status, SurfaceState};
 
 fn scene() -> Scene {
     Scene::azam_2019(32)
@@ -196,11 +196,11 @@ impl fmt::Debug for Failing {
 }
 
 impl WearLaw for Failing {
-    fn depth_rate(&self, at: &RubbingPoint, _film_thickness: f64) -> f64 {
+    fn depth_rate(&self, at: &SurfaceState, _film_thickness: f64) -> f64 {
         1e-20 * at.pressure
     }
 
-    fn depth_rates(&self, at: &[RubbingPoint], film_thickness: &[f64], rates: &mut [f64]) {
+    fn depth_rates(&self, at: &[SurfaceState], film_thickness: &[f64], rates: &mut [f64]) {
         let calls = self.0.fetch_add(1, Ordering::Relaxed);
         for (rate, (at, film)) in rates.iter_mut().zip(at.iter().zip(film_thickness)) {
             *rate = self.depth_rate(at, *film);
@@ -223,9 +223,9 @@ fn a_law_that_fails_leaves_the_simulation_as_before() {
     assert_eq!(sim.step(60.0).unwrap().report.status, Status::Converged);
 }
 
-fn points() -> Vec<RubbingPoint> {
+fn points() -> Vec<SurfaceState> {
     let point = |k: u32| {
-        RubbingPoint::new(1e8 * f64::from(k), 300.0 + f64::from(k))
+        SurfaceState::new(1e8 * f64::from(k), 300.0 + f64::from(k))
             .with_solid_pressure(0.5e8 * f64::from(k))
             .with_shear_stress(1e7 * f64::from(k))
             .with_sliding_speed(0.1)
@@ -240,7 +240,7 @@ fn points() -> Vec<RubbingPoint> {
 struct Kinked;
 
 impl FilmGrowthLaw for Kinked {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         let balance = 1e-18 * at.pressure;
         if !at.in_contact {
             0.0

@@ -1,4 +1,4 @@
-//! What reports tell: the way to the solution, the residuals of each step.
+//! Solve reports: strategy and residual history.
 
 use stribeck::reynolds::{Attempt, ContactDefinition, NewtonKrylov, NewtonSettings};
 use stribeck::sim::scene::{InletSpec, SolverKind};
@@ -13,9 +13,9 @@ fn smooth(cells: usize) -> Scene {
     scene
 }
 
-/// One start, whose residuals come first, and those of each step.
+/// A single start, whose residuals come first, and those of each step.
 #[test]
-fn a_solve_from_one_start_tells_the_residuals_of_each_step() {
+fn residual_history_holds_the_start_and_each_step() {
     for (kind, strategy) in [
         (SolverKind::NewtonKrylov, Some(Strategy::Attempt)),
         (SolverKind::SemiSystem, None),
@@ -33,9 +33,9 @@ fn a_solve_from_one_start_tells_the_residuals_of_each_step() {
     }
 }
 
-/// The sweeps of the paper's contact, cut short: the best state is not the last one by all means.
+/// Truncated sweeps of the unified Reynolds model: the best state need not be the last one.
 #[test]
-fn sweeps_tell_theirs() {
+fn residual_history_of_sweeps_is_complete() {
     let mut scene = Scene::azam_2019(32);
     scene.solver.contact = ContactDefinition::UnifiedReynolds;
     scene.solver.kind = SolverKind::SemiSystem;
@@ -46,7 +46,7 @@ fn sweeps_tell_theirs() {
 }
 
 #[test]
-fn a_dry_contact_has_no_history() {
+fn dry_contact_has_no_residual_history() {
     let mut scene = smooth(32);
     scene.lubricant = None;
     let report = solve_contact(&scene).unwrap().report;
@@ -71,15 +71,15 @@ fn converged(scene: Scene, change: fn(&mut NewtonSettings)) -> ContactSolution {
     solution
 }
 
-/// It begins at the contact film of the scene and has to halve its residual in six steps, which it does not.
+/// The attempt starts at the contact film of the scene and cannot halve its residual in six steps.
 fn stall(attempt: &mut Attempt) {
     (attempt.first_contact_film, attempt.steps_to_halve) = (1.0, 6);
 }
 
-/// The attempt stalls with the contact film of the scene, but not with a thicker one, which leads to the same
-/// solution.
+/// The attempt stalls with the contact film of the scene, but not with a thicker one, from which continuation
+/// leads to the same solution.
 #[test]
-fn thicker_contact_films_lead_to_the_contact_where_the_attempt_stalls() {
+fn continuation_from_thicker_contact_films_solves_a_stalled_contact() {
     let led = converged(Scene::azam_2019(56), |settings| {
         stall(&mut settings.attempt);
     });

@@ -25,7 +25,7 @@ fn solve(scene: &Scene, kind: SolverKind) -> ContactSolution {
     solution
 }
 
-/// Solves by both methods; their answers may differ by what the tolerance leaves open.
+/// Solves by both methods; the results may differ within the tolerance.
 fn compare(scene: &Scene) -> [ContactSolution; 2] {
     let both = [SolverKind::NewtonKrylov, SolverKind::SemiSystem].map(|kind| solve(scene, kind));
     let [newton, lines] = &both;
@@ -43,13 +43,13 @@ fn compare(scene: &Scene) -> [ContactSolution; 2] {
         assert!(((ours - theirs) / scale).abs() < 1e-4, "{name}: {ours:e} and {theirs:e}");
     }
     let work = lines.report.work;
-    // All of its work is counted: passes over all lines, and at least two convolutions a step.
+    // All work is counted: line passes, and at least two convolutions per step.
     assert!(work.inner_iterations > work.iterations && work.convolutions > 2.0 * work.iterations as f64);
     both
 }
 
 #[test]
-fn mixed_contacts_are_those_of_newtons_method() {
+fn mixed_contacts_match_newtons_method() {
     for (speed, rq, length, hardness, ratio) in [
         (0.05, 60e-9, 10e-6, Some(6e9), 0.02..0.3),
         (0.2, 130e-9, 10e-6, Some(2e9), 0.05..0.5),
@@ -63,7 +63,7 @@ fn mixed_contacts_are_those_of_newtons_method() {
 }
 
 #[test]
-fn every_law_of_the_flow_is_solved() {
+fn contacts_converge_for_every_flow_law() {
     for (scheme, face_mobility, cavitation) in [
         (Scheme::FirstOrder, FaceMobility::ReducedPressure, Cavitation::Reynolds),
         (Scheme::Limited, FaceMobility::Wedge, Cavitation::MassConserving),
@@ -77,7 +77,7 @@ fn every_law_of_the_flow_is_solved() {
 }
 
 #[test]
-fn steps_that_do_not_suffice_are_a_status() {
+fn too_few_iterations_return_a_status() {
     let mut scene = scene(64, 0.1, 130e-9, 10e-6, Some(6e9));
     scene.solver.kind = SolverKind::SemiSystem;
     scene.solver.max_iterations = 5;

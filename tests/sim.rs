@@ -13,7 +13,7 @@ use stribeck::sim::scene::{Flash, SolverKind};
 use stribeck::sim::{MixedLubricationSim, RunEnd, Scene, Schedule, SimBuilder, SimError, StepRecord};
 use stribeck::surface::AlongTrack;
 use stribeck::wear::{Archard, WearLaw};
-use stribeck::{Grid, InputError, RubbingPoint, SolveReport, SolverId, Status};
+use stribeck::{Grid, InputError, SolveReport, SolverId, Status, SurfaceState};
 
 fn scene() -> Scene {
     let mut scene = Scene::azam_2019(48).with_tribofilm();
@@ -107,7 +107,7 @@ fn a_failed_step_changes_nothing() {
 struct Broken;
 
 impl WearLaw for Broken {
-    fn depth_rate(&self, _at: &RubbingPoint, _film_thickness: f64) -> f64 {
+    fn depth_rate(&self, _at: &SurfaceState, _film_thickness: f64) -> f64 {
         f64::NAN
     }
 }
@@ -128,7 +128,7 @@ fn a_broken_law_is_an_error_and_changes_nothing() {
 struct Melting;
 
 impl WearLaw for Melting {
-    fn depth_rate(&self, at: &RubbingPoint, _film_thickness: f64) -> f64 {
+    fn depth_rate(&self, at: &SurfaceState, _film_thickness: f64) -> f64 {
         if at.temperature > 380.0 { f64::NAN } else { 1e-13 }
     }
 }
@@ -185,7 +185,7 @@ fn stumbling() -> Altered {
 }
 
 /// Says that it has solved what it has not: its pressures carry nine tenths of the load.
-fn liar() -> Altered {
+fn falsely_converging() -> Altered {
     Altered::by(|_, state, _| {
         state.pressure.iter_mut().chain(&mut state.fluid_pressure).for_each(|p| *p *= 0.9);
     })
@@ -201,8 +201,8 @@ fn another_position_is_tried_from_the_last_contact() {
 }
 
 #[test]
-fn a_solver_that_lies_changes_nothing() {
-    let mut sim = MixedLubricationSim::builder(scene()).solver(liar()).build().unwrap();
+fn false_convergence_is_detected_and_changes_nothing() {
+    let mut sim = MixedLubricationSim::builder(scene()).solver(falsely_converging()).build().unwrap();
     let before = sim.bodies().each_ref().map(|body| body.surface().to_vec());
     match sim.step(10.0) {
         Err(SimError::NotConverged { source, .. }) => {
@@ -213,7 +213,7 @@ fn a_solver_that_lies_changes_nothing() {
     }
     let after = sim.bodies().each_ref().map(|body| body.surface().to_vec());
     assert_eq!((sim.steps(), after), (0, before));
-    let single = MixedLubricationSim::builder(scene()).solver(liar()).solve().unwrap();
+    let single = MixedLubricationSim::builder(scene()).solver(falsely_converging()).solve().unwrap();
     assert_eq!(single.report.status, Status::Unconfirmed);
     let honest = MixedLubricationSim::builder(scene()).solver(NewtonKrylov::new()).solve().unwrap();
     honest.report.require_converged().unwrap();

@@ -49,14 +49,14 @@ fn point_loads(v: f64, [x, y, z]: [f64; 3]) -> [[f64; 6]; 2] {
 }
 
 #[test]
-fn convolutions_are_sums_of_point_loads() {
+fn convolutions_match_sums_of_point_loads() {
     let grid = Grid::centred(6, 5, 1.0, 0.7).unwrap();
     let pressure: Vec<f64> = (0..30).map(|k| f64::from(k * 7 % 11)).collect();
     let traction: Vec<f64> = (0..30).map(|k| f64::from(k * 5 % 7) - 3.0).collect();
     for v in [0.0, 0.3, 0.5] {
         for depth in [0.5, 2.0] {
             let field = subsurface_stress(&grid, v, depth, &pressure, Some(&traction)).unwrap();
-            // Midpoints of 24 x 24 parts of each cell: no part lies above a node.
+            // Midpoints of 24 x 24 parts of each cell; none lies above a node.
             let parts = 24;
             for (k, (x, y)) in grid.nodes().enumerate() {
                 let mut exact = [0.0; 6];
@@ -80,7 +80,7 @@ fn convolutions_are_sums_of_point_loads() {
 }
 
 #[test]
-fn the_axis_of_hertz_is_exact() {
+fn hertz_axis_stresses_match_the_closed_form() {
     let grid = Grid::centred(161, 161, 1.0 / 70.0, 1.0 / 70.0).unwrap();
     let centre = 80 * 161 + 80;
     let pressure = hertz(&grid);
@@ -106,7 +106,7 @@ fn the_axis_of_hertz_is_exact() {
 }
 
 #[test]
-fn line_contacts_are_those_of_plane_strain() {
+fn line_contacts_match_plane_strain() {
     let grid = Grid::from_edges(400, 1, [-2e-4, 2e-4], [-0.5, 0.5]).unwrap();
     let pressure: Vec<f64> =
         grid.nodes().map(|(x, _)| 1e9 * (1.0 - (x / 1e-4).powi(2)).max(0.0).sqrt()).collect();
@@ -136,10 +136,10 @@ fn line_contacts_are_those_of_plane_strain() {
     assert!((best.0 - 0.558).abs() < 1e-3 && (best.1 - 0.70).abs() < 0.011, "{best:?}");
 }
 
-/// On the axis of a traction `f p` only `xz` is left, of rings of point loads. Behind the contact the tension
-/// is Hamilton's.
+/// On the axis a traction `f p` causes `xz` only, an integral over rings of point loads. Behind the contact
+/// the tension is Hamilton's.
 #[test]
-fn sliding_hertz() {
+fn sliding_hertz_axis_shear_matches_the_ring_integral() {
     let n = 241;
     let grid = Grid::centred(n, n, 0.01, 0.01).unwrap();
     let (pressure, friction) = (hertz(&grid), 0.25);
@@ -159,10 +159,10 @@ fn sliding_hertz() {
     }
 }
 
-/// A traction along +x stretches the surface behind, at x = -1; from there on the tension falls as a root of
-/// the distance, so that cells miss it by a root of their size.
+/// A traction along +x causes tension behind the contact, at x = -1. Beyond, the tension decreases as the
+/// square root of the distance, so the error is the square root of the cell size.
 #[test]
-fn tension_behind_a_sliding_ball_is_that_of_hamilton() {
+fn tension_behind_a_sliding_ball_matches_hamilton() {
     let friction = 0.25;
     let tension = |n: usize, cell: f64| {
         let grid = Grid::centred(n, n, cell, cell).unwrap();
@@ -196,7 +196,7 @@ fn solved(scene: &Scene) -> ContactSolution {
 }
 
 #[test]
-fn scenes_end_with_stresses_that_they_ask_for() {
+fn scenes_report_requested_stresses() {
     let mut scene = scene(96);
     scene.motion.slide_roll_ratio = 0.0;
     scene.stress.as_mut().unwrap().yield_strength = Some(1e9);
@@ -210,8 +210,8 @@ fn scenes_end_with_stresses_that_they_ask_for() {
     assert!((stress.yield_ratio.unwrap() / (mises.stress / 1e9) - 1.0).abs() < 1e-12);
     let shear = stress.orthogonal_shear.stress;
     assert!((stress.shakedown_ratio.unwrap() / (3.0_f64.sqrt() * shear / 1e9) - 1.0).abs() < 1e-12);
-    // Friction of 0.5 takes the largest stress to the surface; the ball drags the disc along +x and
-    // compresses it in front.
+    // A friction coefficient of 0.5 moves the largest stress to the surface; the ball drags the disc along +x
+    // and compresses it in front.
     scene.motion.slide_roll_ratio = 0.5;
     scene.friction.boundary_coefficient = 0.5;
     let sliding = solved(&scene).stress.unwrap().von_mises;
@@ -225,9 +225,9 @@ fn scenes_end_with_stresses_that_they_ask_for() {
     assert!(without.stress.is_none());
 }
 
-/// A layer of the material of the disc leaves its stresses as they are; a stiff one is stressed more.
+/// A layer of the disc's material leaves its stresses unchanged; a stiff one has higher stresses.
 #[test]
-fn scenes_with_a_layer_end_with_its_stresses() {
+fn scenes_with_a_layer_report_its_stresses() {
     let mut scene = scene(64);
     scene.motion.slide_roll_ratio = 0.0;
     let bare = solved(&scene).stress.unwrap();

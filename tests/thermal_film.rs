@@ -94,13 +94,13 @@ fn warm(scene: &Scene, properties: FilmThermal) -> ContactSolution {
 }
 
 #[test]
-fn heat_of_one_viscosity_is_conducted_exactly() {
+fn conduction_at_uniform_viscosity_is_exact() {
     let (oil, newtonian) = (Barus::new(0.1, 20e-9).unwrap(), Rheology::newtonian());
     for profile in PROFILES {
         let solver = SectionSolver::new(profile);
         let plain = section(&oil, &newtonian);
         let (heat, per_flux) = (0.1 * 4.0 / 1e-7, 1e-7 / 0.14);
-        // Between surfaces of two temperatures; with heat of pressure and of compression; carried on.
+        // Surfaces of two temperatures; heat of pressure flow and compression; advection.
         let found = solver.solve(&FilmSection { surfaces: [300.0, 310.0], ..plain });
         assert!((found.mean - 305.0 - heat * per_flux / 12.0).abs() < 1e-9);
         assert!((found.conducted / heat - 1.0).abs() < 1e-12);
@@ -112,7 +112,7 @@ fn heat_of_one_viscosity_is_conducted_exactly() {
         let exact = (heat * per_flux / 12.0 - 1e6 * per_flux / 12.0) / (1.0 + 1e6 * per_flux / 12.0);
         assert!((found.mean - 300.0 - exact).abs() < 1e-9, "{found:?}, {exact}");
         assert!((found.conducted + found.carried - heat).abs() < 1e-9 * heat);
-        // Surfaces that follow the heat in proportion.
+        // Surface temperatures proportional to the heat.
         let found = solver.solve(&FilmSection { response: (2e-6, 0.0), ..plain });
         assert!((found.mean - 300.0 - heat * (per_flux / 12.0 + 2e-6)).abs() < 1e-9);
         let still = solver.solve(&FilmSection { sliding: 0.0, ..plain });
@@ -120,9 +120,9 @@ fn heat_of_one_viscosity_is_conducted_exactly() {
     }
 }
 
-/// Nahme's solution: by collocation exactly, by the parabola as long as the film thins evenly.
+/// Nahme's solution: exact by collocation, and by the parabola for small Nahme numbers.
 #[test]
-fn a_film_that_thins_by_its_own_heat_shears_as_nahme_says() {
+fn shear_stress_of_a_self_heated_film_matches_nahme() {
     let newtonian = Rheology::newtonian();
     for (nahme, even) in [(1e-3, 1e-8), (0.1, 3e-5), (1.0, 2e-3), (8.0, 0.05)] {
         let viscosity = nahme * 0.14 / (0.05 * 4.0);
@@ -139,21 +139,21 @@ fn a_film_that_thins_by_its_own_heat_shears_as_nahme_says() {
 }
 
 #[test]
-fn surfaces_apart_keep_their_own_heat_and_share_it_where_they_touch() {
+fn heat_partition_depends_on_the_film_resistance() {
     let grid = Grid::centred(24, 24, 1e-5, 1e-5).unwrap();
     let heat: Vec<f64> = grid.nodes().map(|(x, y)| if x.hypot(y) < 8e-5 { 1e8 } else { 0.0 }).collect();
     let mut flash = FlashTemperature::new(&grid, [ThermalBody::STEEL; 2], [2.0, 0.5]).unwrap();
     let zeros = || vec![0.0; grid.len()];
     let (mut one, mut other, mut common) = (zeros(), zeros(), zeros());
     let expected = flash.rise(&heat, &mut common).unwrap();
-    // They touch where there is heat.
+    // No resistance at heated nodes.
     let resistance: Vec<f64> = heat.iter().map(|heat| if *heat > 0.0 { 0.0 } else { 1.0 }).collect();
     let report = flash.rises_through_film(&heat, &resistance, [&mut one, &mut other]).unwrap();
     for k in (0..grid.len()).filter(|k| heat[*k] > 0.0) {
         assert!((one[k] - common[k]).abs() < 1e-3 * expected.maximum);
     }
     assert!(report.mismatch < 2e-4 * expected.maximum);
-    // A thick film: half of the heat to each, and all of it in the end.
+    // A thick film: half of the heat to each surface.
     let _ = flash.rises_through_film(&heat, &vec![1.0; grid.len()], [&mut one, &mut other]).unwrap();
     let [first, second] = flash.fluxes();
     for k in 0..grid.len() {
@@ -165,7 +165,7 @@ fn surfaces_apart_keep_their_own_heat_and_share_it_where_they_touch() {
 }
 
 #[test]
-fn slow_contacts_and_oils_that_do_not_thin_are_isothermal() {
+fn slow_contacts_and_constant_viscosity_are_isothermal() {
     let slow = smooth(0.005, 0.0);
     let mut indifferent = smooth(2.0, 1.0);
     indifferent.lubricant.as_mut().unwrap().roelands_s0 = Some(0.0);
@@ -180,9 +180,9 @@ fn slow_contacts_and_oils_that_do_not_thin_are_isothermal() {
     }
 }
 
-/// Between parallel surfaces `rho h` is what the inlet lets in, and that does not know of the expansion.
+/// Between parallel surfaces `rho h` is fixed by the inlet, independent of the expansion.
 #[test]
-fn an_oil_that_only_expands_makes_films_thicker_by_its_expansion() {
+fn thermal_expansion_alone_thickens_the_film_in_proportion() {
     let mut scene = smooth(2.0, 1.0);
     scene.lubricant.as_mut().unwrap().roelands_s0 = Some(0.0);
     let (cool, warm) = (solve_contact(&scene).unwrap(), warm(&scene, FilmThermal::default()));
@@ -194,9 +194,9 @@ fn an_oil_that_only_expands_makes_films_thicker_by_its_expansion() {
     assert!(heat.solves > 1 && heat.change <= 5e-3);
 }
 
-/// A viscosity that is a function of pressure times one of temperature has one ratio everywhere.
+/// A viscosity that is a product of functions of pressure and temperature has a uniform ratio.
 #[test]
-fn a_film_of_one_temperature_is_the_isothermal_film_at_it() {
+fn film_of_uniform_temperature_matches_the_isothermal_film() {
     let grid = Grid::centred(48, 48, 1e-5, 1e-5).unwrap();
     let gap: Vec<f64> = grid.nodes().map(|(x, y)| (x * x + y * y) / 0.02).collect();
     let law = Separable { temperature: 300.0 };
@@ -224,17 +224,16 @@ fn a_film_of_one_temperature_is_the_isothermal_film_at_it() {
         for (one, other) in warm.fluid_pressure.iter().zip(&isothermal.fluid_pressure) {
             assert!((one - other).abs() < 1e-8 * 1e9, "{one:e} and {other:e}");
         }
-        // The mass is that of a thinner fluid.
+        // The mass is that of a less dense fluid.
         let centre = 24 * 48 + 24;
         let ratio = warm.mass[centre] / isothermal.mass[centre];
         assert!((ratio / (-6.5e-4_f64 * 37.0).exp() - 1.0).abs() < 1e-8, "{ratio}");
     }
 }
 
-/// Density by pressure and temperature is that by pressure at the temperature, but for what ambient
-/// pressure makes of it.
+/// `ratio_at` equals the ratio of the law at the temperature, except for the expansion at ambient pressure.
 #[test]
-fn densities_know_temperature_by_their_law_or_by_the_expansivity() {
+fn density_varies_with_temperature_by_law_or_expansivity() {
     let law = DoolittleTait::new(FREE_VOLUME).unwrap();
     let mut oil = Lubricant::new(law, law);
     oil.set_film_temperatures(313.15, &[353.15], &[353.15], 0.0).unwrap();
@@ -256,7 +255,7 @@ fn densities_know_temperature_by_their_law_or_by_the_expansivity() {
 }
 
 #[test]
-fn film_and_friction_fall_and_the_heat_goes_where_it_must() {
+fn heating_reduces_film_and_friction_and_conserves_energy() {
     let scene = smooth(2.0, 1.0);
     let cool = solve_contact(&scene).unwrap();
     let [parabola, collocation] =
@@ -266,14 +265,14 @@ fn film_and_friction_fall_and_the_heat_goes_where_it_must() {
     assert!((parabola.friction.coefficient / collocation.friction.coefficient - 1.0).abs() < 0.04);
     for solution in [parabola, collocation] {
         let heat = solution.thermal.as_ref().unwrap();
-        // What the inlet lets in; the film itself is thicker by its expansion.
+        // Mass flow of the inlet; the film itself is thicker by its expansion.
         let [warm, cold] =
             [&solution, &cool].map(|at| at.grid.interpolate(&at.state.mass, 0.0, 0.0).unwrap());
         assert!(warm < 0.985 * cold, "{warm:e} and {cold:e}");
         assert!(solution.friction.coefficient < 0.85 * cool.friction.coefficient);
         assert!(heat.imbalance < 1e-9, "{:e}", heat.imbalance);
         assert!(heat.change <= 5e-3);
-        // Beside the heat of rolling it is friction.
+        // Except for the heat of rolling the heat is friction.
         let friction = solution.friction.coefficient * solution.hertz.force * scene.motion.sliding_speed();
         let share = (heat.heat - rolling.heat) / friction;
         assert!((share - 1.0).abs() < 0.01, "{share}");
@@ -286,9 +285,8 @@ fn film_and_friction_fall_and_the_heat_goes_where_it_must() {
     assert!(cool.thermal.is_none() && cool.fields().len() == 6);
 }
 
-/// Pure rolling of a line contact: the formula neglects what the flow carries off and takes heavier loads.
 #[test]
-fn the_mean_temperature_is_that_of_the_contact_turned_or_not() {
+fn mean_central_temperature_averages_the_hertz_ellipse_at_any_angle() {
     for angle in [0.0, 0.5] {
         let mut scene = smooth(1.0, 1.0);
         scene.form = Form::Ellipsoid { radius_x: 6e-3, radius_y: 15e-3, angle };
@@ -310,8 +308,9 @@ fn the_mean_temperature_is_that_of_the_contact_turned_or_not() {
     }
 }
 
+/// Pure rolling of a line contact: the formula neglects advection and was fitted to heavier loads.
 #[test]
-fn inlets_in_pure_rolling_thin_the_film_about_as_the_formula_says() {
+fn thermal_reduction_in_pure_rolling_is_close_to_the_formula() {
     let mut scene = smooth(5.0, 0.0);
     scene.form = Form::Cylinder { radius: 0.01 };
     scene.wear = None;
@@ -337,7 +336,7 @@ fn inlets_in_pure_rolling_thin_the_film_about_as_the_formula_says() {
 }
 
 #[test]
-fn scenes_that_do_not_fit_are_refused_by_name() {
+fn invalid_thermal_scenes_are_rejected_by_name() {
     let message = |scene: &Scene| solve_contact(scene).unwrap_err().to_string();
     let mut scene = smooth(1.0, 1.0);
     scene.lubricant.as_mut().unwrap().thermal = Some(FilmThermal::default());
@@ -353,14 +352,14 @@ fn scenes_that_do_not_fit_are_refused_by_name() {
     assert!(with(|oil| oil.conductivity = 0.0).starts_with("lubricant.thermal.conductivity = 0"));
     assert!(with(|oil| oil.heat_capacity = -1.0).starts_with("lubricant.thermal.heat_capacity = -1"));
     assert!(with(|oil| oil.expansivity = f64::NAN).starts_with("lubricant.thermal.expansivity = NaN"));
-    // Metres in place of W/(m K).
+    // Metres instead of W/(m K).
     let mut odd = scene;
     odd.lubricant.as_mut().unwrap().thermal.as_mut().unwrap().conductivity = 140.0;
     assert_eq!(odd.warnings()[0].field, "lubricant.thermal.conductivity");
 }
 
 #[test]
-fn a_scene_file_has_the_keys_and_the_json_the_numbers() {
+fn thermal_keys_and_json_values_round_trip() {
     let mut scene = smooth(2.0, 1.0);
     scene.lubricant.as_mut().unwrap().thermal = Some(FilmThermal::default());
     let read = Scene::from_toml(&scene.to_toml().unwrap()).unwrap();

@@ -1,4 +1,4 @@
-//! What a simulation calls in every step allocates nothing once its buffers are made.
+//! Solves, laws and simulation steps allocate nothing after their first call.
 #![expect(clippy::unwrap_used, reason = "tests")]
 
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -15,10 +15,10 @@ use stribeck::surface::{Autocorrelation, RoughnessSpec, generate};
 use stribeck::thermal::{FilmFlow, FilmTemperature, FilmThermal};
 use stribeck::tribochem::{FilmGrowthLaw, FlashTemperature, Ghanbarzadeh, ThermalBody, Tribofilm};
 use stribeck::wear::{Archard, WearDepth};
-use stribeck::{Grid, RubbingPoint, SolveReport, Status};
+use stribeck::{Grid, SolveReport, Status, SurfaceState};
 
 thread_local! {
-    // By thread: the tests of this file and the harness run side by side.
+    // Per thread, as tests and harness run concurrently.
     static COUNT: Cell<u64> = const { Cell::new(0) };
 }
 
@@ -49,22 +49,22 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// What `work` returns and how often it allocated.
+/// Result of `work` and its number of allocations.
 fn counted<T>(work: impl FnOnce() -> T) -> (T, u64) {
     let before = COUNT.get();
     let result = work();
     (result, COUNT.get() - before)
 }
 
-/// Even, odd, prime and oblong.
+/// Even, odd, prime and oblong grids.
 const SHAPES: [(usize, usize); 5] = [(16, 16), (15, 9), (17, 13), (31, 8), (64, 5)];
 
 fn grids() -> impl Iterator<Item = Grid> {
     SHAPES.into_iter().map(|(nx, ny)| Grid::centred(nx, ny, 10e-6, 12e-6).unwrap())
 }
 
-fn touching() -> RubbingPoint {
-    RubbingPoint::new(1e9, 353.15)
+fn touching() -> SurfaceState {
+    SurfaceState::new(1e9, 353.15)
         .with_solid_pressure(1e9)
         .with_shear_stress(0.115e9)
         .with_sliding_speed(0.005)
@@ -72,18 +72,18 @@ fn touching() -> RubbingPoint {
 }
 
 #[test]
-fn the_counter_counts() {
+fn allocation_counter_counts() {
     assert_eq!(counted(|| vec![0_u8; 100]).1, 1);
     assert_eq!(counted(|| 1 + 1).1, 0);
 }
 
 #[test]
-fn half_space() {
+fn half_space_allocates_nothing() {
     for grid in grids() {
         let mut body = HalfSpace::new(grid, 230e9).unwrap();
         let pressure: Vec<f64> = grid.nodes().map(|(x, _)| 1e9 + 1e13 * x).collect();
         let mut out = vec![0.0; grid.len()];
-        // Without a warm-up: the buffers are made with the body.
+        // No warm-up: the constructor allocates the buffers.
         let (result, allocations) = counted(|| body.displacement(&pressure, &mut out));
         assert!(result.is_ok() && allocations == 0, "displacement on {grid:?}: {allocations}");
         let (result, allocations) = counted(|| body.displacement_single(&pressure, &mut out));
@@ -145,8 +145,8 @@ impl Scene {
     }
 }
 
-/// Solves `problem` twice from nothing and once from its solution; the reports of the last two and what they
-/// allocated.
+/// Solves `problem` twice from zero pressure and once from its solution; returns the reports of the last two
+/// and their allocations.
 fn solve_again(
     solver: &mut dyn ContactSolver,
     problem: &mut LubricatedContact<'_>,
@@ -161,8 +161,8 @@ fn solve_again(
 }
 
 #[test]
-fn dry_contact() {
-    // The last two have coarser grids.
+fn second_dry_solve_allocates_nothing() {
+    // The last two use coarser grids.
     for (nx, ny) in SHAPES.into_iter().chain([(40, 36), (67, 33)]) {
         let mut scene = Scene::new(nx, ny, 100e-9);
         let stop = StoppingRule::new(1e-9, 500);
@@ -179,7 +179,7 @@ fn oil() -> Lubricant {
 }
 
 #[test]
-fn newton_krylov() {
+fn second_newton_krylov_solve_allocates_nothing() {
     let oil = oil();
     let eyring = ShearThinning::new(Rheology::eyring(5e6).unwrap(), 0.25).unwrap();
     for (nx, ny, thinning) in
@@ -197,9 +197,9 @@ fn newton_krylov() {
 }
 
 #[test]
-fn semi_system() {
+fn second_semi_system_solve_allocates_nothing() {
     let oil = oil();
-    // A full film, a mixed contact, and the paper's contact, which is not meant to converge in 50 sweeps.
+    // A full film, a mixed contact, and the unified Reynolds model, which need not converge in 50 sweeps.
     for (rq, contact) in [
         (0.0, ContactDefinition::Hard),
         (50e-9, ContactDefinition::Hard),
@@ -220,7 +220,7 @@ fn semi_system() {
 }
 
 #[test]
-fn multigrid() {
+fn second_multigrid_solve_allocates_nothing() {
     let oil = oil();
     for (nx, ny) in [(48, 48), (51, 37)] {
         let mut scene = Scene::new(nx, ny, 0.0);
@@ -235,12 +235,12 @@ fn multigrid() {
 
 // ---- laws ----
 
-/// Growth that saturates, through the provided integration.
+/// Saturating growth through the default integration.
 #[derive(Debug)]
 struct Saturating;
 
 impl FilmGrowthLaw for Saturating {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if at.in_contact { 1e-12 * (at.pressure - 1e16 * thickness) } else { 0.0 }
     }
 
@@ -250,7 +250,7 @@ impl FilmGrowthLaw for Saturating {
 }
 
 #[test]
-fn tribofilm() {
+fn tribofilm_advance_allocates_nothing() {
     let laws: [&dyn FilmGrowthLaw; 2] = [&Ghanbarzadeh::azam_2019(), &Saturating];
     for law in laws {
         let mut film = Tribofilm::bare(law, 1000);
@@ -262,7 +262,7 @@ fn tribofilm() {
 }
 
 #[test]
-fn wear_depth() {
+fn wear_depth_allocates_nothing() {
     let law = Archard::azam_2019();
     let mut wear = WearDepth::new(1000);
     let (result, allocations) =
@@ -271,7 +271,7 @@ fn wear_depth() {
 }
 
 #[test]
-fn flash_temperature() {
+fn flash_temperature_allocates_nothing() {
     let cold_body = ThermalBody { conductivity: 20.0, ..ThermalBody::STEEL };
     for grid in grids() {
         let bodies = [ThermalBody::STEEL, cold_body];
@@ -287,7 +287,7 @@ fn flash_temperature() {
 }
 
 #[test]
-fn film_temperature() {
+fn film_temperature_allocates_nothing() {
     let law = ThermalRoelands::new(Roelands::new(0.04, 0.6, 1.96e8).unwrap(), 313.15, 1.1).unwrap();
     let oil = Lubricant::new(law, DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap());
     for grid in grids() {
@@ -319,7 +319,7 @@ fn film_temperature() {
 }
 
 #[test]
-fn a_step_of_the_simulation() {
+fn step_of_the_simulation_allocates_nothing() {
     let scene = stribeck::sim::Scene::azam_2019(32);
     let mut sim = stribeck::sim::MixedLubricationSim::builder(scene).build().unwrap();
     for _ in 0..30 {
@@ -336,7 +336,7 @@ fn a_step_of_the_simulation() {
 
 /// Roughness between nodes, steps by depth, a film, hardening and heat.
 #[test]
-fn a_step_of_the_simulation_with_everything() {
+fn step_with_all_processes_allocates_nothing() {
     use stribeck::sim::scene::{Flash, SolverKind};
     let mut scene = stribeck::sim::Scene::azam_2019(32).with_tribofilm();
     scene.solver.kind = SolverKind::Dry;

@@ -35,7 +35,7 @@ __all__ = [
     "Hardening",
     "Motion",
     "PlasticityModel",
-    "RubbingPoints",
+    "SurfaceStates",
     "ViscosityLaw",
     "WearLaw",
 ]
@@ -44,12 +44,12 @@ Field = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class RubbingPoints:
-    """What the nodes of a surface feel during a step."""
+class SurfaceStates:
+    """State of the nodes of a surface during a step, one value per node."""
 
     #: Total pressure, fluid and solid [Pa].
     pressure: Field
-    #: Share of it that solid contact carries [Pa].
+    #: Pressure of solid contact [Pa].
     solid_pressure: Field
     #: Shear stress on the surface [Pa].
     shear_stress: Field
@@ -69,14 +69,14 @@ class GrowthLaw(Protocol):
 
     maximum_thickness: float
 
-    def rate(self, at: RubbingPoints, thickness: Field) -> npt.ArrayLike:
+    def rate(self, at: SurfaceStates, thickness: Field) -> npt.ArrayLike:
         """Net growth rate [m/s] of films of ``thickness`` [m]; zero where nothing rubs."""
 
 
 class WearLaw(Protocol):
     """Wear: the rate at which a body loses height. A plain function of the same arguments will do."""
 
-    def depth_rate(self, at: RubbingPoints, film_thickness: Field) -> npt.ArrayLike:
+    def depth_rate(self, at: SurfaceStates, film_thickness: Field) -> npt.ArrayLike:
         """Rate of wear [m/s], not negative, under a tribofilm of ``film_thickness`` [m]."""
 
 
@@ -246,7 +246,7 @@ class ContactSolver(Protocol):
 class Growth:
     """A growth law from a function ``rate(at, thickness)`` [m/s] and the largest thickness [m]."""
 
-    rate: Callable[[RubbingPoints, Field], npt.ArrayLike]
+    rate: Callable[[SurfaceStates, Field], npt.ArrayLike]
     maximum_thickness: float
 
 

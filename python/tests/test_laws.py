@@ -205,7 +205,7 @@ def test_a_solver_in_python(rough: stribeck.Scene) -> None:
     assert short.status == "stalled" and short.residual.complementarity > 1e-6
 
 
-def test_a_solver_that_lies_is_found_out(rough: stribeck.Scene) -> None:
+def test_false_convergence_is_detected(rough: stribeck.Scene) -> None:
     seen = []
 
     def lies(problem: ContactProblem, state: ContactState) -> bool:

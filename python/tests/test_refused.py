@@ -214,7 +214,7 @@ def test_laws_that_fail_leave_the_run_as_before(rough: stribeck.Scene, law, word
             return law(*arguments)
         # The laws above look at `in_contact` of their first argument.
         pressure = arguments[0]
-        at = stribeck.laws.RubbingPoints(*[pressure] * 6, in_contact=pressure > 0.0)
+        at = stribeck.laws.SurfaceStates(*[pressure] * 6, in_contact=pressure > 0.0)
         return law(at, arguments[2])
 
     given = stribeck.laws.Growth(switch, 1e-7) if role == "growth" else switch

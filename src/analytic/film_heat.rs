@@ -1,8 +1,8 @@
-//! Heat in a film by formula: inlets of smooth contacts, and a sheared layer.
+//! Film heat by formula: thermal reduction factors of inlets, and a sheared layer.
 
 use crate::error::InputError;
 
-/// Inlet of a smooth contact as the thermal reduction factors of its film need it.
+/// Inlet conditions of a smooth contact for thermal reduction factors of the film.
 ///
 /// The thermal loading parameter is `L = b eta_0 u^2 / k` with the temperature coefficient
 /// `b = -d ln(eta)/dT` of the viscosity at ambient pressure.
@@ -40,15 +40,15 @@ impl ThermalInlet {
         self.temperature_coefficient * self.eta0 * self.entrainment_speed.powi(2) / self.conductivity
     }
 
-    /// Film over that of the isothermal contact,
-    /// `[1 - 13.2 (p_H/E') L^0.42] / [1 + 0.213 (1 + 2.23 |S|^0.83) L^0.64]`.
+    /// Film relative to that of the isothermal contact, `[1 - 13.2 (p_H/E') L^0.42] / [1 + 0.213 (1 + 2.23
+    /// |S|^0.83) L^0.64]`.
     ///
     /// Source: Gupta, P. K., Cheng, H. S., Zhu, D., Forster, N. H. and Schrand, J. B. (1992), Tribology
     /// Transactions 35, 269-274.
     ///
     /// # Errors
-    /// A value that is not finite or below zero, a conductivity or viscosity of zero, loads and speeds so
-    /// large that the factor is not positive.
+    /// A value that is negative or not finite, a conductivity or viscosity of zero, loads and speeds for
+    /// which the factor is not positive.
     pub fn gupta(&self) -> Result<f64, InputError> {
         self.validate()?;
         let (load, sliding) = (self.loading(), self.slide_roll_ratio.abs());
@@ -57,12 +57,12 @@ impl ThermalInlet {
         InputError::require_positive("thermal reduction factor", factor).map(|()| factor)
     }
 
-    /// Film over that of the isothermal line contact in pure rolling, `3.94 / (3.94 + L^0.62)`.
+    /// Film relative to that of the isothermal line contact in pure rolling, `3.94 / (3.94 + L^0.62)`.
     ///
     /// Source: Murch, L. E. and Wilson, W. R. D. (1975), Journal of Lubrication Technology 97, 212-216.
     ///
     /// # Errors
-    /// As of [`gupta`](Self::gupta).
+    /// The errors of [`gupta`](Self::gupta).
     pub fn murch_wilson(&self) -> Result<f64, InputError> {
         self.validate().map(|()| 3.94 / (3.94 + self.loading().powf(0.62)))
     }
@@ -78,10 +78,11 @@ impl ThermalInlet {
     }
 }
 
-/// A Newtonian fluid of `eta = eta_0 exp[-b (T - T_0)]` sheared between plates at `T_0`: exact.
+/// Exact solution for a Newtonian fluid with `eta = eta_0 exp[-b (T - T_0)]` sheared between plates at `T_0`.
 ///
-/// With the number of Nahme `Na = b eta_0 U^2 / k` and `c = 2 asinh sqrt(Na/8)` the shear stress over that of
-/// the cool fluid, `eta_0 U / h`, is `c / sinh c`, and `b (T - T_0)` in the middle is `ln(1 + Na/8)`.
+/// With the Nahme number `Na = b eta_0 U^2 / k` and `c = 2 asinh sqrt(Na/8)` the shear stress relative to
+/// that of the isothermal fluid, `eta_0 U / h`, is `c / sinh c`. The temperature `b (T - T_0)` in the middle
+/// is `ln(1 + Na/8)`.
 ///
 /// Source: Nahme, R. (1940), Ingenieur-Archiv 11, 191-209.
 ///
@@ -98,15 +99,15 @@ pub struct ShearedLayer {
 }
 
 impl ShearedLayer {
-    /// The layer of the number of Nahme `nahme`.
+    /// The layer with the Nahme number `nahme`.
     ///
     /// # Errors
-    /// A number that is not finite or below zero.
+    /// A Nahme number that is negative or not finite.
     pub fn new(nahme: f64) -> Result<Self, InputError> {
         InputError::require_non_negative("nahme", nahme).map(|()| Self { nahme })
     }
 
-    /// Shear stress over that of the cool fluid.
+    /// Shear stress relative to that of the isothermal fluid.
     pub fn stress_ratio(&self) -> f64 {
         let c = self.steepness();
         if c == 0.0 { 1.0 } else { c / c.sinh() }
@@ -117,12 +118,12 @@ impl ShearedLayer {
         (self.nahme / 8.0).ln_1p()
     }
 
-    /// `b (T - T_0)` at `z`, the distance from a plate over that of the plates, 0 to 1.
+    /// `b (T - T_0)` at `z`, the distance from a plate relative to that between the plates, 0 to 1.
     pub fn at(&self, z: f64) -> f64 {
         self.middle() - 2.0 * (self.steepness() * (z - 0.5)).cosh().ln()
     }
 
-    /// Half of this is the argument at the plates.
+    /// `c`; half of it is the argument at the plates.
     fn steepness(&self) -> f64 {
         2.0 * (self.nahme / 8.0).sqrt().asinh()
     }

@@ -1,11 +1,11 @@
-//! Hertz contact of two curved bodies: circular or elliptical contact area.
+//! Hertz contact of two curved bodies with a circular or elliptical contact area.
 
 use std::f64::consts::PI;
 
 use crate::error::InputError;
 
 /// Equivalent modulus `E'` \[Pa\] of two elastic bodies: `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`, with Young's
-/// moduli \[Pa\] and Poisson's ratios. (Twice the contact modulus `E*` of other texts.)
+/// moduli \[Pa\] and Poisson's ratios. It is twice the contact modulus `E*` of other texts.
 ///
 /// # Errors
 /// A modulus that is not finite and positive, a Poisson's ratio outside -1 < v <= 0.5.
@@ -41,8 +41,8 @@ pub fn equivalent_modulus(first: [f64; 2], second: [f64; 2]) -> Result<f64, Inpu
 /// * approach `a^2 / (2 R_long s)`.
 ///
 /// For `Rx = Ry = R` these are `a^3 = 3 W R / (2 E')`, `pressure = a E' / (pi R)` and `a^2 / R`. The elliptic
-/// integrals come from the arithmetic-geometric mean and `k` from a bracketed root, both to rounding: no
-/// fitted formula.
+/// integrals are computed by the arithmetic-geometric mean and `k` by a bracketed root search, both to
+/// rounding; no fitted formula is used.
 ///
 /// Source: Hertz, H. (1882), Journal fuer die reine und angewandte Mathematik 92, 156-171; Johnson, K. L.
 /// (1985), Contact Mechanics, chapter 4.
@@ -75,7 +75,7 @@ pub struct HertzPoint {
     pub approach: f64,
 }
 
-/// What the ratio of the radii alone determines.
+/// Dimensionless solution, a function of the ratio of radii.
 struct Shape {
     /// Short over long semi-axis.
     axis_ratio: f64,
@@ -87,14 +87,14 @@ struct Shape {
 }
 
 impl HertzPoint {
-    /// Largest ratio of the two radii accepted; beyond it the contact is a line contact for every purpose.
+    /// Largest accepted ratio of the two radii; beyond it the contact is practically a line contact.
     pub const MAX_RADIUS_RATIO: f64 = 1e8;
 
     /// Contact of radii `radius_x`, `radius_y` \[m\] and equivalent modulus `E'` \[Pa\] under `load` \[N\].
     ///
     /// # Errors
-    /// An argument that is not finite and positive, radii further apart than
-    /// [`HertzPoint::MAX_RADIUS_RATIO`], or a result beyond the range of numbers.
+    /// An argument that is not finite and positive, a ratio of radii above [`HertzPoint::MAX_RADIUS_RATIO`],
+    /// or a result that overflows.
     ///
     /// ```
     /// use stribeck::analytic::HertzPoint;
@@ -236,7 +236,7 @@ impl Shape {
 fn elliptic(k: f64) -> (f64, f64) {
     let squared = (1.0 - k) * (1.0 + k);
     let (mut mean, mut geometric) = (1.0, k);
-    // c_n^2 / e^2, so that the circle (e = 0) is no special case
+    // c_n^2 / e^2, which covers the circle (e = 0) without a special case
     let mut relative = 1.0_f64;
     let mut share = 0.5;
     let mut weight = 1.0;
@@ -254,8 +254,8 @@ fn elliptic(k: f64) -> (f64, f64) {
     (PI / (2.0 * mean), share)
 }
 
-/// Short over long semi-axis for `ratio >= 1` of the radii, by bisection in the logarithm between `1/ratio`
-/// and `1/sqrt(ratio)`, which bracket the root.
+/// Short over long semi-axis for a ratio of radii `ratio >= 1`, by bisection in the logarithm between
+/// `1/ratio` and `1/sqrt(ratio)`, which bracket the root.
 fn axis_ratio(ratio: f64) -> f64 {
     let target = ratio.ln();
     let excess = |log_k: f64| {

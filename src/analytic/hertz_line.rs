@@ -38,7 +38,7 @@ impl HertzLine {
     /// Contact of radius `radius` \[m\] and equivalent modulus `E'` \[Pa\] under `load` per length \[N/m\].
     ///
     /// # Errors
-    /// An argument that is not finite and positive, or a result beyond the range of numbers.
+    /// An argument that is not finite and positive, or a result that overflows.
     ///
     /// ```
     /// use stribeck::analytic::HertzLine;
@@ -88,7 +88,7 @@ impl HertzLine {
         Ok(Self { radius, equivalent_modulus, force: load, pressure, half_width })
     }
 
-    /// Pressure \[Pa\] at the distance `x` \[m\] from the middle; zero outside the contact.
+    /// Pressure \[Pa\] at the distance `x` \[m\] from the center; zero outside the contact.
     ///
     /// ```
     /// use stribeck::analytic::HertzLine;
@@ -101,7 +101,7 @@ impl HertzLine {
         self.pressure * (1.0 - (x / self.half_width).powi(2)).max(0.0).sqrt()
     }
 
-    /// Approach \[m\] of the two bodies, displacements counted from the distance `reference` \[m\] as in
+    /// Approach \[m\] of the two bodies, relative to the distance `reference` \[m\] as in
     /// [`strip_potential`](super::strip_potential): `4 w/(pi E') (ln(2 reference/a) + 1/2)`.
     ///
     /// # Errors

@@ -2,20 +2,20 @@
 
 use std::f64::consts::PI;
 
-/// Beyond this many half diagonals the four-point Gauss rule is exact to rounding.
+/// Distance in half diagonals beyond which the four-point Gauss rule is exact to rounding.
 const FAR: f64 = 50.0;
-/// Beyond this many half diagonals the eight-point Gauss rule is exact to rounding.
+/// Distance in half diagonals beyond which the eight-point Gauss rule is exact to rounding.
 const MIDDLE: f64 = 8.0;
-/// Closer rectangles longer than this are halved, so that no digits are lost between distant corners.
+/// Aspect ratio above which near rectangles are halved, to avoid cancellation between distant corners.
 const MAX_ASPECT: f64 = 4.0;
 
-/// Abscissas and weights of the Gauss-Legendre rule with four points, positive half.
+/// Nodes and weights of the four-point Gauss-Legendre rule, positive half.
 const GAUSS_4: [(f64, f64); 2] = [
     (0.339_981_043_584_856_26, 0.652_145_154_862_546_1),
     (0.861_136_311_594_052_6, 0.347_854_845_137_453_86),
 ];
 
-/// The same with eight points.
+/// Nodes and weights of the eight-point rule, positive half.
 const GAUSS_8: [(f64, f64); 4] = [
     (0.183_434_642_495_649_8, 0.362_683_783_378_362),
     (0.525_532_409_916_329, 0.313_706_645_877_887_27),
@@ -23,19 +23,19 @@ const GAUSS_8: [(f64, f64); 4] = [
     (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
 ];
 
-/// Integral of `1/r` \[m\] over the rectangle `|x'| <= half_x`, `|y'| <= half_y`, seen from the point
+/// Integral of `1/r` \[m\] over the rectangle `|x'| <= half_x`, `|y'| <= half_y`, evaluated at the point
 /// `(x, y)` of its plane:
 ///
 /// `f(x, y) = integral dx' dy' / sqrt((x - x')^2 + (y - y')^2)`.
 ///
-/// All lengths in metres (or in any one unit: the result has the same one). Defined for every finite point,
-/// inside, outside and on the edges; sizes of zero give zero, negative or non-finite arguments `NaN`.
+/// All lengths in metres (or in any other unit; the result has the same one). Defined for every finite point,
+/// inside, outside and on the edges. Sizes of zero give zero, negative or non-finite arguments `NaN`.
 ///
-/// The textbook formula, a difference of four corner terms, loses two digits for each decade of distance.
-/// Three branches keep the relative error below 1e-13 at any distance and aspect ratio: corner terms paired
-/// into logarithms of ratios near the rectangle (which is halved first when long and thin), Gauss quadrature
-/// with 8 x 8 points beyond 8 half diagonals and with 4 x 4 points beyond 50, where the integrand is smooth
-/// and positive.
+/// The textbook formula, a difference of four corner terms, loses two digits per decade of distance. Three
+/// branches keep the relative error below 1e-13 at any distance and aspect ratio. Near the rectangle, corner
+/// terms are paired into logarithms of ratios, after halving of long rectangles. Gauss quadrature with 8 x 8
+/// points is used beyond 8 half diagonals and with 4 x 4 points beyond 50, where the integrand is smooth and
+/// positive.
 ///
 /// Source: Love, A. E. H. (1929), Philosophical Transactions of the Royal Society A 228, 377-420.
 ///
@@ -44,7 +44,7 @@ const GAUSS_8: [(f64, f64); 4] = [
 /// // the centre of a square of side 2: 8 asinh(1)
 /// let centre = rectangle_potential(0.0, 0.0, 1.0, 1.0);
 /// assert!((centre - 8.0 * 1.0_f64.asinh()).abs() < 1e-14);
-/// // far away: area over distance
+/// // far field: area over distance
 /// assert!((rectangle_potential(3e6, 4e6, 1.0, 1.0) - 4.0 / 5e6).abs() < 1e-19);
 /// ```
 #[must_use]
@@ -59,11 +59,11 @@ pub fn rectangle_potential(x: f64, y: f64, half_x: f64, half_y: f64) -> f64 {
     potential(x.abs(), y.abs(), half_x, half_y)
 }
 
-/// Displacement \[m\] at `(x, y)` of the pair of surfaces under `pressure` \[Pa\] on the rectangle
+/// Displacement \[m\] of the pair of surfaces at `(x, y)` under `pressure` \[Pa\] on the rectangle
 /// `|x'| <= half_x`, `|y'| <= half_y` \[m\]: `u = 2 p / (pi E') f(x, y)` with the equivalent modulus `E'`
 /// \[Pa\] and [`rectangle_potential`] `f`.
 ///
-/// Arguments outside their range (`E'` above zero, sizes not negative, all finite) give `NaN`.
+/// Arguments outside their range (`E'` above zero, sizes non-negative, all finite) give `NaN`.
 ///
 /// Source: Love, A. E. H. (1929), Philosophical Transactions of the Royal Society A 228, 377-420.
 ///
@@ -88,7 +88,7 @@ pub fn rectangle_displacement(
     2.0 * pressure / (PI * equivalent_modulus) * rectangle_potential(x, y, half_x, half_y)
 }
 
-/// The potential for `x, y >= 0` and positive half sizes; calls itself on the halves of a long rectangle.
+/// The potential for `x, y >= 0` and positive half sizes; recursive on the halves of a long rectangle.
 fn potential(x: f64, y: f64, half_x: f64, half_y: f64) -> f64 {
     let distance = x.hypot(y);
     let reach = half_x.hypot(half_y);
@@ -111,7 +111,7 @@ fn potential(x: f64, y: f64, half_x: f64, half_y: f64) -> f64 {
     edge_pair(x, half_x, y, half_y) + edge_pair(y, half_y, x, half_x)
 }
 
-/// The tensor Gauss rule.
+/// Tensor-product Gauss rule.
 fn gauss(rule: &[(f64, f64)], x: f64, y: f64, half_x: f64, half_y: f64) -> f64 {
     let mut sum = 0.0;
     for &(s, weight_s) in rule {
@@ -130,7 +130,7 @@ fn gauss(rule: &[(f64, f64)], x: f64, y: f64, half_x: f64, half_y: f64) -> f64 {
 /// `[u ln((v2 + r2) / (v1 + r1))]` between `u = x - half_x` and `u = x + half_x`, with `v = y -+ half_y`.
 fn edge_pair(x: f64, half_x: f64, y: f64, half_y: f64) -> f64 {
     let term = |u: f64| {
-        // an edge through the point contributes u ln|u| -> 0
+        // limit u ln|u| -> 0 of an edge through the point
         if u.abs() <= 1e-200 * half_x { 0.0 } else { u * log_ratio(u.abs(), y, half_y) }
     };
     term(x + half_x) - term(x - half_x)

@@ -1,12 +1,11 @@
-//! Closed-form solutions: what the numerical models are checked against, and the scales of a contact.
+//! Closed-form solutions: references for the numerical models, and the scales of a contact.
 //!
 //! [`HertzPoint`] is the dry smooth contact of two curved bodies (circular or elliptical), [`HertzLine`] that
-//! of parallel cylinders, [`FilmConditions`] and [`LineFilmConditions`] are the film formulas fitted to full
-//! numerical solutions, [`Westergaard`] is the dry contact of a wavy surface, [`rectangle_potential`] the
-//! integral of 1/r over a rectangle and [`strip_potential`] that of a logarithm over a strip, from which the
-//! displacement of a uniformly loaded cell follows, [`ThermalInlet`] and [`ShearedLayer`] are the heat of
-//! inlets and of a sheared film. All of it is plain arithmetic on numbers: nothing here knows a grid or a
-//! solver.
+//! of parallel cylinders. [`FilmConditions`] and [`LineFilmConditions`] are film formulas fitted to full
+//! numerical solutions. [`Westergaard`] is the dry contact of a wavy surface. [`rectangle_potential`] is the
+//! integral of 1/r over a rectangle and [`strip_potential`] that of a logarithm over a strip, the
+//! displacements of uniformly loaded cells. [`ThermalInlet`] and [`ShearedLayer`] give the heat of inlets and
+//! of a sheared film. The module is plain arithmetic, without grids or solvers.
 
 mod film_formulas;
 mod film_heat;

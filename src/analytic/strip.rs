@@ -2,21 +2,20 @@
 
 use std::f64::consts::PI;
 
-/// Beyond this many half-widths the series in the distance is exact to rounding.
+/// Distance in half-widths beyond which the series in the distance is exact to rounding.
 const FAR: f64 = 8.0;
-/// Terms of that series: the first one left out is below 1e-17.
+/// Terms of that series; the first omitted one is below 1e-17.
 const TERMS: u32 = 8;
 
-/// Integral of `ln(reference/|x - s|)` \[m\] over the strip `|s| <= half_width`, seen from the point `x` of
-/// its plane.
+/// Integral of `ln(reference/|x - s|)` \[m\] over the strip `|s| <= half_width`, evaluated at the point `x`
+/// of its plane.
 ///
-/// All lengths in metres. A strip of length without end displaces every point without bound, so the
-/// displacement counts from that at the distance `reference` from a line load: there the integrand is zero.
-/// Defined for every finite `x`, inside, outside and on the edges; a strip of no width gives zero, arguments
-/// out of range (`reference` above zero, `half_width` not negative) `NaN`.
+/// All lengths in metres. The displacement by an infinitely long strip is unbounded, so it is relative to
+/// that at the distance `reference` from a line load, where the integrand is zero. Defined for every finite
+/// `x`, inside, outside and on the edges. A strip of zero width gives zero, arguments out of range
+/// (`reference` above zero, `half_width` non-negative) `NaN`.
 ///
-/// Beyond 8 half-widths a series in `half_width/x` keeps the digits that the difference of the two edge terms
-/// loses.
+/// Beyond 8 half-widths a series in `half_width/x` avoids the cancellation between the two edge terms.
 ///
 /// Source: Johnson, K. L. (1985), Contact Mechanics, section 2.3.
 ///
@@ -24,7 +23,7 @@ const TERMS: u32 = 8;
 /// use stribeck::analytic::strip_potential;
 /// // the centre of a strip of width 2: 2 ln(reference) + 2
 /// assert!((strip_potential(0.0, 1.0, 10.0) - 2.0 * (10.0_f64.ln() + 1.0)).abs() < 1e-14);
-/// // far away: width times the logarithm
+/// // far field: width times the logarithm
 /// assert!((strip_potential(1e9, 1.0, 1e10) / (2.0 * 10.0_f64.ln()) - 1.0).abs() < 1e-15);
 /// ```
 #[must_use]
@@ -50,18 +49,18 @@ pub fn strip_potential(x: f64, half_width: f64, reference: f64) -> f64 {
     edge(distance + half_width) - edge(distance - half_width) + 2.0 * half_width
 }
 
-/// Displacement \[m\] at `x` of the pair of surfaces under `pressure` \[Pa\] on the strip `|s| <= half_width`
+/// Displacement \[m\] of the pair of surfaces at `x` under `pressure` \[Pa\] on the strip `|s| <= half_width`
 /// \[m\], plane strain: `u = 4 p / (pi E') g(x)` with the equivalent modulus `E'` \[Pa\] and
 /// [`strip_potential`] `g`.
 ///
-/// Arguments outside their range (`E'` and `reference` above zero, width not negative, all finite) give
+/// Arguments outside their range (`E'` and `reference` above zero, width non-negative, all finite) give
 /// `NaN`.
 ///
 /// Source: Johnson, K. L. (1985), Contact Mechanics, section 2.3.
 ///
 /// ```
 /// use stribeck::analytic::strip_displacement;
-/// // a strip of 1 um under 1 GPa, steel, against points 10 mm away
+/// // a strip of 1 um under 1 GPa, steel, relative to points at 10 mm
 /// let u = strip_displacement(0.0, 0.5e-6, 10e-3, 1e9, 230e9);
 /// assert!((u - 4e9 / (std::f64::consts::PI * 230e9) * 1e-6 * (2e4_f64.ln() + 1.0)).abs() < 1e-20);
 /// ```

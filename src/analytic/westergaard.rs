@@ -43,7 +43,7 @@ impl Westergaard {
         InputError::require_positive("equivalent_modulus", self.equivalent_modulus)
     }
 
-    /// Mean pressure `p*` \[Pa\] at which the whole surface touches.
+    /// Mean pressure `p*` \[Pa\] of complete contact.
     ///
     /// # Errors
     /// See [`Westergaard::validate`].
@@ -59,8 +59,8 @@ impl Westergaard {
         Ok(0.5 * PI * self.equivalent_modulus * self.amplitude / self.wavelength)
     }
 
-    /// Half-width of a contact strip \[m\] under `mean_pressure` \[Pa\]; half the wavelength once contact is
-    /// complete.
+    /// Half-width of a contact strip \[m\] under `mean_pressure` \[Pa\]; half of the wavelength for complete
+    /// contact.
     ///
     /// # Errors
     /// See [`Westergaard::validate`]; a mean pressure that is negative or not finite.

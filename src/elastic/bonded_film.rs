@@ -1,24 +1,24 @@
-//! A thin film that is bonded to an elastic body: what it adds to the displacement of the body.
+//! A thin film bonded to an elastic body: the additional displacement under pressure.
 
 use crate::error::InputError;
 
-/// Largest Poisson's ratio of a film. A film that keeps its volume gives way by flowing out sideways, far
-/// from where it is pressed.
+/// Largest Poisson's ratio of a film. A nearly incompressible film flows sideways under pressure, far beyond
+/// the loaded area, and is not a local compliance.
 const LARGEST_POISSON: f64 = 0.45;
 
-/// The material of a thin elastic film and of the body, the substrate, that it is bonded to.
+/// The material of a thin elastic film and of the body (the substrate) below it.
 ///
-/// Under a pressure that varies over lengths much above the thickness `h` of the film the surface gives way
-/// further than that of the bare substrate would, by the pressure at the place alone:
+/// Under a pressure that varies over lengths much larger than the thickness `h`, the film adds a displacement
+/// proportional to the local pressure:
 ///
 /// `u/p = h [1/M - 2 v/(1 - v) s - E/(1 - v^2) s^2]`, `1/M = (1 + v)(1 - 2 v)/[E (1 - v)]`,
 /// `s = (1 + v2)(1 - 2 v2)/E2`,
 ///
 /// with Young's moduli \[Pa\] and Poisson's ratios `E`, `v` of the film and `E2`, `v2` of the substrate. On a
-/// rigid substrate, `s = 0`, this is the film held at its sides, of the confined modulus `M` (Johnson 1985,
-/// Contact Mechanics, section 5.8). An elastic one shrinks at its surface under the pressure, takes the film
-/// with it and is pulled down by it: second and third term. Both films of one material, they cancel the
-/// first: a half-space with more of its own on it gives way as before.
+/// rigid substrate, `s = 0`, the film deforms without lateral strain, with the confined modulus `M` (Johnson
+/// 1985, Contact Mechanics, section 5.8). The surface of an elastic substrate contracts laterally under
+/// pressure and strains the film, which pulls back: second and third term. For a film of the substrate's
+/// material the three terms cancel.
 ///
 /// This is the first order in `q h` of the response of a layer to a pressure of wave number `q` (Burmister
 /// 1945, see [`Layer`](super::Layer)). For a soft film (`E = E2/7`, both ratios 0.3) the next orders are
@@ -38,17 +38,18 @@ const LARGEST_POISSON: f64 = 0.45;
 pub struct BondedFilm {
     /// `M` \[Pa\].
     confined_modulus: f64,
-    /// What it adds to the displacement per pressure and thickness \[1/Pa\].
+    /// Additional displacement per pressure and thickness \[1/Pa\].
     compliance: f64,
 }
 
 impl BondedFilm {
-    /// Film of Young's modulus \[Pa\] and Poisson's ratio on a substrate of the second two; a rigid one has an
-    /// infinite modulus.
+    /// A film with Young's modulus \[Pa\] and Poisson's ratio, on a substrate with the second pair. An
+    /// infinite modulus stands for a rigid substrate.
     ///
     /// # Errors
-    /// A modulus that is not positive, that of the film not finite; a ratio of the film not above -1 or above
-    /// 0.45, of the substrate not above -1 or above 0.5; a film that gives way no more than what it is on.
+    /// A modulus that is not positive, or that of the film not finite. Poisson's ratio of the film not above
+    /// -1 or above 0.45, of the substrate not above -1 or above 0.5. A film that is not more compliant than
+    /// its substrate.
     pub fn new(
         [modulus, poisson]: [f64; 2],
         [substrate_modulus, substrate_poisson]: [f64; 2],
@@ -77,23 +78,23 @@ impl BondedFilm {
             compliance.is_finite(),
             "elastic.tribofilm.modulus",
             modulus,
-            "of which the reciprocal is a finite number",
+            "large enough for its reciprocal to be finite",
         )?;
         InputError::require(
             compliance > 0.0,
             "elastic.tribofilm.modulus",
             modulus,
-            "low enough for the film to give way more than the body below it",
+            "low enough for the film to be more compliant than its substrate",
         )?;
         Ok(Self { confined_modulus, compliance })
     }
 
-    /// `M` \[Pa\]: pressure over strain of the film where it cannot spread.
+    /// Confined modulus `M` \[Pa\]: pressure over strain of the film without lateral strain.
     pub fn confined_modulus(&self) -> f64 {
         self.confined_modulus
     }
 
-    /// What the film adds to the displacement of the substrate, per pressure and thickness \[1/Pa\].
+    /// Displacement that the film adds to that of the substrate, per pressure and thickness \[1/Pa\].
     pub fn compliance(&self) -> f64 {
         self.compliance
     }

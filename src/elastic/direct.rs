@@ -1,7 +1,7 @@
-//! The direct sum: slow, obvious, the oracle of the convolution.
+//! The direct sum over all pairs of nodes: slow and simple, the reference for the convolution.
 //!
-//! It shares the influence coefficients with the half-space and nothing of the transforms: what both agree on
-//! to rounding is the convolution.
+//! It shares the influence coefficients with the half-space but none of the transforms. Agreement to rounding
+//! verifies the convolution.
 
 use super::half_space::influence_table;
 use crate::error::InputError;

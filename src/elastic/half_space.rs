@@ -1,7 +1,7 @@
 //! The elastic half-space by DC-FFT.
 //!
-//! Exact for a pressure that is constant in each cell: the error of a smooth pressure field is that of the
-//! cells. `K` falls as `1/r`, so that every node counts for every other one.
+//! Exact for a pressure that is constant in each cell; the discretization error is that of piecewise constant
+//! pressure. The kernel decays as `1/r`, so all pairs of nodes interact.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -40,7 +40,7 @@ pub struct HalfSpace {
     equivalent_modulus: f64,
     /// Influence coefficients by rows and columns of offset \[m/Pa\].
     near: [[f64; NEAR + 1]; NEAR + 1],
-    /// Convolution with all of them.
+    /// Convolution with all influence coefficients.
     response: ElasticResponse,
 }
 
@@ -124,7 +124,7 @@ impl ResponseApproximations for HalfSpace {
         self.response.pressure_estimate(displacement, out)
     }
 
-    fn soften(&mut self, compliance: f64) {
-        self.response.soften(compliance);
+    fn set_mean_compliance(&mut self, compliance: f64) {
+        self.response.set_mean_compliance(compliance);
     }
 }

@@ -1,7 +1,7 @@
 //! The elastic half-space under line loads, plane strain, by DC-FFT.
 //!
-//! One row of the grid stands for a contact of any length; forces are those of one metre. `K` falls as a
-//! logarithm and has no limit far away, hence the reference distance.
+//! The grid has one row; forces are per metre of contact length. The kernel is logarithmic and has no limit
+//! at infinity, hence the reference distance.
 
 use super::response::ElasticResponse;
 use super::{DeformationModel, NEAR, ResponseApproximations};
@@ -13,10 +13,10 @@ use crate::grid::Grid;
 /// with the pressure constant in each cell, the influence coefficients of the strips exact, summed through
 /// FFTs of twice the line.
 ///
-/// Plane strain has no displacement at infinity to count from: `u` is zero at the distance `reference` from a
-/// line load, and so is the approach that belongs to it. Another reference moves `u` and the approach by
-/// `4 w/(pi E')` times the logarithm of their ratio, `w` being the load per length, and changes neither
-/// pressure nor gap.
+/// Plane-strain displacements have no finite limit at infinity: `u`, and the approach of the bodies with it,
+/// are zero at the distance `reference` from a line load. Another reference shifts `u` and the approach by
+/// `4 w/(pi E')` times the logarithm of the ratio of references, with the load per length `w`, and changes
+/// neither pressure nor gap.
 ///
 /// The grid has one row. `E'` is the equivalent modulus, `2/E' = (1 - v1^2)/E1 + (1 - v2^2)/E2`. Cost: one
 /// forward and one inverse real FFT of 2 N points for N nodes. Memory: about 200 bytes per node. Cloning
@@ -40,17 +40,17 @@ use crate::grid::Grid;
 pub struct LineHalfSpace {
     /// Influence coefficients by columns of offset \[m/Pa\].
     near: [f64; NEAR + 1],
-    /// Convolution with all of them.
+    /// Convolution with all influence coefficients.
     response: ElasticResponse,
 }
 
 impl LineHalfSpace {
-    /// Half-space under the single row of `grid` with equivalent modulus `E'` \[Pa\], displacements counted
-    /// from the distance `reference` \[m\].
+    /// Half-space under the single row of `grid` with equivalent modulus `E'` \[Pa\] and displacements
+    /// relative to those at the distance `reference` \[m\].
     ///
     /// # Errors
-    /// More than one row; a modulus that is not finite and positive; a reference below the length of the row,
-    /// with which distant nodes would attract each other.
+    /// More than one row. A modulus that is not finite and positive. A reference below the length of the row,
+    /// which would make the influence of distant nodes negative.
     pub fn new(grid: Grid, equivalent_modulus: f64, reference: f64) -> Result<Self, InputError> {
         require_row(&grid, reference)?;
         InputError::require_positive("elastic.equivalent_modulus", equivalent_modulus)?;
@@ -63,8 +63,7 @@ impl LineHalfSpace {
     }
 }
 
-/// Checks that `grid` has one row, and that the distance `reference` \[m\] from which displacements count is
-/// beyond it.
+/// Checks that `grid` has one row and that the reference distance \[m\] is at least its length.
 pub(super) fn require_row(grid: &Grid, reference: f64) -> Result<(), InputError> {
     InputError::require(grid.ny() == 1, "grid.ny", grid.ny() as f64, "1 for a line contact")?;
     InputError::require(
@@ -102,7 +101,7 @@ impl ResponseApproximations for LineHalfSpace {
         self.response.pressure_estimate(displacement, out)
     }
 
-    fn soften(&mut self, compliance: f64) {
-        self.response.soften(compliance);
+    fn set_mean_compliance(&mut self, compliance: f64) {
+        self.response.set_mean_compliance(compliance);
     }
 }

@@ -1,17 +1,17 @@
-//! Bodies whose nodes give way each by itself too: springs between what presses and the bodies below.
+//! Bodies with an additional local compliance at each node, as if springs covered their surface.
 
 use super::{DeformationModel, ResponseApproximations};
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Bodies with a compliance of each node of its own, such as that of a thin [`BondedFilm`](super::BondedFilm)
-/// whose thickness is a field: `u = K p + c p` with the displacement `K p` of the bodies `M` and the field
-/// `c` \[m/Pa\], row-major on their grid, zero or more everywhere.
+/// Bodies with a local compliance at each node, such as that of a thin [`BondedFilm`](super::BondedFilm) of
+/// variable thickness: `u = K p + c p` with the displacement `K p` of the bodies `M` and the field `c`
+/// \[m/Pa\], non-negative and row-major on their grid.
 ///
-/// Exact in [`displacement`](DeformationModel::displacement). Where one number has to stand for all nodes, in
-/// the self-influence `influence(0, 0)`, in estimated pressures and on other grids, it is
-/// [`typical`](WithLocalCompliance::typical). Without a compliance, or with one of zeros, this is `M` to the
-/// last bit, at its cost.
+/// [`displacement`](DeformationModel::displacement) is exact. The self-influence `influence(0, 0)`, the
+/// estimated pressure and the body on another grid use one value for all nodes, the
+/// [`mean_compliance`](WithLocalCompliance::mean_compliance). Without a compliance, or with zeros only,
+/// results and cost are those of `M` to the last bit.
 ///
 /// # Examples
 ///
@@ -32,24 +32,24 @@ use crate::grid::Grid;
 /// ```
 #[derive(Debug, Clone)]
 pub struct WithLocalCompliance<M> {
-    /// What the compliance adds to.
+    /// The bodies to which the compliance is added.
     bodies: M,
     /// `c` \[m/Pa\].
     compliance: Vec<f64>,
-    /// The compliance that stands for all; zero where there is none.
-    typical: f64,
+    /// Mean compliance \[m/Pa\]; zero without a compliance.
+    mean_compliance: f64,
 }
 
 impl<M: DeformationModel> WithLocalCompliance<M> {
-    /// `bodies` without a compliance of their nodes.
+    /// `bodies` without a local compliance.
     pub fn new(bodies: M) -> Self {
-        Self { compliance: Vec::new(), typical: 0.0, bodies }
+        Self { compliance: Vec::new(), mean_compliance: 0.0, bodies }
     }
 
-    /// Takes `compliance` \[m/Pa\], one value a node, in place of that before.
+    /// Replaces the compliance \[m/Pa\], one value for each node.
     ///
     /// # Errors
-    /// A slice that does not fit the grid, a value below zero or not finite.
+    /// A slice that does not fit the grid, a value that is negative or not finite.
     pub fn set_compliance(&mut self, compliance: &[f64]) -> Result<(), InputError> {
         InputError::require_len("compliance", compliance, self.grid().len())?;
         for &value in compliance {
@@ -57,7 +57,7 @@ impl<M: DeformationModel> WithLocalCompliance<M> {
         }
         let (mut sum, mut squares) = (0.0, 0.0);
         let largest = compliance.iter().fold(0.0_f64, |largest, value| largest.max(*value));
-        // In units of the largest: squares of compliances are small numbers.
+        // The sums are scaled by the largest value: squares of compliances would underflow.
         for share in compliance.iter().map(|value| value / largest) {
             sum += share;
             squares += share * share;
@@ -66,36 +66,37 @@ impl<M: DeformationModel> WithLocalCompliance<M> {
         Ok(())
     }
 
-    /// Takes over values and what stands for them.
-    fn set(&mut self, compliance: impl Iterator<Item = f64>, typical: f64) {
+    /// Stores the values and passes their mean on to the approximations of the bodies.
+    fn set(&mut self, compliance: impl Iterator<Item = f64>, mean_compliance: f64) {
         self.compliance.clear();
         self.compliance.extend(compliance);
-        self.typical = typical;
+        self.mean_compliance = mean_compliance;
         if let Some(approximations) = self.bodies.approximations() {
-            approximations.soften(typical);
+            approximations.set_mean_compliance(mean_compliance);
         }
     }
 
-    /// The bodies below.
+    /// The elastic bodies without the local compliance.
     pub fn bodies(&self) -> &M {
         &self.bodies
     }
 
-    /// Mean of the compliance, weighted with itself \[m/Pa\]: that of the film where nodes have one.
-    pub fn typical(&self) -> f64 {
-        self.typical
+    /// Mean of the compliance weighted with itself, `sum(c^2)/sum(c)` \[m/Pa\]: the typical value of covered
+    /// nodes.
+    pub fn mean_compliance(&self) -> f64 {
+        self.mean_compliance
     }
 
-    /// Adds `c p` to displacements.
+    /// Adds `c p` to the displacements `out`.
     fn add(&self, pressure: &[f64], out: &mut [f64]) {
         for ((u, p), c) in out.iter_mut().zip(pressure).zip(&self.compliance) {
             *u += c * p;
         }
     }
 
-    /// Whether this is more than the bodies.
-    fn is_soft(&self) -> bool {
-        self.typical > 0.0
+    /// Whether any node has a compliance.
+    fn has_compliance(&self) -> bool {
+        self.mean_compliance > 0.0
     }
 }
 
@@ -106,7 +107,7 @@ impl<M: DeformationModel> DeformationModel for WithLocalCompliance<M> {
 
     fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         self.bodies.displacement(pressure, out)?;
-        if self.is_soft() {
+        if self.has_compliance() {
             self.add(pressure, out);
         }
         Ok(())
@@ -114,7 +115,7 @@ impl<M: DeformationModel> DeformationModel for WithLocalCompliance<M> {
 
     fn influence(&self, di: usize, dj: usize) -> f64 {
         let bodies = self.bodies.influence(di, dj);
-        if di + dj == 0 { bodies + self.typical } else { bodies }
+        if di + dj == 0 { bodies + self.mean_compliance } else { bodies }
     }
 
     fn self_influence(&self, node: usize) -> f64 {
@@ -124,16 +125,16 @@ impl<M: DeformationModel> DeformationModel for WithLocalCompliance<M> {
 
     fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
         let bodies = self.bodies.on_grid(grid)?;
-        if !self.is_soft() {
+        if !self.has_compliance() {
             return Some(bodies);
         }
         let mut soft = WithLocalCompliance::new(bodies);
-        soft.set(std::iter::repeat_n(self.typical, grid.len()), self.typical);
+        soft.set(std::iter::repeat_n(self.mean_compliance, grid.len()), self.mean_compliance);
         Some(Box::new(soft))
     }
 
     fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
-        if !self.is_soft() {
+        if !self.has_compliance() {
             return self.bodies.approximations();
         }
         self.bodies.approximations().is_some().then_some(self)

@@ -1,12 +1,13 @@
 //! Elastic deformation of the surfaces under pressure.
 //!
-//! [`DeformationModel`] is what solvers need of a body: the displacement field of a pressure field and the
-//! first influence coefficients; [`ResponseApproximations`] are what makes them faster. [`HalfSpace`] is the
-//! default (Boussinesq half-space, Love's influence coefficients, DC-FFT convolution), [`LineHalfSpace`] its
-//! plane-strain counterpart for line contacts, [`LayeredHalfSpace`] either of them with a bonded [`Layer`];
-//! [`WithLocalCompliance`] adds to any of them what a thin [`BondedFilm`] gives way. [`direct_displacement`] is
-//! the slow direct sum that the half-space is checked against. [`subsurface_stress`] and [`stress_extremes`] are
-//! the stresses below the surface, [`LayeredStress`] those in and below a layer.
+//! [`DeformationModel`] is the interface of the solvers to an elastic body: the displacement under a pressure
+//! field and the influence coefficients of near nodes. [`ResponseApproximations`] are cheaper operators that
+//! speed solvers up. [`HalfSpace`] is the default (Boussinesq half-space, Love's influence coefficients,
+//! DC-FFT convolution), [`LineHalfSpace`] its plane-strain counterpart for line contacts, and
+//! [`LayeredHalfSpace`] either of them with a bonded [`Layer`]. [`WithLocalCompliance`] adds the compliance
+//! of a thin [`BondedFilm`] to any of them. [`direct_displacement`] is the slow direct sum that verifies the
+//! half-space. [`subsurface_stress`] and [`stress_extremes`] compute stresses below the surface,
+//! [`LayeredStress`] those in and below a layer.
 
 mod bonded_film;
 mod direct;
@@ -34,13 +35,13 @@ use crate::grid::Grid;
 
 /// The displacement of both surfaces together as a linear function of pressure.
 ///
-/// Contract: `displacement` is linear in the pressure, symmetric (the influence of node a on b is that of b
-/// on a), positive and translation invariant but for [`self_influence`](Self::self_influence); solvers rely
-/// on all four. It must not allocate after the first call.
+/// Contract: `displacement` is linear in the pressure, symmetric (node a acts on node b as b acts on a),
+/// positive definite, and translation invariant except for [`self_influence`](Self::self_influence). Solvers
+/// rely on all four properties. It must not allocate after the first call.
 ///
 /// # Examples
 ///
-/// Springs side by side (Winkler's foundation), the simplest body there is:
+/// Independent springs (Winkler foundation), the simplest elastic body:
 ///
 /// ```
 /// use stribeck::elastic::DeformationModel;
@@ -69,7 +70,7 @@ use crate::grid::Grid;
 /// # Ok::<(), InputError>(())
 /// ```
 pub trait DeformationModel: Debug + Send + Sync {
-    /// The grid that pressures and displacements live on.
+    /// The grid of pressures and displacements.
     fn grid(&self) -> Grid;
 
     /// Overwrites `out` \[m\] with the displacement (widening of the gap) under `pressure` \[Pa\], both of
@@ -83,39 +84,41 @@ pub trait DeformationModel: Debug + Send + Sync {
     /// most [`NEAR`]): line relaxations solve for these implicitly.
     fn influence(&self, di: usize, dj: usize) -> f64;
 
-    /// The displacement of node `node` under unit pressure of its own \[m/Pa\]; `influence(0, 0)` (the default)
-    /// where it is that of all nodes. Where it is not, `influence(0, 0)` stands for all of them.
+    /// The displacement of node `node` under unit pressure on itself \[m/Pa\]. The default is
+    /// `influence(0, 0)` for all nodes. Where the value varies over the nodes, `influence(0, 0)` is a
+    /// representative value.
     fn self_influence(&self, _node: usize) -> f64 {
         self.influence(0, 0)
     }
 
-    /// The same bodies on another grid, for starts on coarser grids and multigrid; none (the default) where
-    /// the model lives on one grid alone: then `Multigrid` refuses it and `Auto` takes Newton's method.
+    /// The same bodies on another grid, for coarse-grid starts and multigrid. `None` (the default) means that
+    /// the model exists on one grid only: `Multigrid` then rejects it and `Auto` uses Newton's method.
     fn on_grid(&self, _grid: Grid) -> Option<Box<dyn DeformationModel>> {
         None
     }
 
-    /// Cheaper approximations of the response, for solvers to work with; none (the default) where there are
-    /// none: the displacement is then taken in their place, and a division by the self-influence.
+    /// Cheaper approximations of the response. With `None` (the default) solvers use the exact displacement,
+    /// and divide by the self-influence to estimate a pressure.
     fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {
         None
     }
 }
 
-/// Approximations of the response of a [`DeformationModel`] that cost less than its displacement. Solutions
-/// do not depend on them, the work of a solve does.
+/// Approximations of the response of a [`DeformationModel`] that cost less than the exact displacement. They
+/// affect the cost of a solve, not its solution.
 pub trait ResponseApproximations {
-    /// Overwrites `out` \[m\] with the displacement under `pressure` \[Pa\] to about 1e-6 of its largest
-    /// value: what the products of linear systems need, which are solved to a hundredth.
+    /// Overwrites `out` \[m\] with the displacement under `pressure` \[Pa\], accurate to about 1e-6 of its
+    /// largest value. The accuracy suffices for the matrix-vector products of linear systems, which are
+    /// solved to a relative residual of about 0.01.
     ///
     /// # Errors
     /// [`InputError::Shape`] when a slice does not fit the grid.
     fn displacement_single(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError>;
 
-    /// Overwrites `out` \[m\] with the displacement under `pressure` \[Pa\] to some per cent, exact between
-    /// near nodes: what linear systems are solved with before `displacement_single` tells how well. The
-    /// half-space takes the shortest way between two nodes round a periodic grid, at a quarter of the cost.
-    /// By default `displacement_single`.
+    /// Overwrites `out` \[m\] with the displacement under `pressure` \[Pa\], exact between near nodes and
+    /// accurate to a few per cent elsewhere. Linear solvers use it as a preconditioner and measure the
+    /// residual with `displacement_single`. The half-space uses a periodic convolution with the minimum-image
+    /// distance, at a quarter of the cost. The default is `displacement_single`.
     ///
     /// # Errors
     /// [`InputError::Shape`] when a slice does not fit the grid.
@@ -124,17 +127,16 @@ pub trait ResponseApproximations {
     }
 
     /// Overwrites `out` \[Pa\] with an estimate of the pressure that causes `displacement` \[m\]: the
-    /// preconditioner of contact equations. It must be linear, to about 1e-6, and positive; the better it
-    /// inverts the displacement, the fewer iterations a solve takes.
+    /// preconditioner of contact equations. It must be positive and linear to about 1e-6. A better
+    /// approximation of the inverse reduces the number of iterations.
     ///
     /// # Errors
     /// [`InputError::Shape`] when a slice does not fit the grid.
     fn pressure_estimate(&mut self, displacement: &[f64], out: &mut [f64]) -> Result<(), InputError>;
 
-    /// From now on `pressure_estimate` is that of bodies whose nodes give way each by `compliance` \[m/Pa\] times
-    /// its pressure too, of the bodies alone where that is zero. By default it stays that of the bodies alone,
-    /// which costs iterations.
-    fn soften(&mut self, _compliance: f64) {}
+    /// Sets the mean local compliance \[m/Pa\] that `pressure_estimate` adds to every node; zero stands for
+    /// the bodies alone. The default implementation ignores it, which costs iterations.
+    fn set_mean_compliance(&mut self, _compliance: f64) {}
 }
 
 impl DeformationModel for Box<dyn DeformationModel> {
@@ -163,9 +165,9 @@ impl DeformationModel for Box<dyn DeformationModel> {
     }
 }
 
-/// What solvers ask of a model, approximations or not.
+/// Approximations with the exact displacement as the fallback.
 impl dyn DeformationModel + '_ {
-    /// The displacement in single precision, or the exact one.
+    /// The displacement in single precision, or else the exact one.
     pub(crate) fn displacement_single(
         &mut self,
         pressure: &[f64],
@@ -177,7 +179,7 @@ impl dyn DeformationModel + '_ {
         }
     }
 
-    /// The displacement to some per cent, or the exact one.
+    /// The displacement to a few per cent, or else the exact one.
     pub(crate) fn displacement_periodic(
         &mut self,
         pressure: &[f64],
@@ -189,7 +191,7 @@ impl dyn DeformationModel + '_ {
         }
     }
 
-    /// The estimated pressure, or the displacement over the self-influence.
+    /// The estimated pressure, or else the displacement over the self-influence.
     pub(crate) fn pressure_estimate(
         &mut self,
         displacement: &[f64],
@@ -208,5 +210,5 @@ impl dyn DeformationModel + '_ {
     }
 }
 
-/// The largest offset, along x or y, at which solvers ask for [`DeformationModel::influence`].
+/// The largest offset along x or y for which solvers call [`DeformationModel::influence`].
 pub const NEAR: usize = 5;

@@ -1,8 +1,8 @@
-//! A translation-invariant elastic response on a grid: convolution and its estimated inverse, shapes checked.
+//! A translation-invariant elastic response on a grid: convolution, estimated inverse, and checks of shapes.
 //!
-//! Beside the exact product in double precision there are three cheaper operators in single precision, scaled
-//! by the self-influence so that their numbers are of the size of pressures: the same product, that on the
-//! periodic grid at a quarter of the cost, and the inverse of the latter, which estimates pressures of
+//! The exact product is in double precision. Three cheaper operators are in single precision, scaled by the
+//! self-influence so that their values are of the magnitude of pressures: the same product, the product on
+//! the periodic grid at a quarter of the cost, and the inverse of the latter, which estimates pressures from
 //! displacements.
 
 use std::sync::Arc;
@@ -11,23 +11,23 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::{Convolution, ConvolutionPlan};
 
-/// What the half-spaces share. Cloning shares the plans.
+/// Response shared by all half-spaces. Clones share the plans.
 #[derive(Debug, Clone)]
 pub(super) struct ElasticResponse {
     /// The grid of pressures and displacements.
     pub(super) grid: Grid,
-    /// The exact product.
+    /// The exact product, in double precision.
     convolution: Convolution,
-    /// In single precision, over the self-influence.
+    /// The product in single precision, over the self-influence.
     estimate: Convolution<f32>,
-    /// The same on the periodic grid.
+    /// The product on the periodic grid, over the self-influence.
     periodic: Convolution<f32>,
-    /// In single precision, times the self-influence.
+    /// The inverse on the periodic grid, times the self-influence.
     inverse: Convolution<f32>,
-    /// The same with a local compliance of all nodes; none without.
-    softened: Option<Convolution<f32>>,
+    /// The inverse with a mean local compliance; `None` without one.
+    compliant_inverse: Option<Convolution<f32>>,
     /// Self-influence `K(0, 0)` \[m/Pa\].
-    own: f64,
+    self_influence: f64,
 }
 
 impl ElasticResponse {
@@ -35,15 +35,15 @@ impl ElasticResponse {
     pub(super) fn new(grid: Grid, kernel: impl Fn(isize, isize) -> f64) -> Self {
         let plan = ConvolutionPlan::new(grid.nx(), grid.ny(), &kernel);
         let periodic = ConvolutionPlan::periodic(grid.nx(), grid.ny(), &kernel);
-        let own = kernel(0, 0);
+        let self_influence = kernel(0, 0);
         Self {
             grid,
-            estimate: Convolution::new(Arc::new(plan.to_single(1.0 / own))),
-            periodic: Convolution::new(Arc::new(periodic.to_single(1.0 / own))),
-            inverse: Convolution::new(Arc::new(periodic.inverse_with(0.0).to_single(own))),
-            softened: None,
+            estimate: Convolution::new(Arc::new(plan.to_single(1.0 / self_influence))),
+            periodic: Convolution::new(Arc::new(periodic.to_single(1.0 / self_influence))),
+            inverse: Convolution::new(Arc::new(periodic.inverse_with(0.0).to_single(self_influence))),
+            compliant_inverse: None,
             convolution: Convolution::new(Arc::new(plan)),
-            own,
+            self_influence,
         }
     }
 
@@ -61,7 +61,7 @@ impl ElasticResponse {
         pressure: &[f64],
         out: &mut [f64],
     ) -> Result<(), InputError> {
-        in_single(&mut self.estimate, self.grid, ("pressure", pressure), self.own, out)
+        in_single(&mut self.estimate, self.grid, ("pressure", pressure), self.self_influence, out)
     }
 
     /// `out = K p` on the periodic grid, in single precision.
@@ -70,36 +70,36 @@ impl ElasticResponse {
         pressure: &[f64],
         out: &mut [f64],
     ) -> Result<(), InputError> {
-        in_single(&mut self.periodic, self.grid, ("pressure", pressure), self.own, out)
+        in_single(&mut self.periodic, self.grid, ("pressure", pressure), self.self_influence, out)
     }
 
-    /// Adds a local `compliance` \[m/Pa\] of all nodes to what estimated pressures belong to, in place of that
-    /// before.
-    pub(super) fn soften(&mut self, compliance: f64) {
+    /// Sets the mean local compliance \[m/Pa\] that the estimated pressure includes.
+    pub(super) fn set_mean_compliance(&mut self, compliance: f64) {
         if compliance == 0.0 {
-            self.softened = None;
+            self.compliant_inverse = None;
             return;
         }
-        let plan = self.periodic.plan().inverse_with(compliance / self.own);
-        match &mut self.softened {
-            Some(softened) => softened.take(plan),
-            None => self.softened = Some(Convolution::new(Arc::new(plan))),
+        let plan = self.periodic.plan().inverse_with(compliance / self.self_influence);
+        match &mut self.compliant_inverse {
+            Some(compliant_inverse) => compliant_inverse.replace_plan(plan),
+            None => self.compliant_inverse = Some(Convolution::new(Arc::new(plan))),
         }
     }
 
-    /// Pressures that a displacement needs on the periodic grid: the spectrum of the kernel, and of a local
-    /// compliance, inverted by its modulus.
+    /// Pressures that cause a displacement on the periodic grid: the spectrum of the kernel, plus the mean
+    /// local compliance, inverted by its modulus.
     pub(super) fn pressure_estimate(
         &mut self,
         displacement: &[f64],
         out: &mut [f64],
     ) -> Result<(), InputError> {
-        let inverse = self.softened.as_mut().unwrap_or(&mut self.inverse);
-        in_single(inverse, self.grid, ("displacement", displacement), 1.0 / self.own, out)
+        let inverse = self.compliant_inverse.as_mut().unwrap_or(&mut self.inverse);
+        in_single(inverse, self.grid, ("displacement", displacement), 1.0 / self.self_influence, out)
     }
 }
 
-/// The convolution of a named field times `unit`, the field brought to numbers of at most one before.
+/// Applies a convolution to a named field and multiplies by `unit`. The field is scaled to at most one before
+/// the conversion to single precision.
 fn in_single(
     convolution: &mut Convolution<f32>,
     grid: Grid,

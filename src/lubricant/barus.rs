@@ -1,10 +1,11 @@
-//! The exponential law of Barus.
+//! The Barus law.
 
 use super::ViscosityLaw;
 use crate::error::InputError;
 
-/// `eta = eta_0 exp(alpha p)`. Realistic up to some 0.3 GPa; above, it overstates the viscosity by orders of
-/// magnitude. The exponent is capped at [`Barus::MAX_EXPONENT`] so that the result stays finite.
+/// `eta = eta_0 exp(alpha p)`. Realistic up to about 0.3 GPa; at higher pressure it overestimates the
+/// viscosity by orders of magnitude. The exponent is capped at [`Barus::MAX_EXPONENT`], so the result stays
+/// finite.
 ///
 /// Source: Barus, C. (1893), American Journal of Science 45, 87-96.
 ///
@@ -23,7 +24,7 @@ pub struct Barus {
 }
 
 impl Barus {
-    /// Largest exponent used: beyond it a film does not flow within any time of interest.
+    /// Largest exponent; beyond it a film is solid on any relevant time scale.
     pub const MAX_EXPONENT: f64 = 46.0;
 
     /// Law with viscosity `eta0` \[Pa s\] at ambient pressure and coefficient `alpha` \[1/Pa\].

@@ -45,7 +45,7 @@ impl DensityLaw for DowsonHigginson {
     }
 }
 
-/// `rho = rho_0` at every pressure.
+/// Constant density, `rho = rho_0`.
 ///
 /// # Examples
 ///

@@ -1,14 +1,14 @@
-//! Doolittle's free volume with Tait's equation of state.
+//! Doolittle's free-volume viscosity with Tait's equation of state.
 
 use std::fmt;
 
 use super::{DensityLaw, Roelands, ViscosityLaw};
 use crate::error::InputError;
 
-/// The smallest volume under pressure over that at ambient pressure.
+/// Lower bound of the volume relative to that at ambient pressure.
 const SMALLEST: f64 = 0.2;
 
-/// Largest exponent by which the bulk modulus falls with temperature; liquids end before 4.
+/// Upper bound of the exponent `beta_K T` of the bulk modulus; liquids stay below 4.
 const SOFTEST: f64 = 5.0;
 
 /// Constants of [`DoolittleTait`].
@@ -21,29 +21,29 @@ pub struct DoolittleTaitConstants {
     pub temperature: f64,
     /// Doolittle's `B`.
     pub b: f64,
-    /// Occupied share of the volume `R_0` at ambient pressure and `T_R`.
+    /// Occupied volume fraction `R_0` at ambient pressure and `T_R`.
     pub r0: f64,
-    /// Thermal expansion of the occupied volume `epsilon` \[1/K\], mostly negative.
+    /// Thermal expansion of the occupied volume `epsilon` \[1/K\], usually negative.
     pub epsilon: f64,
-    /// Rise of the bulk modulus with pressure `K_0'`.
+    /// Pressure derivative of the bulk modulus `K_0'`.
     pub k0_slope: f64,
     /// Bulk modulus `K_00` \[Pa\] at ambient pressure, extrapolated to 0 K.
     pub k00: f64,
-    /// Its fall with temperature `beta_K` \[1/K\].
+    /// Temperature coefficient of the bulk modulus `beta_K` \[1/K\].
     pub beta: f64,
     /// Thermal expansion `a_V` at ambient pressure \[1/K\].
     pub expansion: f64,
 }
 
-/// Viscosity by free volume and density by Tait, both by pressure and temperature:
+/// Free-volume viscosity and Tait density, both by pressure and temperature:
 ///
 /// `eta = eta_R exp{B R_0 [w/(v - R_0 w) - 1/(1 - R_0)]}`, `w = 1 + epsilon (T - T_R)`,
 /// `v = [1 + a_V (T - T_R)] V/V_0`, `V/V_0 = 1 - ln[1 + p (1 + K_0')/K_0]/(1 + K_0')`,
 /// `K_0 = K_00 exp(-beta_K T)`.
 ///
-/// Valid where the constants were fitted, mostly up to 1 GPa. Beyond, the viscosity is at most `exp(25)`
-/// times that at ambient pressure ([`Roelands::MAX_EXPONENT`]), the volume at least a fifth, and `beta_K T`
-/// at most 5.
+/// Valid in the range of the fitted constants, usually up to 1 GPa. Beyond it the viscosity is at most
+/// `exp(25)` times that at ambient pressure ([`Roelands::MAX_EXPONENT`]), the volume at least a fifth, and
+/// `beta_K T` at most 5.
 ///
 /// Source: Doolittle, A. K. (1951), Journal of Applied Physics 22, 1471-1475 (free volume); with the equation
 /// of Tait in Bair, S. (2007), High Pressure Rheology for Quantitative Elastohydrodynamics, Elsevier.
@@ -66,7 +66,7 @@ pub struct DoolittleTait {
     temperature: f64,
 }
 
-// Checkpoints compare what `Debug` prints. The contact sets the temperature, which is left out.
+// Checkpoints compare the `Debug` output. The temperature, which the contact sets, is omitted from it.
 impl fmt::Debug for DoolittleTait {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("DoolittleTait").field("constants", &self.constants).finish_non_exhaustive()
@@ -77,8 +77,8 @@ impl DoolittleTait {
     /// The law at the temperature `T_R` of its constants.
     ///
     /// # Errors
-    /// A constant that is not finite, or not above zero but for `epsilon`, `beta` and `expansion`, the last
-    /// two not below it, `r0` not below one.
+    /// A constant that is not finite; a constant other than `epsilon`, `beta` and `expansion` that is not
+    /// positive; a negative `beta` or `expansion`; an `r0` of one or more.
     pub fn new(constants: DoolittleTaitConstants) -> Result<Self, InputError> {
         let DoolittleTaitConstants { viscosity, temperature, b, r0, epsilon, k0_slope, k00, beta, expansion } =
             constants;
@@ -103,14 +103,13 @@ impl DoolittleTait {
         Self { temperature, ..*self }
     }
 
-    /// Volume at ambient pressure over that at `T_R`, `1 + a_V (T - T_R)`, not below that of the largest
-    /// compression.
+    /// Volume at ambient pressure relative to that at `T_R`, `1 + a_V (T - T_R)`, at least the volume bound.
     fn expanded(&self) -> f64 {
         let DoolittleTaitConstants { expansion, temperature, .. } = self.constants;
         (1.0 + expansion * (self.temperature - temperature)).max(SMALLEST)
     }
 
-    /// `V/V_0` and its slope by pressure \[1/Pa\].
+    /// `V/V_0` and its pressure derivative \[1/Pa\].
     fn volume(&self, pressure: f64) -> (f64, f64) {
         let DoolittleTaitConstants { k0_slope, k00, beta, .. } = self.constants;
         let stiffness = k00 * (-(beta * self.temperature).min(SOFTEST)).exp();
@@ -119,7 +118,7 @@ impl DoolittleTait {
         if volume > SMALLEST { (volume, -1.0 / (stiffness + p * (1.0 + k0_slope))) } else { (SMALLEST, 0.0) }
     }
 
-    /// The exponent; infinite without free volume.
+    /// The exponent of the viscosity; infinite without free volume.
     fn exponent(&self, volume: f64) -> f64 {
         let DoolittleTaitConstants { b, r0, epsilon, expansion, temperature, .. } = self.constants;
         let warmer = self.temperature - temperature;

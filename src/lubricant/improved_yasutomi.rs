@@ -1,4 +1,4 @@
-//! The improved correlation of Yasutomi: viscosity by the distance to the glass transition.
+//! The improved Yasutomi correlation: viscosity by the distance to the glass transition.
 
 use std::fmt;
 
@@ -19,9 +19,9 @@ pub struct ImprovedYasutomiConstants {
     pub a2: f64,
     /// `b_1` \[1/Pa\].
     pub b1: f64,
-    /// `b_2`, mostly negative.
+    /// `b_2`, usually negative.
     pub b2: f64,
-    /// `C_1`, of the decadic logarithm.
+    /// `C_1`, for the decadic logarithm.
     pub c1: f64,
     /// `C_2` \[K\].
     pub c2: f64,
@@ -30,8 +30,8 @@ pub struct ImprovedYasutomiConstants {
 /// `log10 eta = log10 eta_g - C_1 x/(C_2 + x)`, `x = [T - T_g(p)] F(p)`, `T_g = T_g0 + A_1 ln(1 + A_2 p)`,
 /// `F = (1 + b_1 p)^b_2`.
 ///
-/// Valid where the constants were fitted and above the glass transition; below it the viscosity stays
-/// `eta_g`. It is at most `exp(25)` times that at ambient pressure ([`Roelands::MAX_EXPONENT`]).
+/// Valid in the range of the fitted constants, above the glass transition; below it the viscosity is `eta_g`.
+/// It is at most `exp(25)` times that at ambient pressure ([`Roelands::MAX_EXPONENT`]).
 ///
 /// Source: Bair, S., Mary, C., Bouscharain, N. and Vergne, P. (2013), Proceedings of the Institution of
 /// Mechanical Engineers J 227, 1056-1060; after Yasutomi, S., Bair, S. and Winer, W. O. (1984), Journal of
@@ -53,7 +53,7 @@ pub struct ImprovedYasutomi {
     temperature: f64,
 }
 
-// Checkpoints compare what `Debug` prints. The contact sets the temperature, which is left out.
+// Checkpoints compare the `Debug` output. The temperature, which the contact sets, is omitted from it.
 impl fmt::Debug for ImprovedYasutomi {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("ImprovedYasutomi").field("constants", &self.constants).finish_non_exhaustive()
@@ -64,8 +64,8 @@ impl ImprovedYasutomi {
     /// The law at `temperature` \[K\].
     ///
     /// # Errors
-    /// A constant or temperature that is not finite and positive, but for `a1`, `a2` and `b1`, which are not
-    /// below zero, and `b2`, which is not above it.
+    /// A constant or temperature that is not finite and positive, except `a1`, `a2` and `b1`, which may be
+    /// zero, and `b2`, which must not be positive.
     pub fn new(constants: ImprovedYasutomiConstants, temperature: f64) -> Result<Self, InputError> {
         let ImprovedYasutomiConstants { glass_viscosity, glass_temperature, a1, a2, b1, b2, c1, c2 } =
             constants;

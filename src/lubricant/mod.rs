@@ -1,8 +1,8 @@
-//! Lubricant laws: viscosity and density as functions of pressure, of some of temperature too.
+//! Lubricant laws: viscosity and density as functions of pressure and, for some laws, of temperature.
 //!
-//! [`Rheology`] is the shear stress that friction and heat are made of. [`ViscosityLaw`] and [`DensityLaw`]
-//! are open sets: implement one for an own fluid and hand it to [`Lubricant::new`], which tabulates both:
-//! solvers read the table, without a virtual call per node.
+//! [`Rheology`] is the shear stress of the fluid, for friction and heat. [`ViscosityLaw`] and [`DensityLaw`]
+//! are open traits: implement one for a custom fluid and pass it to [`Lubricant::new`], which tabulates both.
+//! Solvers use the table, without a virtual call per node.
 
 mod barus;
 mod density;
@@ -11,9 +11,9 @@ mod improved_yasutomi;
 mod rheology;
 mod roelands;
 mod table;
+mod temperature_table;
 mod thermal_roelands;
 mod thinning;
-mod warmth;
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -26,23 +26,23 @@ pub use rheology::Rheology;
 pub use roelands::Roelands;
 pub use table::FluidPoint;
 use table::FluidTable;
+use temperature_table::TemperatureTable;
+pub(crate) use temperature_table::{LEAST_TEMPERATURE, NodeTemperature, Saturating, ThermalRatios};
 pub use thermal_roelands::ThermalRoelands;
 pub(crate) use thinning::Thinning;
-use warmth::WarmTable;
-pub(crate) use warmth::{LEAST_TEMPERATURE, NodeWarmth, Saturating, WarmPoint};
 
 use crate::error::InputError;
 
 /// Viscosity as a function of pressure at the temperature of the contact.
 ///
-/// Contract: for every finite pressure the viscosity is finite and positive, and it does not fall with
-/// pressure; pressures below zero count as zero.
+/// Contract: for every finite pressure the viscosity is finite and positive, and it does not decrease with
+/// pressure. Negative pressures count as zero.
 ///
 /// # Examples
 ///
 /// ```
 /// use stribeck::lubricant::ViscosityLaw;
-/// /// A fluid whose viscosity doubles every 100 MPa.
+/// /// A fluid with a viscosity that doubles every 100 MPa.
 /// #[derive(Debug)]
 /// struct Doubling(f64);
 /// impl ViscosityLaw for Doubling {
@@ -58,7 +58,7 @@ pub trait ViscosityLaw: Debug + Send + Sync {
     /// Viscosity \[Pa s\] at `pressure` \[Pa\].
     fn viscosity(&self, pressure: f64) -> f64;
 
-    /// Logarithmic slope `d ln(eta) / dp` \[1/Pa\]; by default a central difference.
+    /// Logarithmic slope `d ln(eta) / dp` \[1/Pa\]; the default is a central difference.
     fn log_slope(&self, pressure: f64) -> f64 {
         let step = 1e-4 * pressure.abs().max(1e6);
         let low = (pressure - step).max(0.0);
@@ -66,19 +66,19 @@ pub trait ViscosityLaw: Debug + Send + Sync {
         (self.viscosity(high) / self.viscosity(low)).ln() / (high - low)
     }
 
-    /// The law at `temperature` \[K\], above zero; none (the default) for a law that does not know
-    /// temperature.
+    /// The law at `temperature` \[K\], above zero; `None` (the default) for a law without temperature
+    /// dependence.
     fn at_temperature(&self, _temperature: f64) -> Option<Box<dyn ViscosityLaw>> {
         None
     }
 
-    /// Viscosity \[Pa s\] at `pressure` \[Pa\] and `temperature` \[K\]; none for a law that does not know
-    /// temperature. By default that of [`at_temperature`](Self::at_temperature), which boxes a law a call.
+    /// Viscosity \[Pa s\] at `pressure` \[Pa\] and `temperature` \[K\]; `None` for a law without temperature
+    /// dependence. The default calls [`at_temperature`](Self::at_temperature), which boxes a law per call.
     fn viscosity_at(&self, pressure: f64, temperature: f64) -> Option<f64> {
         self.at_temperature(temperature).map(|law| law.viscosity(pressure))
     }
 
-    /// Fills `viscosity` \[Pa s\] from `pressure` \[Pa\]; slices of one length.
+    /// Fills `viscosity` \[Pa s\] from `pressure` \[Pa\]; both slices have the same length.
     fn fill(&self, pressure: &[f64], viscosity: &mut [f64]) {
         for (eta, &p) in viscosity.iter_mut().zip(pressure) {
             *eta = self.viscosity(p);
@@ -88,7 +88,7 @@ pub trait ViscosityLaw: Debug + Send + Sync {
 
 /// Density relative to that at ambient pressure.
 ///
-/// Contract: the ratio is finite, 1 at zero pressure, and does not fall with pressure; pressures below zero
+/// Contract: the ratio is finite, 1 at zero pressure, and does not decrease with pressure. Negative pressures
 /// count as zero.
 ///
 /// # Examples
@@ -117,37 +117,37 @@ pub trait DensityLaw: Debug + Send + Sync {
     /// Slope of the ratio \[1/Pa\] at `pressure` \[Pa\].
     fn slope(&self, pressure: f64) -> f64;
 
-    /// Density at `pressure` \[Pa\] and `temperature` \[K\] over that at ambient pressure and the temperature of
-    /// the law; none (the default) for a law that does not know temperature. With
-    /// [`at_temperature`](Self::at_temperature) this is `ratio_at(0, T)` times the `ratio` of the law at `T`: that
-    /// one counts from ambient pressure at its own temperature. Films with a temperature of their own take it
+    /// Density at `pressure` \[Pa\] and `temperature` \[K\] relative to that at ambient pressure and the
+    /// temperature of the law; `None` (the default) for a law without temperature dependence. It equals
+    /// `ratio_at(0, T)` times the `ratio` of the law [`at_temperature`](Self::at_temperature) `T`, which is
+    /// relative to ambient pressure at `T`. Films with their own temperature use it
     /// ([`Lubricant::set_film_temperatures`]).
     fn ratio_at(&self, _pressure: f64, _temperature: f64) -> Option<f64> {
         None
     }
 
-    /// Fills `ratio` from `pressure` \[Pa\]; slices of one length.
+    /// Fills `ratio` from `pressure` \[Pa\]; both slices have the same length.
     fn fill(&self, pressure: &[f64], ratio: &mut [f64]) {
         for (ratio, &p) in ratio.iter_mut().zip(pressure) {
             *ratio = self.ratio(p);
         }
     }
 
-    /// Fills `slope` \[1/Pa\] from `pressure` \[Pa\]; slices of one length.
+    /// Fills `slope` \[1/Pa\] from `pressure` \[Pa\]; both slices have the same length.
     fn fill_slopes(&self, pressure: &[f64], slope: &mut [f64]) {
         for (slope, &p) in slope.iter_mut().zip(pressure) {
             *slope = self.slope(p);
         }
     }
 
-    /// The law at `temperature` \[K\], above zero; none (the default) for a law that does not know
-    /// temperature.
+    /// The law at `temperature` \[K\], above zero; `None` (the default) for a law without temperature
+    /// dependence.
     fn at_temperature(&self, _temperature: f64) -> Option<Box<dyn DensityLaw>> {
         None
     }
 }
 
-/// The two laws that describe a lubricant in the Reynolds equation. A clone shares them.
+/// The viscosity and density laws of a lubricant. Clones share them.
 ///
 /// # Examples
 ///
@@ -165,12 +165,12 @@ pub struct Lubricant {
     viscosity: Arc<dyn ViscosityLaw>,
     /// Density by pressure.
     density: Arc<dyn DensityLaw>,
-    /// Both, with the reduced pressure, tabulated for the flow.
+    /// Both laws and the reduced pressure, tabulated.
     table: FluidTable,
-    /// Both at other temperatures; none before they are asked for.
-    warm: Option<Arc<WarmTable>>,
-    /// Temperatures of the film at every node; empty for that of the laws everywhere.
-    film: Vec<NodeWarmth>,
+    /// Ratios at other temperatures; `None` before the first use.
+    temperature_table: Option<Arc<TemperatureTable>>,
+    /// Film temperature of every node; empty if all films have the temperature of the laws.
+    film_temperatures: Vec<NodeTemperature>,
 }
 
 impl Lubricant {
@@ -182,22 +182,28 @@ impl Lubricant {
     /// A lubricant from boxed laws.
     pub fn from_boxed(viscosity: Box<dyn ViscosityLaw>, density: Box<dyn DensityLaw>) -> Self {
         let table = FluidTable::new(&*viscosity, &*density);
-        Self { viscosity: viscosity.into(), density: density.into(), table, warm: None, film: Vec::new() }
+        Self {
+            viscosity: viscosity.into(),
+            density: density.into(),
+            table,
+            temperature_table: None,
+            film_temperatures: Vec::new(),
+        }
     }
 
-    /// Takes over temperatures of the film of a contact whose bulk, and whose laws, have the temperature
-    /// `bulk` \[K\], one a node: those of `flow` for the viscosity of the flow by pressure, those of `mean` for
-    /// the density. A viscosity that does not know temperature stays as it is; a density that does not
-    /// becomes `exp[-expansivity (T - bulk)]` times as large ([`DensityLaw::ratio_at`]). Beyond the pressure at
-    /// which the viscosity of the law ends warm films keep that at this pressure. Without temperatures all
-    /// films have that of the laws.
+    /// Sets the film temperatures of a contact, one value per node: `flow` for the effective viscosity of
+    /// pressure flow, `mean` for the density. `bulk` \[K\] is the temperature of the contact and of the laws.
+    /// A viscosity without temperature dependence is unchanged; a density without it is multiplied by
+    /// `exp[-expansivity (T - bulk)]` ([`DensityLaw::ratio_at`]). Above the pressure at which the viscosity
+    /// law saturates, films at other temperatures keep the viscosity at that pressure. Empty slices reset all
+    /// films to the temperature of the laws.
     ///
-    /// Ratios to the laws are interpolated between temperatures 10 K and pressures 10 MPa apart, to 1e-3, for
-    /// films from 20 K below the bulk to 590 K above it; others count as these.
+    /// Ratios to the laws are interpolated in a table with intervals of 10 K and 10 MPa, to 1e-3, for films
+    /// from 20 K below the bulk to 590 K above it; other temperatures are clamped to this range.
     ///
     /// # Errors
-    /// Temperatures that are not finite or of two lengths, an expansivity that is negative, a bulk
-    /// temperature that is not positive.
+    /// Temperatures that are not finite or of different lengths, a negative expansivity, a bulk temperature
+    /// that is not positive.
     ///
     /// ```
     /// use stribeck::lubricant::{DowsonHigginson, Lubricant, Roelands, ThermalRoelands};
@@ -221,48 +227,55 @@ impl Lubricant {
         InputError::require_len("mean", mean, flow.len())?;
         InputError::require_finite("mean", mean)?;
         InputError::require_non_negative("expansivity", expansivity)?;
-        self.film.clear();
+        self.film_temperatures.clear();
         if flow.is_empty() {
             return Ok(());
         }
-        let made = |table: &Arc<WarmTable>| {
+        let made = |table: &Arc<TemperatureTable>| {
             table.bulk.to_bits() == bulk.to_bits() && table.expansivity.to_bits() == expansivity.to_bits()
         };
-        let table = match self.warm.take().filter(made) {
+        let table = match self.temperature_table.take().filter(made) {
             Some(table) => table,
-            None => Arc::new(WarmTable::new(&*self.viscosity, &*self.density, bulk, expansivity)),
+            None => Arc::new(TemperatureTable::new(&*self.viscosity, &*self.density, bulk, expansivity)),
         };
-        self.film.extend(flow.iter().zip(mean).map(|(flow, mean)| table.node(*flow, *mean)));
-        self.warm = Some(table);
+        self.film_temperatures.extend(flow.iter().zip(mean).map(|(flow, mean)| table.node(*flow, *mean)));
+        self.temperature_table = Some(table);
         Ok(())
     }
 
-    /// Viscosity for the flow by pressure and density of the film at `node` and `pressure` \[Pa\], over those
-    /// of the laws.
+    /// Effective viscosity of pressure flow and density of the film at `node` and `pressure` \[Pa\], relative
+    /// to those of the laws.
     pub fn film_ratios(&self, node: usize, pressure: f64) -> [f64; 2] {
-        let warm = self.film.get(node).and_then(|warmth| self.warm_at(warmth, pressure));
+        let warm = self
+            .film_temperatures
+            .get(node)
+            .and_then(|temperature| self.thermal_ratios(temperature, pressure));
         warm.map_or([1.0; 2], |warm| [warm.viscosity, warm.density])
     }
 
-    /// All films have the temperature of the laws.
+    /// All films have the temperature of the laws from now on.
     pub(crate) fn forget_film_temperatures(&mut self) {
-        self.film.clear();
+        self.film_temperatures.clear();
     }
 
-    /// Temperatures of the film at the nodes; empty where all have that of the laws.
-    pub(crate) fn film(&self) -> &[NodeWarmth] {
-        &self.film
+    /// Film temperatures at the nodes; empty if all films have the temperature of the laws.
+    pub(crate) fn film_temperatures(&self) -> &[NodeTemperature] {
+        &self.film_temperatures
     }
 
-    /// Ratios at a node of the temperatures `warmth` under `pressure` \[Pa\]; none where films have the
-    /// temperature of the laws.
+    /// Viscosity and density ratios for the temperature of a node at `pressure` \[Pa\]; `None` if films have
+    /// the temperature of the laws.
     #[inline]
-    pub(crate) fn warm_at(&self, warmth: &NodeWarmth, pressure: f64) -> Option<WarmPoint> {
-        self.warm.as_ref().map(|table| table.at(warmth, pressure))
+    pub(crate) fn thermal_ratios(
+        &self,
+        temperature: &NodeTemperature,
+        pressure: f64,
+    ) -> Option<ThermalRatios> {
+        self.temperature_table.as_ref().map(|table| table.at(temperature, pressure))
     }
 
-    /// The lubricant at `temperature` \[K\]; laws that do not know temperature stay as they are. Temperatures
-    /// of films are dropped where one does.
+    /// The lubricant at `temperature` \[K\]; laws without temperature dependence are unchanged. If either law
+    /// changes, film temperatures are reset.
     #[must_use]
     pub fn at_temperature(self, temperature: f64) -> Self {
         match (self.viscosity.at_temperature(temperature), self.density.at_temperature(temperature)) {
@@ -271,7 +284,7 @@ impl Lubricant {
                 let viscosity = viscosity.map_or(self.viscosity, Arc::from);
                 let density = density.map_or(self.density, Arc::from);
                 let table = FluidTable::new(&*viscosity, &*density);
-                Self { viscosity, density, table, warm: None, film: Vec::new() }
+                Self { viscosity, density, table, temperature_table: None, film_temperatures: Vec::new() }
             }
         }
     }
@@ -286,12 +299,13 @@ impl Lubricant {
         &*self.density
     }
 
-    /// Reduced pressure and density at `pressure` \[Pa\], from a table of the two laws: cubics 2.5 MPa apart,
-    /// relative error of the reduced pressure below 1e-7 for `alpha` up to 40 1/GPa; linear above 20.48 GPa.
+    /// Reduced pressure and density at `pressure` \[Pa\], from a table of both laws: cubics over 2.5 MPa,
+    /// with a relative error of the reduced pressure below 1e-7 for `alpha` up to 40 1/GPa; linear above
+    /// 20.48 GPa.
     ///
     /// The flow through a face at film `h` between pressures 1 and 2 is exactly
-    /// `h^3 (q_1 - q_2) / (12 eta_0)` times width over length: it grows with `p_1` and falls with `p_2`
-    /// however steep the viscosity is.
+    /// `h^3 (q_1 - q_2) / (12 eta_0)` times width over length. It increases with `p_1` and decreases with
+    /// `p_2` for any viscosity law.
     ///
     /// ```
     /// use stribeck::lubricant::{Barus, Incompressible, Lubricant};

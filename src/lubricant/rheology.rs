@@ -1,18 +1,18 @@
-//! Shear stress of the lubricant as a function of its viscosity and shear rate.
+//! Shear stress of the lubricant as a function of viscosity and shear rate.
 
 use super::thinning::Thinning;
 use crate::error::InputError;
 
-/// Newtonian, `tau = eta g`, of Eyring, `tau = tau_E asinh(eta g / tau_E)`, or of Carreau,
-/// `tau = eta g [1 + (eta g/G)^2]^((n - 1)/2)`, and in all cases at most a limiting stress, a constant one or
-/// a share of the pressure. `g` is the shear rate \[1/s\].
+/// Newtonian, `tau = eta g`, Eyring, `tau = tau_E asinh(eta g / tau_E)`, or Carreau,
+/// `tau = eta g [1 + (eta g/G)^2]^((n - 1)/2)`, each with an optional limiting stress, constant or
+/// proportional to the pressure. `g` is the shear rate \[1/s\].
 ///
-/// Mineral oils have Eyring stresses of some 5 to 10 MPa and limiting stresses of 5 to 10 % of the pressure.
-/// Here it decides friction and heat; of the flow by pressure see
+/// Mineral oils have Eyring stresses of about 5 to 10 MPa and limiting stresses of 5 to 10 % of the pressure.
+/// The rheology determines friction and heat; for pressure flow see
 /// [`ShearThinning`](crate::reynolds::ShearThinning).
 ///
 /// Sources: Eyring (1936), Journal of Chemical Physics 4, 283-291; Carreau (1972), Transactions of the
-/// Society of Rheology 16, 99-127, whose time is `eta/G` here.
+/// Society of Rheology 16, 99-127, with the time constant `eta/G`.
 ///
 /// ```
 /// use stribeck::lubricant::Rheology;
@@ -28,15 +28,15 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rheology {
-    /// How the stress grows with the rate.
+    /// Shear-thinning law.
     thinning: Thinning,
     limit: f64,
-    /// The largest stress over the pressure.
+    /// Limiting stress over pressure.
     share: f64,
 }
 
 impl Rheology {
-    /// Stress in proportion to the shear rate, without limit.
+    /// Stress proportional to the shear rate, without limit.
     pub fn newtonian() -> Self {
         Self::thinned(Thinning::None)
     }
@@ -50,14 +50,13 @@ impl Rheology {
         Ok(Self::thinned(Thinning::Eyring { stress }))
     }
 
-    /// Shear thinning of Carreau with the stress `stress` \[Pa\] where it sets in and the exponent `n`,
-    /// without limit.
+    /// Carreau shear thinning with the onset stress `stress` \[Pa\] and the exponent `n`, without limit.
     ///
     /// ```
     /// use stribeck::lubricant::Rheology;
     /// let oil = Rheology::carreau(5e6, 0.4)?;
     /// assert!((oil.shear_stress(1e-3, 1e6) - 1e3).abs() < 1e-3); // thin oil: Newtonian
-    /// assert!((oil.shear_stress(1e5, 1e6) / (5e6 * 2e4_f64.powf(0.4)) - 1.0).abs() < 1e-6); // far beyond: a power of the rate
+    /// assert!((oil.shear_stress(1e5, 1e6) / (5e6 * 2e4_f64.powf(0.4)) - 1.0).abs() < 1e-6); // far above the onset: a power law
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     ///
@@ -70,12 +69,12 @@ impl Rheology {
         Ok(Self::thinned(Thinning::Carreau { stress, exponent }))
     }
 
-    /// A fluid without a limit of its stress.
+    /// A fluid without a limiting stress.
     fn thinned(thinning: Thinning) -> Self {
         Self { thinning, limit: f64::INFINITY, share: f64::INFINITY }
     }
 
-    /// The same fluid with a largest shear stress of `share` times the pressure.
+    /// The same fluid with a limiting shear stress of `share` times the pressure.
     ///
     /// # Errors
     /// A share that is not finite and positive.
@@ -84,7 +83,7 @@ impl Rheology {
         Ok(Self { share, ..self })
     }
 
-    /// The same fluid with a largest shear stress `limit` \[Pa\].
+    /// The same fluid with a limiting shear stress `limit` \[Pa\].
     ///
     /// # Errors
     /// A stress that is not finite and positive.
@@ -93,19 +92,18 @@ impl Rheology {
         Ok(Self { limit, ..self })
     }
 
-    /// Largest shear stress \[Pa\] under `pressure` \[Pa\].
+    /// Limiting shear stress \[Pa\] under `pressure` \[Pa\].
     pub fn limit(&self, pressure: f64) -> f64 {
         if self.share.is_finite() { self.limit.min(self.share * pressure.max(0.0)) } else { self.limit }
     }
 
-    /// Shear stress \[Pa\] of a fluid of `viscosity` \[Pa s\] at `shear_rate` \[1/s\], both not negative,
-    /// whatever its pressure: a limit that is a share of it is left out, which
-    /// [`shear_stress_under`](Self::shear_stress_under) has.
+    /// Shear stress \[Pa\] of a fluid of `viscosity` \[Pa s\] at `shear_rate` \[1/s\], both non-negative,
+    /// without a pressure-dependent limit; [`shear_stress_under`](Self::shear_stress_under) includes it.
     pub fn shear_stress(&self, viscosity: f64, shear_rate: f64) -> f64 {
         self.thinning.stress(viscosity * shear_rate).min(self.limit)
     }
 
-    /// The same under `pressure` \[Pa\], at most its limit there.
+    /// Shear stress \[Pa\] under `pressure` \[Pa\], at most the limiting stress.
     pub fn shear_stress_under(&self, pressure: f64, viscosity: f64, shear_rate: f64) -> f64 {
         self.thinning.stress(viscosity * shear_rate).min(self.limit(pressure))
     }

@@ -1,12 +1,12 @@
-//! The law of Roelands.
+//! The Roelands law.
 
 use super::ViscosityLaw;
 use crate::error::InputError;
 
 /// `eta = eta_0 exp{(ln eta_0 + 9.67) [(1 + p/p_0)^z - 1]}` with `eta_0` in Pa s.
 ///
-/// The slope at ambient pressure is `alpha = z (ln eta_0 + 9.67) / p_0`. Valid up to about 1 GPa; above, the
-/// exponent is capped at [`Roelands::MAX_EXPONENT`] so that asperity pressures stay harmless.
+/// The slope at ambient pressure is `alpha = z (ln eta_0 + 9.67) / p_0`. Valid up to about 1 GPa; above it
+/// the exponent is capped at [`Roelands::MAX_EXPONENT`], so that asperity pressures do not overflow.
 ///
 /// Source: Roelands, C.J.A. (1966), Correlational aspects of the viscosity-temperature-pressure
 /// relationship of lubricating oils, thesis, Delft.
@@ -23,7 +23,7 @@ use crate::error::InputError;
 pub struct Roelands {
     /// Viscosity at ambient pressure \[Pa s\].
     eta0: f64,
-    /// `ln eta_0 + 9.67`, or `alpha p_0 / z` where the slope is given.
+    /// `ln eta_0 + 9.67`, or `alpha p_0 / z` for a given slope.
     exponent: f64,
     /// Index `z`.
     z: f64,
@@ -32,7 +32,7 @@ pub struct Roelands {
 }
 
 impl Roelands {
-    /// Largest exponent used: a factor of 7e10 in viscosity, where a film no longer flows by pressure.
+    /// Largest exponent: a factor of 7e10 in viscosity, which blocks pressure flow.
     pub const MAX_EXPONENT: f64 = 25.0;
 
     /// Law with viscosity `eta0` \[Pa s\] at ambient pressure, index `z` and reference pressure `p0` \[Pa\]
@@ -70,7 +70,7 @@ impl Roelands {
         Ok(Self { eta0, exponent: alpha * p0 / z, z, p0 })
     }
 
-    /// The law `eta_0 exp{E [f (1 + p/p_0)^z - 1]}`, of which this one is that of `f = 1`.
+    /// The law `eta_0 exp{E [f (1 + p/p_0)^z - 1]}`; `f = 1` is this law.
     pub(super) fn scaled(&self, factor: f64) -> Self {
         let eta0 = self.eta0 * (self.exponent * (factor - 1.0)).min(Self::MAX_EXPONENT).exp();
         Self { eta0, exponent: self.exponent * factor, ..self.clone() }

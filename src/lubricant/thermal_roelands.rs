@@ -1,19 +1,19 @@
-//! The law of Roelands with temperature.
+//! The Roelands law with temperature.
 
 use std::fmt;
 
 use super::{Roelands, ViscosityLaw};
 use crate::error::InputError;
 
-/// Temperature that Roelands' temperatures count from \[K\].
+/// Reference of temperatures in the Roelands law \[K\].
 const ORIGIN: f64 = 138.0;
 
 /// `eta = eta_0 exp{(ln eta_0 + 9.67) [(1 + p/p_0)^z [(T - 138)/(T_0 - 138)]^(-S_0) - 1]}` with `eta_0` in Pa
 /// s at the temperature `T_0` in K.
 ///
-/// At each temperature this is [`Roelands`] with another `eta_0`; at `T_0` it is the one that is given. The
-/// temperature coefficient `-d ln(eta)/dT` at `T_0` is `S_0 (ln eta_0 + 9.67)/(T_0 - 138)`; mineral oils have
-/// `S_0` of 1.0 to 1.5. Temperatures below 139 K count as 139 K.
+/// At each temperature this is [`Roelands`] with another `eta_0`, at `T_0` the given one. The temperature
+/// coefficient `-d ln(eta)/dT` at `T_0` is `S_0 (ln eta_0 + 9.67)/(T_0 - 138)`; mineral oils have `S_0` of
+/// 1.0 to 1.5. Temperatures below 139 K count as 139 K.
 ///
 /// Source: Roelands, C.J.A. (1966), Correlational aspects of the viscosity-temperature-pressure relationship
 /// of lubricating oils, thesis, Delft; in this form Houpert, L. (1985), Journal of Tribology 107, 241-247.
@@ -31,11 +31,11 @@ pub struct ThermalRoelands {
     reference: Roelands,
     temperature: f64,
     slope: f64,
-    /// That of the temperature that holds.
+    /// The law at the current temperature.
     current: Roelands,
 }
 
-// Checkpoints compare what `Debug` prints. The contact sets the temperature, which is left out.
+// Checkpoints compare the `Debug` output. The temperature, which the contact sets, is omitted from it.
 impl fmt::Debug for ThermalRoelands {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("ThermalRoelands")
@@ -47,7 +47,7 @@ impl fmt::Debug for ThermalRoelands {
 }
 
 impl ThermalRoelands {
-    /// The law that is `reference` at `temperature` \[K\], with the index `S_0`.
+    /// The law that equals `reference` at `temperature` \[K\], with the index `S_0`.
     ///
     /// # Errors
     /// A temperature that is not finite and above 139 K, an index that is not finite or below zero.

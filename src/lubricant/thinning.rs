@@ -1,7 +1,7 @@
-//! Shear thinning: stress against shear rate, and the viscosities that are left of a shear that goes on.
+//! Shear thinning: stress by shear rate, and the secant and tangent viscosities.
 
-/// How the stress of a sheared fluid grows with the rate `g`, in terms of `x = eta g / S`, the Newtonian
-/// stress over that where thinning sets in.
+/// Shear stress as a function of the rate `g`, in terms of `x = eta g / S`, the Newtonian stress over the
+/// onset stress of thinning.
 ///
 /// | law | stress | secant `tau/(eta g)` | tangent `(1/eta) d tau/dg` | range |
 /// |---|---|---|---|---|
@@ -9,10 +9,10 @@
 /// | Eyring | `S asinh(x)` | `asinh(x)/x` | `(1 + x^2)^(-1/2)` | `S > 0` |
 /// | Carreau | `S x (1 + x^2)^m` | `(1 + x^2)^m` | `(1 + x^2)^(m - 1) (1 + n x^2)` | `S > 0`, `0 < n <= 1` |
 ///
-/// with `m = (n - 1)/2`. Tangents are at most the secants, and both are at most one.
+/// with `m = (n - 1)/2`. Tangents are at most equal to the secants, and both are at most one.
 ///
 /// Sources: Eyring (1936), Journal of Chemical Physics 4, 283-291; Carreau (1972), Transactions of the
-/// Society of Rheology 16, 99-127, whose time is `eta/S` here.
+/// Society of Rheology 16, 99-127, with the time constant `eta/S`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Thinning {
     None,
@@ -20,11 +20,11 @@ pub(crate) enum Thinning {
     Carreau { stress: f64, exponent: f64 },
 }
 
-/// Largest `x` that is told apart from larger ones.
+/// Upper bound of `x`, against overflow.
 const LARGEST: f64 = 1e100;
 
 impl Thinning {
-    /// The stress `S` \[Pa\] where thinning sets in; infinite for a Newtonian fluid.
+    /// Onset stress `S` of thinning \[Pa\]; infinite for a Newtonian fluid.
     pub(crate) fn onset(self) -> f64 {
         match self {
             Self::None => f64::INFINITY,
@@ -32,7 +32,7 @@ impl Thinning {
         }
     }
 
-    /// Shear stress \[Pa\] at the Newtonian one, not negative.
+    /// Shear stress \[Pa\] by the non-negative Newtonian one.
     pub(crate) fn stress(self, newtonian: f64) -> f64 {
         match self {
             Self::None => newtonian,
@@ -41,7 +41,7 @@ impl Thinning {
         }
     }
 
-    /// The secant and `x` times its slope, for `x` from zero on.
+    /// The secant and `x` times its slope, for `x >= 0`.
     pub(crate) fn secant(self, x: f64) -> (f64, f64) {
         if x < f64::MIN_POSITIVE {
             return (1.0, 0.0);
@@ -56,7 +56,7 @@ impl Thinning {
         (value, if x < LARGEST { self.tangent(x).0 - value } else { 0.0 })
     }
 
-    /// The tangent and `x` times its slope, for `x` from zero on.
+    /// The tangent and `x` times its slope, for `x >= 0`.
     pub(crate) fn tangent(self, x: f64) -> (f64, f64) {
         let bounded = x.min(LARGEST);
         let square = bounded * bounded;
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn viscosities_are_those_of_the_stress_with_their_slopes() {
+    fn secant_and_tangent_match_the_stress_and_their_slopes() {
         for law in laws() {
             for x in [1e-300, 1e-9, 1e-3, 0.3, 1.0, 7.0, 1e3, 1e9, 1e90] {
                 let ((secant, slope), (tangent, tangent_slope)) = (law.secant(x), law.tangent(x));
@@ -127,9 +127,9 @@ mod tests {
         }
     }
 
-    /// Carreau's fluid far beyond the onset is a power of the rate: the tangent is `n` times the secant.
+    /// A Carreau fluid far above the onset follows a power law, where the tangent is `n` times the secant.
     #[test]
-    fn fast_shear_is_a_power_of_the_rate() {
+    fn fast_shear_follows_a_power_law() {
         for exponent in [0.05, 0.4, 0.9] {
             let law = Thinning::Carreau { stress: 5e6, exponent };
             let (secant, tangent) = (law.secant(1e9).0, law.tangent(1e9).0);
@@ -142,10 +142,10 @@ mod tests {
         }
     }
 
-    /// `x` times the slope of the logarithm stays above -1 for all fluids but those of Carreau with a tangent
-    /// and `n` below a third.
+    /// `x` times the slope of the logarithm stays above -1 for all fluids except the tangent of Carreau
+    /// fluids with `n` below a third.
     #[test]
-    fn viscosities_fall_more_slowly_than_the_rate_grows() {
+    fn viscosity_times_rate_increases_with_the_rate() {
         let steepest = |law: Thinning, along: bool| {
             let at = |x: f64| if along { law.tangent(x) } else { law.secant(x) };
             let points = (-400..=400).map(|k| at(10.0_f64.powf(f64::from(k) / 50.0)));

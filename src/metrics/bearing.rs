@@ -1,14 +1,14 @@
-//! The material ratio (bearing area, Abbott) curve and the parameters read from it (ISO 25178-2, ISO
+//! The material ratio curve (bearing area or Abbott-Firestone curve) and its parameters (ISO 25178-2, ISO
 //! 13565-2).
 
 use super::roughness::{height_statistics, require_heights};
 use crate::error::InputError;
 
-/// Share of the curve spanned by the secant of least slope.
+/// Width of the equivalent-line secant in material ratio.
 const SECANT: f64 = 0.4;
 
-/// Height against the share of the surface at or above it: falls from the highest peak at ratio 0 to the
-/// deepest valley at ratio 1. Heights count from their mean.
+/// Height as a function of the areal material ratio, from the highest peak at ratio 0 to the deepest valley
+/// at ratio 1. Heights are relative to their mean.
 ///
 /// ```
 /// use stribeck::metrics::BearingCurve;
@@ -21,24 +21,24 @@ const SECANT: f64 = 0.4;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct BearingCurve {
-    /// Heights about the mean, highest first \[m\]; entry i stands at the ratio (i + 1/2)/n.
+    /// Heights about the mean, highest first \[m\]; entry i is at the ratio (i + 1/2)/n.
     heights: Vec<f64>,
 }
 
 /// Parameters of the core, the peaks and the valleys (ISO 13565-2, areal form ISO 25178-2).
 ///
-/// The straight line through the two ends of the secant of least slope over 40 % of the curve cuts ratio 0
-/// and 1 at the heights whose difference is the core height; what stands above and hangs below is turned into
-/// triangles of the same area.
+/// The equivalent line passes through the ends of the secant of least slope over 40 % of the curve. Its
+/// heights at the ratios 0 and 1 differ by the core height. Peaks above and valleys below the core are
+/// converted to triangles of the same area.
 ///
-/// The standard takes the line of least squares over the same 40 %, whose Sk of a normal distribution is
-/// 2.574 Sq instead of the 2.622 Sq that is commonly quoted for it; the secant gives the latter.
+/// The standard fits the equivalent line by least squares over the same 40 %, which gives Sk = 2.574 Sq for a
+/// normal distribution instead of the commonly quoted 2.622 Sq; the secant gives the latter.
 ///
 /// # Examples
 ///
 /// ```
 /// use stribeck::metrics::BearingCurve;
-/// // A plateau with deep valleys: the valleys outweigh the peaks.
+/// // A plateau with deep valleys: Svk exceeds Spk.
 /// let heights: Vec<f64> =
 ///     (0..1000).map(|i| if i % 10 == 0 { -1e-6 } else { 1e-9 * f64::from(i % 7) }).collect();
 /// let core = BearingCurve::new(&heights)?.core();
@@ -68,7 +68,7 @@ pub struct CoreParameters {
 /// use stribeck::metrics::BearingCurve;
 /// let ramp: Vec<f64> = (0..1000).map(|i| f64::from(i) * 1e-9).collect();
 /// let volumes = BearingCurve::new(&ramp)?.volumes(0.1, 0.8)?;
-/// // A triangle of 0.1 by 100 nm stands above the first ratio.
+/// // A triangle of 0.1 by 100 nm above the first ratio.
 /// assert!((volumes.vmp / (0.5 * 0.1 * 100e-9) - 1.0).abs() < 0.01);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
@@ -98,15 +98,14 @@ impl BearingCurve {
         Ok(Self { heights })
     }
 
-    /// The heights \[m\] about their mean, highest first; the i-th of n stands at the material ratio
+    /// The heights \[m\] about their mean, highest first; the i-th of n is at the material ratio
     /// `(i + 1/2)/n`.
     #[must_use]
     pub fn heights(&self) -> &[f64] {
         &self.heights
     }
 
-    /// Height \[m\] at a material ratio, linear between the points of the curve; ratios beyond 0 and 1 count
-    /// as these.
+    /// Height \[m\] at a material ratio, by linear interpolation; ratios are clamped to 0 and 1.
     ///
     /// ```
     /// # use stribeck::metrics::BearingCurve;
@@ -124,7 +123,7 @@ impl BearingCurve {
         (1.0 - part) * self.heights[low] + part * self.heights[high]
     }
 
-    /// Share of the surface above `height` \[m\] (from the mean), linear between the points of the curve.
+    /// Areal material ratio at `height` \[m\] (relative to the mean), by linear interpolation.
     ///
     /// ```
     /// # use stribeck::metrics::BearingCurve;
@@ -147,7 +146,7 @@ impl BearingCurve {
 
     /// Core, peak and valley parameters.
     ///
-    /// Of a normal distribution of standard deviation Sq: `sk = 2.622 Sq`, `spk = svk = 0.937 Sq`,
+    /// For a normal distribution with standard deviation Sq: `sk = 2.622 Sq`, `spk = svk = 0.937 Sq`,
     /// `smr1 = 9.49 %`.
     ///
     /// ```
@@ -204,13 +203,13 @@ impl BearingCurve {
         })
     }
 
-    /// Start and drop of the secant over 40 % of the curve with the least slope; the first of equals.
+    /// Start and drop of the first secant of least slope over 40 % of the curve.
     fn least_secant(&self) -> (f64, f64) {
         let count = self.heights.len() as f64;
         let mut best = (0.0, f64::INFINITY);
         for i in 0..self.heights.len() {
             let start = (i as f64 + 0.5) / count;
-            // both ends between points of the curve; a single point spans nothing
+            // both ends lie between points of the curve; a single point has no secant
             if start + SECANT > 1.0 - 0.5 / count {
                 break;
             }
@@ -222,13 +221,13 @@ impl BearingCurve {
         if best.1.is_finite() { best } else { (0.0, 0.0) }
     }
 
-    /// Mean of what stands above `height` \[m\].
+    /// Mean material above `height` \[m\].
     fn material_above(&self, height: f64) -> f64 {
         let part = self.heights.iter().take_while(|&&h| h > height);
         part.map(|h| h - height).sum::<f64>() / self.heights.len() as f64
     }
 
-    /// Mean of what is missing below `height` \[m\].
+    /// Mean void below `height` \[m\].
     fn void_below(&self, height: f64) -> f64 {
         let part = self.heights.iter().rev().take_while(|&&h| h < height);
         part.map(|h| height - h).sum::<f64>() / self.heights.len() as f64

@@ -1,4 +1,4 @@
-//! How much of a contact is solid.
+//! Size and load of the solid contact.
 
 use std::f64::consts::{LN_2, PI};
 
@@ -6,16 +6,16 @@ use super::ellipse::Ellipse;
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Share of a cell that each change between contact and gap counts too much: `(pi - 1 + ln 2)/24`, the mean
-/// over all directions of a straight edge.
+/// Excess area per contact transition, in cells: `(pi - 1 + ln 2)/24`, the average over all directions of a
+/// straight edge.
 const EXCESS: f64 = (PI - 1.0 + LN_2) / 24.0;
 
-/// Size and load of the solid contact.
+/// Area and load share of the solid contact.
 ///
-/// A cell counts whole as soon as its node touches, so that the area is too large by a share of the cells
-/// along its edge. With `M` changes between contact and gap along all grid lines the corrected area is
-/// `A - c M dx dy`, `c = (pi - 1 + ln 2)/24`, whose error falls faster with the size of the cells. On fine
-/// grids the limit lies between the two, which makes them an estimate of the error without a second solve.
+/// A cell counts as a whole if its node is in contact, which overestimates the area by a share of the cells
+/// along the edge. With `M` transitions between contact and gap along all grid lines, the corrected area is
+/// `A - c M dx dy`, `c = (pi - 1 + ln 2)/24`. Its error decreases faster with the cell size. On fine grids
+/// the limit lies between the two values, so their difference estimates the error without a second solve.
 ///
 /// Source: Yastrebov, V. A., Anciaux, G. and Molinari, J.-F. (2017), Tribology International 114, 161-171.
 ///
@@ -39,20 +39,22 @@ const EXCESS: f64 = (PI - 1.0 + LN_2) / 24.0;
 pub struct ContactStatistics {
     /// Area of all nodes in contact \[m^2\].
     pub area: f64,
-    /// Area of the nodes in contact within the Hertz ellipse over the area of the ellipse `pi a_x a_y`.
+    /// Area of the nodes in contact within the Hertz ellipse, over the area of the ellipse `pi a_x a_y`.
     ///
-    /// Cells count whole, so complete contact on a coarse grid gives 1 only to within the cells on the rim.
+    /// Cells count as a whole, so complete contact on a coarse grid gives 1 only up to the cells on the edge
+    /// of the ellipse.
     pub area_ratio: f64,
-    /// Area of all nodes in contact, corrected for their edge \[m^2\].
+    /// Area of all nodes in contact, with edge correction \[m^2\].
     pub corrected_area: f64,
-    /// The same of the nodes within the Hertz ellipse, over the area of the ellipse.
+    /// The corrected area within the Hertz ellipse, over the area of the ellipse.
     pub corrected_area_ratio: f64,
-    /// Share of the load carried by solid contact, over all nodes in contact, within the ellipse or not.
+    /// Share of the load carried by solid contact, over all nodes in contact inside and outside of the
+    /// ellipse.
     pub load_ratio: f64,
 }
 
-/// Solid contact of the nodes flagged `in_contact`, which carry `solid_pressure` \[Pa\], under `load` \[N\],
-/// compared with the Hertz ellipse of semi-axes `a_x`, `a_y` \[m\] centred on the origin of the grid.
+/// Solid contact of the nodes flagged `in_contact` with `solid_pressure` \[Pa\] under `load` \[N\], relative
+/// to the Hertz ellipse of semi-axes `a_x`, `a_y` \[m\] at the origin of the grid.
 ///
 /// # Errors
 /// Slices that do not fit the grid, pressures that are not finite, a load or semi-axes that are not positive.
@@ -64,7 +66,7 @@ pub struct ContactStatistics {
 /// in_contact[5] = true;
 /// let contact = contact_statistics(&grid, &in_contact, &[1e9; 16], 2e-3, 2e-6, 2e-6)?;
 /// assert!((contact.area - 1e-12).abs() < 1e-24);
-/// assert!((contact.corrected_area / 1e-12 - (1.0 - 4.0 * 0.11811)).abs() < 1e-4); // four changes
+/// assert!((contact.corrected_area / 1e-12 - (1.0 - 4.0 * 0.11811)).abs() < 1e-4); // four transitions
 /// assert!((contact.load_ratio - 0.5).abs() < 1e-12);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
@@ -79,7 +81,7 @@ pub fn contact_statistics(
     statistics_in(grid, in_contact, solid_pressure, load, &Ellipse::upright(a_x, a_y)?)
 }
 
-/// The same of an ellipse that may be turned.
+/// Contact statistics for an ellipse at any angle.
 pub(crate) fn statistics_in(
     grid: &Grid,
     in_contact: &[bool],
@@ -109,7 +111,7 @@ pub(crate) fn statistics_in(
     })
 }
 
-/// Nodes in contact and changes between contact and gap beside them.
+/// Number of nodes in contact, and of transitions between contact and gap.
 #[derive(Debug, Clone, Copy, Default)]
 struct Count {
     nodes: usize,
@@ -122,13 +124,13 @@ impl Count {
         self.changes += changes;
     }
 
-    /// Cells in contact without what their edge counts too much.
+    /// Number of cells in contact, with edge correction.
     fn corrected(self) -> f64 {
         self.nodes as f64 - EXCESS * self.changes as f64
     }
 }
 
-/// How many of the up to four neighbours of node `k` are not in contact.
+/// Number of neighbors of node `k`, up to four, that are not in contact.
 fn open_neighbours(grid: &Grid, in_contact: &[bool], k: usize) -> usize {
     let (nx, column) = (grid.nx(), k % grid.nx());
     let neighbours = [

@@ -1,4 +1,4 @@
-//! The areal autocorrelation function and the parameters read from it (ISO 25178-2).
+//! The areal autocorrelation function and its parameters (ISO 25178-2).
 
 use num_complex::Complex64;
 use rustfft::FftDirection;
@@ -9,15 +9,15 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::Fft2;
 
-/// Normalised autocorrelation for lags up to half the surface, 1 at lag zero.
+/// Normalized autocorrelation for lags up to half of the surface, 1 at lag zero.
 ///
-/// `f(t_x, t_y) = mean z(x, y) z(x + t_x, y + t_y) / mean z^2`, means over all pairs of defined points at
+/// `f(t_x, t_y) = mean z(x, y) z(x + t_x, y + t_y) / mean z^2`, averaged over all pairs of defined points at
 /// that lag.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AreaCorrelation {
     /// Largest lag along each axis, in nodes.
     reach: [usize; 2],
-    /// Distance of the nodes along x and y \[m\].
+    /// Node spacing along x and y \[m\].
     spacing: [f64; 2],
     /// Lag `(i, j)`, from minus to plus the reach, at `(j + reach_y) * (2 reach_x + 1) + i + reach_x`.
     values: Vec<f64>,
@@ -36,7 +36,7 @@ pub struct AreaCorrelation {
 /// let spec = RoughnessSpec { autocorrelation, rq, length_x: 40e-6, length_y: 8e-6, seed: 2 };
 /// let correlation = AreaCorrelation::new(&grid, &generate(&grid, &spec)?, None, Boundary::Periodic)?;
 /// let spatial = correlation.spatial(0.2)?;
-/// // The shortest length is that across the lay.
+/// // The shortest correlation length is across the lay.
 /// assert!(spatial.sal.is_some_and(|length| (4e-6..10e-6).contains(&length)));
 /// assert!(spatial.str.is_none_or(|ratio| ratio < 0.5));
 /// # Ok::<(), stribeck::InputError>(())
@@ -44,18 +44,18 @@ pub struct AreaCorrelation {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SpatialParameters {
-    /// Autocorrelation length \[m\]: shortest lag at which the function falls to the threshold; `None` when
-    /// it falls nowhere.
+    /// Autocorrelation length \[m\]: shortest lag at which the function falls to the threshold; `None` if it
+    /// stays above.
     pub sal: Option<f64>,
-    /// Texture aspect ratio: `sal` over the longest such lag, 0 (lay) to 1 (isotropic); `None` when the
+    /// Texture aspect ratio: `sal` over the longest such lag, 0 (lay) to 1 (isotropic); `None` if the
     /// function stays above the threshold up to the largest lag in some direction.
     pub str: Option<f64>,
 }
 
 impl AreaCorrelation {
     /// Autocorrelation of `heights` \[m\] on `grid` where `defined` (`None`: everywhere), about their mean.
-    /// Of an open surface each lag is averaged over the pairs that overlap (unbiased, scattering at long
-    /// lags).
+    /// For an open surface each lag is averaged over the overlapping pairs (unbiased, with more scatter at
+    /// long lags).
     ///
     /// # Errors
     /// Slices that do not fit the grid, a defined height that is not finite, heights that are all equal.
@@ -65,7 +65,7 @@ impl AreaCorrelation {
     /// let grid = Grid::centred(32, 1, 1e-6, 1e-6)?;
     /// let wave: Vec<f64> = (0..32).map(|i| (f64::from(i) * std::f64::consts::TAU / 8.0).sin()).collect();
     /// let correlation = AreaCorrelation::new(&grid, &wave, None, Boundary::Periodic)?;
-    /// assert!((correlation.at(4, 0).unwrap() + 1.0).abs() < 1e-12); // half a wave on
+    /// assert!((correlation.at(4, 0).unwrap() + 1.0).abs() < 1e-12); // half a wavelength
     /// assert!((correlation.at(-8, 0).unwrap() - 1.0).abs() < 1e-12);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
@@ -79,7 +79,7 @@ impl AreaCorrelation {
         let deviations = mask.deviations(heights);
         let (nx, ny) = (grid.nx(), grid.ny());
         let reach = [nx / 2, ny / 2];
-        // half a surface of padding keeps lags up to the reach free of wrapped pairs
+        // padding by half of the surface excludes wrapped pairs up to the reach
         let padded = match boundary {
             Boundary::Open => [nx + reach[0], ny + reach[1]],
             Boundary::Periodic => [nx, ny],
@@ -91,7 +91,7 @@ impl AreaCorrelation {
                 reason: "a flat surface has no autocorrelation".to_owned(),
             });
         }
-        // heights and weights share a transform, so they must be of one order
+        // heights and weights share a transform and must be of similar magnitude
         let mut field = vec![Complex64::default(); padded[0] * padded[1]];
         for (k, z) in deviations.iter().enumerate() {
             let weight = if mask.has(k) { 1.0 } else { 0.0 };
@@ -109,7 +109,7 @@ impl AreaCorrelation {
             let row = j.rem_euclid(padded[1] as isize) as usize * padded[0];
             for i in -rx..=rx {
                 let pair = power[row + i.rem_euclid(padded[0] as isize) as usize];
-                // fewer than half a pair is none
+                // less than half a pair is rounding
                 let pairs = pair.im / unit;
                 values.push(if pairs > 0.5 { pair.re / pair.im / square } else { 0.0 });
             }
@@ -117,26 +117,26 @@ impl AreaCorrelation {
         Ok(Self { reach, spacing: [grid.dx(), grid.dy()], values })
     }
 
-    /// Largest lag along x and y, in nodes: half the surface.
+    /// Largest lag along x and y, in nodes: half of the surface.
     #[must_use]
     pub fn reach(&self) -> (usize, usize) {
         (self.reach[0], self.reach[1])
     }
 
-    /// The function at a lag of `(i, j)` nodes, `None` beyond the reach.
+    /// The function at a lag of `(i, j)` nodes; `None` beyond the reach.
     #[must_use]
     pub fn at(&self, i: isize, j: isize) -> Option<f64> {
         let fits = i.unsigned_abs() <= self.reach[0] && j.unsigned_abs() <= self.reach[1];
         fits.then(|| self.values[self.index(i, j)])
     }
 
-    /// Place of a lag in the values.
+    /// Index of a lag in the values.
     fn index(&self, i: isize, j: isize) -> usize {
         let (rx, ry) = (self.reach[0] as isize, self.reach[1] as isize);
         ((j + ry) * (2 * rx + 1) + i + rx) as usize
     }
 
-    /// The values as a row-major field of `2 reach_x + 1` by `2 reach_y + 1`, lag zero in the middle.
+    /// The values as a row-major field of `2 reach_x + 1` by `2 reach_y + 1`, with lag zero in the middle.
     #[must_use]
     pub fn values(&self) -> &[f64] {
         &self.values
@@ -144,8 +144,8 @@ impl AreaCorrelation {
 
     /// Sal and Str for `threshold` (0.2 in the standard).
     ///
-    /// The region around lag zero in which the function stays above the threshold is followed from node to
-    /// node; lengths are those at which it crosses the threshold between two nodes, linearly.
+    /// A flood fill from lag zero covers the region in which the function exceeds the threshold. Lengths are
+    /// interpolated linearly between the nodes on both sides of the threshold.
     ///
     /// # Errors
     /// A threshold that is not between 0 and 1.
@@ -175,7 +175,7 @@ impl AreaCorrelation {
             for (di, dj) in [(1, 0), (-1, 0), (0, 1), (0, -1)] {
                 let (u, v) = (i + di, j + dj);
                 let Some(beyond) = self.at(u, v) else {
-                    // along an axis of a single node there is nothing to reach
+                    // a single node along an axis has no larger lags
                     reaches_edge |= (di != 0 && self.reach[0] > 0) || (dj != 0 && self.reach[1] > 0);
                     continue;
                 };
@@ -201,8 +201,8 @@ impl AreaCorrelation {
     }
 }
 
-/// From the transform of `z + i w` (heights and weights) that of the correlations of `z` and of `w`, as real
-/// and imaginary part.
+/// Transforms of the correlations of `z` and `w`, as real and imaginary part, from that of `z + i w` (heights
+/// and weights).
 fn powers(field: &[Complex64], [nx, ny]: [usize; 2]) -> Vec<Complex64> {
     (0..field.len())
         .map(|k| {

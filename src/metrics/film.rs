@@ -4,14 +4,13 @@ use super::ellipse::Ellipse;
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Share of the Hertz radii within which the mean film is taken.
+/// Share of the Hertz radii that bounds the central region.
 pub(crate) const CENTRAL: f64 = 2.0 / 3.0;
 
-/// Mean film \[m\] of the centre: that of `max(film, 0)` over the nodes with
-/// `(x/a_x)^2 + (y/a_y)^2 <= (2/3)^2`, for Hertz semi-axes `a_x`, `a_y` \[m\] centred on the origin of the
-/// grid.
+/// Mean central film \[m\]: the mean of `max(film, 0)` over the nodes with
+/// `(x/a_x)^2 + (y/a_y)^2 <= (2/3)^2`, for Hertz semi-axes `a_x`, `a_y` \[m\] at the origin of the grid.
 ///
-/// Negative gaps (surfaces that overlap in a solution with errors) count as zero.
+/// Negative gaps (overlaps in a solution with errors) count as zero.
 /// Source: Zhu, D. and Hu, Y. Z. (2001), Tribology Transactions 44, 383-390 (the two-thirds region).
 ///
 /// # Errors
@@ -29,7 +28,7 @@ pub fn mean_central_film(grid: &Grid, film: &[f64], a_x: f64, a_y: f64) -> Resul
     mean_central_film_in(grid, film, &Ellipse::upright(a_x, a_y)?)
 }
 
-/// The same of an ellipse that may be turned.
+/// Mean central film for an ellipse at any angle.
 pub(crate) fn mean_central_film_in(grid: &Grid, film: &[f64], ellipse: &Ellipse) -> Result<f64, InputError> {
     grid.require_field("film", film)?;
     let (mut sum, mut count) = (0.0, 0_usize);
@@ -48,12 +47,12 @@ pub(crate) fn mean_central_film_in(grid: &Grid, film: &[f64], ellipse: &Ellipse)
     Ok(sum / count as f64)
 }
 
-/// Whether the point lies in the region of the average film.
+/// Whether the point lies in the central region.
 pub(crate) fn is_central(x: f64, y: f64, ellipse: &Ellipse) -> bool {
     ellipse.radius_squared(x, y) <= CENTRAL * CENTRAL
 }
 
-/// Smallest film \[m\] among the nodes that carry `pressure` > 0; `None` when none does.
+/// Smallest film \[m\] among the nodes with `pressure` > 0; `None` without such nodes.
 ///
 /// # Errors
 /// Slices of different lengths, values that are not finite.
@@ -71,8 +70,7 @@ pub fn minimum_film(film: &[f64], pressure: &[f64]) -> Result<Option<f64>, Input
     Ok(loaded.map(|(&h, _)| h).min_by(f64::total_cmp))
 }
 
-/// Smallest value \[m\] of a gap as it is, negative ones included: how far the surfaces of a solution
-/// overlap.
+/// Smallest value \[m\] of a gap, including negative values: the largest overlap of the surfaces.
 ///
 /// # Errors
 /// An empty slice, a value that is not finite.
@@ -91,7 +89,7 @@ pub fn minimum_gap(gap: &[f64]) -> Result<f64, InputError> {
     })
 }
 
-/// Film over roughness, `film / composite_rq`; infinite for a film between perfectly smooth surfaces.
+/// Film over roughness, `film / composite_rq`; infinite for perfectly smooth surfaces.
 ///
 /// # Errors
 /// A film or a roughness that is negative or not finite; both zero.

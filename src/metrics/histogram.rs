@@ -20,14 +20,14 @@ pub struct HeightHistogram {
     pub lowest: f64,
     /// Width of a class \[m\].
     pub width: f64,
-    /// Density of each class \[1/m\]; times the width they add up to 1.
+    /// Density of each class \[1/m\]; the sum times the width is 1.
     pub density: Vec<f64>,
 }
 
 /// Histogram of `heights` \[m\] in `classes` classes from the lowest to the highest.
 ///
 /// # Errors
-/// No heights, one that is not finite, all of them equal, no class or more than 2^20.
+/// No heights, a height that is not finite, equal heights, no classes or more than 2^20.
 ///
 /// ```
 /// let histogram = stribeck::metrics::height_histogram(&[0.0, 1.0, 1.5, 4.0], 2)?;

@@ -1,4 +1,4 @@
-//! Parameters of slope and area (ISO 25178-2).
+//! Hybrid parameters: slope and area (ISO 25178-2).
 
 use super::mask::Mask;
 use crate::error::InputError;
@@ -14,7 +14,7 @@ use crate::grid::Grid;
 /// let grid = Grid::centred(64, 8, 1e-6, 1e-6)?;
 /// let wave: Vec<f64> = grid.nodes().map(|(x, _)| 1e-7 * (x * std::f64::consts::TAU / 64e-6).sin()).collect();
 /// let slope = hybrid_parameters(&grid, &wave, None)?.sdq;
-/// // Of a sine: its amplitude times its wave number over the root of two.
+/// // For a sine: amplitude times wave number over the square root of two.
 /// let exact = 1e-7 * std::f64::consts::TAU / 64e-6 / 2.0_f64.sqrt();
 /// assert!((slope / exact - 1.0).abs() < 0.01);
 /// # Ok::<(), stribeck::InputError>(())
@@ -30,9 +30,9 @@ pub struct HybridParameters {
 
 /// Gradient and developed area of `heights` \[m\] on `grid`, where `defined` (`None`: everywhere).
 ///
-/// Slopes are differences between neighbours, each direction averaged over all its pairs of defined points.
-/// The area of the cell between four defined points is the mean of its two triangulations. Both grow with the
-/// resolution of a surface that is rough at every scale: filter first.
+/// Slopes are differences between neighbors, averaged along each axis over all pairs of defined points. The
+/// area of the cell between four defined points is the mean of its two triangulations. On surfaces that are
+/// rough at all scales both parameters grow with the resolution; filter first.
 ///
 /// # Errors
 /// Slices that do not fit the grid, a defined height that is not finite, no two defined neighbours.
@@ -80,7 +80,7 @@ pub fn hybrid_parameters(
     if along_x.count + along_y.count == 0 {
         return Err(InputError::Conflict {
             field: "heights".to_owned(),
-            reason: "no two neighbours are defined, so there is no slope".to_owned(),
+            reason: "slopes need two defined neighbors".to_owned(),
         });
     }
     Ok(HybridParameters { sdq: (along_x.value() + along_y.value()).sqrt(), sdr: area.value() })
@@ -91,7 +91,7 @@ fn excess(squared: f64) -> f64 {
     squared / ((1.0 + squared).sqrt() + 1.0)
 }
 
-/// A mean of what is defined.
+/// A running mean.
 #[derive(Default)]
 struct Mean {
     /// Sum of the values.
@@ -101,13 +101,13 @@ struct Mean {
 }
 
 impl Mean {
-    /// Counts one more value.
+    /// Adds a value.
     fn add(&mut self, value: f64) {
         self.sum += value;
         self.count += 1;
     }
 
-    /// Zero of nothing.
+    /// The mean, or zero without values.
     fn value(&self) -> f64 {
         self.sum / self.count.max(1) as f64
     }

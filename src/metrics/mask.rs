@@ -1,18 +1,19 @@
-//! Heights of which some are undefined.
+//! Heights with undefined points.
 
 use super::roughness::mean;
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Which points are defined.
+/// Defined points of a field.
 #[derive(Clone, Copy)]
 pub(super) struct Mask<'a> {
-    /// Which points are defined; none where all are.
+    /// Flags of the defined points; `None` if all are defined.
     defined: Option<&'a [bool]>,
 }
 
 impl<'a> Mask<'a> {
-    /// Error unless both slices fit the grid and the defined heights, one at least, are finite.
+    /// Checks that both slices fit the grid and that at least one height is defined and all defined ones are
+    /// finite.
     pub(super) fn new(grid: &Grid, heights: &[f64], defined: Option<&'a [bool]>) -> Result<Self, InputError> {
         InputError::require_len("heights", heights, grid.len())?;
         if let Some(flags) = defined {
@@ -28,7 +29,7 @@ impl<'a> Mask<'a> {
         Ok(mask)
     }
 
-    /// Whether value `k` counts.
+    /// Whether point `k` is defined.
     pub(super) fn has(&self, k: usize) -> bool {
         self.defined.is_none_or(|flags| flags[k])
     }

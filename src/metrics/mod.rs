@@ -1,7 +1,6 @@
-//! Numbers that describe surfaces, films and contacts: pure functions of field slices and a
-//! [`Grid`](crate::Grid).
+//! Parameters of surfaces, films and contacts: pure functions of field slices and a [`Grid`](crate::Grid).
 //!
-//! | file | what |
+//! | file | content |
 //! |---|---|
 //! | roughness | [`height_statistics`], [`composite_rq`] |
 //! | bearing | [`BearingCurve`], [`CoreParameters`], [`VolumeParameters`] (ISO 25178-2) |
@@ -14,7 +13,7 @@
 //! | patches | [`contact_patches`] |
 //! | friction | [`viscous_shear_into`], [`friction_coefficient`] |
 //!
-//! Nothing here knows a solver: the fields may come from a simulation, a file or a measurement.
+//! The functions are independent of solvers: fields may come from a simulation, a file or a measurement.
 
 mod bearing;
 mod contact;

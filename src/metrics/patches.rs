@@ -1,11 +1,10 @@
-//! Patches of contact.
+//! Connected contact patches.
 
 use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Share of the perimeter times the spacing by which whole cells exceed the true contact,
-/// `(pi - 1 + ln 2) / 24`.
+/// Excess area of whole cells per perimeter and spacing, `(pi - 1 + ln 2) / 24`.
 const PERIMETER_CORRECTION: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
 
 /// Connected patches of a contact.
@@ -19,7 +18,7 @@ const PERIMETER_CORRECTION: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts
 /// let disc: Vec<bool> = grid.nodes().map(|(x, y)| x.hypot(y) < 2e-5).collect();
 /// let patches = contact_patches(&grid, &disc, Boundary::Open)?;
 /// assert_eq!(patches.areas.len(), 1);
-/// // The perimeter of the cells is that of the square around the disc.
+/// // The perimeter of the cells equals that of the enclosing square.
 /// assert!((patches.perimeter / 160e-6 - 1.0).abs() < 0.03);
 /// assert!(patches.corrected_area < patches.areas[0]);
 /// # Ok::<(), stribeck::InputError>(())
@@ -29,19 +28,19 @@ const PERIMETER_CORRECTION: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts
 pub struct ContactPatches {
     /// Area of each patch \[m^2\], the largest first.
     pub areas: Vec<f64>,
-    /// Length of all edges between a node in contact and one that is not \[m\]; edges of an open grid do not
-    /// count.
+    /// Length of all edges between a node in contact and one that is not \[m\], without the edges of an open
+    /// grid.
     pub perimeter: f64,
-    /// Contact area \[m^2\] without the surplus of whole cells along the perimeter.
+    /// Contact area \[m^2\] with edge correction.
     pub corrected_area: f64,
 }
 
-/// Patches of the nodes flagged `in_contact`; nodes that share an edge belong together, across the border of
-/// a periodic grid too.
+/// Patches of the nodes flagged `in_contact`. Nodes that share an edge are connected, across the border of a
+/// periodic grid too.
 ///
-/// On a grid the contact area is too large by a share of its perimeter, since cells that are touched in part
-/// count whole: `A = A_cells - (pi - 1 + ln 2)/24 * sum of dx dy over the edges`. The correction makes the
-/// area converge faster with the mesh; it is meant for patches of several cells, and is not below zero.
+/// Partly covered cells count as a whole, which overestimates the contact area by a share of the perimeter:
+/// `A = A_cells - (pi - 1 + ln 2)/24 * sum of dx dy over the edges`. The corrected area converges faster with
+/// the mesh. It is meant for patches of several cells, and is at least zero.
 ///
 /// Source: Yastrebov, V. A., Anciaux, G. and Molinari, J.-F. (2017), Tribology International 114, 161-171.
 ///
@@ -97,7 +96,7 @@ pub fn contact_patches(
     })
 }
 
-/// The neighbours left, right, below and above node `k`.
+/// The neighbors to the left and right of, below and above node `k`.
 fn neighbours(grid: &Grid, k: usize, boundary: Boundary) -> [Option<usize>; 4] {
     let (nx, ny) = (grid.nx(), grid.ny());
     let (i, j) = (k % nx, k / nx);

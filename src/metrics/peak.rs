@@ -3,15 +3,15 @@
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Share of the largest value that its neighbours must reach for a peak to count as resolved.
+/// Ratio of the neighbors to the largest value above which a peak counts as resolved.
 const RESOLVED: f64 = 0.9;
 
-/// Peak of a field that is not negative: its largest value, plus what parabolas along x and y through that
-/// node and its neighbours rise above it, `(f_+ - f_-)^2 / (8 (2 f_0 - f_+ - f_-))` each.
+/// Interpolated peak of a non-negative field: its largest value, plus the rise of parabolas along x and y
+/// through that node and its neighbors, `(f_+ - f_-)^2 / (8 (2 f_0 - f_+ - f_-))` each.
 ///
-/// On a smooth field this removes the error of second order that is left because no node sits on the peak. A
-/// direction in which a neighbour is missing or lower than nine tenths of the largest value adds nothing:
-/// such a peak is not resolved.
+/// On a smooth field the interpolation removes the second-order error due to the offset of the peak from the
+/// nodes. A direction in which a neighbor is missing or below nine tenths of the largest value adds nothing,
+/// as the peak is not resolved.
 ///
 /// # Errors
 /// A field that does not fit the grid or is not finite.

@@ -2,7 +2,7 @@
 
 use crate::error::InputError;
 
-/// Moments and extremes of the heights of a surface about their mean. Nothing is levelled or filtered first.
+/// Moments and extremes of the heights of a surface about their mean, without leveling or filtering.
 ///
 /// # Examples
 ///
@@ -10,14 +10,14 @@ use crate::error::InputError;
 /// use stribeck::metrics::height_statistics;
 /// let wave: Vec<f64> = (0..64).map(|i| (f64::from(i) * std::f64::consts::TAU / 64.0).sin()).collect();
 /// let statistics = height_statistics(&wave)?;
-/// assert!((statistics.sq - 0.5_f64.sqrt()).abs() < 1e-12); // of a sine
+/// assert!((statistics.sq - 0.5_f64.sqrt()).abs() < 1e-12); // for a sine
 /// assert!((statistics.sku - 1.5).abs() < 1e-12 && statistics.ssk.abs() < 1e-12);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct HeightStatistics {
-    /// Mean height \[m\], which the others are taken about.
+    /// Mean height \[m\], the reference of the other parameters.
     pub mean: f64,
     /// Arithmetic mean deviation `mean |z|` \[m\].
     pub sa: f64,
@@ -35,10 +35,9 @@ pub struct HeightStatistics {
     pub sz: f64,
 }
 
-/// Height parameters of `heights` \[m\]: population moments (division by the number of values) after removal
-/// of the mean.
+/// Height parameters of `heights` \[m\]: population moments (divided by the number of values) about the mean.
 ///
-/// A surface whose deviations are mere rounding of its mean counts as flat.
+/// A surface counts as flat if its deviations are below the rounding error of the mean.
 ///
 /// # Errors
 /// An empty slice, a height that is not finite.
@@ -77,14 +76,14 @@ pub fn height_statistics(heights: &[f64]) -> Result<HeightStatistics, InputError
     })
 }
 
-/// Mean of some heights; a second pass removes the rounding of the first.
+/// Mean of heights; a second pass removes the rounding error of the first.
 pub(super) fn mean(heights: impl Iterator<Item = f64> + Clone) -> f64 {
     let count = heights.clone().count() as f64;
     let rough: f64 = heights.clone().map(|z| z / count).sum();
     rough + heights.map(|z| (z - rough) / count).sum::<f64>()
 }
 
-/// Skewness and kurtosis, from scaled heights so that nanometres to the fourth power do not underflow.
+/// Skewness and kurtosis of scaled heights, as fourth powers of nanometers would underflow.
 fn shape(heights: &[f64], mean: f64, sq: f64) -> (f64, f64) {
     let (mut third, mut fourth) = (0.0, 0.0);
     for height in heights {
@@ -95,7 +94,7 @@ fn shape(heights: &[f64], mean: f64, sq: f64) -> (f64, f64) {
     (third / heights.len() as f64, fourth / heights.len() as f64)
 }
 
-/// Error unless there is at least one height and all are finite.
+/// Rejects empty slices and heights that are not finite.
 pub(super) fn require_heights(heights: &[f64]) -> Result<(), InputError> {
     if heights.is_empty() {
         return Err(InputError::Shape { field: "heights".to_owned(), expected: 1, found: 0 });

@@ -35,13 +35,13 @@ pub enum Axis {
     Y,
 }
 
-/// A density over wavenumbers `q = 2 pi / wavelength`.
+/// A density over wave numbers `q = 2 pi / wavelength`.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Spectrum {
-    /// Wavenumbers \[1/m\], rising, zero left out.
+    /// Wave numbers \[1/m\], increasing, without zero.
     pub wavenumber: Vec<f64>,
-    /// Density: \[m^4\] of an area, \[m^3\] of profiles.
+    /// Density: \[m^4\] for areas, \[m^3\] for profiles.
     pub density: Vec<f64>,
 }
 
@@ -49,9 +49,9 @@ pub struct Spectrum {
 /// `h(q) = dx dy sum z exp(-i q x)` and A the area: `Sq^2 = 1/(4 pi^2)` times the integral of C over the
 /// plane of q.
 ///
-/// Rings are as wide as the smaller of the two wavenumber steps and reach to the smaller of the two Nyquist
-/// wavenumbers. An open surface is weighted with the product of two Hann windows of mean square 1 first, so
-/// that its edges do not add a spectrum of steps.
+/// Rings are as wide as the smaller of the two wave-number steps and extend to the smaller of the two Nyquist
+/// wave numbers. An open surface is first weighted with the product of two Hann windows of mean square 1,
+/// which suppresses the spectrum of its edges.
 ///
 /// Source: Jacobs, T. D. B., Junge, T. and Pastewka, L. (2017), Surface Topography: Metrology and Properties
 /// 5, 013001.
@@ -95,8 +95,8 @@ pub fn radial_spectrum(grid: &Grid, heights: &[f64], boundary: Boundary) -> Resu
     Ok(Spectrum { wavenumber, density })
 }
 
-/// Mean of the one-sided wavenumbers' density `C(q) = |h(q)|^2 / L` of all profiles along `axis` \[m^3\],
-/// with `h(q) = d sum z exp(-i q x)` and L their length: `Rq^2 = 1/pi` times the integral of C over q > 0.
+/// Mean of the one-sided density `C(q) = |h(q)|^2 / L` of all profiles along `axis` \[m^3\], with
+/// `h(q) = d sum z exp(-i q x)` and the length L: `Rq^2 = 1/pi` times the integral of C over q > 0.
 ///
 /// Profiles of an open surface are weighted with a Hann window of mean square 1. The mean of the whole
 /// surface is removed.
@@ -128,7 +128,7 @@ pub fn profile_spectrum(
         Axis::Y => (ny, nx, grid.dy(), [Boundary::Periodic, boundary]),
     };
     require_nodes(if axis == Axis::X { "grid.nx" } else { "grid.ny" }, points)?;
-    // a transform of both axes and the sum of squares over one is the mean over its profiles (Parseval)
+    // transform of both axes, summed over one: the mean over its profiles (Parseval)
     let field = transformed(grid, heights, along, Fft2::new(nx, ny))?;
     let length = spacing * points as f64;
     let scale = spacing * spacing / length / (profiles * profiles) as f64;
@@ -137,7 +137,7 @@ pub fn profile_spectrum(
         let i = if axis == Axis::X { k % nx } else { k / nx };
         let folded = i.min(points - i);
         if folded > 0 {
-            // both signs of q share a value; the Nyquist wavenumber has one sign
+            // both signs of q share a value; the Nyquist wave number has one sign
             let share = if 2 * folded == points { 1.0 } else { 0.5 };
             density[folded - 1] += share * value.norm_sqr() * scale;
         }
@@ -151,7 +151,7 @@ fn require_nodes(field: &str, count: usize) -> Result<(), InputError> {
     InputError::require(count >= 4, field, count as f64, "at least 4 for a spectrum")
 }
 
-/// The transform of the deviations from the mean, windowed along the axes that are open.
+/// Transform of the deviations from the mean, windowed along open axes.
 fn transformed(
     grid: &Grid,
     heights: &[f64],
@@ -170,7 +170,7 @@ fn transformed(
     Ok(field)
 }
 
-/// Hann window of mean square 1, or ones.
+/// Hann window of mean square 1, or ones for a periodic axis.
 fn window(points: usize, boundary: Boundary) -> Vec<f64> {
     match boundary {
         Boundary::Periodic => vec![1.0; points],

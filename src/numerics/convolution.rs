@@ -7,7 +7,7 @@
 //! spectrum of the kernel, which holds the factor `1/(px py)` of the inverse, and transformed back. It costs
 //! `O(n log n)` and agrees with the direct sum to rounding.
 //!
-//! Rows and columns are held padded a few at a time: memory is that of the fields, not of the doubled grid.
+//! Rows and columns are padded a few at a time, so memory is that of the fields and not of the doubled grid.
 
 use std::fmt;
 use std::sync::Arc;
@@ -16,15 +16,15 @@ use num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftNum, FftPlanner};
 
-use super::lanes::{lanes_for, share_lines};
+use super::parallel::{chunk_count, for_each_chunk};
 use super::spectrum::Spectrum;
 use super::transpose::{BLOCK, transpose};
 
-/// A number that transforms are done in; fields are always of double precision.
+/// Floating-point type of the transforms; fields are always in double precision.
 pub(crate) trait Precision: FftNum + Default {
-    /// The nearest number of this precision.
+    /// The nearest value of this type.
     fn rounded(value: f64) -> Self;
-    /// The same number in double precision.
+    /// The value in double precision.
     fn wide(self) -> f64;
 }
 
@@ -52,7 +52,7 @@ impl Precision for f32 {
     }
 }
 
-/// What is fixed by grid and kernel: transforms and the spectrum of the kernel. Shared by `Arc`.
+/// Transforms and kernel spectrum, fixed by grid and kernel. Shared by `Arc`.
 #[derive(Clone)]
 pub(crate) struct ConvolutionPlan<T: Precision = f64> {
     /// Columns of a field.
@@ -63,15 +63,15 @@ pub(crate) struct ConvolutionPlan<T: Precision = f64> {
     padded_x: usize,
     /// Values of a padded column, `py`.
     padded_y: usize,
-    /// Real rows to half a spectrum.
+    /// Forward transform of real rows.
     rows_forward: Arc<dyn RealToComplex<T>>,
-    /// Half a spectrum to real rows.
+    /// Inverse transform to real rows.
     rows_inverse: Arc<dyn ComplexToReal<T>>,
-    /// Columns to their spectrum.
+    /// Forward transform of columns.
     columns_forward: Arc<dyn Fft<T>>,
-    /// And back.
+    /// Inverse transform of columns.
     columns_inverse: Arc<dyn Fft<T>>,
-    /// Spectrum of the kernel with the normalisation of the inverse folded in.
+    /// Spectrum of the kernel, including the normalization of the inverse transform.
     spectrum: Spectrum<T>,
 }
 
@@ -84,7 +84,7 @@ impl<T: Precision> fmt::Debug for ConvolutionPlan<T> {
     }
 }
 
-/// The smallest even number >= `n` with prime factors 2, 3 and 5 alone.
+/// The smallest even number >= `n` whose prime factors are 2, 3 and 5.
 pub(crate) fn fast_length(n: usize) -> usize {
     let mut candidate = n.max(2).next_multiple_of(2);
     loop {
@@ -108,22 +108,21 @@ impl ConvolutionPlan {
         Self::padded(nx, ny, [2 * nx - 1, 2 * ny - 1], kernel)
     }
 
-    /// The convolution on the periodic grid of the fields themselves, padded only to a fast length: every two
-    /// nodes see each other the shortest way round. A quarter of the cost.
+    /// Convolution on the periodic grid of the fields, padded only to a fast length, with minimum-image
+    /// distances. It costs a quarter of the zero-padded one.
     pub(crate) fn periodic(nx: usize, ny: usize, kernel: impl Fn(isize, isize) -> f64) -> Self {
         Self::padded(nx, ny, [nx, ny], kernel)
     }
 
-    /// The same in single precision, the kernel multiplied by `factor`: half the memory and about half the
-    /// time.
+    /// The plan in single precision with the kernel multiplied by `factor`: half of the memory and about half
+    /// of the time.
     pub(crate) fn to_single(&self, factor: f64) -> ConvolutionPlan<f32> {
         let mut plan = ConvolutionPlan::transforms([self.nx, self.ny], [self.padded_x, self.padded_y]);
         plan.spectrum = self.spectrum.map(|value| (factor * value) as f32);
         plan
     }
 
-    /// Plan on a padded grid of at least `least` values along each axis; a single row needs no padding
-    /// across.
+    /// Plan on a padded grid of at least `least` values along each axis; a single row is not padded across.
     fn padded(nx: usize, ny: usize, least: [usize; 2], kernel: impl Fn(isize, isize) -> f64) -> Self {
         let padded_y = if ny == 1 { 1 } else { fast_length(least[1]) };
         let mut plan = Self::transforms([nx, ny], [fast_length(least[0]), padded_y]);
@@ -134,25 +133,25 @@ impl ConvolutionPlan {
     /// Transform of the kernel, wrapped around the padded grid, times `1/(px py)`, column by column.
     fn kernel_spectrum(&self, kernel: impl Fn(isize, isize) -> f64) -> Vec<Complex<f64>> {
         let (half, px, py) = (self.half(), self.padded_x, self.padded_y);
-        let mut lane = Convolution::lane(self);
+        let mut workspace = Convolution::workspace(self);
         let mut line = vec![Complex::default(); half];
         let mut spectrum = vec![Complex::default(); half * py];
-        // Offsets wrap around; those that no two nodes have stay zero.
+        // Offsets wrap around; offsets beyond the grid stay zero.
         let offset = |i: usize, n: usize, period: usize| {
             let nearest = if 2 * i <= period { i as isize } else { i as isize - period as isize };
             (nearest.unsigned_abs() < n).then_some(nearest)
         };
         for j in 0..py {
             let Some(dj) = offset(j, self.ny, py) else { continue };
-            for (i, value) in lane.row.iter_mut().enumerate() {
+            for (i, value) in workspace.row.iter_mut().enumerate() {
                 *value = offset(i, self.nx, px).map_or(0.0, |di| kernel(di, dj));
             }
-            self.forward_row(&mut lane.row, &mut line, &mut lane.scratch);
+            self.forward_row(&mut workspace.row, &mut line, &mut workspace.scratch);
             for (kx, value) in line.iter().enumerate() {
                 spectrum[kx * py + j] = *value;
             }
         }
-        self.columns_forward.process_with_scratch(&mut spectrum, &mut lane.scratch);
+        self.columns_forward.process_with_scratch(&mut spectrum, &mut workspace.scratch);
         let scale = 1.0 / (px as f64 * py as f64);
         for value in &mut spectrum {
             *value *= scale;
@@ -162,7 +161,7 @@ impl ConvolutionPlan {
 }
 
 impl<T: Precision> ConvolutionPlan<T> {
-    /// The transforms, without a kernel yet.
+    /// The transforms with an empty kernel spectrum.
     fn transforms([nx, ny]: [usize; 2], [padded_x, padded_y]: [usize; 2]) -> Self {
         let mut real = RealFftPlanner::new();
         let mut complex = FftPlanner::new();
@@ -179,9 +178,9 @@ impl<T: Precision> ConvolutionPlan<T> {
         }
     }
 
-    /// The inverse of this convolution plus `own` times the field on its padded grid: one over the modulus of
-    /// the spectrum of the kernel and `own`. Of a periodic kernel that falls as `1/r` the inverse falls as
-    /// `1/r^3`, so that the images reach nothing but the edges.
+    /// Inverse of this convolution plus `own` times the identity on its padded grid: the reciprocal of the
+    /// spectrum's modulus plus `own`. For a periodic kernel that decays as `1/r` the inverse decays as
+    /// `1/r^3`, so that periodic images affect the edges only.
     pub(crate) fn inverse_with(&self, own: f64) -> Self {
         let mut plan = self.clone();
         let scale = 1.0 / (plan.padded_x as f64 * plan.padded_y as f64);
@@ -189,7 +188,7 @@ impl<T: Precision> ConvolutionPlan<T> {
         plan
     }
 
-    /// Values of the spectrum of a real row of `px` values: `px/2 + 1`.
+    /// Length of the spectrum of a real row of `px` values: `px/2 + 1`.
     fn half(&self) -> usize {
         self.padded_x / 2 + 1
     }
@@ -200,9 +199,10 @@ impl<T: Precision> ConvolutionPlan<T> {
         debug_assert!(result.is_ok(), "buffers are sized by the plan");
     }
 
-    /// Row of a spectrum, `px` times as large as the one it is the spectrum of.
+    /// Real row from its spectrum, multiplied by `px`.
     fn inverse_row(&self, spectrum: &mut [Complex<T>], out: &mut [T], scratch: &mut [Complex<T>]) {
-        // The imaginary parts of the first and last entry vanish up to rounding; realfft insists on zero.
+        // The imaginary parts of the first and last entry are zero up to rounding; realfft requires exact
+        // zeros.
         let last = self.half() - 1;
         spectrum[0].im = T::zero();
         spectrum[last].im = T::zero();
@@ -211,33 +211,33 @@ impl<T: Precision> ConvolutionPlan<T> {
     }
 }
 
-/// A plan with buffers of its own; cloning shares the plan.
+/// A plan with its own buffers; clones share the plan.
 pub(crate) struct Convolution<T: Precision = f64> {
     /// Transforms and kernel.
     plan: Arc<ConvolutionPlan<T>>,
-    /// What it writes to.
+    /// Buffers of a convolution.
     work: Buffers<T>,
 }
 
-/// What a convolution writes to, made once.
+/// Buffers of a convolution, allocated once.
 struct Buffers<T> {
-    /// Spectra of the rows, row by row.
+    /// Spectra of the rows.
     rows: Vec<Complex<T>>,
-    /// Column by column, without the padding.
+    /// Spectra of the columns, without the padding.
     columns: Vec<Complex<T>>,
-    /// One for each piece of the lines that are shared among threads.
-    lanes: Vec<Lane<T>>,
+    /// One workspace for each chunk of lines.
+    workspaces: Vec<Workspace<T>>,
 }
 
-/// What one thread needs.
-struct Lane<T> {
+/// Workspace of one thread.
+struct Workspace<T> {
     /// A padded row.
     row: Vec<T>,
     /// Spectra of a block of rows.
     spectra: Vec<Complex<T>>,
-    /// A block of padded columns, which stay in the cache from the rows to the product and back.
+    /// A block of padded columns, which stay in cache from the forward transform to the inverse.
     padded: Vec<Complex<T>>,
-    /// Work space of the transforms, the largest that any of them asks for.
+    /// Scratch memory of the transforms.
     scratch: Vec<Complex<T>>,
 }
 
@@ -260,34 +260,34 @@ impl<T: Precision> Convolution<T> {
         Self { plan, work }
     }
 
-    /// What is fixed.
+    /// The plan.
     pub(crate) fn plan(&self) -> &ConvolutionPlan<T> {
         &self.plan
     }
 
-    /// Takes another plan for fields and padding of the same sizes.
-    pub(crate) fn take(&mut self, plan: ConvolutionPlan<T>) {
+    /// Replaces the plan by one for the same field and padding sizes.
+    pub(crate) fn replace_plan(&mut self, plan: ConvolutionPlan<T>) {
         self.plan = Arc::new(plan);
     }
 
-    /// Buffers of a plan, all zero.
+    /// Zeroed buffers of a plan.
     fn buffers(plan: &ConvolutionPlan<T>) -> Buffers<T> {
         Buffers {
             rows: vec![Complex::default(); plan.half() * plan.ny],
             columns: vec![Complex::default(); plan.half() * plan.ny],
-            lanes: (0..lanes_for(plan.nx * plan.ny)).map(|_| Self::lane(plan)).collect(),
+            workspaces: (0..chunk_count(plan.nx * plan.ny)).map(|_| Self::workspace(plan)).collect(),
         }
     }
 
-    /// Buffers of one thread.
-    fn lane(plan: &ConvolutionPlan<T>) -> Lane<T> {
+    /// Workspace of one thread.
+    fn workspace(plan: &ConvolutionPlan<T>) -> Workspace<T> {
         let scratch = plan
             .rows_forward
             .get_scratch_len()
             .max(plan.rows_inverse.get_scratch_len())
             .max(plan.columns_forward.get_inplace_scratch_len())
             .max(plan.columns_inverse.get_inplace_scratch_len());
-        Lane {
+        Workspace {
             row: vec![T::zero(); plan.padded_x],
             spectra: vec![Complex::default(); plan.half() * plan.ny.min(BLOCK)],
             padded: vec![Complex::default(); plan.half().min(BLOCK) * plan.padded_y],
@@ -295,51 +295,53 @@ impl<T: Precision> Convolution<T> {
         }
     }
 
-    /// Overwrites `out` with the convolution of `field`. Both must hold `nx * ny` values: the callers check.
-    /// Lines are transformed one by one, whichever thread does it: the result does not depend on their
-    /// number.
+    /// Overwrites `out` with the convolution of `field`. Both must hold `nx * ny` values, which the callers
+    /// check. Each line is transformed by one thread, so the result does not depend on the number of threads.
     pub(crate) fn apply(&mut self, field: &[f64], out: &mut [f64]) {
         self.apply_scaled(field, [1.0, 1.0], out);
     }
 
-    /// The same with the field multiplied by the first factor before and by the second one after: what keeps
-    /// numbers of any size within single precision.
+    /// Convolution with the field multiplied by the first factor before and by the second one after, to stay
+    /// in the range of single precision.
     pub(crate) fn apply_scaled(&mut self, field: &[f64], [before, after]: [f64; 2], out: &mut [f64]) {
         let plan = &*self.plan;
-        let Buffers { rows, columns, lanes } = &mut self.work;
+        let Buffers { rows, columns, workspaces } = &mut self.work;
         let (nx, ny, half, py) = (plan.nx, plan.ny, plan.half(), plan.padded_y);
-        share_lines(lanes, rows, half, |first, rows, lane| {
+        // forward transform of the padded rows
+        for_each_chunk(workspaces, rows, half, |first, rows, workspace| {
             for (row, spectrum) in field[first * nx..].chunks_exact(nx).zip(rows.chunks_exact_mut(half)) {
-                for (own, value) in lane.row.iter_mut().zip(row) {
+                for (own, value) in workspace.row.iter_mut().zip(row) {
                     *own = T::rounded(before * value);
                 }
-                lane.row[nx..].fill(T::zero());
-                plan.forward_row(&mut lane.row, spectrum, &mut lane.scratch);
+                workspace.row[nx..].fill(T::zero());
+                plan.forward_row(&mut workspace.row, spectrum, &mut workspace.scratch);
             }
         });
-        share_lines(lanes, columns, ny, |first, columns, lane| {
+        // columns: forward transform, product with the kernel, inverse transform
+        for_each_chunk(workspaces, columns, ny, |first, columns, workspace| {
             for (block, columns) in columns.chunks_mut(BLOCK * ny).enumerate() {
                 let first = first + block * BLOCK;
-                let padded = &mut lane.padded[..columns.len() / ny * py];
+                let padded = &mut workspace.padded[..columns.len() / ny * py];
                 transpose(rows, half, first, padded, py, ny);
                 for (kx, (column, kept)) in
                     (first..).zip(padded.chunks_exact_mut(py).zip(columns.chunks_exact_mut(ny)))
                 {
                     column[ny..].fill(Complex::default());
-                    plan.columns_forward.process_with_scratch(column, &mut lane.scratch);
+                    plan.columns_forward.process_with_scratch(column, &mut workspace.scratch);
                     plan.spectrum.multiply(kx, column);
-                    plan.columns_inverse.process_with_scratch(column, &mut lane.scratch);
+                    plan.columns_inverse.process_with_scratch(column, &mut workspace.scratch);
                     kept.copy_from_slice(&column[..ny]);
                 }
             }
         });
-        share_lines(lanes, out, nx, |first, out, lane| {
+        // inverse transform of the rows
+        for_each_chunk(workspaces, out, nx, |first, out, workspace| {
             for (block, out) in out.chunks_mut(BLOCK * nx).enumerate() {
-                let spectra = &mut lane.spectra[..out.len() / nx * half];
+                let spectra = &mut workspace.spectra[..out.len() / nx * half];
                 transpose(columns, ny, first + block * BLOCK, spectra, half, half);
                 for (row, spectrum) in out.chunks_exact_mut(nx).zip(spectra.chunks_exact_mut(half)) {
-                    plan.inverse_row(spectrum, &mut lane.row, &mut lane.scratch);
-                    for (value, own) in row.iter_mut().zip(&lane.row) {
+                    plan.inverse_row(spectrum, &mut workspace.row, &mut workspace.scratch);
+                    for (value, own) in row.iter_mut().zip(&workspace.row) {
                         *value = after * own.wide();
                     }
                 }
@@ -376,7 +378,7 @@ mod tests {
     }
 
     #[test]
-    fn lanes_change_no_bit() {
+    fn results_are_bit_identical_for_any_number_of_chunks() {
         for (nx, ny) in [(64, 48), (33, 7), (5, 65), (40, 1)] {
             let kernel = |i: isize, j: isize| 1.0 / (1.0 + (i * i + 2 * j * j) as f64).sqrt();
             let plan = Arc::new(ConvolutionPlan::new(nx, ny, kernel));
@@ -386,10 +388,10 @@ mod tests {
             single.apply(&field, &mut expected);
             for count in [2, 3, 8, 100] {
                 let mut many = Convolution::new(Arc::clone(&plan));
-                many.work.lanes = (0..count).map(|_| Convolution::lane(&plan)).collect();
+                many.work.workspaces = (0..count).map(|_| Convolution::workspace(&plan)).collect();
                 let mut out = vec![f64::NAN; nx * ny];
                 many.apply(&field, &mut out);
-                assert_eq!(out, expected, "{nx} x {ny} in {count} lanes");
+                assert_eq!(out, expected, "{nx} x {ny} in {count} chunks");
             }
         }
     }

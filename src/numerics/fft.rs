@@ -1,30 +1,31 @@
 //! Fourier transforms of periodic fields.
 //!
-//! Complex fields of `nx` x `ny` values, row-major: `F[l, k] = sum f[j, i] exp(-+ 2 pi i (k i/nx + l j/ny))`,
-//! the upper sign forward. Both directions one after the other multiply a field by `nx ny`.
+//! Complex fields of `nx` x `ny` values, row-major: `F[l, k] = sum f[j, i] exp(-+ 2 pi i (k i/nx + l j/ny))`
+//! with the upper sign for the forward transform. A forward and an inverse transform multiply a field by
+//! `nx ny`.
 //!
-//! For real fields there is [`RealFft2`](super::RealFft2); spectra and correlations need whole complex ones.
+//! Real fields use [`RealFft2`](super::RealFft2); spectra and correlations need the complex transform.
 
 use std::sync::Arc;
 
 use num_complex::Complex64;
 use rustfft::{Fft, FftDirection, FftPlanner};
 
-/// Columns transformed together, so that the field is read in whole cache lines.
+/// Number of columns in a block, so that whole cache lines are read.
 const BLOCK: usize = 16;
 
-/// Transforms of `nx` x `ny` fields, row-major, both directions without normalisation.
+/// Transforms of row-major `nx` x `ny` fields, both directions without normalization.
 pub(crate) struct Fft2 {
     /// Columns.
     nx: usize,
     /// Rows.
     ny: usize,
-    /// Makes plans and keeps them.
+    /// Creates and caches plans.
     planner: FftPlanner<f64>,
 }
 
 impl Fft2 {
-    /// Transforms for one shape; plans are made where they are first needed.
+    /// Transforms for one shape; plans are created on first use.
     pub(crate) fn new(nx: usize, ny: usize) -> Self {
         Self { nx, ny, planner: FftPlanner::new() }
     }
@@ -42,27 +43,27 @@ impl Fft2 {
     }
 }
 
-/// A block of columns, each contiguous, with what their transform needs.
+/// A block of contiguous columns and the workspace of their transform.
 struct Columns {
     nx: usize,
     ny: usize,
     /// Transform of one column.
     plan: Arc<dyn Fft<f64>>,
-    /// The columns, one after the other.
+    /// The columns, one after another.
     values: Vec<Complex64>,
-    /// Work space of the transform.
+    /// Workspace of the transform.
     scratch: Vec<Complex64>,
 }
 
 impl Columns {
-    /// Room for blocks of columns of `ny` values.
+    /// Buffers for blocks of columns of `ny` values.
     fn new(planner: &mut FftPlanner<f64>, nx: usize, ny: usize, direction: FftDirection) -> Self {
         let plan = planner.plan_fft(ny, direction);
         let scratch = vec![Complex64::default(); plan.get_inplace_scratch_len()];
         Self { nx, ny, plan, values: Vec::new(), scratch }
     }
 
-    /// Takes the columns from `start` on.
+    /// Copies a block of columns, starting at `start`, from the field.
     fn gather(&mut self, field: &[Complex64], start: usize) {
         let width = BLOCK.min(self.nx - start);
         let ny = self.ny;
@@ -74,12 +75,12 @@ impl Columns {
         }
     }
 
-    /// Transforms the columns that were taken.
+    /// Transforms the block.
     fn transform(&mut self) {
         self.plan.process_with_scratch(&mut self.values, &mut self.scratch);
     }
 
-    /// Puts the columns back.
+    /// Copies the block back into the field.
     fn scatter(&self, field: &mut [Complex64], start: usize) {
         let width = BLOCK.min(self.nx - start);
         for (j, row) in field.chunks_exact_mut(self.nx).enumerate() {

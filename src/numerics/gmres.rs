@@ -1,18 +1,19 @@
-//! Restart-free flexible GMRES in single precision, with buffers that are kept.
+//! Flexible GMRES without restarts, in single precision, with reusable buffers.
 //!
-//! After `k` steps the solution is `x = Z y` with the `y` that makes `|b - A Z y|` least, over the directions
-//! `Z` that the preconditioner gave so far. The norm of the residual falls from step to step and is known
+//! After `k` steps the solution is `x = Z y`, where `y` minimizes `|b - A Z y|` over the preconditioned
+//! directions `Z`. The residual norm does not increase from step to step and follows from the rotations,
 //! without forming the residual. Vectors and their products are in single precision, rotations in double.
 //!
-//! The basis of `limit + 1` vectors is made once; memory that no step reaches is not taken.
+//! The basis of `limit + 1` vectors is allocated once; the operating system commits memory only for the steps
+//! taken.
 
-/// Cosine of the rotation of a step below which it has left the residual as it was: its norm has fallen by
-/// half the square.
+/// Cosine of the rotation below which a step counts as stagnant: it reduced the residual norm by half the
+/// square of this value.
 const STAGNANT: f64 = 0.02;
 
-/// A linear operator with its preconditioner.
+/// A linear operator and its preconditioner.
 pub(crate) trait PreconditionedOperator {
-    /// Why a product could not be formed; it ends the solve.
+    /// Failure of a product; it ends the solve.
     type Error;
     /// `out = A x`.
     fn apply(&mut self, x: &[f32], out: &mut [f32]) -> Result<(), Self::Error>;
@@ -20,43 +21,43 @@ pub(crate) trait PreconditionedOperator {
     fn precondition(&mut self, r: &[f32], out: &mut [f32]) -> Result<(), Self::Error>;
 }
 
-/// Basis and rotations of a GMRES solve (Saad and Schultz 1986, SIAM J. Sci. Stat. Comput. 7, 856-869), the
-/// preconditioned basis kept as well (Saad 1993, SIAM J. Sci. Comput. 14, 461-469): the solution needs no
-/// further preconditioning. The preconditioner acts on the present residual in place of the last basis vector.
-/// If it is linear, both span the same space; if it is not, the next direction is then made of what the last
-/// one has left. After a step that left the residual as it was it acts on the basis vector, since the same
-/// residual would give the same direction again.
+/// Basis and rotations of a GMRES solve (Saad and Schultz 1986, SIAM J. Sci. Stat. Comput. 7, 856-869). The
+/// preconditioned basis is stored as well (Saad 1993, SIAM J. Sci. Comput. 14, 461-469), so the solution
+/// needs no further preconditioning. The preconditioner is applied to the current residual instead of the
+/// last basis vector. Both span the same space if the preconditioner is linear; if it is nonlinear, the
+/// residual gives a direction for the remaining error. After a stagnant step the preconditioner is applied to
+/// the basis vector, since an unchanged residual would reproduce the last direction.
 #[derive(Debug, Clone)]
 pub(crate) struct Gmres {
-    /// Orthonormal vectors `V`, one more than steps.
+    /// Orthonormal vectors `V`, one more than steps taken.
     basis: Vec<Vec<f32>>,
-    /// What the preconditioner made of them, `Z`: `A Z = V H`.
+    /// Preconditioned directions `Z` with `A Z = V H`.
     directions: Vec<Vec<f32>>,
-    /// `H`, made triangular by the rotations, row-major, `limit` columns.
+    /// `H`, triangularized by the rotations, row-major, `limit` columns.
     hessenberg: Vec<f64>,
-    /// Givens rotations, one a step.
+    /// Cosines of the Givens rotations, one per step.
     cosines: Vec<f64>,
-    /// The other half of the rotations.
+    /// Sines of the Givens rotations.
     sines: Vec<f64>,
-    /// Right-hand side of the triangular system; its last entry is the norm of the residual.
+    /// Right-hand side of the triangular system; the last entry is the residual norm.
     rhs: Vec<f64>,
-    /// The residual over its norm.
+    /// Normalized residual.
     residual: Vec<f32>,
     /// Largest number of steps.
     limit: usize,
 }
 
-/// How a linear solve ended.
+/// Outcome of a linear solve.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LinearOutcome {
-    /// Steps that were taken, a product each.
+    /// Number of steps, each with one product.
     pub(crate) steps: u64,
 }
 
 impl Gmres {
     /// Solver for vectors of at most `n` entries and at most `limit` steps.
     pub(crate) fn new(n: usize, limit: usize) -> Self {
-        // Zeroed memory is not backed by pages before it is written: what is not needed costs nothing.
+        // Zeroed memory is committed by the operating system on first write only.
         let vectors = |count: usize| (0..count).map(|_| vec![0.0; n]).collect();
         Self {
             basis: vectors(limit + 1),
@@ -88,26 +89,28 @@ impl Gmres {
         self.rhs.fill(0.0);
         self.rhs[0] = norm;
         let mut steps = 0;
+        // one Arnoldi step, one rotation, test of the residual norm
         while steps < self.limit {
-            let next_norm = self.extend(operator, steps, b.len())?;
-            let residual = self.rotate(steps, next_norm);
+            let next_norm = self.arnoldi_step(operator, steps, b.len())?;
+            let residual = self.apply_rotations(steps, next_norm);
             steps += 1;
             if residual <= tolerance * norm || next_norm == 0.0 || !residual.is_finite() {
                 break;
             }
-            self.follow_residual(steps - 1, b.len());
+            self.update_residual(steps - 1, b.len());
         }
-        self.assemble(steps, x);
+        self.compute_solution(steps, x);
         Ok(LinearOutcome { steps: steps as u64 })
     }
 
-    /// The shares of the directions in the solution that ended with `outcome`, in the order of their products.
-    pub(crate) fn shares(&self, outcome: LinearOutcome) -> &[f64] {
+    /// Coefficients of the solution in the directions of the solve with `outcome`, in the order of the steps.
+    pub(crate) fn coefficients(&self, outcome: LinearOutcome) -> &[f64] {
         &self.rhs[..outcome.steps as usize]
     }
 
-    /// One Arnoldi step with vectors of `n` entries; returns the norm of the new direction.
-    fn extend<O: PreconditionedOperator>(
+    /// One Arnoldi step with vectors of `n` entries; returns the norm of the new basis vector before
+    /// normalization.
+    fn arnoldi_step<O: PreconditionedOperator>(
         &mut self,
         operator: &mut O,
         step: usize,
@@ -118,6 +121,7 @@ impl Gmres {
         let stagnates = step > 0 && self.cosines[step - 1].abs() < STAGNANT;
         operator.precondition(&(if stagnates { &known[step] } else { &self.residual })[..n], direction)?;
         operator.apply(direction, next)?;
+        // modified Gram-Schmidt
         for (i, v) in known.iter().enumerate() {
             let v = &v[..n];
             let projection = dot(next, v);
@@ -136,8 +140,8 @@ impl Gmres {
         Ok(norm)
     }
 
-    /// Applies the Givens rotations to column `step`; returns the residual norm.
-    fn rotate(&mut self, step: usize, next_norm: f64) -> f64 {
+    /// Applies the previous Givens rotations to column `step` and adds a new one; returns the residual norm.
+    fn apply_rotations(&mut self, step: usize, next_norm: f64) -> f64 {
         let at = |i: usize| i * self.limit + step;
         for i in 0..step {
             let (upper, lower) = (self.hessenberg[at(i)], self.hessenberg[at(i + 1)]);
@@ -155,17 +159,16 @@ impl Gmres {
         self.rhs[step + 1].abs()
     }
 
-    /// The residual that step `step` leaves, over its norm: `q -> cosine v - sine q` with the new direction
-    /// `v`.
-    fn follow_residual(&mut self, step: usize, n: usize) {
+    /// Updates the normalized residual after `step`: `q -> cosine v - sine q` with the new basis vector `v`.
+    fn update_residual(&mut self, step: usize, n: usize) {
         let (cosine, sine) = (self.cosines[step] as f32, self.sines[step] as f32);
         for (q, v) in self.residual[..n].iter_mut().zip(&self.basis[step + 1]) {
             *q = cosine * v - sine * *q;
         }
     }
 
-    /// `x = Z y` with `y` from the triangular system.
-    fn assemble(&mut self, steps: usize, x: &mut [f32]) {
+    /// `x = Z y` with `y` from back substitution in the triangular system.
+    fn compute_solution(&mut self, steps: usize, x: &mut [f32]) {
         for i in (0..steps).rev() {
             let mut value = self.rhs[i];
             for l in i + 1..steps {
@@ -190,7 +193,7 @@ fn scaled(a: &[f32], factor: f32, out: &mut [f32]) {
     }
 }
 
-/// Scalar product in many sums side by side: one sum would wait for itself at every entry, and lose digits.
+/// Scalar product with 32 partial sums, which break the dependency chain and reduce rounding errors.
 fn dot(a: &[f32], b: &[f32]) -> f32 {
     let mut sums = [0.0; 32];
     let (mut left, mut right) = (a.chunks_exact(32), b.chunks_exact(32));
@@ -207,7 +210,7 @@ fn dot(a: &[f32], b: &[f32]) -> f32 {
 mod tests {
     use super::*;
 
-    /// Moves every entry to the next place: the residual stays as it is until the last step.
+    /// Cyclic shift: the residual stagnates until the last step.
     struct Shift;
 
     impl PreconditionedOperator for Shift {
@@ -226,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn goes_on_where_the_residual_does_not_fall() {
+    fn stagnant_residual_converges_in_n_steps() {
         const N: usize = 12;
         let mut b = [0.0; N];
         b[0] = 2.0;

@@ -1,26 +1,26 @@
-//! Numerical tools shared by the rooms above: convolution on the doubled grid, periodic transforms, sparse
-//! LU, tridiagonal elimination, GMRES, vectors.
+//! Numerical algorithms of the modules above: zero-padded convolution, periodic transforms, sparse LU,
+//! tridiagonal elimination, GMRES, vectors.
 //!
-//! All of it is private and knows nothing of contacts: fields are row-major slices, `k = j nx + i`, and only
-//! the rooms above give them units.
+//! The module is private and independent of contact mechanics. Fields are row-major slices without units,
+//! `k = j nx + i`.
 //!
-//! | look for | in |
+//! | topic | module |
 //! |---|---|
 //! | displacements `u = K p` of a field of pressures | `convolution`, its kernels in `spectrum` |
 //! | spectra of periodic complex and real fields | `fft`, `real_fft` |
-//! | the factorised part of Newton's preconditioner | `grid_lu` |
-//! | systems of a line, of given films and of the paper's sweeps | `tridiagonal` |
+//! | the factorized part of Newton's preconditioner | `grid_lu` |
+//! | tridiagonal systems of lines, prescribed films and the unified Reynolds model | `tridiagonal` |
 //! | the linear solve of a Newton step | `gmres` |
-//! | what runs on several threads | `lanes` |
+//! | multithreading | `parallel` |
 //!
-//! Callers check lengths; here they are taken for granted. Results do not depend on the number of threads:
-//! these share lines, never a sum.
+//! Callers check lengths. Results are bit-identical for any number of threads: threads share lines, no sum is
+//! split.
 
 mod convolution;
 mod fft;
 mod gmres;
 mod grid_lu;
-mod lanes;
+mod parallel;
 mod real_fft;
 mod spectrum;
 mod transpose;
@@ -31,7 +31,7 @@ pub(crate) use convolution::{Convolution, ConvolutionPlan, fast_length};
 pub(crate) use fft::Fft2;
 pub(crate) use gmres::{Gmres, PreconditionedOperator};
 pub(crate) use grid_lu::{GridLu, STENCIL};
-pub(crate) use lanes::{both, map_lines};
+pub(crate) use parallel::{join, map_lines};
 pub(crate) use real_fft::RealFft2;
 pub(crate) use tridiagonal::solve_tridiagonal;
 pub(crate) use vectors::{add_scaled, dot};

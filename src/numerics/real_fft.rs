@@ -1,7 +1,7 @@
 //! Fourier transforms of real periodic fields.
 //!
-//! The spectrum of a real field mirrors itself, `F[-l, -k] = conj F[l, k]`, so that `nx/2 + 1` columns hold
-//! all of it. Nothing is normalised: both directions one after the other multiply a field by `nx ny`.
+//! The spectrum of a real field is Hermitian, `F[-l, -k] = conj F[l, k]`, so `nx/2 + 1` columns represent it.
+//! Transforms are not normalized: a forward and an inverse transform multiply a field by `nx ny`.
 
 use std::sync::Arc;
 
@@ -9,33 +9,33 @@ use num_complex::Complex64;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftPlanner};
 
-use super::lanes::{lanes_for, share_lines};
+use super::parallel::{chunk_count, for_each_chunk};
 use super::transpose::{BLOCK, transpose};
 
-/// Transforms of real `nx` x `ny` fields, of which `nx / 2 + 1` columns of the spectrum tell all. Lines are
-/// transformed one by one, whichever thread does it: no bit depends on their number.
+/// Transforms of real `nx` x `ny` fields, with `nx / 2 + 1` columns of the spectrum. Each line is transformed
+/// by one thread, so results are bit-identical for any number of threads.
 pub(crate) struct RealFft2 {
     /// Columns.
     nx: usize,
     /// Rows.
     ny: usize,
-    /// Real rows to half a spectrum.
+    /// Forward transform of real rows.
     rows_forward: Arc<dyn RealToComplex<f64>>,
-    /// Half a spectrum to real rows.
+    /// Inverse transform to real rows.
     rows_inverse: Arc<dyn ComplexToReal<f64>>,
-    /// Columns to their spectrum.
+    /// Forward transform of columns.
     columns_forward: Arc<dyn Fft<f64>>,
-    /// And back.
+    /// Inverse transform of columns.
     columns_inverse: Arc<dyn Fft<f64>>,
 }
 
-/// What one thread needs.
-struct Lane {
+/// Workspace of one thread.
+struct Workspace {
     /// A row.
     row: Vec<f64>,
     /// Spectra of a block of rows, or a column.
     spectra: Vec<Complex64>,
-    /// Work space of the transforms.
+    /// Scratch memory of the transforms.
     scratch: Vec<Complex64>,
 }
 
@@ -53,82 +53,85 @@ impl RealFft2 {
         }
     }
 
-    /// Columns of the spectrum that are kept.
+    /// Number of stored columns of the spectrum.
     fn width(&self) -> usize {
         self.nx / 2 + 1
     }
 
-    /// Buffers for the threads that share lines of a field of this shape.
-    fn lanes(&self) -> Vec<Lane> {
+    /// Workspaces for the chunks of a field of this shape.
+    fn workspaces(&self) -> Vec<Workspace> {
         let scratch = self
             .rows_forward
             .get_scratch_len()
             .max(self.rows_inverse.get_scratch_len())
             .max(self.columns_forward.get_inplace_scratch_len())
             .max(self.columns_inverse.get_inplace_scratch_len());
-        let lane = |_| Lane {
+        let workspace = |_| Workspace {
             row: vec![0.0; self.nx],
             spectra: vec![Complex64::default(); (self.width() * self.ny.min(BLOCK)).max(self.ny)],
             scratch: vec![Complex64::default(); scratch],
         };
-        (0..lanes_for(self.nx * self.ny)).map(lane).collect()
+        (0..chunk_count(self.nx * self.ny)).map(workspace).collect()
     }
 
-    /// Overwrites `field` with its transform, changed by `each` and transformed back (without normalisation).
-    /// `each` gets the index of a wave in a quarter of `nx / 2 + 1` x `ny / 2 + 1` waves, and its value.
+    /// Transforms `field`, applies `each` to its spectrum, and transforms back (without normalization).
+    /// `each` receives a value and its index in the quarter of `nx / 2 + 1` x `ny / 2 + 1` wave vectors.
     pub(crate) fn filter(&self, field: &mut [f64], each: impl Fn(usize, &mut Complex64) + Sync) {
         let (nx, ny, width) = (self.nx, self.ny, self.width());
-        let mut lanes = self.lanes();
+        let mut workspaces = self.workspaces();
         let mut rows = vec![Complex64::default(); width * ny];
-        share_lines(&mut lanes, &mut rows, width, |first, rows, lane| {
+        // forward transform of the rows
+        for_each_chunk(&mut workspaces, &mut rows, width, |first, rows, workspace| {
             for (row, out) in field[first * nx..].chunks_exact(nx).zip(rows.chunks_exact_mut(width)) {
-                lane.row.copy_from_slice(row);
-                self.forward_row(lane, out);
+                workspace.row.copy_from_slice(row);
+                self.forward_row(workspace, out);
             }
         });
         let mut columns = vec![Complex64::default(); width * ny];
-        share_lines(&mut lanes, &mut columns, ny, |first, columns, lane| {
+        // columns: forward transform, filter, inverse transform
+        for_each_chunk(&mut workspaces, &mut columns, ny, |first, columns, workspace| {
             transpose(&rows, width, first, columns, ny, ny);
             for (i, column) in (first..).zip(columns.chunks_exact_mut(ny)) {
-                self.columns_forward.process_with_scratch(column, &mut lane.scratch);
+                self.columns_forward.process_with_scratch(column, &mut workspace.scratch);
                 for (j, value) in column.iter_mut().enumerate() {
                     each(j.min(ny - j) * width + i, value);
                 }
-                self.columns_inverse.process_with_scratch(column, &mut lane.scratch);
+                self.columns_inverse.process_with_scratch(column, &mut workspace.scratch);
             }
         });
-        share_lines(&mut lanes, field, nx, |first, field, lane| {
+        // inverse transform of the rows
+        for_each_chunk(&mut workspaces, field, nx, |first, field, workspace| {
             for (block, out) in field.chunks_mut(BLOCK * nx).enumerate() {
-                let spectra = &mut lane.spectra[..out.len() / nx * width];
+                let spectra = &mut workspace.spectra[..out.len() / nx * width];
                 transpose(&columns, ny, first + block * BLOCK, spectra, width, width);
                 for (row, spectrum) in out.chunks_exact_mut(nx).zip(spectra.chunks_exact_mut(width)) {
-                    self.inverse_row(spectrum, row, &mut lane.scratch);
+                    self.inverse_row(spectrum, row, &mut workspace.scratch);
                 }
             }
         });
     }
 
-    /// The first `kept_x` x `kept_y` values of the field whose spectrum, `nx / 2 + 1` columns of `ny` waves,
-    /// `fill` writes (without normalisation): `fill` gets the number of a column and the column, zero so far,
-    /// and tells whether it holds anything. Lines that are not kept are not transformed back.
+    /// The first `kept_x` x `kept_y` values of the field with a given spectrum (without normalization).
+    /// `fill` receives the index of one of `nx / 2 + 1` columns and the column of `ny` zeros, writes the
+    /// spectrum, and returns whether it is non-zero. Lines outside the kept part are not transformed.
     pub(crate) fn synthesise(
         &self,
         [kept_x, kept_y]: [usize; 2],
         fill: impl Fn(usize, &mut [Complex64]) -> bool + Sync,
     ) -> Vec<f64> {
         let (nx, ny, width) = (self.nx, self.ny, self.width());
-        let mut lanes = self.lanes();
+        let mut workspaces = self.workspaces();
         let mut columns = vec![Complex64::default(); width * ny];
-        share_lines(&mut lanes, &mut columns, ny, |first, columns, lane| {
+        for_each_chunk(&mut workspaces, &mut columns, ny, |first, columns, workspace| {
             for (i, column) in (first..).zip(columns.chunks_exact_mut(ny)) {
                 if fill(i, column) {
-                    self.columns_inverse.process_with_scratch(column, &mut lane.scratch);
+                    self.columns_inverse.process_with_scratch(column, &mut workspace.scratch);
                 }
             }
         });
         let mut field = vec![0.0; kept_x * kept_y];
-        share_lines(&mut lanes, &mut field, kept_x, |first, field, lane| {
-            let Lane { row: whole, spectra, scratch } = lane;
+        for_each_chunk(&mut workspaces, &mut field, kept_x, |first, field, workspace| {
+            let Workspace { row: whole, spectra, scratch } = workspace;
             for (block, out) in field.chunks_mut(BLOCK * kept_x).enumerate() {
                 let spectra = &mut spectra[..out.len() / kept_x * width];
                 transpose(&columns, ny, first + block * BLOCK, spectra, width, width);
@@ -141,59 +144,59 @@ impl RealFft2 {
         field
     }
 
-    /// Transform of a field that mirrors itself along both axes, given and returned as its `nx / 2 + 1` x
-    /// `ny / 2 + 1` first values. Both directions are the same.
+    /// Transform of a field that is symmetric about both axes, given and returned as its first `nx / 2 + 1` x
+    /// `ny / 2 + 1` values. The transform is its own inverse up to normalization.
     pub(crate) fn symmetric(&self, quarter: &[f64]) -> Vec<f64> {
         let (nx, ny, width) = (self.nx, self.ny, self.width());
         let height = ny / 2 + 1;
-        let mut lanes = self.lanes();
+        let mut workspaces = self.workspaces();
         let mut rows = vec![0.0; width * height];
-        share_lines(&mut lanes, &mut rows, width, |first, rows, lane| {
+        for_each_chunk(&mut workspaces, &mut rows, width, |first, rows, workspace| {
             let mut spectrum = vec![Complex64::default(); width];
             for (values, out) in
                 quarter[first * width..].chunks_exact(width).zip(rows.chunks_exact_mut(width))
             {
-                for (i, value) in lane.row.iter_mut().enumerate() {
+                for (i, value) in workspace.row.iter_mut().enumerate() {
                     *value = values[i.min(nx - i)];
                 }
-                self.forward_row(lane, &mut spectrum);
+                self.forward_row(workspace, &mut spectrum);
                 out.iter_mut().zip(&spectrum).for_each(|(out, value)| *out = value.re);
             }
         });
-        // transforms of mirrored columns are real, so two share one
+        // transforms of symmetric columns are real, so two share one complex transform
         let pairs = width.div_ceil(2);
         let mut columns = vec![0.0; 2 * pairs * height];
-        share_lines(&mut lanes, &mut columns, 2 * height, |first, columns, lane| {
+        for_each_chunk(&mut workspaces, &mut columns, 2 * height, |first, columns, workspace| {
             let last = width.min(2 * first + columns.len() / height) - 2 * first;
             transpose(&rows, width, 2 * first, &mut columns[..last * height], height, height);
             for pair in columns.chunks_exact_mut(2 * height) {
                 let (left, right) = pair.split_at_mut(height);
-                let column = &mut lane.spectra[..ny];
+                let column = &mut workspace.spectra[..ny];
                 for (j, value) in column.iter_mut().enumerate() {
                     let j = j.min(ny - j);
                     *value = Complex64::new(left[j], right[j]);
                 }
-                self.columns_forward.process_with_scratch(column, &mut lane.scratch);
+                self.columns_forward.process_with_scratch(column, &mut workspace.scratch);
                 for (j, value) in column[..height].iter().enumerate() {
                     (left[j], right[j]) = (value.re, value.im);
                 }
             }
         });
-        share_lines(&mut lanes, &mut rows, width, |first, rows, _| {
+        for_each_chunk(&mut workspaces, &mut rows, width, |first, rows, _| {
             transpose(&columns, height, first, rows, width, width);
         });
         rows
     }
 
-    /// Spectrum of the row in the lane.
-    fn forward_row(&self, lane: &mut Lane, out: &mut [Complex64]) {
-        let result = self.rows_forward.process_with_scratch(&mut lane.row, out, &mut lane.scratch);
+    /// Spectrum of the row in the workspace.
+    fn forward_row(&self, workspace: &mut Workspace, out: &mut [Complex64]) {
+        let result = self.rows_forward.process_with_scratch(&mut workspace.row, out, &mut workspace.scratch);
         debug_assert!(result.is_ok(), "lengths fit");
     }
 
-    /// Row of a spectrum, `nx` times as large as the one it is the spectrum of.
+    /// Real row from its spectrum, multiplied by `nx`.
     fn inverse_row(&self, spectrum: &mut [Complex64], out: &mut [f64], scratch: &mut [Complex64]) {
-        // these are real but for rounding
+        // real up to rounding; realfft requires exact zeros
         spectrum[0].im = 0.0;
         if self.nx.is_multiple_of(2) {
             spectrum[self.width() - 1].im = 0.0;
@@ -257,7 +260,7 @@ mod tests {
         for (nx, ny) in SHAPES {
             let width = nx / 2 + 1;
             let value = |i: usize, j: usize| Complex64::new((i as f64).sin() + 0.1, (j as f64 * 1.3).cos());
-            // half of the waves, the others conjugate to them; of the first and the middle column too
+            // half of the spectrum, the other half conjugate; also for the first and the middle column
             let spectrum = |i: usize, j: usize| match (2 * i).cmp(&nx) {
                 _ if i == 0 || 2 * i == nx => (value(i, j) + value(i, (ny - j) % ny).conj()) / 2.0,
                 std::cmp::Ordering::Less => value(i, j),

@@ -1,5 +1,5 @@
-//! The spectrum of the kernel of a convolution: half of it and real where the kernel is symmetric, products
-//! with spectra of fields, and its reciprocal.
+//! The spectrum of a convolution kernel: halved and real for symmetric kernels, its product with spectra of
+//! fields, and its reciprocal.
 
 use num_complex::Complex;
 
@@ -8,17 +8,17 @@ use super::convolution::Precision;
 /// Spectrum of a kernel, column by column (`[kx][ky]`).
 #[derive(Clone)]
 pub(super) enum Spectrum<T> {
-    /// Of a kernel that mirrors itself along both axes: real, the first half of each column.
+    /// Real and stored as the first half of each column, for kernels symmetric about both axes.
     Symmetric(Vec<T>),
-    /// Of any other kernel: whole columns.
+    /// Complex and stored whole, for all other kernels.
     General(Vec<Complex<T>>),
 }
 
-/// Share of the largest value below which a difference from a symmetric spectrum is rounding.
+/// Relative tolerance for asymmetry due to rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 impl Spectrum<f64> {
-    /// Of columns of `length` values.
+    /// Spectrum from columns of `length` values.
     pub(super) fn new(values: Vec<Complex<f64>>, length: usize) -> Self {
         let rounding = ROUNDING * values.iter().fold(0.0_f64, |largest, value| largest.max(value.norm()));
         let mirrored = |column: &[Complex<f64>]| {
@@ -35,7 +35,7 @@ impl Spectrum<f64> {
         }
     }
 
-    /// The same spectrum with `each` applied to real and imaginary parts.
+    /// Applies `each` to real and imaginary parts.
     pub(super) fn map<U: Precision>(&self, each: impl Fn(f64) -> U) -> Spectrum<U> {
         match self {
             Self::Symmetric(values) => Spectrum::Symmetric(values.iter().map(|&value| each(value)).collect()),
@@ -47,8 +47,8 @@ impl Spectrum<f64> {
 }
 
 impl<T: Precision> Spectrum<T> {
-    /// Puts `factor / (|K| + added)` in place of each value `K`; a value of zero counts as the smallest
-    /// normal number.
+    /// Replaces each value `K` by `factor / (|K| + added)`; a value of zero counts as the smallest normal
+    /// number.
     pub(super) fn reciprocal(&mut self, factor: f64, added: f64) {
         let reciprocal = |modulus: f64| T::rounded(factor / (modulus.max(f64::MIN_POSITIVE) + added));
         match self {
@@ -62,7 +62,7 @@ impl<T: Precision> Spectrum<T> {
         }
     }
 
-    /// Multiplies column `kx` of a field by that of the kernel.
+    /// Multiplies column `kx` of a field's spectrum by that of the kernel.
     pub(super) fn multiply(&self, kx: usize, column: &mut [Complex<T>]) {
         let length = column.len();
         match self {

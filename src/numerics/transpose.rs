@@ -1,13 +1,11 @@
-//! Fields seen the other way round.
+//! Blocked transposition of fields.
 //!
-//! Transforms along columns read them as lines: copied once in blocks that fit the cache, they are then
-//! contiguous.
+//! Transforms along columns copy them into contiguous lines, in blocks that fit the cache.
 
-/// Edge length of the square blocks in which fields are transposed: two blocks of complex numbers fit the
-/// first-level cache.
+/// Edge length of the square blocks: two blocks of complex numbers fit the first-level cache.
 pub(super) const BLOCK: usize = 16;
 
-/// Line `first + k` of `source`, seen the other way round, into line `k` of `lines`: `n` values, in blocks.
+/// Copies column `first + k` of `source` into line `k` of `lines`, `n` values each, block by block.
 pub(super) fn transpose<T: Copy>(
     source: &[T],
     source_stride: usize,

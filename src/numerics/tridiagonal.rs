@@ -1,11 +1,11 @@
 //! Tridiagonal systems.
 //!
-//! Elimination costs `O(n)` and needs no buffer of its own. Given films on one row of cells and the sweeps of
-//! the paper's contact have such systems.
+//! Elimination costs `O(n)` and needs no extra storage.
 
-/// Solves `below[i] x[i - 1] + diagonal[i] x[i] + above[i] x[i + 1] = rhs[i]` by elimination without exchange
-/// of rows (Thomas), which is stable for M-matrices. The solution replaces `rhs`; `above` is overwritten.
+/// Solves `below[i] x[i - 1] + diagonal[i] x[i] + above[i] x[i + 1] = rhs[i]` by elimination without pivoting
+/// (Thomas algorithm), which is stable for M-matrices. The solution replaces `rhs`; `above` is overwritten.
 pub(crate) fn solve_tridiagonal(below: &[f64], diagonal: &[f64], above: &mut [f64], rhs: &mut [f64]) {
+    // forward elimination
     let mut before = (0.0, 0.0);
     let rows = below.iter().zip(diagonal).zip(&mut *above).zip(&mut *rhs);
     for (((below, diagonal), above), rhs) in rows {
@@ -14,6 +14,7 @@ pub(crate) fn solve_tridiagonal(below: &[f64], diagonal: &[f64], above: &mut [f6
         *rhs = (*rhs - below * before.1) / pivot;
         before = (*above, *rhs);
     }
+    // back substitution
     let mut next = 0.0;
     for (rhs, above) in rhs.iter_mut().zip(above.iter()).rev() {
         *rhs -= above * next;

@@ -1,4 +1,4 @@
-//! What conjugate gradients do with vectors.
+//! Vector operations of iterative solvers.
 
 /// Scalar product.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {

@@ -1,13 +1,13 @@
-//! Elastic up to the hardness, perfectly plastic beyond.
+//! Elastic below the hardness, perfectly plastic at it.
 
 use super::PlasticityModel;
 use crate::error::InputError;
 
-/// The hardness is the limit: `H(h) = H_s - (H_s - H_t) clamp(h / h_ref, 0, 1)`, from that of the substrate
-/// to that of the film as the film grows to its reference thickness; no hardening with depth.
+/// Pressure limit at the hardness, without hardening: `H(h) = H_s - (H_s - H_t) clamp(h / h_ref, 0, 1)`, from
+/// the hardness of the substrate to that of a tribofilm of the reference thickness.
 ///
 /// Sources: perfect plasticity at the hardness: Almqvist, Sahlin, Larsson, Glavatskih (2007), Tribology
-/// International 40; linear fall of hardness with the film: Azam and co-workers (2019), Tribology
+/// International 40; hardness decreasing linearly with film thickness: Azam and co-workers (2019), Tribology
 /// International 135, 161-169.
 ///
 /// ```
@@ -26,14 +26,14 @@ use crate::error::InputError;
 pub struct ElasticPerfectlyPlastic {
     /// Hardness of the bare surface \[Pa\].
     substrate: f64,
-    /// What a full film takes off it \[Pa\].
+    /// Hardness of the substrate less that of the film \[Pa\].
     drop: f64,
-    /// One over the thickness of a full film \[1/m\].
+    /// Reciprocal of the reference thickness \[1/m\].
     per_thickness: f64,
 }
 
 impl ElasticPerfectlyPlastic {
-    /// One `hardness` \[Pa\] everywhere, whatever the film.
+    /// Uniform `hardness` \[Pa\], independent of the film.
     ///
     /// # Errors
     /// A hardness that is not finite and positive.
@@ -42,8 +42,8 @@ impl ElasticPerfectlyPlastic {
         Ok(Self { substrate: hardness, drop: 0.0, per_thickness: 0.0 })
     }
 
-    /// Hardness `substrate` \[Pa\] of the bare body, `film` \[Pa\] under a film of `reference_thickness`
-    /// \[m\] or more.
+    /// Hardness `substrate` \[Pa\] of the bare surface, and `film` \[Pa\] under a film of at least
+    /// `reference_thickness` \[m\].
     ///
     /// # Errors
     /// A value that is not finite and positive.

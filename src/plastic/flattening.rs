@@ -1,12 +1,12 @@
-//! Irreversible flattening: who gives way, and how much has been lost so far.
+//! Irreversible flattening: the share of each body in the overlap, and the accumulated depth.
 
 use crate::error::InputError;
 
-/// Limits closer than this, relative to the smaller, count as equal.
+/// Relative difference below which limits count as equal.
 const TIE: f64 = 1e-9;
 
-/// Splits the `overlap` \[m\] of a yielded node between two bodies with pressure limits `limits` \[Pa\]: all
-/// of it to the softer one, half each at a tie (limits equal to 1e-9). An overlap that is negative or NaN
+/// Splits the `overlap` \[m\] of a yielded node between two bodies with pressure limits `limits` \[Pa\]: the
+/// softer body takes all of it, or each half at equal limits (to 1e-9). An overlap that is negative or NaN
 /// counts as zero.
 ///
 /// ```
@@ -28,8 +28,8 @@ pub fn split_depth(overlap: f64, limits: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// [`split_depth`] for whole fields: overwrites `out` \[m\], one field a body, from `overlap` \[m\] and
-/// `limits` \[Pa\].
+/// [`split_depth`] for whole fields: overwrites `out` \[m\], one field for each body, from `overlap` \[m\]
+/// and `limits` \[Pa\].
 ///
 /// # Errors
 /// Slices of different length.
@@ -59,9 +59,8 @@ pub fn split_depth_into(
     Ok(())
 }
 
-/// The depth \[m\] by which one body has been flattened, node by node of its own surface. It only grows:
-/// elastic recovery is none of its business. Flattening truncates, the displaced volume is recorded and does
-/// not reappear.
+/// The depth \[m\] by which a body has been flattened, at the nodes of its own surface. It never decreases.
+/// Flattening truncates asperities: the displaced volume is recorded, but not redistributed.
 ///
 /// ```
 /// use stribeck::plastic::PlasticDepth;
@@ -84,19 +83,19 @@ impl Clone for PlasticDepth {
         Self { values: self.values.clone() }
     }
 
-    /// Copies into the buffers that are there.
+    /// Copies into the existing buffers.
     fn clone_from(&mut self, source: &Self) {
         self.values.clone_from(&source.values);
     }
 }
 
 impl PlasticDepth {
-    /// A body of `n_nodes` nodes that has not yielded yet.
+    /// A body of `n_nodes` nodes without plastic depth.
     pub fn new(n_nodes: usize) -> Self {
         Self { values: vec![0.0; n_nodes] }
     }
 
-    /// A body that has yielded by `values` \[m\] already.
+    /// A body with the plastic depth `values` \[m\].
     ///
     /// # Errors
     /// A depth that is negative or not finite.
@@ -107,16 +106,16 @@ impl PlasticDepth {
         Ok(Self { values })
     }
 
-    /// Depth of every node so far \[m\].
+    /// Plastic depth of every node \[m\].
     pub fn values(&self) -> &[f64] {
         &self.values
     }
 
-    /// Adds `increments` \[m\], one a node.
+    /// Adds `increments` \[m\], one for each node.
     ///
     /// # Errors
-    /// Another number of values than nodes, an increment that is negative or not finite; nothing is added
-    /// then.
+    /// A number of values that differs from the number of nodes, an increment that is negative or not finite.
+    /// The depth is then unchanged.
     pub fn add(&mut self, increments: &[f64]) -> Result<(), InputError> {
         InputError::require_len("plastic.increments", increments, self.values.len())?;
         InputError::require_finite("plastic.increments", increments)?;
@@ -129,7 +128,7 @@ impl PlasticDepth {
         Ok(())
     }
 
-    /// Volume flattened away \[m^3\] on cells of `cell_area` \[m^2\].
+    /// Displaced volume \[m^3\] on cells of `cell_area` \[m^2\].
     pub fn displaced_volume(&self, cell_area: f64) -> f64 {
         self.values.iter().sum::<f64>() * cell_area
     }

@@ -1,14 +1,14 @@
-//! Elastic up to a hardness that grows as the node is flattened.
+//! Elastic up to a hardness that grows with the plastic depth.
 
 use super::{ElasticPerfectlyPlastic, PlasticityModel};
 use crate::error::InputError;
 
-/// `H(h, d) = H_0(h) + M d`: the hardness of [`ElasticPerfectlyPlastic`] under the film `h`, and linear
-/// isotropic hardening with the plastic depth `d` in place of the plastic strain. A node that has carried a
-/// pressure once carries it again without further depth.
+/// `H(h, d) = H_0(h) + M d`: the hardness of [`ElasticPerfectlyPlastic`] under the film `h`, with linear
+/// isotropic hardening in the plastic depth `d` instead of the plastic strain. A repeated pressure causes no
+/// further depth.
 ///
-/// The modulus is per depth, so it belongs to a size of asperity: a strain modulus over the height that it
-/// spreads over.
+/// The modulus is per depth and depends on the asperity size: a strain-hardening modulus over the height of
+/// the plastic zone.
 ///
 /// ```
 /// use stribeck::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
@@ -21,14 +21,14 @@ use crate::error::InputError;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct IsotropicHardening {
-    /// Limit before any flattening.
+    /// Hardness at zero plastic depth.
     initial: ElasticPerfectlyPlastic,
-    /// Growth of the limit with the plastic depth \[Pa/m\].
+    /// Increase of the limit per plastic depth \[Pa/m\].
     modulus: f64,
 }
 
 impl IsotropicHardening {
-    /// Hardness `initial` of a node that has not yielded, `modulus` \[Pa/m\] for each metre of plastic depth.
+    /// Hardness `initial` at zero plastic depth, and `modulus` \[Pa/m\] per plastic depth.
     ///
     /// # Errors
     /// A modulus that is negative or not finite.

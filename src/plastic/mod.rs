@@ -1,10 +1,9 @@
-//! Plastic flattening of asperities: the pressure a node can carry, and the depth that is left behind.
+//! Plastic flattening of asperities: the pressure limit of a node, and the permanent depth.
 //!
-//! [`PlasticityModel`] is an open set; [`ElasticPerfectlyPlastic`] is the model of the reference scene,
-//! [`IsotropicHardening`] one whose limit grows with the depth.
-//! Solvers cap the pressure at the [contact limit](PlasticityModel::contact_limit_into) of the softer body;
-//! where the bodies then still overlap, [`split_depth`] says which of them gives way, and each body's
-//! [`PlasticDepth`] keeps it.
+//! [`PlasticityModel`] is an open trait. [`ElasticPerfectlyPlastic`] is the model of the reference scene,
+//! [`IsotropicHardening`] a model with a limit that grows with the depth. Solvers cap the pressure at the
+//! [contact limit](PlasticityModel::contact_limit_into) of the softer body. At the limit the bodies overlap;
+//! [`split_depth`] assigns the overlap to the softer body, and its [`PlasticDepth`] accumulates it.
 
 mod elastic_perfectly_plastic;
 mod flattening;
@@ -18,10 +17,10 @@ pub use isotropic_hardening::IsotropicHardening;
 
 use crate::error::InputError;
 
-/// The largest pressure a body carries at a node.
+/// The largest pressure that a body carries at a node.
 ///
-/// Contract: the limit is positive and not NaN for every finite argument, and it does not fall with the
-/// plastic depth; infinity means that the body never yields.
+/// Contract: the limit is positive and not NaN for all finite arguments, and does not decrease with the
+/// plastic depth. Infinity stands for a body that never yields.
 ///
 /// # Examples
 ///
@@ -41,11 +40,11 @@ use crate::error::InputError;
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 pub trait PlasticityModel: Debug + Send + Sync {
-    /// Pressure limit \[Pa\] of one body at a node that carries `film_thickness` \[m\] of tribofilm and has
-    /// been flattened by `plastic_depth` \[m\].
+    /// Pressure limit \[Pa\] of a body at a node with `film_thickness` \[m\] of tribofilm and `plastic_depth`
+    /// \[m\].
     fn pressure_limit(&self, film_thickness: f64, plastic_depth: f64) -> f64;
 
-    /// Fills `out` \[Pa\] with the limits of the nodes of one body; slices of one length.
+    /// Fills `out` \[Pa\] with the limits of the nodes of one body; all slices have the same length.
     fn pressure_limits(&self, film_thickness: &[f64], plastic_depth: &[f64], out: &mut [f64]) {
         let nodes = film_thickness.iter().zip(plastic_depth);
         for (limit, (film, depth)) in out.iter_mut().zip(nodes) {
@@ -53,14 +52,14 @@ pub trait PlasticityModel: Debug + Send + Sync {
         }
     }
 
-    /// Whether the limit depends on the plastic depth: a simulation then finds limit and depth of a step
+    /// Whether the limit depends on the plastic depth. A simulation then solves for limit and depth of a step
     /// together.
     fn hardens(&self) -> bool {
         false
     }
 
-    /// Overwrites `out` \[Pa\] with the limit of the pair, node by node the smaller of the two bodies'
-    /// limits. `films` and `depths` \[m\] are those of the two bodies as they lie opposite each other.
+    /// Overwrites `out` \[Pa\] with the limit of the pair, at each node the smaller of the two bodies'
+    /// limits. `films` and `depths` \[m\] are those of opposite nodes of the two bodies.
     ///
     /// # Errors
     /// Slices of different length.

@@ -339,7 +339,7 @@ impl LubricatedContact<'_> {
             if self.squeeze.is_none() || self.entrainment_speed != 0.0 {
                 require_speed("entrainment_speed", self.entrainment_speed)?;
             }
-            let films = self.lubricant.map_or(&[][..], Lubricant::film);
+            let films = self.lubricant.map_or(&[][..], Lubricant::film_temperatures);
             if !films.is_empty() {
                 InputError::require_len("lubricant.film_temperatures", films, grid.len())?;
             }

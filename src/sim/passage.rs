@@ -13,8 +13,8 @@ use super::placement::Offsets;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::ContactState;
-use crate::rubbing::RubbingPoint;
 use crate::surface::{Offset, add_blended};
+use crate::surface_state::SurfaceState;
 use crate::tribochem::Tribofilm;
 
 /// A solved contact as the nodes of the bodies feel it, in the frame of the contact.
@@ -40,8 +40,8 @@ pub(super) struct Passage<'a> {
 
 impl Passage<'_> {
     /// What `body` feels at node `k` of the contact.
-    fn on_grid(&self, body: usize, k: usize) -> RubbingPoint {
-        RubbingPoint {
+    fn on_grid(&self, body: usize, k: usize) -> SurfaceState {
+        SurfaceState {
             pressure: self.state.pressure[k],
             solid_pressure: self.friction.solid[k],
             shear_stress: self.friction.stress(k),
@@ -54,7 +54,7 @@ impl Passage<'_> {
 
     /// What a node of a `body`, which lies where its offset says, feels: that of the node of the contact it
     /// stands on, or, short of it by a fraction of a cell, linear between that and the one before.
-    fn on_body(&self, body: usize, node: usize) -> RubbingPoint {
+    fn on_body(&self, body: usize, node: usize) -> SurfaceState {
         let offset: Offset = self.offsets[body];
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
         let (i, j) = ((node % nx + nx - offset.columns) % nx, (node / nx + ny - offset.rows) % ny);
@@ -72,7 +72,7 @@ pub(super) struct Marks {
     /// Plastic depth that the step leaves \[m\].
     print: Vec<f64>,
     /// What each node feels.
-    points: Vec<RubbingPoint>,
+    points: Vec<SurfaceState>,
     /// Rates of wear while they are applied \[m/s\].
     wear_rates: Vec<f64>,
 }

@@ -14,7 +14,7 @@ use super::self_affine::{SelfAffine, Synthesis};
 use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::numerics::{RealFft2, both, map_lines};
+use crate::numerics::{RealFft2, join, map_lines};
 use crate::with_fields::with_fields;
 
 /// What the root mean square height of a random surface refers to.
@@ -228,7 +228,7 @@ impl RandomSurface {
             return patch::deviates(&self.shape, johnson, grid, self.seed, phases_alone);
         }
         let transform = RealFft2::new(grid.nx(), grid.ny());
-        let (amplitudes, mut field) = both(
+        let (amplitudes, mut field) = join(
             || Amplitudes::new(&self.shape, johnson, grid, &transform, Mean::Zero),
             || white_noise(grid.len(), self.seed),
         );

@@ -1,6 +1,6 @@
-//! Random scenes that no user means, for the promise that nothing panics and every error names its field.
+//! Random invalid scenes, for the property that nothing panics and every error names its field.
 //!
-//! A new key of scenes that can be wrong belongs into [`CHANGES`].
+//! A new scene key with a restricted range belongs to [`CHANGES`].
 
 use proptest::prelude::*;
 
@@ -12,7 +12,7 @@ use crate::sim::scene::{
 };
 use crate::surface::{Autocorrelation, Form, RoughnessSpec};
 
-/// Values that no physical quantity should have, or hardly any.
+/// Values outside the plausible range of most quantities.
 const ABSURD: [f64; 12] = [
     0.0,
     -0.0,
@@ -28,9 +28,8 @@ const ABSURD: [f64; 12] = [
     f64::MAX,
 ];
 
-/// Scenes of [`scenes`] of which up to three values are absurd: zero, negative, huge, tiny or no number,
-/// boxes beside the contact, grids of one or two nodes, a hardness that cannot carry the load, an accuracy
-/// that cannot be reached.
+/// Scenes of [`scenes`] with up to three absurd values: zero, negative, huge, tiny or NaN, boxes beside the
+/// contact, grids of one or two nodes, a hardness too low for the load, an accuracy that is unattainable.
 ///
 /// # Examples
 ///
@@ -42,7 +41,7 @@ const ABSURD: [f64; 12] = [
 /// for _ in 0..20 {
 ///     let tree = stribeck::testing::absurd_scenes().new_tree(&mut runner);
 ///     let scene = tree.map_err(|reason| reason.to_string())?.current();
-///     // Refused or not: it neither panics nor solves anything.
+///     // Rejected or not, validation neither panics nor solves anything.
 ///     if let Err(error) = MixedLubricationSim::builder(scene).check_contact() {
 ///         assert!(!error.to_string().is_empty());
 ///     }
@@ -58,14 +57,14 @@ pub fn absurd_scenes() -> impl Strategy<Value = Scene> {
         }
         let smooth = scene.is_smooth();
         if let (GridSpec::Accuracy { .. }, false) = (scene.grid, smooth) {
-            // A rough contact would be refined for long.
+            // Refinement of a rough contact would take long.
             scene.grid = GridSpec::Accuracy { accuracy: 0.5 };
         }
         scene
     })
 }
 
-/// Changes of a scene that put `value` somewhere; sizes of grids take what is left of it as a small whole number.
+/// Changes that put `value` into a field of a scene; grid sizes use it modulo a small integer.
 const CHANGES: &[fn(&mut Scene, f64)] = &[
     |scene, value| scene.form = Form::Sphere { radius: value },
     |scene, value| scene.form = Form::Ellipsoid { radius_x: value, radius_y: 1e-2, angle: 0.0 },
@@ -91,7 +90,7 @@ const CHANGES: &[fn(&mut Scene, f64)] = &[
     |scene, value| {
         scene.grid = GridSpec::Cells { nx: small(value), ny: small(value), x: [-1.0, 1.0], y: [-1.0, 1.0] }
     },
-    // The contact over the edge of the box, or outside.
+    // A contact across the edge of the box, or outside.
     |scene, _| scene.grid = GridSpec::Cells { nx: 16, ny: 16, x: [-2e-5, 4e-4], y: [-3e-4, 3e-4] },
     |scene, value| scene.grid = GridSpec::Cells { nx: 16, ny: 16, x: [value, 4e-4], y: [-3e-4, value] },
     |scene, _| scene.grid = GridSpec::Cells { nx: 16, ny: 16, x: [1e-5, 4e-4], y: [-3e-4, 3e-4] },
@@ -113,7 +112,7 @@ const CHANGES: &[fn(&mut Scene, f64)] = &[
     |scene, value| {
         scene.plastic = Some(PlasticSpec { hardness: value, film_hardness: None, hardening_modulus: None });
     },
-    // Below the mean pressure: nothing carries the load.
+    // Below the mean pressure, so the load cannot be carried.
     |scene, _| {
         scene.plastic = Some(PlasticSpec { hardness: 1e6, film_hardness: None, hardening_modulus: None });
     },

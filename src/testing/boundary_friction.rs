@@ -3,15 +3,15 @@
 use super::{Contract, Violation, same};
 use crate::boundary_friction::BoundaryFriction;
 
-/// Solid pressures \[Pa\] that coefficients are asked for.
+/// Solid pressures \[Pa\] of the check.
 const PRESSURES: [f64; 4] = [0.0, 1e6, 1e9, 1e12];
 /// Sliding speeds \[m/s\].
 const SPEEDS: [f64; 4] = [0.0, 1e-3, 1.0, 1e3];
 /// Tribofilms \[m\].
 const FILMS: [f64; 4] = [0.0, 5e-9, 200e-9, 1e-3];
 
-/// Checks `law` against the contract of [`BoundaryFriction`]: coefficients are finite and not negative, the
-/// same for the same arguments, whatever was asked in between, and those of fields are those of their nodes.
+/// Checks `law` against the contract of [`BoundaryFriction`]: coefficients are finite and non-negative,
+/// repeated calls agree, and field values equal node values.
 ///
 /// # Errors
 /// The first violation.
@@ -47,7 +47,7 @@ pub fn boundary_friction(law: &dyn BoundaryFriction) -> Result<(), Violation> {
     SPEEDS.into_iter().try_for_each(|speed| check_field(&contract, law, speed))
 }
 
-/// Checks that a field at `speed` \[m/s\] has the coefficients of its nodes.
+/// Compares the coefficients of a field at `speed` \[m/s\] with those of its nodes.
 fn check_field(contract: &Contract, law: &dyn BoundaryFriction, speed: f64) -> Result<(), Violation> {
     let mut disc = FILMS;
     disc.reverse();

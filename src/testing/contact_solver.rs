@@ -1,8 +1,7 @@
 //! The contract of contact solvers.
 //!
-//! The case is a steel ball of 9.525 mm on a plane at a Hertz pressure of 0.5 GPa and 5 m/s, smooth, on 48 x
-//! 48 nodes over four Hertz radii: easy enough that any solver of worth converges, and known in the dry
-//! limit.
+//! The case is a smooth steel ball of 9.525 mm on a plane at a Hertz pressure of 0.5 GPa and 5 m/s, on 48 x
+//! 48 nodes over four Hertz radii. It is easy to solve, and the dry limit is known.
 
 use super::{Contract, Violation, close};
 use crate::analytic::HertzPoint;
@@ -22,17 +21,17 @@ const NODES: usize = 48;
 const RADIUS: f64 = 9.525e-3;
 /// Equivalent modulus of the half-space \[Pa\].
 const MODULUS: f64 = 230e9;
-/// Largest pressure of Hertz \[Pa\].
+/// Hertz pressure \[Pa\].
 const HERTZ_PRESSURE: f64 = 0.5e9;
 /// Entrainment speed \[m/s\].
 const SPEED: f64 = 5.0;
-/// Film at which solids touch \[m\].
+/// Contact film \[m\].
 const CUTOFF: f64 = 1e-9;
 
-/// Checks `solver` against the contract of [`ContactSolver`] on a smooth steel ball at 0.5 GPa, dry or, where
-/// `lubricated`, in a thick film of oil: it converges, its residuals are within the rule, pressure is never
-/// negative and carries the load, the contact is that of Hertz, a restart from the solution stays there, no
-/// iterations end as such, and bad input is refused.
+/// Checks `solver` against the contract of [`ContactSolver`] on a smooth steel ball at 0.5 GPa, dry or with a
+/// thick oil film (`lubricated`). The solve converges with residuals within the rule; the pressure is
+/// non-negative, carries the load and is Hertzian; a restart from the solution stays there; zero iterations
+/// are not convergence; invalid input is rejected.
 ///
 /// # Errors
 /// The first violation.
@@ -69,7 +68,7 @@ struct Case {
     gap: Vec<f64>,
     /// Elastic bodies.
     body: HalfSpace,
-    /// The oil; none for the dry case.
+    /// The oil; `None` for the dry case.
     lubricant: Option<Lubricant>,
 }
 
@@ -88,7 +87,7 @@ impl Case {
         Ok(Self { grid, hertz, gap, body: HalfSpace::new(grid, MODULUS)?, lubricant })
     }
 
-    /// What the solver makes of the case.
+    /// Solves the case.
     fn try_solve(
         &mut self,
         solver: &mut dyn ContactSolver,
@@ -119,7 +118,7 @@ impl Case {
         solver.solve(&mut problem, state, rule)
     }
 
-    /// The same; an error breaks the contract, as the case is valid.
+    /// Solves the valid case; an error is a violation.
     fn solve(
         &mut self,
         contract: &Contract,
@@ -131,7 +130,7 @@ impl Case {
             .map_err(|error| contract.broken("a smooth contact can be solved", error.to_string()))
     }
 
-    /// Checks residuals, load and signs of a solution that is called converged.
+    /// Checks residuals, load and signs of a converged solution.
     fn check_solution(
         &self,
         contract: &Contract,
@@ -144,7 +143,7 @@ impl Case {
         })?;
         contract.require(
             report.residual.max() <= rule.tolerance,
-            "converged means within the rule",
+            "converged residuals are within the rule",
             || format!("{report:?}"),
         )?;
         let load = state.pressure.iter().sum::<f64>() * self.grid.cell_area();
@@ -166,15 +165,15 @@ impl Case {
             })?;
         }
         let peak = state.pressure.iter().copied().fold(0.0, f64::max) / self.hertz.pressure;
-        // A thick film rounds the contact of Hertz and adds a pressure spike.
+        // A thick film smooths the Hertz pressure and adds a pressure spike.
         let accepted = if self.lubricant.is_some() { 0.8..1.5 } else { 0.99..1.01 };
         contract.require(accepted.contains(&peak), "the largest pressure is that of Hertz", || {
             format!("{peak} of it")
         })
     }
 
-    /// Checks that a state of another grid and a tolerance that is no number are refused, and that no
-    /// iterations are no convergence.
+    /// Checks that a state of another grid and a NaN tolerance are rejected, and that zero iterations are not
+    /// convergence.
     fn check_refusals(
         &mut self,
         contract: &Contract,
@@ -184,24 +183,21 @@ impl Case {
         let other = Grid::centred(NODES + 1, NODES, 1e-6, 1e-6);
         let other = other.map_err(|error| contract.broken("the case is valid", error.to_string()))?;
         let misfit = self.try_solve(solver, &mut ContactState::new(&other), rule);
-        contract
-            .require(misfit.is_err(), "a state of another grid is refused", || "it was taken".to_owned())?;
+        contract.require(misfit.is_err(), "a state of another grid is refused", || {
+            "it was accepted".to_owned()
+        })?;
         let lax = StoppingRule { tolerance: f64::NAN, ..*rule };
         let lax = self.try_solve(solver, &mut ContactState::new(&self.grid.clone()), &lax);
-        contract.require(lax.is_err(), "a tolerance that is no number is refused", || {
-            "it was taken".to_owned()
-        })?;
+        contract.require(lax.is_err(), "a NaN tolerance is refused", || "it was accepted".to_owned())?;
         let short = StoppingRule { max_iterations: 0, ..*rule };
         let short = self.solve(contract, solver, &mut ContactState::new(&self.grid.clone()), &short)?;
-        contract.require(
-            short.status != Status::Converged,
-            "no iterations from nothing is not convergence",
-            || format!("{short:?}"),
-        )?;
+        contract.require(short.status != Status::Converged, "zero iterations are not convergence", || {
+            format!("{short:?}")
+        })?;
         if let Some(height) = self.gap.get_mut(7) {
             *height = f64::NAN;
         }
         let broken = self.try_solve(solver, &mut ContactState::new(&self.grid.clone()), rule);
-        contract.require(broken.is_err(), "a gap that is no number is refused", || "it was taken".to_owned())
+        contract.require(broken.is_err(), "a NaN gap is refused", || "it was accepted".to_owned())
     }
 }

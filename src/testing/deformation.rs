@@ -4,9 +4,9 @@ use super::{Contract, Violation, close};
 use crate::elastic::DeformationModel;
 use crate::error::InputError;
 
-/// Checks `model`, on a grid of at least 6 x 6 nodes, against the contract of [`DeformationModel`]: no
-/// displacement without pressure, positive under it and nowhere negative, linear, symmetric, translation
-/// invariant, its influence coefficients those of its displacement, slices of the wrong length refused.
+/// Checks `model`, on a grid of at least 6 x 6 nodes, against the contract of [`DeformationModel`]: zero
+/// displacement without pressure, non-negative displacement under pressure, linearity, symmetry, translation
+/// invariance, influence coefficients that equal displacements, and rejection of slices of wrong length.
 ///
 /// # Errors
 /// The first violation.
@@ -25,9 +25,11 @@ pub fn deformation_model(model: &mut dyn DeformationModel) -> Result<(), Violati
     let n = nx * ny;
     let mut probe = Probe { contract, model, nx, pressure: vec![0.0; n], out: vec![0.0; n] };
     let idle = probe.displacement(&[])?;
-    probe.contract.require(idle.iter().all(|u| *u == 0.0), "no pressure, no displacement", || {
-        format!("largest {:e} m", idle.iter().copied().fold(0.0, f64::max))
-    })?;
+    probe.contract.require(
+        idle.iter().all(|u| *u == 0.0),
+        "zero pressure gives zero displacement",
+        || format!("largest {:e} m", idle.iter().copied().fold(0.0, f64::max)),
+    )?;
     let (a, b) = ((1, 2), (4, 3));
     let of_a = probe.displacement(&[(a, 1e9)])?;
     let of_b = probe.displacement(&[(b, 1e9)])?;
@@ -63,14 +65,14 @@ pub fn deformation_model(model: &mut dyn DeformationModel) -> Result<(), Violati
         )?;
     }
     let refused = probe.model.displacement(&probe.pressure[1..], &mut probe.out).is_err();
-    probe.contract.require(refused, "slices that do not fit are refused", || "they were taken".to_owned())
+    probe.contract.require(refused, "slices that do not fit are refused", || "they were accepted".to_owned())
 }
 
-/// A model with loads on few nodes.
+/// A model under loads on few nodes.
 struct Probe<'a> {
-    /// What violations are told by.
+    /// Reports violations.
     contract: Contract,
-    /// The model that is looked at.
+    /// The model under test.
     model: &'a mut dyn DeformationModel,
     /// Nodes in a row.
     nx: usize,
@@ -81,7 +83,7 @@ struct Probe<'a> {
 }
 
 impl Probe<'_> {
-    /// Number of the node in column `i` and row `j`.
+    /// Index of the node in column `i` and row `j`.
     fn at(&self, (i, j): (usize, usize)) -> usize {
         j * self.nx + i
     }
@@ -93,7 +95,7 @@ impl Probe<'_> {
             let k = self.at(node);
             self.pressure[k] = p;
         }
-        // What an earlier call left must not matter.
+        // The result must not depend on earlier content.
         self.out.fill(1.0);
         let outcome = self.model.displacement(&self.pressure, &mut self.out);
         outcome.map_err(|error: InputError| {

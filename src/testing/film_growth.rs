@@ -1,19 +1,19 @@
 //! The contract of film growth.
 
-use super::{Contract, IDLE, Violation, close, rubbing_points, same};
-use crate::rubbing::RubbingPoint;
+use super::{Contract, IDLE, Violation, close, same, surface_states};
+use crate::surface_state::SurfaceState;
 use crate::tribochem::FilmGrowthLaw;
 
-/// Shares of the largest thickness that films start from.
+/// Initial thicknesses relative to the largest one.
 const FILLINGS: [f64; 4] = [0.0, 0.3, 0.8, 1.0];
-/// Accepted difference between one step and several over the same time, relative to the largest thickness:
-/// that of the default integration.
+/// Accepted difference between one step and several over the same time, relative to the largest thickness;
+/// the accuracy of the default integration.
 const SPLIT_TOLERANCE: f64 = 1e-4;
 
 /// Checks `law` against the contract of [`FilmGrowthLaw`]: the largest thickness is positive; a bare surface
-/// has no film; rates and states are finite; idle nodes are frozen; a film stays between zero and the largest
-/// thickness; nothing happens in no time; the film that a short step adds is the rate; a step may be cut
-/// anywhere; fields go as their nodes do.
+/// has no film; rates and states are finite; inactive nodes are frozen; a film stays between zero and the
+/// largest thickness; a step of zero length changes nothing; a short step follows the rate; a step may be
+/// divided; fields advance like their nodes.
 ///
 /// # Errors
 /// The first violation.
@@ -32,7 +32,7 @@ pub fn film_growth_law(law: &dyn FilmGrowthLaw) -> Result<(), Violation> {
     })?;
     let bare = law.thickness(&vec![0.0; states_of(law)]);
     contract.require(bare == 0.0, "a bare surface has no film", || format!("{bare} m"))?;
-    for at in rubbing_points() {
+    for at in surface_states() {
         for filling in FILLINGS {
             check_rate(&contract, law, &at, filling * largest)?;
             check_bounds(&contract, law, &at, filling * largest)?;
@@ -45,9 +45,11 @@ pub fn film_growth_law(law: &dyn FilmGrowthLaw) -> Result<(), Violation> {
     for filling in FILLINGS {
         let start = filling * largest;
         let end = after(law, &IDLE, start, &[1e6]);
-        contract.require(same(end, law.thickness(&started(law, start))), "an idle node is frozen", || {
-            format!("{start} m became {end} m")
-        })?;
+        contract.require(
+            same(end, law.thickness(&started(law, start))),
+            "an inactive node is frozen",
+            || format!("{start} m became {end} m"),
+        )?;
         for time in [0.0, 1.0, 1e4] {
             check_field(&contract, law, start, time)?;
         }
@@ -68,7 +70,7 @@ fn started(law: &dyn FilmGrowthLaw, thickness: f64) -> Vec<f64> {
 }
 
 /// Thickness after `steps` \[s\] from `start`.
-fn after(law: &dyn FilmGrowthLaw, at: &RubbingPoint, start: f64, steps: &[f64]) -> f64 {
+fn after(law: &dyn FilmGrowthLaw, at: &SurfaceState, start: f64, steps: &[f64]) -> f64 {
     let mut states = started(law, start);
     for &step in steps {
         law.advance(at, step, &mut states);
@@ -76,11 +78,11 @@ fn after(law: &dyn FilmGrowthLaw, at: &RubbingPoint, start: f64, steps: &[f64]) 
     law.thickness(&states)
 }
 
-/// Checks that the rate is a number.
+/// Checks that the rate is finite.
 fn check_rate(
     contract: &Contract,
     law: &dyn FilmGrowthLaw,
-    at: &RubbingPoint,
+    at: &SurfaceState,
     thickness: f64,
 ) -> Result<(), Violation> {
     let rate = law.rate(at, thickness);
@@ -88,28 +90,28 @@ fn check_rate(
         .require(rate.is_finite(), "rates are finite", || format!("{rate} m/s at {thickness} m and {at:?}"))
 }
 
-/// Checks that a field of all points, its films `start` \[m\] thick, advances by `time` \[s\] as its nodes
-/// do.
+/// Compares the advance of a field of all points by `time` \[s\], with films of `start` \[m\], with that of
+/// its nodes.
 fn check_field(contract: &Contract, law: &dyn FilmGrowthLaw, start: f64, time: f64) -> Result<(), Violation> {
-    let (points, states) = (rubbing_points(), started(law, start));
+    let (points, states) = (surface_states(), started(law, start));
     let mut field = states.repeat(points.len());
     law.advance_all(&points, time, &mut field);
     for (at, node) in points.iter().zip(field.chunks_exact(states.len())) {
         let mut single = states.clone();
         law.advance(at, time, &mut single);
         let agree = node.iter().zip(&single).all(|(a, b)| same(*a, *b));
-        contract.require(agree, "fields go as their nodes do", || {
+        contract.require(agree, "fields advance like their nodes", || {
             format!("{node:?} and {single:?} after {time} s from {start} m at {at:?}")
         })?;
     }
     Ok(())
 }
 
-/// Checks that no film gets negative or thicker than the law says.
+/// Checks that a film is neither negative nor thicker than the largest thickness.
 fn check_bounds(
     contract: &Contract,
     law: &dyn FilmGrowthLaw,
-    at: &RubbingPoint,
+    at: &SurfaceState,
     start: f64,
 ) -> Result<(), Violation> {
     let largest = law.maximum_thickness();
@@ -118,7 +120,7 @@ fn check_bounds(
         format!("{start} m became {given} m")
     })?;
     let now = after(law, at, start, &[0.0]);
-    contract.require(close(now, given, largest, 1e-15), "no time, no change", || {
+    contract.require(close(now, given, largest, 1e-15), "a step of zero length changes nothing", || {
         format!("{given} m became {now} m at {at:?}")
     })?;
     for time in [1e-3, 1.0, 60.0, 1e4, 1e9] {
@@ -137,11 +139,11 @@ fn check_bounds(
     Ok(())
 }
 
-/// Checks that a step in five unequal parts ends as the whole one.
+/// Compares a step with five unequal parts of it.
 fn check_cuts(
     contract: &Contract,
     law: &dyn FilmGrowthLaw,
-    at: &RubbingPoint,
+    at: &SurfaceState,
     start: f64,
 ) -> Result<(), Violation> {
     for time in [10.0, 1e3, 1e5] {
@@ -149,18 +151,18 @@ fn check_cuts(
         let cut = [0.05, 0.4, 0.1, 0.25, 0.2].map(|share| share * time);
         let parts = after(law, at, start, &cut);
         let same = close(whole, parts, law.maximum_thickness(), SPLIT_TOLERANCE);
-        contract.require(same, "a step may be cut anywhere", || {
+        contract.require(same, "a step may be divided", || {
             format!("{whole} m after {time} s from {start} m at once, {parts} m in five steps, at {at:?}")
         })?;
     }
     Ok(())
 }
 
-/// The film that a short step adds, against the rate; short against the time in which the rate changes.
+/// Compares the growth in a short step with the rate; short relative to the time scale of the rate.
 fn check_derivative(
     contract: &Contract,
     law: &dyn FilmGrowthLaw,
-    at: &RubbingPoint,
+    at: &SurfaceState,
     start: f64,
 ) -> Result<(), Violation> {
     let largest = law.maximum_thickness();
@@ -173,7 +175,7 @@ fn check_derivative(
     }
     let step = 1e-5 / fastest;
     let found = (after(law, at, start, &[step]) - start) / step;
-    // Rounding of the thickness over the step, and the curvature within it.
+    // Rounding of the thickness over the step, and curvature within it.
     let accepted = 1e-3 * rate.abs() + 1e-15 * largest / step + 1e-4 * fastest * largest;
     contract.require((found - rate).abs() <= accepted, "a short step follows the rate", || {
         format!("{found} m/s over {step} s from {start} m, rate {rate} m/s, at {at:?}")

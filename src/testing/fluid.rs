@@ -5,13 +5,13 @@ use crate::lubricant::{DensityLaw, ViscosityLaw};
 
 /// Pressures \[Pa\] in ascending order, from ambient to far beyond any contact.
 const PRESSURES: [f64; 12] = [0.0, 1e3, 1e6, 1e7, 5e7, 1.1e8, 3e8, 7.7e8, 1.3e9, 3.1e9, 6.2e9, 1e12];
-/// Accepted difference between slope and difference quotient, relative to the larger of the slope here and at
-/// ambient pressure.
+/// Accepted difference between slope and difference quotient, relative to the larger of the slopes here and
+/// at ambient pressure.
 const SLOPE_TOLERANCE: f64 = 1e-3;
 
-/// Checks `law` against the contract of [`ViscosityLaw`]: finite and positive at every pressure, not falling
-/// with it, pressures below zero counting as zero, the logarithmic slope that of the viscosity, whole fields
-/// like single values, and the viscosity at a temperature that of the law at it.
+/// Checks `law` against the contract of [`ViscosityLaw`]: the viscosity is finite, positive and
+/// non-decreasing with pressure; negative pressures count as zero; the logarithmic slope is the derivative;
+/// field values equal single values; and `viscosity_at` equals the law `at_temperature`.
 ///
 /// # Errors
 /// The first violation.
@@ -53,9 +53,9 @@ pub fn viscosity_law(law: &dyn ViscosityLaw) -> Result<(), Violation> {
     slopes(&contract, |p| law.viscosity(p).ln(), |p| law.log_slope(p))
 }
 
-/// Checks `law` against the contract of [`DensityLaw`]: the ratio is finite, 1 at ambient pressure, not
-/// falling with pressure, pressures below zero counting as zero, the slope that of the ratio,
-/// whole fields like single values.
+/// Checks `law` against the contract of [`DensityLaw`]: the ratio is finite, 1 at ambient pressure and
+/// non-decreasing with pressure; negative pressures count as zero; the slope is the derivative; and field
+/// values equal single values.
 ///
 /// # Errors
 /// The first violation.
@@ -107,7 +107,7 @@ fn slopes(
         let step = 1e-4 * p.max(1e6);
         let low = (p - step).max(0.0);
         let found = (value(p + step) - value(low)) / (p + step - low);
-        // Beyond the range of tables the difference is that of rounded numbers.
+        // Beyond the range of tables the difference quotient is dominated by rounding.
         let rounding = 1e-15 * value(p).abs() / step;
         let accepted = SLOPE_TOLERANCE * given.abs().max(ambient.abs()) + rounding;
         contract.require((given - found).abs() <= accepted, "the slope is the derivative", || {

@@ -1,22 +1,22 @@
-//! Conformance of laws, models and solvers to the contracts of their traits, for tests of one's own (feature
-//! `testing`).
+//! Conformance of laws, models and solvers to the contracts of their traits, for tests of custom
+//! implementations (feature `testing`).
 //!
-//! Each function probes one implementation over a wide range of arguments and returns the first [`Violation`]
-//! it finds. Passing is necessary, not sufficient: a law can keep its contract and still be wrong.
+//! Each function probes one implementation over a wide range of arguments and returns the first
+//! [`Violation`]. A pass is necessary, not sufficient: a law can satisfy its contract and still be wrong.
 //!
 //! | function | checks |
 //! |---|---|
-//! | [`film_growth_law`] | finite rates, bounds, frozen idle nodes, rate = derivative, any cut of the time step |
-//! | [`wear_law`] | finite, never negative, none without sliding or load, monotone in both |
-//! | [`boundary_friction`] | finite, never negative, by the arguments alone |
+//! | [`film_growth_law`] | finite rates, bounds, frozen inactive nodes, rate = derivative, any division of the time step |
+//! | [`wear_law`] | finite, non-negative, zero without sliding or load, monotone in both |
+//! | [`boundary_friction`] | finite, non-negative, a function of the arguments alone |
 //! | [`viscosity_law`] | finite, positive, monotone, slope = derivative, negative pressures |
 //! | [`density_law`] | 1 at ambient pressure, monotone, slope = derivative, negative pressures |
-//! | [`plasticity_model`] | positive limits that do not fall with depth, the pair's limit the smaller |
+//! | [`plasticity_model`] | positive limits that do not decrease with depth, the smaller limit for a pair |
 //! | [`deformation_model`] | linear, symmetric, translation invariant, positive; errors of shape |
-//! | [`roughness_motion`] | fractions within a column, offsets by arguments alone, what stays stays |
-//! | [`contact_solver`] | a smooth contact solved: load, bounds, residuals, restart; bad input refused |
+//! | [`roughness_motion`] | fractions within a column, offsets by arguments alone, constant offset of fixed bodies |
+//! | [`contact_solver`] | a smooth contact: load, bounds, residuals, restart; invalid input rejected |
 //!
-//! For proptest there are strategies: [`scenes`], [`absurd_scenes`] and [`pressures`].
+//! Strategies for proptest: [`scenes`], [`absurd_scenes`] and [`pressures`].
 
 mod absurd;
 mod boundary_friction;
@@ -43,25 +43,25 @@ pub use strategies::{pressures, scenes};
 use thiserror::Error;
 pub use wear::wear_law;
 
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
-/// The first broken clause of a contract that was found.
+/// The first violated clause of a contract.
 ///
 /// # Examples
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::wear::WearLaw;
-/// /// Wears at rest, which no law may.
+/// /// Wears at rest, which violates the contract.
 /// #[derive(Debug)]
 /// struct Rusting;
 /// impl WearLaw for Rusting {
-///     fn depth_rate(&self, _at: &RubbingPoint, _film_thickness: f64) -> f64 {
+///     fn depth_rate(&self, _at: &SurfaceState, _film_thickness: f64) -> f64 {
 ///         1e-12
 ///     }
 /// }
 /// let violation = stribeck::testing::wear_law(&Rusting).unwrap_err();
-/// assert_eq!((violation.subject.as_str(), violation.clause), ("Rusting", "nothing wears at rest"));
+/// assert_eq!((violation.subject.as_str(), violation.clause), ("Rusting", "the rate is zero at rest"));
 /// ```
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{subject}: {clause}: {finding}")]
@@ -69,24 +69,24 @@ use crate::rubbing::RubbingPoint;
 pub struct Violation {
     /// The implementation, as `Debug` prints it.
     pub subject: String,
-    /// What must hold.
+    /// The required property.
     pub clause: &'static str,
-    /// What was found instead, with the arguments.
+    /// The observed value with its arguments.
     pub finding: String,
 }
 
-/// Collects the words of a violation.
+/// Reports violations of one implementation.
 struct Contract {
     subject: String,
 }
 
 impl Contract {
-    /// For the implementation that `subject` prints as.
+    /// Contract of the implementation with the `Debug` output of `subject`.
     fn of(subject: &(impl Debug + ?Sized)) -> Self {
         Self { subject: format!("{subject:?}") }
     }
 
-    /// The violation of `clause` unless it `holds`; `finding` is only asked for then.
+    /// A violation of `clause` unless it `holds`; `finding` is evaluated only then.
     fn require(
         &self,
         holds: bool,
@@ -96,7 +96,7 @@ impl Contract {
         if holds { Ok(()) } else { Err(self.broken(clause, finding())) }
     }
 
-    /// The violation of `clause`.
+    /// A violation of `clause`.
     fn broken(&self, clause: &'static str, finding: String) -> Violation {
         Violation { subject: self.subject.clone(), clause, finding }
     }
@@ -107,13 +107,13 @@ fn close(a: f64, b: f64, scale: f64, tolerance: f64) -> bool {
     (a - b).abs() <= tolerance * scale.abs()
 }
 
-/// Equal to the last bit, infinities included; false for what is not a number.
+/// Bit-identical, including infinities; false for NaN.
 fn same(a: f64, b: f64) -> bool {
     a <= b && b <= a
 }
 
 /// A node in boundary lubrication, 1 GPa at 80 C.
-const IN_CONTACT: RubbingPoint = RubbingPoint {
+const IN_CONTACT: SurfaceState = SurfaceState {
     pressure: 1e9,
     solid_pressure: 1e9,
     shear_stress: 1.15e8,
@@ -123,8 +123,8 @@ const IN_CONTACT: RubbingPoint = RubbingPoint {
     in_contact: true,
 };
 
-/// A node that nothing touches, presses or shears.
-const IDLE: RubbingPoint = RubbingPoint {
+/// A node without contact, pressure or shear.
+const IDLE: SurfaceState = SurfaceState {
     pressure: 0.0,
     solid_pressure: 0.0,
     shear_stress: 0.0,
@@ -135,17 +135,17 @@ const IDLE: RubbingPoint = RubbingPoint {
 };
 
 /// Nodes from idle to far beyond any contact.
-fn rubbing_points() -> [RubbingPoint; 9] {
+fn surface_states() -> [SurfaceState; 9] {
     [
         IDLE,
         IN_CONTACT,
-        RubbingPoint { temperature: 293.15, ..IN_CONTACT },
-        RubbingPoint { temperature: 473.15, ..IN_CONTACT },
-        RubbingPoint { pressure: 6e9, solid_pressure: 6e9, shear_stress: 6.9e8, ..IN_CONTACT },
-        RubbingPoint { solid_pressure: 0.0, shear_stress: 1e7, gap: 50e-9, in_contact: false, ..IN_CONTACT },
-        RubbingPoint { sliding_speed: 10.0, ..IN_CONTACT },
-        RubbingPoint { temperature: 0.0, ..IN_CONTACT },
-        RubbingPoint {
+        SurfaceState { temperature: 293.15, ..IN_CONTACT },
+        SurfaceState { temperature: 473.15, ..IN_CONTACT },
+        SurfaceState { pressure: 6e9, solid_pressure: 6e9, shear_stress: 6.9e8, ..IN_CONTACT },
+        SurfaceState { solid_pressure: 0.0, shear_stress: 1e7, gap: 50e-9, in_contact: false, ..IN_CONTACT },
+        SurfaceState { sliding_speed: 10.0, ..IN_CONTACT },
+        SurfaceState { temperature: 0.0, ..IN_CONTACT },
+        SurfaceState {
             pressure: 1e12,
             solid_pressure: 1e12,
             shear_stress: 1e12,

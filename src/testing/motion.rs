@@ -1,19 +1,18 @@
-//! The contract of motion.
+//! The contract of roughness motion.
 
 use super::{Contract, Violation};
 use crate::grid::Grid;
 use crate::surface::{Offset, RoughnessMotion, Visits};
 
-/// Speeds \[m/s\] that offsets are asked for.
+/// Speeds \[m/s\] of the check.
 const SPEEDS: [f64; 5] = [0.0, 0.1, -0.1, 1e-6, 50.0];
 /// Times \[s\].
 const TIMES: [f64; 4] = [0.0, 1e-5, 10.0, 7200.0];
-/// Solves.
+/// Indices of solves.
 const DRAWS: [u64; 7] = [0, 1, 2, 3, 100, 5041, u64::MAX];
 
-/// Checks `motion` against the contract of [`RoughnessMotion`]: fractions are numbers from 0 to 1; offsets
-/// depend on the arguments alone; a body that stays keeps its offset; one that moves along its track keeps
-/// its row.
+/// Checks `motion` against the contract of [`RoughnessMotion`]: fractions are from 0 to 1; offsets depend on
+/// the arguments alone; a fixed body keeps its offset; a body that moves along its track keeps its row.
 ///
 /// # Errors
 /// The first violation.
@@ -58,7 +57,7 @@ fn check(
     Ok(())
 }
 
-/// Checks that `offset` differs from the `first` one only as the motion says that it visits its body.
+/// Checks that `offset` differs from the `first` one only as far as the type of motion permits.
 fn check_visits(
     contract: &Contract,
     visits: Visits,

@@ -7,9 +7,8 @@ use crate::plastic::PlasticityModel;
 const FILMS: [f64; 5] = [0.0, 10e-9, 150e-9, 200e-9, 1e-6];
 const DEPTHS: [f64; 5] = [0.0, 1e-9, 30e-9, 500e-9, 1e-5];
 
-/// Checks `model` against the contract of [`PlasticityModel`]: limits are positive, they do not fall as a
-/// node is flattened (what has yielded once carries that load again), and the limit of a pair is the smaller
-/// one.
+/// Checks `model` against the contract of [`PlasticityModel`]: limits are positive and do not decrease with
+/// plastic depth, and the limit of a pair is the smaller one.
 ///
 /// # Errors
 /// The first violation.
@@ -52,12 +51,10 @@ pub fn plasticity_model(model: &dyn PlasticityModel) -> Result<(), Violation> {
         .map_err(|error| contract.broken("fields of one length are accepted", error.to_string()))?;
     for (k, limit) in pair.into_iter().enumerate() {
         let [first, second] = [0, 1].map(|body| model.pressure_limit(films[body][k], depths[body][k]));
-        contract.require(
-            same(limit, first.min(second)),
-            "the pair carries what the softer body carries",
-            || format!("{limit} Pa for bodies of {first} and {second} Pa"),
-        )?;
+        contract.require(same(limit, first.min(second)), "the limit of a pair is the smaller one", || {
+            format!("{limit} Pa for bodies of {first} and {second} Pa")
+        })?;
     }
     let refused = model.contact_limit_into([&FILMS[..2], &FILMS], depths, &mut pair).is_err();
-    contract.require(refused, "fields of different length are refused", || "they were taken".to_owned())
+    contract.require(refused, "fields of different length are refused", || "they were accepted".to_owned())
 }

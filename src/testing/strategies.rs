@@ -1,6 +1,4 @@
-//! Random scenes and pressures for proptest: what a user may mean, for properties of solutions.
-//!
-//! What no user means is in `absurd`.
+//! Random valid scenes and pressures for proptest. Invalid ones are in `absurd`.
 
 use proptest::prelude::*;
 
@@ -14,7 +12,7 @@ use crate::sim::scene::{
 use crate::surface::{Autocorrelation, Form, RoughnessSpec};
 use crate::tribochem::Activation;
 
-/// Between `low` and `high`, every decade as likely.
+/// Log-uniform between `low` and `high`.
 pub(super) fn decades(low: f64, high: f64) -> impl Strategy<Value = f64> {
     (low.ln()..high.ln()).prop_map(f64::exp)
 }
@@ -29,7 +27,7 @@ fn forms() -> impl Strategy<Value = Form> {
     ]
 }
 
-/// None, or random heights of 1 to 500 nm Rq with correlation lengths of 5 to 50 um.
+/// No roughness, or random heights of 1 to 500 nm Rq with correlation lengths of 5 to 50 um.
 fn roughness() -> impl Strategy<Value = Roughness> {
     let random = |autocorrelation| {
         (decades(1e-9, 5e-7), decades(5e-6, 5e-5), decades(5e-6, 5e-5), any::<u64>()).prop_map(
@@ -45,8 +43,8 @@ fn roughness() -> impl Strategy<Value = Roughness> {
     ]
 }
 
-/// No oil in a quarter of all scenes, else Roelands oils of 1 mPa s to 0.5 Pa s with the density of Dowson
-/// and Higginson; half of them give `alpha` too.
+/// No oil in a quarter of all scenes, otherwise Roelands oils of 1 mPa s to 0.5 Pa s with the
+/// Dowson-Higginson density; half of them with `alpha`.
 fn lubricants() -> impl Strategy<Value = Option<LubricantSpec>> {
     let oil = (decades(1e-3, 0.5), 0.3..0.8, any::<bool>()).prop_map(|(eta0, roelands_z, given)| {
         LubricantSpec::roelands(eta0, roelands_z).with_alpha(given.then_some(1.5e-8))
@@ -119,8 +117,8 @@ fn processes()
     (prop::option::of(plastic), prop::option::of(film), prop::option::of(wear), thermal)
 }
 
-/// Scenes of every kind with values in their ranges on small grids, from dry to full film. Not all fit their
-/// box: some are refused, and some do not converge.
+/// Scenes of every kind on small grids with values in their ranges, from dry to full film. Some contacts do
+/// not fit their box and are rejected, and some do not converge.
 ///
 /// # Examples
 ///
@@ -156,7 +154,7 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
         let (form, equivalent_modulus, load, motion, friction) = physics;
         let (lubricant, grid, ball, disc, solver) = numerics;
         let (plastic, tribofilm, wear, thermal) = processes;
-        // A row belongs to a cylinder.
+        // One row requires a cylinder.
         let form = match (form, grid) {
             (form, GridSpec::Row { .. }) => Form::Cylinder { radius: form.radii().0 },
             (form, _) => form,
@@ -183,7 +181,7 @@ pub fn scenes() -> impl Strategy<Value = Scene> {
     })
 }
 
-/// Fields of `grid` from no pressure to that of a loaded contact \[Pa\], never negative.
+/// Pressure fields on `grid` from zero to those of a loaded contact \[Pa\], non-negative.
 ///
 /// # Examples
 ///

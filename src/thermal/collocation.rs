@@ -1,12 +1,13 @@
-//! Heat conduction across a film, collocated in the nodes of Gauss' rule.
+//! Heat conduction across a film, collocated at Gauss-Legendre nodes.
 
-/// Points across the film.
+/// Number of collocation points across the film.
 pub(super) const POINTS: usize = 8;
-/// Newton steps to a root of a Legendre polynomial; a handful is enough.
+/// Iteration limit of Newton's method for the roots of a Legendre polynomial; a few steps suffice.
 const MAX_STEPS: usize = 50;
 
-/// Nodes and weights on (0, 1), and the temperature at each node per heat at each: `theta'' = -s` with
-/// `theta(0) = theta(1) = 0` is `theta_i = sum_j green[i][j] s_j`, exact for polynomials of degree 7.
+/// Nodes and weights on (0, 1), and the Green's function of conduction: `theta'' = -s` with
+/// `theta(0) = theta(1) = 0` has the solution `theta_i = sum_j green[i][j] s_j`, exact for polynomials of
+/// degree 7.
 #[derive(Debug, Clone)]
 pub(super) struct Collocation {
     pub(super) nodes: [f64; POINTS],
@@ -19,7 +20,7 @@ impl Collocation {
         let (nodes, weights) = gauss();
         let mut green = [[0.0; POINTS]; POINTS];
         for (row, &z) in green.iter_mut().zip(&nodes) {
-            // Of either side of the node the integrand is a polynomial of degree 8.
+            // On either side of the node the integrand is a polynomial of degree 8.
             for (&t, &w) in nodes.iter().zip(&weights) {
                 let (below, above) = (z * t, z + (1.0 - z) * t);
                 for (j, entry) in row.iter_mut().enumerate() {
@@ -37,13 +38,13 @@ impl Collocation {
     }
 }
 
-/// Value at `x` of the polynomial that is one at node `j` and zero at the others.
+/// Lagrange polynomial of node `j` at `x`.
 fn lagrange(nodes: &[f64; POINTS], j: usize, x: f64) -> f64 {
     let others = nodes.iter().enumerate().filter(|(i, _)| *i != j);
     others.map(|(_, node)| (x - node) / (nodes[j] - node)).product()
 }
 
-/// Gauss' rule on (0, 1).
+/// Gauss-Legendre rule on (0, 1).
 fn gauss() -> ([f64; POINTS], [f64; POINTS]) {
     let (mut nodes, mut weights) = ([0.0; POINTS], [0.0; POINTS]);
     let n = POINTS as f64;

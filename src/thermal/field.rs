@@ -1,4 +1,4 @@
-//! The temperature of the film in a contact.
+//! The film temperature in a contact.
 
 use super::streams::Streams;
 use super::{FilmSection, FilmThermal, SectionSolver};
@@ -8,17 +8,18 @@ use crate::lubricant::{Lubricant, Rheology, Saturating};
 use crate::reynolds::FilmFlows;
 use crate::tribochem::{FlashTemperature, ThermalBody};
 
-/// Passes over film and surfaces at most.
+/// Largest number of passes over film and surfaces.
 const MAX_PASSES: usize = 60;
-/// Change of a temperature in the last pass, and what the split of the heat leaves, over the largest rise.
+/// Convergence tolerance, relative to the largest rise, of the temperature change in a pass and of the
+/// heat-partition mismatch.
 const TOLERANCE: f64 = 3e-4;
-/// The same where nothing gets warm \[K\].
+/// Absolute lower bound of that tolerance \[K\].
 const LEAST_CHANGE: f64 = 1e-9;
 
-/// A solved contact as its heat needs it; fields have one value a node.
+/// Input of the heat problem of a solved contact; fields have one value per node.
 #[derive(Debug, Clone, Copy)]
 pub struct FilmFlow<'a> {
-    /// The lubricant, its laws at the bulk temperature.
+    /// The lubricant, with its laws at the bulk temperature.
     pub lubricant: &'a Lubricant,
     /// Shear stress of the fluid.
     pub rheology: &'a Rheology,
@@ -26,24 +27,23 @@ pub struct FilmFlow<'a> {
     pub pressure: &'a [f64],
     /// Film thickness \[m\].
     pub film: &'a [f64],
-    /// Flows through the cells, those that the contact was solved with.
+    /// Flows through the cells, from the solution of the contact.
     pub flows: &'a FilmFlows,
     /// Heat of solid friction \[W/m^2\].
     pub boundary_heat: &'a [f64],
-    /// Mean speed of the surfaces and sliding speed, neither negative \[m/s\].
+    /// Mean speed of the surfaces and sliding speed, both non-negative \[m/s\].
     pub speeds: (f64, f64),
-    /// Temperature of the bodies far from the contact and of the oil that flows in \[K\].
+    /// Temperature of the bodies far from the contact and of the inflowing oil \[K\].
     pub bulk_temperature: f64,
 }
 
 impl FilmFlow<'_> {
-    /// Where a contact as published has an overlap there is no film.
+    /// The film; zero for overlaps, which the unified Reynolds model can have.
     fn film_at(&self, k: usize) -> f64 {
         self.film[k].max(0.0)
     }
 
-    /// What layers that move along x carry through node `k`, in a row of `nx`, and what those that turn back
-    /// carry.
+    /// Forward and reverse flow through node `k`, in a row of `nx`.
     fn streams(&self, k: usize, nx: usize) -> Streams {
         let (through, east) = (self.flows.through[k], &self.flows.east);
         let before = if k.is_multiple_of(nx) { east[k] } else { east[k - 1] };
@@ -81,7 +81,7 @@ impl FilmFlow<'_> {
 ///     speeds: (1.0, 1.0),
 ///     bulk_temperature: 300.0,
 /// })?;
-/// // 0.1 Pa s at 1e6 1/s shears with 0.1 MPa, which makes 0.1 MW/m^2.
+/// // 0.1 Pa s at 1e6 1/s: a stress of 0.1 MPa and 0.1 MW/m^2 of heat.
 /// let area = grid.len() as f64 * grid.cell_area();
 /// assert!((balance.generated / (1e5 * area) - 1.0).abs() < 0.01);
 /// assert!(balance.is_converged() && balance.imbalance() < 0.01);
@@ -90,21 +90,22 @@ impl FilmFlow<'_> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct HeatBalance {
-    /// Heat of shear, of flow by pressure, of compression and of solid friction \[W\].
+    /// Heat of shear, pressure flow, compression and solid friction \[W\].
     pub generated: f64,
-    /// What goes into the two bodies \[W\].
+    /// Heat conducted into the two bodies \[W\].
     pub conducted: [f64; 2],
-    /// What the flow carries out of the box \[W\].
+    /// Heat advected out of the box \[W\].
     pub carried: f64,
     /// Passes over film and surfaces.
     pub passes: usize,
-    /// Change of a temperature in the last pass, or what the split of the heat between the bodies leaves
-    /// where that is more, over what is accepted.
+    /// Convergence measure: the larger of the temperature change in the last pass and the mismatch of the
+    /// heat partition, over the tolerance.
     pub change: f64,
 }
 
 impl HeatBalance {
-    /// Heat that comes from nowhere, over what comes and goes; zero without any.
+    /// Relative energy imbalance: generated heat less conducted and advected heat, over the sum of
+    /// magnitudes; zero without heat.
     pub fn imbalance(&self) -> f64 {
         let [first, second] = self.conducted;
         let scale = [self.generated, first, second, self.carried].iter().map(|heat| heat.abs()).sum::<f64>();
@@ -112,7 +113,7 @@ impl HeatBalance {
         if scale == 0.0 { 0.0 } else { (gone - self.generated).abs() / scale }
     }
 
-    /// Whether film and surfaces agree.
+    /// Whether film and surface temperatures have converged.
     pub fn is_converged(&self) -> bool {
         self.change <= 1.0
     }
@@ -120,57 +121,57 @@ impl HeatBalance {
 
 /// Temperatures of film and surfaces in a contact.
 ///
-/// A node is a [`FilmSection`]. Sections of a row are connected by the heat that two streams carry,
-/// `C = rho c (Q+ + Q-) / dx`: layers that move on, `Q+`, bring the mean temperature of the node upstream,
-/// those that turn back, `Q-`, that of the node downstream, first order upwind. `Q+ - Q-` is the flow through
-/// the section, what is entrained less what pressure drives back: in an inlet a small difference, for which
-/// both must be those that the contact was solved with. The streams are those of a film of one viscosity.
+/// Each node is a [`FilmSection`]. Sections of a row are coupled by two advecting streams,
+/// `C = rho c (Q+ + Q-) / dx`, first-order upwind: forward flow `Q+` brings the mean temperature of the
+/// upstream node, reverse flow `Q-` that of the downstream node. `Q+ - Q-` is the flow through the section,
+/// entrainment less pressure backflow. In an inlet it is a small difference, so both must be those of the
+/// solved contact. The streams are those of a film of uniform viscosity.
 ///
-/// What goes to the surfaces heats them as [`FlashTemperature::rises_through_film`] has it. Film and surfaces
-/// are found in passes, one after the other, in which the surfaces of a node follow its heat in proportion.
+/// Heat conducted to the surfaces raises their temperature by [`FlashTemperature::rises_through_film`]. Film
+/// and surfaces are solved in alternating passes, in which the surface temperature of a node responds in
+/// proportion to its heat.
 ///
-/// Heat of the flow by pressure is the flow through a face times the drop of pressure over it, half to each
-/// of its nodes; that of compression `T a_V Q dp/dx`. Left out: heat along the film by conduction, what the
-/// flow across x carries, and that layers have temperatures of their own.
+/// The heat of pressure flow is the flow through a face times the pressure drop, half to each of its nodes.
+/// The heat of compression is `T a_V Q dp/dx`. Not included: conduction along the film, advection by flow
+/// across x, and separate temperatures of the layers.
 #[derive(Debug, Clone)]
 pub struct FilmTemperature {
     /// The grid of the contact.
     grid: Grid,
     /// Thermal properties of the fluid.
     properties: FilmThermal,
-    /// What solves a section.
+    /// Solver of film sections.
     solver: SectionSolver,
-    /// What heats the surfaces.
+    /// Surface temperatures.
     flash: FlashTemperature,
     /// Mean temperature across the film \[K\].
     mean: Vec<f64>,
     /// Shear stress of the fluid \[Pa\].
     stress: Vec<f64>,
-    /// Temperature of the viscosity that the flow by pressure has \[K\].
+    /// Temperature at the effective viscosity of the pressure flow \[K\].
     flow_temperature: Vec<f64>,
-    /// Rises of the surfaces \[K\].
+    /// Temperature rises of the surfaces \[K\].
     rises: [Vec<f64>; 2],
-    /// Those of the pass under way \[K\].
+    /// Rises of the current pass \[K\].
     new_rises: [Vec<f64>; 2],
-    /// Heat that leaves the film \[W/m^2\].
+    /// Heat conducted out of the film \[W/m^2\].
     conducted: Vec<f64>,
-    /// Heat that goes into the surfaces: that of the film and that of solid friction \[W/m^2\].
+    /// Heat into the surfaces, from the film and from solid friction \[W/m^2\].
     heat: Vec<f64>,
-    /// Resistance of the film to heat \[K m^2/W\].
+    /// Thermal resistance of the film \[K m^2/W\].
     resistance: Vec<f64>,
-    /// Heat of the flow by pressure \[W/m^2\].
+    /// Heat of the pressure flow \[W/m^2\].
     pressure_heat: Vec<f64>,
-    /// Heat of compression \[W/m^2\].
+    /// Heat of compression per temperature \[W/(m^2 K)\].
     compression: Vec<f64>,
-    /// Whether the next call starts from films of the bulk temperature.
+    /// Whether the next call starts from the bulk temperature.
     is_cool: bool,
-    /// Largest change of the mean temperature in the pass under way \[K\].
+    /// Largest change of the mean temperature in the current pass \[K\].
     moved: f64,
 }
 
 impl FilmTemperature {
-    /// Plans for a contact on `grid` of a fluid between `bodies` whose surfaces move at `speeds` along x
-    /// \[m/s\].
+    /// Heat problem of a fluid on `grid` between `bodies` whose surfaces move at `speeds` along x \[m/s\].
     ///
     /// # Errors
     /// A property out of range, a speed that is not finite.
@@ -212,13 +213,13 @@ impl FilmTemperature {
         &self.stress
     }
 
-    /// Temperature at which the law has the viscosity of the flow by pressure: the mean one with a parabola
-    /// \[K\].
+    /// Temperature at the effective viscosity of the pressure flow \[K\]; the mean temperature for the
+    /// parabolic profile.
     pub fn flow_temperature(&self) -> &[f64] {
         &self.flow_temperature
     }
 
-    /// Forgets the last call: the next one begins with cool surfaces.
+    /// Discards the last solution: the next call starts from the bulk temperature.
     pub fn forget(&mut self) {
         let [first, second] = &mut self.rises;
         for field in [first, second, &mut self.conducted, &mut self.heat] {
@@ -232,7 +233,7 @@ impl FilmTemperature {
         [&self.rises[0], &self.rises[1]]
     }
 
-    /// Finds the temperatures of `flow`, from those of the last call. Allocates nothing.
+    /// Computes the temperatures of `flow`, starting from those of the last call. Allocates nothing.
     ///
     /// # Errors
     /// Fields that do not fit the grid or are not finite, a heat of solid friction below zero, a temperature
@@ -246,6 +247,7 @@ impl FilmTemperature {
         }
         let (mut passes, mut change) = (0, f64::INFINITY);
         let (mut generated, mut carried) = (0.0, 0.0);
+        // film under the surface temperatures, then surfaces under the heat of the film
         while passes < MAX_PASSES && change > 1.0 {
             self.moved = 0.0;
             (generated, carried) = self.heat_film(flow);
@@ -284,7 +286,7 @@ impl FilmTemperature {
         InputError::require_positive("bulk_temperature", flow.bulk_temperature)
     }
 
-    /// Heat of the flow by pressure, of compression per temperature, and what else does not depend on
+    /// Heat of pressure flow, heat of compression per temperature, and thermal resistance; independent of
     /// temperature.
     fn find_other_heat(&mut self, flow: &FilmFlow<'_>) {
         let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
@@ -312,27 +314,27 @@ impl FilmTemperature {
         }
     }
 
-    /// Heat of a flow by pressure between two nodes, half to each: the flow over the distance \[m/s\] times
-    /// the drop of pressure.
+    /// Adds the heat of pressure flow between two nodes, half to each: flow over distance \[m/s\] times
+    /// pressure drop.
     fn drive(&mut self, flow: &FilmFlow<'_>, [k, o]: [usize; 2], driven: f64) {
         let made = driven * (flow.pressure[k] - flow.pressure[o]);
         self.pressure_heat[k] += 0.5 * made;
         self.pressure_heat[o] += 0.5 * made;
     }
 
-    /// Temperatures of the film under the last ones of the surfaces; heat per area that is made and carried
-    /// out, as sums over the nodes.
+    /// Film temperatures under the current surface temperatures; returns generated and advected heat per
+    /// area, summed over the nodes.
     fn heat_film(&mut self, flow: &FilmFlow<'_>) -> (f64, f64) {
         let nx = self.grid.nx();
         let (sliding, law) = (flow.speeds.1, Saturating::new(flow.lubricant.viscosity()));
         let per_flow = self.properties.heat_capacity / self.grid.dx();
-        // As if all nodes were as warm for their heat as the warmest: no node follows more.
+        // Upper bound of the surface response: the ratio of the largest rise to the largest heat.
         let hottest = self.rises.iter().flatten().fold(0.0_f64, |largest, rise| largest.max(*rise));
         let most = hottest / self.heat.iter().fold(f64::MIN_POSITIVE, |largest, heat| largest.max(*heat));
         let (mut generated, mut carried) = (0.0, 0.0);
         for k in 0..self.grid.len() {
             let upstream = if k % nx == 0 { flow.bulk_temperature } else { self.mean[k - 1] };
-            // What comes back into the box from behind it is as warm as what leaves it.
+            // Inflow from behind the box has the temperature of the outflow.
             let downstream = if k % nx + 1 == nx { upstream } else { self.mean[k + 1] };
             let streams = flow.streams(k, nx);
             let both = streams.along + streams.back;
@@ -365,7 +367,7 @@ impl FilmTemperature {
     }
 }
 
-/// Cells over which the pressure drops between node `i` of `n` in a row and the next one: without pressures at the
+/// Distance, in cells, of the pressure drop between node `i` of `n` in a row and the next one. Without pressures at the
 /// edges of the box it is ambient half a cell beyond the outermost nodes.
 fn cells_to_next(flows: &FilmFlows, i: usize, n: usize) -> f64 {
     if !flows.has_edge_pressure && (i == 0 || i + 2 == n) { 1.5 } else { 1.0 }

@@ -1,9 +1,9 @@
-//! Heat in the lubricant film: what shear and compression make of it, what surfaces and flow carry off, and
-//! how warm the film becomes.
+//! Thermal lubrication: heat sources in the film, conduction to the surfaces, advection, and the film
+//! temperature.
 //!
-//! [`FilmSection`] is the film at one place: its temperature across the thickness, the shear stress and the
-//! viscosity that go with it, by either of two algorithms ([`FilmProfile`]). [`FilmTemperature`] is the field
-//! of a contact: sections that the flow and the surfaces connect.
+//! [`FilmSection`] is the film at one node: temperature across the thickness, shear stress and viscosity, by
+//! one of two algorithms ([`FilmProfile`]). [`FilmTemperature`] is the temperature field of a contact:
+//! sections coupled by flow and surfaces.
 
 mod collocation;
 mod field;

@@ -2,13 +2,13 @@
 
 use crate::error::InputError;
 
-/// Above that of any liquid \[1/K\].
+/// Upper bound of the expansivity of liquids \[1/K\].
 const LARGEST_EXPANSIVITY: f64 = 0.01;
 
-/// Thermal properties of a lubricant, the same at all pressures and temperatures.
+/// Thermal properties of a lubricant, independent of pressure and temperature.
 ///
-/// Conductivity of mineral oils is 0.12 to 0.15 W/(m K) at ambient pressure and about twice that at 1 GPa:
-/// give the one under the pressure of the contact.
+/// The conductivity of mineral oils is 0.12 to 0.15 W/(m K) at ambient pressure and about twice that at 1
+/// GPa; use the value at the contact pressure.
 ///
 /// # Examples
 ///
@@ -28,26 +28,26 @@ const LARGEST_EXPANSIVITY: f64 = 0.01;
 pub struct FilmThermal {
     /// Thermal conductivity `k` \[W/(m K)\].
     pub conductivity: f64,
-    /// Heat capacity of a volume `rho c` \[J/(m^3 K)\].
+    /// Volumetric heat capacity `rho c` \[J/(m^3 K)\].
     pub heat_capacity: f64,
-    /// Thermal expansivity of the volume `a_V` \[1/K\], for heat of compression and for the density of films.
+    /// Volumetric thermal expansivity `a_V` \[1/K\], for heat of compression and film density.
     pub expansivity: f64,
-    /// How the temperature across the film is found.
+    /// Model of the temperature profile across the film.
     pub profile: super::FilmProfile,
 }
 
 impl FilmThermal {
-    /// The properties with the parabolic profile.
+    /// Properties with the parabolic profile.
     ///
     /// # Errors
-    /// As of [`validate`](Self::validate).
+    /// The errors of [`validate`](Self::validate).
     pub fn new(conductivity: f64, heat_capacity: f64, expansivity: f64) -> Result<Self, InputError> {
         let profile = super::FilmProfile::default();
         let properties = Self { conductivity, heat_capacity, expansivity, profile };
         properties.validate().map(|()| properties)
     }
 
-    /// The same with the `profile`.
+    /// The same properties with `profile`.
     #[must_use]
     pub fn with_profile(mut self, profile: super::FilmProfile) -> Self {
         self.profile = profile;
@@ -58,7 +58,7 @@ impl FilmThermal {
     ///
     /// # Errors
     /// A conductivity that is not finite and positive, a heat capacity that is negative or not finite, an
-    /// expansivity that is not from 0 to 0.01.
+    /// expansivity outside 0 to 0.01.
     pub fn validate(&self) -> Result<(), InputError> {
         InputError::require_positive("conductivity", self.conductivity)?;
         InputError::require_non_negative("heat_capacity", self.heat_capacity)?;

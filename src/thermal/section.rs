@@ -1,49 +1,49 @@
-//! The film at one place: temperature across it, shear stress and viscosity.
+//! The film at one node: temperature profile, shear stress and viscosity.
 
 use super::collocation::{Collocation, POINTS};
 use crate::lubricant::{Rheology, ViscosityLaw};
 
-/// Heat of shear is found to this relative error.
+/// Relative tolerance of the shear heat.
 const TOLERANCE: f64 = 1e-10;
-/// Evaluations of the stress at most.
+/// Largest number of stress evaluations.
 const MAX_EVALUATIONS: usize = 60;
-/// Passes over the shape of the heat across the film, each under the viscosities of the last.
+/// Largest number of fixed-point iterations for the heat profile.
 const MAX_PASSES: usize = 60;
-/// Change of a share of the heat below which its shape is found.
+/// Change of the normalized heat profile at convergence.
 const SHAPE_TOLERANCE: f64 = 1e-11;
-/// Secants to the temperature of a viscosity at most, and the last step of them \[K\].
+/// Largest number of secant steps to the temperature of a viscosity, and the step at convergence \[K\].
 const MAX_SECANTS: usize = 30;
 const SECANT_TOLERANCE: f64 = 1e-6;
 
-/// How the temperature across the film is found.
+/// Model of the temperature profile across the film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum FilmProfile {
-    /// The film shears evenly, with the viscosity at its mean temperature: the profile is a parabola.
+    /// Uniform shear rate with the viscosity at the mean temperature: the profile is a parabola.
     #[default]
     Parabola,
-    /// The shear stress is the same across the film and each layer shears by its own viscosity; heat
-    /// conduction is collocated in eight points.
+    /// Uniform shear stress with the local viscosity of each layer; heat conduction is collocated at eight
+    /// points.
     Collocation,
 }
 
-/// The film at one place, and the heat that goes through it.
+/// The film at one node and its heat sources.
 ///
 /// Across a film of thickness `h` under one shear stress `tau`
 ///
 /// `k d2T/dz2 + tau du/dz + s = 0`, `T = T_1, T_2` at the surfaces, `integral of du/dz = u_s`,
 ///
-/// with `du/dz = F(tau)/eta(p, T)` of the rheology, and `s` the heat that does not depend on its shear: that
-/// of the flow by pressure, `q_p` (in proportion to the square of the distance from the middle), that of
-/// compression, and less what the flow carries on, `C (T_m - T_a)`, both even across the film. `T_m` is the
-/// mean across the film. With one viscosity across the film that is
+/// with `du/dz = F(tau)/eta(p, T)` of the rheology and the heat `s` independent of shear: dissipation of the
+/// pressure flow `q_p` (proportional to the square of the distance from the midplane), heat of compression
+/// `q_c`, less the advected heat `C (T_m - T_a)`, the last two uniform across the film. `T_m` is the mean
+/// across the film. For a uniform viscosity
 ///
 /// `T_m = (T_1 + T_2)/2 + h/(12 k) [tau u_s + q_c - C (T_m - T_a)] + h/(20 k) q_p`.
 ///
-/// The surfaces may follow the heat that leaves the film: `T_i + R (q - q_0)`.
+/// The surface temperatures may respond to the heat that leaves the film: `T_i + R (q - q_0)`.
 #[derive(Debug, Clone, Copy)]
 pub struct FilmSection<'a> {
-    /// Viscosity by pressure and temperature; one that does not know temperature keeps its value.
+    /// Viscosity by pressure and temperature; a law without temperature dependence keeps its value.
     pub viscosity: &'a dyn ViscosityLaw,
     /// Shear stress of the fluid.
     pub rheology: &'a Rheology,
@@ -55,17 +55,17 @@ pub struct FilmSection<'a> {
     pub film: f64,
     /// Sliding speed `u_s`, not negative \[m/s\].
     pub sliding: f64,
-    /// Temperatures of the surfaces `T_1, T_2` where the heat that leaves the film is `q_0` \[K\].
+    /// Surface temperatures `T_1, T_2` at the heat flow `q_0` out of the film \[K\].
     pub surfaces: [f64; 2],
-    /// `R` \[K m^2/W\] and `q_0` \[W/m^2\].
+    /// Surface response `R` \[K m^2/W\] and reference heat flow `q_0` \[W/m^2\].
     pub response: (f64, f64),
-    /// Heat of the flow by pressure `q_p` and of compression `q_c` \[W/m^2\].
+    /// Heat of the pressure flow `q_p` and of compression `q_c` \[W/m^2\].
     pub other_heat: (f64, f64),
-    /// What the flow carries on: `C` \[W/(m^2 K)\] and the temperature `T_a` that it comes with \[K\].
+    /// Advection: `C` \[W/(m^2 K)\] and the inflow temperature `T_a` \[K\].
     pub carried: (f64, f64),
 }
 
-/// What [`SectionSolver::solve`] finds.
+/// Result of [`SectionSolver::solve`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FilmHeat {
@@ -73,23 +73,23 @@ pub struct FilmHeat {
     pub mean: f64,
     /// Shear stress `tau` \[Pa\].
     pub stress: f64,
-    /// Viscosity that the flow by pressure has: `h^3/(12 eta)` is its mobility \[Pa s\].
+    /// Effective viscosity of the pressure flow \[Pa s\]: the mobility is `h^3/(12 eta)`.
     pub flow_viscosity: f64,
-    /// Temperature at which the law has this viscosity \[K\]; the mean one where it does not know
-    /// temperature.
+    /// Temperature at which the law has this viscosity \[K\]; the mean temperature for a law without
+    /// temperature dependence.
     pub flow_temperature: f64,
-    /// Heat that goes to the surfaces \[W/m^2\].
+    /// Heat conducted to the surfaces \[W/m^2\].
     pub conducted: f64,
-    /// Heat that the flow carries on \[W/m^2\].
+    /// Heat advected by the flow \[W/m^2\].
     pub carried: f64,
 }
 
-/// Solves sections; owns the rule of collocation.
+/// Solver of film sections; owns the collocation rule.
 ///
 /// ```
 /// use stribeck::lubricant::{Barus, Rheology};
 /// use stribeck::thermal::{FilmProfile, FilmSection, SectionSolver};
-/// // One viscosity: 0.1 Pa s sheared at 1 m/s over 1 um between surfaces at 300 K.
+/// // Constant viscosity of 0.1 Pa s, sheared at 1 m/s over 1 um between surfaces at 300 K.
 /// let section = FilmSection {
 ///     viscosity: &Barus::new(0.1, 20e-9)?, rheology: &Rheology::newtonian(), conductivity: 0.14, pressure: 0.0,
 ///     film: 1e-6, sliding: 1.0, surfaces: [300.0; 2], response: (0.0, 0.0), other_heat: (0.0, 0.0), carried: (0.0, 300.0),
@@ -101,13 +101,13 @@ pub struct FilmHeat {
 /// ```
 #[derive(Debug, Clone)]
 pub struct SectionSolver {
-    /// How the temperature is found.
+    /// Model of the temperature profile.
     profile: FilmProfile,
-    /// Points, weights and integrals of the collocation.
+    /// Collocation nodes, weights and Green's function.
     rule: Collocation,
 }
 
-/// Temperatures and viscosities that go with a heat of shear.
+/// Film state for a trial value of the shear heat.
 #[derive(Debug, Clone, Copy)]
 struct Trial {
     mean: f64,
@@ -117,16 +117,17 @@ struct Trial {
 }
 
 impl SectionSolver {
-    /// By `profile`.
+    /// Solver for the given `profile`.
     pub fn new(profile: FilmProfile) -> Self {
         Self { profile, rule: Collocation::new() }
     }
 
-    /// Temperature, stress and viscosity of `section`: the heat of shear `q = tau u_s` of which the film
-    /// becomes so warm that it shears by `tau`. The stress falls with the heat, so there is one.
+    /// Temperature, stress and viscosity of `section`: the shear heat `q = tau u_s` that is consistent with
+    /// the stress `tau` at the resulting temperature. The stress decreases with the heat, so the solution is
+    /// unique.
     #[must_use]
     pub fn solve(&self, section: &FilmSection<'_>) -> FilmHeat {
-        // Where shares of the heat begin: an even one.
+        // Uniform initial heat profile.
         let mut shape = [1.0; POINTS];
         let mut trial = self.trial(section, 0.0, &mut shape);
         let mut heat = trial.stress * section.sliding;
@@ -143,11 +144,12 @@ impl SectionSolver {
         FilmHeat { mean, stress, flow_viscosity, flow_temperature, conducted, carried }
     }
 
-    /// The heat between that of the cool film, `most`, and the one under that.
+    /// Root of the heat equation between the isothermal heat `most` and the heat under the temperature that
+    /// `most` causes.
     fn find(&self, section: &FilmSection<'_>, most: f64, shape: &mut [f64; POINTS]) -> (f64, Trial) {
         let mut excess = |heat: f64| {
             let trial = self.trial(section, heat, shape);
-            // A stress that vanishes is no zero of the logarithm.
+            // The logarithm requires a positive stress.
             let made = (trial.stress * section.sliding).max(f64::MIN_POSITIVE);
             (made.ln() - heat.ln(), trial)
         };
@@ -158,7 +160,7 @@ impl SectionSolver {
         let mut low = most * high_excess.0.exp();
         let mut low_excess = excess(low);
         let mut found = (low, low_excess.1);
-        // Illinois' rule: an end that stays counts half.
+        // Illinois variant of regula falsi: the weight of a retained end is halved.
         let mut side = 0;
         for _ in 0..MAX_EVALUATIONS {
             if low_excess.0 < TOLERANCE || high / low < 1.0 + TOLERANCE {
@@ -184,7 +186,7 @@ impl SectionSolver {
         found
     }
 
-    /// The film under a heat of shear of `heat` \[W/m^2\].
+    /// Film state for the shear heat `heat` \[W/m^2\].
     fn trial(&self, section: &FilmSection<'_>, heat: f64, shape: &mut [f64; POINTS]) -> Trial {
         match self.profile {
             FilmProfile::Parabola => parabola(section, heat),
@@ -196,6 +198,7 @@ impl SectionSolver {
         let rule = &self.rule;
         let per_flux = section.film / section.conductivity;
         let mut trial = parabola(section, heat);
+        // fixed-point iteration: temperature, fluidity, heat profile
         for _ in 0..MAX_PASSES {
             let uncarried: [f64; POINTS] = std::array::from_fn(|i| {
                 let z = rule.nodes[i];
@@ -228,7 +231,7 @@ impl SectionSolver {
         trial
     }
 
-    /// The viscosity that a film of one viscosity would have under the same flow by pressure.
+    /// Uniform viscosity that gives the same pressure flow.
     fn flow_viscosity(&self, fluidity: &[f64; POINTS]) -> f64 {
         let rule = &self.rule;
         let moment = |power: i32| -> f64 {
@@ -240,7 +243,7 @@ impl SectionSolver {
     }
 }
 
-/// The film with one viscosity across it.
+/// Film state with uniform viscosity.
 fn parabola(section: &FilmSection<'_>, heat: f64) -> Trial {
     let (by_pressure, by_compression) = section.other_heat;
     let per_flux = section.film / section.conductivity;
@@ -251,15 +254,15 @@ fn parabola(section: &FilmSection<'_>, heat: f64) -> Trial {
 }
 
 impl FilmSection<'_> {
-    /// Temperatures of the surfaces, what the flow carries on and the mean temperature, of a film whose mean
-    /// is `uncarried` above the surfaces as long as the flow carries nothing on.
+    /// Surface temperatures, advected heat and mean temperature, for a film whose mean temperature without
+    /// advection exceeds that of the surfaces by `uncarried`.
     fn close(&self, heat: f64, uncarried: f64) -> ([f64; 2], f64, f64) {
         let (by_pressure, by_compression) = self.other_heat;
         let (response, before) = self.response;
         let (capacity, upstream) = self.carried;
         let follow = response * (heat + by_pressure + by_compression - before);
         let still = 0.5 * (self.surfaces[0] + self.surfaces[1]) + follow + uncarried;
-        // The flow takes from the film and, with its response, from the surfaces.
+        // Advection lowers the film temperature and, through the response, that of the surfaces.
         let resistance = self.film / (12.0 * self.conductivity) + response;
         let carried = capacity * (still - upstream) / (1.0 + capacity * resistance);
         let shift = follow - response * carried;
@@ -271,8 +274,8 @@ impl FilmSection<'_> {
         law.viscosity_at(self.pressure, temperature).unwrap_or_else(|| law.viscosity(self.pressure))
     }
 
-    /// Temperature at which the law has the `viscosity` under the pressure of the section, by secants from
-    /// `near` \[K\]; `near` where the law does not know temperature.
+    /// Temperature at which the law has the `viscosity` at the pressure of the section, by secant steps from
+    /// `near` \[K\]; `near` for a law without temperature dependence.
     fn temperature_of(&self, viscosity: f64, near: f64) -> f64 {
         let excess = |temperature: f64| (self.viscosity_at(temperature) / viscosity).ln();
         let (mut last, mut temperature) = (near, near + 1.0);
@@ -292,7 +295,7 @@ impl FilmSection<'_> {
         temperature
     }
 
-    /// Shear stress by the mean `viscosity` \[Pa s\]; none without a film.
+    /// Shear stress at the mean `viscosity` \[Pa s\]; zero without a film.
     fn stress(&self, viscosity: f64) -> f64 {
         if self.film <= 0.0 || self.sliding == 0.0 {
             return 0.0;

@@ -1,33 +1,34 @@
-//! Layers of a film that move on and layers that turn back.
+//! Forward and reverse flow of a film section.
 
-/// Flows along x and back through a section whose layers move at
+/// Forward and reverse flow along x through a section with the velocity profile
 ///
 /// `u(y) = u [1 + S y - 6 b (1/4 - y^2)]`, `y` from -1/2 to 1/2 across the film:
 ///
-/// that of the surfaces, with the slide-roll ratio `S`, and the parabola of one viscosity under pressure, with
-/// `b = 1 - Q/E`, the flow `Q` through the section and the `E = u h` that is entrained. Layers from `y_1` to
-/// `y_2` turn back, within the film:
+/// It is the sum of the surface velocities with the slide-roll ratio `S` and a parabola of pressure flow at
+/// uniform viscosity. `b = 1 - Q/E`, with the flow `Q` through the section and the entrainment `E = u h`.
+/// Layers from `y_1` to `y_2` move backward, within the film:
 ///
 /// `Q- = E [F(y_1) - F(y_2)]`, `F = y (2 b y^2 + S y/2 + 1 - 3 b/2)`, `Q+ = Q + Q-`.
 ///
-/// With `r^2 = S^2 - 24 b (1 - 3 b/2)` they are the roots of `u(y)`, `y_1 = -(S + r)/(12 b)` and
-/// `y_2 = -2 (1 - 3 b/2)/(S + r)`. With `b <= 0`, where pressure drives the film on, all layers below `y_2`
-/// turn back: `y_1 = -1/2`.
+/// With `r^2 = S^2 - 24 b (1 - 3 b/2)` the limits are the roots of `u(y)`, `y_1 = -(S + r)/(12 b)` and
+/// `y_2 = -2 (1 - 3 b/2)/(S + r)`. With `b <= 0`, where pressure drives the film forward, all layers below
+/// `y_2` move backward: `y_1 = -1/2`.
 ///
-/// Between surfaces of one speed nothing turns back unless `Q < E/3`; with `Q = 0` it is `E / (3 sqrt 3)`.
-/// With `S > 2`, where the slower surface moves back, layers at it do whatever `b` is; with `S <= 2` and
-/// `b <= 0` none do.
+/// Between surfaces of equal speed there is reverse flow only for `Q < E/3`; at `Q = 0` it is
+/// `E / (3 sqrt 3)`. With `S > 2`, where the slower surface moves backward, reverse flow exists for any `b`;
+/// with `S <= 2` and `b <= 0` there is none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Streams {
-    /// `Q+` of the layers that move along x \[m^2/s\].
+    /// Forward flow `Q+` \[m^2/s\].
     pub(super) along: f64,
-    /// `Q-` of those that move against it \[m^2/s\].
+    /// Reverse flow `Q-` \[m^2/s\].
     pub(super) back: f64,
 }
 
 impl Streams {
-    /// Of what is `entrained`, what goes `through` \[m^2/s\] and the slide-roll ratio `skew`, never negative:
-    /// which of the surfaces is the faster makes no difference. Without entrainment all moves one way.
+    /// Flows for the entrainment `entrained`, the flow `through` the section \[m^2/s\] and the non-negative
+    /// slide-roll ratio `skew`; it does not matter which surface is faster. Without entrainment all flow has
+    /// one direction.
     pub(super) fn new(entrained: f64, through: f64, skew: f64) -> Self {
         let b = 1.0 - through / entrained;
         let inside = skew * skew - 24.0 * b * (1.0 - 1.5 * b);
@@ -49,7 +50,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn streams_are_those_of_the_layers() {
+    fn streams_equal_integrals_of_the_velocity_profile() {
         for (through, skew) in [
             (1.0, 0.0),
             (0.5, 0.0),
@@ -72,8 +73,7 @@ mod tests {
             assert!((found.along - along / scale).abs() < 1e-8, "{through}, {skew}: {found:?}");
             assert!((found.back - back / scale).abs() < 1e-8, "{through}, {skew}: {found:?}");
         }
-        // Nothing turns back between surfaces of one speed unless less than a third of what is entrained
-        // goes through.
+        // Equal surface speeds: no reverse flow for Q > E/3.
         assert_eq!(Streams::new(1.0, 0.34, 0.0), Streams { along: 0.34, back: 0.0 });
         assert_eq!(Streams::new(0.0, -0.1, 0.0), Streams { along: 0.0, back: 0.1 });
     }

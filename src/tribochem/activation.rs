@@ -1,13 +1,13 @@
-//! What wakes the chemistry of a node.
+//! Conditions for tribochemical activity of a node.
 
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
-/// The condition under which a node grows and loses film; otherwise its film is frozen.
+/// Condition under which the film of a node grows and is removed; the film of an inactive node is frozen.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::tribochem::Activation;
-/// let at = RubbingPoint::new(1e9, 353.15).with_sliding_speed(0.005)
+/// let at = SurfaceState::new(1e9, 353.15).with_sliding_speed(0.005)
 ///     .with_gap(20e-9);
 /// assert!(!Activation::SolidContact.is_active(&at));
 /// assert!(Activation::Pressure.is_active(&at));
@@ -17,18 +17,18 @@ use crate::rubbing::RubbingPoint;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Activation {
-    /// The node counts as solid contact (default; boundary films on asperities).
+    /// Solid contact (default; boundary films on asperities).
     #[default]
     SolidContact,
-    /// The node carries pressure, fluid or solid.
+    /// Pressure, of fluid or solid contact.
     Pressure,
-    /// The node is sheared, whether by fluid or by contact (growth in full films).
+    /// Shear stress, of fluid or solid contact (growth in full films).
     ShearStress,
 }
 
 impl Activation {
-    /// Whether chemistry runs at a node in the state `at`.
-    pub fn is_active(self, at: &RubbingPoint) -> bool {
+    /// Whether a node in the state `at` is active.
+    pub fn is_active(self, at: &SurfaceState) -> bool {
         match self {
             Self::SolidContact => at.in_contact,
             Self::Pressure => at.pressure > 0.0,

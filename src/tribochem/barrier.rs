@@ -1,11 +1,11 @@
-//! Rates over an energy barrier that stress lowers.
+//! Rates over an energy barrier that is lowered by stress.
 
 use crate::error::InputError;
 
 /// Boltzmann constant \[J/K\].
 pub(super) const BOLTZMANN: f64 = 1.380649e-23;
 
-/// One electronvolt \[J\]: activation energies are mostly printed in it.
+/// One electronvolt \[J\], the usual unit of activation energies.
 ///
 /// ```
 /// let barrier = 0.8 * stribeck::tribochem::ELECTRON_VOLT;
@@ -13,20 +13,20 @@ pub(super) const BOLTZMANN: f64 = 1.380649e-23;
 /// ```
 pub const ELECTRON_VOLT: f64 = 1.602176634e-19;
 
-/// `k = k_0 exp[-max(E - s V, 0) / (k_B T)]`: the form of Bell, ended where the stress `s` has taken the
-/// whole barrier away. In the unit of `k_0`.
+/// `k = k_0 exp[-max(E - s V, 0) / (k_B T)]`: the Bell model, limited to barriers that are not negative. In
+/// the unit of `k_0`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Barrier {
     /// Rate without barrier.
     prefactor: f64,
     /// Height of the barrier \[J\].
     energy: f64,
-    /// Volume that the stress acts on \[m^3\].
+    /// Activation volume \[m^3\].
     volume: f64,
 }
 
 impl Barrier {
-    /// A barrier whose constants are in range.
+    /// A barrier; rejects constants out of range.
     pub(super) fn new(prefactor: f64, energy: f64, volume: f64) -> Result<Self, InputError> {
         InputError::require_positive("prefactor", prefactor)?;
         InputError::require_non_negative("activation_energy", energy)?;
@@ -34,7 +34,7 @@ impl Barrier {
         Ok(Self { prefactor, energy, volume })
     }
 
-    /// The same barrier with the prefactor that gives `rate` at `stress` and `temperature`.
+    /// The barrier with the prefactor for which `rate` holds at `stress` and `temperature`.
     pub(super) fn calibrated(mut self, rate: f64, stress: f64, temperature: f64) -> Result<Self, InputError> {
         InputError::require_positive("rate_constant", rate)?;
         InputError::require_non_negative("reference_stress", stress)?;
@@ -44,7 +44,7 @@ impl Barrier {
         Ok(self)
     }
 
-    /// Zero for temperatures that are not positive numbers; the sign of the stress does not matter.
+    /// Zero for a temperature that is not positive or NaN; the sign of the stress is ignored.
     pub(super) fn rate(&self, stress: f64, temperature: f64) -> f64 {
         if temperature.is_finite() && temperature > 0.0 {
             self.prefactor * self.boltzmann_factor(stress, temperature)
@@ -53,7 +53,7 @@ impl Barrier {
         }
     }
 
-    /// Share of attempts that pass the barrier.
+    /// Boltzmann factor of the lowered barrier.
     fn boltzmann_factor(&self, stress: f64, temperature: f64) -> f64 {
         let left = (self.energy - stress.abs() * self.volume).max(0.0);
         (-left / (BOLTZMANN * temperature)).exp()

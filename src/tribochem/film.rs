@@ -1,20 +1,20 @@
-//! The film of one body.
+//! The tribofilm of a body.
 
 use super::FilmGrowthLaw;
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
-/// The tribofilm on one body, node by node of that body's own surface; it moves with the body.
+/// The tribofilm on the nodes of a body's own surface; it moves with the body.
 ///
-/// States are node-major, `states[node * n_states + s]`. The film remembers the states, not the law: hand the
-/// same law to every call.
+/// States are node-major, `states[node * n_states + s]`. The film stores the states, not the law: every call
+/// requires the same law.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::tribochem::{Ghanbarzadeh, Tribofilm};
 /// let law = Ghanbarzadeh::azam_2019();
 /// let mut film = Tribofilm::bare(&law, 4);
-/// let contact = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+/// let contact = SurfaceState::new(1e9, 353.15).with_solid_pressure(1e9)
 ///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
 /// let open = contact.with_in_contact(false);
 /// film.advance(&law, 600.0, |node| if node < 2 { contact } else { open })?;
@@ -25,14 +25,14 @@ use crate::rubbing::RubbingPoint;
 /// ```
 #[derive(Debug, PartialEq)]
 pub struct Tribofilm {
-    /// Numbers of the law for a node.
+    /// Number of states per node.
     n_states: usize,
     states: Vec<f64>,
-    /// Thickness that they come to \[m\].
+    /// Thickness of the states \[m\].
     thickness: Vec<f64>,
-    /// Sum of all growth over nodes \[m\].
+    /// Growth summed over nodes and steps \[m\].
     gained: f64,
-    /// Sum of all removal over nodes \[m\].
+    /// Removal summed over nodes and steps \[m\].
     lost: f64,
 }
 
@@ -47,7 +47,7 @@ impl Clone for Tribofilm {
         }
     }
 
-    /// Copies into the buffers that are there.
+    /// Copies into the existing buffers.
     fn clone_from(&mut self, source: &Self) {
         self.n_states = source.n_states;
         self.states.clone_from(&source.states);
@@ -70,7 +70,7 @@ impl Tribofilm {
         }
     }
 
-    /// A film of given `thickness` \[m\] a node and no further history.
+    /// A film with the `thickness` \[m\] of each node, without further history.
     ///
     /// # Errors
     /// A thickness that is negative or not finite.
@@ -87,11 +87,11 @@ impl Tribofilm {
         Ok(film)
     }
 
-    /// A film with the `states` that [`states`](Self::states) gave, and the thicknesses `changes` that nodes
-    /// have gained and lost in sum \[m\], as [`changes`](Self::changes) gave them.
+    /// A film with the given [`states`](Self::states) and the accumulated gain and loss `changes` \[m\], as
+    /// returned by [`changes`](Self::changes).
     ///
     /// # Errors
-    /// States that do not belong to `law` or give a thickness that is not finite.
+    /// States that do not fit `law`, or a thickness that is not finite.
     pub(crate) fn from_states(
         law: &dyn FilmGrowthLaw,
         states: Vec<f64>,
@@ -106,24 +106,24 @@ impl Tribofilm {
         Ok(Self { n_states, states, thickness, gained, lost })
     }
 
-    /// Thickness that nodes have gained and lost in sum \[m\].
+    /// Accumulated gain and loss of thickness, summed over nodes \[m\].
     #[cfg(feature = "serde")]
     pub(crate) fn changes(&self) -> [f64; 2] {
         [self.gained, self.lost]
     }
 
-    /// Advances every node by `time_step` \[s\] under the conditions `point(node)`, node counted on the
-    /// body's own surface. Allocates nothing.
+    /// Advances every node by `time_step` \[s\] under the conditions `point(node)`, with nodes of the body's
+    /// own surface. Allocates nothing.
     ///
     /// # Errors
-    /// A time step that is negative or not finite, or a law with another number of states than the film was
-    /// made with: the film is unchanged. A law that left a state or a thickness that is not finite: the film
-    /// holds it, the error names its position.
+    /// A time step that is negative or not finite, or a law with another number of states: the film is
+    /// unchanged. A law that produced a state or thickness that is not finite: the film contains it, and the
+    /// error names its position.
     pub fn advance(
         &mut self,
         law: &dyn FilmGrowthLaw,
         time_step: f64,
-        mut point: impl FnMut(usize) -> RubbingPoint,
+        mut point: impl FnMut(usize) -> SurfaceState,
     ) -> Result<(), InputError> {
         InputError::require_non_negative("time_step", time_step)?;
         self.require_law(law)?;
@@ -132,15 +132,16 @@ impl Tribofilm {
         self.account(law)
     }
 
-    /// The same under the conditions `at`, one a node, by a law that may take all nodes at once.
+    /// Advances all nodes under the conditions `at`, one per node; the law may process the nodes together.
     ///
     /// # Errors
-    /// As of [`advance`](Self::advance), and conditions of another number of nodes: the film is unchanged.
+    /// The errors of [`advance`](Self::advance), and a number of conditions that differs from the number of
+    /// nodes: the film is unchanged.
     pub fn advance_all(
         &mut self,
         law: &dyn FilmGrowthLaw,
         time_step: f64,
-        at: &[RubbingPoint],
+        at: &[SurfaceState],
     ) -> Result<(), InputError> {
         InputError::require_non_negative("time_step", time_step)?;
         self.require_law(law)?;
@@ -149,7 +150,7 @@ impl Tribofilm {
         self.account(law)
     }
 
-    /// Thicknesses of the states as they are now, and what nodes have gained and lost since.
+    /// Updates thicknesses from the states, and accumulated gain and loss.
     fn account(&mut self, law: &dyn FilmGrowthLaw) -> Result<(), InputError> {
         for (states, thickness) in self.states.chunks_exact(self.n_states).zip(&mut self.thickness) {
             let change = law.thickness(states) - *thickness;
@@ -157,7 +158,7 @@ impl Tribofilm {
             self.gained += change.max(0.0);
             self.lost += (-change).max(0.0);
         }
-        // A state may hide behind a thickness: the larger one of NaN and zero is zero.
+        // A thickness can mask a NaN state, as the larger of NaN and zero is zero.
         InputError::require_finite("tribofilm.states", &self.states)?;
         InputError::require_finite("tribofilm.thickness", &self.thickness)
     }
@@ -183,7 +184,7 @@ impl Tribofilm {
         &self.states
     }
 
-    /// Number of states a node.
+    /// Number of states per node.
     pub fn n_states(&self) -> usize {
         self.n_states
     }
@@ -193,22 +194,20 @@ impl Tribofilm {
         self.thickness.iter().sum::<f64>() * cell_area
     }
 
-    /// Volume \[m^3\] by which nodes became thicker, summed over nodes and steps. It is net of what was
-    /// removed at the node within the step; `gained - lost` is the change of [`volume`](Self::volume) since
-    /// the start.
+    /// Volume \[m^3\] gained by nodes, summed over nodes and steps, net of the removal at the node within
+    /// each step. `gained - lost` is the change of [`volume`](Self::volume) since the start.
     pub fn gained_volume(&self, cell_area: f64) -> f64 {
         self.gained * cell_area
     }
 
-    /// Volume \[m^3\] by which nodes became thinner, summed over nodes and steps; see
-    /// [`gained_volume`](Self::gained_volume).
+    /// Volume \[m^3\] lost by nodes, summed over nodes and steps; see [`gained_volume`](Self::gained_volume).
     pub fn lost_volume(&self, cell_area: f64) -> f64 {
         self.lost * cell_area
     }
 
-    /// Volume \[m^3\] grown in total, that of the film at the start included, where the law keeps growth and
-    /// removal apart; what was removed is this less [`volume`](Self::volume). `None` where the law knows the
-    /// net thickness alone.
+    /// Total volume \[m^3\] grown, including the initial film, for a law with separate growth and removal.
+    /// The removed volume is the difference to [`volume`](Self::volume). `None` for a law of the net
+    /// thickness alone.
     pub fn grown_volume(&self, law: &dyn FilmGrowthLaw, cell_area: f64) -> Option<f64> {
         let grown = self.states.chunks_exact(self.n_states).map(|states| law.grown(states));
         grown.sum::<Option<f64>>().map(|thickness| thickness * cell_area)

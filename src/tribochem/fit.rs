@@ -1,9 +1,9 @@
-//! Constants of growth laws from measured films.
+//! Fits of growth-law constants to measured films.
 //!
-//! The constants of a law are positive and differ by orders of magnitude, so the fit works in their
-//! logarithms. A constant is handed back only where the measurement determines it: the singular values of the
-//! Jacobian and the width of the confidence interval decide. [`fit_growth_law`] takes any law that can be
-//! made from a slice of constants.
+//! The constants of a law are positive and differ by orders of magnitude, so the fit uses their logarithms.
+//! It returns a constant only if the measurement determines it, by the singular values of the Jacobian and
+//! the width of the confidence interval. [`fit_growth_law`] accepts any law that can be constructed from a
+//! slice of constants.
 
 use std::path::PathBuf;
 
@@ -15,20 +15,20 @@ use thiserror::Error;
 
 use super::{FilmGrowthLaw, GrowthCurve};
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
-/// Step of the difference quotients in the logarithm of a constant.
+/// Step of the difference quotients, in the logarithm of a constant.
 const PROBE: f64 = 1e-5;
-/// Largest quotient of singular values at which the constants count as independent.
+/// Largest condition number for which the constants count as independent.
 const MAX_CONDITION: f64 = 1e6;
-/// A 95 % interval that reaches beyond this factor on either side leaves a constant undetermined.
+/// Largest ratio of interval end to value for which a constant counts as determined.
 const WIDEST_FACTOR: f64 = 10.0;
-/// A constant that has moved by more than this factor when the fit fails has run away.
+/// Ratio of a constant to its initial value above which a failed fit counts as divergent.
 const FARTHEST_FACTOR: f64 = 1e4;
-/// Two-sided level of the intervals.
+/// Two-sided confidence level.
 const LEVEL: f64 = 0.95;
 
-/// Why constants could not be had from a measurement.
+/// Failure of a fit.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum FitError {
@@ -40,7 +40,7 @@ pub enum FitError {
     Io {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         source: std::io::Error,
     },
     /// A row of a table does not fit.
@@ -48,10 +48,10 @@ pub enum FitError {
     Csv {
         /// Line, from 1.
         line: u64,
-        /// What is wrong with it.
+        /// Description of the error.
         reason: String,
     },
-    /// Not more points than constants.
+    /// The number of points does not exceed the number of constants.
     #[error("{points} points cannot determine {constants} constants and their errors")]
     TooFewPoints {
         /// Points of the curve.
@@ -59,23 +59,23 @@ pub enum FitError {
         /// Constants of the law.
         constants: usize,
     },
-    /// The least squares found no minimum.
+    /// The least-squares minimization did not converge.
     #[error("no best fit was found: {reason}")]
     NotConverged {
-        /// What the minimiser says.
+        /// Status of the minimizer.
         reason: String,
     },
-    /// The measurement says too little about a constant.
+    /// The measurement does not determine a constant.
     #[error("the measurement does not determine `{constant}`: {reason}")]
     Undetermined {
         /// The constant.
         constant: String,
-        /// Why.
+        /// The reason.
         reason: String,
     },
 }
 
-/// One constant as the measurement has it.
+/// A fitted constant.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct FittedConstant {
@@ -87,37 +87,36 @@ pub struct FittedConstant {
     pub interval: [f64; 2],
 }
 
-/// A law with the constants that fit a measurement best.
+/// A law with fitted constants.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct GrowthFit<L> {
     /// The law.
     pub law: L,
-    /// Its constants, in the order of the start values.
+    /// Its constants, in the order of the initial values.
     pub constants: Vec<FittedConstant>,
-    /// Root of the sum of squared deviations over the degrees of freedom \[m\].
+    /// Residual standard deviation: root of the sum of squared residuals over the degrees of freedom \[m\].
     pub standard_deviation: f64,
 }
 
-/// Fits the constants of a law to a film that was measured under constant conditions `at`.
+/// Fits the constants of a law to a film measured under the constant conditions `at`.
 ///
-/// `start` names the constants, all positive, with a value to start from; `law` makes the law from their
-/// values. The sum of squared deviations is minimised over the logarithms of the constants
-/// (Levenberg-Marquardt). Intervals are those of the linearised problem in the logarithms,
-/// `ln c +- t s sqrt[(J^T J)^-1]`, `t` the quantile of Student for the degrees of freedom; errors of the
-/// measurement count as independent and equal.
+/// `start` lists the names and positive initial values of the constants; `law` constructs the law from
+/// values. Levenberg-Marquardt minimizes the sum of squared residuals over the logarithms of the constants.
+/// The confidence intervals are those of the linearized problem, `ln c +- t s sqrt[(J^T J)^-1]`, with the
+/// Student quantile `t` for the degrees of freedom. Measurement errors are assumed independent and equal.
 ///
 /// # Errors
-/// Not more points than constants; constants that `law` refuses; no minimum found; a constant that the
-/// measurement does not determine: its effect cannot be told from that of others, or its interval reaches
-/// beyond a factor of 10.
+/// Too few points; constants that `law` rejects; no convergence; a constant that the measurement does not
+/// determine because its effect is indistinguishable from that of the others, or because its interval exceeds
+/// a factor of 10.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::tribochem::{FilmGrowthLaw, Ghanbarzadeh, GrowthCurve, fit_growth_law};
-/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+/// let at = SurfaceState::new(1e9, 353.15).with_solid_pressure(1e9)
 ///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
-/// // A film that follows the law, rounded to 0.1 nm.
+/// // A film by the law itself, rounded to 0.1 nm.
 /// let truth = Ghanbarzadeh::azam_2019();
 /// let times: Vec<f64> = (1..=60).map(|k| 200.0 * f64::from(k)).collect();
 /// let films = times.iter().map(|&time| {
@@ -136,7 +135,7 @@ pub struct GrowthFit<L> {
 /// ```
 pub fn fit_growth_law<L: FilmGrowthLaw>(
     curve: &GrowthCurve,
-    at: &RubbingPoint,
+    at: &SurfaceState,
     start: &[(&str, f64)],
     law: impl Fn(&[f64]) -> Result<L, InputError>,
 ) -> Result<GrowthFit<L>, FitError> {
@@ -163,28 +162,28 @@ pub fn fit_growth_law<L: FilmGrowthLaw>(
     problem.conclude(start)
 }
 
-/// Deviations and their derivatives, as the minimiser asks for them.
+/// Least-squares problem: residuals and Jacobian.
 struct Problem<'a, F> {
     /// The measurement.
     curve: &'a GrowthCurve,
-    /// Its conditions.
-    at: &'a RubbingPoint,
-    /// Makes the law from the constants.
+    /// Conditions of the measurement.
+    at: &'a SurfaceState,
+    /// Constructs the law from the constants.
     law: &'a F,
-    /// Largest thickness: deviations are relative to it.
+    /// Largest thickness, the scale of the residuals.
     scale: f64,
     /// Logarithms of the constants.
     logarithms: DVector<f64>,
 }
 
 impl<L: FilmGrowthLaw, F: Fn(&[f64]) -> Result<L, InputError>> Problem<'_, F> {
-    /// The law whose constants have these logarithms.
+    /// The law for these logarithms of the constants.
     fn build(&self, logarithms: &DVector<f64>) -> Result<L, InputError> {
         let values: Vec<f64> = logarithms.iter().map(|l| l.exp()).collect();
         (self.law)(&values)
     }
 
-    /// Relative deviations from the measurement; none where there is no such law.
+    /// Relative residuals; `None` if the law rejects the constants.
     fn deviations(&self, logarithms: &DVector<f64>) -> Option<DVector<f64>> {
         let law = self.build(logarithms).ok()?;
         let mut states = vec![0.0; law.n_states().max(1)];
@@ -212,22 +211,22 @@ impl<L: FilmGrowthLaw, F: Fn(&[f64]) -> Result<L, InputError>> Problem<'_, F> {
         Some(matrix)
     }
 
-    /// Why the minimisation ended early: a constant that ran away is one that the measurement says nothing
-    /// about.
+    /// Error of a minimization that stopped early. A constant far from its initial value is not determined by
+    /// the measurement.
     fn failure(&self, start: &[(&str, f64)], termination: &TerminationReason) -> FitError {
         let ways =
             start.iter().zip(self.logarithms.iter()).map(|((name, value), l)| (name, (l - value.ln()).abs()));
         match ways.max_by(|a, b| a.1.total_cmp(&b.1)) {
             Some((name, way)) if way.is_nan() || way > FARTHEST_FACTOR.ln() => FitError::Undetermined {
                 constant: (*name).to_owned(),
-                reason: "the deviations fall however far it moves from its start".to_owned(),
+                reason: "the residuals keep decreasing as it diverges from its initial value".to_owned(),
             },
             _ => FitError::NotConverged { reason: format!("{termination:?}") },
         }
     }
 
     fn conclude(self, start: &[(&str, f64)]) -> Result<GrowthFit<L>, FitError> {
-        let lost = || FitError::NotConverged { reason: "no law at the constants found".to_owned() };
+        let lost = || FitError::NotConverged { reason: "the law rejects the fitted constants".to_owned() };
         let freedom = (self.curve.times().len() - start.len()) as f64;
         let deviations = self.deviations(&self.logarithms).ok_or_else(lost)?;
         let spread = (deviations.norm_squared() / freedom).sqrt();
@@ -258,7 +257,7 @@ impl<L: FilmGrowthLaw, F: Fn(&[f64]) -> Result<L, InputError>> Problem<'_, F> {
     }
 }
 
-/// Diagonal of `(J^T J)^-1`, refused where a combination of constants has no effect.
+/// Diagonal of `(J^T J)^-1`; an error if a combination of constants has no effect.
 fn variances(sensitivities: &DMatrix<f64>, start: &[(&str, f64)]) -> Result<Vec<f64>, FitError> {
     let svd = sensitivities.clone().svd(false, true);
     let failed = || FitError::NotConverged { reason: "no singular values".to_owned() };
@@ -268,7 +267,8 @@ fn variances(sensitivities: &DMatrix<f64>, start: &[(&str, f64)]) -> Result<Vec<
     if smallest.is_nan() || smallest * MAX_CONDITION <= largest {
         let (column, _) = directions.row(weakest).transpose().abs().argmax();
         let constant = start.get(column).map_or_else(String::new, |(name, _)| (*name).to_owned());
-        let reason = "its effect on the film cannot be told from that of the other constants".to_owned();
+        let reason =
+            "its effect on the film is indistinguishable from that of the other constants".to_owned();
         return Err(FitError::Undetermined { constant, reason });
     }
     let scaled = |k: usize| {

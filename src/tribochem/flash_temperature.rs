@@ -1,22 +1,22 @@
 //! Flash temperature of two bodies in sliding contact.
 //!
-//! A plan belongs to a grid, two bodies and their speeds, as speeds change the coefficients; a history makes
-//! a new one where they change. `moving_source` has the coefficients, `heat_partition` the split of the heat.
+//! The coefficients depend on grid, bodies and speeds; a history computes new ones when these change.
+//! `moving_source` computes the coefficients, `heat_partition` the partition of the heat.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::ThermalBody;
-use super::heat_partition::{Resistance, SplitSolver};
+use super::heat_partition::{PartitionSolver, Resistance};
 use super::moving_source::MovingSource;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::{Convolution, ConvolutionPlan};
 
-/// Temperature mismatch between the bodies that is left, relative to the largest rise.
+/// Temperature mismatch between the bodies at convergence, relative to the largest rise.
 const TOLERANCE: f64 = 1e-4;
 
-/// What one evaluation of the flash temperature found.
+/// Outcome of a flash-temperature evaluation.
 ///
 /// # Examples
 ///
@@ -37,29 +37,29 @@ const TOLERANCE: f64 = 1e-4;
 pub struct FlashReport {
     /// Largest rise \[K\].
     pub maximum: f64,
-    /// Largest difference left between the temperatures of the two bodies at heated nodes \[K\].
+    /// Largest temperature difference between the two bodies at heated nodes \[K\].
     pub mismatch: f64,
-    /// Iterations spent on the split of the heat.
+    /// Iterations of the heat partition.
     pub iterations: usize,
 }
 
-/// Steady surface temperature rise of two half-spaces that slide past each other, heated where they touch.
+/// Steady surface temperature rise of two half-spaces in sliding contact, heated where they touch.
 ///
-/// Body `b` moves at `V_b` along x through the heat flux `q_b` \[W/m^2\] it receives:
+/// Body `b` moves at `V_b` along x. Its rise under the heat flux `q_b` \[W/m^2\] into it is
 ///
 /// `T_b(x, y) = int q_b exp[-(|V_b| r - V_b X) / (2 kappa_b)] / (2 pi k_b r) dx' dy'`,
 /// `X = x - x'`, `r^2 = X^2 + (y - y')^2`,
 ///
-/// summed by zero-padded FFT over cells of uniform flux with coefficients integrated over the cell, so no
-/// periodic image and no dropped zero mode enters. The friction heat `q = q_1 + q_2` is split such that
-/// `T_1 = T_2` at every heated node (`q > 0`), by iteration from the node-wise harmonic guess
+/// computed by zero-padded FFT convolution over cells of uniform flux with exactly integrated coefficients,
+/// without periodic images and with the zero mode. The friction heat `q = q_1 + q_2` is partitioned such that
+/// `T_1 = T_2` at every heated node (`q > 0`), by iteration from the initial guess
 /// `q_1 = q T_2[q] / (T_1[q] + T_2[q])`; equal bodies at equal speeds need no iteration. The quotient of
 /// spectra `G_1 G_2 / (G_1 + G_2)` is not used: it would let heat cross the gap where the bodies do not
 /// touch, and it is not exact for truncated kernels.
 ///
-/// Valid for heat that changes slowly against the transit time of the contact and for contacts small against
-/// the bodies. Memory: about 20 fields and three padded spectra; cost a call: 5 convolutions and one an
-/// iteration (typically 10 to 30).
+/// Valid for heat that varies slowly compared with the transit time of the contact, and for contacts small
+/// compared with the bodies. Memory: about 20 fields and three padded spectra. Cost per call: 5 convolutions
+/// plus one per iteration (typically 10 to 30).
 ///
 /// Sources: Jaeger (1942), moving sources of heat; Carslaw and Jaeger (1959), Conduction of Heat in Solids;
 /// the two-body idea by FFT: Gao, Lee, Ai, Nixon (2000), Journal of Tribology 122.
@@ -72,7 +72,7 @@ pub struct FlashReport {
 /// let disc: Vec<f64> = grid.nodes().map(|(x, y)| if x.hypot(y) < 1e-4 { 1e6 } else { 0.0 }).collect();
 /// let mut rise = vec![0.0; grid.len()];
 /// let report = flash.rise(&disc, &mut rise)?;
-/// // Uniform disc on a resting body: q b / k; half of it with two equal bodies.
+/// // Uniform disc on a body at rest: q b / k, half of it for two equal bodies.
 /// assert!((report.maximum / (0.5 * 1e6 * 1e-4 / 46.0) - 1.0).abs() < 0.02);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
@@ -82,23 +82,23 @@ pub struct FlashTemperature {
     n_nodes: usize,
     /// Rise of each body under a heat flux into it \[K m^2/W\].
     bodies: [Convolution; 2],
-    /// Rise of both bodies together under one flux.
+    /// Rise of both bodies under the same flux.
     sum: Convolution,
-    /// What splits the heat.
-    solver: SplitSolver,
+    /// Solver of the heat partition.
+    solver: PartitionSolver,
     /// Rises of both surfaces \[K\].
     temperatures: [Vec<f64>; 2],
     /// Heat flux into the first body \[W/m^2\].
-    share: Vec<f64>,
+    first_flux: Vec<f64>,
     /// Flux into the second body \[W/m^2\].
-    rest: Vec<f64>,
-    /// Rise of both bodies together per flux into one cell, at its node \[K m^2/W\].
-    own: f64,
+    second_flux: Vec<f64>,
+    /// Rise of both bodies at a node per flux into its cell \[K m^2/W\].
+    self_influence: f64,
 }
 
 impl FlashTemperature {
-    /// Plans for fields on `grid`: thermal properties of the two `bodies` and the `speeds` \[m/s\] (signed,
-    /// along x) of their surfaces relative to the contact.
+    /// Plans for fields on `grid`, with the thermal properties of the two `bodies` and the `speeds` \[m/s\]
+    /// (signed, along x) of their surfaces relative to the contact.
     ///
     /// # Errors
     /// A property that is not finite and positive, a speed that is not finite.
@@ -116,17 +116,17 @@ impl FlashTemperature {
             n_nodes: grid.len(),
             bodies: [plan(&|i, j| first.at(i, j)), plan(&|i, j| second.at(i, j))],
             sum: plan(&|i, j| first.at(i, j) + second.at(i, j)),
-            solver: SplitSolver::new(grid.len()),
+            solver: PartitionSolver::new(grid.len()),
             temperatures: [zeros(), zeros()],
-            share: zeros(),
-            rest: zeros(),
-            own: first.at(0, 0) + second.at(0, 0),
+            first_flux: zeros(),
+            second_flux: zeros(),
+            self_influence: first.at(0, 0) + second.at(0, 0),
         })
     }
 
     /// Overwrites `out` \[K\] with the rise under `heat_flux` \[W/m^2\] (friction coefficient x pressure x
-    /// sliding speed): the common temperature of the bodies where there is heat, their mean elsewhere.
-    /// Allocates nothing.
+    /// sliding speed): the common temperature at heated nodes, the mean of the bodies elsewhere. Allocates
+    /// nothing.
     ///
     /// # Errors
     /// A slice that does not fit the grid, a flux that is negative or not finite.
@@ -137,21 +137,21 @@ impl FlashTemperature {
         for &flux in heat_flux {
             InputError::require_non_negative("heat_flux", flux)?;
         }
-        let iterations = self.split(heat_flux, None);
+        let iterations = self.partition(heat_flux, None);
         Ok(self.collect(heat_flux, out, iterations))
     }
 
-    /// Overwrites `rises` \[K\], those of both surfaces, under `heat_flux` \[W/m^2\] that a film between them
-    /// gives off, or takes where it is below zero, half to each side plus what its `resistance` `h/k`
-    /// \[K m^2/W\] lets through from the warmer surface to the other:
+    /// Overwrites `rises` \[K\] of both surfaces under the `heat_flux` \[W/m^2\] of a film between them
+    /// (negative for heat absorbed). Half flows to each side, plus conduction through the film from the
+    /// warmer to the cooler surface, with its `resistance` `h/k` \[K m^2/W\]:
     ///
     /// `q_1 = q/2 + (T_2 - T_1) k/h`, `q_2 = q - q_1`,
     ///
-    /// so that without resistance both have one temperature. The mismatch of the report is what is left of
-    /// the first equation, as a temperature. Allocates nothing.
+    /// Without resistance both surfaces have the same temperature. The mismatch of the report is the residual
+    /// of the first equation as a temperature. Allocates nothing.
     ///
     /// # Errors
-    /// As of [`rise`](Self::rise); a resistance that is negative or not finite.
+    /// The errors of [`rise`](Self::rise); a resistance that is negative or not finite.
     pub fn rises_through_film(
         &mut self,
         heat_flux: &[f64],
@@ -168,12 +168,12 @@ impl FlashTemperature {
         let [one, other] = rises;
         InputError::require_len("rises", one, self.n_nodes)?;
         InputError::require_len("rises", other, self.n_nodes)?;
-        let iterations = self.split(heat_flux, Some(resistance));
+        let iterations = self.partition(heat_flux, Some(resistance));
         let mut report = self.collect(heat_flux, one, iterations);
         let [first, second] = &self.temperatures;
         report.mismatch = 0.0;
         for k in 0..self.n_nodes {
-            let across = resistance[k] * (self.share[k] - 0.5 * heat_flux[k]);
+            let across = resistance[k] * (self.first_flux[k] - 0.5 * heat_flux[k]);
             report.mismatch = report.mismatch.max((second[k] - first[k] - across).abs());
             report.maximum = report.maximum.max(first[k].abs()).max(second[k].abs());
         }
@@ -182,18 +182,19 @@ impl FlashTemperature {
         Ok(report)
     }
 
-    /// Fluxes \[W/m^2\] into both bodies at the last evaluation.
+    /// Fluxes \[W/m^2\] into both bodies in the last evaluation.
     pub fn fluxes(&self) -> [&[f64]; 2] {
-        [&self.share, &self.rest]
+        [&self.first_flux, &self.second_flux]
     }
 
-    /// Finds the flux into the first body; returns the number of iterations.
-    fn split(&mut self, heat_flux: &[f64], resistance: Option<&[f64]>) -> usize {
+    /// Solves for the flux into the first body; returns the number of iterations.
+    fn partition(&mut self, heat_flux: &[f64], resistance: Option<&[f64]>) -> usize {
+        // initial guess: equal temperatures node by node
         let [first, second] = &mut self.temperatures;
         self.bodies[0].apply(heat_flux, first);
         self.bodies[1].apply(heat_flux, second);
         let mut hottest = 0.0_f64;
-        for (k, share) in self.share.iter_mut().enumerate() {
+        for (k, share) in self.first_flux.iter_mut().enumerate() {
             let both = first[k] + second[k];
             *share = if heat_flux[k] > 0.0 && both > 0.0 { heat_flux[k] * second[k] / both } else { 0.0 };
             hottest = hottest.max(first[k].min(second[k]));
@@ -202,25 +203,27 @@ impl FlashTemperature {
             for ((target, flux), resistance) in second.iter_mut().zip(heat_flux).zip(resistance) {
                 *target += 0.5 * resistance * flux;
             }
-            // Across a thick film each side keeps its half.
-            for (share, (flux, resistance)) in self.share.iter_mut().zip(heat_flux.iter().zip(resistance)) {
-                let weight = resistance / (resistance + self.own);
+            // A film of high resistance sends half of the heat to each side.
+            for (share, (flux, resistance)) in
+                self.first_flux.iter_mut().zip(heat_flux.iter().zip(resistance))
+            {
+                let weight = resistance / (resistance + self.self_influence);
                 *share += weight * (0.5 * flux - *share);
             }
         }
-        let layer = resistance.map(|nodes| Resistance { nodes, own: self.own });
+        let layer = resistance.map(|nodes| Resistance { nodes, self_influence: self.self_influence });
         let tolerance = 0.5 * TOLERANCE * hottest;
-        self.solver.solve(&mut self.sum, (heat_flux, layer), second, &mut self.share, tolerance)
+        self.solver.solve(&mut self.sum, (heat_flux, layer), second, &mut self.first_flux, tolerance)
     }
 
-    /// Rises under the split, their mean into `out`, and how far they still differ.
+    /// Rises under the partition, their mean in `out`, and their mismatch.
     fn collect(&mut self, heat_flux: &[f64], out: &mut [f64], iterations: usize) -> FlashReport {
-        for ((rest, flux), share) in self.rest.iter_mut().zip(heat_flux).zip(&self.share) {
+        for ((rest, flux), share) in self.second_flux.iter_mut().zip(heat_flux).zip(&self.first_flux) {
             *rest = flux - share;
         }
         let [first, second] = &mut self.temperatures;
-        self.bodies[0].apply(&self.share, first);
-        self.bodies[1].apply(&self.rest, second);
+        self.bodies[0].apply(&self.first_flux, first);
+        self.bodies[1].apply(&self.second_flux, second);
         let mut report = FlashReport { maximum: 0.0, mismatch: 0.0, iterations };
         for (k, out) in out.iter_mut().enumerate() {
             *out = 0.5 * (first[k] + second[k]);
@@ -233,14 +236,13 @@ impl FlashTemperature {
     }
 }
 
-/// Largest flash temperature rise \[K\] of a smooth Hertzian contact, to decide whether a
-/// [`FlashTemperature`] is worth its time.
+/// Estimate of the largest flash temperature rise \[K\] of a smooth Hertzian contact, to decide whether a
+/// [`FlashTemperature`] is needed.
 ///
-/// Heat flux `mu p |V_1 - V_2|` with the pressure of Hertz (maximum `hertz_pressure` \[Pa\], radius `radius`
-/// \[m\], taken as parabolic with the mean `2 p_H / 3`); alone, body `b` would reach
-/// `2.32 q_mean a / (k_b sqrt(pi (1.234 + Pe_b)))`, `Pe_b = |V_b| a / (2 kappa_b)`, and together
-/// `1/T = 1/T_1 + 1/T_2`. Rough contacts are hotter at their asperities, by about a tenth in the reference
-/// scene.
+/// Heat flux `mu p |V_1 - V_2|` with the Hertz pressure (maximum `hertz_pressure` \[Pa\], radius `radius`
+/// \[m\], approximated as parabolic with the mean `2 p_H / 3`). Body `b` alone would reach
+/// `2.32 q_mean a / (k_b sqrt(pi (1.234 + Pe_b)))`, `Pe_b = |V_b| a / (2 kappa_b)`; together
+/// `1/T = 1/T_1 + 1/T_2`. Rough contacts are hotter at asperities, by about a tenth in the reference scene.
 ///
 /// Source: Tian and Kennedy (1994), Journal of Tribology 116, 167-174.
 ///
@@ -268,8 +270,8 @@ pub fn estimate_maximum_rise(
     estimate_rise_under_flux(bodies, speeds, mean_flux, radius)
 }
 
-/// [`estimate_maximum_rise`] \[K\] by the mean heat flux `mean_flux` \[W/m^2\] over the contact, whatever
-/// makes the heat: that of a fluid is its mean shear stress times the sliding speed.
+/// [`estimate_maximum_rise`] \[K\] for any heat source with the mean flux `mean_flux` \[W/m^2\] over the
+/// contact; that of a fluid is its mean shear stress times the sliding speed.
 ///
 /// # Errors
 /// A property or radius that is not finite and positive, a flux that is negative or not finite, a speed that

@@ -1,33 +1,33 @@
-//! The film law of Ghanbarzadeh and co-workers.
+//! Growth law of Ghanbarzadeh and co-workers.
 
 use super::barrier::BOLTZMANN;
 use super::first_order::relax;
 use super::{Activation, FilmGrowthLaw};
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// Planck constant \[J s\].
 const PLANCK: f64 = 6.62607015e-34;
 
 /// Saturating growth less saturating removal,
 /// `h(t) = h_max [1 - exp(-k t)] - C3 [1 - exp(-C4 t)]`, `k = (k_B T / h_Planck) x_tribo`,
-/// in the form of two states a node, so that temperature and contact may change with time:
+/// with two states per node, so that temperature and contact may vary with time:
 ///
 /// `g' = k(T) (h_max - g)`, `r' = C4 (C3 - r)`, `h = max(g - r, 0)` while the node is active, frozen
 /// otherwise.
 ///
-/// Both states follow exact exponentials: the result depends on the time spent active, not on how it is cut
-/// into steps. With the constants of [`azam_2019`](Self::azam_2019) the film is not monotone: it peaks near
-/// 2947 s and settles at `h_max - C3`.
+/// Both states follow exact exponentials, so the result depends on the active time and not on the steps. With
+/// the constants of [`azam_2019`](Self::azam_2019) the film is not monotonic: it peaks near 2947 s and
+/// approaches `h_max - C3`.
 ///
 /// Source: Ghanbarzadeh, Wilson, Morina, Dowson, Neville (2016), Tribology International 93, 573-582, as used
 /// by Azam, Ghanbarzadeh, Neville, Morina, Wilson (2019), Tribology International 135, 161-169.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::tribochem::{FilmGrowthLaw, Ghanbarzadeh};
 /// let law = Ghanbarzadeh::azam_2019();
-/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+/// let at = SurfaceState::new(1e9, 353.15).with_solid_pressure(1e9)
 ///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
 /// let mut states = [0.0; 2];
 /// law.advance(&at, 2947.0, &mut states);
@@ -35,7 +35,7 @@ const PLANCK: f64 = 6.62607015e-34;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ghanbarzadeh {
-    /// Thickness that growth alone approaches \[m\].
+    /// Limit of growth \[m\].
     maximum: f64,
     /// `k_B x_tribo / h_Planck` \[1/(K s)\].
     rate_per_kelvin: f64,
@@ -43,13 +43,13 @@ pub struct Ghanbarzadeh {
     removal_limit: f64,
     /// Rate of removal `C4` \[1/s\].
     removal_rate: f64,
-    /// Which nodes grow and lose film.
+    /// Condition for growth and removal.
     activation: Activation,
 }
 
 impl Ghanbarzadeh {
-    /// Law with the limit of growth `maximum_thickness` \[m\], the mechanical activation `x_tribo` \[-\], the
-    /// limit of removal `removal_limit` (C3, \[m\]) and its rate `removal_rate` (C4, \[1/s\]), active in
+    /// Law with the growth limit `maximum_thickness` \[m\], the mechanical activation `x_tribo` \[-\], the
+    /// removal limit `removal_limit` (C3, \[m\]) and the removal rate `removal_rate` (C4, \[1/s\]), active in
     /// solid contact.
     ///
     /// # Errors
@@ -74,7 +74,7 @@ impl Ghanbarzadeh {
     }
 
     /// The constants of Azam and co-workers (2019): `h_max` 200 nm, `x_tribo` 1.66e-16, `C3` 54.32 nm
-    /// (printed as 0.05432, read as micrometres), `C4` 4.022e-4 1/s.
+    /// (printed as 0.05432, interpreted as micrometres), `C4` 4.022e-4 1/s.
     pub fn azam_2019() -> Self {
         Self {
             maximum: 200e-9,
@@ -85,15 +85,15 @@ impl Ghanbarzadeh {
         }
     }
 
-    /// The same law with another condition for activity.
+    /// The law with another activation condition.
     #[must_use]
     pub fn with_activation(mut self, activation: Activation) -> Self {
         self.activation = activation;
         self
     }
 
-    /// Growth constant `k` \[1/s\] at `temperature` \[K\]; zero for temperatures that are not positive
-    /// numbers.
+    /// Growth constant `k` \[1/s\] at `temperature` \[K\]; zero for a temperature that is not positive or
+    /// NaN.
     ///
     /// ```
     /// let k = stribeck::tribochem::Ghanbarzadeh::azam_2019().rate_constant(353.15);
@@ -105,7 +105,7 @@ impl Ghanbarzadeh {
 }
 
 impl FilmGrowthLaw for Ghanbarzadeh {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if !self.activation.is_active(at) {
             return 0.0;
         }
@@ -133,7 +133,7 @@ impl FilmGrowthLaw for Ghanbarzadeh {
         states.first().copied()
     }
 
-    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+    fn advance(&self, at: &SurfaceState, time_step: f64, states: &mut [f64]) {
         if let [grown, removed, ..] = states
             && self.activation.is_active(at)
             && time_step > 0.0

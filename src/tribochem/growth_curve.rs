@@ -1,4 +1,4 @@
-//! Measured film thickness against time.
+//! Measured film thickness over time.
 
 use std::io::Read;
 use std::path::Path;
@@ -7,7 +7,7 @@ use super::fit::FitError;
 use crate::error::InputError;
 use crate::text_file;
 
-/// A film that was measured at several times while it rubbed, bare at the start.
+/// A film measured at several times of a rubbing test that began with a bare surface.
 ///
 /// ```
 /// use stribeck::tribochem::GrowthCurve;
@@ -27,7 +27,7 @@ pub struct GrowthCurve {
 }
 
 impl GrowthCurve {
-    /// From `times` \[s\] since the surface was bare, ascending, and the `thicknesses` \[m\] then; noise may
+    /// A curve of `times` \[s\] since the surface was bare, ascending, and `thicknesses` \[m\]; noise may
     /// make a thickness negative.
     ///
     /// # Errors
@@ -47,8 +47,8 @@ impl GrowthCurve {
         Ok(Self { times, thicknesses })
     }
 
-    /// From comma-separated text of two columns, time \[s\] and thickness \[m\]; a first row that holds no
-    /// numbers is a heading, lines that start with `#` are skipped.
+    /// A curve from comma-separated text with two columns, time \[s\] and thickness \[m\]. A first row
+    /// without numbers is a heading; lines that start with `#` are skipped.
     ///
     /// # Errors
     /// [`FitError::Csv`] with the line of a row that is not two numbers; those of [`GrowthCurve::new`].

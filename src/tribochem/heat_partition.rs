@@ -1,40 +1,40 @@
-//! The split of friction heat that gives both bodies one temperature in the contact.
+//! Partition of friction heat for equal temperatures of both bodies in the contact.
 //!
-//! With the rises `T_1 = C_1 q_1` and `T_2 = C_2 q_2` of both surfaces under the fluxes into them,
-//! `q_1 + q_2 = q`, equal temperatures at heated nodes ask for `(C_1 + C_2) q_1 = C_2 q`. A layer between the
-//! bodies of resistance `R`, in whose middle the heat is made, makes it `(C_1 + C_2 + R) q_1 = (C_2 + R/2) q`.
-//! The operator is not symmetric, as moving bodies carry heat downstream: hence generalised conjugate
-//! residuals and not conjugate gradients.
+//! With the rises `T_1 = C_1 q_1` and `T_2 = C_2 q_2` of both surfaces and `q_1 + q_2 = q`, equal
+//! temperatures at heated nodes require `(C_1 + C_2) q_1 = C_2 q`. For a layer of resistance `R` between the
+//! bodies with the heat source in its middle the equation is `(C_1 + C_2 + R) q_1 = (C_2 + R/2) q`. The
+//! operator is unsymmetric, as moving bodies advect heat downstream; hence generalized conjugate residuals
+//! instead of conjugate gradients.
 
 use crate::numerics::{Convolution, add_scaled, dot};
 
-/// Search directions kept before a restart.
+/// Number of search directions before a restart.
 const DIRECTIONS: usize = 6;
-/// Iterations at most.
+/// Largest number of iterations.
 const MAX_ITERATIONS: usize = 60;
 
-/// A layer between the bodies: its resistance to heat at every node \[K m^2/W\], and the rise of both bodies
-/// together per flux into one cell, at its node, which scales the search.
+/// A layer between the bodies: its thermal resistance at every node, and the self-influence of both bodies as
+/// the scale of the preconditioner.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Resistance<'a> {
     /// Resistance at every node \[K m^2/W\].
     pub(super) nodes: &'a [f64],
-    /// Rise of both bodies together at a node per flux into its cell \[K m^2/W\].
-    pub(super) own: f64,
+    /// Rise of both bodies at a node per flux into its cell \[K m^2/W\].
+    pub(super) self_influence: f64,
 }
 
-/// Generalised conjugate residual iteration for `S q = b` on the heated nodes, with a layer on all, `q` zero
-/// elsewhere. The residual never grows, so stopping early leaves a split that is no worse than the first
+/// Generalized conjugate residual method for `S q = b`, on the heated nodes or, with a layer, on all nodes;
+/// `q` is zero elsewhere. The residual never increases, so an early stop is never worse than the initial
 /// guess.
 #[derive(Debug, Clone)]
-pub(super) struct SplitSolver {
+pub(super) struct PartitionSolver {
     /// `b - S q` \[K\].
     residual: Vec<f64>,
-    /// The last search directions, whose images are orthogonal.
+    /// Search directions since the restart, with orthogonal images.
     directions: Vec<Direction>,
 }
 
-/// A search direction with what the operator makes of it.
+/// A search direction and its image under the operator.
 #[derive(Debug, Clone)]
 struct Direction {
     /// The direction \[W/m^2\].
@@ -45,7 +45,7 @@ struct Direction {
     norm_squared: f64,
 }
 
-impl SplitSolver {
+impl PartitionSolver {
     /// Buffers for fields of `n_nodes`.
     pub(super) fn new(n_nodes: usize) -> Self {
         let zeros = || vec![0.0; n_nodes];
@@ -53,7 +53,7 @@ impl SplitSolver {
         Self { residual: zeros(), directions: (0..DIRECTIONS).map(|_| direction()).collect() }
     }
 
-    /// Improves `share` until the largest residual is below `tolerance` \[K\]; returns the number of
+    /// Iterates on `share` until the largest residual is below `tolerance` \[K\]; returns the number of
     /// iterations.
     pub(super) fn solve(
         &mut self,
@@ -76,7 +76,7 @@ impl SplitSolver {
         MAX_ITERATIONS
     }
 
-    /// One iteration; false when the new direction brings nothing.
+    /// One iteration; `false` if the new direction has no image.
     fn improve(
         &mut self,
         sum: &mut Convolution,
@@ -86,10 +86,11 @@ impl SplitSolver {
     ) -> bool {
         let (older, rest) = self.directions.split_at_mut(iteration % DIRECTIONS);
         let Some(new) = rest.first_mut() else { return false };
+        // scaled residual as the search direction
         new.search.copy_from_slice(&self.residual);
         if let Some(layer) = layer {
             for (search, resistance) in new.search.iter_mut().zip(layer.nodes) {
-                *search /= layer.own + resistance;
+                *search /= layer.self_influence + resistance;
             }
         }
         sum.apply(&new.search, &mut new.image);
@@ -97,6 +98,7 @@ impl SplitSolver {
         for (value, &q) in new.image.iter_mut().zip(heated) {
             *value = if q > 0.0 || layer.is_some() { *value } else { 0.0 };
         }
+        // orthogonalize its image against the earlier ones
         for old in older.iter() {
             let weight = -dot(&new.image, &old.image) / old.norm_squared;
             add_scaled(&mut new.image, weight, &old.image);
@@ -106,6 +108,7 @@ impl SplitSolver {
         if !(new.norm_squared.is_finite() && new.norm_squared > 0.0) {
             return false;
         }
+        // minimize the residual along it
         let length = dot(&self.residual, &new.image) / new.norm_squared;
         add_scaled(share, length, &new.search);
         add_scaled(&mut self.residual, -length, &new.image);
@@ -113,7 +116,7 @@ impl SplitSolver {
     }
 }
 
-/// Adds the difference of temperature across the layer under the flux `share` to `rise`.
+/// Adds the temperature difference across the layer under the flux `share` to `rise`.
 fn add_layer(layer: Option<Resistance<'_>>, share: &[f64], rise: &mut [f64]) {
     let Some(layer) = layer else { return };
     for ((rise, flux), resistance) in rise.iter_mut().zip(share).zip(layer.nodes) {

@@ -1,39 +1,39 @@
-//! Integration of `dh/dt = f(h)` over a step of any length: adaptive exponential Euler.
+//! Integration of `dh/dt = f(h)` over a step of any length by adaptive exponential Euler.
 //!
-//! A film that starts far from its balance moves fast and then hardly at all, and time steps of a history are
-//! long: explicit steps would need to be many. Exponential Euler is exact for rates that are linear in the
-//! film, `f = J (h - h_0)`; a whole substep and two half ones tell the error, which sets the length of the
-//! next. A substep within which the rate changes its sign is shortened, and the last one ends by bisection at
-//! the balance point: a film does not swing about it.
+//! Far from its equilibrium a film changes fast, close to it slowly, and the time steps of a history are
+//! long: explicit integration would need many substeps. Exponential Euler is exact for rates that are linear
+//! in the film, `f = J (h - h_0)`. The difference between one full and two half substeps estimates the error
+//! and sets the next substep. A substep in which the rate changes sign is shortened, and the last one ends by
+//! bisection at the equilibrium, so the film does not oscillate about it.
 
-/// Distance accepted between one whole and two half substeps, relative to the largest thickness;
-/// extrapolation leaves errors below 1e-5 over a whole step of smooth laws.
+/// Accepted difference between one full and two half substeps, relative to the largest thickness. With
+/// Richardson extrapolation the error over a step is below 1e-5 for smooth laws.
 const TOLERANCE: f64 = 1e-5;
-/// Distance of the probe for the slope of the rate, relative to the largest thickness.
+/// Increment of the difference quotient for the slope of the rate, relative to the largest thickness.
 const PROBE: f64 = 1e-5;
-/// Substeps tried, accepted or not, before the rest of the step is taken at once.
+/// Number of substeps, accepted or rejected, after which the remaining time is one substep.
 const MAX_TRIALS: usize = 200;
-/// Reversed rates below this fraction of the starting rate count as rounding at the balance point.
+/// Reversed rates below this fraction of the initial rate count as rounding errors at the equilibrium.
 const ROUNDING: f64 = 1e-9;
-/// Halvings of the interval around a balance point.
+/// Number of bisections at an equilibrium.
 const BISECTIONS: usize = 60;
 
-/// Thickness after `time_step` from `start` with rate `rate(thickness)`, for `0 <= start`, staying within
+/// Thickness after `time_step` from `start` with the rate `rate(thickness)`, within
 /// `0..=max(ceiling, start)`.
 pub(super) fn integrate(rate: impl Fn(f64) -> f64, ceiling: f64, start: f64, time_step: f64) -> f64 {
-    let Some(mut flow) = Flow::new(ceiling, start, time_step) else { return start.max(0.0) };
-    let mut asked = flow.thickness;
-    while let Some(next) = flow.answer(rate(asked)) {
-        asked = next;
+    let Some(mut step) = FilmStep::new(ceiling, start, time_step) else { return start.max(0.0) };
+    let mut requested = step.thickness;
+    while let Some(next) = step.advance(rate(requested)) {
+        requested = next;
     }
-    flow.thickness
+    step.thickness
 }
 
-/// Advances `thickness` \[m\], one value a node, by `time_step` \[s\] as
-/// [`FilmGrowthLaw::advance`](super::FilmGrowthLaw::advance) does by default, to the same last bit, for a law
-/// that gives the rates of all nodes at once: `rates(thickness, out)` overwrites `out` \[m/s\] with those of
-/// films of `thickness` \[m\]. Nodes that have arrived are asked for on, with the thickness of their last
-/// question. `largest` is the thickness \[m\] that growth alone approaches.
+/// Advances `thickness` \[m\], one value per node, by `time_step` \[s\]. The result is bit-identical to the
+/// default of [`FilmGrowthLaw::advance`](super::FilmGrowthLaw::advance), for a law that computes the rates of
+/// all nodes together: `rates(thickness, out)` overwrites `out` \[m/s\] with the rates of films of
+/// `thickness` \[m\]. Finished nodes remain in the argument with their last thickness. `largest` is the
+/// thickness limit of growth \[m\].
 ///
 /// ```
 /// use stribeck::tribochem::integrate_rates;
@@ -48,81 +48,81 @@ pub fn integrate_rates(
     time_step: f64,
     thickness: &mut [f64],
 ) {
-    let mut flows: Vec<Option<Flow>> =
-        thickness.iter().map(|start| Flow::new(largest, *start, time_step)).collect();
-    let mut asked: Vec<f64> = thickness.iter().map(|start| start.max(0.0)).collect();
-    let mut answers = vec![0.0; thickness.len()];
-    thickness.copy_from_slice(&asked);
-    while flows.iter().any(Option::is_some) {
-        rates(&asked, &mut answers);
-        for (k, flow) in flows.iter_mut().enumerate() {
-            let Some(open) = flow else { continue };
-            match open.answer(answers[k]) {
-                Some(next) => asked[k] = next,
+    let mut steps: Vec<Option<FilmStep>> =
+        thickness.iter().map(|start| FilmStep::new(largest, *start, time_step)).collect();
+    let mut requested: Vec<f64> = thickness.iter().map(|start| start.max(0.0)).collect();
+    let mut results = vec![0.0; thickness.len()];
+    thickness.copy_from_slice(&requested);
+    while steps.iter().any(Option::is_some) {
+        rates(&requested, &mut results);
+        for (k, step) in steps.iter_mut().enumerate() {
+            let Some(open) = step else { continue };
+            match open.advance(results[k]) {
+                Some(next) => requested[k] = next,
                 None => {
                     thickness[k] = open.thickness;
-                    *flow = None;
+                    *step = None;
                 }
             }
         }
     }
 }
 
-/// What a rate was asked for.
+/// Purpose of a requested rate.
 #[derive(Debug, Clone, Copy)]
-enum Question {
-    /// That of the film as it is.
-    Here,
-    /// Beside it, for the slope.
-    Slope,
-    /// Half a substep on.
+enum Stage {
+    /// Rate at the start of a substep.
+    Start,
+    /// Slope at the start of a substep.
+    StartSlope,
+    /// Rate after half a substep.
     Middle,
-    /// Beside that, for the slope there.
+    /// Slope after half a substep.
     MiddleSlope,
-    /// A whole substep on, in two halves.
-    Next,
-    /// Beside the film, for the slope of what is left of the time.
-    LastSlope,
-    /// At the end of it.
+    /// Rate after the substep.
+    Substep,
+    /// Slope for the remaining time.
+    RemainderSlope,
+    /// Rate at the end of the remaining time.
     End,
-    /// Between a thickness this side of a balance point and one beyond.
-    Between,
+    /// Bisection between both sides of an equilibrium.
+    Bisection,
 }
 
-/// The way of one film through a step. It asks for the rate at one thickness after the other, so that many
-/// films can go side by side.
+/// Integration of one film over a step, as a coroutine that requests one rate at a time; many films then
+/// advance in parallel.
 #[derive(Debug, Clone, Copy)]
-struct Flow {
-    /// Largest thickness, which errors are relative to \[m\].
+struct FilmStep {
+    /// Largest thickness, the scale of errors \[m\].
     scale: f64,
     /// Upper bound of the film \[m\].
     top: f64,
-    /// Film at the time reached \[m\].
+    /// Film at the current time \[m\].
     thickness: f64,
-    /// Time that is left \[s\].
+    /// Remaining time \[s\].
     left: f64,
-    /// Length of the substep under way \[s\].
+    /// Length of the current substep \[s\].
     step: f64,
-    /// Substeps tried, or bisections at the end.
+    /// Number of substeps, or of bisections at the end.
     trials: usize,
-    /// What the next answer is the rate of.
-    question: Question,
-    /// Rate at the film reached \[m/s\].
+    /// Purpose of the requested rate.
+    stage: Stage,
+    /// Rate at the current film \[m/s\].
     rate: f64,
-    /// Film after one whole substep \[m\].
+    /// Film after one full substep \[m\].
     whole: f64,
-    /// Film after the first half, or between bounds of a balance point \[m\].
+    /// Film after half a substep, or the midpoint of a bisection \[m\].
     middle: f64,
-    /// Rate there \[m/s\].
+    /// Rate at that film \[m/s\].
     middle_rate: f64,
-    /// Film after two halves, extrapolated \[m\].
+    /// Film after two half substeps, extrapolated \[m\].
     next: f64,
-    /// Distance of both, relative to the scale.
+    /// Difference of full and half substeps, relative to the scale.
     error: f64,
 }
 
-impl Flow {
-    /// None where the film stays as it is.
+impl FilmStep {
+    /// `None` where the film does not change.
     fn new(ceiling: f64, start: f64, time_step: f64) -> Option<Self> {
         let start = start.max(0.0);
         let moves = time_step.is_finite() && time_step > 0.0 && ceiling.is_finite() && ceiling > 0.0;
@@ -133,7 +133,7 @@ impl Flow {
             left: time_step,
             step: time_step,
             trials: 0,
-            question: Question::Here,
+            stage: Stage::Start,
             rate: 0.0,
             whole: 0.0,
             middle: 0.0,
@@ -143,96 +143,96 @@ impl Flow {
         })
     }
 
-    /// Takes the rate that was asked for, first that at the start, and returns the thickness whose rate is
-    /// needed next; none at the end of the step.
-    fn answer(&mut self, rate: f64) -> Option<f64> {
-        match self.question {
-            Question::Here => self.begin(rate),
-            Question::Slope => {
+    /// Processes the requested rate, initially that at the start, and returns the thickness of the next
+    /// request; `None` at the end of the step.
+    fn advance(&mut self, rate: f64) -> Option<f64> {
+        match self.stage {
+            Stage::Start => self.begin_substep(rate),
+            Stage::StartSlope => {
                 let slope = self.slope(self.thickness, self.rate, rate);
                 self.whole = self.exponential_euler(self.thickness, self.rate, slope, self.step);
                 self.middle = self.exponential_euler(self.thickness, self.rate, slope, 0.5 * self.step);
-                self.ask(Question::Middle, self.middle)
+                self.request(Stage::Middle, self.middle)
             }
-            Question::Middle => self.at_middle(rate),
-            Question::MiddleSlope => {
+            Stage::Middle => self.at_middle(rate),
+            Stage::MiddleSlope => {
                 let slope = self.slope(self.middle, self.middle_rate, rate);
                 let halves = self.exponential_euler(self.middle, self.middle_rate, slope, 0.5 * self.step);
                 self.extrapolate(halves)
             }
-            Question::Next => {
+            Stage::Substep => {
                 let crossed = reverses(self.rate, rate);
-                self.decide(self.next, if crossed { f64::INFINITY } else { self.error })
+                self.accept_or_shorten(self.next, if crossed { f64::INFINITY } else { self.error })
             }
-            Question::LastSlope => {
+            Stage::RemainderSlope => {
                 let slope = self.slope(self.thickness, self.rate, rate);
                 self.next = self.exponential_euler(self.thickness, self.rate, slope, self.left);
-                self.ask(Question::End, self.next)
+                self.request(Stage::End, self.next)
             }
-            Question::End if !reverses(self.rate, rate) => self.end_at(self.next),
-            Question::End => {
+            Stage::End if !reverses(self.rate, rate) => self.finish(self.next),
+            Stage::End => {
                 self.trials = 0;
-                self.halve()
+                self.bisect()
             }
-            Question::Between => {
+            Stage::Bisection => {
                 if rate * self.rate > 0.0 {
                     self.thickness = self.middle;
                 } else {
                     self.next = self.middle;
                 }
                 self.trials += 1;
-                if self.trials == BISECTIONS { None } else { self.halve() }
+                if self.trials == BISECTIONS { None } else { self.bisect() }
             }
         }
     }
 
-    /// Asks for the rate at `thickness`, for the purpose of `question`.
-    fn ask(&mut self, question: Question, thickness: f64) -> Option<f64> {
-        self.question = question;
+    /// Requests the rate at `thickness`.
+    fn request(&mut self, stage: Stage, thickness: f64) -> Option<f64> {
+        self.stage = stage;
         Some(thickness)
     }
 
     /// Ends the step with this thickness.
-    fn end_at(&mut self, thickness: f64) -> Option<f64> {
+    fn finish(&mut self, thickness: f64) -> Option<f64> {
         self.thickness = thickness;
         None
     }
 
-    /// Begins a substep, or the rest of the step after too many of them, at the film as it is with its
+    /// Begins a substep, or the rest of the step after too many substeps, from the current film with its
     /// `rate`.
-    fn begin(&mut self, rate: f64) -> Option<f64> {
+    fn begin_substep(&mut self, rate: f64) -> Option<f64> {
         let last = self.trials == MAX_TRIALS;
-        if (!last && self.left <= 0.0) || self.at_rest(self.thickness, rate) {
+        if (!last && self.left <= 0.0) || self.is_stationary(self.thickness, rate) {
             return None;
         }
         self.trials += 1;
         self.rate = rate;
         let beside = self.thickness + self.probe(self.thickness, rate);
-        self.ask(if last { Question::LastSlope } else { Question::Slope }, beside)
+        self.request(if last { Stage::RemainderSlope } else { Stage::StartSlope }, beside)
     }
 
-    /// Takes the rate half a substep on; a change of sign makes the substep shorter.
+    /// Processes the rate after half a substep; a change of sign rejects the substep.
     fn at_middle(&mut self, rate: f64) -> Option<f64> {
         self.middle_rate = rate;
         if reverses(self.rate, rate) {
-            return self.decide(self.middle, f64::INFINITY);
+            return self.accept_or_shorten(self.middle, f64::INFINITY);
         }
-        if self.at_rest(self.middle, rate) || rate * self.rate.signum() < 0.0 {
+        if self.is_stationary(self.middle, rate) || rate * self.rate.signum() < 0.0 {
             return self.extrapolate(self.middle);
         }
         let beside = self.middle + self.probe(self.middle, rate);
-        self.ask(Question::MiddleSlope, beside)
+        self.request(Stage::MiddleSlope, beside)
     }
 
-    /// Two half steps, extrapolated by Richardson, and their relative distance from one whole step.
+    /// Richardson extrapolation of two half substeps, and their relative difference from the full one.
     fn extrapolate(&mut self, halves: f64) -> Option<f64> {
         self.next = (halves + (halves - self.whole) / 3.0).clamp(0.0, self.top);
         self.error = (halves - self.whole).abs() / self.scale;
-        self.ask(Question::Next, self.next)
+        self.request(Stage::Substep, self.next)
     }
 
-    /// Takes the substep to `next` or a shorter one; `error` is infinite when a balance point was crossed.
-    fn decide(&mut self, next: f64, error: f64) -> Option<f64> {
+    /// Accepts the substep to `next` or shortens it; `error` is infinite across an equilibrium.
+    fn accept_or_shorten(&mut self, next: f64, error: f64) -> Option<f64> {
         if error > TOLERANCE {
             self.step *= (0.8 * (TOLERANCE / error).cbrt()).clamp(0.02, 0.5);
         } else {
@@ -241,25 +241,25 @@ impl Flow {
             let longer = (0.8 * (TOLERANCE / error.max(1e-300)).cbrt()).clamp(1.0, 8.0);
             self.step = self.left.min(self.step * longer);
         }
-        self.ask(Question::Here, self.thickness)
+        self.request(Stage::Start, self.thickness)
     }
 
-    /// Asks half-way between the film and the thickness beyond the balance point.
-    fn halve(&mut self) -> Option<f64> {
+    /// Requests the midpoint between the film and the thickness beyond the equilibrium.
+    fn bisect(&mut self) -> Option<f64> {
         self.middle = 0.5 * (self.thickness + self.next);
-        self.ask(Question::Between, self.middle)
+        self.request(Stage::Bisection, self.middle)
     }
 
-    /// Whether nothing can move: no usable rate, or one that pushes against a bound.
-    fn at_rest(&self, thickness: f64, rate: f64) -> bool {
+    /// Whether the film is stationary: an unusable rate, or one toward an active bound.
+    fn is_stationary(&self, thickness: f64, rate: f64) -> bool {
         !rate.is_finite()
             || rate.abs() <= 0.0
             || (rate < 0.0 && thickness <= 0.0)
             || (rate > 0.0 && thickness >= self.top)
     }
 
-    /// Distance to where the slope is probed, on the side the film comes from, where no bound or kink ahead
-    /// disturbs it.
+    /// Increment of the difference quotient, away from the direction of change, where no bound or kink
+    /// interferes.
     fn probe(&self, from: f64, rate: f64) -> f64 {
         let behind = -rate.signum() * PROBE * self.scale;
         if (0.0..=self.top).contains(&(from + behind)) { behind } else { -behind }
@@ -270,7 +270,7 @@ impl Flow {
         (beside - rate) / self.probe(from, rate)
     }
 
-    /// `h + dt phi(J dt) f`, `phi(z) = (e^z - 1)/z`, J the slope of the rate.
+    /// `h + dt phi(J dt) f`, `phi(z) = (e^z - 1)/z`, with the slope J of the rate.
     fn exponential_euler(&self, from: f64, rate: f64, slope: f64, step: f64) -> f64 {
         let exponent = if slope.is_finite() { (slope * step).min(500.0) } else { 0.0 };
         let phi = if exponent.abs() < 1e-12 { 1.0 } else { exponent.exp_m1() / exponent };
@@ -278,7 +278,7 @@ impl Flow {
     }
 }
 
-/// Whether `now` points the other way than `before`, rounding aside, or is not a number.
+/// Whether `now` has the opposite sign of `before` beyond rounding, or is NaN.
 fn reverses(before: f64, now: f64) -> bool {
     !now.is_finite() || (now * before.signum() < -ROUNDING * before.abs())
 }

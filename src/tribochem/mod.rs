@@ -1,18 +1,18 @@
-//! Tribochemistry: growth and removal of anti-wear films, and the flash temperature that drives some of it.
+//! Tribochemistry: growth and removal of anti-wear films, and the flash temperature.
 //!
-//! [`FilmGrowthLaw`] is an open set: an own law needs a rate and a largest thickness, nothing else.
+//! [`FilmGrowthLaw`] is an open trait: a custom law needs a rate and a largest thickness only.
 //!
 //! | law | growth | removal |
 //! |---|---|---|
-//! | [`Ghanbarzadeh`] | first order, by temperature | first order, with the time of rubbing; the law of the reference scene |
-//! | [`ThermalArrhenius`] | first order, over an energy barrier | |
-//! | [`StressActivated`] | first order, over a barrier that shear or normal stress lowers | |
-//! | [`ProportionalRemoval`] | steady, over a barrier that shear stress lowers | in proportion to the film |
+//! | [`Ghanbarzadeh`] | first order, temperature dependent | first order in the rubbing time; law of the reference scene |
+//! | [`ThermalArrhenius`] | first order, thermally activated | |
+//! | [`StressActivated`] | first order, activated by shear or normal stress | |
+//! | [`ProportionalRemoval`] | constant rate, activated by shear stress | proportional to the film |
 //!
-//! [`Activation`] is the condition under which a node takes part. [`Tribofilm`] is the film of one body,
-//! carried on the nodes of that body's own surface; [`FlashTemperature`] is the temperature rise that
-//! friction heat causes. With the feature `fit`, `fit_growth_law` finds the constants of a law from a
-//! measured film. The hardness of a film belongs to [`crate::plastic`].
+//! [`Activation`] is the condition for the activity of a node. [`Tribofilm`] is the film of a body on the
+//! nodes of its own surface. [`FlashTemperature`] is the temperature rise by friction heat. With the feature
+//! `fit`, `fit_growth_law` fits the constants of a law to a measured film. The hardness of a film belongs to
+//! [`crate::plastic`].
 
 mod activation;
 mod barrier;
@@ -48,27 +48,27 @@ pub use proportional_removal::ProportionalRemoval;
 pub use stress_activated::StressActivated;
 pub use thermal_arrhenius::ThermalArrhenius;
 
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
-/// How a tribofilm grows and is removed at one node.
+/// Growth and removal of a tribofilm at a node.
 ///
-/// A law keeps [`n_states`](Self::n_states) numbers a node, all zero on a bare surface. A law whose only
-/// state is the thickness writes [`rate`](Self::rate) and [`maximum_thickness`](Self::maximum_thickness); the
-/// provided [`advance`](Self::advance) integrates it. A law with a solution of its own, or with more states,
+/// A law has [`n_states`](Self::n_states) states per node, all zero on a bare surface. A law whose only state
+/// is the thickness implements [`rate`](Self::rate) and [`maximum_thickness`](Self::maximum_thickness); the
+/// provided [`advance`](Self::advance) integrates it. A law with its own solution or with more states
 /// overrides `advance`, and with it `thickness` and `n_states`.
 ///
-/// Contract: rates are finite and depend on the arguments alone; an inactive node (see [`Activation`]) is
-/// frozen, it neither grows nor loses film; states stay finite; a film that starts within
-/// `0..=maximum_thickness` stays there.
+/// Contract: rates are finite and depend on the arguments alone. The film of an inactive node (see
+/// [`Activation`]) is frozen. States stay finite. A film that starts within `0..=maximum_thickness` stays
+/// there.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::tribochem::FilmGrowthLaw;
 ///
 /// #[derive(Debug)]
 /// struct Saturating;
 /// impl FilmGrowthLaw for Saturating {
-///     fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+///     fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
 ///         if at.in_contact { 1e-3 * (100e-9 - thickness) } else { 0.0 }
 ///     }
 ///     fn maximum_thickness(&self) -> f64 {
@@ -77,26 +77,25 @@ use crate::rubbing::RubbingPoint;
 /// }
 ///
 /// let mut states = [0.0];
-/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+/// let at = SurfaceState::new(1e9, 353.15).with_solid_pressure(1e9)
 ///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
 /// Saturating.advance(&at, 5000.0, &mut states);
 /// assert!((states[0] - 100e-9 * (1.0 - (-5.0_f64).exp())).abs() < 1e-18);
 /// ```
 pub trait FilmGrowthLaw: Debug + Send + Sync {
-    /// Net growth rate `dh/dt` \[m/s\] of a film of `thickness` \[m\] without further history, that is with
-    /// the states that [`start`](Self::start) gives it; zero at an inactive node.
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64;
+    /// Net growth rate `dh/dt` \[m/s\] of a film of `thickness` \[m\] without further history, with the
+    /// states of [`start`](Self::start); zero at an inactive node.
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64;
 
-    /// The thickness \[m\] that growth alone approaches; hardness and wear scale with the film relative to
-    /// it.
+    /// Thickness limit of growth \[m\], the reference thickness of hardness and wear.
     fn maximum_thickness(&self) -> f64;
 
-    /// Number of states a node; 1 (the thickness) unless overridden.
+    /// Number of states per node; 1 (the thickness) by default.
     fn n_states(&self) -> usize {
         1
     }
 
-    /// Overwrites `states` (of `n_states` values) with those of a film of `thickness` \[m\] and no further
+    /// Overwrites `states` (`n_states` values) with those of a film of `thickness` \[m\] without further
     /// history.
     fn start(&self, thickness: f64, states: &mut [f64]) {
         states.fill(0.0);
@@ -105,13 +104,12 @@ pub trait FilmGrowthLaw: Debug + Send + Sync {
         }
     }
 
-    /// Thickness \[m\], never negative, of the film with these `states`.
+    /// Non-negative thickness \[m\] of the film with these `states`.
     fn thickness(&self, states: &[f64]) -> f64 {
         states.first().copied().unwrap_or(0.0).max(0.0)
     }
 
-    /// Thickness \[m\] grown so far in total, removed or not, where the law can tell; `None` where only the
-    /// net thickness is known.
+    /// Total growth \[m\] so far, removed or not; `None` for a law of the net thickness alone.
     fn grown(&self, states: &[f64]) -> Option<f64> {
         let _ = states;
         None
@@ -119,11 +117,11 @@ pub trait FilmGrowthLaw: Debug + Send + Sync {
 
     /// Advances `states` (of `n_states` values) by `time_step` \[s\] under constant conditions `at`.
     ///
-    /// By default an adaptive exponential Euler integration of [`rate`](Self::rate): exact up to rounding
-    /// where the rate is linear in the thickness, to about 1e-5 of the largest thickness where it is smooth;
-    /// stable for any step, bounded in work, never across zero, the largest thickness or a balance of growth
-    /// and removal. A rate that is not finite freezes the film.
-    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+    /// The default is an adaptive exponential Euler integration of [`rate`](Self::rate). It is exact up to
+    /// rounding for rates linear in the thickness, and accurate to about 1e-5 of the largest thickness for
+    /// smooth rates. It is stable for any step, bounded in work, and does not cross zero, the largest
+    /// thickness or an equilibrium of growth and removal. A rate that is not finite freezes the film.
+    fn advance(&self, at: &SurfaceState, time_step: f64, states: &mut [f64]) {
         if let Some(thickness) = states.first_mut() {
             let rate = |thickness: f64| self.rate(at, thickness);
             *thickness = integrate::integrate(rate, self.maximum_thickness(), *thickness, time_step);
@@ -131,11 +129,11 @@ pub trait FilmGrowthLaw: Debug + Send + Sync {
     }
 
     /// Advances the states of all nodes, node-major in `states`, by `time_step` \[s\] under the conditions
-    /// `at`, one a node.
+    /// `at`, one per node.
     ///
-    /// By default node by node with [`advance`](Self::advance); for laws that work on whole fields at once,
-    /// whose default integration is [`integrate_rates`]. Both must come to the same.
-    fn advance_all(&self, at: &[RubbingPoint], time_step: f64, states: &mut [f64]) {
+    /// The default calls [`advance`](Self::advance) for each node. It is overridden by laws that process
+    /// whole fields, with [`integrate_rates`] as the corresponding default integration. Both must agree.
+    fn advance_all(&self, at: &[SurfaceState], time_step: f64, states: &mut [f64]) {
         for (at, states) in at.iter().zip(states.chunks_exact_mut(self.n_states().max(1))) {
             self.advance(at, time_step, states);
         }

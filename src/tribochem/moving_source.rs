@@ -1,15 +1,14 @@
-//! Surface temperature of a half-space under a steady heat source that moves over it.
+//! Steady surface temperature of a half-space under a moving heat source.
 //!
-//! In the steady state, the temperature that a source makes at a distance has Carslaw and Jaeger's kernel. It
-//! is integrated over cells, for a body at rest in closed form. The coefficients are summed by convolution in
-//! `flash_temperature`.
+//! The steady temperature of a moving point source has the kernel of Carslaw and Jaeger. It is integrated
+//! over cells, in closed form for a body at rest. `flash_temperature` sums the coefficients by convolution.
 
 use std::f64::consts::PI;
 
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// What the flash temperature needs to know of a body.
+/// Thermal properties of a body.
 ///
 /// # Examples
 ///
@@ -47,8 +46,8 @@ impl Default for ThermalBody {
     }
 }
 
-/// Influence coefficients \[K m^2/W\] of uniformly heated cells: temperature at a node for unit flux into the
-/// cell at the offset, as a table over offsets `-nx < di < nx` and `0 <= dj < ny` (symmetric in y).
+/// Influence coefficients \[K m^2/W\] of uniformly heated cells: temperature at a node for a unit flux into
+/// the cell at an offset, tabulated for `-nx < di < nx` and `0 <= dj < ny` (symmetric in y).
 #[derive(Debug)]
 pub(super) struct MovingSource {
     /// Columns of the grid.
@@ -75,7 +74,7 @@ impl MovingSource {
         Self { nx, table }
     }
 
-    /// Coefficient at an offset of target less source; within the range of the table.
+    /// Coefficient at the offset of target less source, within the range of the table.
     pub(super) fn at(&self, di: isize, dj: isize) -> f64 {
         let column = (di + self.nx as isize - 1).unsigned_abs();
         self.table[dj.unsigned_abs() * (2 * self.nx - 1) + column]
@@ -84,9 +83,9 @@ impl MovingSource {
 
 /// Integral of `exp[-decay (r - x)] / r` over the rectangle centred on `(x, y)` with half sides `half`.
 ///
-/// In polar coordinates the radial integral is `R phi(decay (R - x))`, `phi(s) = (1 - e^-s)/s`, at the rim;
-/// what is left is one regular integral a side, signed by the distance `d` of the side from the origin. With
-/// `t = |d| sinh(u)` along the side it reads `d int phi du`, exact for a body at rest and free of the
+/// In polar coordinates the radial integral is `R phi(decay (R - x))`, `phi(s) = (1 - e^-s)/s`, at the
+/// boundary of the cell. One regular integral remains for each side, signed by its distance `d` from the
+/// origin. With `t = |d| sinh(u)` along the side it is `d int phi du`, exact for a body at rest and without
 /// singularity.
 fn cell_integral(x: f64, y: f64, half: [f64; 2], decay: f64) -> f64 {
     let (x0, x1, y0, y1) = (x - half[0], x + half[0], y - half[1], y + half[1]);
@@ -119,12 +118,12 @@ fn phi(s: f64) -> f64 {
     if s < 1e-12 { 1.0 } else { -(-s).exp_m1() / s }
 }
 
-/// Halvings of a side at most.
+/// Largest recursion depth of the quadrature.
 const MAX_DEPTH: usize = 14;
-/// Accepted difference of the two rules relative to the length of the interval (integrands are at most 1).
+/// Accepted difference of the two rules, relative to the length of the interval (integrands are at most 1).
 const QUADRATURE_TOLERANCE: f64 = 1e-10;
 
-/// Nodes and weights of the pair of Gauss (7) and Kronrod (15) rules: node, Kronrod weight, Gauss weight.
+/// Nodes and weights of the Gauss (7) and Kronrod (15) pair: node, Kronrod weight, Gauss weight.
 const RULE: [(f64, f64, f64); 8] = [
     (0.991_455_371_120_812_6, 0.022_935_322_010_529_224, 0.0),
     (0.949_107_912_342_758_5, 0.063_092_092_629_978_55, 0.129_484_966_168_869_7),
@@ -165,7 +164,7 @@ mod tests {
         assert!((far / monopole - 1.0).abs() < 1e-6, "{far} {monopole}");
     }
 
-    /// Midpoint sums on a fine mesh away from the singular point.
+    /// Compared with midpoint sums on a fine mesh away from the singular point.
     #[test]
     fn moving_cell_matches_a_fine_sum() {
         for decay in [0.1, 3.0, 50.0] {
@@ -187,7 +186,7 @@ mod tests {
         }
     }
 
-    /// Halving a cell in both directions changes nothing: the integral is additive.
+    /// The integral is additive over the quarters of a cell.
     #[test]
     fn quarters_add_up_to_the_cell_under_the_node() {
         for decay in [0.0, 0.5, 20.0, 400.0] {

@@ -1,24 +1,24 @@
-//! Growth against removal in proportion to the film.
+//! Stress-activated growth with removal proportional to the film.
 
 use super::barrier::Barrier;
 use super::first_order::relax;
 use super::{Activation, FilmGrowthLaw};
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
-/// `dh/dt = G exp[-(E - tau V) / (k_B T)] - a h` at active nodes: growth by shear stress `tau` at a rate that
-/// does not know the film, removal in proportion to it, since thick films are softer on top. The film settles
-/// where both are equal, at most at its maximum thickness. Exact in any time step.
+/// `dh/dt = G exp[-(E - tau V) / (k_B T)] - a h` at active nodes: growth activated by the shear stress `tau`,
+/// independent of the film, and removal proportional to the film, as thick films are softer at the top. The
+/// film approaches the equilibrium, at most its maximum thickness. Exact for any time step.
 ///
-/// Source: form of Akchurin and Bosman (2017), Tribology Letters 65, doi 10.1007/s11249-017-0842-8; the
-/// constants are the user's, they were fitted per experiment.
+/// Source: form of Akchurin and Bosman (2017), Tribology Letters 65, doi 10.1007/s11249-017-0842-8. The
+/// constants are for the user to provide; they were fitted for each experiment.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::tribochem::{FilmGrowthLaw, ProportionalRemoval};
-/// // 0.2 nm/s whatever the stress against 2e-3 1/s: 100 nm in the end.
+/// // 0.2 nm/s at any stress and 2e-3 1/s: 100 nm in equilibrium.
 /// let law = ProportionalRemoval::new(200e-9, 0.2e-9, 0.0, 0.0, 2e-3)?;
-/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+/// let at = SurfaceState::new(1e9, 353.15).with_solid_pressure(1e9)
 ///     .with_shear_stress(1e8).with_sliding_speed(0.005).with_in_contact(true);
 /// let mut states = [0.0];
 /// law.advance(&at, 500.0, &mut states);
@@ -29,11 +29,11 @@ use crate::rubbing::RubbingPoint;
 pub struct ProportionalRemoval {
     /// Largest thickness \[m\].
     maximum: f64,
-    /// Barrier that growth has to pass.
+    /// Energy barrier of growth.
     barrier: Barrier,
     /// Rate of removal \[1/s\].
     removal_rate: f64,
-    /// Which nodes grow film.
+    /// Condition for growth.
     activation: Activation,
 }
 
@@ -59,21 +59,21 @@ impl ProportionalRemoval {
         Ok(Self { maximum: maximum_thickness, barrier, removal_rate, activation: Activation::ShearStress })
     }
 
-    /// The same law with another condition for activity.
+    /// The law with another activation condition.
     #[must_use]
     pub fn with_activation(mut self, activation: Activation) -> Self {
         self.activation = activation;
         self
     }
 
-    /// Rate of growth at a node, without removal \[m/s\].
-    fn growth(&self, at: &RubbingPoint) -> f64 {
+    /// Growth rate at a node without removal \[m/s\].
+    fn growth(&self, at: &SurfaceState) -> f64 {
         self.barrier.rate(at.shear_stress, at.temperature)
     }
 }
 
 impl FilmGrowthLaw for ProportionalRemoval {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if !self.activation.is_active(at) {
             return 0.0;
         }
@@ -85,14 +85,14 @@ impl FilmGrowthLaw for ProportionalRemoval {
         self.maximum
     }
 
-    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+    fn advance(&self, at: &SurfaceState, time_step: f64, states: &mut [f64]) {
         let [thickness, ..] = states else { return };
         if !(self.activation.is_active(at) && time_step > 0.0) {
             return;
         }
         let growth = self.growth(at);
         let balance = growth / self.removal_rate;
-        // Far below the balance, or without removal, the exponential is a straight line.
+        // The linear limit, far below the equilibrium or without removal.
         let next = if balance.is_finite() && self.removal_rate * time_step > 1e-12 {
             relax(*thickness, balance, self.removal_rate, time_step)
         } else {

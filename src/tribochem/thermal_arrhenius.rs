@@ -1,22 +1,22 @@
-//! Growth by temperature alone.
+//! Thermally activated growth.
 
 use super::barrier::Barrier;
 use super::first_order::relax;
 use super::{Activation, FilmGrowthLaw};
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
-/// `dh/dt = k_0 exp[-E / (k_B T)] (h_max - h)` at active nodes: saturating growth whose rate only
-/// temperature, flash temperature included, decides. Exact in any time step.
+/// `dh/dt = k_0 exp[-E / (k_B T)] (h_max - h)` at active nodes: saturating growth at a rate that depends on
+/// the temperature alone, including the flash temperature. Exact for any time step.
 ///
-/// Valid where rubbing merely exposes the surface; measured films grow faster under stress (see
+/// Valid where rubbing only exposes the surface. Measured films grow faster under stress (see
 /// [`StressActivated`](super::StressActivated)).
 ///
 /// Source of the rate: Arrhenius (1889), Zeitschrift fuer Physikalische Chemie 4, 226-248.
 ///
 /// ```
 /// use stribeck::tribochem::{ELECTRON_VOLT, ThermalArrhenius};
-/// // As fast at 353.15 K as the law of the reference scene.
+/// // The rate of the reference scene's law at 353.15 K.
 /// let law = ThermalArrhenius::new(200e-9, 1.0, 0.8 * ELECTRON_VOLT)?.calibrated(1.2215e-3, 353.15)?;
 /// assert!((law.rate_constant(353.15) - 1.2215e-3).abs() < 1e-12);
 /// assert!((law.rate_constant(373.15) / law.rate_constant(353.15) - 4.1).abs() < 0.1);
@@ -24,16 +24,16 @@ use crate::rubbing::RubbingPoint;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ThermalArrhenius {
-    /// Thickness that growth approaches \[m\].
+    /// Limit of growth \[m\].
     maximum: f64,
-    /// Barrier that growth has to pass.
+    /// Energy barrier of growth.
     barrier: Barrier,
-    /// Which nodes grow film.
+    /// Condition for growth.
     activation: Activation,
 }
 
 impl ThermalArrhenius {
-    /// Law with the limit of growth `maximum_thickness` \[m\], the `prefactor` \[1/s\] and the
+    /// Law with the growth limit `maximum_thickness` \[m\], the `prefactor` \[1/s\] and the
     /// `activation_energy` \[J\], active in solid contact.
     ///
     /// # Errors
@@ -44,7 +44,7 @@ impl ThermalArrhenius {
         Ok(Self { maximum: maximum_thickness, barrier, activation: Activation::default() })
     }
 
-    /// The same law with the prefactor that gives `rate_constant` \[1/s\] at `temperature` \[K\].
+    /// The law with the prefactor for which `rate_constant` \[1/s\] holds at `temperature` \[K\].
     ///
     /// # Errors
     /// A value that is not finite and positive.
@@ -52,7 +52,7 @@ impl ThermalArrhenius {
         Ok(Self { barrier: self.barrier.calibrated(rate_constant, 0.0, temperature)?, ..self })
     }
 
-    /// The same law with another condition for activity.
+    /// The law with another activation condition.
     #[must_use]
     pub fn with_activation(mut self, activation: Activation) -> Self {
         self.activation = activation;
@@ -66,7 +66,7 @@ impl ThermalArrhenius {
 }
 
 impl FilmGrowthLaw for ThermalArrhenius {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if self.activation.is_active(at) {
             self.rate_constant(at.temperature) * (self.maximum - thickness)
         } else {
@@ -78,7 +78,7 @@ impl FilmGrowthLaw for ThermalArrhenius {
         self.maximum
     }
 
-    fn advance(&self, at: &RubbingPoint, time_step: f64, states: &mut [f64]) {
+    fn advance(&self, at: &SurfaceState, time_step: f64, states: &mut [f64]) {
         if let [thickness, ..] = states
             && self.activation.is_active(at)
             && time_step > 0.0

@@ -2,16 +2,16 @@
 
 use super::WearLaw;
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// Which pressure wears.
 ///
 /// # Examples
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::wear::{Archard, WearLaw, WearPressure};
-/// let fluid = RubbingPoint::new(1e9, 353.15).with_sliding_speed(0.1); // no solid contact
+/// let fluid = SurfaceState::new(1e9, 353.15).with_sliding_speed(0.1); // no solid contact
 /// let all = Archard::azam_2019();
 /// assert!(all.depth_rate(&fluid, 0.0) > 0.0);
 /// assert_eq!(all.with_pressure(WearPressure::Solid).depth_rate(&fluid, 0.0), 0.0);
@@ -36,10 +36,10 @@ pub enum WearPressure {
 /// 135, 161-169.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::wear::{Archard, WearLaw};
 /// let law = Archard::azam_2019();
-/// let at = RubbingPoint::new(6e9, 353.15).with_solid_pressure(6e9)
+/// let at = SurfaceState::new(6e9, 353.15).with_solid_pressure(6e9)
 ///     .with_sliding_speed(0.005).with_in_contact(true);
 /// assert!((law.depth_rate(&at, 0.0) - 0.2725e-9).abs() < 1e-15);
 /// assert!((law.depth_rate(&at, 200e-9) - 0.02725e-9).abs() < 1e-15);
@@ -136,7 +136,7 @@ impl Archard {
 }
 
 impl WearLaw for Archard {
-    fn depth_rate(&self, at: &RubbingPoint, film_thickness: f64) -> f64 {
+    fn depth_rate(&self, at: &SurfaceState, film_thickness: f64) -> f64 {
         let pressure = match self.pressure {
             WearPressure::Total => at.pressure,
             WearPressure::Solid => at.solid_pressure,

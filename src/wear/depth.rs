@@ -2,14 +2,14 @@
 
 use super::WearLaw;
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// The worn depth \[m\] of one body, node by node of that body's own surface; it never falls.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::wear::{Archard, WearDepth};
-/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+/// let at = SurfaceState::new(1e9, 353.15).with_solid_pressure(1e9)
 ///     .with_sliding_speed(0.005).with_in_contact(true);
 /// let mut wear = WearDepth::new(2);
 /// wear.advance(&Archard::azam_2019(), 7200.0, |_| (at, 0.0))?;
@@ -66,7 +66,7 @@ impl WearDepth {
         &mut self,
         law: &dyn WearLaw,
         time_step: f64,
-        mut point: impl FnMut(usize) -> (RubbingPoint, f64),
+        mut point: impl FnMut(usize) -> (SurfaceState, f64),
     ) -> Result<(), InputError> {
         InputError::require_non_negative("time_step", time_step)?;
         for (node, value) in self.values.iter_mut().enumerate() {
@@ -88,7 +88,7 @@ impl WearDepth {
         &mut self,
         law: &dyn WearLaw,
         time_step: f64,
-        (at, film_thickness): (&[RubbingPoint], &[f64]),
+        (at, film_thickness): (&[SurfaceState], &[f64]),
         rates: &mut [f64],
     ) -> Result<(), InputError> {
         InputError::require_non_negative("time_step", time_step)?;

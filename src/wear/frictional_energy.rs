@@ -2,7 +2,7 @@
 
 use super::WearLaw;
 use crate::error::InputError;
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// `dz/dt = a(h) tau |u_s|`: the volume worn is proportional to the energy of friction, with the volume per
 /// energy `a(h) = a_bare - (a_bare - a_film) clamp(h / h_ref, 0, 1)` \[m^3/J\] falling as the tribofilm
@@ -14,9 +14,9 @@ use crate::rubbing::RubbingPoint;
 /// Source: Fouvry, Kapsa, Vincent (1996), Wear 200, 186-205.
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::wear::{Archard, FrictionalEnergy, WearLaw};
-/// let at = RubbingPoint::new(1e9, 353.15).with_solid_pressure(1e9)
+/// let at = SurfaceState::new(1e9, 353.15).with_solid_pressure(1e9)
 ///     .with_shear_stress(1.15e8).with_sliding_speed(0.005).with_in_contact(true);
 /// let energy = FrictionalEnergy::new(5.45e-8 / (0.115 * 6e9), 5.45e-9 / (0.115 * 6e9), 200e-9)?;
 /// let archard = Archard::azam_2019();
@@ -55,7 +55,7 @@ impl FrictionalEnergy {
 }
 
 impl WearLaw for FrictionalEnergy {
-    fn depth_rate(&self, at: &RubbingPoint, film_thickness: f64) -> f64 {
+    fn depth_rate(&self, at: &SurfaceState, film_thickness: f64) -> f64 {
         let volume = self.bare - self.drop * (film_thickness * self.per_thickness).clamp(0.0, 1.0);
         volume * at.shear_stress.abs() * at.sliding_speed.abs()
     }

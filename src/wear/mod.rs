@@ -19,7 +19,7 @@ pub use duty::track_duty_factor;
 pub use frictional_energy::FrictionalEnergy;
 pub use ledger::{SurfaceLedger, Volumes};
 
-use crate::rubbing::RubbingPoint;
+use crate::surface_state::SurfaceState;
 
 /// The rate at which one body loses height at a node.
 ///
@@ -29,29 +29,29 @@ use crate::rubbing::RubbingPoint;
 /// # Examples
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::wear::WearLaw;
 /// /// Wear of solid contact alone: `k p_s u_s`, with `k` \[1/Pa\].
 /// #[derive(Debug)]
 /// struct SolidWear(f64);
 /// impl WearLaw for SolidWear {
-///     fn depth_rate(&self, at: &RubbingPoint, _film_thickness: f64) -> f64 {
+///     fn depth_rate(&self, at: &SurfaceState, _film_thickness: f64) -> f64 {
 ///         self.0 * at.solid_pressure * at.sliding_speed
 ///     }
 /// }
-/// let at = RubbingPoint::new(1e9, 300.0).with_solid_pressure(1e9).with_sliding_speed(0.1);
+/// let at = SurfaceState::new(1e9, 300.0).with_solid_pressure(1e9).with_sliding_speed(0.1);
 /// let mut rates = [0.0; 2];
 /// SolidWear(1e-18).depth_rates(&[at, at.with_sliding_speed(0.0)], &[0.0; 2], &mut rates);
 /// assert!((rates[0] - 1e-10).abs() < 1e-24 && rates[1] == 0.0);
 /// ```
 pub trait WearLaw: Debug + Send + Sync {
     /// Rate of wear \[m/s\] at a node in the state `at` that carries `film_thickness` \[m\] of tribofilm.
-    fn depth_rate(&self, at: &RubbingPoint, film_thickness: f64) -> f64;
+    fn depth_rate(&self, at: &SurfaceState, film_thickness: f64) -> f64;
 
     /// Overwrites `rates` \[m/s\] with those of all nodes, in the states `at` and under `film_thickness`
     /// \[m\], slices of one length. By default node by node with [`depth_rate`](Self::depth_rate), to which
     /// it must come.
-    fn depth_rates(&self, at: &[RubbingPoint], film_thickness: &[f64], rates: &mut [f64]) {
+    fn depth_rates(&self, at: &[SurfaceState], film_thickness: &[f64], rates: &mut [f64]) {
         for (rate, (at, film)) in rates.iter_mut().zip(at.iter().zip(film_thickness)) {
             *rate = self.depth_rate(at, *film);
         }

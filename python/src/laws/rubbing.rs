@@ -4,15 +4,15 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::tribochem::{FilmGrowthLaw, integrate_rates};
 use stribeck::wear::WearLaw;
-use stribeck::{BoundaryFriction, RubbingPoint};
+use stribeck::{BoundaryFriction, SurfaceState};
 
 use super::{Failure, Function};
 use crate::convert::{dictionary, field};
 
 impl Function {
     /// The states of the nodes, as the laws see them.
-    fn points<'py>(&self, py: Python<'py>, at: &[RubbingPoint]) -> PyResult<Bound<'py, PyAny>> {
-        let part = |get: fn(&RubbingPoint) -> f64| self.array(py, &at.iter().map(get).collect::<Vec<_>>());
+    fn points<'py>(&self, py: Python<'py>, at: &[SurfaceState]) -> PyResult<Bound<'py, PyAny>> {
+        let part = |get: fn(&SurfaceState) -> f64| self.array(py, &at.iter().map(get).collect::<Vec<_>>());
         let in_contact: Vec<bool> = at.iter().map(|at| at.in_contact).collect();
         let in_contact = if at.len() == self.grid.len() {
             field(py, &self.grid, &in_contact)?.into_any()
@@ -28,7 +28,7 @@ impl Function {
             "gap": part(|at| at.gap)?,
             "in_contact": in_contact,
         });
-        py.import("stribeck.laws")?.getattr("RubbingPoints")?.call((), Some(&parts))
+        py.import("stribeck.laws")?.getattr("SurfaceStates")?.call((), Some(&parts))
     }
 }
 
@@ -41,7 +41,7 @@ pub(crate) struct Growth {
 }
 
 impl Growth {
-    fn fill(&self, at: &[RubbingPoint], thickness: &[f64], out: &mut [f64]) {
+    fn fill(&self, at: &[SurfaceState], thickness: &[f64], out: &mut [f64]) {
         Python::attach(|py| match (self.function.points(py, at), self.function.array(py, thickness)) {
             (Ok(at), Ok(thickness)) => self.function.fill(py, vec![at, thickness], out),
             (Err(error), _) | (_, Err(error)) => Failure.keep(error),
@@ -50,7 +50,7 @@ impl Growth {
 }
 
 impl FilmGrowthLaw for Growth {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         let mut rate = [f64::NAN];
         self.fill(std::slice::from_ref(at), &[thickness], &mut rate);
         rate[0]
@@ -60,7 +60,7 @@ impl FilmGrowthLaw for Growth {
         self.maximum_thickness
     }
 
-    fn advance_all(&self, at: &[RubbingPoint], time_step: f64, states: &mut [f64]) {
+    fn advance_all(&self, at: &[SurfaceState], time_step: f64, states: &mut [f64]) {
         // Attached once, and the conditions handed over once, for all rates of the step.
         Python::attach(|py| {
             let points = match self.function.points(py, at) {
@@ -87,13 +87,13 @@ impl FilmGrowthLaw for Growth {
 pub(crate) struct Wear(pub(crate) Function);
 
 impl WearLaw for Wear {
-    fn depth_rate(&self, at: &RubbingPoint, film_thickness: f64) -> f64 {
+    fn depth_rate(&self, at: &SurfaceState, film_thickness: f64) -> f64 {
         let mut rate = [f64::NAN];
         self.depth_rates(std::slice::from_ref(at), &[film_thickness], &mut rate);
         rate[0]
     }
 
-    fn depth_rates(&self, at: &[RubbingPoint], film_thickness: &[f64], rates: &mut [f64]) {
+    fn depth_rates(&self, at: &[SurfaceState], film_thickness: &[f64], rates: &mut [f64]) {
         rates.fill(f64::NAN);
         Python::attach(|py| match (self.0.points(py, at), self.0.array(py, film_thickness)) {
             (Ok(at), Ok(film)) => self.0.fill(py, vec![at, film], rates),

@@ -1,8 +1,9 @@
-//! A dry contact on half of the cells, as the start of that on all of them.
+//! A dry contact on half of the cells per axis, as the start for the full grid.
 //!
-//! Cells are joined in pairs along each axis: gaps, limits and pressures become means, and each cell hands its
-//! pressure to those it was made of. The solver of the coarser contact starts from a coarser one itself: the
-//! recursion ends below [`SMALLEST`] cells along an axis, or where the model lives on one grid alone.
+//! Cells are merged in pairs along each axis. Gaps, limits and pressures are averaged; the solution is
+//! injected into the cells of the finer grid. The solver on the coarser grid starts from a coarser one
+//! itself. The recursion ends below [`MIN_CELLS`] cells along an axis, or where the model exists on one grid
+//! only.
 
 use super::{DryProblem, DrySolver};
 use crate::elastic::{DeformationModel, NEAR};
@@ -10,18 +11,17 @@ use crate::error::InputError;
 use crate::grid::Grid;
 
 /// Cells along an axis below which a grid is not coarsened.
-const SMALLEST: usize = 32;
-/// Gap error to which a coarser contact is solved: its cells leave more than that on the finer ones of any
-/// mesh.
+const MIN_CELLS: usize = 32;
+/// Gap error to which a coarser contact is solved; the interpolation error exceeds it on any mesh.
 const TOLERANCE: f64 = 0.001;
-/// Passes of the active set on a coarser grid.
+/// Largest number of active-set passes on a coarser grid.
 const PASSES: u64 = 40;
 
-/// What the coarser grid holds.
+/// The contact on the coarser grid.
 #[derive(Debug)]
 pub(super) struct Coarser {
-    /// The body on the finer grid that this was made for.
-    finer: Key,
+    /// Identity of the body on the finer grid.
+    finer: BodyKey,
     /// The body on this grid.
     body: Box<dyn DeformationModel>,
     /// Its solver.
@@ -34,16 +34,16 @@ pub(super) struct Coarser {
     pressure: Vec<f64>,
 }
 
-/// What tells bodies apart.
+/// Identity of a body.
 #[derive(Debug, PartialEq)]
-struct Key {
+struct BodyKey {
     /// Its grid.
     grid: Grid,
     /// First influence coefficients along x and along y \[m/Pa\].
     influence: [[f64; NEAR + 1]; 2],
 }
 
-impl Key {
+impl BodyKey {
     /// The key of a body.
     fn new(body: &dyn DeformationModel) -> Self {
         let along_x = std::array::from_fn(|m| body.influence(m, 0));
@@ -52,12 +52,12 @@ impl Key {
     }
 }
 
-/// Pairs of cells as one, along an axis with more than one; the last cell of an odd count has one beyond the
-/// edge for a partner.
+/// Merges cells in pairs, along each axis with more than one cell. For an odd count the last coarse cell
+/// extends beyond the edge.
 fn coarsened(grid: &Grid) -> Option<Grid> {
     let halved = |n: usize| if n == 1 { 1 } else { n.div_ceil(2) };
     let (nx, ny) = (halved(grid.nx()), halved(grid.ny()));
-    if grid.nx() < SMALLEST || (grid.ny() > 1 && grid.ny() < SMALLEST) {
+    if grid.nx() < MIN_CELLS || (grid.ny() > 1 && grid.ny() < MIN_CELLS) {
         return None;
     }
     let rows = if grid.ny() == 1 { 1.0 } else { 2.0 };
@@ -67,13 +67,13 @@ fn coarsened(grid: &Grid) -> Option<Grid> {
 }
 
 impl Coarser {
-    /// None where the grid is small or the model lives on it alone.
+    /// `None` where the grid is small or the model exists on one grid only.
     fn new(finer: &dyn DeformationModel) -> Option<Self> {
         let grid = coarsened(&finer.grid())?;
         let body = finer.on_grid(grid)?;
         let zeros = || vec![0.0; grid.len()];
         Some(Self {
-            finer: Key::new(finer),
+            finer: BodyKey::new(finer),
             body,
             solver: DrySolver::new(grid.len()),
             gap: zeros(),
@@ -82,7 +82,7 @@ impl Coarser {
         })
     }
 
-    /// Solves the contact of the averages; returns convolutions in equivalents of this grid.
+    /// Solves the averaged contact; returns convolutions in equivalents of the coarser grid.
     fn solve(
         &mut self,
         problem: &DryProblem<'_>,
@@ -97,7 +97,7 @@ impl Coarser {
         Ok(outcome.convolutions)
     }
 
-    /// Means of gaps, limits and pressures over the cells.
+    /// Means of gaps, limits and pressures over the merged cells.
     fn average(&mut self, problem: &DryProblem<'_>, pressure: &[f64]) {
         let (fine, nx) = (self.finer.grid, self.body.grid().nx());
         for k in 0..self.gap.len() {
@@ -113,7 +113,7 @@ impl Coarser {
         }
     }
 
-    /// The pressure of each cell for the cells in it.
+    /// Copies the pressure of each coarse cell to its fine cells.
     fn inject(&self, pressure: &mut [f64]) {
         let (fine, nx) = (self.finer.grid, self.body.grid().nx());
         for (k, &p) in self.pressure.iter().enumerate() {
@@ -132,8 +132,8 @@ fn children(fine: &Grid, i: usize, j: usize) -> impl Iterator<Item = usize> {
 }
 
 impl DrySolver {
-    /// Overwrites `pressure` with that of the contact on half of the cells; returns its convolutions, zero
-    /// where there is no such grid.
+    /// Overwrites `pressure` with the solution on half of the cells; returns its cost in convolutions, zero
+    /// where no coarser grid exists.
     pub(super) fn start_from_coarser(
         &mut self,
         problem: &DryProblem<'_>,
@@ -141,7 +141,7 @@ impl DrySolver {
         pressure: &mut [f64],
         tolerance: f64,
     ) -> Result<f64, InputError> {
-        let fits = self.coarser.as_ref().is_some_and(|coarser| coarser.finer == Key::new(deformation));
+        let fits = self.coarser.as_ref().is_some_and(|coarser| coarser.finer == BodyKey::new(deformation));
         if !fits {
             self.coarser = Coarser::new(deformation).map(Box::new);
         }

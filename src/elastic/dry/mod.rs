@@ -1,72 +1,75 @@
-//! Dry rough contact: pressure between zero and a limit that closes the gap where it acts.
+//! Dry rough contact with a pressure limit.
 //!
-//! The minimum of the energy `1/2 p K p + gap p` under a load, pressures between zero and the limit. It is
-//! unique where `K` is positive definite.
+//! The pressure minimizes the energy `1/2 p K p + gap p` at a prescribed load, subject to `0 <= p <= limit`.
+//! The minimum is unique where `K` is positive definite.
 //!
-//! In words: where bodies touch below the limit the gap is closed, where they do not touch there is no
-//! pressure, and where the limit is reached the bodies overlap, which is what has been flattened. A pressure
-//! that is not quite the solution has more energy than the minimum; `energy_error` bounds by how much.
+//! The optimality conditions are those of contact: the gap is closed where the pressure lies between its
+//! bounds, the pressure is zero where the gap is open, and the bodies overlap where the pressure is at its
+//! limit. The overlap is the depth of plastic flattening. `energy_error` bounds the distance of an
+//! approximate pressure from the minimum.
 //!
-//! `sides` sorts the nodes by the condition that they fulfil, `relax` closes the gaps of the free ones for a
-//! fixed sorting, and `coarser` starts from the contact on half of the cells. The room rests on
-//! [`DeformationModel`] alone: any model that implements it will do. [`reynolds::Dry`](crate::reynolds::Dry)
-//! is this solver under the trait of contact solvers.
+//! `active_set` assigns a state to each node, `relax` closes the gaps of the free nodes for fixed states, and
+//! `coarser` computes a start on a grid of half as many cells per axis. The module depends on
+//! [`DeformationModel`] alone. [`reynolds::Dry`](crate::reynolds::Dry) is the same solver behind the trait of
+//! contact solvers.
 
+mod active_set;
 mod coarser;
 mod problem;
 mod relax;
-mod sides;
 
 use super::DeformationModel;
 use crate::error::InputError;
 use crate::grid::Grid;
+use active_set::NodeState;
 use coarser::Coarser;
 pub use problem::{DryOutcome, DryProblem};
-use sides::Side;
 
-/// Passes of the active set after which only the worst violators change sides, which ends cycling.
-const FREE_PASSES: u64 = 25;
-/// Passes in which the gap error must fall, by the factor [`LEAST_GAIN`] at least, for the solve to go on.
-const PATIENCE: u64 = 100;
-/// Factor by which an error is lower than the lowest before for that to count.
-const LEAST_GAIN: f64 = 0.9;
-/// Gap error above which a start is no better than that of a coarser grid, whose pressures leave this much.
-const COARSE_START: f64 = 0.02;
+/// Pass after which updates of the active set are damped, to end cycling: only the worst violators change
+/// state.
+const UNDAMPED_PASSES: u64 = 25;
+/// Stall window: passes within which the gap error must fall by the factor [`SUFFICIENT_DECREASE`].
+const STALL_WINDOW: u64 = 100;
+/// Ratio of the gap error to the lowest one so far that counts as progress.
+const SUFFICIENT_DECREASE: f64 = 0.9;
+/// Gap error above which the start is recomputed on a coarser grid. Pressures interpolated from that grid
+/// have an error of this order.
+const POOR_START: f64 = 0.02;
 
-/// What a solve is asked for.
-struct Task<'a> {
-    /// What is to be solved.
+/// Problem and stopping criteria of a solve.
+struct SolveParameters<'a> {
+    /// The contact problem.
     problem: &'a DryProblem<'a>,
     /// Sum of the pressures \[Pa\].
     target: f64,
-    /// What gaps are counted from \[m\].
-    datum: f64,
-    /// Gap error to stop at.
+    /// Reference that gaps are relative to \[m\]: the smallest undeformed gap.
+    reference_gap: f64,
+    /// Gap error at convergence.
     tolerance: f64,
-    /// Passes at most.
+    /// Largest number of passes.
     max_passes: u64,
 }
 
-/// Active-set conjugate gradients with a per-node pressure limit and the load as a constraint, on nested
+/// Active-set conjugate gradients with a pressure limit at each node and the load as a constraint, on nested
 /// grids.
 ///
-/// Within a pass the sets are fixed, and conjugate gradients at constant load close the gap of the free
-/// nodes, preconditioned by the pressure estimate of the model (`|q|` on the periodic grid for the
-/// half-space) masked to them. A pass ends as soon as the nodes beyond their bounds hold as much energy as
-/// the gaps of the free ones. Then nodes beyond their bounds change sides, and nodes whose gaps are on the
-/// wrong side become free once these gaps outweigh those of the free nodes (proportioning: Dostal 1997, SIAM
-/// J. Optim. 7, 871-887). Polonsky and Keer (1999, Wear 231, 206-219) change sides at every step instead,
-/// which stalls once many nodes sit at the limit.
+/// Within a pass the active set is fixed. Conjugate gradients at constant load close the gap of the free
+/// nodes, preconditioned by the pressure estimate of the model (for the half-space `|q|` on the periodic
+/// grid) restricted to the free nodes. A pass ends as soon as the bound violations of free nodes hold as much
+/// energy as their gap errors. Nodes beyond their bounds then leave the free set. Nodes whose gap has the
+/// wrong sign enter it once these gaps outweigh the gap errors of the free nodes (proportioning: Dostal 1997,
+/// SIAM J. Optim. 7, 871-887). Polonsky and Keer (1999, Wear 231, 206-219) update the active set in every
+/// step instead, which stalls when many nodes are at the limit.
 ///
-/// The products within a pass are those of
-/// [`ResponseApproximations::displacement_single`](super::ResponseApproximations::displacement_single), the
-/// gaps that decide are of [`DeformationModel::displacement`]. A start whose gap error exceeds 2 % is solved
-/// to 0.1 % on half the cells first, where the model lives on other grids ([`DeformationModel::on_grid`]),
-/// down to 16 cells.
+/// Products within a pass are
+/// [`ResponseApproximations::displacement_single`](super::ResponseApproximations::displacement_single); gaps
+/// that decide on convergence and the active set use [`DeformationModel::displacement`]. A start whose gap
+/// error exceeds 2 % is first solved to 0.1 % on half of the cells per axis, recursively down to 16 cells, if
+/// the model exists on other grids ([`DeformationModel::on_grid`]).
 ///
 /// # Examples
 ///
-/// A ball that is pressed until its middle yields:
+/// A ball that yields at its center:
 ///
 /// ```
 /// use stribeck::Grid;
@@ -85,11 +88,11 @@ struct Task<'a> {
 /// ```
 #[derive(Debug)]
 pub struct DrySolver {
-    /// Which condition holds at each node.
-    side: Vec<Side>,
+    /// State of each node.
+    state: Vec<NodeState>,
     /// The free nodes of a pass.
     free: Vec<usize>,
-    /// `gap + K p` less a datum \[m\].
+    /// `gap + K p` less the reference gap \[m\].
     gap: Vec<f64>,
     /// Gap error of the free nodes, zero elsewhere \[m\].
     residual: Vec<f64>,
@@ -99,18 +102,18 @@ pub struct DrySolver {
     direction: Vec<f64>,
     /// Its displacement \[m\].
     displacement: Vec<f64>,
-    /// Pressure of the lowest gap error.
+    /// Pressure with the lowest gap error so far.
     best: Vec<f64>,
-    /// The contact on half the cells, made when it is first needed.
+    /// The contact on half of the cells, created at first use.
     coarser: Option<Box<Coarser>>,
 }
 
 impl DrySolver {
-    /// Solver for fields of `n` nodes. What it needs of coarser grids is made when they are first used.
+    /// Solver for fields of `n` nodes. Coarser grids are allocated at first use.
     pub fn new(n: usize) -> Self {
         let zeros = || vec![0.0; n];
         Self {
-            side: vec![Side::Open; n],
+            state: vec![NodeState::Open; n],
             free: Vec::with_capacity(n),
             gap: zeros(),
             residual: zeros(),
@@ -122,9 +125,9 @@ impl DrySolver {
         }
     }
 
-    /// Solves `problem`, starting from `pressure`. Ends when the gap error is at most `tolerance`, after
-    /// `max_passes` passes, or when a hundred passes have brought nothing, as rounding bounds what can be
-    /// reached; then with the best pressure found.
+    /// Solves `problem`, starting from `pressure`. Stops when the gap error is at most `tolerance`, after
+    /// `max_passes` passes, or when a hundred passes have brought no progress, as rounding bounds the
+    /// attainable error. In the last two cases `pressure` is the best one found.
     ///
     /// # Errors
     /// Slices that do not fit the grid of `deformation` or this solver.
@@ -138,9 +141,15 @@ impl DrySolver {
     ) -> Result<DryOutcome, InputError> {
         let grid = deformation.grid();
         self.check(problem, pressure, &grid)?;
-        // Gaps are counted from the lowest, so that no offset of the bodies costs digits.
-        let datum = problem.gap.iter().copied().fold(f64::INFINITY, f64::min);
-        let task = Task { problem, target: problem.load / grid.cell_area(), datum, tolerance, max_passes };
+        // Gaps relative to the smallest one avoid cancellation with the rigid offset of the bodies.
+        let reference_gap = problem.gap.iter().copied().fold(f64::INFINITY, f64::min);
+        let parameters = SolveParameters {
+            problem,
+            target: problem.load / grid.cell_area(),
+            reference_gap,
+            tolerance,
+            max_passes,
+        };
         let mut outcome = DryOutcome {
             gap_error: f64::INFINITY,
             energy_error: f64::INFINITY,
@@ -150,16 +159,16 @@ impl DrySolver {
             steps: 0,
             converged: false,
         };
-        let level = self.iterate(&task, deformation, pressure, &mut outcome)?;
+        let level = self.iterate(&parameters, deformation, pressure, &mut outcome)?;
         if outcome.gap_error.is_finite() {
             outcome.energy_error = self.energy_error(problem, pressure);
         }
-        outcome.approach = level + datum;
+        outcome.approach = level + reference_gap;
         self.gap.iter_mut().for_each(|g| *g -= level);
         Ok(outcome)
     }
 
-    /// Refuses slices that do not fit `grid`, the first by name.
+    /// Rejects slices that do not fit `grid`, the first one by name.
     fn check(&self, problem: &DryProblem<'_>, pressure: &[f64], grid: &Grid) -> Result<(), InputError> {
         for (field, len) in [
             ("gap", problem.gap.len()),
@@ -174,23 +183,26 @@ impl DrySolver {
         Ok(())
     }
 
-    /// Passes until one of the ends of a solve; returns the level of the gaps and leaves the best pressure.
+    /// Active-set passes until convergence, stall or the pass limit; returns the level of the gaps and leaves
+    /// the best pressure.
     fn iterate(
         &mut self,
-        task: &Task<'_>,
+        parameters: &SolveParameters<'_>,
         deformation: &mut dyn DeformationModel,
         pressure: &mut [f64],
         outcome: &mut DryOutcome,
     ) -> Result<f64, InputError> {
-        let problem = task.problem;
-        self.start(problem, pressure, task.target);
-        let (mut lowest, mut best, mut last_gain) = (f64::INFINITY, f64::INFINITY, 0);
+        let problem = parameters.problem;
+        self.start(problem, pressure, parameters.target);
+        let (mut lowest, mut best, mut last_progress) = (f64::INFINITY, f64::INFINITY, 0);
         loop {
+            // gaps and their error under the exact displacement
             outcome.passes += 1;
-            let (level, scale, is_settled) = self.evaluate(task, deformation, pressure, outcome)?;
-            outcome.converged = outcome.gap_error <= task.tolerance;
-            if outcome.gap_error < LEAST_GAIN * lowest {
-                (lowest, last_gain) = (outcome.gap_error, outcome.passes);
+            let (level, scale, may_update) = self.evaluate(parameters, deformation, pressure, outcome)?;
+            outcome.converged = outcome.gap_error <= parameters.tolerance;
+            // progress, and the best pressure so far
+            if outcome.gap_error < SUFFICIENT_DECREASE * lowest {
+                (lowest, last_progress) = (outcome.gap_error, outcome.passes);
             }
             if outcome.gap_error < best {
                 best = outcome.gap_error;
@@ -199,44 +211,45 @@ impl DrySolver {
             if outcome.converged {
                 return Ok(level);
             }
-            if outcome.passes >= task.max_passes || outcome.passes - last_gain >= PATIENCE {
+            if outcome.passes >= parameters.max_passes || outcome.passes - last_progress >= STALL_WINDOW {
                 break;
             }
-            if outcome.passes == 1 && outcome.gap_error > COARSE_START {
-                let cost = self.start_from_coarser(problem, deformation, pressure, task.tolerance)?;
+            // a poor start is replaced by the solution on half of the cells
+            if outcome.passes == 1 && outcome.gap_error > POOR_START {
+                let cost = self.start_from_coarser(problem, deformation, pressure, parameters.tolerance)?;
                 outcome.convolutions += cost;
                 if cost > 0.0 {
-                    self.start(problem, pressure, task.target);
+                    self.start(problem, pressure, parameters.target);
                     continue;
                 }
             }
-            let cautious = outcome.passes > FREE_PASSES;
-            if cautious || is_settled {
-                self.touch(level, cautious);
+            let damped = outcome.passes > UNDAMPED_PASSES;
+            // open and limited nodes with the wrong gap become free
+            if damped || may_update {
+                self.free_violators(level, damped);
             }
-            self.relax(problem, deformation, pressure, (task.tolerance * scale, cautious), outcome)?;
-            self.clip(problem, pressure, cautious);
-            self.restore_load(problem, pressure, task.target);
+            // close the gaps of the free nodes, then enforce bounds and load
+            self.relax(problem, deformation, pressure, (parameters.tolerance * scale, damped), outcome)?;
+            self.enforce_bounds(problem, pressure, damped);
+            self.restore_load(problem, pressure, parameters.target);
         }
         if outcome.gap_error > best {
             pressure.copy_from_slice(&self.best);
-            self.start(problem, pressure, task.target);
+            self.start(problem, pressure, parameters.target);
         }
-        Ok(self.evaluate(task, deformation, pressure, outcome)?.0)
+        Ok(self.evaluate(parameters, deformation, pressure, outcome)?.0)
     }
 
-    /// Gap under the pressure that the last solve returned \[m\], negative where nodes at their limit
-    /// overlap.
+    /// Gap under the pressure of the last solve \[m\], negative where nodes at their limit overlap.
     pub fn gap(&self) -> &[f64] {
         &self.gap
     }
 
-    /// Deformed gaps over the datum and their error; returns the level of the free ones, the mean
-    /// displacement, and whether the gaps of the free nodes are closed so far that those of the others tell
-    /// who is next to touch.
+    /// Evaluates deformed gaps relative to the reference gap, and their error. Returns the level of the free
+    /// gaps, the mean displacement, and whether the free gaps are closed far enough to update the active set.
     fn evaluate(
         &mut self,
-        task: &Task<'_>,
+        parameters: &SolveParameters<'_>,
         deformation: &mut dyn DeformationModel,
         pressure: &[f64],
         outcome: &mut DryOutcome,
@@ -245,39 +258,39 @@ impl DrySolver {
         outcome.convolutions += 1.0;
         let (mut work, mut sum) = (0.0, 0.0);
         for ((g, z), (u, p)) in
-            self.gap.iter_mut().zip(task.problem.gap).zip(self.displacement.iter().zip(pressure))
+            self.gap.iter_mut().zip(parameters.problem.gap).zip(self.displacement.iter().zip(pressure))
         {
-            *g = (z - task.datum) + u;
+            *g = (z - parameters.reference_gap) + u;
             work += u * p;
             sum += p;
         }
         let scale = if sum > 0.0 { work / sum } else { f64::MIN_POSITIVE };
         let level = self.free_mean(&self.gap);
-        let (error, is_settled) = self.gap_error(task.problem, pressure, level);
+        let (error, may_update) = self.gap_error(parameters.problem, pressure, level);
         outcome.gap_error = error / scale;
-        Ok((level, scale, is_settled))
+        Ok((level, scale, may_update))
     }
 
-    /// Mean gap error \[m\], and whether the gaps on the wrong side have the larger sum of squares than those
-    /// of the free nodes.
+    /// Mean gap error \[m\], and whether the sum of squares of the gaps with the wrong sign exceeds that of
+    /// the errors of the free nodes.
     fn gap_error(&self, problem: &DryProblem<'_>, pressure: &[f64], level: f64) -> (f64, bool) {
         let (mut error, mut n, mut free, mut wrong) = (0.0, 0_usize, 0.0, 0.0);
-        for (k, (side, g)) in self.side.iter().zip(&self.gap).enumerate() {
-            let violation = match side {
-                // Cautious passes leave some of these beyond their bounds.
-                Side::Free if pressure[k] < 0.0 || pressure[k] > problem.limit_of(k) => f64::INFINITY,
-                Side::Free => (g - level).abs(),
-                Side::Open => (level - g).max(0.0),
-                Side::Limited => (g - level).max(0.0),
+        for (k, (state, g)) in self.state.iter().zip(&self.gap).enumerate() {
+            let violation = match state {
+                // Damped passes leave some free nodes beyond their bounds.
+                NodeState::Free if pressure[k] < 0.0 || pressure[k] > problem.limit_of(k) => f64::INFINITY,
+                NodeState::Free => (g - level).abs(),
+                NodeState::Open => (level - g).max(0.0),
+                NodeState::Limited => (g - level).max(0.0),
             };
             error += violation;
-            *(if *side == Side::Free { &mut free } else { &mut wrong }) += violation * violation;
-            n += usize::from(matches!(side, Side::Free | Side::Limited));
+            *(if *state == NodeState::Free { &mut free } else { &mut wrong }) += violation * violation;
+            n += usize::from(matches!(state, NodeState::Free | NodeState::Limited));
         }
         (error / n.max(1) as f64, wrong > free)
     }
 
-    /// The duality gap over the elastic energy, from pressures, gaps and displacements as evaluated.
+    /// The duality gap over the elastic energy, from the evaluated pressures, gaps and displacements.
     fn energy_error(&self, problem: &DryProblem<'_>, pressure: &[f64]) -> f64 {
         let lowest = (0..pressure.len())
             .filter(|&k| pressure[k] < problem.limit_of(k))

@@ -1,12 +1,12 @@
-//! A dry contact as a problem, and what a solve of it gives beside the pressure.
+//! The dry contact problem and the outcome of a solve.
 
-/// The problem: find pressure `p` and approach `delta` with `g = gap + K p - delta`, `0 <= p <= limit`,
-/// `g >= 0` where `p = 0`, `g = 0` between, `g <= 0` where `p = limit`, and the sum of `p` times the cell
-/// area equal to the load.
+/// Find pressure `p` and approach `delta` with `g = gap + K p - delta` and `0 <= p <= limit` such that
+/// `g >= 0` where `p = 0`, `g = 0` where `0 < p < limit`, `g <= 0` where `p = limit`, and the sum of `p`
+/// times the cell area equals the load.
 ///
 /// # Examples
 ///
-/// A rigid flat punch, deep outside:
+/// A rigid flat punch:
 ///
 /// ```
 /// use stribeck::Grid;
@@ -27,37 +27,38 @@ pub struct DryProblem<'a> {
     pub gap: &'a [f64],
     /// Load \[N\].
     pub load: f64,
-    /// Largest pressure per node \[Pa\], or none.
+    /// Pressure limit per node \[Pa\]; `None` for elastic contact.
     pub limit: Option<&'a [f64]>,
 }
 
 impl DryProblem<'_> {
-    /// Pressure limit of node `k` \[Pa\], infinite where there is none.
+    /// Pressure limit of node `k` \[Pa\], infinite without limits.
     pub(super) fn limit_of(&self, k: usize) -> f64 {
         self.limit.map_or(f64::INFINITY, |limit| limit[k])
     }
 }
 
-/// How a dry solve ended. All of it is of the pressure that is returned.
+/// The outcome of a dry solve; all values belong to the returned pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct DryOutcome {
-    /// Mean absolute gap error on contact nodes plus penetration elsewhere, over the pressure-weighted mean
-    /// displacement.
+    /// Mean absolute gap error on contact nodes plus penetration elsewhere, relative to the pressure-weighted
+    /// mean displacement.
     pub gap_error: f64,
-    /// What the energy `1/2 p K p + gap p` lies above its minimum at most, over the elastic energy
-    /// `1/2 p K p`: the duality gap of Frank and Wolfe (1956, Naval Research Logistics Quarterly 3, 95-110),
-    /// the sum of `p (v - w)` with `v = gap + K p` and `w` its minimum over the nodes below their limit,
-    /// nodes at the limit with `v < w` left out. It holds whatever the solver did.
+    /// Upper bound of the relative energy error: the energy `1/2 p K p + gap p` exceeds its minimum by at
+    /// most this share of the elastic energy `1/2 p K p`. The bound is the duality gap of Frank and Wolfe
+    /// (1956, Naval Research Logistics Quarterly 3, 95-110): the sum of `p (v - w)` with `v = gap + K p` and
+    /// `w` the minimum of `v` over the nodes below their limit; nodes at the limit with `v < w` are left out.
+    /// It holds for any pressure, however it was computed.
     pub energy_error: f64,
     /// Approach of the bodies \[m\].
     pub approach: f64,
-    /// Elastic convolutions in equivalents of the grid: those of a coarser one count by its share of nodes, a
-    /// pressure estimate as a quarter.
+    /// Elastic convolutions in equivalents of this grid: a convolution on a coarser grid counts by its share
+    /// of nodes, a pressure estimate as a quarter.
     pub convolutions: f64,
-    /// Passes of the active set on the grid itself.
+    /// Active-set passes on this grid.
     pub passes: u64,
-    /// Conjugate-gradient steps on the grid itself.
+    /// Conjugate-gradient steps on this grid.
     pub steps: u64,
     /// Whether `gap_error` reached the tolerance.
     pub converged: bool,

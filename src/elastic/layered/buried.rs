@@ -1,19 +1,19 @@
 //! Potentials of uniformly loaded cells below the surface.
 //!
-//! [`rectangle`] and [`strip`] are what Love's potential of a cell at the surface becomes for an image at a
-//! depth; far away, where the closed forms lose digits by cancellation, a Gauss rule takes their place.
+//! [`rectangle`] and [`strip`] generalize Love's potential of a surface cell to an image source at a depth.
+//! Far away, where the closed forms lose digits by cancellation, a Gauss rule replaces them.
 
-/// Beyond this many of the larger half size the Gauss rule with three points is exact to 1e-9.
-const FAR: f64 = 16.0;
-/// Abscissas and weights of the Gauss-Legendre rule with three points.
+/// Distance, in units of the larger half size, beyond which the three-point Gauss rule is accurate to 1e-9.
+const FAR_FIELD: f64 = 16.0;
+/// Nodes and weights of the three-point Gauss-Legendre rule.
 const GAUSS: [(f64, f64); 3] =
     [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
 
-/// Integral of `1/sqrt(r^2 + depth^2)` \[m\] over the rectangle `|x'| <= half_x`, `|y'| <= half_y`, seen from
-/// `(x, y)`; `depth > 0`.
+/// Integral of `1/sqrt(r^2 + depth^2)` \[m\] over the rectangle `|x'| <= half_x`, `|y'| <= half_y`, evaluated
+/// at `(x, y)`; `depth > 0`.
 pub(super) fn rectangle(x: f64, y: f64, [half_x, half_y]: [f64; 2], depth: f64) -> f64 {
     let square = depth * depth;
-    if x * x + y * y + square > (FAR * half_x.max(half_y)).powi(2) {
+    if x * x + y * y + square > (FAR_FIELD * half_x.max(half_y)).powi(2) {
         let mut sum = 0.0;
         for (s, weight_s) in GAUSS {
             let u = x - s * half_x;
@@ -34,11 +34,11 @@ pub(super) fn rectangle(x: f64, y: f64, [half_x, half_y]: [f64; 2], depth: f64) 
     corner(right, above) - corner(left, above) - corner(right, below) + corner(left, below)
 }
 
-/// Integral of `ln(reference/sqrt((x - s)^2 + depth^2))` \[m\] over the strip `|s| <= half_width`, seen from
-/// `x`; `depth > 0`.
+/// Integral of `ln(reference/sqrt((x - s)^2 + depth^2))` \[m\] over the strip `|s| <= half_width`, evaluated
+/// at `x`; `depth > 0`.
 pub(super) fn strip(x: f64, half_width: f64, depth: f64, reference: f64) -> f64 {
     let square = depth * depth;
-    if x * x + square > (FAR * half_width).powi(2) {
+    if x * x + square > (FAR_FIELD * half_width).powi(2) {
         let point = |(s, weight): (f64, f64)| {
             let u = x - s * half_width;
             -0.5 * weight * ((u * u + square) / (reference * reference)).ln()
@@ -85,7 +85,7 @@ mod tests {
             }
         }
         for depth in [1e-3, 4.0, 15.0] {
-            let edge = (FAR * FAR - depth * depth).sqrt();
+            let edge = (FAR_FIELD * FAR_FIELD - depth * depth).sqrt();
             let (near, far) = (edge * (1.0 - 1e-13), edge * (1.0 + 1e-13));
             let [a, b] = [near, far].map(|x| rectangle(x, 0.0, [1.0, 0.3], depth));
             assert!((a / b - 1.0).abs() < 3e-9, "rectangle at {depth}: {a} {b}");

@@ -1,66 +1,68 @@
-//! The response of a layer as that of loads below the surface.
+//! The response of a layer as a sum of image sources below the surface.
 //!
-//! A unit load at the depth `a` below the surface has the potential `1/sqrt(r^2 + a^2)`, whose transform is
-//! `exp(-q a)/q`. The correction `f - 1` of a layer to a half-space of its own material is smooth in `q` and
-//! falls as `exp(-2 q h)`: a sum of such exponentials reproduces it, and turns the response on a cell into
-//! closed forms at any ratio of cell, thickness and distance, with no periodic image. In the field theory of
-//! layered media this is the method of discrete images.
+//! A unit load at the depth `a` below the surface has the potential `1/sqrt(r^2 + a^2)`, with the transform
+//! `exp(-q a)/q`. The correction `f - 1` of a layer, relative to a half-space of its material, is smooth in
+//! `q` and decays as `exp(-2 q h)`. A sum of exponentials approximates it and turns the response to a loaded
+//! cell into closed forms at any ratio of cell, thickness and distance, without periodic images. The approach
+//! is the discrete complex image method of layered media.
 
 use nalgebra::{DMatrix, DVector, SVD};
 
 use super::Layer;
 use crate::error::InputError;
 
-/// Depths over the thickness: geometric from the first on. The nearest images lie at twice the thickness, the
-/// farthest where the stiffest layer bends, at its thickness times the cube root of the ratio of moduli.
-const FIRST_DEPTH: f64 = 0.7;
-/// Each depth over the one before.
-const RATIO: f64 = 1.2;
-/// Number of depths; the last one is at some 3700 thicknesses.
+/// Smallest image depth over the thickness; depths form a geometric sequence. The nearest images lie at twice
+/// the thickness, the farthest at the bending length of the stiffest layer, its thickness times the cube root
+/// of the modulus ratio.
+const SMALLEST_DEPTH: f64 = 0.7;
+/// Ratio of consecutive depths.
+const DEPTH_RATIO: f64 = 1.2;
+/// Number of depths; the last one is at about 3700 thicknesses.
 const IMAGES: usize = 48;
-/// Wave numbers of the fit times the thickness: zero and these, geometric.
-const WAVES: [f64; 2] = [1e-5, 30.0];
-/// Number of the geometric wave numbers.
+/// Range of the wave numbers of the fit, times the thickness; geometric, with zero in addition.
+const WAVE_NUMBERS: [f64; 2] = [1e-5, 30.0];
+/// Number of geometric wave numbers.
 const SAMPLES: usize = 400;
-/// Weight of long waves in the fit, which fix the load that is felt far away.
-const WEIGHT_OF_ZERO: f64 = 10.0;
-/// Singular values below this share of the largest one are rounding.
-const RANK: f64 = 1e-14;
-/// Iterations for the singular values, which take some two each.
-const SWEEPS: usize = 10_000;
-/// A transform this close to one is that of a half-space.
-const NONE: f64 = 1e-13;
+/// Weight of wave number zero in the fit, which determines the far field.
+const ZERO_WEIGHT: f64 = 10.0;
+/// Relative threshold below which singular values are rounding errors.
+const RANK_TOLERANCE: f64 = 1e-14;
+/// Iteration limit of the singular value decomposition; each value takes about two.
+const SVD_ITERATIONS: usize = 10_000;
+/// Deviation of the transform from one below which the layer equals its substrate.
+const IDENTITY_TOLERANCE: f64 = 1e-13;
 
-/// A load below the surface.
+/// An image source: a load below the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Image {
+pub(super) struct ImageSource {
     /// Depth \[m\].
     pub(super) depth: f64,
-    /// Its size over the load on the surface.
+    /// Strength relative to the load on the surface.
     pub(super) strength: f64,
 }
 
-/// The images of `layer`, by least squares of the relative error; none where the layer is the substrate.
-pub(super) fn images(layer: &Layer) -> Result<Vec<Image>, InputError> {
-    let growth = (WAVES[1] / WAVES[0]).powf(1.0 / (SAMPLES - 1) as f64);
+/// Image sources of `layer` by least squares of the relative error; empty for a layer of the substrate's
+/// material.
+pub(super) fn images(layer: &Layer) -> Result<Vec<ImageSource>, InputError> {
+    let growth = (WAVE_NUMBERS[1] / WAVE_NUMBERS[0]).powf(1.0 / (SAMPLES - 1) as f64);
     let waves: Vec<f64> =
-        std::iter::once(0.0).chain((0..SAMPLES).map(|i| WAVES[0] * growth.powi(i as i32))).collect();
-    if waves.iter().all(|&x| (layer.transform(x) - 1.0).abs() < NONE) {
+        std::iter::once(0.0).chain((0..SAMPLES).map(|i| WAVE_NUMBERS[0] * growth.powi(i as i32))).collect();
+    if waves.iter().all(|&x| (layer.transform(x) - 1.0).abs() < IDENTITY_TOLERANCE) {
         return Ok(Vec::new());
     }
-    let depths: Vec<f64> = (0..IMAGES).map(|k| FIRST_DEPTH * RATIO.powi(k as i32)).collect();
-    let weight = |x: f64| if x == 0.0 { WEIGHT_OF_ZERO } else { 1.0 } / layer.transform(x);
+    let depths: Vec<f64> = (0..IMAGES).map(|k| SMALLEST_DEPTH * DEPTH_RATIO.powi(k as i32)).collect();
+    let weight = |x: f64| if x == 0.0 { ZERO_WEIGHT } else { 1.0 } / layer.transform(x);
     let matrix =
         DMatrix::from_fn(waves.len(), IMAGES, |i, k| weight(waves[i]) * (-waves[i] * depths[k]).exp());
     let none = || InputError::Conflict {
         field: "elastic.layer".to_owned(),
-        reason: "its response has no images".to_owned(),
+        reason: "the singular value decomposition of its image sources did not converge".to_owned(),
     };
     let aim = DVector::from_fn(waves.len(), |i, _| weight(waves[i]) * (layer.transform(waves[i]) - 1.0));
-    let decomposition = SVD::try_new(matrix, true, true, f64::EPSILON, SWEEPS).ok_or_else(none)?;
-    let rank = RANK * decomposition.singular_values.max();
+    let decomposition = SVD::try_new(matrix, true, true, f64::EPSILON, SVD_ITERATIONS).ok_or_else(none)?;
+    let rank = RANK_TOLERANCE * decomposition.singular_values.max();
     let strengths = decomposition.solve(&aim, rank).map_err(|_| none())?;
-    let image = |(depth, strength): (f64, f64)| Image { depth: depth * layer.thickness(), strength };
+    let image = |(depth, strength): (f64, f64)| ImageSource { depth: depth * layer.thickness(), strength };
     Ok(depths.into_iter().zip(strengths.iter().copied()).map(image).collect())
 }
 

@@ -2,7 +2,7 @@
 
 use crate::error::InputError;
 
-/// Shear moduli of layer and substrate over each other, at least and at most.
+/// Range of the ratio of shear moduli, layer over substrate.
 const MODULUS_RATIO: [f64; 2] = [1e-4, 1e3];
 
 /// An elastic layer of uniform thickness that is bonded to an elastic half-space, the substrate.
@@ -13,8 +13,8 @@ const MODULUS_RATIO: [f64; 2] = [1e-4, 1e3];
 /// `T = exp(-2 x)`,
 ///
 /// with the thickness `h`, Poisson's ratios `v1`, `v2` and shear moduli `G1`, `G2 = G1/M` of layer and
-/// substrate, `L = 1 - 4 (1 - v1)/[1 + M (3 - 4 v2)]` and `K = (M - 1)/(M + 3 - 4 v1)`. Short waves see a
-/// half-space of the layer, `f = 1`, long ones one of the substrate, `f = M (1 - v2)/(1 - v1)`.
+/// substrate, `L = 1 - 4 (1 - v1)/[1 + M (3 - 4 v2)]` and `K = (M - 1)/(M + 3 - 4 v1)`. Short waves deform
+/// the layer alone, `f = 1`; long waves deform the substrate, `f = M (1 - v2)/(1 - v1)`.
 ///
 /// Source: Burmister, D. M. (1945), Journal of Applied Physics 16, 89-94.
 ///
@@ -42,11 +42,11 @@ pub struct Layer {
 }
 
 impl Layer {
-    /// Layer of `thickness` \[m\] with Young's modulus \[Pa\] and Poisson's ratio of layer and substrate.
+    /// A layer of `thickness` \[m\] with Young's modulus \[Pa\] and Poisson's ratio of layer and substrate.
     ///
     /// # Errors
-    /// A thickness or modulus that is not finite and positive, a ratio not above -1 or above 0.5, shear
-    /// moduli of layer and substrate whose ratio is not between 1e-4 and 1e3.
+    /// A thickness or modulus that is not finite and positive, a Poisson's ratio not above -1 or above 0.5, a
+    /// ratio of shear moduli outside 1e-4 to 1e3.
     pub fn new(
         thickness: f64,
         [modulus, poisson]: [f64; 2],
@@ -91,7 +91,8 @@ impl Layer {
         self.compliances
     }
 
-    /// `f(x)`: the displacement over that of a half-space of the layer, at the wave number `x/h`, `x >= 0`.
+    /// `f(x)`: the displacement relative to that of a half-space of the layer's material, at the wave number
+    /// `x/h`, `x >= 0`.
     pub fn transform(&self, x: f64) -> f64 {
         let (k, l, t) = (self.k, self.l, (-2.0 * x).exp());
         (1.0 + 4.0 * x * k * t - l * k * t * t) / (1.0 - (l + k + 4.0 * k * x * x) * t + l * k * t * t)

@@ -1,15 +1,15 @@
 //! The elastic half-space with a bonded layer by DC-FFT.
 //!
-//! `layer` holds the constants and the transform of the response, `images` turns the transform into loads
-//! below the surface, `buried` has the potentials of such loads on cells; these make the influence
-//! coefficients here. Stresses in the layer and below it are a room of their own: `waves` has what a layer
-//! adds to one wave, `stress` sums the waves.
+//! `layer` holds the constants and the transform of the response, `images` approximates the transform by
+//! image sources below the surface, and `buried` has the potentials of such sources on cells. They combine to
+//! the influence coefficients of this file. Stresses use Fourier modes instead: `fourier_modes` computes the
+//! correction of a layer for one mode, `stress` sums the modes.
 
 mod buried;
+mod fourier_modes;
 mod images;
 mod layer;
 mod stress;
-mod waves;
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -17,32 +17,32 @@ use std::fmt;
 pub use layer::Layer;
 pub use stress::{LayerStressExtremes, LayeredStress, LayeredStressExtremes};
 
-use self::images::{Image, images};
+use self::images::{ImageSource, images};
 use super::response::ElasticResponse;
 use super::{DeformationModel, NEAR, ResponseApproximations};
 use crate::analytic::{rectangle_potential, strip_potential};
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// How much more compliant than the whole pair the substrate may be, as moduli are rounded.
-const ROUNDED: f64 = 1e-3;
+/// Tolerance on the compliance of the substrate against that of the pair, for rounded moduli.
+const ROUNDING: f64 = 1e-3;
 
 /// Two bodies pressed together, one of them a half-space with a bonded [`Layer`].
 ///
-/// The other body has what compliance the equivalent modulus `E'` of the pair without layer leaves to it,
-/// `2/E' - (1 - v2^2)/E2`; none where it is rigid. With `c1`, `c2` the compliances `(1 - v^2)/E` of layer and
-/// substrate a load `p` on a cell moves the surfaces by
+/// The compliance of the other body is the remainder `2/E' - (1 - v2^2)/E2` of the equivalent modulus `E'` of
+/// the pair without layer; it is zero for a rigid body. With the compliances `c1`, `c2`, `(1 - v^2)/E` of
+/// layer and substrate, a load `p` on a cell displaces the surfaces by
 ///
 /// `u = 1/pi [(2/E' - c2 + c1) F_0 + c1 sum_k s_k F_k] p`,
 ///
-/// `F_0` being the potential of the cell (Love 1929) and `F_k` that of the cell at the depth `a_k`. The
-/// images `s_k`, `a_k` reproduce the transform of the layer to 5e-6 of it, up to a ratio of shear moduli of
-/// 100 (3e-5 up to 1000). A layer of the material of the substrate has none. In plane strain the potentials
-/// are those of strips, twice.
+/// with the potential `F_0` of the cell (Love 1929) and `F_k` of the cell at the depth `a_k`. The images
+/// `s_k`, `a_k` approximate the transform of the layer to a relative error of 5e-6 up to a ratio of shear
+/// moduli of 100 (3e-5 up to 1000). A layer of the substrate's material has no images. In plane strain the
+/// potentials are twice those of strips.
 ///
-/// Displacements are summed as a convolution through FFTs of twice the grid, as those of
-/// [`HalfSpace`](super::HalfSpace) and at the same cost. Only making the model is dearer: 48 images for each
-/// of the `N` coefficients.
+/// Displacements are convolutions through FFTs of twice the grid, at the cost of
+/// [`HalfSpace`](super::HalfSpace). Only the construction costs more: 48 images for each of the `N`
+/// coefficients.
 ///
 /// Sources: Burmister, D. M. (1945), Journal of Applied Physics 16, 89-94 (layer); Love, A. E. H. (1929),
 /// Philosophical Transactions of the Royal Society A 228, 377-420 (cells).
@@ -87,7 +87,7 @@ impl LayeredHalfSpace {
     /// Bodies on `grid` with the equivalent modulus `E'` \[Pa\] of the pair without `layer`.
     ///
     /// # Errors
-    /// A modulus that is not finite and positive, or one that leaves the other body a negative compliance.
+    /// A modulus that is not finite and positive, or one for which the other body has a negative compliance.
     pub fn new(grid: Grid, equivalent_modulus: f64, layer: Layer) -> Result<Self, InputError> {
         let loads = Loads::new(equivalent_modulus, &layer)?;
         let half = [0.5 * grid.dx(), 0.5 * grid.dy()];
@@ -99,8 +99,8 @@ impl LayeredHalfSpace {
         Ok(Self::from_coefficients(grid, equivalent_modulus, layer, false, coefficient))
     }
 
-    /// The same under line loads, plane strain, on the single row of `grid`; displacements count from the
-    /// distance `reference` \[m\], as those of [`LineHalfSpace`](super::LineHalfSpace).
+    /// The plane-strain model under line loads on the single row of `grid`, with displacements relative to
+    /// those at the distance `reference` \[m\], as in [`LineHalfSpace`](super::LineHalfSpace).
     ///
     /// # Errors
     /// More than one row, a reference below the length of the row, a modulus as in [`LayeredHalfSpace::new`].
@@ -124,7 +124,7 @@ impl LayeredHalfSpace {
         Ok(Self::from_coefficients(grid, equivalent_modulus, layer, true, coefficient))
     }
 
-    /// Bodies with the displacement `coefficient(i, j)` \[m/Pa\] at an offset of `i` columns and `j` rows.
+    /// Bodies with the influence `coefficient(i, j)` \[m/Pa\] at an offset of `i` columns and `j` rows.
     fn from_coefficients(
         grid: Grid,
         equivalent_modulus: f64,
@@ -141,32 +141,32 @@ impl LayeredHalfSpace {
     }
 }
 
-/// Loads on and below the surface.
+/// Surface load and image sources with their compliances.
 struct Loads {
     /// Compliance of the load on the surface \[1/Pa\].
     surface: f64,
-    /// Compliance of the layer, which the images have \[1/Pa\].
+    /// Compliance of the layer, which multiplies the images \[1/Pa\].
     layer: f64,
-    /// Loads below the surface.
-    images: Vec<Image>,
+    /// ImageSource sources.
+    images: Vec<ImageSource>,
 }
 
 impl Loads {
-    /// The loads of a pair; refuses a modulus that leaves the other body a negative compliance.
+    /// Compliances of a pair; rejects a modulus for which the other body has a negative compliance.
     fn new(equivalent_modulus: f64, layer: &Layer) -> Result<Self, InputError> {
         InputError::require_positive("elastic.equivalent_modulus", equivalent_modulus)?;
         let pair = 2.0 / equivalent_modulus;
         let [own, substrate] = layer.compliances();
         InputError::require(
-            substrate <= pair * (1.0 + ROUNDED),
+            substrate <= pair * (1.0 + ROUNDING),
             "elastic.equivalent_modulus",
             equivalent_modulus,
-            "at most 2 E/(1 - v^2) of the layer's substrate, which it is where the other body is rigid",
+            "at most 2 E/(1 - v^2) of the layer's substrate, its value for a rigid counterbody",
         )?;
         Ok(Self { surface: pair + (own - substrate), layer: own, images: images(layer)? })
     }
 
-    /// The sum over the loads of their potentials times their compliance.
+    /// Sum of potentials times compliances.
     fn sum(&self, surface: f64, at_depth: impl Fn(f64) -> f64) -> f64 {
         let images: f64 = self.images.iter().map(|image| image.strength * at_depth(image.depth)).sum();
         self.surface * surface + self.layer * images
@@ -215,7 +215,7 @@ impl ResponseApproximations for LayeredHalfSpace {
         self.response.pressure_estimate(displacement, out)
     }
 
-    fn soften(&mut self, compliance: f64) {
-        self.response.soften(compliance);
+    fn set_mean_compliance(&mut self, compliance: f64) {
+        self.response.set_mean_compliance(compliance);
     }
 }

@@ -1,9 +1,9 @@
 //! Stresses in a bonded layer and below it.
 //!
-//! Loads become amplitudes of waves by one transform; each depth asks [`Layer::added`](super::Layer) for what
-//! the bond adds to every wave, and one inverse transform for each of the six components sums it. The
-//! half-space below is summed in closed forms by `subsurface_stress`, so that what is cut off at short waves
-//! is only the smooth part. `mean` corrects the wave of number zero for the images of the periodic sum.
+//! A transform decomposes the loads into Fourier modes. At each depth [`Layer::correction`](super::Layer)
+//! gives the contribution of the bond to every mode, and an inverse transform sums the modes of each of the
+//! six components. The closed forms of `subsurface_stress` give the half-space, so that only the smooth
+//! correction is truncated at short waves. `mean` corrects the zero mode for the images of the periodic sum.
 
 use std::f64::consts::PI;
 
@@ -11,7 +11,7 @@ use num_complex::Complex64;
 use rustfft::FftDirection;
 
 use super::Layer;
-use super::waves::{Added, Body};
+use super::fourier_modes::{Body, LayerCorrection};
 use crate::elastic::subsurface::extremes::{largest, orthogonal, over, require_increasing};
 use crate::elastic::{Extreme, StressExtremes, StressField, subsurface_stress};
 use crate::error::InputError;
@@ -21,12 +21,12 @@ use crate::numerics::{Fft2, RealFft2, fast_length, map_lines};
 /// Stresses \[Pa\] in a [`Layer`] that is bonded to a half-space, and in that substrate, under a pressure and
 /// a traction along +x on the surface, both constant in each cell of a grid.
 ///
-/// They are the stresses of a half-space ([`subsurface_stress`]) with Poisson's ratio of layer or substrate,
-/// plus what the bond adds, wave by wave. For a layer of the material of the substrate that is nothing, and
-/// loads at the surface and the equality of `zz`, `xz` and `yz` on both sides of the bond are exact. What the
-/// bond adds is that of the loads repeated at twice the length of the grid (a row: eight times), less what
-/// the images add below the middle of a load. Waves shorter than two cells are left out of it, which reach
-/// the bond of a layer of thickness `h` with `exp(-pi h/dx)`. A grid of one row is in plane strain.
+/// They are the stresses of a half-space ([`subsurface_stress`]) with Poisson's ratio of layer or substrate
+/// plus the correction of the bond, mode by mode. The correction vanishes for a layer of the substrate's
+/// material. Loads at the surface and the continuity of `zz`, `xz` and `yz` across the bond are exact. The
+/// correction is periodic over twice the length of the grid (a row: eight times); the contribution of the
+/// images below the middle of a load is subtracted. Waves shorter than two cells are omitted from it; they
+/// decay as `exp(-pi h/dx)` up to the bond of a layer of thickness `h`. A grid of one row is in plane strain.
 ///
 /// Cost of a depth: that of [`subsurface_stress`] and six transforms of twice the grid.
 ///
@@ -37,7 +37,7 @@ use crate::numerics::{Fft2, RealFft2, fast_length, map_lines};
 /// use stribeck::Grid;
 /// let grid = Grid::centred(65, 65, 1.0 / 30.0, 1.0 / 30.0)?;
 /// let pressure: Vec<f64> = grid.nodes().map(|(x, y)| 1e9 * (1.0 - x * x - y * y).max(0.0).sqrt()).collect();
-/// // Twice as stiff as the substrate: the bottom of the layer is stretched where the substrate is pressed.
+/// // A layer twice as stiff as its substrate is in tension at its bottom.
 /// let layer = Layer::new(0.5, [420e9, 0.3], [210e9, 0.3])?;
 /// let stress = LayeredStress::new(&grid, layer, &pressure, None)?;
 /// let (over, under) = (stress.in_layer(0.5)?, stress.in_substrate(0.5)?);
@@ -56,9 +56,9 @@ pub struct LayeredStress {
     pressure: Vec<f64>,
     /// Traction along +x on the surface \[Pa\].
     traction: Option<Vec<f64>>,
-    /// Numbers of cells that the waves have.
+    /// Padded numbers of cells.
     padded: [usize; 2],
-    /// Amplitudes of pressure and traction, columns of waves along y.
+    /// Amplitudes of pressure and traction, columns of modes along y.
     loads: Vec<[Complex64; 2]>,
 }
 
@@ -67,11 +67,11 @@ pub struct LayeredStress {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct LayerStressExtremes {
-    /// Largest stress of von Mises in the layer.
+    /// Largest von Mises stress in the layer.
     pub von_mises: Extreme,
-    /// Largest shear stress at the bond, `sqrt(xz^2 + yz^2)`: what it has to hold against sliding.
+    /// Largest shear stress at the bond, `sqrt(xz^2 + yz^2)`, the required bond strength in shear.
     pub bond_shear: Extreme,
-    /// Largest tension `zz` at the bond, which pulls the layer off; zero where there is none.
+    /// Largest tension `zz` at the bond, zero without tension.
     pub bond_tension: Extreme,
 }
 
@@ -79,14 +79,14 @@ pub struct LayerStressExtremes {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct LayeredStressExtremes {
-    /// Those of the layer.
+    /// Extremes of the layer.
     pub layer: LayerStressExtremes,
-    /// Those of the substrate.
+    /// Extremes of the substrate.
     pub substrate: StressExtremes,
 }
 
 impl LayeredStress {
-    /// Under `pressure` and `traction` \[Pa\] on the cells of `grid`; `None` for no traction.
+    /// Stresses under `pressure` and `traction` \[Pa\] on the cells of `grid`; `None` for no traction.
     ///
     /// # Errors
     /// Slices that do not fit the grid.
@@ -101,7 +101,7 @@ impl LayeredStress {
             InputError::require_len("traction", traction, grid.len())?;
         }
         let padded = if grid.ny() == 1 {
-            [fast_length(LINE_LENGTHS * grid.nx()), 1]
+            [fast_length(LINE_PERIOD * grid.nx()), 1]
         } else {
             [fast_length(2 * grid.nx() - 1), fast_length(2 * grid.ny() - 1)]
         };
@@ -135,7 +135,7 @@ impl LayeredStress {
         self.at(depth, Body::Substrate)
     }
 
-    /// The largest stresses under the nodes at `depths` \[m\], which increase, and on both sides of the bond.
+    /// The largest stresses over the nodes at increasing `depths` \[m\], and on both sides of the bond.
     ///
     /// # Errors
     /// No depths, depths that do not increase or are not finite and at least zero.
@@ -174,41 +174,44 @@ impl LayeredStress {
         })
     }
 
-    /// Stresses at `depth` \[m\] of `body`: those of a half-space and what the bond adds.
+    /// Stresses at `depth` \[m\] of `body`: half-space plus correction of the bond.
     fn at(&self, depth: f64, body: Body) -> Result<StressField, InputError> {
         let poisson = self.layer.poissons[if body == Body::Layer { 0 } else { 1 }];
         let traction = self.traction.as_deref();
         let mut stress = subsurface_stress(&self.grid, poisson, depth, &self.pressure, traction)?;
         let [nx, ny] = self.padded;
-        let mut waves = vec![[Complex64::default(); 6]; self.loads.len()];
-        let response = |wave: &Wave, loads: &[Complex64; 2]| {
-            wave.stresses(&self.layer.added(wave.number, depth, body), loads, poisson)
+        let mut modes = vec![[Complex64::default(); 6]; self.loads.len()];
+        // amplitudes of the correction, mode by mode
+        let response = |mode: &FourierMode, loads: &[Complex64; 2]| {
+            mode.stresses(&self.layer.correction(mode.number, depth, body), loads, poisson)
         };
-        map_lines(&mut waves, ny, |i, column| {
+        map_lines(&mut modes, ny, |i, column| {
             for (j, (stresses, loads)) in column.iter_mut().zip(&self.loads[i * ny..]).enumerate() {
-                if let Some(wave) = Wave::new(&self.grid, self.padded, [i, j]) {
-                    *stresses = response(&wave, loads);
+                if let Some(mode) = FourierMode::new(&self.grid, self.padded, [i, j]) {
+                    *stresses = response(&mode, loads);
                 }
             }
         });
+        // the zero mode, without periodic images
         let [under_pressure, under_traction] = mean(&self.grid, self.padded, response);
         let [pressure, traction] = self.loads[0];
-        waves[0] = std::array::from_fn(|c| pressure * under_pressure[c] + traction * under_traction[c]);
+        modes[0] = std::array::from_fn(|c| pressure * under_pressure[c] + traction * under_traction[c]);
+        // one inverse transform for each component
         let transform = RealFft2::new(nx, ny);
         for (component, out) in stress.components().into_iter().enumerate() {
-            let added = transform.synthesise([self.grid.nx(), self.grid.ny()], |i, column| {
-                for (value, wave) in column.iter_mut().zip(&waves[i * ny..]) {
-                    *value = wave[component];
+            let correction = transform.synthesise([self.grid.nx(), self.grid.ny()], |i, column| {
+                for (value, mode) in column.iter_mut().zip(&modes[i * ny..]) {
+                    *value = mode[component];
                 }
                 true
             });
-            out.iter_mut().zip(added).for_each(|(sum, part)| *sum += part);
+            out.iter_mut().zip(correction).for_each(|(sum, part)| *sum += part);
         }
         Ok(stress)
     }
 }
 
-/// Amplitudes of the waves of pressure and traction, `nx/2 + 1` columns of `ny`.
+/// Fourier amplitudes of pressure and traction, `nx/2 + 1` columns of `ny`.
 fn amplitudes(
     grid: &Grid,
     [nx, ny]: [usize; 2],
@@ -221,7 +224,7 @@ fn amplitudes(
         both[k / grid.nx() * nx + k % grid.nx()] = Complex64::new(*p, traction);
     }
     Fft2::new(nx, ny).process(&mut both, FftDirection::Forward);
-    // Uniform cells in place of points.
+    // Transform of a uniform cell in place of a point.
     let share = |k: usize, n: usize| {
         let half = PI * k.min(n - k) as f64 / n as f64;
         if half == 0.0 { 1.0 } else { half.sin() / half }
@@ -237,69 +240,69 @@ fn amplitudes(
     loads
 }
 
-/// Lengths of a row from load to image: stresses of lines fall as the square of the distance, those of points
-/// as the cube.
-const LINE_LENGTHS: usize = 8;
-/// How much closer the waves of a fine lattice are than those of the period.
-const FINE: usize = 8;
-/// Width of a window of long waves, and its end, in waves of the period.
+/// Period of a row in lengths of the grid: stresses of line loads decay as the square of the distance, those
+/// of point loads as the cube.
+const LINE_PERIOD: usize = 8;
+/// Refinement of the fine lattice of modes relative to the lattice of the period.
+const REFINEMENT: usize = 8;
+/// Width of the Gaussian window of long waves, in modes of the period.
 const WINDOW: f64 = 4.0;
-/// Waves of the period along each axis that the window is summed over.
-const END: usize = 22;
+/// Modes of the period along each axis over which the window is summed.
+const WINDOW_END: usize = 22;
 
-/// Amplitudes of the mean stresses under a mean pressure and a mean traction of one that leave the stresses
-/// below a load without those of its images: with them the sum over the waves of the period is that over a
-/// lattice so fine that the images are far away. A smooth window keeps the long waves, which alone reach the
-/// images.
+/// Mean stresses under a unit mean pressure and a unit mean traction, such that the stresses below a load
+/// contain no contribution of periodic images. The sum over the modes of the period then equals that over a
+/// lattice so fine that the images are far away. A smooth window selects the long waves, which alone reach
+/// the images.
 fn mean(
     grid: &Grid,
     [nx, ny]: [usize; 2],
-    response: impl Fn(&Wave, &[Complex64; 2]) -> [Complex64; 6],
+    response: impl Fn(&FourierMode, &[Complex64; 2]) -> [Complex64; 6],
 ) -> [[f64; 6]; 2] {
     let steps = [2.0 * PI / (nx as f64 * grid.dx()), 2.0 * PI / (ny as f64 * grid.dy())];
     let (one, none) = (Complex64::ONE, Complex64::ZERO);
     let mut sums = [[0.0; 6]; 2];
-    // A wave at `x`, `y` waves of the period, for all that mirror it.
+    // Adds the mode at `x`, `y` (in modes of the period) with its mirror images.
     let mut add = |x: f64, y: f64, weight: f64| {
         let mirrors = if x == 0.0 { 1.0 } else { 2.0 } * if y == 0.0 { 1.0 } else { 2.0 };
         let factor = weight * mirrors * (-(x * x + y * y) / (WINDOW * WINDOW)).exp();
-        let wave = Wave::of(x * steps[0], y * steps[1]);
-        let [pressed, sheared] = [[one, none], [none, one]].map(|load| response(&wave, &load));
-        // The others are odd.
+        let mode = FourierMode::of(x * steps[0], y * steps[1]);
+        let [pressed, sheared] = [[one, none], [none, one]].map(|load| response(&mode, &load));
+        // All other components are odd and cancel.
         for (sum, stress, c) in [(0, pressed, 0), (0, pressed, 1), (0, pressed, 2), (1, sheared, 4)] {
             sums[sum][c] += factor * stress[c].re;
         }
     };
-    let middle = |k: usize| (k as f64 + 0.5) / FINE as f64;
-    let rows = if ny == 1 { 1 } else { END };
-    for (i, j) in (0..rows).flat_map(|j| (0..END).map(move |i| (i, j))).skip(1) {
+    let middle = |k: usize| (k as f64 + 0.5) / REFINEMENT as f64;
+    let rows = if ny == 1 { 1 } else { WINDOW_END };
+    for (i, j) in (0..rows).flat_map(|j| (0..WINDOW_END).map(move |i| (i, j))).skip(1) {
         add(i as f64, j as f64, -1.0);
     }
-    for i in 0..END * FINE {
+    for i in 0..WINDOW_END * REFINEMENT {
         if ny == 1 {
-            add(middle(i), 0.0, 1.0 / FINE as f64);
+            add(middle(i), 0.0, 1.0 / REFINEMENT as f64);
             continue;
         }
-        for j in 0..END * FINE {
-            add(middle(i), middle(j), 1.0 / (FINE * FINE) as f64);
+        for j in 0..WINDOW_END * REFINEMENT {
+            add(middle(i), middle(j), 1.0 / (REFINEMENT * REFINEMENT) as f64);
         }
     }
     sums
 }
 
-/// A wave along the direction `(cos, sin)`.
-struct Wave {
+/// A Fourier mode with the wave vector along `(cos, sin)`.
+struct FourierMode {
     /// Wave number \[1/m\].
     number: f64,
-    /// Its direction along x.
+    /// Cosine of the angle between wave vector and x.
     cos: f64,
-    /// Its direction along y.
+    /// Sine of that angle.
     sin: f64,
 }
 
-impl Wave {
-    /// That of column `i` and row `j`; none for the mean and for the shortest ones, which have
-    /// no direction.
+impl FourierMode {
+    /// Mode of column `i` and row `j`; `None` for the mean and for Nyquist modes, which have no unique
+    /// direction.
     fn new(grid: &Grid, [nx, ny]: [usize; 2], [i, j]: [usize; 2]) -> Option<Self> {
         if i + j == 0 || 2 * i == nx || 2 * j == ny {
             return None;
@@ -310,22 +313,27 @@ impl Wave {
         Some(Self::of(x, y))
     }
 
-    /// That of the wave vector `(x, y)`, which is not zero.
+    /// Mode of the non-zero wave vector `(x, y)`.
     fn of(x: f64, y: f64) -> Self {
         let number = x.hypot(y);
         Self { number, cos: x / number, sin: y / number }
     }
 
-    /// Amplitudes of the stresses, in the order of [`StressField`].
-    fn stresses(&self, added: &Added, [pressure, traction]: &[Complex64; 2], poisson: f64) -> [Complex64; 6] {
+    /// Amplitudes of the stress correction, in the order of [`StressField`].
+    fn stresses(
+        &self,
+        correction: &LayerCorrection,
+        [pressure, traction]: &[Complex64; 2],
+        poisson: f64,
+    ) -> [Complex64; 6] {
         let Self { cos, sin, .. } = *self;
         let (xx, yy, xy) = (cos * cos, sin * sin, cos * sin);
         let i = Complex64::i();
         let (shear, across) = (-i * traction * cos, -traction * sin);
-        let f = |k: usize| pressure * added.pressure[k] + shear * added.shear[k];
+        let f = |k: usize| pressure * correction.pressure[k] + shear * correction.shear[k];
         let (ll, zz, lz) = (f(2), -f(0), -i * f(1));
         let tt = poisson * (ll + zz);
-        let (lt, tz) = (i * across * added.across[0], across * added.across[1]);
+        let (lt, tz) = (i * across * correction.across[0], across * correction.across[1]);
         [
             ll * xx + tt * yy - 2.0 * lt * xy,
             ll * yy + tt * xx + 2.0 * lt * xy,

@@ -1,23 +1,23 @@
-//! Stresses under a uniformly loaded rectangle as differences between its corners.
+//! Stresses under a uniformly loaded rectangle as differences over its corners.
 //!
-//! With `X = x - x'`, `Y = y - y'` and `r^2 = X^2 + Y^2 + z^2` a stress under a point load is `g(X, Y)`, and
-//! `G` with `d^2 G/dX dY = g` gives that under a rectangle as `G` at two opposite corners less `G` at the
-//! other two. All are for unit loads and without the factor `1/(2 pi)`.
+//! With `X = x - x'`, `Y = y - y'` and `r^2 = X^2 + Y^2 + z^2` the stress under a point load is `g(X, Y)`. A
+//! function `G` with `d^2 G/dX dY = g` gives the stress under a rectangle: the sum of `G` at two opposite
+//! corners less that at the other two. Loads are unit loads, without the factor `1/(2 pi)`.
 
-/// Components of a stress in the order xx, yy, zz, xy, xz, yz.
+/// Number of stress components, in the order xx, yy, zz, xy, xz, yz.
 pub(super) const COMPONENTS: usize = 6;
 
-/// Whether `G` of each component is odd in `X` and in `Y`, else it is even.
+/// Whether `G` of each component is odd (or else even) in `X` and in `Y`.
 pub(super) type Parities = [[bool; 2]; COMPONENTS];
 
-/// Of the components under a pressure.
+/// Parities under a pressure.
 pub(super) const UNDER_PRESSURE: Parities =
     [[true, true], [true, true], [true, true], [false, false], [false, true], [true, false]];
-/// Of the components under a traction along x.
+/// Parities under a traction along x.
 pub(super) const UNDER_TRACTION: Parities =
     [[false, true], [false, true], [false, true], [true, false], [true, true], [false, false]];
 
-/// `G` of a pressure: Boussinesq's point load integrated (Love 1929).
+/// `G` of a pressure: the integrated Boussinesq solution (Love 1929).
 pub(super) fn under_pressure(poisson: f64, [x, y, z]: [f64; 3]) -> [f64; COMPONENTS] {
     let (u, v) = (x * x + z * z, y * y + z * z);
     let r = (x * x + y * y + z * z).sqrt();
@@ -36,7 +36,7 @@ pub(super) fn under_pressure(poisson: f64, [x, y, z]: [f64; 3]) -> [f64; COMPONE
     ]
 }
 
-/// `G` of a traction along x on the body below: Cerruti's point load integrated.
+/// `G` of a traction along x on the lower body: the integrated Cerruti solution.
 pub(super) fn under_traction(poisson: f64, [x, y, z]: [f64; 3]) -> [f64; COMPONENTS] {
     let (u, v) = (x * x + z * z, y * y + z * z);
     let r = (x * x + y * y + z * z).sqrt();

@@ -4,7 +4,7 @@ use super::{StressField, subsurface_stress};
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// A largest stress and where it is.
+/// A largest stress and its position.
 ///
 /// # Examples
 ///
@@ -23,7 +23,7 @@ use crate::grid::Grid;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Extreme {
-    /// The stress \[Pa\], between depths at the peak of a parabola.
+    /// The stress \[Pa\], interpolated between depths by a parabola.
     pub stress: f64,
     /// Its depth \[m\].
     pub depth: f64,
@@ -37,21 +37,21 @@ pub struct Extreme {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct StressExtremes {
-    /// Largest stress of von Mises.
+    /// Largest von Mises stress.
     pub von_mises: Extreme,
-    /// Largest magnitude of the orthogonal shear stress `xz`, whose range a point meets when it is rolled
-    /// over: the measure of rolling fatigue of Lundberg and Palmgren (1947), Acta Polytechnica, Mechanical
-    /// Engineering Series 1, no. 3. Residual stresses of a rolled surface cannot carry it, so that the
-    /// elastic shakedown limit of free rolling is reached where it is the yield stress in shear (Johnson
-    /// 1985, Contact Mechanics, section 9.2; exact in plane strain).
+    /// Largest magnitude of the orthogonal shear stress `xz`, whose range loads a point during each
+    /// overrolling: the measure of rolling fatigue of Lundberg and Palmgren (1947), Acta Polytechnica,
+    /// Mechanical Engineering Series 1, no. 3. Residual stresses of a rolled surface cannot compensate it.
+    /// The elastic shakedown limit of free rolling is therefore reached when it equals the yield stress in
+    /// shear (Johnson 1985, Contact Mechanics, section 9.2; exact in plane strain).
     pub orthogonal_shear: Extreme,
 }
 
-/// The largest stresses under the nodes of `grid` at `depths` \[m\], which increase, of a half-space of
-/// Poisson's ratio `poisson` under `pressure` and `traction` \[Pa\], see [`subsurface_stress`].
+/// The largest stresses in a half-space of Poisson's ratio `poisson` under `pressure` and `traction` \[Pa\],
+/// over the nodes of `grid` and increasing `depths` \[m\]; see [`subsurface_stress`].
 ///
 /// # Errors
-/// No depths or depths that do not increase, and what [`subsurface_stress`] refuses.
+/// No depths, depths that do not increase, and the errors of [`subsurface_stress`].
 ///
 /// ```
 /// use stribeck::elastic::stress_extremes;
@@ -80,12 +80,12 @@ pub fn stress_extremes(
     Ok(StressExtremes { von_mises: over(grid, depths, &mises), orthogonal_shear: over(grid, depths, &shear) })
 }
 
-/// Refuses depths that are none or do not increase.
+/// Rejects an empty list of depths and depths that do not increase.
 pub(in crate::elastic) fn require_increasing(depths: &[f64]) -> Result<(), InputError> {
     if !depths.is_empty() && depths.windows(2).all(|pair| pair[0] < pair[1]) {
         return Ok(());
     }
-    let reason = "there must be one at least, and they must increase".to_owned();
+    let reason = "must be increasing, and at least one".to_owned();
     Err(InputError::Conflict { field: "depths".to_owned(), reason })
 }
 
@@ -94,12 +94,12 @@ pub(in crate::elastic) fn orthogonal(field: &StressField) -> impl Iterator<Item 
     field.xz.iter().map(|stress| stress.abs())
 }
 
-/// Node and value of the largest.
+/// Node and value of the largest stress.
 pub(in crate::elastic) fn largest(values: impl Iterator<Item = f64>) -> (usize, f64) {
     values.enumerate().fold((0, 0.0), |best, (k, value)| if value > best.1 { (k, value) } else { best })
 }
 
-/// The largest of the values at each depth, at the peak of the parabola through it and its neighbours.
+/// The largest of the values over depth, at the vertex of the parabola through it and its neighbors.
 pub(in crate::elastic) fn over(grid: &Grid, depths: &[f64], values: &[(usize, f64)]) -> Extreme {
     let (k, (node, stress)) = values
         .iter()
@@ -110,7 +110,7 @@ pub(in crate::elastic) fn over(grid: &Grid, depths: &[f64], values: &[(usize, f6
     if (1..depths.len() - 1).contains(&k) {
         let (before, after) = (depths[k] - depths[k - 1], depths[k + 1] - depths[k]);
         let slopes = [(stress - values[k - 1].1) / before, (values[k + 1].1 - stress) / after];
-        // Twice the second coefficient; not positive at a largest value.
+        // Twice the second divided difference.
         let curvature = 2.0 * (slopes[1] - slopes[0]) / (before + after);
         if curvature < 0.0 {
             let slope = (slopes[0] * after + slopes[1] * before) / (before + after);

@@ -1,4 +1,4 @@
-//! Stresses below the surface under solved pressures and tractions.
+//! Stresses below the surface under given pressures and tractions.
 
 mod corners;
 pub(super) mod extremes;
@@ -45,18 +45,18 @@ pub struct StressField {
 }
 
 impl StressField {
-    /// No stress at `n` nodes.
+    /// Zero stress at `n` nodes.
     fn zeros(n: usize) -> Self {
         let [xx, yy, zz, xy, xz, yz] = std::array::from_fn(|_| vec![0.0; n]);
         Self { xx, yy, zz, xy, xz, yz }
     }
 
-    /// The six in the order of the fields.
+    /// The six components in the order of the fields.
     pub(super) fn components(&mut self) -> [&mut Vec<f64>; COMPONENTS] {
         [&mut self.xx, &mut self.yy, &mut self.zz, &mut self.xy, &mut self.xz, &mut self.yz]
     }
 
-    /// Stress of von Mises \[Pa\] under each node:
+    /// Von Mises stress \[Pa\] under each node:
     /// `sqrt{[(xx - yy)^2 + (yy - zz)^2 + (zz - xx)^2]/2 + 3 (xy^2 + xz^2 + yz^2)}`.
     pub fn von_mises(&self) -> impl Iterator<Item = f64> + '_ {
         (0..self.xx.len()).map(|k| {
@@ -71,11 +71,11 @@ impl StressField {
 /// Stresses at `depth` \[m\] of a half-space of Poisson's ratio `poisson` under `pressure` \[Pa\] and the
 /// `traction` \[Pa\] along +x on its surface, both constant in each cell of `grid`; `None` for no traction.
 ///
-/// The stresses under a uniformly loaded rectangle are closed forms, summed as convolutions through FFTs of
-/// twice the grid: no periodic images. At depth zero they are those just below the surface. Under a line
-/// contact (a row of cells one metre wide) they are those of plane strain to `4 (1 - 2 v) b/pi` of the
-/// pressure, with its half-width `b` in metres. Cost: twelve convolutions and the transforms of their
-/// kernels, six without traction.
+/// Stresses under a uniformly loaded rectangle have closed forms, which are summed as convolutions through
+/// FFTs of twice the grid, without periodic images. At depth zero the stresses are those just below the
+/// surface. Under a line contact (a row of cells one metre wide) they are the plane-strain stresses to `4 (1
+/// - 2 v) b/pi` of the pressure, with the half-width `b` in metres. Cost: twelve convolutions and the
+/// transforms of their kernels, six without traction.
 ///
 /// Sources: Love, A. E. H. (1929), Philosophical Transactions of the Royal Society A 228, 377-420 (pressure);
 /// Johnson, K. L. (1985), Contact Mechanics, section 3.6 (point traction).
@@ -126,7 +126,7 @@ pub fn subsurface_stress(
     Ok(stress)
 }
 
-/// `G/(2 pi)` at the corners half a cell and more away, at one depth.
+/// `G/(2 pi)` at the cell corners of one depth, by rows and columns of offset.
 struct Corners {
     width: usize,
     values: Vec<[f64; COMPONENTS]>,
@@ -143,7 +143,7 @@ impl Corners {
 
     /// The stress at an offset from a cell under unit load.
     fn rectangle(&self, component: usize, [odd_x, odd_y]: [bool; 2], [di, dj]: [isize; 2]) -> f64 {
-        // Corner m lies at m + 1/2 cells, and those of negative m mirror the others.
+        // Corner m lies at m + 1/2 cells; negative m mirror the others.
         let folded = |m: isize, odd: bool| {
             let mirrored = m < 0;
             let index = if mirrored { -m - 1 } else { m }.unsigned_abs();

@@ -1,42 +1,43 @@
 //! Dense kernels on column-major blocks in single precision.
 //!
-//! Columns are padded to whole vectors with zeros, so that no loop has a remainder.
+//! Columns are zero-padded to whole SIMD vectors, so that loops have no remainder.
 
 use std::ops::Range;
 
 use pulp::Simd;
 
-/// Entries of a vector: columns are padded to a multiple of it.
+/// Padding of columns, in entries.
 pub(super) const VECTOR: usize = 8;
-/// Vectors of rows that a product of matrices works on at a time.
+/// SIMD vectors per tile of rows in a matrix product.
 const TILE: usize = 2;
-/// Pivots that are inverted together.
+/// Pivots per panel of an inversion.
 const PANEL: usize = 8;
 
-/// Values below this count as zero: products of what is left are normal numbers. Far couplings fall by orders
-/// of magnitude from node to node, and some processors take a hundred times longer for denormal numbers.
+/// Magnitude below which values are set to zero, so that products of the others are normal numbers. Couplings
+/// decay by orders of magnitude from node to node, and denormal numbers cost up to a hundred times as much on
+/// some processors.
 const NEGLIGIBLE: f32 = 1e-18;
 
-/// `length` rounded up to whole vectors.
+/// `length` rounded up to whole SIMD vectors.
 pub(super) fn padded(length: usize) -> usize {
     length.next_multiple_of(VECTOR)
 }
 
-/// The value, zero if it is negligible.
+/// The value, or zero if it is negligible.
 #[inline(always)]
 pub(super) fn significant(value: f32) -> f32 {
     if value.abs() < NEGLIGIBLE { 0.0 } else { value }
 }
 
-/// Makes zeros of what is negligible.
+/// Sets negligible values to zero.
 #[inline(always)]
-pub(super) fn neglect(values: &mut [f32]) {
+pub(super) fn flush_negligible(values: &mut [f32]) {
     for value in values {
         *value = significant(*value);
     }
 }
 
-/// Copies what is not negligible.
+/// Copies values, negligible ones as zero.
 #[inline(always)]
 fn copy_significant(to: &mut [f32], from: &[f32]) {
     for (to, value) in to.iter_mut().zip(from) {
@@ -47,20 +48,20 @@ fn copy_significant(to: &mut [f32], from: &[f32]) {
 /// A matrix within a slice: column `j` starts at `j * stride`.
 #[derive(Clone, Copy)]
 pub(super) struct Block<'a> {
-    /// The entries; rows beyond those of the matrix are zero.
+    /// The entries; padding rows are zero.
     pub(super) values: &'a [f32],
-    /// Entries from a column to the next.
+    /// Entries between the starts of columns.
     pub(super) stride: usize,
 }
 
 impl Block<'_> {
-    /// The same without the rows above `row`.
+    /// The block without the rows above `row`.
     #[inline(always)]
     fn below(self, row: usize) -> Self {
         Self { values: &self.values[row..], stride: self.stride }
     }
 
-    /// The same without the columns before `column`.
+    /// The block without the columns before `column`.
     #[inline(always)]
     fn beside(self, column: usize) -> Self {
         Self { values: &self.values[column * self.stride..], stride: self.stride }
@@ -84,7 +85,7 @@ pub(super) fn add_product<S: Simd>(simd: S, out: &mut [f32], a: Block<'_>, x: &[
     }
 }
 
-/// The product for the first `ROWS` vectors of rows; returns `ROWS`.
+/// Product for the first `ROWS` vectors of rows; returns `ROWS`.
 #[inline(always)]
 fn add_to_column<S: Simd, const ROWS: usize>(simd: S, out: &mut [f32], a: Block<'_>, x: &[f32]) -> usize {
     let mut sums = [simd.splat_f32s(0.0); ROWS];
@@ -101,7 +102,7 @@ fn add_to_column<S: Simd, const ROWS: usize>(simd: S, out: &mut [f32], a: Block<
     ROWS
 }
 
-/// Entries that a product of matrices packs of the left one, which has `inner` columns.
+/// Length of the packed left factor of a matrix product with `inner` columns.
 pub(super) fn packed(inner: usize) -> usize {
     TILE * VECTOR * inner.max(PANEL)
 }
@@ -132,7 +133,7 @@ pub(super) fn add_matrix_product<S: Simd>(
     }
 }
 
-/// The product for the first `ROWS` vectors of rows, which are packed to follow one another; returns `ROWS`.
+/// Product for the first `ROWS` vectors of rows, packed contiguously; returns `ROWS`.
 #[inline(always)]
 fn add_to_rows<S: Simd, const ROWS: usize>(
     simd: S,
@@ -163,7 +164,7 @@ fn add_to_rows<S: Simd, const ROWS: usize>(
     ROWS
 }
 
-/// The product for the first `COLUMNS` columns; returns `COLUMNS`. All sums stay in registers.
+/// Product for the first `COLUMNS` columns; returns `COLUMNS`. All sums stay in registers.
 #[inline(always)]
 fn add_to_tile<S: Simd, const ROWS: usize, const COLUMNS: usize>(
     simd: S,
@@ -194,9 +195,9 @@ fn add_to_tile<S: Simd, const ROWS: usize, const COLUMNS: usize>(
     COLUMNS
 }
 
-/// Inverts a block of `pivots` columns, padded, in place by Gauss and Jordan's method, without exchanging
-/// rows, some pivots at a time; pivots smaller than `smallest` count as that. `scratch` holds as much as the
-/// block and `pack` [`packed`] entries. Returns whether all were numbers.
+/// Inverts a padded block of `pivots` columns in place by blocked Gauss-Jordan elimination without pivoting;
+/// pivots below `smallest` are perturbed to it. `scratch` is as long as the block, `pack` holds [`packed`]
+/// entries. Returns whether all pivots are finite.
 #[inline(always)]
 pub(super) fn invert<S: Simd>(
     simd: S,
@@ -210,14 +211,15 @@ pub(super) fn invert<S: Simd>(
         return invert_panel(block, rows, 0..pivots, smallest, scratch);
     }
     let (panel, of_panel) = scratch.split_at_mut(PANEL * rows);
-    let mut sound = true;
+    let mut is_finite = true;
+    // invert a panel, then update all other columns with it
     for from in (0..pivots).step_by(PANEL) {
         let range = from..(from + PANEL).min(pivots);
         let width = range.len();
         let in_place = &mut block[from * rows..range.end * rows];
-        sound &= invert_panel(in_place, rows, range.clone(), smallest, panel);
+        is_finite &= invert_panel(in_place, rows, range.clone(), smallest, panel);
         copy_significant(panel, in_place);
-        // The rows of the panel in all other columns give way to their product with the panel.
+        // The panel's rows of the other columns are replaced by their product with the panel.
         for (of_panel, column) in of_panel.chunks_exact_mut(PANEL).zip(block.chunks_exact_mut(rows)) {
             copy_significant(of_panel, &column[range.clone()]);
         }
@@ -231,16 +233,16 @@ pub(super) fn invert<S: Simd>(
             add_matrix_product(simd, [out, &mut *pack], rows, panel, of_panel, [rows, width, columns.len()]);
         }
     }
-    sound
+    is_finite
 }
 
-/// The pivot `value`, or `smallest` of its sign where it is smaller.
+/// Static pivot perturbation: `value`, or `smallest` with its sign if it is smaller in magnitude.
 #[inline(always)]
-pub(super) fn raised(value: f32, smallest: f32) -> f32 {
+pub(super) fn perturbed_pivot(value: f32, smallest: f32) -> f32 {
     if value.abs() < smallest { smallest.copysign(value) } else { value }
 }
 
-/// Gauss and Jordan's steps with the pivots `range`, on their columns alone, which is what `panel` holds.
+/// Gauss-Jordan steps with the pivots `range`, on their own columns, the content of `panel`.
 #[inline(always)]
 fn invert_panel(
     panel: &mut [f32],
@@ -250,12 +252,12 @@ fn invert_panel(
     scratch: &mut [f32],
 ) -> bool {
     let pivot_column = &mut scratch[..rows];
-    let mut sound = true;
+    let mut is_finite = true;
     for (own, k) in range.clone().enumerate() {
         copy_significant(pivot_column, &panel[own * rows..]);
         let value = pivot_column[k];
-        let pivot = raised(value, smallest);
-        sound &= pivot.is_finite();
+        let pivot = perturbed_pivot(value, smallest);
+        is_finite &= pivot.is_finite();
         let inverse = 1.0 / pivot;
         pivot_column[k] = 0.0;
         for (j, column) in panel.chunks_exact_mut(rows).take(range.len()).enumerate() {
@@ -273,5 +275,5 @@ fn invert_panel(
             }
         }
     }
-    sound
+    is_finite
 }

@@ -1,47 +1,47 @@
-//! Nested dissection of a grid: the order in which its nodes are eliminated (George 1973, SIAM J. Numer. Anal. 10,
+//! Nested dissection of a grid, the elimination order of its nodes (George 1973, SIAM J. Numer. Anal. 10,
 //! 345-363).
 
 use std::ops::Range;
 
-/// Largest number of nodes that are eliminated together without being split further.
+/// Largest number of nodes in a leaf of the dissection.
 const LEAF: usize = 16;
 
-/// Nodes that are eliminated together.
+/// Nodes that are eliminated together: a separator, or a leaf of the dissection.
 #[derive(Debug, Clone)]
-pub(super) struct Piece {
-    /// Their places in the order of elimination.
-    pub(super) places: Range<usize>,
-    /// The two halves that these nodes part; none of a piece that was not split.
-    pub(super) halves: Option<[usize; 2]>,
-    /// The first piece of the subtree that this one ends.
+pub(super) struct Supernode {
+    /// Positions of its nodes in the elimination order.
+    pub(super) positions: Range<usize>,
+    /// The two subdomains that the separator divides; `None` for a leaf.
+    pub(super) children: Option<[usize; 2]>,
+    /// First supernode of the subtree whose root this is.
     pub(super) first: usize,
 }
 
-/// All pieces, halves before the nodes that part them.
+/// The separator tree in postorder: children before their separator.
 #[derive(Debug, Clone)]
 pub(super) struct Dissection {
-    /// The pieces; the last one is the root.
-    pub(super) pieces: Vec<Piece>,
-    /// The nodes in the order of elimination.
+    /// The supernodes; the last one is the root.
+    pub(super) supernodes: Vec<Supernode>,
+    /// The nodes in elimination order.
     pub(super) order: Vec<u32>,
 }
 
 /// A rectangle of nodes.
 #[derive(Debug, Clone, Copy)]
 struct Region {
-    /// First column and the one after the last.
+    /// First column and one past the last.
     x: (usize, usize),
-    /// First row and the one after the last.
+    /// First row and one past the last.
     y: (usize, usize),
 }
 
 impl Region {
-    /// Numbers of the nodes, row by row, on a grid of `nx` columns.
+    /// Indices of the nodes, row by row, on a grid of `nx` columns.
     fn nodes(self, nx: usize) -> impl Iterator<Item = usize> {
         (self.y.0..self.y.1).flat_map(move |j| (self.x.0..self.x.1).map(move |i| j * nx + i))
     }
 
-    /// The two halves and the line of nodes between them, across the longer side.
+    /// The two subdomains and the separator between them, a line of nodes across the longer side.
     fn split(self) -> [Self; 3] {
         let middle = |(start, end): (usize, usize)| start + (end - start) / 2;
         let (x, y) = (self.x, self.y);
@@ -56,19 +56,19 @@ impl Region {
 }
 
 impl Dissection {
-    /// Dissection of a grid of `nx` x `ny` nodes until pieces hold at most 16 nodes; it depends on the grid
+    /// Dissection of a grid of `nx` x `ny` nodes down to leaves of at most 16 nodes. It depends on the grid
     /// alone.
     pub(super) fn new(nx: usize, ny: usize) -> Self {
-        let mut dissection = Self { pieces: Vec::new(), order: Vec::with_capacity(nx * ny) };
+        let mut dissection = Self { supernodes: Vec::new(), order: Vec::with_capacity(nx * ny) };
         dissection.dissect(Region { x: (0, nx), y: (0, ny) }, nx);
         dissection
     }
 
-    /// Adds the pieces of a region; returns the last one.
+    /// Appends the supernodes of a region; returns the index of the last one.
     fn dissect(&mut self, region: Region, nx: usize) -> usize {
-        let first = self.pieces.len();
+        let first = self.supernodes.len();
         let size = (region.x.1 - region.x.0) * (region.y.1 - region.y.0);
-        let (halves, last) = if size <= LEAF {
+        let (children, last) = if size <= LEAF {
             (None, region)
         } else {
             let [one, other, between] = region.split();
@@ -76,8 +76,8 @@ impl Dissection {
         };
         let start = self.order.len();
         self.order.extend(last.nodes(nx).map(|node| node as u32));
-        self.pieces.push(Piece { places: start..self.order.len(), halves, first });
-        self.pieces.len() - 1
+        self.supernodes.push(Supernode { positions: start..self.order.len(), children, first });
+        self.supernodes.len() - 1
     }
 }
 
@@ -93,10 +93,14 @@ mod tests {
             nodes.sort_unstable();
             assert!(nodes.iter().copied().eq(0..(nx * ny) as u32), "{nx} x {ny}");
             let mut end = 0;
-            for (number, piece) in dissection.pieces.iter().enumerate() {
-                assert_eq!(piece.places.start, end, "pieces follow one another");
-                end = piece.places.end;
-                assert!(piece.halves.is_none_or(|halves| halves[0] < halves[1] && halves[1] < number));
+            for (number, supernode) in dissection.supernodes.iter().enumerate() {
+                assert_eq!(supernode.positions.start, end, "supernodes follow one another");
+                end = supernode.positions.end;
+                assert!(
+                    supernode
+                        .children
+                        .is_none_or(|children| children[0] < children[1] && children[1] < number)
+                );
             }
             assert_eq!(end, nx * ny);
         }

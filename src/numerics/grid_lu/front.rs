@@ -1,35 +1,35 @@
-//! What is done on one front: elimination of its pivots, and both halves of a substitution.
+//! Dense operations on one front: elimination of its pivots and both halves of a substitution.
 //!
-//! All of it is inlined where vector instructions are switched on; closures would not be.
+//! All functions are inlined into a SIMD context; closures would not be.
 
 use pulp::{Scalar, Simd, WithSimd};
 
 use super::Matrix;
 use super::dense::{
-    Block, VECTOR, add_matrix_product, add_product, invert, neglect, packed, padded, significant,
+    Block, VECTOR, add_matrix_product, add_product, flush_negligible, invert, packed, padded, significant,
 };
-use super::structure::{Edge, Front, Run, Structure};
+use super::structure::{Edge, Front, IndexRange, Structure};
 
-/// Smallest pivot, the largest entry of a row being one. Pivots may be small by the units of the unknowns alone:
-/// that of a flow beside pressures which move 1e9 times as much.
-pub(super) const SMALLEST_PIVOT: f32 = 1e-15;
+/// Static pivot threshold relative to the largest entry of a row. Units of the unknowns alone can make pivots
+/// small: a flow beside pressures that are 1e9 times larger.
+pub(super) const STATIC_PIVOT: f32 = 1e-15;
 
-/// What a front keeps of its elimination.
+/// Factors of a front.
 ///
-/// With the block `P` of the pivots, `B` below it and `C` beside it: `P^-1`, `-B P^-1` and `C`. Every node of
-/// the border of a leaf has one neighbour among the pivots, so that `-B` and `C` have one entry for each, and
-/// these are kept.
+/// With the pivot block `P`, `B` below it and `C` beside it: `P^-1`, `-B P^-1` and `C`. Each border node of a
+/// leaf has one neighbor among the pivots, so `-B` and `C` have one entry per border node and are stored
+/// directly.
 struct Parts<'a> {
-    /// `P^-1`, padded rows, a column for each pivot.
+    /// `P^-1`, padded rows, one column per pivot.
     inverse: &'a mut [f32],
-    /// `-B P^-1`; of a leaf `-B`.
+    /// `-B P^-1`; for a leaf `-B`.
     lower: &'a mut [f32],
     /// `C`.
     upper: &'a mut [f32],
 }
 
 impl Front {
-    /// Number of values of each of the parts.
+    /// Lengths of the three parts.
     fn part_lengths(&self) -> [usize; 3] {
         let [s, b] = self.size();
         let (rows, border_rows) = (self.pivot_rows(), self.border_rows());
@@ -40,23 +40,23 @@ impl Front {
         }
     }
 
-    /// Number of values that the front keeps.
+    /// Length of the factors.
     pub(super) fn factors(&self) -> usize {
         self.part_lengths().into_iter().sum()
     }
 
-    /// Number of values that the front leaves for its parent.
-    pub(super) fn remainder(&self) -> usize {
+    /// Length of the update matrix.
+    pub(super) fn update_length(&self) -> usize {
         self.border_rows() * self.size()[1]
     }
 
-    /// Number of values that the front needs for a while.
+    /// Length of the workspace.
     pub(super) fn scratch(&self) -> usize {
         let [s, b] = self.size();
         packed(s) + self.border_rows() * s + (self.pivot_rows() * s).max(padded(b))
     }
 
-    /// The three parts within what the front keeps.
+    /// The factors as three parts.
     #[inline(always)]
     fn parts<'a>(&self, values: &'a mut [f32]) -> Parts<'a> {
         let [inverse, lower, upper] = self.part_lengths();
@@ -65,7 +65,7 @@ impl Front {
         Parts { inverse, lower, upper: &mut rest[..upper] }
     }
 
-    /// Subtracts from the border rows of `own` what the pivots hold, whose right-hand side comes before them.
+    /// Adds the contribution of the pivots, whose right-hand side comes first in `own`, to the border rows.
     #[inline(always)]
     pub(super) fn forward<S: Simd>(&self, simd: S, edges: &[Edge], [values, own, scratch]: [&mut [f32]; 3]) {
         let (s, rows, stride) = (self.pivots.len(), self.pivot_rows(), self.border_rows());
@@ -83,7 +83,7 @@ impl Front {
         }
     }
 
-    /// The solution at the pivots under that of the border, which follows them in `own`.
+    /// Solution at the pivots from that at the border, which follows the pivots in `own`.
     #[inline(always)]
     pub(super) fn backward<S: Simd>(&self, simd: S, edges: &[Edge], [values, own, scratch]: [&mut [f32]; 3]) {
         let ([s, b], rows) = (self.size(), self.pivot_rows());
@@ -106,7 +106,7 @@ impl Front {
     }
 }
 
-/// Elimination of a front: with all vector instructions of the machine only what is inlined here.
+/// Elimination of a front. SIMD instructions apply to inlined functions only.
 pub(super) struct Elimination<'a, 'b> {
     /// The front.
     pub(super) front: &'a Front,
@@ -114,13 +114,13 @@ pub(super) struct Elimination<'a, 'b> {
     pub(super) structure: &'a Structure,
     /// The matrix.
     pub(super) matrix: Matrix<'a>,
-    /// What it keeps.
+    /// Factors of the front.
     pub(super) values: &'b mut [f32],
-    /// What its children have left, and where it goes.
-    pub(super) children: [Option<(Block<'b>, &'a [Run])>; 2],
-    /// What it leaves for its parent.
-    pub(super) remainder: &'b mut [f32],
-    /// Work space.
+    /// Update matrices of the children with their maps to this front.
+    pub(super) children: [Option<(Block<'b>, &'a [IndexRange])>; 2],
+    /// Update matrix of this front.
+    pub(super) update_matrix: &'b mut [f32],
+    /// Workspace.
     pub(super) scratch: &'b mut [f32],
 }
 
@@ -129,68 +129,78 @@ impl WithSimd for Elimination<'_, '_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> bool {
-        // Wider vectors than the columns are padded for: rare, and correct without any.
+        // The padding does not fit wider vectors; the scalar fallback is rare.
         if S::F32_LANES > VECTOR { self.run(Scalar) } else { self.run(simd) }
     }
 }
 
 impl Elimination<'_, '_> {
-    /// Eliminates; whether all pivots were numbers.
+    /// Eliminates the pivots; returns whether they are finite.
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> bool {
-        let Self { front, structure, matrix, values, children, remainder, scratch } = self;
+        let Self { front, structure, matrix, values, children, update_matrix, scratch } = self;
         let ([s, b], edges) = (front.size(), structure.edges(front));
         let (rows, border_rows) = (front.pivot_rows(), front.border_rows());
         let Parts { inverse, lower, upper } = front.parts(values);
         let (pack, scratch) = scratch.split_at_mut(packed(s));
         inverse.fill(0.0);
         structure.place_entries(front, matrix, inverse);
+        // leaf: one stencil entry couples each border node
         if front.is_leaf {
-            let sound = invert(simd, inverse, s, SMALLEST_PIVOT, [scratch, pack]);
-            neglect(inverse);
+            let is_finite = invert(simd, inverse, s, STATIC_PIVOT, [scratch, pack]);
+            flush_negligible(inverse);
             for (place, edge) in edges.iter().enumerate() {
                 lower[place] = -matrix.entry(edge.of_border as usize);
                 upper[place] = matrix.entry(edge.of_pivot as usize);
             }
-            for (column, edge) in remainder.chunks_exact_mut(border_rows.max(1)).zip(edges) {
+            for (column, edge) in update_matrix.chunks_exact_mut(border_rows.max(1)).zip(edges) {
                 let inverse = &inverse[edge.pivot as usize * rows..][..rows];
                 let value = matrix.entry(edge.of_pivot as usize);
                 for ((out, row), lower) in column.iter_mut().zip(edges).zip(&*lower) {
                     *out = significant(lower * inverse[row.pivot as usize]) * value;
                 }
             }
-            return sound;
+            return is_finite;
         }
+        // stencil entries between pivots and border
         let raw = &mut scratch[..border_rows * s];
         raw.fill(0.0);
         upper.fill(0.0);
-        remainder.fill(0.0);
+        update_matrix.fill(0.0);
         for edge in edges {
             let (pivot, border) = (edge.pivot as usize, edge.border as usize);
             raw[pivot * border_rows + border] = matrix.entry(edge.of_border as usize);
             upper[border * rows + pivot] = matrix.entry(edge.of_pivot as usize);
         }
-        for (left, runs) in children.into_iter().flatten() {
-            let mut columns = left.values.chunks_exact(left.stride);
-            let (on_pivots, on_border) = runs.split_at(runs.partition_point(|run| (run.to as usize) < rows));
-            for run in on_pivots {
-                for (to, column) in run.rows().zip(&mut columns) {
-                    add_runs(&mut inverse[to * rows..][..rows], column, on_pivots, 0);
-                    add_runs(&mut raw[to * border_rows..][..border_rows], column, on_border, rows);
+        // extend-add: update matrices of the children into the four blocks
+        for (update, index_ranges) in children.into_iter().flatten() {
+            let mut columns = update.values.chunks_exact(update.stride);
+            let (on_pivots, on_border) =
+                index_ranges.split_at(index_ranges.partition_point(|range| (range.to as usize) < rows));
+            for range in on_pivots {
+                for (to, column) in range.rows().zip(&mut columns) {
+                    extend_add(&mut inverse[to * rows..][..rows], column, on_pivots, 0);
+                    extend_add(&mut raw[to * border_rows..][..border_rows], column, on_border, rows);
                 }
             }
-            for run in on_border {
-                for (to, column) in run.rows().zip(&mut columns) {
+            for range in on_border {
+                for (to, column) in range.rows().zip(&mut columns) {
                     let to = to - rows;
-                    add_runs(&mut upper[to * rows..][..rows], column, on_pivots, 0);
-                    add_runs(&mut remainder[to * border_rows..][..border_rows], column, on_border, rows);
+                    extend_add(&mut upper[to * rows..][..rows], column, on_pivots, 0);
+                    extend_add(
+                        &mut update_matrix[to * border_rows..][..border_rows],
+                        column,
+                        on_border,
+                        rows,
+                    );
                 }
             }
         }
+        // P^-1, -B P^-1 and the update matrix C' - B P^-1 C
         let (raw, rest) = scratch.split_at_mut(border_rows * s);
-        let sound = invert(simd, inverse, s, SMALLEST_PIVOT, [rest, &mut *pack]);
-        neglect(inverse);
-        neglect(upper);
+        let is_finite = invert(simd, inverse, s, STATIC_PIVOT, [rest, &mut *pack]);
+        flush_negligible(inverse);
+        flush_negligible(upper);
         for value in &mut *raw {
             *value = -significant(*value);
         }
@@ -198,20 +208,21 @@ impl Elimination<'_, '_> {
         let raw = Block { values: raw, stride: border_rows };
         let of_pivots = Block { values: inverse, stride: rows };
         add_matrix_product(simd, [lower, &mut *pack], border_rows, raw, of_pivots, [border_rows, s, s]);
-        neglect(lower);
+        flush_negligible(lower);
         let (lower, upper) =
             (Block { values: lower, stride: border_rows }, Block { values: upper, stride: rows });
-        add_matrix_product(simd, [remainder, pack], border_rows, lower, upper, [border_rows, s, b]);
-        sound
+        add_matrix_product(simd, [update_matrix, pack], border_rows, lower, upper, [border_rows, s, b]);
+        is_finite
     }
 }
 
-/// Adds the border of a child to the rows of a front from row `from` on.
+/// Extend-add of a column of a child's update matrix to the rows of a front, from row `from` on.
 #[inline(always)]
-pub(super) fn add_runs(out: &mut [f32], values: &[f32], runs: &[Run], from: usize) {
-    for run in runs {
-        let (start, length) = (run.from as usize, run.length as usize);
-        for (out, value) in out[run.to as usize - from..][..length].iter_mut().zip(&values[start..][..length])
+pub(super) fn extend_add(out: &mut [f32], values: &[f32], index_ranges: &[IndexRange], from: usize) {
+    for range in index_ranges {
+        let (start, length) = (range.from as usize, range.length as usize);
+        for (out, value) in
+            out[range.to as usize - from..][..length].iter_mut().zip(&values[start..][..length])
         {
             *out += value;
         }

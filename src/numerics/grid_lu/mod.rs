@@ -1,18 +1,18 @@
-//! LU factorisation of a matrix on the five-point stencil of a grid, factorised again and again: buffers are
-//! kept.
+//! Sparse LU factorization on the five-point stencil of a grid, for repeated factorizations with reused
+//! buffers.
 //!
-//! Multifrontal elimination in the order of nested dissection, without exchange of rows, in single precision:
-//! it serves as a preconditioner. Nodes that no entry links to others cost a division.
+//! The method is multifrontal elimination in nested-dissection order, without pivoting, in single precision,
+//! as it serves as a preconditioner. Decoupled nodes, with a diagonal row and column, cost one division.
 //!
-//! The grid is cut into two halves and a line of nodes between them, the halves again, and so on
-//! (`dissection`). The two halves do not know of each other until the line between them is eliminated, so
-//! that branches of the tree of pieces (`tree`) are worked on side by side. Which nodes of a piece and around it
-//! a matrix links is found anew for each (`structure`). The elimination of a piece, a front, is work on small
-//! dense blocks (`front`, `dense`): of a front with pivots `P`, the block `B` below and `C` beside them, the
-//! parent gets the remainder `-B P^-1 C`. For `n` linked nodes a factorisation costs `O(n^1.5)` operations and
-//! `O(n log n)` memory, a solve `O(n log n)`.
+//! `dissection` divides the grid into two subdomains and a separator between them, recursively. The
+//! subdomains are independent until their separator is eliminated, so subtrees are factorized in parallel
+//! (`tree`). `structure` computes the fronts for the sparsity pattern of each matrix. The elimination of a
+//! front is work on small dense blocks (`front`, `dense`): a front with the pivot block `P`, the block `B`
+//! below and `C` beside it passes the update matrix (Schur complement) `-B P^-1 C` to its parent. With `n`
+//! coupled nodes a factorization costs `O(n^1.5)` operations and `O(n log n)` memory, a solve `O(n log n)`.
 //!
-//! Rows are scaled to a largest entry of one before, and pivots below 1e-15 are raised to it.
+//! Rows are scaled to a largest entry of one. Pivots below 1e-15 are perturbed to that value (static
+//! pivoting).
 
 mod dense;
 mod dissection;
@@ -22,27 +22,27 @@ mod tree;
 
 use std::fmt;
 
-use dense::raised;
-use front::SMALLEST_PIVOT;
-use structure::NONE;
+use dense::perturbed_pivot;
+use front::STATIC_PIVOT;
+use structure::DECOUPLED;
 use tree::Tree;
 
-use super::lanes::lanes_for;
+use super::parallel::chunk_count;
 
-/// Number of entries in a row of the five-point stencil: centre, east, west, north, south.
+/// Number of entries in a row of the five-point stencil: center, east, west, north, south.
 pub(crate) const STENCIL: usize = 5;
 
-/// LU factorisation of a matrix that couples each node of an `nx` x `ny` grid to its four neighbours.
+/// LU factorization of a matrix that couples each node of an `nx` x `ny` grid to its four neighbors.
 pub(crate) struct GridLu {
     /// Fronts, factors and vectors.
     tree: Tree,
-    /// One over the largest entry of each row, and what it makes of a node that is not linked.
+    /// Reciprocal of the largest entry of each row, divided by the pivot for decoupled nodes.
     scale: Vec<f32>,
-    /// Whether the last factorisation succeeded.
+    /// Whether the last factorization succeeded.
     factorised: bool,
 }
 
-/// A matrix whose rows are scaled as they are read.
+/// A matrix with row scaling.
 #[derive(Debug, Clone, Copy)]
 struct Matrix<'a> {
     stencil: &'a [f32],
@@ -50,7 +50,7 @@ struct Matrix<'a> {
 }
 
 impl Matrix<'_> {
-    /// The entry at `at` in the stencils of all nodes.
+    /// Scaled entry at index `at` of the stencils.
     #[inline(always)]
     fn entry(&self, at: usize) -> f32 {
         self.stencil[at] * self.scale[at / STENCIL]
@@ -64,14 +64,14 @@ impl fmt::Debug for GridLu {
 }
 
 impl GridLu {
-    /// Order of elimination and buffers for a grid.
+    /// Elimination order and buffers for a grid.
     pub(crate) fn new(nx: usize, ny: usize) -> Self {
         let n = nx * ny;
-        Self { tree: Tree::new(nx, ny, lanes_for(n)), scale: vec![1.0; n], factorised: false }
+        Self { tree: Tree::new(nx, ny, chunk_count(n)), scale: vec![1.0; n], factorised: false }
     }
 
-    /// Factorises the matrix with row `k` at `stencil[5 k..5 k + 5]` in the order centre, east, west, north,
-    /// south. Entries that point outside the grid must be zero. Returns whether it succeeded.
+    /// Factorizes the matrix with row `k` in `stencil[5 k..5 k + 5]`, in the order center, east, west, north,
+    /// south. Entries that point outside the grid must be zero. Returns whether all pivots are finite.
     pub(crate) fn factorise(&mut self, stencil: &[f32]) -> bool {
         for (row, scale) in stencil.chunks_exact(STENCIL).zip(&mut self.scale) {
             let largest = row.iter().fold(0.0_f32, |m, v| m.max(v.abs()));
@@ -86,24 +86,24 @@ impl GridLu {
             has_entry(node, slot) || has_entry(node.wrapping_add_signed(offsets[slot + 1]), slot ^ 1)
         });
         let matrix = Matrix { stencil, scale: &self.scale };
-        let sound = self.tree.eliminate(matrix) && self.invert_alone(stencil);
-        self.factorised = sound;
-        sound
+        let is_finite = self.tree.eliminate(matrix) && self.eliminate_decoupled(stencil);
+        self.factorised = is_finite;
+        is_finite
     }
 
-    /// Divides by the diagonals of the nodes that are not linked; whether these were numbers.
-    fn invert_alone(&mut self, stencil: &[f32]) -> bool {
-        let mut sound = true;
+    /// Divides the row scale of decoupled nodes by their pivot; returns whether the pivots are finite.
+    fn eliminate_decoupled(&mut self, stencil: &[f32]) -> bool {
+        let mut is_finite = true;
         let rows = stencil.chunks_exact(STENCIL).zip(&mut self.scale).zip(&self.tree.structure.rank);
-        for ((row, scale), _) in rows.filter(|(_, rank)| **rank == NONE) {
-            let pivot = raised(row[0] * *scale, SMALLEST_PIVOT);
-            sound &= pivot.is_finite();
+        for ((row, scale), _) in rows.filter(|(_, rank)| **rank == DECOUPLED) {
+            let pivot = perturbed_pivot(row[0] * *scale, STATIC_PIVOT);
+            is_finite &= pivot.is_finite();
             *scale /= pivot;
         }
-        sound
+        is_finite
     }
 
-    /// Solves in place; without a factorisation the right-hand side is left as it is.
+    /// Solves in place; without a factorization the right-hand side is unchanged.
     pub(crate) fn solve(&mut self, rhs: &mut [f32]) {
         if !self.factorised {
             return;
@@ -122,7 +122,8 @@ mod tests {
 
     use super::*;
 
-    /// A diagonally dominant, unsymmetric matrix without entries that leave the grid; some nodes stand alone.
+    /// A diagonally dominant, unsymmetric matrix without entries that leave the grid; some nodes are
+    /// decoupled.
     fn matrix(nx: usize, ny: usize) -> Vec<f32> {
         let mut seed = 3_u64;
         let mut noise = move || {
@@ -166,7 +167,7 @@ mod tests {
             let stencil = matrix(nx, ny);
             let exact: Vec<f64> = (0..nx * ny).map(|k| 1e8 * (1.0 + (k as f64).sin())).collect();
             let mut lu = GridLu::new(nx, ny);
-            // Twice: nothing of the first factorisation may be left.
+            // Twice: the second factorization must not depend on the first.
             for _ in 0..2 {
                 let mut x = product(&stencil, nx, &exact);
                 assert!(lu.factorise(&stencil), "{nx} x {ny}");
@@ -183,7 +184,7 @@ mod tests {
         let mut stencil = matrix(nx, ny);
         let exact: Vec<f64> = (0..nx * ny).map(|k| 2.0 + (k as f64).sin()).collect();
         let right = product(&stencil, nx, &exact);
-        // A flow beside pressures: its own equation has a diagonal of 1e-9 of what else is in it.
+        // A flow equation beside pressures: its diagonal is 1e-9 of its other entries.
         let unit = |k: usize| if k.is_multiple_of(3) { 1e-9 } else { 1.0 };
         let mut lu = GridLu::new(nx, ny);
         for (k, row) in stencil.chunks_exact_mut(STENCIL).enumerate() {
@@ -224,19 +225,19 @@ mod tests {
     }
 
     #[test]
-    fn says_when_the_matrix_holds_no_numbers() {
+    fn factorization_fails_for_nan() {
         let mut stencil = matrix(9, 9);
         stencil[STENCIL * 40] = f32::NAN;
         assert!(!GridLu::new(9, 9).factorise(&stencil), "NaN");
-        // Nodes that are linked to none.
+        // Decoupled nodes.
         let mut alone: Vec<f32> = (0..81).flat_map(|_| [1.0, 0.0, 0.0, 0.0, 0.0]).collect();
         alone[STENCIL * 40] = 0.0;
         let mut lu = GridLu::new(9, 9);
-        assert!(lu.factorise(&alone), "a pivot of zero is raised");
+        assert!(lu.factorise(&alone), "a zero pivot is perturbed");
         let mut x = vec![1.0; 81];
         lu.solve(&mut x);
         assert!(x.iter().all(|x| x.is_finite()));
         alone[STENCIL * 40] = f32::NAN;
-        assert!(!GridLu::new(9, 9).factorise(&alone), "NaN of a node that is linked to none");
+        assert!(!GridLu::new(9, 9).factorise(&alone), "NaN of a decoupled node");
     }
 }

@@ -1,8 +1,8 @@
-//! What the fronts of a matrix hold: of the pieces of the dissection those nodes that its entries link to others.
+//! Symbolic factorization: the nodes of each front for the sparsity pattern of a matrix.
 //!
-//! Nodes count by their *rank*, the number of linked nodes that are eliminated before them. The border of a front
-//! is made of the ranks that its elimination links to later ones: those of its children's borders that are no
-//! pivots of its own, and neighbours of its pivots.
+//! Nodes are numbered by *rank*, the number of coupled nodes eliminated before them. Decoupled nodes, whose
+//! row and column are diagonal, belong to no front. The border of a front holds the ranks that its
+//! elimination couples: later neighbors of its pivots, and the borders of its children less its own pivots.
 
 use std::ops::Range;
 
@@ -10,44 +10,44 @@ use super::dense::padded;
 use super::dissection::Dissection;
 use super::{Matrix, STENCIL};
 
-/// Rank of a node that no entry links to others.
-pub(super) const NONE: u32 = u32::MAX;
+/// Rank of a decoupled node.
+pub(super) const DECOUPLED: u32 = u32::MAX;
 
-/// Linked nodes of a piece, and the later ones that their elimination links.
+/// The coupled nodes of a supernode, and the later nodes that their elimination couples.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Front {
-    /// Ranks of the nodes that are eliminated.
+    /// Ranks of the pivots.
     pub(super) pivots: Range<usize>,
-    /// Where the ranks around them are in [`Structure::borders`], ascending.
+    /// Range of the border ranks in [`Structure::borders`], ascending.
     border: Range<usize>,
-    /// Where the entries between pivots and border are in [`Structure::edges`].
+    /// Range of the entries between pivots and border in [`Structure::edges`].
     edges: Range<usize>,
-    /// Where the front's border is in its parent, in [`Structure::runs`].
-    runs: Range<usize>,
-    /// Whether the piece was not split.
+    /// Range of [`Structure::index_ranges`] that maps the border of the front to its parent.
+    index_ranges: Range<usize>,
+    /// Whether the supernode is a leaf.
     pub(super) is_leaf: bool,
-    /// Where the front's values begin in the factors of all, and in the vectors of all.
+    /// Offsets of the front's values in the factors and in the vectors of all fronts.
     pub(super) factors_at: usize,
     pub(super) vectors_at: usize,
 }
 
-/// A pivot and a node of the border that are neighbours.
+/// Matrix entries that couple a pivot and a border node.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Edge {
-    /// The row of the pivot in its block.
+    /// Row of the pivot in its block.
     pub(super) pivot: u32,
-    /// The place of the other in the border.
+    /// Position of the border node in the border.
     pub(super) border: u32,
-    /// Where in the stencil the entry in the row of the pivot is.
+    /// Index of the stencil entry in the row of the pivot.
     pub(super) of_pivot: u32,
-    /// Where the one in the row of the other is.
+    /// Index of the stencil entry in the row of the border node.
     pub(super) of_border: u32,
 }
 
-/// Nodes of a child's border that follow one another in its parent too.
+/// Consecutive border nodes of a child that are also consecutive in its parent.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Run {
-    /// Place of the first in the border of the child.
+pub(super) struct IndexRange {
+    /// Position of the first node in the border of the child.
     pub(super) from: u32,
     /// Its row in the parent: pivots, padded to whole vectors, then border.
     pub(super) to: u32,
@@ -55,59 +55,59 @@ pub(super) struct Run {
     pub(super) length: u32,
 }
 
-/// The fronts of a matrix.
+/// Fronts of a matrix.
 #[derive(Debug, Default)]
 pub(super) struct Structure {
-    /// In the order of the pieces.
+    /// Fronts in the order of the supernodes.
     pub(super) fronts: Vec<Front>,
-    /// Rank of each node, [`NONE`] of those that are not linked.
+    /// Rank of each node, [`DECOUPLED`] for decoupled ones.
     pub(super) rank: Vec<u32>,
     /// Node of each rank.
     pub(super) nodes: Vec<u32>,
-    /// Borders, edges and runs of all fronts.
+    /// Borders, edges and index ranges of all fronts.
     borders: Vec<u32>,
     edges: Vec<Edge>,
-    runs: Vec<Run>,
-    /// What is merged into a border.
+    index_ranges: Vec<IndexRange>,
+    /// Workspace of the merge of borders.
     merged: [Vec<u32>; 2],
-    /// From a node to those of its stencil.
+    /// Index offsets from a node to its stencil.
     pub(super) offsets: [isize; STENCIL],
-    /// Values in the factors and in the vectors of all fronts.
+    /// Total lengths of factors and vectors.
     pub(super) factors: usize,
     pub(super) vectors: usize,
 }
 
 impl Front {
-    /// Whether there is nothing to do for the front.
+    /// Whether the front has neither pivots nor border.
     pub(super) fn is_empty(&self) -> bool {
         self.size() == [0, 0]
     }
 
-    /// Number of pivots and of nodes in the border.
+    /// Number of pivots and of border nodes.
     pub(super) fn size(&self) -> [usize; 2] {
         [self.pivots.len(), self.border.len()]
     }
 
-    /// Rows of the pivots, padded.
+    /// Padded number of pivot rows.
     pub(super) fn pivot_rows(&self) -> usize {
         padded(self.pivots.len())
     }
 
-    /// Rows of the border, padded.
+    /// Padded number of border rows.
     pub(super) fn border_rows(&self) -> usize {
         padded(self.border.len())
     }
 }
 
-impl Run {
-    /// Its rows in the parent.
+impl IndexRange {
+    /// Rows in the parent.
     pub(super) fn rows(&self) -> Range<usize> {
         self.to as usize..(self.to + self.length) as usize
     }
 }
 
 impl Structure {
-    /// That of a matrix in which all neighbours are linked, which is the largest: room for all others.
+    /// Structure of a matrix that couples all neighbors, which bounds the memory of all others.
     pub(super) fn full(dissection: &Dissection, nx: usize, ny: usize) -> Self {
         let offsets = [0, 1, -1, nx as isize, -(nx as isize)];
         let mut structure = Self { offsets, ..Self::default() };
@@ -116,35 +116,37 @@ impl Structure {
             [i + 1 < nx, i > 0, j + 1 < ny, j > 0][slot]
         });
         let most = structure.borders.len();
-        structure.runs.reserve(most.saturating_sub(structure.runs.len()));
+        structure.index_ranges.reserve(most.saturating_sub(structure.index_ranges.len()));
         structure
     }
 
-    /// Takes over a matrix in which `links` says of a node and its neighbour to the east, west, north or south
-    /// (0 to 3) whether one has an entry of the other.
-    pub(super) fn update(&mut self, dissection: &Dissection, links: impl Fn(usize, usize) -> bool) {
-        self.rank.resize(dissection.order.len(), NONE);
-        self.fronts.resize(dissection.pieces.len(), Front::default());
+    /// Updates the structure for a new sparsity pattern. `is_coupled` states whether a node and its neighbor
+    /// to the east, west, north or south (0 to 3) are coupled by a non-zero entry in either row.
+    pub(super) fn update(&mut self, dissection: &Dissection, is_coupled: impl Fn(usize, usize) -> bool) {
+        self.rank.resize(dissection.order.len(), DECOUPLED);
+        self.fronts.resize(dissection.supernodes.len(), Front::default());
         self.nodes.clear();
         self.borders.clear();
         self.edges.clear();
-        self.runs.clear();
+        self.index_ranges.clear();
         (self.factors, self.vectors) = (0, 0);
-        for (piece, front) in dissection.pieces.iter().zip(&mut self.fronts) {
+        // ranks of the coupled nodes
+        for (supernode, front) in dissection.supernodes.iter().zip(&mut self.fronts) {
             let first = self.nodes.len();
-            for &node in &dissection.order[piece.places.clone()] {
-                let is_linked = (0..4).any(|slot| links(node as usize, slot));
-                self.rank[node as usize] = if is_linked { self.nodes.len() as u32 } else { NONE };
-                if is_linked {
+            for &node in &dissection.order[supernode.positions.clone()] {
+                let has_coupling = (0..4).any(|slot| is_coupled(node as usize, slot));
+                self.rank[node as usize] = if has_coupling { self.nodes.len() as u32 } else { DECOUPLED };
+                if has_coupling {
                     self.nodes.push(node);
                 }
             }
             front.pivots = first..self.nodes.len();
-            front.is_leaf = piece.halves.is_none();
+            front.is_leaf = supernode.children.is_none();
         }
-        for (number, piece) in dissection.pieces.iter().enumerate() {
-            self.find_edges(number, &links);
-            self.find_border(number, piece.halves);
+        // borders, from the leaves to the root
+        for (number, supernode) in dissection.supernodes.iter().enumerate() {
+            self.collect_edges(number, &is_coupled);
+            self.compute_border(number, supernode.children);
             let front = &mut self.fronts[number];
             (front.factors_at, front.vectors_at) = (self.factors, self.vectors);
             self.factors += front.factors();
@@ -152,13 +154,14 @@ impl Structure {
         }
     }
 
-    /// Finds the entries between the pivots of a front and later nodes, with ranks for places in the border.
-    fn find_edges(&mut self, number: usize, links: impl Fn(usize, usize) -> bool) {
+    /// Collects the entries between the pivots of a front and later nodes; border positions hold ranks for
+    /// now.
+    fn collect_edges(&mut self, number: usize, is_coupled: impl Fn(usize, usize) -> bool) {
         let pivots = self.fronts[number].pivots.clone();
         let from = self.edges.len();
         for (pivot, &node) in self.nodes[pivots.clone()].iter().enumerate() {
             let node = node as usize;
-            for slot in (0..4).filter(|&slot| links(node, slot)) {
+            for slot in (0..4).filter(|&slot| is_coupled(node, slot)) {
                 let other = node.wrapping_add_signed(self.offsets[slot + 1]);
                 let rank = self.rank[other];
                 if rank as usize >= pivots.end {
@@ -175,15 +178,17 @@ impl Structure {
         self.fronts[number].edges = from..self.edges.len();
     }
 
-    /// Finds the border of a front, the places of its edges in it and the runs of its children.
-    fn find_border(&mut self, number: usize, children: Option<[usize; 2]>) {
-        let Self { fronts, borders, edges, runs, merged: [of_children, of_edges], .. } = self;
+    /// Computes the border of a front, the border positions of its edges, and the index ranges of its
+    /// children.
+    fn compute_border(&mut self, number: usize, children: Option<[usize; 2]>) {
+        let Self { fronts, borders, edges, index_ranges, merged: [of_children, of_edges], .. } = self;
         let front = &fronts[number];
         let (pivots, edges) = (front.pivots.clone(), &mut edges[front.edges.clone()]);
         let later = |child: usize| {
             let border = &borders[fronts[child].border.clone()];
             &border[border.partition_point(|&rank| (rank as usize) < pivots.end)..]
         };
+        // union of the children's borders and of the pivots' later neighbors
         of_children.clear();
         if let Some([one, other]) = children {
             merge(later(one), later(other), of_children);
@@ -194,20 +199,21 @@ impl Structure {
         let from = borders.len();
         merge(of_children, of_edges, borders);
         let border = &borders[from..];
+        // ranks of the edges become positions in the border
         let mut place = 0;
         for edge in edges {
             place += border[place..].iter().take_while(|&&rank| rank < edge.border).count();
             edge.border = place as u32;
         }
         for child in children.into_iter().flatten() {
-            let first_run = runs.len();
-            add_runs_of(&borders[fronts[child].border.clone()], &pivots, border, runs);
-            fronts[child].runs = first_run..runs.len();
+            let first_range = index_ranges.len();
+            append_index_ranges(&borders[fronts[child].border.clone()], &pivots, border, index_ranges);
+            fronts[child].index_ranges = first_range..index_ranges.len();
         }
         fronts[number].border = from..borders.len();
     }
 
-    /// Puts the entries of a matrix among the pivots of a front into their block.
+    /// Copies the matrix entries among the pivots of a front into their block.
     #[inline(always)]
     pub(super) fn place_entries(&self, front: &Front, matrix: Matrix<'_>, block: &mut [f32]) {
         let (pivots, rows) = (front.pivots.clone(), front.pivot_rows());
@@ -216,7 +222,7 @@ impl Structure {
             for (slot, offset) in self.offsets.iter().enumerate() {
                 let entry = matrix.entry(STENCIL * node + slot);
                 let column =
-                    self.rank.get(node.wrapping_add_signed(*offset)).map_or(NONE, |rank| *rank) as usize;
+                    self.rank.get(node.wrapping_add_signed(*offset)).map_or(DECOUPLED, |rank| *rank) as usize;
                 if entry != 0.0 && pivots.contains(&column) {
                     block[(column - pivots.start) * rows + row] = entry;
                 }
@@ -224,19 +230,18 @@ impl Structure {
         }
     }
 
-    /// The entries between pivots and border of a front; of a leaf one for each node of the border, in their
-    /// order.
+    /// The entries between pivots and border of a front. A leaf has one for each border node, in their order.
     pub(super) fn edges(&self, front: &Front) -> &[Edge] {
         &self.edges[front.edges.clone()]
     }
 
-    /// Where the border of a front is in its parent.
-    pub(super) fn runs(&self, front: &Front) -> &[Run] {
-        &self.runs[front.runs.clone()]
+    /// Map of the border of a front to its parent.
+    pub(super) fn index_ranges(&self, front: &Front) -> &[IndexRange] {
+        &self.index_ranges[front.index_ranges.clone()]
     }
 }
 
-/// Adds the ranks that are in one of two lists, both ascending, to `out`.
+/// Appends the union of two ascending lists of ranks to `out`.
 fn merge(mut one: &[u32], mut other: &[u32], out: &mut Vec<u32>) {
     while let ([first, rest @ ..], [second, others @ ..]) = (one, other) {
         out.push(*first.min(second));
@@ -251,10 +256,15 @@ fn merge(mut one: &[u32], mut other: &[u32], out: &mut Vec<u32>) {
     out.extend_from_slice(other);
 }
 
-/// Adds the runs of the ranks of a child, all of which are among the `pivots` or in the `border` of its parent.
-fn add_runs_of(child: &[u32], pivots: &Range<usize>, border: &[u32], runs: &mut Vec<Run>) {
+/// Appends the index ranges of a child, whose ranks are among the `pivots` or in the `border` of its parent.
+fn append_index_ranges(
+    child: &[u32],
+    pivots: &Range<usize>,
+    border: &[u32],
+    index_ranges: &mut Vec<IndexRange>,
+) {
     let rows = padded(pivots.len());
-    let (first, mut place) = (runs.len(), 0);
+    let (first, mut place) = (index_ranges.len(), 0);
     for (from, &rank) in child.iter().enumerate() {
         let to = if (rank as usize) < pivots.end {
             rank as usize - pivots.start
@@ -262,9 +272,9 @@ fn add_runs_of(child: &[u32], pivots: &Range<usize>, border: &[u32], runs: &mut 
             place += border[place..].iter().take_while(|&&other| other < rank).count();
             rows + place
         };
-        match runs[first..].last_mut() {
-            Some(run) if (run.to + run.length) as usize == to && to != rows => run.length += 1,
-            _ => runs.push(Run { from: from as u32, to: to as u32, length: 1 }),
+        match index_ranges[first..].last_mut() {
+            Some(range) if (range.to + range.length) as usize == to && to != rows => range.length += 1,
+            _ => index_ranges.push(IndexRange { from: from as u32, to: to as u32, length: 1 }),
         }
     }
 }
@@ -278,7 +288,7 @@ mod tests {
         for (nx, ny) in [(1, 50), (7, 5), (40, 3), (33, 64)] {
             let dissection = Dissection::new(nx, ny);
             let mut structure = Structure::full(&dissection, nx, ny);
-            // A wall through which nothing is linked, and a row that is not linked at all.
+            // A wall of decoupled edges, and a row of decoupled nodes.
             let is_alone = |node: usize| node / nx == ny / 3 || node % nx == nx / 2;
             for walled in [false, true] {
                 if walled {
@@ -291,13 +301,14 @@ mod tests {
                     });
                 }
                 let mut end = 0;
-                for (piece, front) in dissection.pieces.iter().zip(&structure.fronts) {
+                for (supernode, front) in dissection.supernodes.iter().zip(&structure.fronts) {
                     assert_eq!(front.pivots.start, end);
                     end = front.pivots.end;
                     assert!(structure.borders[front.border.clone()].iter().all(|&rank| rank as usize >= end));
-                    for child in piece.halves.into_iter().flatten() {
+                    for child in supernode.children.into_iter().flatten() {
                         let child = &structure.fronts[child];
-                        let covered: u32 = structure.runs(child).iter().map(|run| run.length).sum();
+                        let covered: u32 =
+                            structure.index_ranges(child).iter().map(|range| range.length).sum();
                         assert_eq!(covered as usize, child.border.len());
                     }
                 }

@@ -2,7 +2,7 @@
 
 use super::face_mobility::Direction;
 use crate::error::InputError;
-use crate::lubricant::{Rheology, Thinning, WarmPoint};
+use crate::lubricant::{Rheology, ThermalRatios, Thinning};
 
 /// Shear thinning of the flow by pressure, by the sliding of the surfaces along x.
 ///
@@ -126,7 +126,7 @@ impl NodeRatios {
         Self { along: ViscosityRatio::NEWTONIAN, across: ViscosityRatio::NEWTONIAN };
 
     /// Those of a film of other viscosity and density: what flows is mass.
-    pub(super) fn warmed(self, warm: &WarmPoint) -> Self {
+    pub(super) fn warmed(self, warm: &ThermalRatios) -> Self {
         let factor = warm.viscosity / warm.density;
         let slope = warm.viscosity_slope - warm.density_slope;
         Self { along: self.along.times(factor, slope), across: self.across.times(factor, slope) }

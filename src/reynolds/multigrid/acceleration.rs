@@ -1,17 +1,17 @@
 //! Recombination of the last two iterates.
 //!
-//! With the residuals `r` and `r'` before the last two cycles the share `s` that makes `|r + s (r' - r)|`
-//! least mixes what both cycles ended with, pressures and approach: `p + s (p' - p)`. In cavitated cells only
-//! a deficit counts as residual.
+//! With the residuals `r` and `r'` before the last two cycles, the weight `s` that minimizes
+//! `|r + s (r' - r)|` combines the results of both cycles, pressures and approach: `p + s (p' - p)`. In
+//! cavitated cells only a deficit counts as residual.
 
 use crate::reynolds::state::ContactState;
 
-/// Largest weight of the earlier cycle: that which an error needs of which a cycle leaves nine tenths.
-const LARGEST_SHARE: f64 = 9.0;
+/// Largest weight of the earlier cycle, the optimum for an error that a cycle reduces by a tenth.
+const LARGEST_WEIGHT: f64 = 9.0;
 
-/// Anderson mixing over two cycles: the combination of their results whose starts, combined in the same way,
-/// leave the least mass residual. Cycles that are slow by one error alone, or swing, become fast ones,
-/// without a further convolution.
+/// Anderson acceleration of depth one: the combination of the last two results for which the same combination
+/// of their initial states has the smallest mass residual. It removes a single slow or oscillating error
+/// component without a further convolution.
 ///
 /// Source: Oosterlee, C. W. and Washio, T. (2000), Krylov subspace acceleration of nonlinear multigrid with
 /// application to recirculating flows, SIAM J. Sci. Comput. 21, 1670-1690.
@@ -19,26 +19,26 @@ const LARGEST_SHARE: f64 = 9.0;
 pub(super) struct Acceleration {
     /// Mass residuals before the last cycle.
     residual: Vec<f64>,
-    /// Pressures that it ended with \[Pa\].
+    /// Pressures after the last cycle \[Pa\].
     pressure: Vec<f64>,
-    /// Approach that it ended with \[m\].
+    /// Approach after the last cycle \[m\].
     approach: f64,
-    /// Whether there was a cycle to combine with.
-    is_known: bool,
+    /// Whether a previous cycle is stored.
+    has_previous: bool,
 }
 
 impl Acceleration {
-    /// For fields of so many nodes, without a memory.
+    /// Buffers for fields of `nodes` values, without a stored cycle.
     pub(super) fn new(nodes: usize) -> Self {
-        Self { residual: vec![0.0; nodes], pressure: vec![0.0; nodes], approach: 0.0, is_known: false }
+        Self { residual: vec![0.0; nodes], pressure: vec![0.0; nodes], approach: 0.0, has_previous: false }
     }
 
-    /// Leaves out what earlier cycles did: those to come are of another kind.
-    pub(super) fn forget(&mut self) {
-        self.is_known = false;
+    /// Discards the stored cycle, for a change of the iteration.
+    pub(super) fn reset(&mut self) {
+        self.has_previous = false;
     }
 
-    /// Combines pressure and approach after a cycle with those after the cycle before. `start` is the state
+    /// Combines pressure and approach after a cycle with those after the previous one. `start` is the state
     /// before the cycle and `balance` its mass balance.
     pub(super) fn recombine(
         &mut self,
@@ -55,11 +55,14 @@ impl Acceleration {
             square += change * change;
             *last = residual;
         }
-        let share = product / square;
-        let share =
-            if self.is_known && share.is_finite() { share.clamp(-LARGEST_SHARE, LARGEST_SHARE) } else { 0.0 };
+        let weight = product / square;
+        let weight = if self.has_previous && weight.is_finite() {
+            weight.clamp(-LARGEST_WEIGHT, LARGEST_WEIGHT)
+        } else {
+            0.0
+        };
         let mix = |last: &mut f64, value: f64| {
-            let mixed = value + share * (*last - value);
+            let mixed = value + weight * (*last - value);
             *last = value;
             mixed
         };
@@ -67,7 +70,7 @@ impl Acceleration {
             *p = mix(last, *p).max(0.0);
         }
         *approach = mix(&mut self.approach, *approach);
-        self.is_known = true;
+        self.has_previous = true;
     }
 }
 
@@ -77,7 +80,7 @@ mod tests {
     use crate::grid::Grid;
 
     #[test]
-    fn one_slow_error_is_gone_after_two_cycles() -> Result<(), crate::error::InputError> {
+    fn single_slow_error_vanishes_after_two_cycles() -> Result<(), crate::error::InputError> {
         let grid = Grid::centred(5, 5, 1.0, 1.0)?;
         let exact = |k: usize| 1.0 + k as f64;
         for rate in [0.8, -0.9] {

@@ -1,55 +1,55 @@
-//! The cycles: sweeps on a grid, and the correction by the next coarser one.
+//! The multigrid cycle: relaxation on a grid and correction by the next coarser one.
 //!
-//! From level `l` a cycle relaxes, takes residual and pressure to level `l - 1`, solves there by
-//! [`CORRECTIONS`] cycles, adds the change of pressure that this makes, and relaxes again. Level 0 is swept
-//! alone, and there, in the middle of the sweeps, the approach follows the load error: it moves all films at
-//! once, which no finer grid has to do.
+//! From level `l` a cycle relaxes, restricts residual and pressure to level `l - 1`, solves there by
+//! [`CORRECTIONS`] cycles, adds the change of pressure, and relaxes again. Level 0 is solved by relaxation
+//! alone. The approach is updated there, between two halves of the sweeps: it shifts all films at once, so no
+//! finer grid needs to do it.
 
 use super::acceleration::Acceleration;
 use super::hierarchy::{Hierarchy, expected_film, pair};
-use super::relax::Shares;
+use super::relax::RelaxationFactors;
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
 use crate::reynolds::problem::{LubricatedContact, interior};
 use crate::reynolds::state::ContactState;
 
-/// Sweeps before and after a coarse-grid correction, each with the share of a change that nodes take which
-/// entrainment dominates. Together they damp more modes than three equal shares.
-const SHARES_BEFORE: [f64; 2] = [0.5, 0.4];
-/// After the correction.
-const SHARES_AFTER: [f64; 1] = [1.0];
-/// Corrections from the next coarser grid in a cycle: a W cycle.
+/// Relaxation factors of the sweeps before a coarse-grid correction, for nodes dominated by entrainment. The
+/// three unequal factors damp a wider range of modes than equal ones.
+const PRE_SMOOTHING: [f64; 2] = [0.5, 0.4];
+/// Relaxation factors of the sweeps after the correction.
+const POST_SMOOTHING: [f64; 1] = [1.0];
+/// Coarse-grid corrections per cycle: a W cycle.
 const CORRECTIONS: usize = 2;
 /// Sweeps on the coarsest grid.
 const COARSEST_SWEEPS: usize = 8;
-/// Share of a change that nodes take there.
-const COARSEST_SHARE: f64 = 0.3;
-/// Factor of all these shares where the film is very thin.
+/// Relaxation factor on the coarsest grid.
+const COARSEST_FACTOR: f64 = 0.3;
+/// Factor of all relaxation factors for very thin films.
 const VERY_THIN_FACTOR: f64 = 0.8;
-/// Largest change of the approach at once, in reference films.
+/// Largest change of the approach in a step, in reference films.
 const LARGEST_STEP: f64 = 0.1;
-/// Largest pressure change of a sweep, in reference pressures.
+/// Largest change of a pressure in a sweep, in reference pressures.
 const LARGEST_CHANGE: f64 = 0.5;
 
 impl Hierarchy {
-    /// One sweep on level `l` for each of `shares`, its film brought up to date before each.
+    /// One sweep on level `l` for each relaxation factor in `factors`, with the film updated before each.
     fn relax(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         lubricant: &Lubricant,
         l: usize,
-        shares: &[f64],
+        factors: &[f64],
     ) -> Result<(), InputError> {
-        for share in shares {
+        for share in factors {
             self.evaluate(problem, lubricant, l)?;
             let largest = LARGEST_CHANGE * problem.reference_pressure;
             let factor = if self.is_very_thin { VERY_THIN_FACTOR } else { 1.0 };
-            let shares = Shares {
+            let factors = RelaxationFactors {
                 dipole: factor * share,
-                near: factor * self.near_share,
-                keeps_neighbours: !self.is_very_thin,
+                near: factor * self.near_factor,
+                keeps_couplings: !self.is_very_thin,
             };
-            self.relaxation.sweep(&mut self.levels[l], largest, shares);
+            self.relaxation.sweep(&mut self.levels[l], largest, factors);
             self.sweeps += 1;
         }
         Ok(())
@@ -64,7 +64,8 @@ impl Hierarchy {
         self.cycle(problem, lubricant, self.top())
     }
 
-    /// Combines the state after a cycle on the finest grid with earlier ones; `start` is the state before it.
+    /// Combines the state after a cycle on the finest grid with earlier iterates; `start` is the state before
+    /// it.
     pub(super) fn accelerate(
         &mut self,
         acceleration: &mut Acceleration,
@@ -77,7 +78,7 @@ impl Hierarchy {
         self.levels[top].is_evaluated = false;
     }
 
-    /// One cycle from level `l` down and back.
+    /// One cycle from level `l` down to the coarsest grid and back.
     pub(super) fn cycle(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -87,18 +88,21 @@ impl Hierarchy {
         if l == 0 {
             return self.solve_coarsest(problem, lubricant);
         }
-        self.relax(problem, lubricant, l, &SHARES_BEFORE)?;
+        // pre-smoothing
+        self.relax(problem, lubricant, l, &PRE_SMOOTHING)?;
+        // restriction and coarse-grid correction
         self.evaluate(problem, lubricant, l)?;
-        self.descend(problem, lubricant, l)?;
+        self.restrict(problem, lubricant, l)?;
         for _ in 0..CORRECTIONS {
             self.cycle(problem, lubricant, l - 1)?;
         }
         self.correct(l);
-        self.relax(problem, lubricant, l, &SHARES_AFTER)
+        // post-smoothing
+        self.relax(problem, lubricant, l, &POST_SMOOTHING)
     }
 
-    /// The equations of the coarser grid whose solution corrects level `l`.
-    fn descend(
+    /// Sets up the FAS equations of the coarser grid that corrects level `l`.
+    fn restrict(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         lubricant: &Lubricant,
@@ -106,21 +110,24 @@ impl Hierarchy {
     ) -> Result<(), InputError> {
         let (coarse, fine) = pair(&mut self.levels, l - 1);
         let transfer = &mut self.transfers[l - 1];
-        fine.find_residual();
+        // restrict pressure, residual and load
+        fine.compute_residual();
         transfer.average(&fine.pressure, &mut coarse.pressure);
         coarse.clear_boundary();
         coarse.start.copy_from_slice(&coarse.pressure);
-        coarse.load = fine.load - fine.carried() + coarse.carried();
+        coarse.load = fine.load - fine.carried_load() + coarse.carried_load();
         self.displace(problem, l - 1)?;
         let (coarse, fine) = pair(&mut self.levels, l - 1);
         let transfer = &mut self.transfers[l - 1];
-        // For the moment the displacement.
+        // The film buffer holds the displacement; swap it into the gap.
         std::mem::swap(&mut coarse.film, &mut coarse.gap);
+        // gap such that the restricted film belongs to the restricted pressure
         transfer.average(&fine.film, &mut coarse.film);
         for (gap, h) in coarse.gap.iter_mut().zip(&coarse.film) {
             *gap = h + self.approach - *gap;
         }
-        coarse.take_film(lubricant);
+        coarse.update_flow(lubricant);
+        // source: restricted residual plus the coarse balance
         transfer.average(&fine.residual, &mut coarse.source);
         let scale = fine.fluid.rate() / coarse.fluid.rate();
         for k in interior(&coarse.grid) {
@@ -129,14 +136,15 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Adds the change of the coarser grid to the pressure of level `l`.
+    /// Adds the interpolated change of the coarser grid to the pressure of level `l`.
     fn correct(&mut self, l: usize) {
         let (coarse, fine) = pair(&mut self.levels, l - 1);
         for (start, p) in coarse.start.iter_mut().zip(&coarse.pressure) {
             *start = p - *start;
         }
         self.transfers[l - 1].interpolate(&coarse.start, &mut fine.residual);
-        // A correction next to cavitated cells would move the border of the film by whole coarse cells.
+        // Nodes beside cavitated cells are skipped: a correction would shift the cavitation boundary by whole
+        // coarse cells.
         fine.before.copy_from_slice(&fine.pressure);
         let nx = fine.grid.nx();
         for k in interior(&fine.grid) {
@@ -149,16 +157,16 @@ impl Hierarchy {
         fine.is_evaluated = false;
     }
 
-    /// Sweeps on level 0, half of them before and half after the approach has followed the load error.
+    /// Solves level 0 by sweeps, with an update of the approach by the load error halfway.
     fn solve_coarsest(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         lubricant: &Lubricant,
     ) -> Result<(), InputError> {
-        let half = &[COARSEST_SHARE; COARSEST_SWEEPS / 2];
+        let half = &[COARSEST_FACTOR; COARSEST_SWEEPS / 2];
         self.relax(problem, lubricant, 0, half)?;
         let level = &mut self.levels[0];
-        let excess = (level.carried() - level.load) / problem.load;
+        let excess = (level.carried_load() - level.load) / problem.load;
         let most = LARGEST_STEP * expected_film(problem);
         self.approach -= (self.load_gain * excess).clamp(-most, most);
         level.is_evaluated = false;

@@ -1,14 +1,14 @@
-//! Whether a problem is a smooth full film, without solving it.
+//! Prediction of a smooth full film from the problem data, without a solve.
 
 use crate::grid::Grid;
 use crate::reynolds::problem::{LubricatedContact, interior};
 
-/// Part of the expected film by which the second differences of a smooth gap may vary.
+/// Largest variation of the second differences of a smooth gap, in reference films.
 const ROUGHNESS: f64 = 0.1;
-/// Pressure limit over reference pressure below which no full film is expected.
+/// Ratio of pressure limit to reference pressure below which no full film is predicted.
 const LIMIT_OVER_REFERENCE: f64 = 1.2;
 
-/// Whether no solids should touch: a smooth gap, a film expected at more than `margin` times the contact
+/// Whether no solid contact is expected: a smooth gap, a reference film above `margin` times the contact
 /// film, and pressures below the limit.
 pub(in crate::reynolds) fn expects_full_film(problem: &LubricatedContact<'_>, margin: f64) -> bool {
     let grid = problem.grid();
@@ -18,8 +18,8 @@ pub(in crate::reynolds) fn expects_full_film(problem: &LubricatedContact<'_>, ma
     is_thick && !is_soft && is_smooth(problem, &grid)
 }
 
-/// Whether the gap is a paraboloid all over the contact: its second differences over a quarter of the
-/// half-widths vary by little of the reference film. Differences from node to node would miss waves of many
+/// Whether the gap is a paraboloid within the contact: second differences over a quarter of the half-widths
+/// vary little relative to the reference film. Differences between neighboring nodes would miss waves of many
 /// cells.
 fn is_smooth(problem: &LubricatedContact<'_>, grid: &Grid) -> bool {
     let (a, b) = problem.reference_half_widths;

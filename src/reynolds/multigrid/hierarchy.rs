@@ -1,9 +1,9 @@
-//! The hierarchy of grids: levels, what lies between them, films that belong to their pressures.
+//! The hierarchy of grids: levels, transfers between them, and films consistent with the pressures.
 //!
-//! Each grid has half the nodes of the next along both axes over the same box, rounded up, down to
-//! [`SMALLEST`]. Bodies on coarser grids come from [`DeformationModel::on_grid`]. A level is evaluated when
-//! its film and flow quantities are those of its pressure; whoever changes a pressure says so by
-//! `is_evaluated`, and the next look costs a convolution.
+//! Each grid has half of the nodes of the next along both axes over the same box, rounded up, down to
+//! [`SMALLEST`]. Bodies on coarser grids come from [`DeformationModel::on_grid`]. A level is evaluated if its
+//! film and flow quantities belong to its pressure. A change of pressure clears `is_evaluated`, and the next
+//! evaluation costs a convolution.
 
 use super::level::{Influence, Level};
 use super::relax::LineRelaxation;
@@ -15,41 +15,41 @@ use crate::lubricant::Lubricant;
 use crate::reynolds::flow::Cavitation;
 use crate::reynolds::problem::LubricatedContact;
 
-/// Nodes along an axis below which a grid is not coarsened.
+/// Number of nodes along an axis below which a grid is not coarsened.
 const SMALLEST: usize = 24;
-/// Share of a change that nodes take where pressure flow dominates a little, at first and once cycles have
-/// become slow: on fine grids the pressure spike swings with the first.
-const NEAR_SHARE: f64 = 0.5;
-/// The share once cycles have become slow.
-const CAREFUL_SHARE: f64 = 0.3;
+/// Initial relaxation factor of nodes where pressure flow dominates weakly. On fine grids the pressure spike
+/// oscillates with it, and slow cycles switch to [`DAMPED_FACTOR`].
+const INITIAL_FACTOR: f64 = 0.5;
+/// Relaxation factor of these nodes after slow cycles.
+const DAMPED_FACTOR: f64 = 0.3;
 
 /// Grids from the coarsest to that of the problem.
 #[derive(Debug)]
 pub(super) struct Hierarchy {
-    /// From the coarsest to the finest.
+    /// Levels, coarsest first.
     pub(super) levels: Vec<Level>,
-    /// Between the grids `l` and `l + 1`.
+    /// Transfers between levels `l` and `l + 1`.
     pub(super) transfers: Vec<Transfer>,
-    /// Bodies on all grids but the finest.
+    /// Bodies on all grids except the finest.
     bodies: Vec<Box<dyn DeformationModel>>,
-    /// Buffers of the sweeps, for all levels.
+    /// Buffers of the relaxation, for all levels.
     pub(super) relaxation: LineRelaxation,
-    /// Approach of the undeformed bodies, one for all levels \[m\].
+    /// Approach of the undeformed bodies, common to all levels \[m\].
     pub(super) approach: f64,
-    /// Change of the approach for a relative load error of one \[m\].
+    /// Change of the approach per relative load error \[m\].
     pub(super) load_gain: f64,
-    /// Share of a change that nodes take where pressure flow dominates a little.
-    pub(super) near_share: f64,
-    /// Whether the film is so thin over the displacement that sweeps change less.
+    /// Relaxation factor where pressure flow dominates weakly.
+    pub(super) near_factor: f64,
+    /// Whether the ratio of film to displacement requires smaller relaxation factors.
     pub(super) is_very_thin: bool,
-    /// In equivalents of the finest grid.
+    /// Convolutions in equivalents of the finest grid.
     pub(super) convolutions: f64,
-    /// On all levels since the problem was taken over.
+    /// Sweeps on all levels since the problem was configured.
     pub(super) sweeps: u64,
 }
 
 impl Hierarchy {
-    /// Whether a model knows the bodies on the coarsest of its grids.
+    /// Whether a model exists on the coarsest of its grids.
     pub(super) fn has_bodies(body: &dyn DeformationModel) -> bool {
         match grids(body.grid()).as_slice() {
             [coarsest, _, ..] => body.on_grid(*coarsest).is_some(),
@@ -57,7 +57,7 @@ impl Hierarchy {
         }
     }
 
-    /// Grids for a body; none where the model lives on one grid alone.
+    /// Hierarchy for a body; `None` where the model exists on one grid only.
     pub(super) fn new(body: &dyn DeformationModel) -> Option<Self> {
         let grids = grids(body.grid());
         let coarse = grids.len() - 1;
@@ -73,51 +73,51 @@ impl Hierarchy {
             relaxation: LineRelaxation::new(&body.grid()),
             approach: 0.0,
             load_gain: 0.0,
-            near_share: NEAR_SHARE,
+            near_factor: INITIAL_FACTOR,
             is_very_thin: false,
             convolutions: 0.0,
             sweeps: 0,
         })
     }
 
-    /// Whether the grids are those of this body.
+    /// Whether the hierarchy was built for this body.
     pub(super) fn fits(&self, body: &dyn DeformationModel) -> bool {
         let finest = self.finest();
         finest.grid == body.grid() && finest.influence == Influence::new(body)
     }
 
-    /// Relaxes the nodes beside the pressure spike more carefully from now on; says whether that is new.
-    pub(super) fn relax_carefully(&mut self) -> bool {
-        let is_new = self.near_share > CAREFUL_SHARE;
-        self.near_share = CAREFUL_SHARE;
+    /// Reduces the relaxation factor beside the pressure spike; returns whether it was larger.
+    pub(super) fn damp_relaxation(&mut self) -> bool {
+        let is_new = self.near_factor > DAMPED_FACTOR;
+        self.near_factor = DAMPED_FACTOR;
         is_new
     }
 
-    /// Number of the finest level.
+    /// Index of the finest level.
     pub(super) fn top(&self) -> usize {
         self.levels.len() - 1
     }
 
-    /// The level of the problem's own grid.
+    /// The level of the problem's grid.
     pub(super) fn finest(&self) -> &Level {
         &self.levels[self.top()]
     }
 
-    /// The same, to change it.
+    /// Mutable access to the finest level.
     pub(super) fn finest_mut(&mut self) -> &mut Level {
         let top = self.top();
         &mut self.levels[top]
     }
 
-    /// Takes gaps, load, speeds and schemes from the problem.
+    /// Copies gaps, load, speeds and schemes of the problem.
     pub(super) fn configure(&mut self, problem: &LubricatedContact<'_>) {
         self.convolutions = 0.0;
         self.sweeps = 0;
-        self.near_share = NEAR_SHARE;
+        self.near_factor = INITIAL_FACTOR;
         for level in &mut self.levels {
             level.fluid.configure(problem);
-            // Nothing reforms in a smooth film; where it does, the residuals tell, and another solver
-            // finishes.
+            // Smooth full films do not reform. If the film does, the residuals stay high and another solver
+            // takes over.
             level.fluid.set_cavitation(Cavitation::Reynolds);
             level.source.fill(0.0);
             level.load = problem.load;
@@ -147,21 +147,21 @@ impl Hierarchy {
         }
     }
 
-    /// `K p` of level `l` in place of its film.
+    /// Writes `K p` of level `l` to its film.
     pub(super) fn displace(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         l: usize,
     ) -> Result<(), InputError> {
         let top = self.top();
-        let share = self.levels[l].grid.len() as f64 / self.levels[top].grid.len() as f64;
-        self.convolutions += share;
+        let cost = self.levels[l].grid.len() as f64 / self.levels[top].grid.len() as f64;
+        self.convolutions += cost;
         let body = self.bodies.get_mut(l).map_or(&mut *problem.deformation, |body| &mut **body);
         let level = &mut self.levels[l];
         body.displacement(&level.pressure, &mut level.film)
     }
 
-    /// Film and flow quantities of level `l`, unless they are there.
+    /// Updates film and flow quantities of level `l` if they are outdated.
     pub(super) fn evaluate(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -176,17 +176,17 @@ impl Hierarchy {
         for (h, gap) in level.film.iter_mut().zip(&level.gap) {
             *h += gap - approach;
         }
-        level.take_film(lubricant);
+        level.update_flow(lubricant);
         Ok(())
     }
 }
 
-/// The film that starts are built from, where no formula gives one a little above the contact film.
+/// Film for initial states: the reference film, or a value above the contact film without a film formula.
 pub(super) fn expected_film(problem: &LubricatedContact<'_>) -> f64 {
     problem.reference_film.max(2.0 * problem.contact_film())
 }
 
-/// Levels `l` and `l + 1`.
+/// Mutable access to levels `l` and `l + 1`.
 pub(super) fn pair(levels: &mut [Level], l: usize) -> (&mut Level, &mut Level) {
     let (coarse, fine) = levels.split_at_mut(l + 1);
     (&mut coarse[l], &mut fine[0])
@@ -202,7 +202,7 @@ fn grids(finest: Grid) -> Vec<Grid> {
     grids
 }
 
-/// The grid of half the nodes along both axes over the same box; none below [`SMALLEST`].
+/// The grid with half of the nodes along both axes over the same box; `None` below [`SMALLEST`].
 fn coarser(grid: &Grid) -> Option<Grid> {
     if grid.nx().min(grid.ny()) < SMALLEST {
         return None;

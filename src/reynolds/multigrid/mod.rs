@@ -1,14 +1,14 @@
-//! Full multigrid for smooth full films: the full approximation scheme on a hierarchy of grids.
+//! Full multigrid for smooth full films: the full approximation scheme (FAS) on a hierarchy of grids.
 //!
-//! A smooth error is cheap to remove on a coarse grid, a rough one by sweeps on the fine grid; with both, a
-//! cycle leaves a fixed share of any error, whatever the number of nodes. In full approximation every grid
-//! solves for pressures, not for corrections, so that complementarity (no pressure below zero) holds on each.
+//! Coarse grids reduce smooth errors, relaxation on the fine grid reduces oscillatory ones. A cycle therefore
+//! reduces any error by a fixed factor, independent of the number of nodes. In FAS every grid solves for
+//! pressures instead of corrections, so complementarity (no negative pressure) holds on each.
 //!
-//! This file is the solver as others see it, and its loop: a cycle, a look at the residuals of the unreduced
-//! problem, an end. What a grid holds is `level`, how it is swept `relax`, how fields pass between two grids
-//! `transfer`, in which order `cycle`, what a solve begins with `start`; `acceleration` combines cycles. It
-//! rests on the discretisation of `flow`, the same as that of the other solvers: a converged state is theirs
-//! too, to the tolerance.
+//! This file holds the public solver and its loop: a cycle, the residuals of the full problem, the
+//! convergence test. `level` holds the fields of one grid, `relax` its relaxation, `transfer` restriction and
+//! interpolation, `cycle` the order of operations, `start` the initial state, and `acceleration` combines
+//! cycles. The discretization is that of the other solvers (`flow`), so a converged state agrees with theirs
+//! to the tolerance.
 
 mod acceleration;
 mod cycle;
@@ -32,38 +32,36 @@ use crate::lubricant::Lubricant;
 use crate::report::{Residuals, SolveReport, Status, Work};
 use crate::solver_id::SolverId;
 
-/// Cycles without a better residual after which the solve has stalled.
-const PATIENCE: u64 = 3;
-/// A residual is better if it is below this share of the best one.
-const GAIN: f64 = 0.8;
-/// Share of a residual left by a cycle above which relaxation becomes more careful, from the cycle
-/// [`SETTLED`] on.
-const SLOW: f64 = 0.6;
-/// First cycle that is judged by [`SLOW`].
+/// Stall window: cycles without progress after which the solve has stalled.
+const STALL_WINDOW: u64 = 3;
+/// Ratio of a residual to the best one that counts as progress.
+const SUFFICIENT_DECREASE: f64 = 0.8;
+/// Reduction factor of a cycle above which relaxation is damped more, from cycle [`SETTLED`] on.
+const SLOW_REDUCTION: f64 = 0.6;
+/// First cycle to which [`SLOW_REDUCTION`] applies.
 const SETTLED: u64 = 3;
-/// Cycles over which the rate of convergence is taken.
+/// Number of cycles over which the convergence rate is averaged.
 const RATE_CYCLES: usize = 3;
-/// Cycles in which the film may touch before the solve ends.
-const TOUCHING_CYCLES: u64 = 8;
-/// Expected film over contact film above which films that touch are the fault of the mesh.
+/// Consecutive cycles with films below the contact film that end the solve.
+const MAX_TOUCHING_CYCLES: u64 = 8;
+/// Ratio of expected film to contact film above which touching films indicate too coarse a mesh.
 const EXPECTED_OVER_CONTACT: f64 = 2.0;
-/// Nodes along each axis below which there is nothing to coarsen.
+/// Smallest number of nodes along an axis for which the solver is selected.
 const SMALLEST_GRID: usize = 32;
-/// Why a model without coarser grids is refused.
+/// Reason to reject a deformation model without coarser grids.
 const ONE_GRID: &str = "the deformation model lives on one grid alone";
 
-/// Full multigrid in the manner of Lubrecht, Venner and Brandt: W cycles of the full approximation scheme,
-/// hybrid line relaxation, the approach balanced on the coarsest grid alone.
+/// Full multigrid after Venner and Lubrecht: W cycles of the full approximation scheme with hybrid line
+/// relaxation, and the approach updated on the coarsest grid alone.
 ///
-/// A state without pressure is started on a coarse grid from a Hertzian pressure and the reference film of
-/// the problem, and carried up, two cycles a grid: the answer is then within its discretisation error, after
-/// about 24 convolutions of the finest grid. Each further cycle costs eight convolutions; seven to ten of
-/// them, of which each is recombined with the one before, bring all residuals to 1e-6, nearly independent of
-/// load and grid.
+/// A zero initial pressure starts full multigrid: a Hertzian pressure and the reference film on a coarse
+/// grid, interpolated upward with two cycles per grid. The result reaches the discretization error in about
+/// 24 convolutions of the finest grid. Each further cycle costs eight convolutions. Seven to ten cycles, each
+/// combined with the previous one, reduce all residuals to 1e-6, nearly independent of load and grid.
 ///
-/// Made for full films: it knows neither solid contact nor the pressure limit. A solve whose films fall below
-/// the contact film ends as [`Status::MeshTooCoarse`] where the reference film is well above that, and as
-/// [`Status::Stalled`] otherwise or where pressures exceed the limit. The deformation model must exist on
+/// The solver covers full films without solid contact or pressure limit. If films fall below the contact
+/// film, the solve ends as [`Status::MeshTooCoarse`] when the reference film is well above it, and as
+/// [`Status::Stalled`] otherwise or when pressures exceed the limit. The deformation model must exist on
 /// coarser grids ([`DeformationModel::on_grid`](crate::elastic::DeformationModel::on_grid)).
 ///
 /// Source: Venner, C. H. and Lubrecht, A. A. (2000), Multilevel Methods in Lubrication, Elsevier.
@@ -86,59 +84,59 @@ const ONE_GRID: &str = "the deformation model lives on one grid alone";
 /// ```
 #[derive(Debug, Default)]
 pub struct Multigrid {
-    /// Where another solver takes over.
+    /// Condition for a handover to another solver.
     hand_over: Option<HandOver>,
-    /// Buffers, made at the first solve on a grid.
+    /// Buffers, allocated at the first solve on a grid.
     workspace: Option<Box<Workspace>>,
 }
 
-/// A solve whose residuals are below `residual` ends as stalled as soon as more than this number of cycles is
-/// foreseen.
+/// Condition for a handover: the residuals are below `residual` and the predicted number of cycles exceeds
+/// `cycles`. The solve then ends as stalled.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HandOver {
-    /// Cycles that may be foreseen.
+    /// Largest predicted number of cycles.
     pub(super) cycles: u64,
-    /// Residual from which foresight counts.
+    /// Residual below which the prediction counts.
     pub(super) residual: f64,
 }
 
-/// What a solve writes to, kept from solve to solve.
+/// Buffers of a solve, reused.
 #[derive(Debug)]
 struct Workspace {
-    /// Where another solver takes over.
+    /// Condition for a handover to another solver.
     hand_over: Option<HandOver>,
-    /// Grids with their fields.
+    /// Grids and their fields.
     hierarchy: Hierarchy,
-    /// What is known of the last cycle.
+    /// Iterates of the last cycle.
     acceleration: Acceleration,
-    /// Films, balances and residuals on the finest grid, as all solvers have them.
+    /// Films, balances and residuals on the finest grid, shared code of all solvers.
     coupled: Coupled,
-    /// State of the lowest residual.
+    /// State with the lowest residual.
     best: ContactState,
     /// Residuals of the start and after each cycle.
     history: Vec<Residuals>,
 }
 
 impl Clone for Multigrid {
-    /// The copy makes buffers of its own at its first solve.
+    /// The clone allocates its own buffers at its first solve.
     fn clone(&self) -> Self {
         Self { hand_over: self.hand_over, workspace: None }
     }
 }
 
 impl Multigrid {
-    /// A solver; buffers are made at the first solve and kept.
+    /// A solver without buffers; they are allocated at the first solve.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// A solver that leaves the end of slow solves to another one.
+    /// A solver that hands slow solves over to another one.
     pub(super) fn handing_over(hand_over: HandOver) -> Self {
         Self { hand_over: Some(hand_over), workspace: None }
     }
 
-    /// Whether the problem is a smooth full film behind a flooded inlet on a grid that can be coarsened: a
-    /// meniscus in front of the contact is none of Reynolds' condition, which is that of the cycles.
+    /// Whether the problem is a smooth full film with a flooded inlet on a grid that can be coarsened. The
+    /// cycles use Reynolds' cavitation condition, which has no inlet meniscus.
     pub(super) fn suits(problem: &LubricatedContact<'_>) -> bool {
         let grid = problem.grid();
         grid.nx().min(grid.ny()) >= SMALLEST_GRID
@@ -148,7 +146,7 @@ impl Multigrid {
             && expects_full_film(problem, EXPECTED_OVER_CONTACT)
     }
 
-    /// Refuses what no hierarchy of grids changes; the lubricant of the problem.
+    /// Rejects problems that no hierarchy of grids can solve; returns the lubricant.
     fn checked<'a>(
         &self,
         problem: &LubricatedContact<'a>,
@@ -157,25 +155,25 @@ impl Multigrid {
     ) -> Result<&'a Lubricant, ReynoldsError> {
         check_call(problem, state, stop)?;
         if problem.grid().ny() == 1 {
-            return Err(self.wrong("a line contact has no second axis to coarsen"));
+            return Err(self.wrong_solver("a line contact has no second axis to coarsen"));
         }
         if problem.spin_radius.is_some() {
-            return Err(
-                self.wrong("its relaxations sweep along x, and turning surfaces carry fluid along y too")
-            );
+            return Err(self.wrong_solver(
+                "its line relaxation along x does not cover entrainment along y, which spin causes",
+            ));
         }
         if problem.edge_pressure.is_some() {
-            return Err(self.wrong("its grids have ambient pressure at the edge of the box: take another solver, a wider box or lubricant.inlet = \"box_edge\""));
+            return Err(self.wrong_solver("its grids have ambient pressure at the edge of the box: take another solver, a wider box or lubricant.inlet = \"box_edge\""));
         }
-        problem.lubricant.ok_or_else(|| self.wrong("the problem has no lubricant"))
+        problem.lubricant.ok_or_else(|| self.wrong_solver("the problem has no lubricant"))
     }
 
-    /// The error of a problem that is not for this solver.
-    fn wrong(&self, reason: &'static str) -> ReynoldsError {
+    /// The error for a problem outside the scope of this solver.
+    fn wrong_solver(&self, reason: &'static str) -> ReynoldsError {
         ReynoldsError::WrongSolver { solver: self.id(), reason }
     }
 
-    /// The kept workspace where it is of this body, else a new one.
+    /// The workspace of this body, reused if it exists.
     fn workspace(
         &mut self,
         problem: &LubricatedContact<'_>,
@@ -186,7 +184,7 @@ impl Multigrid {
             Some(workspace) => workspace,
             None => {
                 let Some(hierarchy) = Hierarchy::new(&*problem.deformation) else {
-                    return Err(self.wrong(ONE_GRID));
+                    return Err(self.wrong_solver(ONE_GRID));
                 };
                 Box::new(Workspace {
                     hand_over: self.hand_over,
@@ -214,7 +212,7 @@ impl ContactSolver for Multigrid {
         stop: &StoppingRule,
     ) -> Result<(), ReynoldsError> {
         self.checked(problem, state, stop)?;
-        if Hierarchy::has_bodies(&*problem.deformation) { Ok(()) } else { Err(self.wrong(ONE_GRID)) }
+        if Hierarchy::has_bodies(&*problem.deformation) { Ok(()) } else { Err(self.wrong_solver(ONE_GRID)) }
     }
 
     fn solve(
@@ -238,9 +236,9 @@ impl ContactSolver for Multigrid {
 }
 
 impl Workspace {
-    /// Cycles until one of the ends of a solve; leaves the best state in `state`, evaluated, and returns its
-    /// status and residuals. Sweeps become careful where a settled cycle leaves more than [`SLOW`] of the
-    /// residual.
+    /// Cycles until convergence, stall or the iteration limit; leaves the best state in `state`, evaluated,
+    /// and returns its status and residuals. Relaxation is damped more if a cycle leaves more than
+    /// [`SLOW_REDUCTION`] of the residual.
     fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -251,25 +249,28 @@ impl Workspace {
     ) -> Result<(Status, Residuals), ReynoldsError> {
         self.coupled.configure(problem);
         self.hierarchy.configure(problem);
-        self.acceleration.forget();
+        self.acceleration.reset();
         self.history.clear();
+        // full multigrid, or a warm start on the finest grid
         if state.pressure.iter().all(|&p| p <= 0.0) {
             self.hierarchy.start(problem, lubricant)?;
         } else {
             self.hierarchy.resume(problem, state)?;
         }
         let mut best = Residuals::UNKNOWN;
-        let (mut mark, mut fruitless, mut touching) = (f64::INFINITY, 0, 0);
+        let (mut reference, mut stalled_cycles, mut touching) = (f64::INFINITY, 0, 0);
         let mut last = [f64::INFINITY; RATE_CYCLES];
         let mut status = Status::MaxIterations;
         for cycle in 0..=stop.max_iterations {
-            self.take_over(problem, lubricant, state)?;
+            // residuals of the full problem
+            self.evaluate_finest(problem, lubricant, state)?;
             let residuals = self.coupled.residuals(problem, state);
             self.history.push(residuals);
             if !residuals.is_finite() {
                 status = Status::Diverged;
                 break;
             }
+            // best state, convergence, progress
             if residuals.max() < best.max() {
                 best = residuals;
                 self.best.clone_from(state);
@@ -278,14 +279,18 @@ impl Workspace {
             if residuals.max() <= stop.tolerance && within_limit(problem, state) && !touches {
                 return Ok((Status::Converged, residuals));
             }
-            if best.max() < GAIN * mark {
-                (mark, fruitless) = (best.max(), 0);
+            if best.max() < SUFFICIENT_DECREASE * reference {
+                (reference, stalled_cycles) = (best.max(), 0);
             } else {
-                fruitless += 1;
+                stalled_cycles += 1;
             }
-            if cycle >= SETTLED && residuals.max() > SLOW * last[0] && self.hierarchy.relax_carefully() {
-                self.acceleration.forget();
-                fruitless = 0;
+            // damp a slow relaxation, or hand over to another solver
+            if cycle >= SETTLED
+                && residuals.max() > SLOW_REDUCTION * last[0]
+                && self.hierarchy.damp_relaxation()
+            {
+                self.acceleration.reset();
+                stalled_cycles = 0;
             }
             let needed = cycles_needed(residuals.max(), last[RATE_CYCLES - 1], stop.tolerance);
             last.rotate_right(1);
@@ -298,10 +303,11 @@ impl Workspace {
                 break;
             }
             touching = if touches { touching + 1 } else { 0 };
-            if fruitless > PATIENCE || touching > TOUCHING_CYCLES {
+            if stalled_cycles > STALL_WINDOW || touching > MAX_TOUCHING_CYCLES {
                 status = Status::Stalled;
                 break;
             }
+            // one W cycle, combined with the last one
             if cycle < stop.max_iterations {
                 self.hierarchy.cycle_finest(problem, lubricant)?;
                 self.hierarchy.accelerate(&mut self.acceleration, state, &self.coupled.balance);
@@ -319,8 +325,8 @@ impl Workspace {
         Ok((status, best))
     }
 
-    /// The finest grid's pressure as a state, evaluated, and its film back.
-    fn take_over(
+    /// Copies the pressure of the finest grid to `state`, evaluates it, and copies the film back.
+    fn evaluate_finest(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         lubricant: &Lubricant,
@@ -332,13 +338,13 @@ impl Workspace {
         state.fluid_pressure.copy_from_slice(&finest.pressure);
         self.coupled.evaluate(problem, state)?;
         finest.film.copy_from_slice(&self.coupled.elastic_film);
-        finest.take_film(lubricant);
+        finest.update_flow(lubricant);
         Ok(())
     }
 }
 
-/// Cycles from `residual` to `tolerance` at the rate since `earlier`, [`RATE_CYCLES`] cycles ago; zero
-/// before.
+/// Predicted number of cycles from `residual` to `tolerance` at the mean rate since `earlier`,
+/// [`RATE_CYCLES`] cycles ago; zero without that residual.
 fn cycles_needed(residual: f64, earlier: f64, tolerance: f64) -> f64 {
     if !earlier.is_finite() {
         return 0.0;
@@ -347,13 +353,13 @@ fn cycles_needed(residual: f64, earlier: f64, tolerance: f64) -> f64 {
     if gained > 0.0 { (residual / tolerance).ln() / gained } else { f64::INFINITY }
 }
 
-/// Whether films under pressure are below the contact film.
+/// Whether any film under pressure is below the contact film.
 fn touches(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
     let contact_film = problem.contact_film();
     state.film.iter().zip(&state.pressure).any(|(h, p)| *p > 0.0 && *h < contact_film)
 }
 
-/// Whether no pressure exceeds its limit.
+/// Whether all pressures are within their limit.
 fn within_limit(problem: &LubricatedContact<'_>, state: &ContactState) -> bool {
     state.pressure.iter().enumerate().all(|(k, p)| *p <= problem.limit_at(k))
 }

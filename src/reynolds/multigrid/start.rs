@@ -1,9 +1,9 @@
-//! What the cycles begin with: full multigrid from a coarse grid, or a state on the finest.
+//! Initial states: full multigrid from a coarse grid, or a given state on the finest.
 //!
-//! A start on a coarse grid costs next to nothing and is as good as the film formula; each finer grid then
-//! begins within the discretisation error of the one before. Where the first grid lies depends on film over
-//! displacement alone: thin films need fine cells from the beginning. Very coarse grids of a second-order
-//! scheme hold no thin film and are of first order.
+//! The coarse start costs little and is as accurate as the film formula. Each finer grid then starts within
+//! the discretization error of the previous one. The first grid depends on the ratio of film to displacement
+//! alone: thin films need fine cells. A second-order scheme cannot represent a thin film on very coarse
+//! grids, which use first order instead.
 
 use super::hierarchy::{Hierarchy, expected_film, pair};
 use crate::error::InputError;
@@ -14,46 +14,46 @@ use crate::reynolds::flow::{FaceMobility, Scheme};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
-/// Cells of the first grid of the start in Hertz half-widths: square root of film over displacement, within
-/// bounds.
+/// Range of the cell size of the first grid, in Hertz half-widths. Within it the size is the square root of
+/// film over displacement.
 const START_CELL: (f64, f64) = (0.03, 0.12);
 /// Cycles on the first grid.
 const START_CYCLES: usize = 5;
 /// Cycles on each finer grid, the finest included.
 const CYCLES: usize = 2;
-/// Expected film over displacement below which sweeps change less: coarse grids do not hold such films, and
-/// larger changes would close them.
+/// Ratio of film to displacement below which relaxation factors are reduced. Coarse grids do not resolve such
+/// films, and larger changes would close them.
 const VERY_THIN: f64 = 0.006;
-/// Share of the mean elastic displacement by which the approach follows a relative load error of one.
+/// Change of the approach per relative load error, as a share of the mean elastic displacement.
 const LOAD_GAIN: f64 = 0.12;
-/// Where film over displacement is below the second number that share is lessened in proportion, to the first
-/// number times itself at least.
+/// Reduction of [`LOAD_GAIN`] for thin films: lower bound of the reduction, and the ratio of film to
+/// displacement below which it is proportional to that ratio.
 const THIN: (f64, f64) = (0.25, 0.02);
 /// Error of the central film with second-order entrainment, times radius over cell size squared.
 const SECOND_ORDER_ERROR: f64 = 5.0;
-/// Share of the reference film that this error may take on the coarser grids of the start; else these are
-/// first order.
+/// Share of the reference film above which this error makes the coarser grids of the start first order.
 const LARGEST_ERROR: f64 = 0.3;
 
 impl Hierarchy {
-    /// Full multigrid: from a Hertzian pressure and the film of a formula on a coarse grid up to the finest,
-    /// solved on each to about its discretisation error.
+    /// Full multigrid from a Hertzian pressure and the formula film on a coarse grid to the finest grid, each
+    /// solved to about its discretization error.
     pub(super) fn start(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         lubricant: &Lubricant,
     ) -> Result<(), InputError> {
         let (a, b) = problem.reference_half_widths;
-        // The displacement of the Hertz contact is known on any grid.
+        // The displacement of a Hertz contact can be computed on any grid.
         let film = expected_film(problem);
-        let displacement = self.guess(problem, 0, film)?;
+        let displacement = self.set_hertzian_state(problem, 0, film)?;
         let thinness = film / displacement;
         let (least, most) = START_CELL;
         let cell = thinness.sqrt().clamp(least, most);
         let is_fine = |grid: &Grid| grid.dx() <= cell * a && grid.dy() <= cell * b;
         let first = self.levels.iter().position(|level| is_fine(&level.grid)).unwrap_or(self.top());
-        self.guess(problem, first, film)?;
+        self.set_hertzian_state(problem, first, film)?;
         self.set_thinness(displacement, film);
+        // from the first grid up: interpolate, choose the scheme, cycle
         for l in first..=self.top() {
             if l > first {
                 let (coarse, fine) = pair(&mut self.levels, l - 1);
@@ -79,8 +79,8 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Schemes of level `l` and of those that correct it. Coarse grids always work with reduced pressures:
-    /// with means of mobilities that change by orders of magnitude from node to node their corrections are
+    /// Sets the schemes of level `l` and of the levels that correct it. Coarse grids use reduced pressures:
+    /// averaged mobilities, which vary by orders of magnitude from node to node, would make their corrections
     /// useless.
     fn discretise(&mut self, l: usize, scheme: Scheme, face_mobility: FaceMobility) {
         for level in &mut self.levels[..l] {
@@ -89,15 +89,14 @@ impl Hierarchy {
         self.levels[l].fluid.set_scheme(scheme, face_mobility);
     }
 
-    /// How the approach follows load errors and how nodes are relaxed, by mean elastic displacement and
-    /// expected film.
+    /// Sets load gain and damping from mean elastic displacement and expected film.
     fn set_thinness(&mut self, displacement: f64, film: f64) {
         let (least, thick) = THIN;
         self.load_gain = LOAD_GAIN * displacement * (film / (thick * displacement)).clamp(least, 1.0);
         self.is_very_thin = film < VERY_THIN * displacement;
     }
 
-    /// Starts from a state on the finest grid.
+    /// Warm start from a state on the finest grid.
     pub(super) fn resume(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -122,14 +121,19 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Hertzian pressure and an approach that leaves the reference film at the centre; returns the
-    /// displacement there.
-    fn guess(&mut self, problem: &mut LubricatedContact<'_>, l: usize, film: f64) -> Result<f64, InputError> {
+    /// Sets a Hertzian pressure and the approach for a film of `film` at the center; returns the displacement
+    /// there.
+    fn set_hertzian_state(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        l: usize,
+        film: f64,
+    ) -> Result<f64, InputError> {
         let (a, b) = problem.reference_half_widths;
         let level = &mut self.levels[l];
         hertzian_on(&level.grid, problem, &mut level.pressure);
         level.clear_boundary();
-        let scale = problem.load / level.carried().max(f64::MIN_POSITIVE);
+        let scale = problem.load / level.carried_load().max(f64::MIN_POSITIVE);
         for p in &mut level.pressure {
             *p *= scale;
         }

@@ -1,14 +1,13 @@
-//! Fields between a grid and the next coarser one over the same box.
+//! Restriction and interpolation between a grid and the next coarser one over the same box.
 //!
-//! Both grids are cell-centred: no node of one is a node of the other, and the counts need not be multiples
-//! of each other. A transfer is a product of the same stencils along x and along y, four entries each.
-//! Pressures and residuals go down as means, so that loads and flows stay; gaps go down as values; changes of
-//! pressure come up linearly, and whole pressures of a start cubically.
+//! Both grids are cell-centered: nodes do not coincide, and the numbers of nodes need not be multiples of
+//! each other. A transfer is the tensor product of stencils along x and y with four entries each. Pressures
+//! and residuals are restricted by averages, which conserve loads and flows; gaps are sampled. Changes of
+//! pressure are interpolated linearly, initial pressures cubically.
 
 use crate::grid::Grid;
 
-/// Weights of four neighbouring entries along one axis.
-/// The value is `sum weights[m] from[first + m]`.
+/// Weights of four neighboring entries along one axis: the value is `sum weights[m] from[first + m]`.
 #[derive(Debug, Clone, Copy)]
 struct Stencil {
     /// First of the four entries.
@@ -17,10 +16,10 @@ struct Stencil {
     weights: [f64; 4],
 }
 
-/// The stencils of one axis: from fine to coarse and back.
+/// Stencils of one axis.
 #[derive(Debug, Clone)]
 struct Axis {
-    /// Means over each coarse cell.
+    /// Averages over each coarse cell.
     average: Vec<Stencil>,
     /// Cubic interpolation at each coarse node.
     sample: Vec<Stencil>,
@@ -31,10 +30,10 @@ struct Axis {
 }
 
 impl Axis {
-    /// Between `fine` and `coarse` cells over one length.
+    /// Stencils between `fine` and `coarse` cells over the same length.
     fn new(fine: usize, coarse: usize) -> Self {
         let ratio = fine as f64 / coarse as f64;
-        // Centre of coarse cell I on the fine axis, and of fine cell i on the coarse axis.
+        // Center of coarse cell I on the fine axis, and of fine cell i on the coarse axis.
         let down = |i: usize| (i as f64 + 0.5) * ratio - 0.5;
         let up = |i: usize| (i as f64 + 0.5) / ratio - 0.5;
         Self {
@@ -46,7 +45,7 @@ impl Axis {
     }
 }
 
-/// Shares of the cells of `0..n` in the interval from `low` of length `length`.
+/// Overlap of the cells `0..n` with the interval of length `length` from `low`, relative to the length.
 fn overlaps(low: f64, length: f64, n: usize) -> Stencil {
     let first = (low as usize).min(n - 4);
     let weights = std::array::from_fn(|m| {
@@ -68,7 +67,7 @@ fn linear(position: f64, n: usize) -> Stencil {
     Stencil { first, weights }
 }
 
-/// The cubic through the four nodes around `position`: exact for parabolas, also beyond the outermost nodes.
+/// Cubic through the four nodes neighbors `position`: exact for parabolas, beyond the outermost nodes too.
 fn cubic(position: f64, n: usize) -> Stencil {
     let first = (position.max(1.0) as usize - 1).min(n - 4);
     let t = position - first as f64;
@@ -81,19 +80,19 @@ fn cubic(position: f64, n: usize) -> Stencil {
     Stencil { first, weights }
 }
 
-/// What carries fields between two grids over one box; the counts need not be multiples of each other.
+/// Transfers between two grids over one box; the numbers of nodes need not be multiples of each other.
 #[derive(Debug, Clone)]
 pub(super) struct Transfer {
-    /// Along rows.
+    /// Stencils along rows.
     x: Axis,
-    /// Along columns.
+    /// Stencils along columns.
     y: Axis,
-    /// Rows after the pass along x.
+    /// Intermediate field after the pass along x.
     scratch: Vec<f64>,
 }
 
 impl Transfer {
-    /// Both grids have at least four nodes along each axis.
+    /// Transfers between grids with at least four nodes along each axis.
     pub(super) fn new(fine: &Grid, coarse: &Grid) -> Self {
         Self {
             x: Axis::new(fine.nx(), coarse.nx()),
@@ -102,12 +101,12 @@ impl Transfer {
         }
     }
 
-    /// Means over the coarse cells: keeps integrals.
+    /// Averages over the coarse cells; conserves integrals.
     pub(super) fn average(&mut self, fine: &[f64], coarse: &mut [f64]) {
         apply(&self.x.average, &self.y.average, self.x.linear.len(), fine, &mut self.scratch, coarse);
     }
 
-    /// Values at the coarse nodes, exact for parabolas.
+    /// Values at the coarse nodes; exact for parabolas.
     pub(super) fn sample(&mut self, fine: &[f64], coarse: &mut [f64]) {
         apply(&self.x.sample, &self.y.sample, self.x.linear.len(), fine, &mut self.scratch, coarse);
     }

@@ -89,7 +89,7 @@ impl Workspace {
         if unknowns.are_pinned() || outcome.steps as usize > films.len() {
             unknowns.change(&mut at, step, response)?;
         } else {
-            let shares = gmres.shares(outcome).iter().copied();
+            let shares = gmres.coefficients(outcome).iter().copied();
             unknowns.change_by(at.linearisation, step, shares.zip(films.iter().map(Vec::as_slice)));
         }
         Ok(Some(outcome.steps))

@@ -1,30 +1,30 @@
 //! Relaxation of the semi-system by lines along x.
 //!
-//! It stands where Newton's method has its factorisation: a change is found from the linearised balances
-//! alone, line by line, each with the lines beside it held. A line is a tridiagonal system; its pivots are
-//! made once a step and serve all passes.
+//! It replaces the factorization in the preconditioner of Newton's method: a step is computed from the
+//! linearized balances alone, line by line, with the neighboring lines fixed. Each line is a tridiagonal
+//! system; its pivots are computed once per step and reused in all passes.
 
 use crate::grid::Grid;
 use crate::numerics::STENCIL;
 use crate::reynolds::newton_krylov::FluidBlock;
 
-/// Passes over all lines, for each line one up and one down. The pressure of fluid between solids that touch
-/// spreads over the whole contact, line by line: of 57 scenes of the stability map at 64 cells 48 converge
-/// with half a pass a line, 51 with one and a half; a scene of 128 cells that stalls with 100 passes
-/// converges with 300.
+/// Passes over all lines, up and down in turn. The pressure of fluid trapped between touching solids spreads
+/// over the whole contact, line by line. Of 57 scenes of the stability map at 64 cells 48 converge with half
+/// a pass per line and 51 with one and a half; a scene of 128 cells that stalls with 100 passes converges
+/// with 300.
 const PASSES_PER_LINE: u64 = 2;
 
-/// Passes in which `lines` lines are relaxed; a single one is solved by the first.
+/// Number of passes for `lines` lines; a single line is solved exactly by the first.
 pub(super) fn passes(lines: usize) -> u64 {
     if lines == 1 { 1 } else { PASSES_PER_LINE * lines as u64 }
 }
 
-/// Gauss-Seidel from line to line, up and down by turns; each line is solved at once by the Thomas algorithm,
-/// whose factors serve all passes.
+/// Symmetric line Gauss-Seidel; each line is solved by the Thomas algorithm, whose factors are reused in all
+/// passes.
 ///
-/// Where pressure flow into a node grows with its film the diagonal of its row is less than its couplings, and
-/// passes may grow without bound. Where they have grown until the first of them is lost in the rounding of
-/// single precision, that one alone is taken.
+/// Where pressure flow into a node increases with its film, the diagonal of the row is smaller than its
+/// couplings and the passes may diverge. If they grow until the first pass is below single-precision
+/// rounding, the result of the first pass is returned.
 #[derive(Debug)]
 pub(super) struct LineBlock {
     /// Nodes in a line.
@@ -46,7 +46,7 @@ impl LineBlock {
         Self { nx: grid.nx(), rhs: zeros(), pivot: zeros(), above: zeros(), first: zeros() }
     }
 
-    /// Solves line `j` for the values of the lines beside it.
+    /// Solves line `j` with the neighboring lines fixed.
     fn relax(&self, stencil: &[f32], values: &mut [f32], j: usize) {
         let nx = self.nx;
         let nodes = j * nx..(j + 1) * nx;
@@ -54,7 +54,7 @@ impl LineBlock {
         let (line, after) = rest.split_at_mut(nx);
         let rows = || stencil[STENCIL * nodes.start..STENCIL * nodes.end].chunks_exact(STENCIL);
         line.copy_from_slice(&self.rhs[nodes.clone()]);
-        // The first line has none before it, the last one none after it.
+        // The first line has no southern neighbor, the last one no northern.
         for ((value, row), north) in line.iter_mut().zip(rows()).zip(&*after) {
             *value -= row[3] * north;
         }
@@ -62,6 +62,7 @@ impl LineBlock {
         for ((value, row), south) in line.iter_mut().zip(rows()).zip(south) {
             *value -= row[4] * south;
         }
+        // Thomas algorithm with the stored factors
         let mut last = 0.0;
         for ((value, row), pivot) in line.iter_mut().zip(rows()).zip(&self.pivot[nodes.clone()]) {
             last = (*value - row[2] * last) * pivot;
@@ -119,7 +120,7 @@ impl FluidBlock for LineBlock {
 mod tests {
     use super::*;
 
-    /// Rows that pressure flow and entrainment to the east would have, weaker in every other line.
+    /// Rows typical of pressure flow and entrainment to the east, weaker in every other line.
     fn rows(grid: &Grid) -> Vec<f32> {
         let (nx, ny) = (grid.nx(), grid.ny());
         let mut stencil = Vec::with_capacity(STENCIL * grid.len());
@@ -139,9 +140,9 @@ mod tests {
         stencil
     }
 
-    /// Rows whose couplings to the lines beside them exceed their diagonals.
+    /// Rows whose couplings to the neighboring lines exceed their diagonals.
     #[test]
-    fn passes_that_grow_without_bound_leave_the_first() {
+    fn divergent_passes_return_the_first() {
         let grid = Grid::from_edges(12, 9, [0.0, 1.0], [0.0, 1.0]).unwrap();
         let mut stencil = rows(&grid);
         for row in stencil.chunks_exact_mut(STENCIL) {
@@ -160,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn passes_solve_the_rows() {
+    fn passes_converge_to_the_solution() {
         for (nx, ny) in [(12, 9), (12, 1)] {
             let grid = Grid::from_edges(nx, ny, [0.0, 1.0], [0.0, 1.0]).unwrap();
             let stencil = rows(&grid);

@@ -1,7 +1,7 @@
 //! The semi-system method: line relaxation of the coupled Reynolds and elasticity equations.
 //!
-//! Two methods under one name: of the hard contact steps like Newton's, with lines in place of the
-//! factorisation, of the paper's contact the sweeps that were published with it.
+//! The module has two methods. The hard contact is solved by Newton's method with line relaxation in place of
+//! the factorization, the unified Reynolds model by the sweeps of its publication.
 
 mod lines;
 mod sweeps;
@@ -17,34 +17,34 @@ use crate::error::InputError;
 use crate::report::{SolveReport, Work};
 use crate::solver_id::SolverId;
 
-/// Relaxations that a step combines: with one alone, 20 of 29 scenes of the stability map converge in place
-/// of 24.
+/// Relaxations combined in a step. With one, 20 of 29 scenes of the stability map converge; with two, 24.
 const RELAXATIONS: usize = 2;
 
-/// Line relaxation along x of the semi-system: one matrix that holds pressure flow and entrainment, the
-/// latter by the elastic response of the films, so that its diagonal keeps its weight however thin the film
-/// (Ai 1993 and Hu and Zhu 2000 in spirit).
+/// Line relaxation along x of the semi-system. One matrix contains pressure flow and entrainment, the latter
+/// through the elastic response of the films, so the diagonal remains dominant for thin films (following Ai
+/// 1993, and Hu and Zhu 2000).
 ///
-/// The unknown of a node is what its side leaves open: pressure, the film that is carried to it, plastic
-/// depth, or the fluid pressure between solids that touch. Each step
+/// The unknown of a node depends on its state: pressure, advected film, plastic depth, or the pressure of
+/// fluid trapped between touching solids. Each step
 ///
-/// 1. relaxes the linearised balances by lines, a tridiagonal system each, Gauss-Seidel from line to line;
-/// 2. finds the pressures under solids and under carried films from what these films have to be, by the
-///    inverse of the elastic response, and the approach from the load;
-/// 3. combines two such relaxations so that the equations, the elastic response whole, lack the least;
-/// 4. eliminates every node's own equations, which decides its side.
+/// 1. relaxes the linearized balances by lines, with a tridiagonal system each, in Gauss-Seidel order;
+/// 2. computes the pressures of prescribed displacements, under solids and advected films, by the inverse
+///    elastic response, and the approach from the load;
+/// 3. combines two such relaxations to minimize the residual of the equations with the full elastic response;
+/// 4. eliminates the local equations of each node, which determines its state.
 ///
-/// Linearisation, sides and starts are those of [`NewtonKrylov`]; no matrix is factorised, and a Krylov space
-/// of two directions is all that a step builds up, at two to three times the steps. Starts are steps in time,
-/// of a few passages of a cell at first.
+/// Linearization, active set and initial states are those of [`NewtonKrylov`]. No matrix is factorized, and
+/// the Krylov space has two directions, at the cost of two to three times as many steps. Cold starts use
+/// pseudo-time steps, initially a few cell transits long.
 ///
-/// In the paper's contact ([`ContactDefinition::UnifiedReynolds`](super::ContactDefinition::UnifiedReynolds))
-/// each sweep takes its pressures at once, with the three nearest influence coefficients in the matrix,
-/// under-relaxed; the approach follows the load error. Two numbers decide whether that converges:
-/// - `relaxation`: the share of each new pressure that is taken;
-/// - `stiffness`: factor on the implicit influence coefficients. With 1, the textbook value, highly loaded
-///   contacts end in a limit cycle unless the relaxation is some 0.02: neighbouring lines see each other's
-///   deformation one sweep late. Factors of 4 to 8 damp just the elastic part and leave the answer unchanged.
+/// In the unified Reynolds model
+/// ([`ContactDefinition::UnifiedReynolds`](super::ContactDefinition::UnifiedReynolds)) each sweep computes
+/// the pressures with the three nearest influence coefficients in the matrix, under-relaxed. The approach
+/// follows the load error. Two parameters control convergence:
+/// - `relaxation`: the share of each pressure change that is applied;
+/// - `stiffness`: a factor on the implicit influence coefficients. With the textbook value 1, highly loaded
+///   contacts end in a limit cycle unless the relaxation is about 0.02, as the deformation by neighboring
+///   lines lags by one sweep. Factors of 4 to 8 damp the elastic part alone and do not change the solution.
 ///
 /// # Examples
 ///
@@ -58,14 +58,14 @@ const RELAXATIONS: usize = 2;
 pub struct SemiSystem {
     /// Relaxation and stiffness of the sweeps.
     damping: Damping,
-    /// Newton's steps with line relaxation.
+    /// Newton's method with line relaxation.
     relaxed: NewtonKrylov,
-    /// Sweeps of the paper's contact, made when they are first needed.
+    /// Sweeps of the unified Reynolds model, allocated at first use.
     sweeps: Option<Box<Sweeps>>,
 }
 
 impl Clone for SemiSystem {
-    /// The copy makes buffers of its own at its first solve.
+    /// The clone allocates its own buffers at its first solve.
     fn clone(&self) -> Self {
         Self { damping: self.damping, relaxed: self.relaxed.clone(), sweeps: None }
     }
@@ -79,7 +79,7 @@ impl Default for SemiSystem {
 }
 
 impl SemiSystem {
-    /// A solver that damps the sweeps of the paper's contact like this.
+    /// A solver with these parameters for the sweeps of the unified Reynolds model.
     ///
     /// # Errors
     /// A relaxation outside (0, 1], a stiffness below 1 or not finite.
@@ -99,7 +99,7 @@ impl SemiSystem {
         Ok(Self::with(Damping { relaxation, stiffness }))
     }
 
-    /// A solver with this damping, which is in range.
+    /// A solver with valid parameters.
     fn with(damping: Damping) -> Self {
         let settings = NewtonSettings::by_lines(RELAXATIONS);
         let relaxed = NewtonKrylov::by(|grid| Box::new(LineBlock::new(grid)), settings);
@@ -137,7 +137,7 @@ impl ContactSolver for SemiSystem {
         if !problem.is_paper() {
             let report = self.relaxed.solve(problem, state, stop)?;
             let Work { iterations, inner_iterations, .. } = report.work;
-            // One relaxation more in each step finds what the approach does.
+            // Each step has one additional relaxation, for the response to the approach.
             let inner_iterations = passes(grid.ny()) * (inner_iterations + iterations);
             let work = Work { inner_iterations, ..report.work };
             return Ok(SolveReport { solver, work, strategy: None, ..report });

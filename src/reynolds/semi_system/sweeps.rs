@@ -1,10 +1,10 @@
-//! The paper's contact: line sweeps, each from line to line with a convolution after it.
+//! The unified Reynolds model by line sweeps with a convolution after each.
 //!
-//! Each sweep solves one tridiagonal system a line for all of its pressures: the flow by pressure and what
-//! entrainment carries with the films of the line, to which a pressure adds by its own influence coefficient
-//! and those of the next two nodes, times the stiffness. A share of the change, the relaxation, is taken, cut
-//! at zero and at the pressure limit. Then the films follow by a convolution, and the approach by a hundredth
-//! of what the load error asks for.
+//! A sweep solves one tridiagonal system per line for the pressures: pressure flow, and entrainment of the
+//! films of the line, with the influence coefficients of a node and its next two neighbors times the
+//! stiffness. A share of the change (the relaxation) is applied, bounded by zero and the pressure limit. A
+//! convolution then updates the films. The approach changes by one per cent of the correction for the load
+//! error.
 
 use crate::grid::Grid;
 use crate::numerics::solve_tridiagonal;
@@ -16,46 +16,46 @@ use crate::reynolds::problem::{LubricatedContact, inner_rows};
 use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
 
-/// Share of the approach that a load error asks for taken after each sweep.
+/// Share of the approach correction that is applied after each sweep.
 const LOAD_GAIN: f64 = 0.01;
-/// Pressure of a cavitating node, in reference pressures, below which it is zero.
+/// Pressure below which a cavitating node is set to zero, in reference pressures.
 const NEGLIGIBLE_PRESSURE: f64 = 1e-12;
-/// Largest relative load error that the approach follows.
+/// Bound on the relative load error in the approach correction.
 const LARGEST_LOAD_ERROR: f64 = 0.1;
-/// A solve whose best residual did not fall to this share of itself over so many sweeps has stalled.
+/// Decrease of the best residual within [`STALL_SWEEPS`] that counts as progress.
 const PROGRESS: f64 = 0.9;
 const STALL_SWEEPS: u64 = 5_000;
 
-/// What decides whether sweeps converge.
+/// Convergence parameters of the sweeps.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Damping {
-    /// Share of each new pressure that is taken.
+    /// Share of each pressure change that is applied.
     pub(super) relaxation: f64,
     /// Factor on the implicit influence coefficients.
     pub(super) stiffness: f64,
 }
 
-/// Tridiagonal sweeps that hold the pressure flow and the entrainment, the latter with the three nearest
-/// influence coefficients, under-relaxed; the approach follows the load error.
+/// Under-relaxed tridiagonal sweeps with pressure flow and entrainment, the latter with the three nearest
+/// influence coefficients.
 #[derive(Debug)]
 pub(super) struct Sweeps {
     /// Films, balances and residuals.
     pub(super) coupled: Coupled,
     /// Residuals of the start and after each sweep.
     pub(super) history: Vec<Residuals>,
-    /// State of the smallest residual.
+    /// State with the lowest residual.
     best: ContactState,
-    /// Entries of the row of a node in the column upstream of it.
+    /// Subdiagonal entries (upstream neighbor).
     below: Vec<f64>,
-    /// Entries on the diagonal.
+    /// Diagonal entries.
     diagonal: Vec<f64>,
-    /// Entries in the column downstream.
+    /// Superdiagonal entries (downstream neighbor).
     above: Vec<f64>,
-    /// Right-hand sides, then changes of pressure.
+    /// Right-hand sides, overwritten by changes of pressure.
     rhs: Vec<f64>,
 }
 
-/// Hertzian pressure with the load of the problem, and the approach that leaves the film open.
+/// Hertzian pressure under the load of the problem, and the approach of an open film.
 fn start_from_hertz(problem: &LubricatedContact<'_>, state: &mut ContactState) {
     hertzian(problem, &mut state.pressure);
     let carried = state.pressure.iter().sum::<f64>() * problem.grid().cell_area();
@@ -82,8 +82,7 @@ impl Sweeps {
         }
     }
 
-    /// Sweeps until `stop` or a stall, from a Hertzian pressure where `state` has none; leaves the best
-    /// state.
+    /// Sweeps until `stop` or a stall, from a Hertzian pressure if `state` has none; leaves the best state.
     pub(super) fn solve(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -98,8 +97,8 @@ impl Sweeps {
         Ok((status, residuals))
     }
 
-    /// Sweeps until one of the ends of a solve; leaves the best state evaluated, with its status and
-    /// residuals.
+    /// Sweeps until convergence, stall or the iteration limit; leaves the best state evaluated, and returns
+    /// status and residuals.
     fn iterate(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -120,6 +119,7 @@ impl Sweeps {
                 status = Status::Diverged;
                 break;
             }
+            // best state, convergence, progress
             if residuals.max() < best.max() {
                 best = residuals;
                 self.best.clone_from(state);
@@ -136,6 +136,7 @@ impl Sweeps {
             if sweep == stop.max_iterations {
                 break;
             }
+            // active set, pressures, approach, films
             work.iterations += 1;
             self.coupled.classify(problem, state);
             self.sweep(problem, state, damping);
@@ -149,7 +150,7 @@ impl Sweeps {
         Ok((status, best))
     }
 
-    /// Evaluates the state, that of the Hertz contact with an open film where it carries no pressure.
+    /// Evaluates the initial state; without pressure it is the Hertz contact with an open film.
     fn begin(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -167,7 +168,7 @@ impl Sweeps {
         Ok(())
     }
 
-    /// Moves the bodies until the lowest film under pressure is the reference film.
+    /// Shifts the approach until the lowest film under pressure is the reference film.
     fn open_film(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let mut lowest = f64::INFINITY;
         for (h, p) in self.coupled.elastic_film.iter().zip(&state.pressure) {
@@ -186,7 +187,7 @@ impl Sweeps {
         }
     }
 
-    /// One pass over all lines.
+    /// One sweep over all lines.
     fn sweep(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState, damping: Damping) {
         let grid = self.coupled.fluid.grid;
         for j in inner_rows(&grid) {
@@ -202,8 +203,8 @@ impl Sweeps {
         }
     }
 
-    /// Rows of line `j` with influence coefficients times `stiffness`; nodes on the boundary, cavitated ones
-    /// and those that press against their limit have the identity.
+    /// Assembles line `j` with influence coefficients times `stiffness`. Rows of boundary, cavitated and
+    /// limited nodes are the identity.
     fn assemble_line(
         &mut self,
         problem: &LubricatedContact<'_>,
@@ -218,8 +219,8 @@ impl Sweeps {
             let k = j * nx + i;
             let kind = self.coupled.kinds[k];
             if matches!(kind.fluid, Fluid::Boundary | Fluid::Cavitated) {
-                // Pinned inside the line: clipped after it, its neighbours would see a suction that is not
-                // there.
+                // Fixed within the solve: clipping afterwards would expose the neighbors to a spurious
+                // suction.
                 let change = -state.fluid_pressure[k];
                 (self.below[i], self.diagonal[i], self.above[i], self.rhs[i]) = (0.0, 1.0, 0.0, change);
                 continue;
@@ -227,7 +228,7 @@ impl Sweeps {
             let balance = self.coupled.fluid.balance(k, previous);
             let limit = problem.limit_at(k);
             if balance < 0.0 && reaches_limit(state.fluid_pressure[k], limit) {
-                // Pinned as well: it would push harder.
+                // Fixed at the limit.
                 let change = limit - state.fluid_pressure[k];
                 (self.below[i], self.diagonal[i], self.above[i], self.rhs[i]) = (0.0, 1.0, 0.0, change);
                 continue;
@@ -238,7 +239,7 @@ impl Sweeps {
         }
     }
 
-    /// Takes the share `relaxation` of the changes of line `j`, cut at zero and at the pressure limit.
+    /// Applies the share `relaxation` of the changes of line `j`, bounded by zero and the pressure limit.
     fn update_line(
         &mut self,
         problem: &LubricatedContact<'_>,
@@ -255,16 +256,16 @@ impl Sweeps {
             if wanted == 0.0 && fluid < NEGLIGIBLE_PRESSURE * problem.reference_pressure {
                 fluid = 0.0;
             }
-            // A start may lie above the limit.
+            // Initial pressures may exceed the limit.
             let fluid = fluid.min(limit);
             state.fluid_pressure[k] = fluid;
             state.pressure[k] = fluid;
         }
     }
 
-    /// Moves the bodies together where load is residual. In equilibrium a relative load error `e` needs a
-    /// change of approach of about `e` times the mean elastic displacement; sweeps follow slowly, so a small
-    /// share is taken.
+    /// Updates the approach by the load error. In equilibrium a relative load error `e` requires a change of
+    /// about `e` times the mean elastic displacement. Films respond slowly in the sweeps, so a small share is
+    /// applied.
     fn balance_load(&self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         let carried = state.pressure.iter().sum::<f64>() * self.coupled.fluid.grid.cell_area();
         let residual = (problem.load - carried) / problem.load;

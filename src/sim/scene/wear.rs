@@ -10,12 +10,12 @@ use crate::wear::{Archard, FrictionalEnergy, WearLaw, WearPressure};
 /// # Examples
 ///
 /// ```
-/// use stribeck::RubbingPoint;
+/// use stribeck::SurfaceState;
 /// use stribeck::sim::scene::{ArchardSpec, WearSpec};
 /// let spec = WearSpec::Archard(ArchardSpec { coefficient: 6e-8, film_coefficient: 6e-9, ..Default::default() });
 /// let law = spec.law(6e9, Some(100e-9))?;
 /// // k p u / H: 1e-17 1/Pa times 1 GPa times 0.1 m/s, bare and under a full film.
-/// let at = RubbingPoint::new(1e9, 300.0).with_sliding_speed(0.1);
+/// let at = SurfaceState::new(1e9, 300.0).with_sliding_speed(0.1);
 /// assert!((law.depth_rate(&at, 0.0) / 1e-9 - 1.0).abs() < 1e-12);
 /// assert!((law.depth_rate(&at, 100e-9) / 1e-10 - 1.0).abs() < 1e-9);
 /// # Ok::<(), stribeck::InputError>(())

@@ -4,7 +4,7 @@
 use stribeck::elastic::{DeformationModel, HalfSpace};
 use stribeck::lubricant::ViscosityLaw;
 use stribeck::tribochem::FilmGrowthLaw;
-use stribeck::{Grid, InputError, RubbingPoint};
+use stribeck::{Grid, InputError, SurfaceState};
 
 /// Film that grows where solids rub, slower with depth.
 #[derive(Debug)]
@@ -16,7 +16,7 @@ pub struct Deposited {
 }
 
 impl FilmGrowthLaw for Deposited {
-    fn rate(&self, at: &RubbingPoint, thickness: f64) -> f64 {
+    fn rate(&self, at: &SurfaceState, thickness: f64) -> f64 {
         if at.in_contact { self.rate * (1.0 - thickness / self.maximum) } else { 0.0 }
     }
 

@@ -41,7 +41,7 @@ use super::node::NodeFlow;
 use super::shear_thinning::{NodeRatios, ShearThinning};
 use super::spin::Spin;
 use crate::grid::Grid;
-use crate::lubricant::{Lubricant, NodeWarmth, WarmPoint};
+use crate::lubricant::{Lubricant, NodeTemperature, ThermalRatios};
 use crate::reynolds::problem::{LubricatedContact, interior, outermost};
 
 /// Quantities of the nodes and faces at the current pressure and film, and the coefficients of the balance.
@@ -110,7 +110,7 @@ pub(in crate::reynolds) struct Discretisation {
     /// is Newtonian.
     thinning: Option<(ShearThinning, f64)>,
     /// Temperatures of the films at the nodes; empty where they are those of the laws.
-    warmth: Vec<NodeWarmth>,
+    film_temperatures: Vec<NodeTemperature>,
     /// `eta*/eta` of the nodes; empty without shear thinning in films that have the temperature of the law.
     ratios: Vec<NodeRatios>,
 }
@@ -149,7 +149,7 @@ impl Discretisation {
             east_flow: zeros(),
             north_flow: zeros(),
             thinning: None,
-            warmth: Vec::new(),
+            film_temperatures: Vec::new(),
             ratios: Vec::new(),
         }
     }
@@ -186,8 +186,8 @@ impl Discretisation {
         self.fluidity = ambient.map_or(0.0, |eta| 1.0 / (12.0 * eta));
         let thinning = problem.shear_thinning.zip(ambient).map(|(law, eta)| (law, law.length(eta)));
         self.thinning = thinning.filter(|(_, length)| *length > 0.0);
-        self.warm(problem.lubricant.map_or(&[], Lubricant::film), &problem.grid());
-        let is_newtonian = self.thinning.is_none() && self.warmth.is_empty();
+        self.warm(problem.lubricant.map_or(&[], Lubricant::film_temperatures), &problem.grid());
+        let is_newtonian = self.thinning.is_none() && self.film_temperatures.is_empty();
         let thinned = if is_newtonian { 0 } else { self.grid.len() };
         self.ratios.resize(thinned, NodeRatios::NEWTONIAN);
         // Coarser grids, whose gaps are not those of the problem, only make corrections.
@@ -198,16 +198,16 @@ impl Discretisation {
 
     /// Takes over the temperatures of the films at the nodes of the grid `of` the problem, on a coarser grid
     /// those of the nodes next to its own.
-    fn warm(&mut self, films: &[NodeWarmth], of: &Grid) {
-        self.warmth.clear();
+    fn warm(&mut self, films: &[NodeTemperature], of: &Grid) {
+        self.film_temperatures.clear();
         if films.len() == self.grid.len() {
-            self.warmth.extend_from_slice(films);
+            self.film_temperatures.extend_from_slice(films);
         } else if !films.is_empty() {
             let (nx, ny) = (self.grid.nx(), self.grid.ny());
             let near = |i: usize, n: usize, fine: usize| ((2 * i + 1) * fine / (2 * n)).min(fine - 1);
             let nodes = (0..ny).flat_map(|j| (0..nx).map(move |i| (i, j)));
             let at = |(i, j)| films[near(j, ny, of.ny()) * of.nx() + near(i, nx, of.nx())];
-            self.warmth.extend(nodes.map(at));
+            self.film_temperatures.extend(nodes.map(at));
         }
     }
 
@@ -227,13 +227,13 @@ impl Discretisation {
 
     /// Ratios to the laws at node `k` under fluid pressure `p`; none where films have their temperature.
     #[inline]
-    fn warm_at(&self, lubricant: &Lubricant, k: usize, p: f64) -> Option<WarmPoint> {
-        self.warmth.get(k).and_then(|films| lubricant.warm_at(films, p))
+    fn thermal_ratios(&self, lubricant: &Lubricant, k: usize, p: f64) -> Option<ThermalRatios> {
+        self.film_temperatures.get(k).and_then(|films| lubricant.thermal_ratios(films, p))
     }
 
     /// The quantities of a node at fluid pressure `p` and film `h`, the film `warm` or not.
     #[inline]
-    fn node_flow(&self, lubricant: &Lubricant, warm: Option<WarmPoint>, p: f64, h: f64) -> NodeFlow {
+    fn node_flow(&self, lubricant: &Lubricant, warm: Option<ThermalRatios>, p: f64, h: f64) -> NodeFlow {
         let point = lubricant.at(p);
         let floored = h.max(self.film_floor);
         let square = self.fluidity * floored * floored;
@@ -273,7 +273,13 @@ impl Discretisation {
     }
 
     /// `eta*/eta` of a node at fluid pressure `p` and film `h`, the film `warm` or not.
-    fn viscosity_ratios(&self, lubricant: &Lubricant, warm: Option<WarmPoint>, p: f64, h: f64) -> NodeRatios {
+    fn viscosity_ratios(
+        &self,
+        lubricant: &Lubricant,
+        warm: Option<ThermalRatios>,
+        p: f64,
+        h: f64,
+    ) -> NodeRatios {
         let warmed = |ratios: NodeRatios| warm.map_or(ratios, |warm| ratios.warmed(&warm));
         let Some((law, length)) = self.thinning else { return warmed(NodeRatios::NEWTONIAN) };
         let point = lubricant.at(p);
@@ -324,7 +330,7 @@ impl Discretisation {
     /// The quantities of node `k` at fluid pressure `p` and film `h`.
     #[inline]
     fn update_node(&mut self, lubricant: &Lubricant, k: usize, p: f64, h: f64) {
-        let warm = self.warm_at(lubricant, k, p);
+        let warm = self.thermal_ratios(lubricant, k, p);
         self.nodes[k] = self.node_flow(lubricant, warm, p, h);
         self.masses[k] = self.nodes[k].density * h;
         if !self.ratios.is_empty() {

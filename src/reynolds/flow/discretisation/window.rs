@@ -25,7 +25,7 @@ impl Discretisation {
         self.pseudo_transient = whole.pseudo_transient;
         (self.fluidity, self.rate) = (whole.fluidity, whole.rate);
         self.thinning = whole.thinning;
-        self.warmth.clear();
+        self.film_temperatures.clear();
         let thinned = if whole.ratios.is_empty() { 0 } else { self.grid.len() };
         self.ratios.resize(thinned, NodeRatios::NEWTONIAN);
         let (nx, ny, stride) = (self.grid.nx(), self.grid.ny(), whole.grid.nx());
@@ -36,8 +36,8 @@ impl Discretisation {
             let there = first + j * stride..first + j * stride + nx;
             let here = j * nx..(j + 1) * nx;
             self.alignments[here.clone()].copy_from_slice(&whole.alignments[there.clone()]);
-            if !whole.warmth.is_empty() {
-                self.warmth.extend_from_slice(&whole.warmth[there.clone()]);
+            if !whole.film_temperatures.is_empty() {
+                self.film_temperatures.extend_from_slice(&whole.film_temperatures[there.clone()]);
             }
             for (here, there) in here.zip(there).take(HELD_COLUMNS) {
                 (self.carried[here], self.content[here]) = (whole.carried[there], whole.content[there]);

@@ -1,80 +1,80 @@
-//! Viscosity and density of films that are warmer than the law, by pressure and temperature.
+//! Viscosity and density at film temperatures, relative to the laws at the bulk temperature.
 
 use super::{DensityLaw, ViscosityLaw};
 
-/// Pressure between entries \[Pa\], and how many intervals there are: the table ends at 20.48 GPa.
+/// Pressure interval \[Pa\] and number of intervals: the table ends at 20.48 GPa.
 const INTERVAL: f64 = 1e7;
 const INTERVALS: usize = 2048;
-/// Temperature between entries \[K\], and how many there are.
+/// Temperature interval \[K\] and number of temperatures.
 const STEP: f64 = 10.0;
 const LEVELS: usize = 64;
-/// The lowest entry below the temperature of the law \[K\].
+/// Lowest temperature of the table below that of the laws \[K\].
 const BELOW: f64 = 30.0;
-/// Least temperature that a law is asked for \[K\].
+/// Lowest temperature at which laws are evaluated \[K\].
 pub(crate) const LEAST_TEMPERATURE: f64 = 1.0;
-/// Entries that a value is interpolated from.
+/// Temperatures per interpolation.
 const POINTS: usize = 4;
-/// Halvings to the pressure at which a viscosity ends.
+/// Bisections to the saturation pressure of a viscosity.
 const HALVINGS: usize = 60;
 
-/// Logarithms of viscosity and of density at other temperatures over those of the laws: cubic in temperature,
-/// 10 K apart, straight in pressure, 10 MPa apart. Temperatures from 20 K below that of the laws to 590 K
-/// above it; further ones count as these. Beyond the pressure at which the viscosity ends
-/// ([`Saturating`]) all stays as it is there.
+/// Logarithmic ratios of viscosity and density to those of the laws: cubic in temperature over 10 K, linear
+/// in pressure over 10 MPa. The range is 20 K below to 590 K above the temperature of the laws; other
+/// temperatures are clamped to it. Above the pressure at which the viscosity saturates ([`Saturating`]) the
+/// ratios are constant.
 #[derive(Clone)]
-pub(super) struct WarmTable {
+pub(super) struct TemperatureTable {
     /// Temperature of the laws \[K\].
     pub(super) bulk: f64,
-    /// Thermal expansion of the volume \[1/K\] of a density that does not know temperature.
+    /// Volumetric expansivity \[1/K\], for a density without temperature dependence.
     pub(super) expansivity: f64,
-    /// Logarithms of the ratios of viscosity, temperatures of one pressure side by side.
+    /// Logarithmic viscosity ratios, with the temperatures of a pressure contiguous.
     viscosity: Vec<f64>,
-    /// Those of density.
+    /// Logarithmic density ratios.
     density: Vec<f64>,
 }
 
-impl std::fmt::Debug for WarmTable {
+impl std::fmt::Debug for TemperatureTable {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("WarmTable").field("bulk", &self.bulk).finish_non_exhaustive()
+        f.debug_struct("TemperatureTable").field("bulk", &self.bulk).finish_non_exhaustive()
     }
 }
 
-/// A temperature in the table: the first of its entries and the weights of all.
+/// Interpolation in temperature: the first entry and the weights.
 #[derive(Debug, Clone, Copy)]
 struct Level {
-    /// The lowest of the entries.
+    /// Index of the first entry.
     first: usize,
-    /// Lagrange's weights of the entries, which add up to one.
+    /// Lagrange weights of the entries; their sum is one.
     weights: [f64; POINTS],
 }
 
-/// The temperatures of the film at a node, for its viscosity and for its density.
+/// Film temperatures at a node, for viscosity and density.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct NodeWarmth {
-    /// That of its viscosity in the flow by pressure.
+pub(crate) struct NodeTemperature {
+    /// Temperature of the effective viscosity of pressure flow.
     viscosity: Level,
-    /// That of its density, the mean across the film.
+    /// Temperature of the density, the mean across the film.
     density: Level,
 }
 
-/// Viscosity and density of a warm film over those of the laws, and the slopes of their logarithms by
-/// pressure \[1/Pa\].
+/// Viscosity and density of a film relative to those of the laws, with the pressure derivatives of their
+/// logarithms \[1/Pa\].
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct WarmPoint {
+pub(crate) struct ThermalRatios {
     /// `eta(p, T) / eta(p, T_bulk)`.
     pub(crate) viscosity: f64,
-    /// `d ln/dp` of that \[1/Pa\].
+    /// Its logarithmic slope \[1/Pa\].
     pub(crate) viscosity_slope: f64,
     /// `rho(p, T) / rho(p, T_bulk)`.
     pub(crate) density: f64,
-    /// `d ln/dp` of that \[1/Pa\].
+    /// Its logarithmic slope \[1/Pa\].
     pub(crate) density_slope: f64,
 }
 
-impl WarmTable {
-    /// The table of laws that hold at the temperature `bulk` \[K\]. A viscosity that does not know temperature
-    /// has ratios of one, a density that does not those of its `expansivity` \[1/K\]. Asks each law once an
-    /// entry, some 130 000 times.
+impl TemperatureTable {
+    /// The table of laws at the temperature `bulk` \[K\]. A viscosity without temperature dependence has
+    /// ratios of one; a density without it follows `expansivity` \[1/K\]. Each law is evaluated once per
+    /// entry, about 130 000 times.
     pub(super) fn new(
         viscosity: &dyn ViscosityLaw,
         density: &dyn DensityLaw,
@@ -108,25 +108,25 @@ impl WarmTable {
         table
     }
 
-    /// A film of the temperature `flow` \[K\] for its viscosity and `mean` \[K\] for its density, any finite
-    /// numbers: those beyond the table count as its first and last inner ones.
-    pub(super) fn node(&self, flow: f64, mean: f64) -> NodeWarmth {
+    /// Interpolation data of a film with the temperatures `flow` \[K\] for viscosity and `mean` \[K\] for
+    /// density; any finite values, clamped to the range of the table.
+    pub(super) fn node(&self, flow: f64, mean: f64) -> NodeTemperature {
         let level = |temperature: f64| {
             let position = (temperature - self.bulk + BELOW) / STEP;
             let position = position.clamp(1.0, (LEVELS - 3) as f64);
             let first = (position as usize).min(LEVELS - 4 + 1) - 1;
             let t = position - first as f64;
-            // Lagrange's polynomials through 0, 1, 2 and 3.
+            // Lagrange polynomials through 0, 1, 2 and 3.
             let [a, b, c, d] = [t, t - 1.0, t - 2.0, t - 3.0];
             Level { first, weights: [-b * c * d / 6.0, a * c * d / 2.0, -a * b * d / 2.0, a * b * c / 6.0] }
         };
-        NodeWarmth { viscosity: level(flow), density: level(mean) }
+        NodeTemperature { viscosity: level(flow), density: level(mean) }
     }
 
-    /// Ratios of a film at `pressure` \[Pa\], any number: below zero as at zero, beyond the last entry as there.
-    /// They are continuous, their slopes jump from interval to interval.
+    /// Ratios of a film at `pressure` \[Pa\], clamped to the range of the table. They are continuous; their
+    /// slopes jump between intervals.
     #[inline]
-    pub(super) fn at(&self, node: &NodeWarmth, pressure: f64) -> WarmPoint {
+    pub(super) fn at(&self, node: &NodeTemperature, pressure: f64) -> ThermalRatios {
         let position = (pressure.max(0.0) / INTERVAL).min(INTERVALS as f64);
         let i = (position as usize).min(INTERVALS - 1);
         let t = position - i as f64;
@@ -141,23 +141,23 @@ impl WarmTable {
         };
         let (viscosity, viscosity_slope) = value(&self.viscosity, &node.viscosity);
         let (density, density_slope) = value(&self.density, &node.density);
-        WarmPoint { viscosity, viscosity_slope, density, density_slope }
+        ThermalRatios { viscosity, viscosity_slope, density, density_slope }
     }
 }
 
-/// A viscosity at any temperature up to the pressure at which that of the law ends, where it reaches its
-/// largest value: beyond, warm films keep the viscosity that they have there. A ratio of viscosities would
-/// otherwise jump by orders of magnitude where first one and then the other reaches its largest value.
+/// A viscosity law at any temperature with a common saturation pressure: above the pressure at which the law
+/// reaches its largest value, the viscosity at other temperatures is constant too. Otherwise the ratio of
+/// viscosities would jump by orders of magnitude where one of them saturates before the other.
 #[derive(Debug)]
 pub(crate) struct Saturating<'a> {
-    /// The law at the temperature of the bulk.
+    /// The law at the bulk temperature.
     law: &'a dyn ViscosityLaw,
-    /// That pressure \[Pa\].
+    /// Saturation pressure \[Pa\].
     end: f64,
 }
 
 impl<'a> Saturating<'a> {
-    /// A `law` as it holds at its temperature.
+    /// Computes the saturation pressure of `law` by bisection.
     pub(crate) fn new(law: &'a dyn ViscosityLaw) -> Self {
         let last = INTERVAL * INTERVALS as f64;
         let most = law.viscosity(last);
@@ -190,10 +190,10 @@ mod tests {
     use crate::lubricant::{DowsonHigginson, Roelands, ThermalRoelands};
 
     #[test]
-    fn ratios_are_those_of_the_laws_with_their_slopes() {
+    fn ratios_match_the_laws_and_their_slopes() {
         let law = ThermalRoelands::new(Roelands::new(0.04, 0.68, 1.96e8).unwrap(), 313.15, 1.1).unwrap();
         let density = DowsonHigginson::new(0.6e-9, 1.7e-9).unwrap();
-        let table = WarmTable::new(&law, &density, 313.15, 6.5e-4);
+        let table = TemperatureTable::new(&law, &density, 313.15, 6.5e-4);
         for temperature in [300.0, 313.15, 317.0, 361.3, 480.0] {
             let node = table.node(temperature, temperature);
             for pressure in [0.0, 3e6, 2.1e8, 1.234e9] {
@@ -210,7 +210,7 @@ mod tests {
         let (cool, far) = (table.node(313.15, 313.15), table.node(1e9, -1e9));
         assert!((table.at(&cool, 5e8).viscosity - 1.0).abs() < 1e-14);
         assert!(table.at(&far, 1e300).viscosity > 0.0 && table.at(&far, 0.0).density.is_finite());
-        // Beyond the end of the law nothing changes any more.
+        // Ratios are constant above the saturation pressure.
         let node = table.node(360.0, 360.0);
         let [near, far] = [1e10, 1.9e10].map(|pressure| table.at(&node, pressure).viscosity.to_bits());
         assert_eq!(near, far);

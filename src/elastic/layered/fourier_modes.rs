@@ -1,4 +1,4 @@
-//! What a layer adds to the stresses of a half-space under loads of one wave vector.
+//! Correction of a half-space's stresses for a bonded layer, under loads of one wave vector.
 //!
 //! With `q` the wave number, `x = q z`, `d = q h`, and loads `exp(i q l)` along the direction `l` of the
 //! wave, plane strain in `l` and `z` has Airy's function `f(x)/q^2`:
@@ -11,10 +11,10 @@
 //!
 //! `g = A x sinh x + B (sinh x - x cosh x)`, `k = [g(d) + (g(d) + g'(d)) (x - d)] exp(d - x)`:
 //!
-//! `g` leaves the loads as they are, `k` continues tractions at the bond. Continuity of `u_l` and `u_z` gives
-//! `A` and `B`. Hyperbolic functions are taken times `exp(-d)`, so that all exponents are negative: nothing
-//! overflows for thick layers, and for thin ones the two equations part. Shear across `l` has
-//! `tz = v'(x)`, `lt = i v`, `v'' = v` in the same way.
+//! The function `g` leaves the loads at the surface unchanged; `k` continues the tractions across the bond.
+//! Continuity of `u_l` and `u_z` determines `A` and `B`. Hyperbolic functions are scaled by `exp(-d)`, so
+//! that all exponents are negative: thick layers do not overflow, and for thin ones the two equations remain
+//! independent. Shear across `l` has `tz = v'(x)`, `lt = i v`, `v'' = v` and is treated in the same way.
 //!
 //! Source: Burmister, D. M. (1945), Journal of Applied Physics 16, 89-94 (the conditions at the bond).
 
@@ -23,19 +23,19 @@ use super::Layer;
 /// A function of `x = q z` and its three derivatives.
 type Derivatives = [f64; 4];
 
-/// `g` or `k` under unit pressure and under unit `f'(0)`, with derivatives, and `v` less that of the
-/// half-space with its derivative.
+/// Correction functions: `g` or `k` under unit pressure and under unit `f'(0)`, with derivatives, and
+/// `v - exp(-x)` with its derivative.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Added {
+pub(super) struct LayerCorrection {
     /// Under unit pressure.
     pub(super) pressure: Derivatives,
     /// Under unit `f'(0)`.
     pub(super) shear: Derivatives,
-    /// `v` and `v'`, less those of the half-space, under unit shear across the wave.
+    /// Correction of `v` and `v'` under unit shear across the wave vector.
     pub(super) across: [f64; 2],
 }
 
-/// Which of both bodies.
+/// Layer or substrate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Body {
     /// The layer.
@@ -44,22 +44,21 @@ pub(super) enum Body {
     Substrate,
 }
 
-impl Added {
-    /// What a layer adds that is so thick for the wave that `exp(-d)` is zero.
-    const NOTHING: Self = Self { pressure: [0.0; 4], shear: [0.0; 4], across: [0.0; 2] };
+impl LayerCorrection {
+    /// The correction for `exp(-d) = 0`, where the wave does not reach the bond.
+    const ZERO: Self = Self { pressure: [0.0; 4], shear: [0.0; 4], across: [0.0; 2] };
 }
 
 impl Layer {
-    /// What the layer adds at the depth `z` \[m\] of `body` to the half-space, at the wave number `q`
-    /// \[1/m\].
-    pub(super) fn added(&self, q: f64, z: f64, body: Body) -> Added {
+    /// The correction at the depth `z` \[m\] of `body` for the wave number `q` \[1/m\].
+    pub(super) fn correction(&self, q: f64, z: f64, body: Body) -> LayerCorrection {
         let d = q * self.thickness();
         if (-d).exp() == 0.0 {
-            return Added::NOTHING;
+            return LayerCorrection::ZERO;
         }
         let bases = bases(d, d);
         let amplitudes = [pressed(d), sheared(d)].map(|load| self.amplitudes(&bases, &load));
-        // Under v = exp(-x) of the half-space: the layer adds `a cosh x`.
+        // Shear across: `v = exp(-x)` of the half-space plus `a cosh x`.
         let (sinh, cosh) = scaled(d, d);
         let a = (self.moduli - 1.0) * (-d).exp() / (cosh + self.moduli * sinh);
         match body {
@@ -67,18 +66,18 @@ impl Layer {
                 let here = self::bases(q * z, d);
                 let [pressure, shear] = amplitudes.map(|by| combined(&here, by));
                 let (sinh, cosh) = scaled(q * z, d);
-                Added { pressure, shear, across: [a * cosh, a * sinh] }
+                LayerCorrection { pressure, shear, across: [a * cosh, a * sinh] }
             }
             Body::Substrate => {
                 let below = q * (z - self.thickness());
                 let [pressure, shear] = amplitudes.map(|by| continued(&combined(&bases, by), below));
                 let v = -a * sinh * (-below).exp();
-                Added { pressure, shear, across: [v, -v] }
+                LayerCorrection { pressure, shear, across: [v, -v] }
             }
         }
     }
 
-    /// `A` and `B` from the displacements at the bond, where the half-space has `load`.
+    /// `A` and `B` from the displacements at the bond, where the half-space solution is `load`.
     fn amplitudes(&self, [first, second]: &[Derivatives; 2], load: &Derivatives) -> [f64; 2] {
         let ([own, below], m) = (self.poissons, self.moduli);
         let jump = |g: &Derivatives| {
@@ -112,7 +111,7 @@ fn sheared(x: f64) -> Derivatives {
     [x, 1.0 - x, x - 2.0, 3.0 - x].map(|value| value * (-x).exp())
 }
 
-/// `exp(-d)` times the hyperbolic sine and cosine of `x`, at most `d`.
+/// `exp(-d)` times the hyperbolic sine and cosine of `x <= d`.
 fn scaled(x: f64, d: f64) -> (f64, f64) {
     let (rising, falling) = (0.5 * (x - d).exp(), 0.5 * (-x - d).exp());
     (rising - falling, rising + falling)
@@ -127,12 +126,12 @@ fn bases(x: f64, d: f64) -> [Derivatives; 2] {
     ]
 }
 
-/// `A` times the first and `B` times the second function.
+/// `A` times the first plus `B` times the second function.
 fn combined([first, second]: &[Derivatives; 2], [a, b]: [f64; 2]) -> Derivatives {
     std::array::from_fn(|k| a * first[k] + b * second[k])
 }
 
-/// `k` at `x - d = below`, where the layer ends with `g`.
+/// `k` at `x - d = below`, for `g` at the bottom of the layer.
 fn continued(g: &Derivatives, below: f64) -> Derivatives {
     let slope = g[0] + g[1];
     let at = |n: f64, sign: f64| sign * (g[0] + slope * below - n * slope) * (-below).exp();
@@ -153,26 +152,26 @@ mod tests {
         Layer::new(1.0, [m * (1.0 + v1), v1], [1.0 + v2, v2]).unwrap()
     }
 
-    fn waves() -> impl Iterator<Item = f64> {
+    fn wave_numbers() -> impl Iterator<Item = f64> {
         [0.0].into_iter().chain((-40..20).map(|k| 10.0_f64.powf(f64::from(k) / 8.0)))
     }
 
-    fn total(load: Derivatives, added: Derivatives) -> Derivatives {
-        std::array::from_fn(|k| load[k] + added[k])
+    fn total(load: Derivatives, correction: Derivatives) -> Derivatives {
+        std::array::from_fn(|k| load[k] + correction[k])
     }
 
-    /// Loads at the surface, tractions and displacements at the bond.
+    /// Loads at the surface, continuity of tractions and displacements at the bond.
     #[test]
     fn conditions_at_surface_and_bond_hold() {
         for layer in layers() {
             let ([v1, v2], m) = (layer.poissons, layer.moduli);
-            for q in waves() {
-                let surface = layer.added(q, 0.0, Body::Layer);
+            for q in wave_numbers() {
+                let surface = layer.correction(q, 0.0, Body::Layer);
                 for f in [surface.pressure, surface.shear] {
                     assert!(f[0].abs() < 1e-13 && f[1].abs() < 1e-13, "{layer:?}, {q}: {f:?}");
                 }
                 assert!(surface.across[1] == 0.0);
-                let [over, under] = [Body::Layer, Body::Substrate].map(|body| layer.added(q, 1.0, body));
+                let [over, under] = [Body::Layer, Body::Substrate].map(|body| layer.correction(q, 1.0, body));
                 let size = m.max(1.0);
                 for (load, over, under) in
                     [(pressed(q), over.pressure, under.pressure), (sheared(q), over.shear, under.shear)]
@@ -193,16 +192,15 @@ mod tests {
         }
     }
 
-    /// The surface moves as Burmister's transform says, and loads do the same work on each other's
-    /// displacements.
+    /// The surface displacement equals Burmister's transform, and the response is reciprocal.
     #[test]
     fn surface_displacements_are_known_and_reciprocal() {
         for layer in layers() {
             let v1 = layer.poissons[0];
-            for q in waves().filter(|q| *q > 0.0) {
-                let added = layer.added(q, 0.0, Body::Layer);
+            for q in wave_numbers().filter(|q| *q > 0.0) {
+                let correction = layer.correction(q, 0.0, Body::Layer);
                 let (pressure, shear) =
-                    (total(pressed(0.0), added.pressure), total(sheared(0.0), added.shear));
+                    (total(pressed(0.0), correction.pressure), total(sheared(0.0), correction.shear));
                 let (found, known) = (into(&pressure, v1), 2.0 * (1.0 - v1) * layer.transform(q));
                 assert!((found / known - 1.0).abs() < 1e-9, "{layer:?}, {q}: {found} {known}");
                 let (one, other) = (along(&pressure, v1), into(&shear, v1));
@@ -211,7 +209,7 @@ mod tests {
         }
     }
 
-    /// Of the equations of equilibrium `f'''' - 2 f'' + f = 0` is left.
+    /// With the derivatives of `f`, equilibrium reduces to `f'''' - 2 f'' + f = 0`.
     #[test]
     fn stresses_are_in_equilibrium_and_derivatives_exact() {
         for layer in layers() {
@@ -219,9 +217,9 @@ mod tests {
                 [(0.5, 0.4, Body::Layer), (3.0, 0.9, Body::Layer), (1.0, 1.7, Body::Substrate)]
             {
                 let step = 1e-4;
-                let at = |s: f64| layer.added(q, z + s / q, body);
+                let at = |s: f64| layer.correction(q, z + s / q, body);
                 let (here, before, after) = (at(0.0), at(-step), at(step));
-                for f in [|a: &Added| a.pressure, |a: &Added| a.shear] {
+                for f in [|a: &LayerCorrection| a.pressure, |a: &LayerCorrection| a.shear] {
                     let (here, before, after) = (f(&here), f(&before), f(&after));
                     let size = here.iter().fold(1e-3, |size: f64, value| size.max(value.abs()));
                     let slope = |k: usize| (after[k] - before[k]) / (2.0 * step);
@@ -241,15 +239,19 @@ mod tests {
     #[test]
     fn layers_of_the_substrate_and_far_away_add_nothing() {
         let same = layer(1.0, 0.3, 0.3);
-        for q in waves() {
+        for q in wave_numbers() {
             for (z, body) in [(0.3, Body::Layer), (1.0, Body::Layer), (1.4, Body::Substrate)] {
-                let added = same.added(q, z, body);
-                let values = added.pressure.iter().chain(&added.shear).chain(&added.across);
-                assert!(values.into_iter().all(|value| value.abs() < 1e-13), "{q}, {z}: {added:?}");
+                let correction = same.correction(q, z, body);
+                let values = correction.pressure.iter().chain(&correction.shear).chain(&correction.across);
+                assert!(values.into_iter().all(|value| value.abs() < 1e-13), "{q}, {z}: {correction:?}");
                 for far in [1e3, 1e9, 1e150] {
-                    let added = layer(3.0, 0.3, 0.2).added(far, z, body);
-                    let values = added.pressure.iter().chain(&added.shear).chain(&added.across);
-                    assert!(values.into_iter().all(|value| value.abs() < 1e-100), "{far}, {z}: {added:?}");
+                    let correction = layer(3.0, 0.3, 0.2).correction(far, z, body);
+                    let values =
+                        correction.pressure.iter().chain(&correction.shear).chain(&correction.across);
+                    assert!(
+                        values.into_iter().all(|value| value.abs() < 1e-100),
+                        "{far}, {z}: {correction:?}"
+                    );
                 }
             }
         }

@@ -1,33 +1,33 @@
-//! What a surface point feels while it rubs: the input of film growth and wear laws.
+//! The state of a surface node during a step: the input of film growth and wear laws.
 //!
-//! A point is made anew for every node and step from the solved contact. A quantity that a law of the crate
-//! or of a user needs beyond these is a field here and a line where `sim` fills the points.
+//! Points are computed for every node and step from the solved contact. A new quantity for laws is a field
+//! here and a line where `sim` fills the points.
 
 use crate::with_fields::with_fields;
 
-/// The state of one surface node during a step, all SI. Laws read from it what they need.
+/// The state of a surface node during a step in SI units, as input of laws.
 ///
 /// # Examples
 ///
 /// ```
-/// use stribeck::RubbingPoint;
-/// let fluid = RubbingPoint::new(5e8, 353.15);
+/// use stribeck::SurfaceState;
+/// let fluid = SurfaceState::new(5e8, 353.15);
 /// assert!(!fluid.in_contact && fluid.solid_pressure == 0.0);
 /// let solid = fluid.with_solid_pressure(5e8).with_shear_stress(5.75e7).with_in_contact(true);
 /// assert!((solid.shear_stress / solid.solid_pressure - 0.115).abs() < 1e-12);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct RubbingPoint {
+pub struct SurfaceState {
     /// Total pressure, fluid and solid \[Pa\].
     pub pressure: f64,
-    /// Share of the pressure that solid contact carries \[Pa\].
+    /// Pressure of solid contact \[Pa\].
     pub solid_pressure: f64,
     /// Shear stress on the surface \[Pa\].
     pub shear_stress: f64,
     /// Surface temperature, bulk plus flash \[K\].
     pub temperature: f64,
-    /// Sliding speed between the surfaces, never negative \[m/s\].
+    /// Sliding speed, non-negative \[m/s\].
     pub sliding_speed: f64,
     /// Gap between the surfaces \[m\].
     pub gap: f64,
@@ -35,7 +35,7 @@ pub struct RubbingPoint {
     pub in_contact: bool,
 }
 
-with_fields!(RubbingPoint {
+with_fields!(SurfaceState {
     with_pressure pressure: f64,
     with_solid_pressure solid_pressure: f64,
     with_shear_stress shear_stress: f64,
@@ -45,9 +45,9 @@ with_fields!(RubbingPoint {
     with_in_contact in_contact: bool,
 });
 
-impl RubbingPoint {
-    /// A node under the fluid pressure `pressure` \[Pa\] at `temperature` \[K\]: no solid contact, no film,
-    /// nothing slides.
+impl SurfaceState {
+    /// A node under the fluid pressure `pressure` \[Pa\] at `temperature` \[K\], without solid contact, film
+    /// or sliding.
     pub const fn new(pressure: f64, temperature: f64) -> Self {
         Self {
             pressure,
@@ -60,7 +60,7 @@ impl RubbingPoint {
         }
     }
 
-    /// The state of a point that lies `share` of the way from this node to `other`; the nearer one decides on
+    /// Linear interpolation from this node to `other` at the fraction `share`; the nearer one determines
     /// contact.
     pub(crate) fn towards(&self, other: &Self, share: f64) -> Self {
         let mix = |here: f64, there: f64| here + share * (there - here);
