@@ -196,7 +196,7 @@ pub(crate) fn summary(all: &[Results]) -> String {
     row(&mut text, "seeds", all, |results| results.pairs.len().to_string());
     row(&mut text, "steps", all, |results| results.case.steps.to_string());
     row(&mut text, "cells", all, |results| results.case.cells.to_string());
-    row(&mut text, "positions passed over", all, |results| {
+    row(&mut text, "positions skipped", all, |results| {
         let passed_over =
             results.pairs.iter().map(|pair| pair.with.passed_over() + pair.without.passed_over());
         passed_over.sum::<u32>().to_string()
@@ -218,7 +218,7 @@ pub(crate) fn summary(all: &[Results]) -> String {
             });
         }
     }
-    row(&mut text, "wear of the disc with film over without", all, |results| {
+    row(&mut text, "wear of the disc, with ZDDP over without", all, |results| {
         let wear: Value = |record| record.wear.disc_in_contact;
         cell(results.spread(|pair| pair.with.at(PARTS, wear) / pair.without.at(PARTS, wear)), 3)
     });

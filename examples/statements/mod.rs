@@ -135,27 +135,27 @@ const fn end(text: &'static str, holds: fn(&Pair, usize) -> bool) -> Statement {
 
 /// All of them, in the order of the paper's figures.
 pub(crate) const STATEMENTS: [Statement; 27] = [
-    always("Rq of the ball higher with film", |p, k| higher(p, k, |r| r.roughness.ball_rq)),
-    always("Rq of the disc higher with film", |p, k| higher(p, k, |r| r.roughness.disc_rq)),
-    always("lambda_OLD lower with film", |p, k| p.with.mean(k, LAMBDA_OLD) < p.without.mean(k, LAMBDA_OLD)),
-    change("lambda_OLD keeps rising, with film", |p, k| rises(&p.with, k, LAMBDA_OLD)),
-    change("lambda_OLD keeps rising, without", |p, k| rises(&p.without, k, LAMBDA_OLD)),
-    always("h_avg higher with film", |p, k| higher(p, k, |r| r.film.mean_central)),
-    always("lambda higher with film", |p, k| higher(p, k, LAMBDA)),
-    change("lambda below its first tenth, with film", |p, k| below_first(&p.with, k, LAMBDA)),
-    change("lambda below its first tenth, without", |p, k| below_first(&p.without, k, LAMBDA)),
-    change("lambda falls less with film", |p, k| kept(&p.with, k, LAMBDA) > kept(&p.without, k, LAMBDA)),
-    end("the fall of lambda slows down, with film", |p, _| slows_down(&p.with, LAMBDA)),
-    always("area ratio higher with film", |p, k| higher(p, k, AREA)),
-    always("load ratio higher with film", |p, k| higher(p, k, LOAD)),
-    change("area ratio keeps falling, with film", |p, k| falls(&p.with, k, AREA)),
-    change("area ratio keeps falling, without", |p, k| falls(&p.without, k, AREA)),
-    change("load ratio below its first tenth, with film", |p, k| below_first(&p.with, k, LOAD)),
-    change("load ratio below its first tenth, without", |p, k| below_first(&p.without, k, LOAD)),
-    end("load ratio at a limit in the end, with film", |p, k| stands(&p.with, k, LOAD)),
-    end("load ratio at a limit in the end, without", |p, k| stands(&p.without, k, LOAD)),
-    always("wear of the disc lower with film", |p, k| p.with.at(k, WEAR) < p.without.at(k, WEAR)),
-    change("wear of the disc slows down, with film", |p, k| {
+    always("Rq of the ball higher with ZDDP", |p, k| higher(p, k, |r| r.roughness.ball_rq)),
+    always("Rq of the disc higher with ZDDP", |p, k| higher(p, k, |r| r.roughness.disc_rq)),
+    always("lambda_OLD lower with ZDDP", |p, k| p.with.mean(k, LAMBDA_OLD) < p.without.mean(k, LAMBDA_OLD)),
+    change("lambda_OLD keeps rising, with ZDDP", |p, k| rises(&p.with, k, LAMBDA_OLD)),
+    change("lambda_OLD keeps rising, without ZDDP", |p, k| rises(&p.without, k, LAMBDA_OLD)),
+    always("h_avg higher with ZDDP", |p, k| higher(p, k, |r| r.film.mean_central)),
+    always("lambda higher with ZDDP", |p, k| higher(p, k, LAMBDA)),
+    change("lambda below its first tenth, with ZDDP", |p, k| below_first(&p.with, k, LAMBDA)),
+    change("lambda below its first tenth, without ZDDP", |p, k| below_first(&p.without, k, LAMBDA)),
+    change("lambda falls less with ZDDP", |p, k| kept(&p.with, k, LAMBDA) > kept(&p.without, k, LAMBDA)),
+    end("the fall of lambda slows down, with ZDDP", |p, _| slows_down(&p.with, LAMBDA)),
+    always("area ratio higher with ZDDP", |p, k| higher(p, k, AREA)),
+    always("load ratio higher with ZDDP", |p, k| higher(p, k, LOAD)),
+    change("area ratio keeps falling, with ZDDP", |p, k| falls(&p.with, k, AREA)),
+    change("area ratio keeps falling, without ZDDP", |p, k| falls(&p.without, k, AREA)),
+    change("load ratio below its first tenth, with ZDDP", |p, k| below_first(&p.with, k, LOAD)),
+    change("load ratio below its first tenth, without ZDDP", |p, k| below_first(&p.without, k, LOAD)),
+    end("load ratio at a limit in the end, with ZDDP", |p, k| stands(&p.with, k, LOAD)),
+    end("load ratio at a limit in the end, without ZDDP", |p, k| stands(&p.without, k, LOAD)),
+    always("wear of the disc lower with ZDDP", |p, k| p.with.at(k, WEAR) < p.without.at(k, WEAR)),
+    change("wear of the disc slows down, with ZDDP", |p, k| {
         wear_rate(&p.with, k) < wear_rate(&p.with, k - 1)
     }),
     Statement {
@@ -164,13 +164,13 @@ pub(crate) const STATEMENTS: [Statement; 27] = [
         curves: false,
         holds: |p, _| p.without.records.first().is_some_and(|r| r.pressure.max >= HARDNESS * (1.0 - 1e-9)),
     },
-    change("largest pressure below its first tenth, with film", |p, k| below_first(&p.with, k, PRESSURE)),
-    end("largest pressure near 2 GPa in the end, with film", |p, k| {
+    change("largest pressure below its first tenth, with ZDDP", |p, k| below_first(&p.with, k, PRESSURE)),
+    end("largest pressure near 2 GPa in the end, with ZDDP", |p, k| {
         NEAR_2_GPA.contains(&p.with.mean(k, PRESSURE))
     }),
-    end("film along y thicker with film", |p, _| profile_mean(&p.with) > profile_mean(&p.without)),
+    end("film along y thicker with ZDDP", |p, _| profile_mean(&p.with) > profile_mean(&p.without)),
     curves("peaks of the disc's bearing curve the same", same_peaks),
-    curves("valleys of the disc's bearing curve hold more with film", |p, k| {
+    curves("valleys of the disc's bearing curve hold more with ZDDP", |p, k| {
         valleys(&p.with, k) > valleys(&p.without, k)
     }),
 ];

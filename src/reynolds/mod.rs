@@ -1,8 +1,8 @@
 //! The coupled contact problem: fluid film, solid contact, plastic limit and load balance in one system.
 //!
-//! [`LubricatedContact`] states the problem, a [`ContactSolver`] solves it in a [`ContactState`], and all
-//! solvers share one discretisation, one stopping rule and one report. Non-convergence is a
-//! [`Status`](crate::Status); only a broken contract is an error.
+//! [`LubricatedContact`] defines the problem, and a [`ContactSolver`] advances a [`ContactState`] to its
+//! solution. All solvers share one discretization, one stopping rule and one report. Non-convergence is a
+//! [`Status`](crate::Status); only invalid input is an error.
 //!
 //! | solver | method | use |
 //! |---|---|---|
@@ -10,9 +10,9 @@
 //! | [`Multigrid`] | full multigrid, hybrid line relaxation | smooth full film |
 //! | [`SemiSystem`] | line relaxation of flow and elastic response in one system | mixed and full film |
 //! | [`Dry`] | active-set conjugate gradients | no lubricant |
-//! | [`Auto`] | picks and falls back | default |
+//! | [`Auto`] | selects a solver, with fallback | default |
 //!
-//! [`GivenFilm`] is the Reynolds equation alone, between rigid surfaces.
+//! [`GivenFilm`] solves the Reynolds equation alone, between rigid surfaces with a prescribed film.
 
 mod active_set;
 mod auto;
@@ -49,7 +49,7 @@ use crate::report::SolveReport;
 use crate::solver_id::SolverId;
 use crate::with_fields::with_fields;
 
-/// When a solve ends.
+/// Stopping criterion of a solve.
 ///
 /// # Examples
 ///
@@ -99,16 +99,18 @@ impl StoppingRule {
 
 /// Solves a [`LubricatedContact`].
 ///
-/// Contract: leave `problem` as it is, but for what the deformation model remembers; start from `state` (a
-/// state without any pressure asks for a cold start), leave the best state found in it, and report residuals
-/// of exactly that state. Buffers may be made at the first solve; later ones on the same grid do not
-/// allocate. What is found depends on problem, state and rule alone, so that a resumed run is the
-/// uninterrupted one. Residuals are those of [`Evaluation`]. Never report
-/// [`Status::Converged`](crate::Status::Converged) with a residual above the tolerance.
+/// Contract of an implementation:
+///
+/// - It leaves `problem` unchanged, except for internal buffers of the deformation model.
+/// - It starts from `state`; a state without pressure requests a cold start. On return `state` is the best
+///   state found, and the reported residuals are those of exactly this state, as [`Evaluation`] computes them.
+/// - [`Status::Converged`](crate::Status::Converged) requires all residuals at or below the tolerance.
+/// - The result depends on problem, state and rule alone, so that a resumed run equals an uninterrupted one.
+/// - The first solve on a grid may allocate buffers; later ones do not allocate.
 ///
 /// # Examples
 ///
-/// A solver that asks another one and calls itself so:
+/// A solver that delegates to another one under its own name:
 ///
 /// ```
 /// use stribeck::reynolds::{ContactSolver, ContactState, Dry, LubricatedContact, ReynoldsError, StoppingRule};
@@ -133,15 +135,14 @@ impl StoppingRule {
 /// assert_eq!(Mine::default().id().to_string(), "mine");
 /// ```
 pub trait ContactSolver: Debug + Send + Sync {
-    /// What reports call the solver; [`SolverId::Custom`] outside of the crate.
+    /// Identifier of the solver in reports; [`SolverId::Custom`] for a user-defined solver.
     fn id(&self) -> SolverId;
 
-    /// Refuses what [`solve`](Self::solve) would refuse before its first iteration, with the same error;
-    /// nothing is solved. The default checks problem, state and rule. A solver that is not made for every
-    /// problem says so here too.
+    /// Validates the input of [`solve`](Self::solve) and returns the same error, without solving. The default
+    /// checks problem, state and rule. A solver for a subset of problems overrides it to reject the others.
     ///
     /// # Errors
-    /// As of [`solve`](Self::solve).
+    /// The errors of [`solve`](Self::solve).
     fn check(
         &self,
         problem: &LubricatedContact<'_>,
@@ -151,10 +152,11 @@ pub trait ContactSolver: Debug + Send + Sync {
         check_call(problem, state, stop)
     }
 
-    /// Solves `problem` from `state` until `stop`.
+    /// Solves `problem` from `state` until `stop` is met.
     ///
     /// # Errors
-    /// Input that breaks the contract of [`LubricatedContact`], or a problem the solver is not made for.
+    /// Input that violates the contract of [`LubricatedContact`], or a problem outside the scope of the
+    /// solver.
     fn solve(
         &mut self,
         problem: &mut LubricatedContact<'_>,
@@ -163,7 +165,7 @@ pub trait ContactSolver: Debug + Send + Sync {
     ) -> Result<SolveReport, ReynoldsError>;
 }
 
-/// What every solver checks before it starts.
+/// Checks common to all solvers.
 fn check_call(
     problem: &LubricatedContact<'_>,
     state: &ContactState,
@@ -174,22 +176,22 @@ fn check_call(
     Ok(stop.validate()?)
 }
 
-/// Why a solve could not be attempted.
+/// Errors of a solve.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ReynoldsError {
-    /// The problem breaks its contract.
+    /// Invalid input.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// The solver is not made for this problem.
+    /// The problem is outside the scope of the solver.
     #[error("solver {solver} cannot be used: {reason}")]
     WrongSolver {
         /// The solver.
         solver: SolverId,
-        /// What the problem has that the solver cannot treat.
+        /// The unsupported property of the problem.
         reason: &'static str,
     },
-    /// The solve was ended from outside ([`GivenFilm::solve_unless`]).
+    /// The caller interrupted the solve ([`GivenFilm::solve_unless`]).
     #[error("the solve was interrupted")]
     Interrupted,
     /// The contact reaches the edge of the box.
@@ -198,9 +200,9 @@ pub enum ReynoldsError {
          (solver.edge_contact)"
     )]
     EdgeContact {
-        /// Where \[m\].
+        /// x of the first contact node at the edge \[m\].
         x: f64,
-        /// Where \[m\].
+        /// Its y \[m\].
         y: f64,
     },
 }

@@ -1,24 +1,25 @@
-//! What flows into and out of each cell, with exact derivatives.
+//! Mass balance of each cell, with exact derivatives.
 //!
-//! Flows along x are over width and entrainment speed, a film thickness \[m\]; the surfaces move along +x. On
-//! the way between two nodes with the integrals `I_2` and `I_3` of `1/h^2` and `1/h^3` a full film lets flow
+//! Flows along x are divided by width and entrainment speed, which gives a film thickness \[m\]. The surfaces
+//! move along +x. With the integrals `I_2` and `I_3` of `1/h^2` and `1/h^3` between two nodes the flow of a
+//! full film is
 //!
 //! `f = rho I_2 / I_3 + (q_0 - q_1) / (12 eta_0 u I_3)`,
 //!
-//! exactly, with the reduced pressures `q` of the nodes. Where the pressure at the place between the two
-//! pieces of the way would be below that of cavitation, the film ruptures there, and the flow is that of the
-//! piece upstream alone: the smaller of both.
+//! exactly, where `q` are the reduced pressures of the nodes. The interval has two pieces, see `film`. If the
+//! pressure at their joint would be below the cavitation pressure, the film ruptures there. The flow is then
+//! that of the upstream piece alone: the smaller of the two.
 //!
-//! The unknown of a node is `s`: of a full one pressure above cavitation over a scale of the node, of a
-//! cavitated one content less one. The scale makes the derivative of the outflow by `s` the same on both
-//! sides of zero.
+//! Each node has one unknown `s`. In a full node it is the pressure above cavitation over the scale of the
+//! node, in a cavitated one the film fraction minus one. The scale makes the derivative of the outflow by `s`
+//! continuous at zero.
 
 use super::film::FilmThickness;
 use super::{GivenFilm, SideEdges};
 use crate::lubricant::Lubricant;
 use crate::numerics::STENCIL;
 
-/// Rounding of a balance over the terms that cancel in it: that of the pressures and of their sums.
+/// Rounding error of a balance over its cancelling terms: that of the pressures and of their sums.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// Newton steps on the balance of one cell in a sweep.
@@ -35,7 +36,7 @@ pub(super) struct Fluid {
     pub(super) density: f64,
     /// Its derivative.
     density_s: f64,
-    /// Share of the gap that is filled.
+    /// Film fraction.
     pub(super) content: f64,
     /// Its derivative.
     content_s: f64,
@@ -46,43 +47,43 @@ pub(super) struct Fluid {
 pub(super) struct Flow {
     /// The flow \[m\].
     pub(super) value: f64,
-    /// By the unknown of the node upstream.
+    /// Derivative by the unknown of the upstream node.
     by_first: f64,
-    /// By that of the node downstream.
+    /// Derivative by the unknown of the downstream node.
     by_second: f64,
-    /// Whether the film ruptures between the pieces of the way.
+    /// Whether the film ruptures between the two pieces.
     pub(super) ruptured: bool,
-    /// Sum of the absolute terms of the flow by pressure, which cancel.
+    /// Sum of the absolute values of the cancelling pressure flow terms.
     terms: f64,
 }
 
 /// Flow through the edges of the box \[m\].
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Through {
-    /// What enters through all edges.
+    /// Inflow through all edges.
     pub(super) inflow: f64,
-    /// What leaves through all edges.
+    /// Outflow through all edges.
     pub(super) outflow: f64,
-    /// What the sum of all absolute imbalances may be by rounding alone \[m\].
+    /// Bound on the rounding error of the sum of all absolute imbalances \[m\].
     pub(super) rounding: f64,
 }
 
 impl Through {
-    /// `|out - in| / in`; zero where nothing flows.
+    /// `|out - in| / in`; zero without flow.
     pub(super) fn imbalance(self) -> f64 {
         let difference = (self.outflow - self.inflow).abs();
         if difference > 0.0 { difference / self.inflow } else { 0.0 }
     }
 }
 
-/// The way along x between two nodes, as the flow knows it.
+/// Flow coefficients of the interval between two nodes along x.
 #[derive(Debug, Clone, Copy, Default)]
 struct Face {
-    /// `I_2 / I_3` of the whole way \[m\].
+    /// `I_2 / I_3` of the interval \[m\].
     film: f64,
     /// The same of its first piece \[m\].
     first_film: f64,
-    /// `1 / (12 eta_0 u I_3)` of the whole way \[m/Pa\].
+    /// `1 / (12 eta_0 u I_3)` of the interval \[m/Pa\].
     conductance: f64,
     /// The same of its first piece \[m/Pa\].
     first_conductance: f64,
@@ -91,7 +92,7 @@ struct Face {
 /// The balance of the cells of a film.
 #[derive(Debug)]
 pub(super) struct Balance<'a> {
-    /// The film, which fixes the grid.
+    /// The film and its grid.
     pub(super) film: &'a FilmThickness,
     /// Viscosity and density.
     pub(super) lubricant: &'a Lubricant,
@@ -101,13 +102,14 @@ pub(super) struct Balance<'a> {
     pub(super) ambient: f64,
     /// `12 eta_0 u` \[Pa m\].
     pub(super) drag: f64,
-    /// Ways along x, `nx + 1` a row: those from edge to edge of the box.
+    /// Intervals along x from edge to edge of the box, `nx + 1` per row.
     faces: Vec<Face>,
     /// Conductances along y, times `dx / dy`, `ny + 1` rows \[m/Pa\].
     across: Vec<f64>,
     /// Pressure per unknown of full nodes \[Pa\].
     scale: Vec<f64>,
-    /// How the outflow of a full node grows with its pressure, over how it would if the film ruptured behind it.
+    /// Growth of the outflow of a full node with its pressure, over the growth with a film that ruptures
+    /// downstream of it.
     landing: Vec<f64>,
     /// The fluid at the edges across x.
     edge: Fluid,
@@ -119,7 +121,8 @@ pub(super) struct Balance<'a> {
     fluids: Vec<Fluid>,
 }
 
-/// Reduced pressure \[Pa\], its slope, density ratio and its slope at any pressure: below zero as at zero.
+/// Reduced pressure \[Pa\], its slope, density ratio and its slope. Below zero the laws have their values at
+/// zero.
 fn point(lubricant: &Lubricant, pressure: f64) -> [f64; 4] {
     if pressure < 0.0 {
         return [pressure, 1.0, 1.0, 0.0];
@@ -184,7 +187,7 @@ impl<'a> Balance<'a> {
         }
     }
 
-    /// The unknown of a node of pressure `pressure` and content `content`.
+    /// The unknown of a node at `pressure` and film fraction `content`.
     pub(super) fn unknown(&self, k: usize, pressure: f64, content: f64) -> f64 {
         let above = pressure - self.cavitation;
         if above > 0.0 { above / self.scale[k] } else { content - 1.0 }
@@ -195,28 +198,28 @@ impl<'a> Balance<'a> {
         self.cavitation + self.scale[k] * unknown.max(0.0)
     }
 
-    /// Pressure \[Pa\] of the reduced pressure `potential` close to that of a place of pressure `pressure`
-    /// and reduced pressure `known`, both above that of cavitation.
+    /// Pressure \[Pa\] at the reduced pressure `potential`, linearized about `pressure` and its reduced
+    /// pressure `known`. Both reduced pressures count from cavitation.
     pub(super) fn pressure_beside(&self, pressure: f64, known: f64, potential: f64) -> f64 {
         let [_, slope, ..] = point(self.lubricant, pressure);
         (pressure + (potential - known) / slope).max(self.cavitation)
     }
 
-    /// The unknown of a node less `change`. A node that becomes full starts with a smaller pressure if a film
-    /// that ruptures on the way to the next node lets more flow out of it than a full one.
+    /// The unknown of a node minus `change`. A node that becomes full starts with a smaller pressure if a
+    /// film that ruptures downstream of it has a larger outflow than a full one.
     pub(super) fn moved(&self, k: usize, unknown: f64, change: f64) -> f64 {
         let next = unknown - change;
         if unknown < 0.0 && next > 0.0 { self.landing[k] * next } else { next }
     }
 
-    /// Takes the unknowns of all nodes.
+    /// Updates the fluid of all nodes from their unknowns.
     pub(super) fn update(&mut self, unknowns: &[f64]) {
         for (k, &s) in unknowns.iter().enumerate() {
             self.fluids[k] = self.fluid(k, s);
         }
     }
 
-    /// The fluid at node `k` whose unknown is `s`.
+    /// The fluid at node `k` with the unknown `s`.
     fn fluid(&self, k: usize, s: f64) -> Fluid {
         if s < 0.0 {
             return Fluid {
@@ -238,7 +241,7 @@ impl<'a> Balance<'a> {
         }
     }
 
-    /// Balances each cell under what its neighbours are, one after the other along the flow, rows in the
+    /// Balances each cell with its neighbors held fixed, one after the other along the flow, rows in the
     /// order of `rows`.
     pub(super) fn sweep(&mut self, unknowns: &mut [f64], rows: impl Iterator<Item = usize>) {
         let nx = self.film.grid().nx();
@@ -261,7 +264,7 @@ impl<'a> Balance<'a> {
         }
     }
 
-    /// The fluid at both ends of the way along x to node `(i, j)`.
+    /// The fluid at both ends of the interval along x that ends at node `(i, j)`.
     pub(super) fn ends_along(&self, i: usize, j: usize) -> [Fluid; 2] {
         let nx = self.film.grid().nx();
         let at = |i: Option<usize>| i.filter(|&i| i < nx).map_or(self.edge, |i| self.fluids[j * nx + i]);
@@ -315,8 +318,8 @@ impl<'a> Balance<'a> {
         }
     }
 
-    /// Net outflow of each cell \[m\], and its derivatives by the unknowns of the cell and its neighbours to
-    /// the east, west, north and south. Returns what flows through the edges of the box.
+    /// Net outflow of each cell \[m\], and its derivatives by the unknowns of the cell and its neighbors to
+    /// the east, west, north and south. Returns the flow through the edges of the box.
     pub(super) fn linearise(&self, outflow: &mut [f64], stencil: &mut [f64]) -> Through {
         let (nx, ny) = (self.film.grid().nx(), self.film.grid().ny());
         outflow.fill(0.0);

@@ -1,23 +1,22 @@
-//! The film between neighbouring nodes, as the flow through it needs it.
+//! Integrals of the film between neighboring nodes.
 //!
-//! Flow through a film that is full depends on it by the integrals `I_2` and `I_3` of `1/h^2` and `1/h^3`
-//! alone, so that steps and grooves between two nodes count wherever they are. The way between two nodes has
-//! two pieces, which meet at the jump of the film, or in the middle where there is none: the film may rupture
-//! there.
+//! The flow of a full film depends only on the integrals `I_2` and `I_3` of `1/h^2` and `1/h^3`. Steps and
+//! grooves between two nodes therefore count at any position. The interval between two nodes has two pieces.
+//! They join at the jump of the film, or in the middle if there is none. The film may rupture at the joint.
 
 use crate::error::InputError;
 use crate::grid::Grid;
 
-/// Halvings of an interval in which the film may jump.
+/// Bisections in the search for a film jump.
 const HALVINGS: usize = 40;
-/// A film that changes by less than this share of itself does not jump.
+/// Relative film change below which the film is continuous.
 const SMOOTH: f64 = 1e-9;
-/// Places on the piece of unit length at which its film is taken: Gauss's rule of two points.
+/// Sampling points on a piece of unit length: Gauss's rule of two points.
 const PLACES: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
-/// A jump is at least this share of the way from either node.
+/// Smallest distance of a jump from either node, over the interval.
 const CLOSEST: f64 = 1e-6;
 
-/// A piece of the way between two nodes: integrals of `1/h^2` \[1/m\] and `1/h^3` \[1/m^2\] over it.
+/// Integrals of `1/h^2` \[1/m\] and `1/h^3` \[1/m^2\] over a piece of the interval between two nodes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Piece {
     /// `I_2` \[1/m\].
@@ -27,33 +26,33 @@ pub(super) struct Piece {
 }
 
 impl Piece {
-    /// A piece of one film.
+    /// A piece with constant film.
     fn constant(film: f64, length: f64) -> Self {
         Self { squares: length / (film * film), cubes: length / (film * film * film) }
     }
 
-    /// Film that entrains as much as the piece does without change of pressure \[m\].
+    /// Uniform film with the same entrainment at zero pressure difference \[m\].
     pub(super) fn film(self) -> f64 {
         self.squares / self.cubes
     }
 
-    /// Both pieces one after the other.
+    /// Two pieces in series.
     pub(super) fn and(self, other: Self) -> Self {
         Self { squares: self.squares + other.squares, cubes: self.cubes + other.cubes }
     }
 }
 
-/// The way between two nodes along x, or between the edge of the box and a node, in the order of x.
+/// The interval along x between two nodes, or between the edge of the box and a node, in the order of x.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Way {
-    /// The two pieces meet after this share of the way.
+    /// Position of the joint of the two pieces, over the length of the interval.
     pub(super) share: f64,
-    /// The pieces before and after it.
+    /// The pieces before and after the joint.
     pub(super) pieces: [Piece; 2],
 }
 
 impl Way {
-    /// The same way walked against x.
+    /// The interval with x reversed.
     pub(super) fn reversed(self) -> Self {
         let [first, second] = self.pieces;
         Self { share: 1.0 - self.share, pieces: [second, first] }
@@ -62,15 +61,15 @@ impl Way {
 
 /// Thickness of the film between two rigid surfaces, on a [`Grid`].
 ///
-/// The flow from node to node is that of the film between them, and not of a mean of two nodes:
-/// [`from_nodes`](Self::from_nodes) takes the film as constant in each cell, with jumps at the faces of the
-/// cells; [`from_function`](Self::from_function) asks for the film wherever it needs it, and finds one jump
-/// between two nodes, wherever it is.
+/// The flow between two nodes uses the film between them, not a mean of two nodes.
+/// [`from_nodes`](Self::from_nodes) assumes a constant film per cell, with jumps at the cell faces.
+/// [`from_function`](Self::from_function) samples the film between the nodes and finds one jump there, at any
+/// position.
 ///
 /// ```
 /// use stribeck::Grid;
 /// use stribeck::reynolds::FilmThickness;
-/// // A step at a third of the box, which is not at the face of a cell.
+/// // A step at a third of the box, inside a cell.
 /// let grid = Grid::from_edges(10, 1, [0.0, 3e-3], [0.0, 1.0])?;
 /// let film = FilmThickness::from_function(grid, |x, _| if x < 1e-3 { 2e-6 } else { 1e-6 })?;
 /// assert_eq!(film.nodes()[0], 2e-6);
@@ -83,15 +82,15 @@ pub struct FilmThickness {
     grid: Grid,
     /// Film at the nodes \[m\].
     nodes: Vec<f64>,
-    /// `nx + 1` a row.
+    /// Intervals along x, `nx + 1` per row.
     along: Vec<Way>,
-    /// `1/h^3` integrated over the ways along y, `ny + 1` rows of `nx` \[1/m^2\].
+    /// `1/h^3` integrated over the intervals along y, `ny + 1` rows of `nx` \[1/m^2\].
     across: Vec<f64>,
 }
 
 impl FilmThickness {
-    /// A film that is constant in each cell: `film` \[m\] has one value a node. Second order where edges of a
-    /// texture lie on faces of cells, first order where they do not.
+    /// A film that is constant in each cell: `film` \[m\] has one value per node. Second order if texture
+    /// edges lie on cell faces, else first order.
     ///
     /// # Errors
     /// A field that does not fit the grid, or a value that is not finite and positive.
@@ -123,9 +122,9 @@ impl FilmThickness {
         Ok(Self { grid, nodes: film.to_vec(), along, across })
     }
 
-    /// The film `thickness(x, y)` \[m\], second order for films that jump at most once between two nodes of a
-    /// row or column, wherever the jump is. Of several jumps between two nodes one is resolved. The function
-    /// is also asked on the edges of the box.
+    /// The film `thickness(x, y)` \[m\]. Second order if the film has at most one jump between two nodes of a
+    /// row or column, at any position. Of several jumps between two nodes one is resolved. The function is
+    /// also evaluated on the edges of the box.
     ///
     /// # Errors
     /// A value that is not finite and positive.
@@ -174,17 +173,17 @@ impl FilmThickness {
         &self.nodes
     }
 
-    /// The way to node `(i, j)` from the one before it; `i = nx` leads to the edge.
+    /// The interval that ends at node `(i, j)`; `i = nx` ends at the edge of the box.
     pub(super) fn along(&self, i: usize, j: usize) -> Way {
         self.along[j * (self.grid.nx() + 1) + i]
     }
 
-    /// `1/h^3` integrated from node `(i, j - 1)` to `(i, j)`; `j = ny` leads to the edge.
+    /// `1/h^3` integrated from node `(i, j - 1)` to `(i, j)`; `j = ny` ends at the edge of the box.
     pub(super) fn across(&self, i: usize, j: usize) -> f64 {
         self.across[j * self.grid.nx() + i]
     }
 
-    /// The same film seen from the other side: x of this one is `x_first + x_last - x` of that.
+    /// The film mirrored in x: `x` becomes `x_first + x_last - x`.
     pub(super) fn mirrored(&self) -> Self {
         let nx = self.grid.nx();
         let rows = |field: &[f64]| field.chunks_exact(nx).flat_map(|row| row.iter().rev().copied()).collect();
@@ -200,7 +199,8 @@ impl FilmThickness {
         }
     }
 
-    /// The film on half as many nodes along each side that is longer than `least`; none where no side is.
+    /// The film on half the nodes along each side with more than `least` nodes; `None` if there is no such
+    /// side.
     pub(super) fn coarser(&self, least: usize) -> Option<Self> {
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
         let half = |n: usize| if n > least { n.div_ceil(2) } else { n };
@@ -235,7 +235,7 @@ fn neighbours(row: &[f64], i: usize) -> (f64, f64) {
     (row[i.max(1) - 1], row[i.min(row.len() - 1)])
 }
 
-/// The two pieces between `ends`, parted where the film jumps, or in the middle.
+/// The two pieces between `ends`, joined at the film jump or in the middle.
 fn way(film: impl Fn(f64) -> f64, ends: [f64; 2]) -> Way {
     let [start, end] = ends;
     let at = |share: f64| film(start + share * (end - start));
@@ -274,10 +274,10 @@ mod tests {
             assert!((found.share - edge).abs() < 2e-6, "{edge}: {}", found.share);
             assert!((found.pieces[0].cubes - found.share / 27.0).abs() < 1e-9);
         }
-        // Closer to a node than the least share it is taken there.
+        // A jump closer to a node than the smallest distance is moved to that distance.
         let close = way(|x| if x < 1e-8 { 3.0 } else { 1.0 }, [0.0, 1.0]);
         assert!((close.share - CLOSEST).abs() < 1e-12);
-        // A slope is no jump.
+        // A slope is not a jump.
         assert!((way(|x| 1.0 + 0.3 * x, [0.0, 1.0]).share - 0.5).abs() < 1e-12);
     }
 

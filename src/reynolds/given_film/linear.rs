@@ -1,36 +1,36 @@
 //! Linear systems on the stencil of the grid, solved to double precision.
 //!
-//! A system on one row is tridiagonal and solved as such. Others are factorised in single precision, and the
-//! residual in double precision is solved for again until it is 1e-13 of the right-hand side or no longer
-//! halves.
+//! A system on one row is tridiagonal and eliminated directly. Others are factorized in single precision and
+//! refined with residuals in double precision, until the residual is 1e-13 of the right-hand side or stops
+//! halving.
 
 use crate::grid::Grid;
 use crate::numerics::{GridLu, STENCIL, solve_tridiagonal};
 
-/// Residual over that of zero at which a solution is taken.
+/// Relative residual of an accepted solution.
 const TOLERANCE: f64 = 1e-13;
-/// Largest number of refinements.
+/// Largest number of refinement steps.
 const MAX_REFINEMENTS: usize = 40;
-/// A refinement that leaves more than this of the residual is the last.
+/// Refinement stops after a step that leaves more than this share of the residual.
 const STAGNANT: f64 = 0.5;
 
-/// Factorisation of matrices on the stencil of a grid.
+/// Solver for matrices on the five-point stencil of a grid.
 #[derive(Debug)]
 pub(super) struct LinearSolver {
     /// Nodes in a row.
     nx: usize,
-    /// Elimination by the shape of the grid.
+    /// Elimination method, by the shape of the grid.
     method: Method,
-    /// Right-hand side less what the solution so far gives.
+    /// Residual of the current solution.
     residual: Vec<f64>,
 }
 
-/// How a system is solved.
+/// Elimination methods.
 #[derive(Debug)]
 enum Method {
-    /// One row: elimination along it.
+    /// Tridiagonal elimination of a single row.
     Row { below: Vec<f64>, diagonal: Vec<f64>, above: Vec<f64> },
-    /// Nested dissection in single precision, refined.
+    /// Nested dissection in single precision, with refinement.
     Plane { lu: Box<GridLu>, stencil: Vec<f32>, rhs: Vec<f32> },
 }
 
@@ -47,8 +47,8 @@ impl LinearSolver {
         Self { nx: grid.nx(), method, residual: vec![0.0; n] }
     }
 
-    /// Solves `A x = rhs` with row `k` of `A` at `stencil[5 k..5 k + 5]`: centre, east, west, north, south.
-    /// Returns the number of substitutions, none if the matrix could not be factorised.
+    /// Solves `A x = rhs` with row `k` of `A` at `stencil[5 k..5 k + 5]`: center, east, west, north, south.
+    /// Returns the number of substitutions, or `None` if the factorization fails.
     pub(super) fn solve(&mut self, stencil: &[f64], rhs: &[f64], x: &mut [f64]) -> Option<u64> {
         let Self { nx, method, residual } = self;
         match method {

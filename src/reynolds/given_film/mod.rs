@@ -1,9 +1,14 @@
-//! Rigid surfaces with a film that is given: pressure and content by the Reynolds equation.
+//! Rigid surfaces with a prescribed film: pressure and film fraction by the Reynolds equation.
 //!
-//! Apart from the coupled contact: nothing deforms, no load is balanced, no solids touch. Textured bearings
-//! and sliders, and closed forms to test cavitation with. The films between the nodes (`film`) make the
-//! balances of the cells (`balance`), whose Newton steps (`newton`) are linear systems on the stencil
-//! (`linear`); pressures along the rows (`row`) make forces and places of reformation (`solution`).
+//! This module is independent of the coupled contact: no deformation, load balance or solid contact. It
+//! treats textured bearings and sliders, and tests cavitation against closed forms.
+//!
+//! | file | content |
+//! |---|---|
+//! | `film` | integrals of the film between the nodes |
+//! | `balance` | mass balances of the cells |
+//! | `newton`, `linear` | Newton's method; its linear systems |
+//! | `row`, `solution` | pressure profiles of the rows; forces, flows and reformation |
 
 mod balance;
 mod film;
@@ -20,14 +25,14 @@ use crate::error::InputError;
 use crate::lubricant::Lubricant;
 use crate::with_fields::with_fields;
 
-/// Sum of the absolute imbalances of all cells, unless rounding leaves more, and imbalance of the box, over
-/// the inflow, at which a solve has converged.
+/// Convergence bound, over the inflow, on the sum of the absolute imbalances of all cells (or its rounding
+/// error, if larger) and on the imbalance of the box.
 const IMBALANCE: f64 = 1e-10;
 
-/// Memory that a solve needs for a node.
+/// Memory of a solve per node.
 const BYTES: usize = 1200;
 
-/// What holds at the two edges of the box across y.
+/// Boundary condition at the two edges of the box across y.
 ///
 /// # Examples
 ///
@@ -46,37 +51,36 @@ const BYTES: usize = 1200;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum SideEdges {
-    /// Ambient pressure, and as much fluid as the film takes.
+    /// Ambient pressure, with unlimited supply of fluid.
     #[default]
     Ambient,
-    /// Nothing flows through them: planes of symmetry, or seals. A grid of one row has these.
+    /// No flow: planes of symmetry, or seals. A grid of one row has closed edges.
     Closed,
 }
 
-/// Two rigid surfaces with a film that is given.
+/// Two rigid surfaces with a prescribed film.
 ///
-/// Find pressure `p` and content `theta` with
+/// Find pressure `p` and film fraction `theta` with
 ///
 /// `d(u theta rho h)/dx = div(rho h^3 / (12 eta) grad p)`, `p >= p_cav`, `0 <= theta <= 1`,
 /// `(p - p_cav) (1 - theta) = 0`,
 ///
-/// `u` being the mean of both speeds: mass is conserved where the film ruptures and where it reforms. The
-/// film stands still, so that a surface with texture is at rest and one that moves is smooth. Pressure is
-/// ambient, and the film is full, at the two edges of the box across x, half a cell beyond the outermost
-/// nodes.
+/// where `u` is the mean of both speeds. Mass is conserved at rupture and reformation. The film is steady: a
+/// textured surface is at rest, and a moving surface is smooth. At the two edges of the box across x, half a
+/// cell beyond the outermost nodes, pressure is ambient and the film is full.
 ///
-/// Pressures are absolute or above ambient, as the caller likes; viscosity and density are those of the laws
-/// at these pressures, below zero those at zero. On a grid of one row nothing flows across it: surfaces that
-/// are wide along y, of which forces and flows are those of the length `dy`, one metre by custom.
+/// Pressures may be absolute or relative to ambient. Viscosity and density follow the laws at these
+/// pressures, and at zero for negative ones. A grid of one row represents surfaces that are wide along y,
+/// without side flow. Forces and flows are then those of the length `dy`, one meter by convention.
 ///
-/// Sources: Elrod and Adams (1974); as one complementary pair Giacopini, Fowell, Dini and Strozzi (2010), doi
+/// Sources: Elrod and Adams (1974); complementarity form by Giacopini, Fowell, Dini and Strozzi (2010), doi
 /// 10.1115/1.4000794.
 ///
 /// ```
 /// use stribeck::lubricant::{Barus, Incompressible, Lubricant};
 /// use stribeck::reynolds::{FilmThickness, GivenFilm, SideEdges};
 /// use stribeck::{Grid, Status};
-/// // A pad that converges from 2 to 1 um on 10 mm, one metre wide.
+/// // A pad that converges from 2 to 1 um on 10 mm, one meter wide.
 /// let grid = Grid::from_edges(200, 1, [0.0, 1e-2], [0.0, 1.0])?;
 /// let film = FilmThickness::from_function(grid, |x, _| 2e-6 - 1e-4 * x)?;
 /// let oil = Lubricant::new(Barus::new(0.01, 0.0)?, Incompressible);
@@ -91,7 +95,7 @@ pub enum SideEdges {
 #[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
 pub struct GivenFilm<'a> {
-    /// The film between the surfaces; it also fixes the grid.
+    /// The film between the surfaces, with its grid.
     pub film: &'a FilmThickness,
     /// The lubricant.
     pub lubricant: &'a Lubricant,
@@ -101,13 +105,13 @@ pub struct GivenFilm<'a> {
     pub ambient_pressure: f64,
     /// Pressure at which the fluid cavitates \[Pa\], at most ambient.
     pub cavitation_pressure: f64,
-    /// What holds at the edges across y.
+    /// Boundary condition at the edges across y.
     pub sides: SideEdges,
 }
 
 impl<'a> GivenFilm<'a> {
-    /// A film between surfaces of these `speeds` \[m/s\], all pressures counted from the ambient one, at
-    /// which the fluid cavitates and which holds at all edges.
+    /// A film between surfaces at `speeds` \[m/s\]. Pressures are relative to ambient, which is also the
+    /// cavitation pressure and the pressure at all edges.
     pub const fn new(film: &'a FilmThickness, lubricant: &'a Lubricant, speeds: [f64; 2]) -> Self {
         Self {
             film,
@@ -128,19 +132,19 @@ with_fields!(<'a> GivenFilm<'a> {
 });
 
 impl GivenFilm<'_> {
-    /// Solves by Newton's method with a direct factorisation, from coarser grids to that of the film.
+    /// Solves by Newton's method with a direct factorization, from coarser grids to that of the film.
     ///
     /// # Errors
-    /// Speeds or pressures that are not finite, a cavitation pressure above ambient, more nodes than there is
-    /// memory for.
+    /// Speeds or pressures that are not finite, a cavitation pressure above ambient, a grid that exceeds the
+    /// memory.
     pub fn solve(&self) -> Result<GivenFilmSolution, ReynoldsError> {
         self.solve_unless(|| false)
     }
 
-    /// The same, given up at the next Newton step once `interrupted` returns true.
+    /// Like [`solve`](Self::solve), but stops at the next Newton step after `interrupted` returns true.
     ///
     /// # Errors
-    /// As [`solve`](Self::solve), and [`ReynoldsError::Interrupted`].
+    /// The errors of [`solve`](Self::solve), and [`ReynoldsError::Interrupted`].
     pub fn solve_unless(&self, interrupted: impl Fn() -> bool) -> Result<GivenFilmSolution, ReynoldsError> {
         self.validate()?;
         self.film.grid().require_memory(BYTES)?;
@@ -152,7 +156,7 @@ impl GivenFilm<'_> {
         0.5 * self.speeds[0] + 0.5 * self.speeds[1]
     }
 
-    /// Checks speeds, pressures and fields; the error names the first that does not fit.
+    /// Checks speeds and pressures; the error names the first invalid field.
     fn validate(&self) -> Result<(), InputError> {
         for (field, value) in [
             ("speeds.0", self.speeds[0]),

@@ -1,9 +1,9 @@
-//! Newton's method on pressure and content, from coarse grids to the given one.
+//! Newton's method on pressure and film fraction, from coarse grids to the given one.
 //!
-//! Sides are halved down to some 12 nodes; the pressures and contents of each grid are where the next finer
-//! one starts. A step solves for the unknowns of all cells, is shorter after one that raised the sum of
-//! imbalances, and is followed by sweeps along the flow. It ends at a sum of all imbalances of 1e-10 of the
-//! inflow, or at what rounding leaves.
+//! The sides are halved down to about 12 nodes, and each grid starts from the solution of the next coarser
+//! one. One step solves the linear system for all cells, updates the unknowns, and sweeps along the flow.
+//! After an increase of the residual, the sum of all absolute imbalances, the next step is shortened.
+//! Convergence: a residual of 1e-10 of the inflow, or of the rounding error.
 
 use super::balance::{Balance, Through};
 use super::film::FilmThickness;
@@ -12,26 +12,26 @@ use super::{GivenFilm, IMBALANCE};
 use crate::numerics::STENCIL;
 use crate::report::Status;
 
-/// Sides of this many nodes are not halved any further.
+/// Number of nodes along a side below which it is not halved.
 const COARSEST: usize = 12;
-/// Sum of all imbalances over the inflow at which a coarser grid is left.
+/// Residual over the inflow at which a coarser grid is converged.
 const COARSE_TOLERANCE: f64 = 1e-6;
 /// Largest number of steps on one grid.
 const MAX_STEPS: u64 = 100;
 
 /// Sweeps after each step.
 const SWEEPS: usize = 3;
-/// Smallest share of a step that is taken.
+/// Smallest step length.
 const SHORTEST: f64 = 0.125;
 
-/// Where Newton's method ended on one grid.
+/// Result of Newton's method on one grid.
 #[derive(Debug)]
 pub(super) struct Solved<'a> {
     /// The balances of the grid.
     pub(super) balance: Balance<'a>,
-    /// Pressures and contents of the cells, one number each (see `balance`).
+    /// Pressure or film fraction of each cell in one unknown (see `balance`).
     pub(super) unknowns: Vec<f64>,
-    /// How it ended.
+    /// Status at the end.
     pub(super) status: Status,
     /// Sum of the absolute imbalances of all cells over the inflow.
     pub(super) residual: f64,
@@ -45,19 +45,19 @@ pub(super) struct Solved<'a> {
     pub(super) coarse_steps: u64,
 }
 
-/// What the next finer grid starts from.
+/// Solution of a coarser grid, the start of the next finer one.
 struct Start {
     /// Film on the coarser grid.
     film: FilmThickness,
     /// Pressures there \[Pa\].
     pressure: Vec<f64>,
-    /// Contents there.
+    /// Film fractions there.
     content: Vec<f64>,
-    /// Newton steps on it and all coarser ones.
+    /// Newton steps on this and all coarser grids.
     steps: u64,
 }
 
-/// Solves `problem`, whose film is `film`, entrained with `speed` along +x; none once `interrupted`.
+/// Solves `problem` with the film `film`, entrained at `speed` along +x; `None` if `interrupted`.
 pub(super) fn solve<'a>(
     problem: &GivenFilm<'a>,
     film: &'a FilmThickness,
@@ -80,11 +80,11 @@ pub(super) fn solve<'a>(
     on_grid(problem, film, speed, (start.as_ref(), IMBALANCE), interrupted)
 }
 
-/// Newton's method on one grid, to a tolerance; none once `interrupted`.
+/// Newton's method on one grid, to a tolerance; `None` if `interrupted`.
 ///
-/// Each step is followed by sweeps over the cells along the flow: they carry contents through the cavitated
-/// cells as far as the changed ones let them, which the linear system does not know. Without them fronts move
-/// by a few cells a step.
+/// After each step, sweeps over the cells along the flow propagate the film fractions through the cavitated
+/// cells. The linear system cannot do this, because it keeps the set of cavitated cells fixed. Without
+/// sweeps, fronts move by only a few cells per step.
 fn on_grid<'a>(
     problem: &GivenFilm<'a>,
     film: &'a FilmThickness,
@@ -105,13 +105,16 @@ fn on_grid<'a>(
         if interrupted() {
             return None;
         }
+        // Evaluate the balances and their derivatives at the current state.
         balance.update(&unknowns);
         let through = balance.linearise(&mut outflow, &mut stencil);
         let residual = outflow.iter().map(|f| f.abs()).sum::<f64>();
+        // Keep the best state.
         if residual < best.0 {
             best.0 = residual;
             best.1.copy_from_slice(&unknowns);
         }
+        // Check convergence of the cells and of the box.
         let bound = through.rounding.max(tolerance * through.inflow);
         if residual <= bound && through.imbalance() <= tolerance {
             break Status::Converged;
@@ -119,14 +122,16 @@ fn on_grid<'a>(
         if steps == MAX_STEPS {
             break Status::MaxIterations;
         }
+        // Solve the linear system.
         let solved = residual.is_finite().then(|| linear.solve(&stencil, &outflow, &mut change));
         let Some(count) = solved.flatten() else { break Status::Diverged };
-        // Steps that go to and fro between two sets of cavitated cells are shortened.
+        // Shorten steps that oscillate between two sets of cavitated cells.
         share = if residual < last { 1.0_f64.min(2.0 * share) } else { SHORTEST.max(0.5 * share) };
         last = residual;
         for (k, (s, change)) in unknowns.iter_mut().zip(&change).enumerate() {
             *s = balance.moved(k, *s, share * change);
         }
+        // Propagate film fractions along the flow.
         balance.update(&unknowns);
         for sweep in 0..SWEEPS {
             if sweep % 2 == 0 {
@@ -149,11 +154,11 @@ fn on_grid<'a>(
     Some(Solved { balance, unknowns, status, residual, through, steps, substitutions, coarse_steps })
 }
 
-/// Pressure and content of the coarser grid between its nodes; ambient pressure where there is none.
+/// Unknowns interpolated from the coarser grid; ambient pressure on the coarsest.
 fn first_unknowns(balance: &Balance<'_>, start: Option<&Start>) -> Vec<f64> {
     let grid = balance.film.grid();
     let at = |start: &Start, field: &[f64], [x, y]: [f64; 2]| {
-        // The field is one of its grid.
+        // The field matches its grid.
         start.film.grid().interpolate(field, x, y).unwrap_or_default()
     };
     grid.nodes()

@@ -1,8 +1,8 @@
-//! What the fluid does along one row of cells: pressure from edge to edge, friction, reformation.
+//! Results along one row of cells: pressure profile, friction, reformation.
 //!
-//! Between two nodes the pressure is straight on each piece of the way, with a corner where the pieces meet.
-//! Loads are integrals of these lines, friction is `eta (u_2 - u_1)/h` and the share `h/2 dp/dx` on each
-//! side, and the film reforms where the fluid that is carried along fills the gap.
+//! Between two nodes the pressure is linear on each piece, with a kink at the joint. The load is the integral
+//! of this profile. The friction on each surface is `eta (u_2 - u_1)/h` plus its share `h/2 dp/dx` of the
+//! pressure force. The film reforms where the entrained fluid fills the gap.
 
 use super::GivenFilm;
 use super::film::FilmThickness;
@@ -15,7 +15,7 @@ pub(super) fn edges(grid: Grid) -> [f64; 2] {
     [west, west + grid.size_x()]
 }
 
-/// Lengths of the two pieces of the way to node `(i, j)` \[m\].
+/// Lengths of the two pieces of the interval that ends at node `(i, j)` \[m\].
 pub(super) fn lengths(film: &FilmThickness, i: usize, j: usize) -> [f64; 2] {
     let grid = film.grid();
     let whole = if i == 0 || i == grid.nx() { 0.5 * grid.dx() } else { grid.dx() };
@@ -23,11 +23,11 @@ pub(super) fn lengths(film: &FilmThickness, i: usize, j: usize) -> [f64; 2] {
     [share * whole, (1.0 - share) * whole]
 }
 
-/// The stretch from one node of a row to the next.
+/// The interval from one node of a row to the next.
 struct Stretch {
-    /// The node where it ends.
+    /// The node at its end.
     node: [usize; 2],
-    /// Where it begins \[m\].
+    /// Its start \[m\].
     from: f64,
     /// Lengths of its two pieces \[m\].
     lengths: [f64; 2],
@@ -38,16 +38,16 @@ struct Stretch {
 /// A row of cells, entrained along +x.
 #[derive(Debug)]
 pub(super) struct Row {
-    /// Places \[m\] and pressures \[Pa\] from edge to edge, straight in between.
+    /// Positions \[m\] and pressures \[Pa\] from edge to edge, linear in between.
     pub(super) profile: Vec<[f64; 2]>,
     /// Shear force on the lower and upper surface over the width of the row \[N/m\].
     pub(super) friction: [f64; 2],
-    /// Where the film reforms first \[m\].
+    /// Position of the first reformation \[m\].
     pub(super) reformation: Option<f64>,
 }
 
 impl Row {
-    /// Row `j` of a solved problem, walked from edge to edge.
+    /// Row `j` of a solved problem, from edge to edge.
     pub(super) fn new(problem: &GivenFilm<'_>, solved: &Solved<'_>, j: usize) -> Self {
         let grid = problem.film.grid();
         let [west, _] = edges(grid);
@@ -80,7 +80,7 @@ impl Row {
         self.profile.windows(2).map(|ends| 0.5 * (ends[1][0] - ends[0][0]) * (ends[0][1] + ends[1][1])).sum()
     }
 
-    /// Goes one stretch further.
+    /// Adds one interval.
     fn walk(&mut self, problem: &GivenFilm<'_>, solved: &Solved<'_>, stretch: &Stretch) {
         let Stretch { node: [i, j], from: x, lengths, pressures } = *stretch;
         let balance = &solved.balance;
@@ -88,7 +88,7 @@ impl Row {
         let [first, second] = balance.ends_along(i, j);
         let flow = balance.flow_along(i, j);
         let density = 0.5 * (first.density + second.density);
-        // What a full piece adds to the reduced pressure.
+        // Rise of the reduced pressure over a full piece.
         let [rise, further] =
             pieces.map(|piece| balance.drag * (density * piece.squares - flow.value * piece.cubes));
         let cavitated = first.content < 1.0;
@@ -114,7 +114,7 @@ impl Row {
                 split + lengths[1] * (1.0 - share(second.potential, further))
             };
             self.reformation.get_or_insert(front);
-            // In the order of x.
+            // Sort the reformation point and the joint by x.
             let [one, other] = if front < split {
                 [[front, problem.cavitation_pressure], [split, middle]]
             } else {
@@ -144,7 +144,7 @@ impl Row {
     }
 }
 
-/// The share of a piece of whole rise `rise` that rises by `part`.
+/// Length share of a piece that produces `part` of its pressure rise `rise`.
 fn share(part: f64, rise: f64) -> f64 {
     if rise > part { part / rise } else { 1.0 }
 }

@@ -1,4 +1,4 @@
-//! What a solve gives: fields, forces, flows.
+//! Results of a solve: fields, forces, flows.
 
 use super::GivenFilm;
 use super::newton::{self, Solved};
@@ -8,13 +8,13 @@ use crate::report::{Residuals, SolveReport, Status, Work};
 use crate::reynolds::FlowBalance;
 use crate::solver_id::SolverId;
 
-/// Pressure, content, forces and flows of a [`GivenFilm`].
+/// Pressure, film fraction, forces and flows of a [`GivenFilm`].
 ///
-/// On a grid of one row, one metre wide by custom, forces are in N and flows in m^3/s for that metre.
+/// On a grid of one row, one meter wide by convention, forces are in N and flows in m^3/s for that meter.
 ///
 /// # Examples
 ///
-/// A step bearing, 2 um before and 1 um behind its middle, whose pressure is a triangle:
+/// A step bearing with films of 2 um and 1 um, and a triangular pressure:
 ///
 /// ```
 /// use stribeck::Grid;
@@ -36,34 +36,31 @@ use crate::solver_id::SolverId;
 pub struct GivenFilmSolution {
     /// Pressure at the nodes \[Pa\].
     pub pressure: Vec<f64>,
-    /// Content of the nodes: the share of the gap that is filled. In the cell in which the film
-    /// reforms it says where.
+    /// Film fraction of the nodes. In the cell of reformation it gives the position of the front.
     pub theta: Vec<f64>,
-    /// Integral of the pressure over the box \[N\]; pressures count as they are, ambient ones too.
+    /// Integral of the pressure over the box \[N\], ambient pressure included.
     pub load: f64,
     /// Shear force of the fluid on the lower and on the upper surface along +x \[N\].
     pub friction: [f64; 2],
-    /// What flows into the box and out of it \[m^3/s at the density of zero pressure\]; the imbalance is at
-    /// most 1e-10 where the solve converged.
+    /// Flow into and out of the box \[m^3/s at the density of zero pressure\]; the imbalance is at most 1e-10
+    /// if the solve converged.
     pub flow: FlowBalance,
     /// Newton steps on grids coarser than that of the film.
     pub coarse_steps: u64,
-    /// How the solve ended: `residual.mass` is the sum of the absolute imbalances of all cells over the
-    /// inflow, `work.iterations` counts Newton steps on the grid of the film, `work.inner_iterations`
-    /// substitutions.
+    /// Status and work. `residual.mass` is the sum of the absolute imbalances of all cells over the inflow,
+    /// `work.iterations` counts Newton steps on the grid of the film, `work.inner_iterations` substitutions.
     pub report: SolveReport,
     /// The grid of the film.
     grid: Grid,
-    /// Pressure along each row from edge to edge: places \[m\] and values \[Pa\], straight in between.
+    /// Pressure along each row from edge to edge: positions \[m\] and values \[Pa\], linear in between.
     profiles: Vec<Vec<[f64; 2]>>,
-    /// Where the film reforms first in each row \[m\].
+    /// Position of the first reformation in each row \[m\].
     reformation: Vec<Option<f64>>,
 }
 
 impl GivenFilmSolution {
-    /// Pressure \[Pa\] at `x` \[m\] in row `row`, straight between the nodes and the places where the film
-    /// jumps between them; that of the edges beyond them. None for a row that the grid does not have and an
-    /// `x` that is no number.
+    /// Pressure \[Pa\] at `x` \[m\] in row `row`, interpolated linearly between the nodes and the film jumps.
+    /// Beyond the edges it is the edge pressure. `None` for a row outside the grid or if `x` is NaN.
     pub fn pressure_at(&self, x: f64, row: usize) -> Option<f64> {
         let profile = self.profiles.get(row).filter(|_| !x.is_nan())?;
         let next = profile.partition_point(|point| point[0] < x);
@@ -73,8 +70,8 @@ impl GivenFilmSolution {
         Some(before[1] + share * (after[1] - before[1]))
     }
 
-    /// Where \[m\] the film reforms first along the flow in row `row`, within its cell; none where it is
-    /// full, where it does not reform, and for a row that the grid does not have.
+    /// Position \[m\] of the first reformation along the flow in row `row`, resolved within its cell. `None`
+    /// for a full film, without reformation, or for a row outside the grid.
     pub fn reformation(&self, row: usize) -> Option<f64> {
         self.reformation.get(row).copied().flatten()
     }
@@ -85,7 +82,7 @@ impl GivenFilmSolution {
     }
 }
 
-/// Solves a problem whose fields are valid; none once `interrupted`.
+/// Solves a problem with valid fields; `None` if `interrupted`.
 pub(super) fn solve(problem: &GivenFilm<'_>, interrupted: &dyn Fn() -> bool) -> Option<GivenFilmSolution> {
     let speed = problem.entrainment_speed();
     if speed < 0.0 {
@@ -99,7 +96,7 @@ pub(super) fn solve(problem: &GivenFilm<'_>, interrupted: &dyn Fn() -> bool) -> 
     }
 }
 
-/// Solves with entrainment along +x, or none.
+/// Solves with entrainment along +x or without entrainment.
 fn forward(problem: &GivenFilm<'_>, speed: f64, interrupted: &dyn Fn() -> bool) -> Option<GivenFilmSolution> {
     if speed > 0.0 {
         newton::solve(problem, problem.film, speed, interrupted).map(|solved| moving(problem, speed, solved))
@@ -108,7 +105,7 @@ fn forward(problem: &GivenFilm<'_>, speed: f64, interrupted: &dyn Fn() -> bool) 
     }
 }
 
-/// Without entrainment pressure is ambient everywhere, and nothing flows.
+/// Without entrainment the pressure is ambient everywhere, and there is no flow.
 fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
     let grid = problem.film.grid();
     let pressure = problem.ambient_pressure;
@@ -135,7 +132,7 @@ fn resting(problem: &GivenFilm<'_>) -> GivenFilmSolution {
     }
 }
 
-/// The solution entrained with `speed` along +x, above zero.
+/// The solution with entrainment at a positive `speed` along +x.
 fn moving(problem: &GivenFilm<'_>, speed: f64, solved: Solved<'_>) -> GivenFilmSolution {
     let grid = problem.film.grid();
     let rows: Vec<Row> = (0..grid.ny()).map(|j| Row::new(problem, &solved, j)).collect();
@@ -167,7 +164,7 @@ fn report(status: Status, mass: f64, iterations: u64, inner_iterations: u64) -> 
 }
 
 impl GivenFilmSolution {
-    /// The same with x turned round.
+    /// Mirrors the solution in x.
     fn mirror(&mut self) {
         let nx = self.grid.nx();
         for field in [&mut self.pressure, &mut self.theta] {
