@@ -6,6 +6,8 @@
 #![forbid(unsafe_code)]
 
 mod commands;
+mod files;
+mod interrupt;
 mod output;
 mod picture;
 mod surface_numbers;

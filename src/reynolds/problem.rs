@@ -355,7 +355,8 @@ pub(super) fn interior(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
 /// solves linear systems in single precision.
 pub(crate) const LEAST_SPEED: f64 = 1e-15;
 /// What [`require_speed`] asks for.
-pub(crate) const SPEED_REQUIREMENT: &str = "finite and >= 1e-15";
+pub(crate) const SPEED_REQUIREMENT: &str =
+    "finite and >= 1e-15: the oil flows along +x; mirror the scene in x for the other direction";
 
 /// Refuses an entrainment speed \[m/s\] that drags no film along.
 pub(crate) fn require_speed(field: &str, speed: f64) -> Result<(), InputError> {

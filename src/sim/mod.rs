@@ -45,6 +45,7 @@ mod history_means;
 mod identity;
 mod interrupt;
 mod laws;
+mod memory;
 mod mixing;
 #[cfg(feature = "npz")]
 mod npz;

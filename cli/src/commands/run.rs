@@ -5,36 +5,34 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::process;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use stribeck::reynolds::ContactState;
-use stribeck::sim::{HistoryMeans, MixedLubricationSim, Observer, RunFolder, Schedule, SimError, StepRecord};
+use stribeck::sim::{
+    HistoryMeans, MixedLubricationSim, Observer, RunFolder, Schedule, SimError, StepControl, StepRecord,
+};
 use stribeck::units::Dimension;
 
 use super::contact_pictures::{Seen, maps};
-use crate::output::{self, Outcome};
+use crate::output::{self, Held, Outcome};
 use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, VERMILION, XScale};
-
-/// Set by the first interruption from the keyboard.
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
-/// Exit status of a program that an interruption ends.
-const KILLED: i32 = 130;
+use crate::{files, interrupt};
 
 /// Steps of a history whose time alone is known.
 const STEPS: u64 = 100;
+/// Relative difference of times that rounding explains.
+const ROUNDING: f64 = 1e-9;
 
 /// Numbers are means over the last tenth of the steps.
 #[derive(clap::Args)]
 pub(crate) struct Options {
     /// Scene file
     scene: PathBuf,
-    /// Number of steps [default: what the time needs, or 100]
+    /// Number of steps, not counting those that end at an entry of a schedule [default: what the time needs, or 100]
     #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::count::<u64>("--steps", text, 1..=u64::MAX))]
     steps: Option<u64>,
-    /// Length of a step at most, "10" or "10 s" [default: an equal share of the time]
+    /// Length of a step, "10" or "10 s"; the last one ends at the time [default: an equal share of the time]
     #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::positive(Dimension::Time, "--time-step", text))]
     time_step: Option<f64>,
     /// Time of the history, "7200" or "2 h" [default: the last entry of the schedules]
@@ -43,11 +41,11 @@ pub(crate) struct Options {
     /// Folder of the run: scene, history, checkpoint, fields and pictures
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
-    /// Go on from the checkpoint in the folder of the run
+    /// Go on from the checkpoint in the folder of the run, up to the same or a later time
     #[arg(long, requires = "out")]
     resume: bool,
-    /// Write over the run that is in the folder
-    #[arg(long, requires = "out", conflicts_with = "resume")]
+    /// Write over files that exist, and over the run that is in the folder
+    #[arg(long, conflicts_with = "resume")]
     force: bool,
     /// Steps between checkpoints [default: a twentieth of the steps]
     #[arg(
@@ -72,12 +70,18 @@ struct Log {
     steps: u64,
     means: HistoryMeans,
     folder: Option<RunFolder>,
-    csv: Option<BufWriter<File>>,
-    failure: Option<io::Error>,
+    csv: Option<(PathBuf, BufWriter<File>)>,
+    failure: Option<String>,
     /// For the pictures.
     records: Vec<StepRecord>,
     last: Option<ContactState>,
     plot: bool,
+}
+
+/// Time at which a history ends \[s\] and length of its steps \[s\].
+struct Plan {
+    end: f64,
+    time_step: f64,
 }
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
@@ -86,30 +90,35 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         output::keep_scene(&options.scene, path)?;
     }
     let scene = output::load(&options.scene)?;
-    let built = MixedLubricationSim::builder(scene).build();
-    let mut sim = built.map_err(|error| output::in_scene(&options.scene, &error))?;
-    output::warn(sim.warnings());
+    let (held, bar) = (Held::default(), ProgressBar::new(0));
+    let (due, above) = (held.clone(), bar.clone());
+    let builder = MixedLubricationSim::builder(scene).interrupt(move || {
+        due.print(&above);
+        false
+    });
+    let mut sim = builder.build().map_err(|error| output::in_scene(&options.scene, &error))?;
+    held.hold_warnings(sim.warnings());
+    output::announce_memory(sim.scene(), &held)?;
     let known = sim.warnings().len();
-    let (steps, time_step) = plan(options, &sim)?;
-    let mut log = Log::new(options, &mut sim, steps)?;
-    let before = log.records.last().map_or(time_step, |record| record.time_step);
-    if (before / time_step - 1.0).abs() > 1e-9 {
-        let text = format!("the run has taken steps of {before} s, it goes on with steps of {time_step} s");
+    let plan = plan(options, &sim)?;
+    claim(options, &sim)?;
+    let mut log = Log::new(options, &mut sim, &plan, bar)?;
+    let longest = log.records.iter().map(|record| record.time_step).reduce(f64::max);
+    if let Some(before) = longest.filter(|before| (before / plan.time_step - 1.0).abs() > ROUNDING) {
+        let text = format!("the run has taken steps of {before} s, it goes on with steps of {} s", plan.time_step);
         output::complain("warning", &text);
     }
-    // The first one ends the run after the present step, the second at once.
-    ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
-            process::exit(KILLED);
-        }
-        output::complain("interrupted", "the run ends after this step; once more ends it at once");
-    })?;
-    let outcome = sim.run(steps.saturating_sub(sim.steps()), time_step, &mut log);
+    interrupt::listen("the run ends after this step")?;
+    let outcome = sim.run_until(plan.end, &StepControl::fixed(plan.time_step), &mut log);
+    log.bar.finish_and_clear();
+    if outcome.is_ok() {
+        held.print(&log.bar);
+    }
     let files = log.finish(options, &sim)?;
     output::warn(sim.warnings().iter().skip(known));
     let status = match outcome {
-        Ok(_) if sim.steps() < steps => {
-            output::complain("error", &interrupted(options, sim.steps(), steps));
+        Ok(_) if plan.end - sim.time() > ROUNDING * plan.time_step => {
+            output::complain("error", &interrupted(options, &sim, &plan));
             Outcome::NotConverged
         }
         Ok(_) => Outcome::Converged,
@@ -117,7 +126,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
             output::complain("error", &error.to_string());
             Outcome::NotConverged
         }
-        Err(error) => return Err(error.into()),
+        Err(error) => return Err(output::in_scene(&options.scene, &error).into()),
     };
     if status == Outcome::Converged {
         let mut numbers = serde_json::to_value(log.means.numbers(&sim))?;
@@ -128,46 +137,68 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     Ok(status)
 }
 
-/// Number and length of the steps.
-fn plan(options: &Options, sim: &MixedLubricationSim) -> Result<(u64, f64), String> {
+/// End and length of the steps.
+fn plan(options: &Options, sim: &MixedLubricationSim) -> Result<Plan, String> {
     let time = options.duration.or_else(|| last_entry(sim));
-    match (options.steps, options.time_step, time) {
+    let (end, time_step) = match (options.steps, options.time_step, time) {
         (Some(_), Some(_), _) if options.duration.is_some() => {
-            Err("--duration, --steps and --time-step say it twice; give two of them".to_owned())
+            return Err("--duration, --steps and --time-step say it twice; give two of them".to_owned());
         }
-        (Some(steps), Some(time_step), _) => Ok((steps, time_step)),
-        (Some(steps), None, Some(time)) => Ok((steps, time / steps as f64)),
-        (None, Some(time_step), Some(time)) => {
-            // What rounding leaves of the last step is none. Where whole steps do not fill the time all are
-            // shorter.
-            let steps = (time / time_step - 1e-9).ceil().max(1.0);
-            Ok((steps as u64, time_step.min(time / steps)))
-        }
-        (None, None, Some(time)) => Ok((STEPS, time / STEPS as f64)),
+        (Some(steps), Some(time_step), _) => (steps as f64 * time_step, time_step),
+        (Some(steps), None, Some(time)) => (time, time / steps as f64),
+        (None, Some(time_step), Some(time)) => (time, time_step.min(time)),
+        (None, None, Some(time)) => (time, time / STEPS as f64),
         (.., None) => {
-            Err("how long? No schedule of the scene ends; give --steps and --time-step, or --duration"
-                .to_owned())
+            return Err(
+                "how long? No schedule of the scene ends; give --steps and --time-step, or --duration".to_owned()
+            );
         }
-    }
+    };
+    output::require(end > 0.0, "duration", end, "finite and > 0").map_err(|error| error.to_string())?;
+    Ok(Plan { end, time_step })
 }
 
-/// What is left of a run that was interrupted, and how it goes on.
-fn interrupted(options: &Options, done: u64, steps: u64) -> String {
+/// The remaining part of a run that was interrupted, and how it goes on.
+fn interrupted(options: &Options, sim: &MixedLubricationSim, plan: &Plan) -> String {
     let rest = match &options.out {
         Some(folder) => {
             format!("the same command with --resume goes on from the checkpoint in {}", folder.display())
         }
         None => "with --out FOLDER it would have left a checkpoint".to_owned(),
     };
-    format!("interrupted after {done} of {steps} steps; {rest}")
+    format!("interrupted after {} steps, at {} s of {} s; {rest}", sim.steps(), sim.time(), plan.end)
 }
 
-/// Refuses a folder in which there is a run.
-fn refuse_a_run(folder: &Path) -> Result<(), String> {
-    if !["history.csv", "checkpoint"].iter().any(|file| folder.join(file).exists()) {
-        return Ok(());
+/// Checks before the first step that all files can be written. A run that goes on replaces its own.
+fn claim(options: &Options, sim: &MixedLubricationSim) -> Result<(), String> {
+    let run = |folder: &PathBuf| RunFolder::FILES.map(|file| folder.join(file));
+    let of_run = || options.out.iter().flat_map(run);
+    if let Some(folder) = options.out.as_ref().filter(|_| !options.resume && !options.force) {
+        if ["history.csv", "checkpoint"].iter().any(|file| folder.join(file).exists()) {
+            let name = folder.display();
+            return Err(format!("{name}: there is a run; --resume goes on with it, --force writes over it"));
+        }
     }
-    Err(format!("{}: there is a run; --resume goes on with it, --force writes over it", folder.display()))
+    if let Some(folder) = &options.out {
+        output::keep_scene(&options.scene, &folder.join("scene.toml"))?;
+        files::make_folder(folder)?;
+    }
+    let mut targets: Vec<PathBuf> = of_run().collect();
+    if options.plot {
+        let (out, name) = (picture_folder(options), output::stem(&options.scene));
+        targets.extend(picture::files(out, &format!("{name}_history")));
+        if sim.grid().ny() > 1 {
+            targets.extend(picture::files(out, &format!("{name}_maps")));
+        }
+    }
+    targets.extend(options.csv.clone());
+    let elsewhere = if options.out.is_some() { output::OTHER_FOLDER } else { output::OTHER_NAME };
+    files::claim(&targets, options.force || options.resume, elsewhere)
+}
+
+/// Where pictures go.
+fn picture_folder(options: &Options) -> &Path {
+    options.out.as_deref().unwrap_or(Path::new("."))
 }
 
 /// The last time that a schedule of the scene names \[s\].
@@ -188,40 +219,43 @@ fn last_entry(sim: &MixedLubricationSim) -> Option<f64> {
 }
 
 impl Log {
-    fn new(options: &Options, sim: &mut MixedLubricationSim, steps: u64) -> Result<Self, Box<dyn Error>> {
-        let every = options.checkpoint_every.unwrap_or_else(|| steps.div_ceil(20));
+    fn new(
+        options: &Options,
+        sim: &mut MixedLubricationSim,
+        plan: &Plan,
+        bar: ProgressBar,
+    ) -> Result<Self, Box<dyn Error>> {
+        let all = sim.steps_until(plan.end, plan.time_step);
+        let every = options.checkpoint_every.unwrap_or_else(|| all.div_ceil(20));
         let (folder, records) = match &options.out {
             Some(path) if options.resume => {
                 let (folder, records) = RunFolder::resume(path, sim, every)?;
-                if sim.steps() > steps {
-                    let (folder, taken) = (path.display(), sim.steps());
+                if sim.time() > plan.end + ROUNDING * plan.time_step {
+                    let (folder, time, end) = (path.display(), sim.time(), plan.end);
                     return Err(format!(
-                        "{folder}: the run has taken {taken} steps, more than the {steps} asked for"
+                        "{folder}: the run has reached {time} s, more than the {end} s asked for; give a later end, or begin again \
+                         with --force in place of --resume"
                     )
                     .into());
                 }
                 (Some(folder), records)
             }
-            Some(path) => {
-                if !options.force {
-                    refuse_a_run(path)?;
-                }
-                output::keep_scene(&options.scene, &path.join("scene.toml"))?;
-                (Some(RunFolder::create(path, sim, every)?), Vec::new())
-            }
+            Some(path) => (Some(RunFolder::create(path, sim, every)?), Vec::new()),
             None => (None, Vec::new()),
         };
+        let steps = sim.steps() + sim.steps_until(plan.end, plan.time_step);
         let mut means = HistoryMeans::new(steps);
         records.iter().for_each(|record| means.see(record));
-        let csv = options.csv.as_ref().map(|path| -> Result<_, Box<dyn Error>> {
-            let file = File::create(path).map_err(|error| format!("{}: {error}", path.display()))?;
-            let mut csv = BufWriter::new(file);
-            writeln!(csv, "{}", StepRecord::csv_header())?;
-            Ok(csv)
+        let csv = options.csv.as_ref().map(|path| -> Result<_, String> {
+            let named = |error: io::Error| files::named(path, &error);
+            let mut csv = BufWriter::new(File::create(path).map_err(named)?);
+            let written = writeln!(csv, "{}", StepRecord::csv_header()).and_then(|()| csv.flush());
+            written.map_err(named).inspect_err(|_| files::remove(path))?;
+            Ok((path.clone(), csv))
         });
         let last = folder.as_ref().and_then(|folder| folder.last_contact().cloned());
-        let style = "{wide_bar} {pos} of {len} steps, {eta} left{msg}";
-        let bar = ProgressBar::new(steps).with_style(ProgressStyle::with_template(style)?);
+        bar.set_style(ProgressStyle::with_template("{wide_bar} {pos} of {len} steps, {eta} left{msg}")?);
+        bar.set_length(steps);
         bar.set_position(sim.steps());
         bar.reset_eta();
         let csv = csv.transpose()?;
@@ -234,7 +268,6 @@ impl Log {
         options: &Options,
         sim: &MixedLubricationSim,
     ) -> Result<Vec<PathBuf>, Box<dyn Error>> {
-        self.bar.finish_and_clear();
         let mut files = Vec::new();
         if let Some(folder) = self.folder.take() {
             folder.finish(sim)?;
@@ -243,10 +276,7 @@ impl Log {
         if let Some(failure) = self.failure.take() {
             return Err(failure.into());
         }
-        if let Some(csv) = &mut self.csv {
-            csv.flush()?;
-            files.extend(options.csv.clone());
-        }
+        files.extend(options.csv.clone());
         if self.plot && !self.records.is_empty() {
             files.extend(self.pictures(options, sim)?);
         }
@@ -254,8 +284,7 @@ impl Log {
     }
 
     fn pictures(&self, options: &Options, sim: &MixedLubricationSim) -> Result<Vec<PathBuf>, Box<dyn Error>> {
-        let (name, here) = (output::stem(&options.scene), PathBuf::from("."));
-        let out = options.out.as_ref().unwrap_or(&here);
+        let (name, out) = (output::stem(&options.scene), picture_folder(options));
         let chart = history(&name, &self.records);
         let mut files = picture::write(&chart, out, &format!("{name}_history"))?.to_vec();
         if let Some(state) = self.last.as_ref().filter(|_| sim.grid().ny() > 1) {
@@ -290,13 +319,15 @@ impl Observer for Log {
             self.records.push(record.clone());
             self.last.get_or_insert_with(|| sim.state().clone()).clone_from(sim.state());
         }
-        if let Some(Err(error)) = self.csv.as_mut().map(|csv| record.write_csv(csv)) {
-            self.failure = Some(error);
-            return ControlFlow::Break(());
+        if let Some((path, csv)) = &mut self.csv {
+            if let Err(error) = record.write_csv(csv).and_then(|()| csv.flush()) {
+                self.failure = Some(files::named(path, &error));
+                return ControlFlow::Break(());
+            }
         }
         let flow =
             self.folder.as_mut().map_or(ControlFlow::Continue(()), |folder| folder.after_step(sim, record));
-        if INTERRUPTED.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { flow }
+        if interrupt::is_requested() { ControlFlow::Break(()) } else { flow }
     }
 }
 
@@ -306,6 +337,7 @@ fn history(name: &str, records: &[StepRecord]) -> Chart {
         name,
         colour,
         points: records.iter().map(|record| (record.time, value(record))).collect(),
+        bands: Vec::new(),
     };
     let panel = |y_label: &str, lines| Panel { y_label: y_label.to_owned(), lines, highest: None };
     let mut panels = vec![

@@ -59,6 +59,16 @@ pub struct ErrorEstimate {
     pub friction_coefficient: f64,
 }
 
+/// Nodes of the largest mesh that a solve of `scene` takes; its own where that is given.
+pub(super) fn largest_mesh(scene: &Scene) -> Result<usize, InputError> {
+    match scene.grid {
+        GridSpec::Accuracy { .. } if scene.is_smooth() => Ok(smooth::MAX_NODES),
+        GridSpec::Accuracy { .. } => Ok(rough::MAX_NODES),
+        _ if scene.solver.accuracy.is_some() => Ok(rough::MAX_NODES.max(scene.grid()?.len())),
+        _ => Ok(scene.grid()?.len()),
+    }
+}
+
 /// The meshes of one contact, of which nothing is solved yet.
 pub(super) enum Meshes {
     /// Of a smooth contact, box and cells picked.

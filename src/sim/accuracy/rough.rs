@@ -22,7 +22,7 @@ use crate::sim::{SimError, setup};
 use crate::surface::{HeightDistribution, RandomShape};
 
 /// Meshes of more nodes are not tried.
-const MAX_NODES: usize = 1 << 20;
+pub(super) const MAX_NODES: usize = 1 << 20;
 /// Fewest cells along a side that have a half.
 const FEWEST: usize = 10;
 /// Cells in the length over which a Gaussian autocorrelation falls to 10 %, and in the shortest wave of a

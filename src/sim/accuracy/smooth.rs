@@ -56,7 +56,7 @@ const BOX_MINIMUM: f64 = 1.4;
 /// Meshes that are refined once more before what has been reached is handed back.
 const ROUNDS: u32 = 3;
 /// More nodes than these are refused.
-const MAX_NODES: usize = 1 << 22;
+pub(super) const MAX_NODES: usize = 1 << 22;
 
 /// Box and cell size in Hertz units.
 #[derive(Debug, Clone, Copy)]
