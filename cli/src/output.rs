@@ -93,14 +93,15 @@ pub(crate) fn io_words(error: &io::Error) -> String {
             "a part of this path is a file, not a folder; give a folder"
         }
         io::ErrorKind::IsADirectory => "this is a folder, give a file",
-        _ => return without_number(&error.to_string()).to_owned(),
+        _ => return error.to_string(),
     };
     words.to_owned()
 }
 
-/// The message without the number that the system appends.
-fn without_number(message: &str) -> &str {
-    message.split_once(" (os error ").map_or(message, |(words, _)| words)
+/// The message without the number that the system appends to its own.
+fn without_number(message: &str) -> String {
+    let Some((words, rest)) = message.split_once(" (os error ") else { return message.to_owned() };
+    rest.split_once(')').map_or_else(|| message.to_owned(), |(_, rest)| format!("{words}{rest}"))
 }
 
 /// One line on standard error.
@@ -182,7 +183,11 @@ pub(crate) fn quantity(dimension: Dimension, field: &str, text: &str) -> Result<
 /// The value of an option that must be positive.
 pub(crate) fn positive(dimension: Dimension, field: &str, text: &str) -> Result<f64, InputError> {
     let value = quantity(dimension, field, text)?;
-    require(value > 0.0, field, value, "finite and > 0")
+    let requirement = match dimension {
+        Dimension::Speed => "finite and > 0: the oil flows along +x",
+        _ => "finite and > 0",
+    };
+    require(value > 0.0, field, value, requirement)
 }
 
 /// The value of an option that counts something.

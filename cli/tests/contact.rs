@@ -300,7 +300,8 @@ fn the_curve_is_that_of_its_speeds() {
 /// Rows, points and bands of a curve over `surfaces` of few cells.
 fn curve_of(folder: &Path, scene: &Path, more: &[&str]) -> (serde_json::Value, String) {
     let out = folder.join("curve");
-    let arguments = ["curve", text(scene), "--from", "0.05", "--to", "0.2", "--points", "2", "--json", "--force"];
+    let arguments =
+        ["curve", text(scene), "--from", "0.05", "--to", "0.2", "--points", "2", "--json", "--force"];
     let output = stribeck(&[&arguments[..], &["--out", text(&out)], more].concat());
     assert!(output.status.success(), "{output:?}");
     (json_of(&output), error_of(&output))
@@ -360,7 +361,18 @@ fn a_curve_has_the_estimated_errors_of_its_contacts() {
         }
     }
     let out = folder.path().join("table");
-    let table = stribeck(&["curve", text(&path), "--points", "2", "--from", "0.1", "--to", "0.2", "--out", text(&out)]);
+    let table = stribeck(&[
+        "curve",
+        text(&path),
+        "--points",
+        "2",
+        "--from",
+        "0.1",
+        "--to",
+        "0.2",
+        "--out",
+        text(&out),
+    ]);
     let table = String::from_utf8(table.stdout).unwrap();
     assert_eq!(table.matches(" +- ").count(), 8, "{table}");
 }
@@ -373,7 +385,10 @@ fn seeds_of_surfaces_that_are_not_random_are_refused() {
     let arguments = ["curve", text(&smooth), "--seeds", "4", "--out", text(&out)];
     assert_refused(&arguments, &["--seeds = 4: ", "is random", "leave --seeds out"]);
     assert!(!out.exists());
-    assert_refused(&["curve", text(&smooth), "--seeds", "1"], &["--seeds = \"1\": must be a whole number from 2"]);
+    assert_refused(
+        &["curve", text(&smooth), "--seeds", "1"],
+        &["--seeds = \"1\": must be a whole number from 2"],
+    );
 }
 
 /// The table has whole lines of all speeds that were printed.
@@ -412,8 +427,19 @@ fn a_curve_without_a_row_leaves_no_file() {
     let folder = tempfile::tempdir().unwrap();
     let scene = rough(folder.path(), &[("max_iterations = 20_000", "max_iterations = 1")]);
     let out = folder.path().join("out");
-    let arguments =
-        ["curve", text(&scene), "--points", "2", "--from", "0.1", "--to", "0.2", "--plot", "--out", text(&out)];
+    let arguments = [
+        "curve",
+        text(&scene),
+        "--points",
+        "2",
+        "--from",
+        "0.1",
+        "--to",
+        "0.2",
+        "--plot",
+        "--out",
+        text(&out),
+    ];
     let output = stribeck(&arguments);
     assert_eq!((output.status.code(), output.stdout.len()), (Some(1), 0), "{output:?}");
     assert_eq!(std::fs::read_dir(&out).unwrap().count(), 0);

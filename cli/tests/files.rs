@@ -54,7 +54,10 @@ fn an_existing_file_is_replaced_with_force_alone() {
         (vec!["solve", dry, "--plot", "--out", to], "scene_maps.svg"),
         (vec!["solve", dry, "--plot", "--out", to], "scene_profile.png"),
         (vec!["curve", oil, "--points", "2", "--from", "1", "--to", "2", "--out", to], "oiled_curve.csv"),
-        (vec!["curve", oil, "--points", "2", "--from", "1", "--to", "2", "--plot", "--out", to], "oiled_curve.svg"),
+        (
+            vec!["curve", oil, "--points", "2", "--from", "1", "--to", "2", "--plot", "--out", to],
+            "oiled_curve.svg",
+        ),
         (vec!["surface", surface, "--plot", "--out", to], "plain_surface.svg"),
         ([&["run", dry, "--csv", text(&rows)], steps.as_slice()].concat(), "rows.csv"),
         ([&["run", dry, "--out", to], steps.as_slice()].concat(), "run.toml"),
@@ -90,7 +93,8 @@ fn two_outputs_of_one_name_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let (dry, out) = (scene(folder.path()), folder.path().join("run"));
     let csv = out.join("history.csv");
-    let run = ["run", text(&dry), "--steps", "1", "--time-step", "1", "--out", text(&out), "--csv", text(&csv)];
+    let run =
+        ["run", text(&dry), "--steps", "1", "--time-step", "1", "--out", text(&out), "--csv", text(&csv)];
     assert_refused(&run, &["history.csv: two outputs of this command have this name"]);
 }
 
@@ -119,7 +123,10 @@ fn a_full_disk_is_an_error_in_plain_words_and_leaves_no_part_of_a_file() {
         .output()
         .unwrap();
     let message = error_of(&output);
-    assert!(output.status.code() == Some(2) && message.contains(&format!("standard output: {full}")), "{message}");
+    assert!(
+        output.status.code() == Some(2) && message.contains(&format!("standard output: {full}")),
+        "{message}"
+    );
 }
 
 #[test]
@@ -128,8 +135,14 @@ fn a_folder_that_cannot_be_written_is_refused_before_the_solve() {
     let (dry, file) = (scene(folder.path()), folder.path().join("a_file"));
     fs::write(&file, "").unwrap();
     let below = file.join("fields.npz");
-    assert_refused(&["solve", text(&dry), "--fields", text(&below)], &["fields.npz: ", "is a file, not a folder"]);
-    assert_refused(&["solve", text(&dry), "--fields", text(folder.path())], &["this is a folder, give a file"]);
+    assert_refused(
+        &["solve", text(&dry), "--fields", text(&below)],
+        &["fields.npz: ", "is a file, not a folder"],
+    );
+    assert_refused(
+        &["solve", text(&dry), "--fields", text(folder.path())],
+        &["this is a folder, give a file"],
+    );
     let nowhere = folder.path().join("nowhere").join("fields.npz");
     assert_refused(&["solve", text(&dry), "--fields", text(&nowhere)], &["there is no such file or folder"]);
     for command in ["solve", "run"] {

@@ -162,7 +162,10 @@ fn an_interrupted_run_ends_with_a_checkpoint() {
     let refused = stribeck(&fewer);
     let message = error_of(&refused);
     assert_eq!(refused.status.code(), Some(2), "{message}");
-    assert!(message.contains("the run has reached") && message.contains("more than the 1 s asked for"), "{message}");
+    assert!(
+        message.contains("the run has reached") && message.contains("more than the 1 s asked for"),
+        "{message}"
+    );
 }
 
 /// Steps are 20 s until 60 s; then 25 s, and the last one ends at the duration.
@@ -172,11 +175,13 @@ fn a_resumed_run_ends_at_its_duration_with_any_step() {
     let path = written(&scene(), folder.path());
     let out = folder.path().join("run");
     let run = |duration: &str, step: &str, more: &[&str]| {
-        let arguments = ["run", text(&path), "--duration", duration, "--time-step", step, "--json", "--out", text(&out)];
+        let arguments =
+            ["run", text(&path), "--duration", duration, "--time-step", step, "--json", "--out", text(&out)];
         stribeck(&[arguments.as_slice(), more].concat())
     };
     assert_eq!(numbers(&run("60", "20", &[]))["steps"], 3);
-    for (duration, step, steps) in [("125", "25", 6), ("125", "10", 6), ("130", "100", 7), ("150.5", "7", 10)] {
+    for (duration, step, steps) in [("125", "25", 6), ("125", "10", 6), ("130", "100", 7), ("150.5", "7", 10)]
+    {
         let resumed = run(duration, step, &["--resume"]);
         let found = numbers(&resumed);
         let time = found["time"].as_f64().unwrap();
@@ -205,8 +210,12 @@ fn another_schedule_or_law_than_that_of_the_run_is_refused() {
     worn.wear = None;
     for (other, part) in [(scheduled, "scene.schedule"), (worn, "scene.wear")] {
         written(&other, folder.path());
-        let longer = ["run", text(&path), "--steps", "3", "--time-step", "1", "--out", text(&out), "--resume"];
-        assert_refused(&longer, &["belongs to another run", part, "take scene, laws and heights of that run"]);
+        let longer =
+            ["run", text(&path), "--steps", "3", "--time-step", "1", "--out", text(&out), "--resume"];
+        assert_refused(
+            &longer,
+            &["belongs to another run", part, "take scene, laws and heights of that run"],
+        );
         assert_eq!(std::fs::read(out.join("history.csv")).unwrap(), before);
     }
 }

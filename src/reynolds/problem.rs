@@ -2,7 +2,7 @@
 
 use super::flow::{Cavitation, FaceMobility, Scheme, ShearThinning, require_spin};
 use crate::elastic::DeformationModel;
-use crate::error::InputError;
+use crate::error::{InputError, legible};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::with_fields::with_fields;
@@ -329,10 +329,9 @@ impl LubricatedContact<'_> {
         let largest: f64 = interior(grid).map(|k| limit[k]).sum::<f64>() * grid.cell_area();
         if self.load >= largest {
             return Err(InputError::Conflict {
-                field: "load".to_owned(),
+                field: format!("load = {}", legible(self.load)),
                 reason: format!(
-                    "{} N is more than the pressure limit lets the inner nodes of the box carry, below {largest:.6e} N; take less load, or harder bodies",
-                    self.load
+                    "the inner nodes of the box carry less than {largest:.6e} N at the pressure limit; take less load, or harder bodies"
                 ),
             });
         }

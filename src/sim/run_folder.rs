@@ -277,7 +277,8 @@ impl RunFolder {
         fields.extend(states.iter().map(|(name, state)| (name.as_str(), state.as_slice())));
         let (file, grid) = (self.path.join("fields.npz"), sim.grid());
         let draft = whole_file::draft(&file);
-        let put = || whole_file::put_in_place(&file).map_err(|source| SimError::Io { path: file.clone(), source });
+        let put =
+            || whole_file::put_in_place(&file).map_err(|source| SimError::Io { path: file.clone(), source });
         write_npz(&draft, &grid, &fields).and_then(|()| put()).inspect_err(|_| drop(fs::remove_file(&draft)))
     }
 

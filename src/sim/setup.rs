@@ -31,7 +31,8 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     if scene.is_lubricated() && scene.schedule.entrainment_speed.is_none() {
         require_speed("motion.entrainment_speed", speed)?;
     }
-    let requirement = "finite and >= 0: the surfaces move along +x; mirror the scene in x for the other direction";
+    let requirement =
+        "finite and >= 0: the surfaces move along +x; mirror the scene in x for the other direction";
     InputError::require(speed.is_finite() && speed >= 0.0, "motion.entrainment_speed", speed, requirement)?;
     let ratio = scene.motion.slide_roll_ratio;
     InputError::require(ratio.is_finite(), "motion.slide_roll_ratio", ratio, "finite")?;

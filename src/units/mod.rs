@@ -9,6 +9,8 @@ mod hints;
 mod spelling;
 mod tables;
 
+#[cfg(feature = "serde")]
+pub(crate) use self::hints::toml_line;
 use self::spelling::{plain, split, times_power_of_ten};
 use self::tables::Scale::{Plus, Ten, Times};
 use crate::error::{InputError, quoted};
@@ -154,4 +156,3 @@ impl Dimension {
         }
     }
 }
-

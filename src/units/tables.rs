@@ -59,8 +59,12 @@ const SPEED: Units = &[
     (&["km/h"], Times(1.0 / 3.6)),
 ];
 /// Dynamic viscosities.
-const VISCOSITY: Units =
-    &[(&["Pa s", "Pas", "Pa-s", "N s/m^2"], Ten(0)), (&["mPa s", "mPas", "mPa-s", "mN s/m^2"], Ten(-3)), (&["cP", "cp"], Ten(-3)), (&["P"], Ten(-1))];
+const VISCOSITY: Units = &[
+    (&["Pa s", "Pas", "Pa-s", "N s/m^2"], Ten(0)),
+    (&["mPa s", "mPas", "mPa-s", "mN s/m^2"], Ten(-3)),
+    (&["cP", "cp"], Ten(-3)),
+    (&["P"], Ten(-1)),
+];
 /// Times.
 const TIME: Units = &[
     (&["s"], Ten(0)),
@@ -81,8 +85,7 @@ const TEMPERATURE: Units = &[(&["K"], Ten(0)), (&["degC", "deg C", "C", "Celsius
 /// Thermal conductivities.
 const CONDUCTIVITY: Units = &[(&["W/(m K)", "W/m/K", "W/mK"], Ten(0))];
 /// Thermal diffusivities.
-const DIFFUSIVITY: Units =
-    &[(&["m^2/s"], Ten(0)), (&["cm^2/s"], Ten(-4)), (&["mm^2/s"], Ten(-6))];
+const DIFFUSIVITY: Units = &[(&["m^2/s"], Ten(0)), (&["cm^2/s"], Ten(-4)), (&["mm^2/s"], Ten(-6))];
 /// Energies of one molecule; `kJ/mol` is divided by Avogadro's number.
 const ENERGY: Units = &[
     (&["J"], Ten(0)),
@@ -93,8 +96,7 @@ const ENERGY: Units = &[
 /// Volumes.
 const VOLUME: Units = &[(&["m^3"], Ten(0)), (&["nm^3"], Ten(-27)), (&["A^3"], Ten(-30))];
 /// Volumes per energy.
-const VOLUME_PER_ENERGY: Units =
-    &[(&["m^3/J"], Ten(0)), (&["mm^3/J"], Ten(-9)), (&["um^3/J"], Ten(-18))];
+const VOLUME_PER_ENERGY: Units = &[(&["m^3/J"], Ten(0)), (&["mm^3/J"], Ten(-9)), (&["um^3/J"], Ten(-18))];
 /// Angles.
 const ANGLE: Units = &[(&["rad"], Ten(0)), (&["deg"], Times(std::f64::consts::PI / 180.0))];
 /// Heat capacities of a volume.

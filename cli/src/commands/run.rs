@@ -105,7 +105,8 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let mut log = Log::new(options, &mut sim, &plan, bar)?;
     let longest = log.records.iter().map(|record| record.time_step).reduce(f64::max);
     if let Some(before) = longest.filter(|before| (before / plan.time_step - 1.0).abs() > ROUNDING) {
-        let text = format!("the run has taken steps of {before} s, it goes on with steps of {} s", plan.time_step);
+        let text =
+            format!("the run has taken steps of {before} s, it goes on with steps of {} s", plan.time_step);
         output::complain("warning", &text);
     }
     interrupt::listen("the run ends after this step")?;
@@ -150,7 +151,8 @@ fn plan(options: &Options, sim: &MixedLubricationSim) -> Result<Plan, String> {
         (None, None, Some(time)) => (time, time / STEPS as f64),
         (.., None) => {
             return Err(
-                "how long? No schedule of the scene ends; give --steps and --time-step, or --duration".to_owned()
+                "how long? No schedule of the scene ends; give --steps and --time-step, or --duration"
+                    .to_owned(),
             );
         }
     };

@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use indicatif::ProgressBar;
-use stribeck::sim::scene::Scene;
+use stribeck::sim::scene::{GridSpec, Scene};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, SimError, write_npz};
 
 use super::contact_pictures::{Seen, maps, profile};
 use crate::output::{self, Held, Outcome, Output};
-use crate::{files, picture};
+use crate::{files, interrupt, picture};
 
 #[derive(clap::Args)]
 pub(crate) struct Options {
@@ -34,12 +34,27 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     // At the first iteration, before what may take long.
     held.hold_warnings(&known);
     output::announce_memory(&scene, &held).map_err(|error| output::in_scene(&options.scene, &error))?;
+    let refines = scene.solver.accuracy.is_some() || matches!(scene.grid, GridSpec::Accuracy { .. });
+    if refines {
+        interrupt::listen("the solve ends here")?;
+    }
     let hidden = ProgressBar::hidden();
     let builder = MixedLubricationSim::builder(scene).interrupt(move || {
         held.print(&hidden);
-        false
+        interrupt::is_requested()
     });
-    let solution = builder.solve().map_err(|error| output::in_scene(&options.scene, &error))?;
+    let solved = builder.solve_observed(|solution| {
+        if refines {
+            output::complain("mesh", &mesh_line(solution));
+        }
+    });
+    let solution = match solved {
+        Err(SimError::Interrupted) => {
+            output::complain("error", "interrupted; the meshes above are solved, none to the accuracy");
+            return Ok(Outcome::NotConverged);
+        }
+        solved => solved.map_err(|error| output::in_scene(&options.scene, &error))?,
+    };
     let seconds = start.elapsed().as_secs_f64();
     let mut written = Vec::new();
     if let Some(path) = &options.fields {
@@ -65,6 +80,24 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     }
     output::report_files(&written, options.output.json)?;
     Ok(solution.report.status.into())
+}
+
+/// The solution of one mesh of several in a line.
+fn mesh_line(solution: &ContactSolution) -> String {
+    let (grid, estimate) = (&solution.grid, &solution.error_estimate);
+    let percent = |error: f64| format!(" +- {:.2} %", 100.0 * error);
+    let known = |error: Option<f64>| error.map_or_else(String::new, percent);
+    format!(
+        "{} x {} cells, {}: mean film {:.2} nm{}, load on solids {:.4}, friction {:.4}{}",
+        grid.nx(),
+        grid.ny(),
+        solution.report.status,
+        1e9 * solution.film.mean_central,
+        known(estimate.map(|estimate| estimate.film_mean_central)),
+        solution.contact.load_ratio,
+        solution.friction.coefficient,
+        known(estimate.map(|estimate| estimate.friction_coefficient))
+    )
 }
 
 /// Checks before the solve that the files can be written.

@@ -109,11 +109,15 @@ impl Meshes {
         Ok(Self::Rough(Box::new(meshes)))
     }
 
-    /// Solves on one mesh after the other and estimates the errors of the last.
-    pub(super) fn solve(self) -> Result<ContactSolution, SimError> {
+    /// Solves on one mesh after the other and estimates the errors of the last; `observer` sees the solution of
+    /// each.
+    pub(super) fn solve(
+        self,
+        observer: &mut dyn FnMut(&ContactSolution),
+    ) -> Result<ContactSolution, SimError> {
         match self {
-            Self::Smooth(meshes) => meshes.solve(),
-            Self::Rough(meshes) => meshes.solve(),
+            Self::Smooth(meshes) => meshes.solve(observer),
+            Self::Rough(meshes) => meshes.solve(observer),
         }
     }
 

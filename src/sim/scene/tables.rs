@@ -186,9 +186,12 @@ impl TryFrom<ScheduleTable> for Schedule {
 /// Exactly two numbers: the parser would drop further ones in silence.
 fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 2]>, D::Error> {
     let edges = Vec::<f64>::deserialize(deserializer)?;
-    <[f64; 2]>::try_from(edges.as_slice())
-        .map(Some)
-        .map_err(|_| D::Error::invalid_length(edges.len(), &"the two outer edges"))
+    <[f64; 2]>::try_from(edges.as_slice()).map(Some).map_err(|_| {
+        let count = edges.len();
+        D::Error::custom(format!(
+            "a list of {count}, expected the two outer edges [low, high] with a decimal point"
+        ))
+    })
 }
 
 /// Error for a key of `given` that is none of `known`, those of a table with the `tag`.

@@ -3,7 +3,7 @@
 //! Each [quantity](super::quantity) has a range that engineering contacts stay in with room to spare. A new key
 //! is an entry in one of the lists below, with a range of its own where none fits.
 
-use super::{Warning, short};
+use super::Warning;
 use super::quantity::{
     ACTIVATION, ACTIVATION_VOLUME, BARRIER, COMPRESSIBILITY, CONTACT_FILM, DEPTH, FILM, FORCE, FRICTION,
     HARDENING, HARDNESS, HEAT_CONDUCTIVITY, HEAT_DIFFUSIVITY, HEIGHT, HERTZ_PRESSURE, LAYER, LONGER_RADIUS,
@@ -63,17 +63,11 @@ pub(in crate::sim) fn refuse_height_slip(
     half_width: f64,
 ) -> Result<(), InputError> {
     let rq = height_statistics(heights).map_or(0.0, |statistics| statistics.sq);
-    if rq <= ROUGHEST.max(half_width) {
-        return Ok(());
+    if rq > ROUGHEST.max(half_width) {
+        rq_range(half_width).refuse(&format!("{field}_rq"), rq)
+    } else {
+        Ok(())
     }
-    let [shown, micrometres, half_width] = [rq, 1e-6 * rq, half_width].map(short);
-    Err(InputError::Conflict {
-        field: format!("{field}: Rq = {shown} m"),
-        reason: format!(
-            "heights are in metres, and the contact has a half-width of {half_width} m; if they are in micrometres \
-             (Rq = {micrometres} m), multiply them by 1e-6"
-        ),
-    })
 }
 
 /// Warnings about `heights` \[m\] that are far from zero, and about their Rq where it is that of no surface in a

@@ -81,7 +81,8 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let scene = output::load(&options.scene)?;
     let motion = start_motion(options, &scene)?;
     let speeds = speeds(options, motion.entrainment_speed)?;
-    let scenes = surfaces::scenes(&scene, options.seeds).map_err(|error| output::in_scene(&options.scene, &error))?;
+    let scenes =
+        surfaces::scenes(&scene, options.seeds).map_err(|error| output::in_scene(&options.scene, &error))?;
     let name = format!("{}_curve", output::stem(&options.scene));
     let solves = speeds.len() * scenes.len();
     let held = announced(&scene, motion, solves).map_err(|error| output::in_scene(&options.scene, &error))?;
@@ -98,7 +99,12 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     output::report_files(&written, options.output.json)?;
     if !is_whole {
         let (done, all) = (curve.rows.len(), speeds.len());
-        output::complain("error", &format!("interrupted after {done} of {all} speeds; --from with another --out goes on behind them"));
+        output::complain(
+            "error",
+            &format!(
+                "interrupted after {done} of {all} speeds; --from with another --out goes on behind them"
+            ),
+        );
     }
     let all = curve.points.iter().all(|point| point.solution.report.status == Status::Converged);
     Ok(if is_whole && all { Outcome::Converged } else { Outcome::NotConverged })
@@ -116,7 +122,13 @@ fn start_motion(options: &Options, scene: &Scene) -> Result<Motion, Box<dyn Erro
         )
         .into());
     }
-    Ok(scene.conditions(0.0).map_err(|error| output::in_scene(&options.scene, &error))?.motion)
+    let in_scene = |error: InputError| output::in_scene(&options.scene, &error);
+    let motion = scene.conditions(0.0).map_err(in_scene)?.motion;
+    // That of the scene is checked even where other speeds are given.
+    let (field, speed) = ("motion.entrainment_speed", motion.entrainment_speed);
+    output::require(speed >= 0.0, field, speed, "finite and >= 0: the oil flows along +x")
+        .map_err(in_scene)?;
+    Ok(motion)
 }
 
 /// Those that are asked for, about the `own` one of the scene \[m/s\].
@@ -282,8 +294,12 @@ fn warn(speed: f64, points: &[Point], said: &[String]) -> Vec<String> {
     for point in points {
         let status = point.solution.report.status;
         if status != Status::Converged {
-            let which = if points.len() > 1 { format!(", surface {},", point.surface) } else { String::new() };
-            output::complain("warning", &format!("{speed:.4e} m/s{which} is left out of the curve: {status}"));
+            let which =
+                if points.len() > 1 { format!(", surface {},", point.surface) } else { String::new() };
+            output::complain(
+                "warning",
+                &format!("{speed:.4e} m/s{which} is left out of the curve: {status}"),
+            );
         }
         for warning in &point.solution.warnings {
             if !said.contains(&warning.field) && !new.contains(&warning.field) {

@@ -19,9 +19,10 @@ pub(super) fn scenes(scene: &Scene, seeds: Option<u32>) -> Result<Vec<Scene>, In
     if !is_random(scene) {
         return Err(InputError::Conflict {
             field: format!("--seeds = {seeds}"),
-            reason: "neither [roughness.ball] nor [roughness.disc] is random, so all surfaces would be the same; \
+            reason:
+                "neither [roughness.ball] nor [roughness.disc] is random, so all surfaces would be the same; \
                      leave --seeds out"
-                .to_owned(),
+                    .to_owned(),
         });
     }
     Ok((0..u64::from(seeds)).map(|number| with_seeds(scene, number)).collect())
