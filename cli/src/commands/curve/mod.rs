@@ -2,6 +2,7 @@
 
 mod chart;
 mod row;
+mod speeds;
 mod surfaces;
 
 use std::error::Error;
@@ -21,8 +22,7 @@ use self::row::{Columns, Row};
 use crate::output::{self, Held, Outcome, Output};
 use crate::{files, interrupt, picture};
 
-/// Range of speeds around that of the scene, and how many in it.
-const RANGE: f64 = 100.0;
+/// Number of speeds.
 const POINTS: u32 = 13;
 /// Largest number of surfaces.
 const MOST_SURFACES: u64 = 1000;
@@ -79,8 +79,8 @@ struct Curve<'a> {
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
     let scene = output::load(&options.scene)?;
-    let motion = start_motion(options, &scene)?;
-    let speeds = speeds(options, motion.entrainment_speed)?;
+    let motion = speeds::start_motion(options, &scene)?;
+    let speeds = speeds::speeds(options, motion.entrainment_speed)?;
     let scenes =
         surfaces::scenes(&scene, options.seeds).map_err(|error| output::in_scene(&options.scene, &error))?;
     let name = format!("{}_curve", output::stem(&options.scene));
@@ -108,41 +108,6 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     }
     let all = curve.points.iter().all(|point| point.solution.report.status == Status::Converged);
     Ok(if is_whole && all { Outcome::Converged } else { Outcome::NotConverged })
-}
-
-/// The motion at the start of the schedule of an oiled contact.
-fn start_motion(options: &Options, scene: &Scene) -> Result<Motion, Box<dyn Error>> {
-    if !scene.is_lubricated() {
-        return Err(output::in_scene(
-            &options.scene,
-            &InputError::Conflict {
-                field: "lubricant".to_owned(),
-                reason: "a Stribeck curve needs an oil, this contact is dry".to_owned(),
-            },
-        )
-        .into());
-    }
-    let in_scene = |error: InputError| output::in_scene(&options.scene, &error);
-    let motion = scene.conditions(0.0).map_err(in_scene)?.motion;
-    // That of the scene is checked even where other speeds are given.
-    let (field, speed) = ("motion.entrainment_speed", motion.entrainment_speed);
-    output::require(speed >= 0.0, field, speed, "finite and >= 0: the oil flows along +x")
-        .map_err(in_scene)?;
-    Ok(motion)
-}
-
-/// Those that are asked for, about the `own` one of the scene \[m/s\].
-fn speeds(options: &Options, own: f64) -> Result<Vec<f64>, Box<dyn Error>> {
-    if options.from.is_none() || options.to.is_none() {
-        output::require(own > 0.0, "motion.entrainment_speed", own, "finite and > 0")
-            .map_err(|error| output::in_scene(&options.scene, &error))?;
-    }
-    let (from, to) = (options.from.unwrap_or(own / RANGE), options.to.unwrap_or(own * RANGE));
-    if to <= from {
-        return Err(format!("--to = {to} m/s must be above --from = {from} m/s").into());
-    }
-    let last = f64::from(options.points - 1);
-    Ok((0..options.points).map(|k| from * (to / from).powf(f64::from(k) / last)).collect())
 }
 
 /// Lines about the scene and about the work ahead, which are printed when the first solve begins.
