@@ -1,5 +1,5 @@
 //! `stribeck curve` from the outside.
-#![expect(clippy::unwrap_used, clippy::float_cmp, clippy::panic, reason = "tests")]
+#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
 
 mod common;
 
