@@ -9,9 +9,11 @@ use std::process::ExitCode;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use indicatif::ProgressBar;
-use stribeck::sim::{Scene, Warning};
+use stribeck::sim::{CheckpointError, Scene, SimError, Warning};
 use stribeck::units::Dimension;
 use stribeck::{InputError, Status};
+
+use crate::files;
 
 /// How a subcommand ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -142,10 +144,10 @@ impl Held {
 }
 
 /// Holds a line about the memory that one solve of the scene needs at most, if that is much.
-pub(crate) fn announce_memory(scene: &Scene, held: &Held) -> Result<(), InputError> {
+pub(crate) fn announce_memory(scene: &Scene, held: &Held) -> Result<(), SimError> {
     let bytes = scene.memory()?;
     if bytes >= MUCH_MEMORY {
-        held.hold("needs", format!("up to {:.1} GB of memory", 1e-9 * bytes));
+        held.hold("needs", format!("about {:.1} GB of memory", 1e-9 * bytes));
     }
     Ok(())
 }
@@ -161,7 +163,7 @@ pub(crate) fn report_files(files: &[PathBuf], json: bool) -> io::Result<()> {
 
 /// The scene in the file at `path`.
 pub(crate) fn load(path: &Path) -> Result<Scene, String> {
-    Scene::load(path).map_err(|error| in_scene(path, &error))
+    Scene::load(path).map_err(|error| in_scene(path, plain(error).as_ref()))
 }
 
 /// The error with the scene file in front, unless it already names it.
@@ -173,6 +175,16 @@ pub(crate) fn in_scene(path: &Path, error: &dyn Error) -> String {
 /// Name of `file` without folder and ending, for the files that come of it.
 pub(crate) fn stem(file: &Path) -> String {
     file.file_stem().map_or_else(|| "stribeck".to_owned(), |name| name.to_string_lossy().into_owned())
+}
+
+/// The error of the library with those of files in plain words.
+pub(crate) fn plain(error: SimError) -> Box<dyn Error> {
+    match error {
+        SimError::Io { path, source } | SimError::Checkpoint(CheckpointError::Io { path, source }) => {
+            files::named(&path, &source).into()
+        }
+        other => other.into(),
+    }
 }
 
 /// A number in SI units, or one with a unit.

@@ -187,7 +187,7 @@ fn wrong_options_are_refused() {
         ("", &["a subcommand is missing", "solve"]),
         ("slove S", &["slove", "solve"]),
         ("solve", &["<SCENE>"]),
-        ("solve N", &["new.toml: ", "No such file"]),
+        ("solve N", &["new.toml: ", "no such file"]),
         ("solve D", &["folder: this is a folder, give a file"]),
         ("solve F", &["binary.bin: the file is not text"]),
         ("solve S --fields D", &["folder: this is a folder, give a file"]),

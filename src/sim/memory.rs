@@ -1,5 +1,6 @@
 //! Memory of a contact.
 
+use super::SimError;
 use super::accuracy::largest_mesh;
 use super::scene::Scene;
 use crate::error::InputError;
@@ -16,18 +17,19 @@ fn bytes(lubricated: bool) -> usize {
 }
 
 impl Scene {
-    /// Memory that one solve of the contact needs at most \[byte\], about: that of its grid, with an accuracy that of
-    /// the largest mesh that may be taken.
+    /// Memory that one solve of the contact needs \[byte\], about: that of its grid. With an accuracy it is that of
+    /// the finest mesh: of the first ones in a smooth contact (`grid.accuracy`), of the largest that is ever tried
+    /// in a rough one.
     ///
     /// # Errors
-    /// Cells or a box out of range.
+    /// Cells or a box out of range; with `grid.accuracy` any value out of range.
     ///
     /// ```
     /// use stribeck::sim::Scene;
     /// assert_eq!(Scene::azam_2019(1000).memory()?, 2e9);
-    /// # Ok::<(), stribeck::InputError>(())
+    /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
-    pub fn memory(&self) -> Result<f64, InputError> {
+    pub fn memory(&self) -> Result<f64, SimError> {
         Ok(largest_mesh(self)? as f64 * bytes(self.is_lubricated()) as f64)
     }
 }

@@ -59,10 +59,14 @@ pub struct ErrorEstimate {
     pub friction_coefficient: f64,
 }
 
-/// Nodes of the largest mesh that a solve of `scene` takes; its own where that is given.
-pub(super) fn largest_mesh(scene: &Scene) -> Result<usize, InputError> {
+/// Nodes of the largest mesh that a solve of `scene` takes: its own where that is given, the finest of the first
+/// meshes of a smooth contact that picks them, the largest that is ever tried of a rough one.
+pub(super) fn largest_mesh(scene: &Scene) -> Result<usize, SimError> {
     match scene.grid {
-        GridSpec::Accuracy { .. } if scene.is_smooth() => Ok(smooth::MAX_NODES),
+        GridSpec::Accuracy { accuracy } if scene.is_smooth() => {
+            let grid = smooth::finest(scene, accuracy)?;
+            Ok(Scene { grid, ..scene.clone() }.grid()?.len())
+        }
         GridSpec::Accuracy { .. } => Ok(rough::MAX_NODES),
         _ if scene.solver.accuracy.is_some() => Ok(rough::MAX_NODES.max(scene.grid()?.len())),
         _ => Ok(scene.grid()?.len()),

@@ -56,7 +56,7 @@ const BOX_MINIMUM: f64 = 1.4;
 /// Meshes that are refined once more before what has been reached is handed back.
 const ROUNDS: u32 = 3;
 /// More nodes than these are refused.
-pub(super) const MAX_NODES: usize = 1 << 22;
+const MAX_NODES: usize = 1 << 22;
 
 /// Box and cell size in Hertz units.
 #[derive(Debug, Clone, Copy)]
@@ -156,6 +156,13 @@ pub(in crate::sim) struct Picked {
     interrupt: Option<Interrupt>,
     /// What is known before anything is solved.
     pub(super) warnings: Vec<Warning>,
+}
+
+/// Cells of the finest of the first meshes of `scene`.
+pub(super) fn finest(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
+    setup::validate(scene)?;
+    let hertz = scene.hertz()?;
+    Ok(Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?.cells(&hertz, 0, scene.form.is_line())?)
 }
 
 impl Picked {

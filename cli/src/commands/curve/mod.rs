@@ -13,10 +13,10 @@ use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
+use stribeck::Status;
 use stribeck::sim::scene::{GridSpec, Motion, Scene};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, SimError};
 use stribeck::units::Dimension;
-use stribeck::{InputError, Status};
 
 use self::row::{Columns, Row};
 use crate::output::{self, Held, Outcome, Output};
@@ -111,10 +111,10 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
 }
 
 /// Lines about the scene and about the work ahead, which are printed when the first solve begins.
-fn announced(scene: &Scene, motion: Motion, solves: usize) -> Result<Held, InputError> {
+fn announced(scene: &Scene, motion: Motion, solves: usize) -> Result<Held, SimError> {
     let held = Held::default();
     let megabytes = 1e-6 * scene.memory()?;
-    held.hold("needs", format!("{solves} solves, each with up to {megabytes:.0} MB of memory"));
+    held.hold("needs", format!("{solves} solves, each with about {megabytes:.0} MB of memory"));
     if motion.slide_roll_ratio == 0.0 {
         held.hold("warning", "the slide-roll ratio is 0: without sliding there is no friction".to_owned());
     }

@@ -41,7 +41,7 @@ impl Log {
         let every = options.checkpoint_every.unwrap_or_else(|| all.div_ceil(20));
         let (folder, records) = match &options.out {
             Some(path) if options.resume => {
-                let (folder, records) = RunFolder::resume(path, sim, every)?;
+                let (folder, records) = RunFolder::resume(path, sim, every).map_err(output::plain)?;
                 if sim.time() > plan.end + ROUNDING * plan.time_step {
                     let (folder, time, end) = (path.display(), sim.time(), plan.end);
                     return Err(format!(
@@ -52,7 +52,7 @@ impl Log {
                 }
                 (Some(folder), records)
             }
-            Some(path) => (Some(RunFolder::create(path, sim, every)?), Vec::new()),
+            Some(path) => (Some(RunFolder::create(path, sim, every).map_err(output::plain)?), Vec::new()),
             None => (None, Vec::new()),
         };
         let steps = sim.steps() + sim.steps_until(plan.end, plan.time_step);
@@ -82,7 +82,7 @@ impl Log {
     ) -> Result<Vec<PathBuf>, Box<dyn Error>> {
         let mut files = Vec::new();
         if let Some(folder) = self.folder.take() {
-            folder.finish(sim)?;
+            folder.finish(sim).map_err(output::plain)?;
             files.extend(options.out.clone());
         }
         if let Some(failure) = self.failure.take() {
