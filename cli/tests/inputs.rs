@@ -113,7 +113,7 @@ const SCENES: [(&str, &str, &[&str]); 64] = [
     ("nx = 24\n", "nx = 24\nnx = 25\n", &["duplicate key", "nx = 25"]),
     ("[roughness.disc]", "[roughness.flat]", &["flat", "ball", "disc"]),
     ("[roughness.disc]", "[[roughness.disc]]", &["roughness.disc", "a list where a table is expected"]),
-    ("seed = 1", "seed = -1", &["roughness.disc.seed", "whole number from 0"]),
+    ("seed = 1", "seed = -1", &["roughness.disc.seed", "-1", "whole number from 0"]),
     ("tolerance = 1e-5", "estimate = \"yes\"", &["solver.estimate", "yes", "true or false"]),
     ("[solver]", "[solver", &["[solver", "]"]),
     // Limits.
