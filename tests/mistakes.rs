@@ -204,6 +204,41 @@ fn mistakes_in_scene_files_are_named() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
+#[test]
+fn values_that_are_plainly_in_another_unit_are_refused() {
+    for (from, to, words) in [
+        ("roelands_z = 0.68", "roelands_z = 0.68\nalpha = 12.0", "lubricant.alpha = 12: "),
+        ("= 229.67e9", "= 229.67", "did you mean 229.67 GPa"),
+        ("rq = 130e-9", "rq = 0.13", "did you mean 0.13 um"),
+        ("film_cutoff = 1e-9", "film_cutoff = 1", "did you mean 1 nm"),
+    ] {
+        let scene = Scene::from_toml(&GOOD.replacen(from, to, 1)).unwrap();
+        let message = assert_refused_by_both(to, &scene).unwrap();
+        assert!(message.contains(words), "{message}");
+        let history = MixedLubricationSim::builder(scene).build().unwrap_err();
+        assert_eq!(history.to_string(), message, "{to}");
+    }
+    let heights: Vec<f64> = waves(8.0).iter().map(|height| 5e4 * height).collect();
+    let builder = MixedLubricationSim::builder(Scene::from_toml(GOOD).unwrap()).disc_heights(heights);
+    let message = builder.solve().unwrap_err().to_string();
+    assert!(
+        message.starts_with("roughness.disc_rq = 0.0035") && message.contains("0.003535534 um"),
+        "{message}"
+    );
+}
+
+/// A joint of rubber on bone: its bodies fit so closely that the reduced radius is 3 m.
+#[test]
+fn a_radius_of_metres_is_plausible_in_a_soft_joint_alone() {
+    let joint = |modulus: &str| {
+        let text = GOOD.replacen("radius = 9.525e-3", "radius = 3.0", 1);
+        Scene::from_toml(&text.replacen("229.67e9", modulus, 1)).unwrap().warnings()
+    };
+    let is_about_radius =
+        |warnings: &[Warning]| warnings.iter().any(|warning| warning.field == "form.radius");
+    assert!(!is_about_radius(&joint("5e7")) && is_about_radius(&joint("2e11")));
+}
+
 /// What a check says, and what a solve says: no error is none of both.
 fn assert_refused_by_both(name: &str, scene: &Scene) -> Option<String> {
     let check = MixedLubricationSim::builder(scene.clone()).check_contact();

@@ -102,6 +102,45 @@ fn a_dry_history_without_film_or_wear() {
     resumed_equals_uninterrupted(|| MixedLubricationSim::builder(dry.clone()), 60.0);
 }
 
+/// Sums of steps of 0.1 s are rounded: their ends do not depend on where a run was stopped.
+#[test]
+fn a_run_to_a_time_and_on_takes_the_steps_of_one_run() {
+    let mut dry = scene();
+    dry.lubricant = None;
+    let [mut whole, mut parts] = [0, 1].map(|_| MixedLubricationSim::builder(dry.clone()).build().unwrap());
+    let control = StepControl::fixed(0.1);
+    whole.run_until(0.5, &control, &mut ignore).unwrap();
+    for end in [0.3, 0.5] {
+        parts.run_until(end, &control, &mut ignore).unwrap();
+    }
+    assert!(bits(&parts) == bits(&whole), "{} {}", parts.time(), whole.time());
+}
+
+#[test]
+fn a_resumed_run_ends_at_its_time_with_another_step() {
+    let mut dry = scene();
+    dry.lubricant = None;
+    let build = || MixedLubricationSim::builder(dry.clone()).build().unwrap();
+    let mut first = build();
+    first.run_until(60.0, &StepControl::fixed(20.0), &mut ignore).unwrap();
+    let mut second = build();
+    second.restore_checkpoint(&first.checkpoint().unwrap()).unwrap();
+    assert_eq!(second.steps_until(125.0, 25.0), 3);
+    second.run_until(125.0, &StepControl::fixed(25.0), &mut ignore).unwrap();
+    assert_eq!((second.steps(), second.time()), (6, 125.0));
+    let error = second.run_until(130.0, &StepControl::fixed(1e-15), &mut ignore).unwrap_err();
+    assert!(error.to_string().starts_with("time_step = 1e-15: must be longer"), "{error}");
+}
+
+#[test]
+fn a_file_named_as_the_lock_keeps_its_content() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("lock"), "mine").unwrap();
+    let sim = MixedLubricationSim::builder(scene()).build().unwrap();
+    drop(RunFolder::create(folder.path(), &sim, 1).unwrap());
+    assert_eq!(fs::read_to_string(folder.path().join("lock")).unwrap(), "mine");
+}
+
 #[test]
 fn files_that_do_not_fit_are_refused() {
     let folder = tempfile::tempdir().unwrap();

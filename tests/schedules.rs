@@ -52,7 +52,9 @@ fn records_hold_what_holds_at_their_time_and_no_step_crosses_an_entry() {
     scene.schedule.slide_roll_ratio = Some(Schedule::Constant { value: 0.5 });
     scene.schedule.bulk_temperature = Some(Schedule::ramps(&[(0.0, 350.0), (100.0, 400.0)]));
     let mut sim = MixedLubricationSim::builder(scene.clone()).build().unwrap();
+    let expected_steps = sim.steps_until(60.0, 10.0);
     let records = records(&mut sim, 60.0, &StepControl::fixed(10.0));
+    assert_eq!(records.len() as u64, expected_steps);
     let starts: Vec<f64> = records.iter().map(|record| record.time - record.time_step).collect();
     for (start, expected) in starts.iter().zip([0.0, 10.0, 20.0, 25.0, 35.0, 40.0, 50.0]) {
         assert!((start - expected).abs() < 1e-12, "{starts:?}");

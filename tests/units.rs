@@ -10,7 +10,7 @@ const SI: &str = include_str!("../examples/scenes/rough.toml");
 
 #[test]
 fn quantities_are_those_in_si_units_to_the_last_bit() {
-    let table: [(Dimension, &str, f64); 43] = [
+    let table: [(Dimension, &str, f64); 54] = [
         (Length, "9.525 mm", 9.525e-3),
         (Length, "9.525mm", 9.525e-3),
         (Length, "-250 um", -250e-6),
@@ -54,6 +54,17 @@ fn quantities_are_those_in_si_units_to_the_last_bit() {
         (Conductivity, "46 W/(m K)", 46.0),
         (Diffusivity, "12.7 mm^2/s", 12.7e-6),
         (HeatCapacity, "1.7 MJ/(m^3 K)", 1.7e6),
+        (HeatCapacity, "1.7 MJ/(m3.K)", 1.7e6),
+        (Viscosity, "4 mPa.s", 4e-3),
+        (Viscosity, "4 mPa-s", 4e-3),
+        (Viscosity, "0.004 N s/m2", 4e-3),
+        (InversePressure, "14.9 GPa-1", 14.9e-9),
+        (InversePressure, "0.0149 mm2/N", 14.9e-9),
+        (InversePressure, "1e-8 m2/N", 1e-8),
+        (Diffusivity, "1.27e-5 m2/s", 1.27e-5),
+        (Rate, "0.5 s-1", 0.5),
+        (Temperature, "80 \u{2103}", 353.15),
+        (Volume, "3 A3", 3e-30),
     ];
     for (dimension, text, expected) in table {
         assert_eq!(dimension.parse("key", text).unwrap(), expected, "{text}");
@@ -114,6 +125,27 @@ fn what_is_no_quantity_is_refused_by_field_value_and_remedy() {
         let message = error.to_string();
         assert!(message.starts_with(&format!("form.radius = \"{text}\": ")), "{message}");
         assert!(message.contains(part), "{part}: {message}");
+    }
+}
+
+#[test]
+fn a_decimal_comma_is_refused_with_the_number_meant() {
+    for (text, number) in [("9,525 mm", "9.525 mm"), ("-0,25mm", "-0.25mm"), ("1,5e-3 m", "1.5e-3 m")] {
+        let message = Length.parse("grid.x", text).unwrap_err().to_string();
+        assert_eq!(message, format!("grid.x = \"{text}\": the decimal separator is a point: \"{number}\""));
+    }
+}
+
+/// 4 cSt of an oil of 850 kg/m^3 are 4e-6 m^2/s times 850 kg/m^3 = 3.4e-3 Pa s.
+#[test]
+fn a_kinematic_viscosity_is_refused_with_the_dynamic_one() {
+    for (text, dynamic) in
+        [("4 cSt", "3.4"), ("0.04 St", "3.4"), ("4 mm2/s", "3.4"), ("1e-4 m\u{b2}/s", "85")]
+    {
+        let message = Viscosity.parse("lubricant.eta0", text).unwrap_err().to_string();
+        assert!(message.starts_with(&format!("lubricant.eta0 = \"{text}\": ")), "{message}");
+        assert!(message.contains("multiply by the density"), "{message}");
+        assert!(message.ends_with(&format!("it is \"{dynamic} mPa s\"")), "{message}");
     }
 }
 

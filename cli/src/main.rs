@@ -6,12 +6,15 @@
 #![forbid(unsafe_code)]
 
 mod commands;
+mod files;
+mod interrupt;
 mod output;
 mod picture;
 mod surface_numbers;
 
 use std::process::ExitCode;
 
+use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 
 use crate::commands::{check, curve, init, run, solve, surface};
@@ -47,6 +50,11 @@ enum Command {
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
+        Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            let text = "a subcommand is missing: init, check, solve, curve, run or surface; `stribeck --help` explains them";
+            output::complain("error", text);
+            return Outcome::Refused.into();
+        }
         Err(error) if error.use_stderr() => {
             output::complain("error", &short(&error.to_string()));
             return Outcome::Refused.into();

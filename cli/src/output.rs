@@ -6,10 +6,14 @@ use std::io::{self, Write};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::{Arc, Mutex, PoisonError};
 
-use stribeck::sim::{Scene, Warning};
+use indicatif::ProgressBar;
+use stribeck::sim::{CheckpointError, Scene, SimError, Warning};
 use stribeck::units::Dimension;
 use stribeck::{InputError, Status};
+
+use crate::files;
 
 /// How a subcommand ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,7 +51,16 @@ pub(crate) struct Output {
     /// Folder for files that are written
     #[arg(long, value_name = "FOLDER", default_value = ".")]
     pub(crate) out: PathBuf,
+    /// Write over files that exist
+    #[arg(long)]
+    pub(crate) force: bool,
 }
+
+/// Ends of messages about files that exist.
+pub(crate) const OTHER_FOLDER: &str = "--out FOLDER writes elsewhere";
+pub(crate) const OTHER_NAME: &str = "another name writes elsewhere";
+/// Memory from which on a solve announces it \[byte\].
+const MUCH_MEMORY: f64 = 1e9;
 
 /// Refuses to write `file` over the `scene` that it is made from.
 pub(crate) fn keep_scene(scene: &Path, file: &Path) -> Result<(), String> {
@@ -65,13 +78,37 @@ pub(crate) fn print(text: &dyn Display) -> io::Result<()> {
     match writeln!(io::stdout(), "{text}") {
         // A reader that has enough, as `head`, is no fault.
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        written => written,
+        Err(error) => Err(io::Error::other(format!("standard output: {}", io_words(&error)))),
+        Ok(()) => Ok(()),
     }
+}
+
+/// An error of the file system in plain words, with a remedy where there is one.
+pub(crate) fn io_words(error: &io::Error) -> String {
+    let words = match error.kind() {
+        io::ErrorKind::StorageFull => "the disk is full; free some space or write to another disk",
+        io::ErrorKind::QuotaExceeded => "the disk quota is used up; free some space or write to another disk",
+        io::ErrorKind::PermissionDenied => "permission denied; choose a folder that you may write to",
+        io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only; write to another one",
+        io::ErrorKind::NotFound => "there is no such file or folder",
+        io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists => {
+            "a part of this path is a file, not a folder; give a folder"
+        }
+        io::ErrorKind::IsADirectory => "this is a folder, give a file",
+        _ => return error.to_string(),
+    };
+    words.to_owned()
+}
+
+/// The message without the number that the system appends to its own.
+fn without_number(message: &str) -> String {
+    let Some((words, rest)) = message.split_once(" (os error ") else { return message.to_owned() };
+    rest.split_once(')').map_or_else(|| message.to_owned(), |(_, rest)| format!("{words}{rest}"))
 }
 
 /// One line on standard error.
 pub(crate) fn complain(kind: &str, text: &str) {
-    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let line = without_number(text).split_whitespace().collect::<Vec<_>>().join(" ");
     // Nobody is left to be told when standard error is closed.
     let _ = writeln!(io::stderr(), "{kind}: {line}");
 }
@@ -81,6 +118,38 @@ pub(crate) fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
     for warning in warnings {
         complain("warning", &warning.to_string());
     }
+}
+
+/// Lines that are printed at the first iteration of a solve: an input that is refused before has its error
+/// alone.
+#[derive(Clone, Default)]
+pub(crate) struct Held(Arc<Mutex<Vec<(&'static str, String)>>>);
+
+impl Held {
+    pub(crate) fn hold(&self, kind: &'static str, text: String) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).push((kind, text));
+    }
+
+    pub(crate) fn hold_warnings(&self, warnings: &[Warning]) {
+        warnings.iter().for_each(|warning| self.hold("warning", warning.to_string()));
+    }
+
+    /// Prints them above the `bar`, once.
+    pub(crate) fn print(&self, bar: &ProgressBar) {
+        let lines = std::mem::take(&mut *self.0.lock().unwrap_or_else(PoisonError::into_inner));
+        if !lines.is_empty() {
+            bar.suspend(|| lines.iter().for_each(|(kind, text)| complain(kind, text)));
+        }
+    }
+}
+
+/// Holds a line about the memory that one solve of the scene needs at most, if that is much.
+pub(crate) fn announce_memory(scene: &Scene, held: &Held) -> Result<(), SimError> {
+    let bytes = scene.memory()?;
+    if bytes >= MUCH_MEMORY {
+        held.hold("needs", format!("about {:.1} GB of memory", 1e-9 * bytes));
+    }
+    Ok(())
 }
 
 /// Says which files were written; with `json` standard output is not for that.
@@ -94,7 +163,7 @@ pub(crate) fn report_files(files: &[PathBuf], json: bool) -> io::Result<()> {
 
 /// The scene in the file at `path`.
 pub(crate) fn load(path: &Path) -> Result<Scene, String> {
-    Scene::load(path).map_err(|error| in_scene(path, &error))
+    Scene::load(path).map_err(|error| in_scene(path, plain(error).as_ref()))
 }
 
 /// The error with the scene file in front, unless it already names it.
@@ -108,6 +177,16 @@ pub(crate) fn stem(file: &Path) -> String {
     file.file_stem().map_or_else(|| "stribeck".to_owned(), |name| name.to_string_lossy().into_owned())
 }
 
+/// The error of the library with those of files in plain words.
+pub(crate) fn plain(error: SimError) -> Box<dyn Error> {
+    match error {
+        SimError::Io { path, source } | SimError::Checkpoint(CheckpointError::Io { path, source }) => {
+            files::named(&path, &source).into()
+        }
+        other => other.into(),
+    }
+}
+
 /// A number in SI units, or one with a unit.
 pub(crate) fn quantity(dimension: Dimension, field: &str, text: &str) -> Result<f64, InputError> {
     text.trim().parse().or_else(|_| dimension.parse(field, text))
@@ -116,7 +195,11 @@ pub(crate) fn quantity(dimension: Dimension, field: &str, text: &str) -> Result<
 /// The value of an option that must be positive.
 pub(crate) fn positive(dimension: Dimension, field: &str, text: &str) -> Result<f64, InputError> {
     let value = quantity(dimension, field, text)?;
-    require(value > 0.0, field, value, "finite and > 0")
+    let requirement = match dimension {
+        Dimension::Speed => "finite and > 0: the oil flows along +x",
+        _ => "finite and > 0",
+    };
+    require(value > 0.0, field, value, requirement)
 }
 
 /// The value of an option that counts something.

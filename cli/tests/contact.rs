@@ -1,25 +1,10 @@
-//! `stribeck solve`, `check`, `init` and `curve` from the outside.
+//! `stribeck solve`, `check` and `init` from the outside.
 #![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
 
 mod common;
 
-use std::path::{Path, PathBuf};
-
-use common::{assert_pictures, assert_refused, error_of, json_of, repository, stribeck, text};
+use common::{assert_pictures, assert_refused, error_of, json_of, repository, rough, stribeck, text};
 use stribeck::sim::{Scene, solve_contact};
-
-/// The rough scene of the repository on 32 x 32 cells, with roughness that they hold; `more` replaces text in
-/// it.
-fn rough(folder: &Path, more: &[(&str, &str)]) -> PathBuf {
-    let mut scene = std::fs::read_to_string(repository("examples/scenes/rough.toml")).unwrap();
-    for (from, to) in [("= 128", "= 32"), ("= 10e-6", "= 50e-6")].iter().chain(more) {
-        assert!(scene.contains(from), "{from}");
-        scene = scene.replace(from, to);
-    }
-    let path = folder.join("rough.toml");
-    std::fs::write(&path, scene).unwrap();
-    path
-}
 
 #[test]
 fn solve_has_the_numbers_of_the_library_and_draws_them() {
@@ -252,46 +237,4 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     let unit = ["init", text(&path), "--load", "5 kg"];
     assert_refused(&unit, &["--load = \"5 kg\"", "N"]);
     assert!(!path.exists());
-}
-
-#[test]
-fn the_curve_is_that_of_its_speeds() {
-    let folder = tempfile::tempdir().unwrap();
-    // The ratio of sliding is that of the schedule at the start.
-    let sliding = "[schedule.slide_roll_ratio]\nkind = \"constant\"\nvalue = 0.1\n[motion]\n";
-    let path = rough(folder.path(), &[("[motion]\n", sliding), ("= 0.05 # sliding", "= 0.0 # sliding")]);
-    let output = stribeck(&[
-        "curve",
-        text(&path),
-        "--from",
-        "20 mm/s",
-        "--to",
-        "2",
-        "--points",
-        "3",
-        "--json",
-        "--plot",
-        "--out",
-        text(folder.path()),
-    ]);
-    assert!(output.status.success(), "{output:?}");
-    assert!(!error_of(&output).contains("without sliding"), "{output:?}");
-    let curve = json_of(&output);
-    let points = curve["points"].as_array().unwrap();
-    assert_eq!(points.len(), 3);
-    let mut scene = Scene::load(&path).unwrap();
-    scene.motion.entrainment_speed = points[1]["motion"]["entrainment_speed"].as_f64().unwrap();
-    assert!((scene.motion.entrainment_speed / 0.2 - 1.0).abs() < 1e-12);
-    assert_eq!(points[1]["motion"]["slide_roll_ratio"], 0.1);
-    let solution = solve_contact(&scene).unwrap();
-    assert_eq!(points[1]["friction"]["coefficient"], solution.friction.coefficient);
-    assert_eq!(points[1]["contact"]["load_ratio"], solution.contact.load_ratio);
-    let lambda = solution.film.mean_central / 20e-9_f64.hypot(130e-9);
-    // Ball and disc are drawn apart, and by chance heights of one follow those of the other a little.
-    assert!((points[1]["film"]["lambda"].as_f64().unwrap() / lambda - 1.0).abs() < 0.1);
-    let table = std::fs::read_to_string(folder.path().join("rough_curve.csv")).unwrap();
-    let row: Vec<&str> = table.lines().nth(2).unwrap().split(',').collect();
-    assert_eq!(row[1].parse::<f64>().unwrap(), solution.friction.coefficient);
-    assert_eq!(table.lines().count(), 4);
-    assert_pictures(folder.path(), "rough_curve", &["Stribeck curve", "entrainment speed (m/s)", "friction"]);
 }

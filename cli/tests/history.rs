@@ -148,7 +148,7 @@ fn an_interrupted_run_ends_with_a_checkpoint() {
     let output = run.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(1), "{output:?}");
     let message = error_of(&output);
-    assert!(message.contains("of 1000000 steps") && message.contains("--resume"), "{message}");
+    assert!(message.contains("s of 1000000 s") && message.contains("--resume"), "{message}");
     let rows = std::fs::read_to_string(out.join("history.csv")).unwrap().lines().count() - 1;
     let more = (rows + 1).to_string();
     let resumed = ["run", text(&path), "--steps", &more, "--time-step", "1", "--out", text(&out), "--resume"];
@@ -162,7 +162,62 @@ fn an_interrupted_run_ends_with_a_checkpoint() {
     let refused = stribeck(&fewer);
     let message = error_of(&refused);
     assert_eq!(refused.status.code(), Some(2), "{message}");
-    assert!(message.contains(&format!("has taken {more} steps, more than the 1 asked for")), "{message}");
+    assert!(
+        message.contains("the run has reached") && message.contains("more than the 1 s asked for"),
+        "{message}"
+    );
+}
+
+/// Steps are 20 s until 60 s; then 25 s, and the last one ends at the duration.
+#[test]
+fn a_resumed_run_ends_at_its_duration_with_any_step() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = written(&scene(), folder.path());
+    let out = folder.path().join("run");
+    let run = |duration: &str, step: &str, more: &[&str]| {
+        let arguments =
+            ["run", text(&path), "--duration", duration, "--time-step", step, "--json", "--out", text(&out)];
+        stribeck(&[arguments.as_slice(), more].concat())
+    };
+    assert_eq!(numbers(&run("60", "20", &[]))["steps"], 3);
+    for (duration, step, steps) in [("125", "25", 6), ("125", "10", 6), ("130", "100", 7), ("150.5", "7", 10)]
+    {
+        let resumed = run(duration, step, &["--resume"]);
+        let found = numbers(&resumed);
+        let time = found["time"].as_f64().unwrap();
+        assert!((time / duration.parse::<f64>().unwrap() - 1.0).abs() < 1e-12, "{time} {duration}");
+        assert_eq!(found["steps"], steps, "{duration} {step}");
+        assert!(error_of(&resumed).contains(&format!("it goes on with steps of {step} s")), "{resumed:?}");
+    }
+    let rows = std::fs::read_to_string(out.join("history.csv")).unwrap();
+    let column = rows.lines().next().unwrap().split(',').position(|name| name == "time_s").unwrap();
+    let times: Vec<f64> =
+        rows.lines().skip(1).map(|row| row.split(',').nth(column).unwrap().parse().unwrap()).collect();
+    assert_eq!(times, [20.0, 40.0, 60.0, 85.0, 110.0, 125.0, 130.0, 137.0, 144.0, 150.5]);
+}
+
+#[test]
+fn another_schedule_or_law_than_that_of_the_run_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = written(&scene(), folder.path());
+    let out = folder.path().join("run");
+    let run = ["run", text(&path), "--steps", "2", "--time-step", "1", "--out", text(&out)];
+    assert!(stribeck(&run).status.success());
+    let before = std::fs::read(out.join("history.csv")).unwrap();
+    let mut scheduled = scene();
+    scheduled.schedule.load = Some(Schedule::steps(&[(0.0, 30.0), (2.0, 50.0)]));
+    let mut worn = scene();
+    worn.wear = None;
+    for (other, part) in [(scheduled, "scene.schedule"), (worn, "scene.wear")] {
+        written(&other, folder.path());
+        let longer =
+            ["run", text(&path), "--steps", "3", "--time-step", "1", "--out", text(&out), "--resume"];
+        assert_refused(
+            &longer,
+            &["belongs to another run", part, "take scene, laws and heights of that run"],
+        );
+        assert_eq!(std::fs::read(out.join("history.csv")).unwrap(), before);
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use indicatif::ProgressBar;
 use stribeck::InputError;
 use stribeck::reynolds::ContactState;
-use stribeck::sim::{MixedLubricationSim, Observer, RunFolder, SimError, StepRecord, write_vtk};
+use stribeck::sim::{MixedLubricationSim, Observer, RunFolder, SimError, StepControl, StepRecord, write_vtk};
 
 use crate::options::Options;
 use crate::statements::{self, PARTS, bearing_heights, film_profile};
@@ -22,7 +22,7 @@ pub(crate) struct History {
     pub(crate) failure: Option<SimError>,
 }
 
-/// Takes the steps that `options` asks for, or those that a stopped run left, and writes them into the folder
+/// Runs to the end time of `options`, from the start or from where a stopped run was, and writes them into the folder
 /// `name` of the output.
 ///
 /// # Errors
@@ -42,9 +42,10 @@ pub(crate) fn run(
     } else {
         (RunFolder::create(&path, &sim, options.every)?, Vec::new())
     };
+    let (end, control) = (options.end(), StepControl::fixed(options.time_step));
+    bar.set_length(sim.steps() + sim.steps_until(end, options.time_step));
     bar.set_position(sim.steps());
-    let left = options.steps.saturating_sub(sim.steps());
-    let outcome = sim.run(left, options.time_step, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
+    let outcome = sim.run_until(end, &control, &mut |sim: &MixedLubricationSim, record: &StepRecord| {
         records.push(record.clone());
         tick(bar, &title, record);
         folder.after_step(sim, record)

@@ -78,8 +78,8 @@ fn run(options: &Options) -> Result<bool, Box<dyn Error>> {
     for history in pairs.iter().flatten() {
         if let Some(error) = &history.failure {
             complete = false;
-            let (taken, wanted) = (history.records.len(), options.steps);
-            eprintln!("mtm_zddp: {} ended after {taken} of {wanted} steps: {error}", history.title);
+            let (time, end) = (history.sim.time(), options.end());
+            eprintln!("mtm_zddp: {} ended at {time} s of {end} s: {error}", history.title);
         }
     }
     Ok(complete)

@@ -19,7 +19,8 @@ usage: cargo run --release --example mtm_zddp -- [options]
   --grid N        nodes along each side of the grid
   --out DIR       where to write (default target/mtm_zddp)
   --checkpoint N  steps from one checkpoint to the next (default 10)
-  --resume        goes on from the checkpoints in DIR, of a run with the same options that was stopped
+  --resume        goes on from the checkpoints in DIR, of a run with the same scene that was stopped, to the end of --steps times
+                  --time-step, which may be another step
   --help          this text
 
 Writes with.csv and without.csv (a row per step), with.npz and without.npz (final fields), figure1.svg to figure8.svg, maps.svg
@@ -61,6 +62,11 @@ pub(crate) struct Options {
 }
 
 impl Options {
+    /// Time at which the histories end \[s\].
+    pub(crate) fn end(&self) -> f64 {
+        self.steps as f64 * self.time_step
+    }
+
     /// The options of one seed: the first is written beside the figures, others into folders of their own.
     pub(crate) fn of_seed(&self, number: u64) -> Self {
         let seed = self.seed.wrapping_add(number);

@@ -2,7 +2,7 @@
 
 use super::flow::{Cavitation, FaceMobility, Scheme, ShearThinning, require_spin};
 use crate::elastic::DeformationModel;
-use crate::error::InputError;
+use crate::error::{InputError, legible};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::with_fields::with_fields;
@@ -378,9 +378,9 @@ impl LubricatedContact<'_> {
         let Some(load) = self.box_load() else { return Ok(()) };
         if load >= largest {
             return Err(InputError::Conflict {
-                field: "load".to_owned(),
+                field: format!("load = {}", legible(self.load)),
                 reason: format!(
-                    "{load} N is more than the pressure limit lets the inner nodes of the box carry, below {largest:.6e} N; take less load, or harder bodies"
+                    "the inner nodes of the box carry less than {largest:.6e} N at the pressure limit; take less load, or harder bodies"
                 ),
             });
         }
@@ -413,7 +413,8 @@ pub(crate) fn outermost(grid: &Grid) -> impl Iterator<Item = usize> + use<> {
 /// solves linear systems in single precision.
 pub(crate) const LEAST_SPEED: f64 = 1e-15;
 /// What [`require_speed`] asks for.
-pub(crate) const SPEED_REQUIREMENT: &str = "finite and >= 1e-15";
+pub(crate) const SPEED_REQUIREMENT: &str =
+    "finite and >= 1e-15: the oil flows along +x; mirror the scene in x for the other direction";
 
 /// Refuses an entrainment speed \[m/s\] that drags no film along.
 pub(crate) fn require_speed(field: &str, speed: f64) -> Result<(), InputError> {

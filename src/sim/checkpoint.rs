@@ -87,7 +87,10 @@ pub enum CheckpointError {
         reason: String,
     },
     /// The file belongs to another simulation.
-    #[error("{} belongs to another run: {part} differs", path.display())]
+    #[error(
+        "{} belongs to another run: {part} differs; take scene, laws and heights of that run, or begin another one",
+        path.display()
+    )]
     Other {
         /// The file.
         path: PathBuf,

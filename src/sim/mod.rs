@@ -46,6 +46,7 @@ mod history_means;
 mod identity;
 mod interrupt;
 mod laws;
+mod memory;
 mod mixing;
 #[cfg(feature = "npz")]
 mod npz;

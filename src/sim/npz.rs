@@ -3,7 +3,7 @@
 //! An archive is a zip file of arrays; each is written in pieces, so that no copy of a field is made.
 
 use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, ErrorKind, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use zip::CompressionMethod;
@@ -55,7 +55,8 @@ pub fn write_npz(path: impl AsRef<Path>, grid: &Grid, fields: &[(&str, &[f64])])
 
 /// Positions of the nodes, then the fields.
 fn write_archive(path: &Path, grid: &Grid, fields: &[(&str, &[f64])]) -> std::io::Result<()> {
-    let mut archive = ZipWriter::new(BufWriter::new(File::create(path)?));
+    let mut archive =
+        ZipWriter::new(UntilError { inner: BufWriter::new(File::create(path)?), failed: false });
     let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
     let (nx, ny) = (grid.nx(), grid.ny());
     let axes: [Vec<f64>; 2] = [(0..nx).map(|i| grid.x(i)).collect(), (0..ny).map(|j| grid.y(j)).collect()];
@@ -68,6 +69,41 @@ fn write_archive(path: &Path, grid: &Grid, fields: &[(&str, &[f64])]) -> std::io
         write_array(&mut archive, &format!("{ny}, {nx}"), field)?;
     }
     archive.finish()?.flush()
+}
+
+/// A writer that drops everything after its first error: an archive that is given up ends itself and would
+/// report its errors on the terminal.
+struct UntilError<W> {
+    /// The writer.
+    inner: W,
+    /// Whether it has failed.
+    failed: bool,
+}
+
+impl<W> UntilError<W> {
+    /// The result of `act`; `otherwise` after an error.
+    fn act<T>(&mut self, otherwise: T, act: impl FnOnce(&mut W) -> std::io::Result<T>) -> std::io::Result<T> {
+        if self.failed {
+            return Ok(otherwise);
+        }
+        act(&mut self.inner).inspect_err(|error| self.failed = error.kind() != ErrorKind::Interrupted)
+    }
+}
+
+impl<W: Write> Write for UntilError<W> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.act(bytes.len(), |inner| inner.write(bytes))
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.act((), Write::flush)
+    }
+}
+
+impl<W: Seek> Seek for UntilError<W> {
+    fn seek(&mut self, position: SeekFrom) -> std::io::Result<u64> {
+        self.act(0, |inner| inner.seek(position))
+    }
 }
 
 /// Header and values of one array of the given `shape`.

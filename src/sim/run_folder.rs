@@ -81,6 +81,9 @@ struct RunTable {
 }
 
 impl RunFolder {
+    /// Names of the files of a run but for the lock, which holds nothing.
+    pub const FILES: [&str; 5] = ["scene.toml", "run.toml", "history.csv", "checkpoint", "fields.npz"];
+
     /// Makes the folder for a run from its start, with a checkpoint after each `every` steps (0: at the end
     /// alone). What an earlier run left there is replaced.
     ///
@@ -99,7 +102,8 @@ impl RunFolder {
         // A pipe would be waited for without end.
         let opened = fs::create_dir_all(path).and_then(|()| match regular_file::size(&file) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-            _ => File::create(&file),
+            // A file of this name keeps its content.
+            _ => File::options().write(true).create(true).truncate(false).open(&file),
         });
         let lock = opened.map_err(|source| SimError::Io { path: file.clone(), source })?;
         match lock.try_lock() {
@@ -272,8 +276,10 @@ impl RunFolder {
         let states = film_states(sim);
         fields.extend(states.iter().map(|(name, state)| (name.as_str(), state.as_slice())));
         let (file, grid) = (self.path.join("fields.npz"), sim.grid());
-        write_npz(whole_file::draft(&file), &grid, &fields)?;
-        whole_file::put_in_place(&file).map_err(|source| SimError::Io { path: file, source })
+        let draft = whole_file::draft(&file);
+        let put =
+            || whole_file::put_in_place(&file).map_err(|source| SimError::Io { path: file.clone(), source });
+        write_npz(&draft, &grid, &fields).and_then(|()| put()).inspect_err(|_| drop(fs::remove_file(&draft)))
     }
 
     /// The contact of the last committed step; none before the first.

@@ -11,6 +11,11 @@ use super::simulation::MixedLubricationSim;
 use super::step_control::StepControl;
 use crate::error::InputError;
 
+/// Share of a step by which sums of steps may miss the end of a run: they are rounded.
+const ROUNDING: f64 = 1e-9;
+/// Requirement on a step that changes the time up to the end of a run.
+const TOO_SHORT: &str = "longer than the rounding of the end time, else no step changes the time";
+
 /// How a run ended.
 ///
 /// # Examples
@@ -66,17 +71,40 @@ impl MixedLubricationSim {
         InputError::require(end.is_finite(), "end", end, "finite")?;
         InputError::require(end >= self.time, "end", end, "the time of the simulation or later")?;
         control.validate()?;
-        // What rounding leaves of the last step is none.
-        while end - self.time > 1e-9 * control.longest {
-            let mut left = end - self.time;
-            if let Some(entry) = self.timetable.next_entry(self.time) {
-                left = left.min(entry - self.time);
-            }
-            let record = self.step_within(&StepControl { longest: control.longest.min(left), ..*control })?;
+        InputError::require(end + control.longest > end, "time_step", control.longest, TOO_SHORT)?;
+        let rounding = ROUNDING * control.longest;
+        while end - self.time > rounding {
+            let left = self.timetable.next_entry(self.time).map_or(end, |entry| entry.min(end)) - self.time;
+            // A run that is continued takes the steps of one that was not stopped.
+            let whole = left >= control.longest - rounding;
+            let longest = if whole { control.longest } else { left };
+            let record = self.step_within(&StepControl { longest, ..*control })?;
             if observer.after_step(self, &record) == ControlFlow::Break(()) {
                 return Ok(RunEnd::Stopped);
             }
         }
         Ok(RunEnd::Finished)
+    }
+
+    /// Number of steps that [`run_until`](Self::run_until) takes to `end` \[s\] where none is longer than
+    /// `longest` \[s\] and no depth shortens them.
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
+    /// assert_eq!(sim.steps_until(25.0, 10.0), 3);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn steps_until(&self, end: f64, longest: f64) -> u64 {
+        let (mut time, mut steps) = (self.time, 0.0);
+        while end - time > ROUNDING * longest {
+            let next = self.timetable.next_entry(time).map_or(end, |entry| entry.min(end));
+            if next <= time {
+                break;
+            }
+            steps += ((next - time) / longest - ROUNDING).ceil().max(1.0);
+            time = next;
+        }
+        steps as u64
     }
 }

@@ -7,8 +7,10 @@
 use super::SimError;
 use super::friction::boundary_law;
 use super::hertz::HertzContact;
+pub(super) use super::memory::validate_memory;
 use super::owned::OwnedSolver;
 use super::scene::{FileRoughness, LubricantSpec, Roughness, Scene, SolverKind, ViscositySpec};
+use super::warnings::refuse_slips;
 use crate::error::{InputError, legible};
 use crate::grid::Grid;
 use crate::lubricant::{
@@ -20,10 +22,6 @@ use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRu
 #[cfg(feature = "formats")]
 use crate::surface::rescale;
 
-/// Memory of a lubricated contact per node \[byte\].
-const LUBRICATED_BYTES: usize = 2000;
-/// Memory of a dry contact per node \[byte\].
-const DRY_BYTES: usize = 400;
 /// Largest film at which solids touch, over the smallest radius of the form.
 const LARGEST_CUTOFF: f64 = 1e-3;
 
@@ -33,7 +31,9 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
     if scene.is_lubricated() && scene.schedule.entrainment_speed.is_none() {
         require_speed("motion.entrainment_speed", speed)?;
     }
-    InputError::require_non_negative("motion.entrainment_speed", speed)?;
+    let requirement =
+        "finite and >= 0: the surfaces move along +x; mirror the scene in x for the other direction";
+    InputError::require(speed.is_finite() && speed >= 0.0, "motion.entrainment_speed", speed, requirement)?;
     let ratio = scene.motion.slide_roll_ratio;
     InputError::require(ratio.is_finite(), "motion.slide_roll_ratio", ratio, "finite")?;
     let friction = scene.friction;
@@ -94,7 +94,7 @@ pub(super) fn validate(scene: &Scene) -> Result<(), InputError> {
         validate_accuracy("solver.accuracy", accuracy)?;
     }
     stopping_rule(scene)?;
-    Ok(())
+    refuse_slips(scene)
 }
 
 /// Checks a wanted relative error of the mesh.
@@ -134,12 +134,6 @@ pub(super) fn validate_box(grid: &Grid, hertz: &HertzContact, is_line: bool) -> 
         ),
     })?;
     Ok(())
-}
-
-/// Checks that the system grants the memory of a contact on `grid`: where it runs out later the process is
-/// ended.
-pub(super) fn validate_memory(grid: &Grid, lubricated: bool) -> Result<(), InputError> {
-    grid.require_memory(if lubricated { LUBRICATED_BYTES } else { DRY_BYTES })
 }
 
 /// Checks that solids do not touch at a distance at which the bodies are no paraboloids any more.

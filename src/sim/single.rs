@@ -50,10 +50,32 @@ impl SimBuilder {
     /// # Ok::<(), stribeck::sim::SimError>(())
     /// ```
     pub fn solve(self) -> Result<ContactSolution, SimError> {
+        self.solve_observed(|_| {})
+    }
+
+    /// The same, and `observer` sees the solution of each mesh as it comes where an accuracy or an estimate of
+    /// errors needs several, the last one included. They have no warnings yet.
+    ///
+    /// # Errors
+    /// As of [`solve`](Self::solve).
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut scene = Scene::azam_2019(32);
+    /// scene.solver.estimate = true;
+    /// let mut cells = Vec::new();
+    /// MixedLubricationSim::builder(scene).solve_observed(|solution| cells.push(solution.grid.nx()))?;
+    /// assert_eq!(cells, [16, 32]);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn solve_observed(
+        self,
+        mut observer: impl FnMut(&ContactSolution),
+    ) -> Result<ContactSolution, SimError> {
         let scene = self.scene.clone();
         let mut solution = match self.begin()? {
             Begun::Mesh(contact) => contact.solve()?,
-            Begun::Meshes(meshes) => meshes.solve()?,
+            Begun::Meshes(meshes) => meshes.solve(&mut observer)?,
         };
         let found = warnings::after_solve(&scene, &solution);
         solution.warnings.extend(found);

@@ -29,10 +29,11 @@ pub(super) fn put_in_place(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Replaces the file with `bytes`.
+/// Replaces the file with `bytes`. On an error the old file stays and no draft is left.
 pub(super) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    File::create(draft(path))?.write_all(bytes)?;
-    put_in_place(path)
+    let drafted = File::create(draft(path)).and_then(|mut file| file.write_all(bytes));
+    let written = drafted.and_then(|()| put_in_place(path));
+    written.inspect_err(|_| drop(fs::remove_file(draft(path))))
 }
 
 #[cfg(test)]
@@ -49,5 +50,14 @@ mod tests {
         replace(&path, b"new").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"new");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_failed_replacement_leaves_no_draft() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("file");
+        fs::create_dir(&path).unwrap(); // a folder is not replaced by a file
+        assert!(replace(&path, b"new").is_err());
+        assert!(path.is_dir() && !draft(&path).exists());
     }
 }

@@ -61,6 +61,7 @@ pub(crate) fn profile(seen: &Seen<'_>) -> Chart {
             .zip(columns.clone())
             .filter_map(|(node, i)| values.get(node).map(|value| (1e6 * grid.x(i), factor * value)))
             .collect(),
+        bands: Vec::new(),
     };
     let mut pressures = vec![line("all", VERMILION, &state.pressure, 1e-9)];
     if seen.lubricated {

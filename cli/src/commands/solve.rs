@@ -4,11 +4,13 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use stribeck::sim::{ContactSolution, solve_contact, write_npz};
+use indicatif::ProgressBar;
+use stribeck::sim::scene::{GridSpec, Scene};
+use stribeck::sim::{ContactSolution, MixedLubricationSim, SimError, write_npz};
 
 use super::contact_pictures::{Seen, maps, profile};
-use crate::output::{self, Outcome, Output};
-use crate::picture;
+use crate::output::{self, Held, Outcome, Output};
+use crate::{files, interrupt, picture};
 
 #[derive(clap::Args)]
 pub(crate) struct Options {
@@ -27,18 +29,46 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         output::keep_scene(&options.scene, path)?;
     }
     let scene = output::load(&options.scene)?;
-    // Before the solve, which may take long.
-    let known = scene.warnings();
-    output::warn(&known);
-    let solution = solve_contact(&scene).map_err(|error| output::in_scene(&options.scene, &error))?;
+    claim(options, &scene)?;
+    let (held, known) = (Held::default(), scene.warnings());
+    // At the first iteration, before what may take long.
+    held.hold_warnings(&known);
+    output::announce_memory(&scene, &held).map_err(|error| output::in_scene(&options.scene, &error))?;
+    let refines = scene.solver.accuracy.is_some() || matches!(scene.grid, GridSpec::Accuracy { .. });
+    if refines {
+        interrupt::listen("the solve ends here")?;
+    }
+    let hidden = ProgressBar::hidden();
+    let builder = MixedLubricationSim::builder(scene).interrupt(move || {
+        held.print(&hidden);
+        interrupt::is_requested()
+    });
+    let solved = builder.solve_observed(|solution| {
+        if refines {
+            output::complain("mesh", &mesh_line(solution));
+        }
+    });
+    let solution = match solved {
+        Err(SimError::Interrupted) => {
+            output::complain("error", "interrupted; the meshes above are solved, none to the accuracy");
+            return Ok(Outcome::NotConverged);
+        }
+        solved => solved.map_err(|error| output::in_scene(&options.scene, &error))?,
+    };
     let seconds = start.elapsed().as_secs_f64();
-    let mut files = Vec::new();
+    let mut written = Vec::new();
     if let Some(path) = &options.fields {
-        write_npz(path, &solution.grid, &solution.fields())?;
-        files.push(path.clone());
+        files::write_with(path, |draft| {
+            let written = write_npz(draft, &solution.grid, &solution.fields());
+            written.map_err(|error| match error {
+                SimError::Io { source, .. } => files::named(path, &source).into(),
+                other => other.into(),
+            })
+        })?;
+        written.push(path.clone());
     }
     if options.output.plot {
-        files.extend(pictures(options, &solution)?);
+        written.extend(pictures(options, &solution)?);
     }
     let mut numbers = serde_json::to_value(&solution)?;
     numbers["seconds"] = seconds.into();
@@ -48,8 +78,43 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     } else {
         output::print(&format!("{solution}\ntime       {seconds:.2} s"))?;
     }
-    output::report_files(&files, options.output.json)?;
+    output::report_files(&written, options.output.json)?;
     Ok(solution.report.status.into())
+}
+
+/// The solution of one mesh of several in a line.
+fn mesh_line(solution: &ContactSolution) -> String {
+    let (grid, estimate) = (&solution.grid, &solution.error_estimate);
+    let percent = |error: f64| format!(" +- {:.2} %", 100.0 * error);
+    let known = |error: Option<f64>| error.map_or_else(String::new, percent);
+    format!(
+        "{} x {} cells, {}: mean film {:.2} nm{}, load on solids {:.4}, friction {:.4}{}",
+        grid.nx(),
+        grid.ny(),
+        solution.report.status,
+        1e9 * solution.film.mean_central,
+        known(estimate.map(|estimate| estimate.film_mean_central)),
+        solution.contact.load_ratio,
+        solution.friction.coefficient,
+        known(estimate.map(|estimate| estimate.friction_coefficient))
+    )
+}
+
+/// Checks before the solve that the files can be written.
+fn claim(options: &Options, scene: &Scene) -> Result<(), String> {
+    let force = options.output.force;
+    if let Some(path) = &options.fields {
+        files::claim(std::slice::from_ref(path), force, output::OTHER_NAME)?;
+    }
+    if options.output.plot {
+        let (out, name) = (&options.output.out, output::stem(&options.scene));
+        let maps = (!scene.form.is_line()).then(|| picture::files(out, &format!("{name}_maps")));
+        let mut targets: Vec<PathBuf> = maps.into_iter().flatten().collect();
+        targets.extend(picture::files(out, &format!("{name}_profile")));
+        files::make_folder(out)?;
+        files::claim(&targets, force, output::OTHER_FOLDER)?;
+    }
+    Ok(())
 }
 
 fn pictures(options: &Options, solution: &ContactSolution) -> Result<Vec<PathBuf>, Box<dyn Error>> {
@@ -62,11 +127,11 @@ fn pictures(options: &Options, solution: &ContactSolution) -> Result<Vec<PathBuf
         lubricated: solution.moes.is_some(),
         tribofilm: None,
     };
-    let mut files = Vec::new();
+    let mut written = Vec::new();
     let out = &options.output.out;
     if solution.grid.ny() > 1 {
-        files.extend(picture::write(&maps(&seen), out, &format!("{name}_maps"))?);
+        written.extend(picture::write(&maps(&seen), out, &format!("{name}_maps"))?);
     }
-    files.extend(picture::write(&profile(&seen), out, &format!("{name}_profile"))?);
-    Ok(files)
+    written.extend(picture::write(&profile(&seen), out, &format!("{name}_profile"))?);
+    Ok(written)
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use stribeck::surface;
 
+use crate::files;
 use crate::output::{self, Outcome, Output};
 use crate::picture::{self, Page};
 use crate::surface_numbers::Numbers;
@@ -24,19 +25,22 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     if let Some(warning) = numbers.warning() {
         output::complain("warning", &warning);
     }
-    let mut files = Vec::new();
+    let mut written = Vec::new();
     if options.output.plot {
         let file = options.file.file_name().unwrap_or(options.file.as_os_str());
         let title = file.to_string_lossy().into_owned();
         let name = format!("{}_surface", output::stem(&options.file));
+        let Output { out, force, .. } = &options.output;
+        files::make_folder(out)?;
+        files::claim(&picture::files(out, &name), *force, output::OTHER_FOLDER)?;
         let page = Page { title, surface: &measured, numbers: &numbers };
-        files.extend(picture::write(&page, &options.output.out, &name)?);
+        written.extend(picture::write(&page, out, &name)?);
     }
     if options.output.json {
         output::print(&numbers.to_json())?;
     } else {
         output::print(&numbers.to_text().trim_end())?;
     }
-    output::report_files(&files, options.output.json)?;
+    output::report_files(&written, options.output.json)?;
     Ok(Outcome::Converged)
 }

@@ -26,6 +26,8 @@ pub(crate) struct Line {
     pub(crate) name: &'static str,
     pub(crate) colour: RGBColor,
     pub(crate) points: Vec<(f64, f64)>,
+    /// Lower and upper edge of a band around the line, at its x; empty for none.
+    pub(crate) bands: Vec<(f64, [f64; 2])>,
 }
 
 /// A pair of axes and what is drawn in it.
@@ -132,6 +134,11 @@ impl Panel {
     {
         let y = chart.y_range();
         for line in &self.lines {
+            let edge = |side: usize| line.bands.iter().map(move |(x, edges)| (*x, edges[side]));
+            let outline: Vec<(f64, f64)> = edge(0).chain(edge(1).rev()).collect();
+            if !outline.is_empty() {
+                chart.draw_series([Polygon::new(outline, line.colour.mix(0.2))])?;
+            }
             let style = ShapeStyle::from(line.colour).stroke_width(2);
             let known: Vec<(f64, f64)> = line.points.iter().copied().filter(|(_, v)| v.is_finite()).collect();
             let mut is_named = line.name.is_empty();
@@ -162,7 +169,8 @@ impl Panel {
     /// From zero, or from the lowest value where it is negative, to a little above the highest.
     fn y_range(&self) -> Range<f64> {
         let values = self.lines.iter().flat_map(|line| &line.points).map(|point| point.1);
-        let (low, high) = extremes(values);
+        let edges = self.lines.iter().flat_map(|line| &line.bands).flat_map(|(_, edges)| *edges);
+        let (low, high) = extremes(values.chain(edges));
         let (low, high) = (low.min(0.0), self.highest.map_or(high, |highest| high.min(highest)).max(0.0));
         let margin = if high > low { 0.06 * (high - low) } else { 1.0 };
         if low < 0.0 { low - margin..high + margin } else { 0.0..high + margin }

@@ -9,6 +9,8 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Once;
 
+use image::codecs::png::PngEncoder;
+use image::{ColorType, ImageEncoder};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
@@ -41,6 +43,11 @@ pub(crate) trait Picture {
         B::ErrorType: 'static;
 }
 
+/// The files of the picture `name` in `folder`.
+pub(crate) fn files(folder: &Path, name: &str) -> [PathBuf; 2] {
+    ["svg", "png"].map(|kind| folder.join(format!("{name}.{kind}")))
+}
+
 /// Writes `picture` into `folder` as `name.svg` and `name.png`.
 pub(crate) fn write(
     picture: &impl Picture,
@@ -51,12 +58,17 @@ pub(crate) fn write(
     let mut fonts = Ok(());
     FONT_IS_KNOWN.call_once(|| fonts = register_font("sans-serif", FontStyle::Normal, FONT));
     fonts.map_err(|_| "the font in the program is damaged")?;
-    std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    let files = ["svg", "png"].map(|kind| folder.join(format!("{name}.{kind}")));
+    let (files, size) = (files(folder, name), picture.size());
     let [svg, png] = &files;
-    let named = |file: &Path, error: Box<dyn Error>| format!("{}: {error}", file.display());
-    whole(picture, SVGBackend::new(svg, picture.size())).map_err(|error| named(svg, error))?;
-    whole(picture, BitMapBackend::new(png, picture.size())).map_err(|error| named(png, error))?;
+    let mut drawing = String::new();
+    whole(picture, SVGBackend::with_string(&mut drawing, size))?;
+    let (width, height) = size;
+    let mut pixels = vec![0; 3 * width as usize * height as usize];
+    whole(picture, BitMapBackend::with_buffer(&mut pixels, size))?;
+    let mut encoded = Vec::new();
+    PngEncoder::new(&mut encoded).write_image(&pixels, width, height, ColorType::Rgb8)?;
+    crate::files::write(svg, drawing.as_bytes())?;
+    crate::files::write(png, &encoded)?;
     Ok(files)
 }
 

@@ -55,3 +55,16 @@ pub(crate) fn assert_pictures(folder: &Path, name: &str, words: &[&str]) {
     let colours: std::collections::BTreeSet<[u8; 3]> = png.pixels().map(|pixel| pixel.0).collect();
     assert!(colours.len() > 20, "{name}: {} colours", colours.len());
 }
+
+/// The rough scene of the repository on 32 x 32 cells, with roughness that they hold; `more` replaces text in
+/// it.
+pub(crate) fn rough(folder: &Path, more: &[(&str, &str)]) -> PathBuf {
+    let mut scene = std::fs::read_to_string(repository("examples/scenes/rough.toml")).unwrap();
+    for (from, to) in [("= 128", "= 32"), ("= 10e-6", "= 50e-6")].iter().chain(more) {
+        assert!(scene.contains(from), "{from}");
+        scene = scene.replace(from, to);
+    }
+    let path = folder.join("rough.toml");
+    std::fs::write(&path, scene).unwrap();
+    path
+}

@@ -62,6 +62,20 @@ pub struct ErrorEstimate {
     pub film_by_box: f64,
 }
 
+/// Nodes of the largest mesh that a solve of `scene` takes: its own where that is given, the finest of the first
+/// meshes of a smooth contact that picks them, the largest that is ever tried of a rough one.
+pub(super) fn largest_mesh(scene: &Scene) -> Result<usize, SimError> {
+    match scene.grid {
+        GridSpec::Accuracy { accuracy } if scene.is_smooth() => {
+            let grid = smooth::finest(scene, accuracy)?;
+            Ok(Scene { grid, ..scene.clone() }.grid()?.len())
+        }
+        GridSpec::Accuracy { .. } => Ok(rough::MAX_NODES),
+        _ if scene.solver.accuracy.is_some() => Ok(rough::MAX_NODES.max(scene.grid()?.len())),
+        _ => Ok(scene.grid()?.len()),
+    }
+}
+
 /// The meshes of one contact, of which nothing is solved yet.
 pub(super) enum Meshes {
     /// Of a smooth contact, box and cells picked.
@@ -102,11 +116,15 @@ impl Meshes {
         Ok(Self::Rough(Box::new(meshes)))
     }
 
-    /// Solves on one mesh after the other and estimates the errors of the last.
-    pub(super) fn solve(self) -> Result<ContactSolution, SimError> {
+    /// Solves on one mesh after the other and estimates the errors of the last; `observer` sees the solution of
+    /// each.
+    pub(super) fn solve(
+        self,
+        observer: &mut dyn FnMut(&ContactSolution),
+    ) -> Result<ContactSolution, SimError> {
         match self {
-            Self::Smooth(meshes) => meshes.solve(),
-            Self::Rough(meshes) => meshes.solve(),
+            Self::Smooth(meshes) => meshes.solve(observer),
+            Self::Rough(meshes) => meshes.solve(observer),
         }
     }
 

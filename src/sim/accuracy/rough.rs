@@ -22,7 +22,7 @@ use crate::sim::{SimError, setup};
 use crate::surface::{HeightDistribution, RandomShape};
 
 /// Meshes of more nodes are not tried.
-const MAX_NODES: usize = 1 << 20;
+pub(super) const MAX_NODES: usize = 1 << 20;
 /// Fewest cells along a side that have a half.
 const FEWEST: usize = 10;
 /// Cells in the length over which a Gaussian autocorrelation falls to 10 %, and in the shortest wave of a
@@ -79,16 +79,21 @@ impl Halving {
 
     /// Solves until the largest of the four estimated errors is at most the accuracy, or a mesh is not
     /// solved, or the next one would be too large.
-    pub(super) fn solve(self) -> Result<ContactSolution, SimError> {
+    pub(super) fn solve(
+        self,
+        observer: &mut dyn FnMut(&ContactSolution),
+    ) -> Result<ContactSolution, SimError> {
         let Self { mut scene, accuracy, field, surfaces, interrupt, half, whole } = self;
         let mut coarse = half.solve().map_err(|error| on_half(error, field))?;
         let mut contact = whole;
         let mut work = Spent::default();
         work.add(&coarse);
+        observer(&coarse);
         loop {
             let mut solution = contact.solve()?;
             work.add(&solution);
             solution.error_estimate = change::estimate(&coarse, &solution);
+            observer(&solution);
             let error = solution.error_estimate.map_or(f64::INFINITY, |estimate| largest(&estimate));
             let finer = Scene { grid: of_cells(scene.grid, |n| 2 * n), ..scene.clone() };
             let unsolved = solution.report.status != Status::Converged;

@@ -165,6 +165,13 @@ pub(in crate::sim) struct Picked {
     pub(super) warnings: Vec<Warning>,
 }
 
+/// Cells of the finest of the first meshes of `scene`.
+pub(super) fn finest(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
+    setup::validate(scene)?;
+    let hertz = scene.hertz()?;
+    Ok(Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?.cells(&hertz, 0, scene.form.is_line())?)
+}
+
 impl Picked {
     /// The first meshes of `scene`.
     pub(super) fn new(scene: &Scene, accuracy: f64, interrupt: Option<&Interrupt>) -> Result<Self, SimError> {
@@ -187,13 +194,20 @@ impl Picked {
 
     /// Solves so that the estimated error of the central film (of the maximum pressure where it is dry) is at
     /// most the accuracy, or reports the estimate that was reached.
-    pub(super) fn solve(self) -> Result<ContactSolution, SimError> {
+    pub(super) fn solve(
+        self,
+        observer: &mut dyn FnMut(&ContactSolution),
+    ) -> Result<ContactSolution, SimError> {
         let Self { mut scene, hertz, accuracy, mut plan, spike_growth, interrupt, .. } = self;
         let mut work = Spent::default();
         let mut round = 0;
         loop {
             round += 1;
-            let meshes = Meshes::solve((&mut scene, interrupt.as_ref()), &hertz, &plan, &mut work)?;
+            let mut seen = |solution: &ContactSolution| {
+                work.add(solution);
+                observer(solution);
+            };
+            let meshes = Meshes::solve((&mut scene, interrupt.as_ref()), &hertz, &plan, &mut seen)?;
             let (mut solution, estimate) = meshes.estimate(scene.is_lubricated(), spike_growth);
             let reached = estimate.map_or(f64::INFINITY, |e| {
                 if scene.is_lubricated() { e.film_central } else { e.pressure_max }
@@ -224,12 +238,13 @@ struct Meshes {
 }
 
 impl Meshes {
-    /// Solves on all meshes, coarsest first, each from the one before where that converged.
+    /// Solves on all meshes, coarsest first, each from the one before where that converged; `observer` sees the
+    /// solution of each.
     fn solve(
         (scene, interrupt): (&mut Scene, Option<&Interrupt>),
         hertz: &HertzContact,
         plan: &Plan,
-        work: &mut Spent,
+        observer: &mut dyn FnMut(&ContactSolution),
     ) -> Result<Self, SimError> {
         let mut numbers = Vec::new();
         let (mut middle, mut previous): (Option<ContactSolution>, Option<ContactSolution>) = (None, None);
@@ -240,7 +255,7 @@ impl Meshes {
                 _ => Ok(ContactState::new(grid)),
             })?;
             let solution = contact.solve()?;
-            work.add(&solution);
+            observer(&solution);
             if solution.report.status == Status::Converged {
                 numbers.push([solution.film.central, solution.film.minimum, solution.pressure.max]);
             } else {

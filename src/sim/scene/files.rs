@@ -12,6 +12,7 @@ use super::{Roughness, Scene, keys, missing};
 use crate::error::quoted;
 use crate::sim::SimError;
 use crate::text_file;
+use crate::units::toml_line;
 
 /// Characters of a line that a syntax error quotes.
 const LONGEST_QUOTE: usize = 80;
@@ -28,7 +29,8 @@ impl Scene {
         let root = DeTable::parse(text).map_err(|error| {
             let line = text.lines().nth(line_of(text, &error)).unwrap_or_default().trim();
             let shown: String = line.chars().filter(|c| !c.is_control()).take(LONGEST_QUOTE).collect();
-            scene(format!("{} in `{shown}`", in_one_line(text, error)))
+            let hint = toml_line(line).map_or_else(String::new, |hint| format!("; {hint}"));
+            scene(format!("{} in `{shown}`{hint}", in_one_line(text, error)))
         })?;
         let text = keys::in_si_units(text, root.get_ref())?;
         let tree = toml::Deserializer::parse(&text).map_err(|error| scene(in_one_line(&text, error)))?;

@@ -186,9 +186,12 @@ impl TryFrom<ScheduleTable> for Schedule {
 /// Exactly two numbers: the parser would drop further ones in silence.
 fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 2]>, D::Error> {
     let edges = Vec::<f64>::deserialize(deserializer)?;
-    <[f64; 2]>::try_from(edges.as_slice())
-        .map(Some)
-        .map_err(|_| D::Error::invalid_length(edges.len(), &"the two outer edges"))
+    <[f64; 2]>::try_from(edges.as_slice()).map(Some).map_err(|_| {
+        let count = edges.len();
+        D::Error::custom(format!(
+            "a list of {count}, expected the two outer edges [low, high] with a decimal point"
+        ))
+    })
 }
 
 /// Error for a key of `given` that is none of `known`, those of a table with the `tag`.
@@ -212,15 +215,17 @@ pub(super) mod seed {
     use serde::de::Error;
     use serde::{Deserialize, Deserializer, Serializer};
 
-    /// What the error of another value says.
+    /// Requirement on a seed, for messages.
     const A_SEED: &str = "a seed is a whole number from 0 to 2^64 - 1";
 
-    /// A seed as it is written.
+    /// A seed as it is written, and numbers that are none.
     #[derive(Deserialize)]
     #[serde(untagged)]
     enum Seed {
         Number(u64),
         Text(String),
+        Negative(i64),
+        Real(f64),
     }
 
     /// Writes a seed, as text where TOML has no integer for it.
@@ -246,7 +251,11 @@ pub(super) mod seed {
     pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
         match Seed::deserialize(deserializer) {
             Ok(Seed::Number(number)) => Ok(number),
-            Ok(Seed::Text(text)) => text.parse().map_err(|_| D::Error::custom(A_SEED)),
+            Ok(Seed::Text(text)) => {
+                text.parse().map_err(|_| D::Error::custom(format!("text \"{text}\", {A_SEED}")))
+            }
+            Ok(Seed::Negative(number)) => Err(D::Error::custom(format!("`{number}`, {A_SEED}"))),
+            Ok(Seed::Real(number)) => Err(D::Error::custom(format!("`{number}`, {A_SEED}"))),
             Err(_) => Err(D::Error::custom(A_SEED)),
         }
     }

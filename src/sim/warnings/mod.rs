@@ -11,7 +11,7 @@ mod solved;
 use std::fmt;
 
 pub use given_film::given_film_warnings;
-pub(super) use plausible::of_own_laws;
+pub(super) use plausible::{of_own_laws, refuse_height_slip, refuse_slips};
 pub(super) use solved::{DEEP_WEAR, Seen, after_solve, deep_wear, of_contact};
 
 use super::hertz::HertzContact;

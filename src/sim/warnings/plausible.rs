@@ -11,25 +11,63 @@ use super::quantity::{
     ROELANDS_INDEX, ROELANDS_PRESSURE, SLIDE_ROLL_RATIO, SPEED, STRENGTH, STRESS, STRESS_RATIO, TEMPERATURE,
     TOLERANCE, TRACK_RADIUS, TRIBOFILM, VISCOSITY, WEAR, WEAR_PER_ENERGY, rq_range,
 };
+use crate::error::InputError;
 use crate::lubricant::ViscosityLaw;
 use crate::metrics::height_statistics;
 use crate::sim::scene::{BODIES, LubricantSpec, Scene, Schedule, TribofilmSpec, WearSpec};
 use crate::sim::setup;
+
+/// Rq above which the heights of a body are refused where the contact is narrower \[m\].
+const ROUGHEST: f64 = 1e-3;
+/// Equivalent modulus \[Pa\] up to which bodies are soft: joints and seals of them fit closely, and their reduced
+/// radius is several metres.
+const SOFT: f64 = 2e10;
 
 /// Key, value where there is one, and what it may be.
 type Entry = (String, Option<f64>, Plausible);
 
 /// Values of the scene that are implausible.
 pub(super) fn values(scene: &Scene) -> Vec<Warning> {
+    let given = entries(scene).into_iter().chain(roughness(scene));
+    given.filter_map(|(field, value, range)| range.check(&field, value?)).collect()
+}
+
+/// Error for the first value of the scene that was plainly given in another unit.
+pub(in crate::sim) fn refuse_slips(scene: &Scene) -> Result<(), InputError> {
+    for (field, value, range) in entries(scene) {
+        value.map_or(Ok(()), |value| range.refuse_slip(&field, value))?;
+    }
+    let roughest = ROUGHEST.max(half_width(scene));
+    for (field, rq, range) in roughness(scene) {
+        rq.filter(|rq| *rq > roughest).map_or(Ok(()), |rq| range.refuse(&field, rq))?;
+    }
+    Ok(())
+}
+
+/// Everything of the scene that has a plausible range by itself.
+fn entries(scene: &Scene) -> Vec<Entry> {
     let mut entries = bodies(scene);
     entries.extend(conditions(scene));
     entries.extend(scene.lubricant.iter().flat_map(oil));
     entries.extend(viscosity_law(scene));
-    entries.extend(roughness(scene));
     entries.extend(processes(scene));
     entries.extend(heat_and_solver(scene));
-    let given = entries.into_iter().filter_map(|(field, value, range)| Some((field, value?, range)));
-    given.filter_map(|(field, value, range)| range.check(&field, value)).collect()
+    entries
+}
+
+/// Error for `heights` \[m\] that are rougher than a contact of `half_width` \[m\] is wide, and than any surface in
+/// a lubricated contact: they are in another unit.
+pub(in crate::sim) fn refuse_height_slip(
+    field: &str,
+    heights: &[f64],
+    half_width: f64,
+) -> Result<(), InputError> {
+    let rq = height_statistics(heights).map_or(0.0, |statistics| statistics.sq);
+    if rq > ROUGHEST.max(half_width) {
+        rq_range(half_width).refuse(&format!("{field}_rq"), rq)
+    } else {
+        Ok(())
+    }
 }
 
 /// Warnings about `heights` \[m\] that are far from zero, and about their Rq where it is that of no surface in a
@@ -58,11 +96,18 @@ fn entry(field: &str, value: impl Into<Option<f64>>, range: Plausible) -> Entry 
     (field.to_owned(), value.into(), range)
 }
 
+/// Whether the bodies are soft.
+fn is_soft(scene: &Scene) -> bool {
+    scene.equivalent_modulus().is_ok_and(|modulus| modulus < SOFT)
+}
+
 /// Form and materials.
 fn bodies(scene: &Scene) -> Vec<Entry> {
     use crate::surface::Form;
     let mut list = match scene.form {
-        Form::Sphere { radius } | Form::Cylinder { radius } => vec![entry("form.radius", radius, RADIUS)],
+        Form::Sphere { radius } | Form::Cylinder { radius } => {
+            vec![entry("form.radius", radius, if is_soft(scene) { LONGER_RADIUS } else { RADIUS })]
+        }
         Form::Ellipsoid { radius_x, radius_y, .. } => {
             let longer = if radius_x > radius_y { [LONGER_RADIUS, RADIUS] } else { [RADIUS, LONGER_RADIUS] };
             let [along_x, along_y] = longer;
@@ -152,9 +197,14 @@ fn viscosity_law(scene: &Scene) -> Vec<Entry> {
     ]
 }
 
+/// Smaller half-width of the Hertz contact \[m\]; infinite where it is not known.
+fn half_width(scene: &Scene) -> f64 {
+    scene.hertz().map_or(f64::INFINITY, |hertz| hertz.half_width_x.min(hertz.half_width_y))
+}
+
 /// Rq of both bodies, against the Hertz contact.
 fn roughness(scene: &Scene) -> Vec<Entry> {
-    let half_width = scene.hertz().map_or(f64::INFINITY, |hertz| hertz.half_width_x.min(hertz.half_width_y));
+    let half_width = half_width(scene);
     let bodies = BODIES.into_iter().zip([&scene.roughness.ball, &scene.roughness.disc]);
     bodies.map(|(name, body)| (format!("roughness.{name}.rq"), body.rq(), rq_range(half_width))).collect()
 }

@@ -5,6 +5,7 @@
 //! given with a unit: then the unit a thousand times smaller or larger is offered.
 
 use super::{Warning, short};
+use crate::error::InputError;
 
 /// A unit with others that people write in its place: name, factor and offset to the SI one.
 struct Unit {
@@ -151,7 +152,25 @@ pub(super) fn rq_range(half_width: f64) -> Plausible {
     plausible(SMALLEST_RQ, LARGEST_RQ * half_width, 1e-7, &METRE)
 }
 
+/// How far beyond its plausible range a value is refused where another unit explains it.
+const ABSURD: f64 = 100.0;
+
 impl Plausible {
+    /// Error for a `value` that is so far out of its range that it was plainly given in another unit.
+    pub(super) fn refuse_slip(&self, field: &str, value: f64) -> Result<(), InputError> {
+        let size = value.abs();
+        let beyond = size > ABSURD * self.high || ABSURD * size < self.low;
+        if beyond && self.guess(value).is_some() { self.refuse(field, value) } else { Ok(()) }
+    }
+
+    /// Error for a `value` out of its range.
+    pub(super) fn refuse(&self, field: &str, value: f64) -> Result<(), InputError> {
+        self.check(field, value).map_or(Ok(()), |Warning { message, remedy, .. }| {
+            let field = format!("{field} = {}", short(value));
+            Err(InputError::Conflict { field, reason: format!("{message}; {remedy}") })
+        })
+    }
+
     /// The warning about `value`, unless it is plausible; zero and what is no number are for the errors.
     pub(super) fn check(&self, field: &str, value: f64) -> Option<Warning> {
         let size = value.abs();

@@ -1,0 +1,277 @@
+//! `stribeck curve`: friction over speed, from boundary lubrication to full film.
+
+mod chart;
+mod row;
+mod speeds;
+mod surfaces;
+
+use std::error::Error;
+use std::fs::File;
+use std::io::Write as _;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::{Value, json};
+use stribeck::Status;
+use stribeck::sim::scene::{GridSpec, Motion, Scene};
+use stribeck::sim::{ContactSolution, MixedLubricationSim, SimError};
+use stribeck::units::Dimension;
+
+use self::row::{Columns, Row};
+use crate::output::{self, Held, Outcome, Output};
+use crate::{files, interrupt, picture};
+
+/// Number of speeds.
+const POINTS: u32 = 13;
+/// Largest number of surfaces.
+const MOST_SURFACES: u64 = 1000;
+
+/// The oil, the surfaces, the load and the ratio of sliding are those of the scene. Each speed is printed and
+/// written to a table (csv) once it is solved; Ctrl-C ends the curve and keeps them.
+#[derive(clap::Args)]
+pub(crate) struct Options {
+    /// Scene file
+    scene: PathBuf,
+    /// Lowest entrainment speed, "0.001" or "1 mm/s" [default: a hundredth of that of the scene]
+    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::positive(Dimension::Speed, "--from", text))]
+    from: Option<f64>,
+    /// Highest entrainment speed [default: a hundred times that of the scene]
+    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::positive(Dimension::Speed, "--to", text))]
+    to: Option<f64>,
+    /// Number of speeds, evenly spread over their logarithms
+    #[arg(
+        long, default_value_t = POINTS, allow_hyphen_values = true,
+        value_parser = |text: &str| output::count::<u32>("--points", text, 2..=1000)
+    )]
+    points: u32,
+    /// Number of random surfaces: rows are their means, with the standard deviation of a surface [default: the scene's own surface]
+    #[arg(
+        long, allow_hyphen_values = true,
+        value_parser = |text: &str| output::count::<u32>("--seeds", text, 2..=MOST_SURFACES)
+    )]
+    seeds: Option<u32>,
+    #[command(flatten)]
+    output: Output,
+}
+
+/// A solved contact of the curve.
+struct Point {
+    motion: Motion,
+    surface: usize,
+    solution: ContactSolution,
+}
+
+/// The curve as far as it is solved.
+struct Curve<'a> {
+    options: &'a Options,
+    columns: Columns,
+    csv: (PathBuf, File),
+    bar: ProgressBar,
+    rows: Vec<Row>,
+    points: Vec<Point>,
+    /// Fields of the warnings that were printed.
+    said: Vec<String>,
+    /// The remark that a mixed contact is one sample is still to be made.
+    remarks: bool,
+}
+
+pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
+    let start = Instant::now();
+    let scene = output::load(&options.scene)?;
+    let motion = speeds::start_motion(options, &scene)?;
+    let speeds = speeds::speeds(options, motion.entrainment_speed)?;
+    let scenes =
+        surfaces::scenes(&scene, options.seeds).map_err(|error| output::in_scene(&options.scene, &error))?;
+    let name = format!("{}_curve", output::stem(&options.scene));
+    let solves = speeds.len() * scenes.len();
+    let held = announced(&scene, motion, solves).map_err(|error| output::in_scene(&options.scene, &error))?;
+    let mut curve = Curve::begin(options, &scene, &name, solves)?;
+    interrupt::listen("the curve ends here and keeps its finished speeds")?;
+    let ended = curve.solve(&scenes, (motion, &speeds), &held);
+    curve.bar.finish_and_clear();
+    if curve.rows.is_empty() {
+        // A table without a row is no result.
+        files::remove(&curve.csv.0);
+    }
+    let is_whole = ended?;
+    let written = curve.finish(&name, start)?;
+    output::report_files(&written, options.output.json)?;
+    if !is_whole {
+        let (done, all) = (curve.rows.len(), speeds.len());
+        output::complain(
+            "error",
+            &format!(
+                "interrupted after {done} of {all} speeds; --from with another --out goes on behind them"
+            ),
+        );
+    }
+    let all = curve.points.iter().all(|point| point.solution.report.status == Status::Converged);
+    Ok(if is_whole && all { Outcome::Converged } else { Outcome::NotConverged })
+}
+
+/// Lines about the scene and about the work ahead, which are printed when the first solve begins.
+fn announced(scene: &Scene, motion: Motion, solves: usize) -> Result<Held, SimError> {
+    let held = Held::default();
+    let megabytes = 1e-6 * scene.memory()?;
+    held.hold("needs", format!("{solves} solves, each with about {megabytes:.0} MB of memory"));
+    if motion.slide_roll_ratio == 0.0 {
+        held.hold("warning", "the slide-roll ratio is 0: without sliding there is no friction".to_owned());
+    }
+    held.hold_warnings(&scene.warnings());
+    Ok(held)
+}
+
+impl<'a> Curve<'a> {
+    /// Opens the table and checks that the pictures can be written.
+    fn begin(options: &'a Options, scene: &Scene, name: &str, solves: usize) -> Result<Self, Box<dyn Error>> {
+        let out = &options.output.out;
+        let path = out.join(format!("{name}.csv"));
+        let mut targets = vec![path.clone()];
+        if options.output.plot {
+            targets.extend(picture::files(out, name));
+        }
+        files::make_folder(out)?;
+        files::claim(&targets, options.output.force, output::OTHER_FOLDER)?;
+        let has_errors = scene.solver.estimate
+            || scene.solver.accuracy.is_some()
+            || matches!(scene.grid, GridSpec::Accuracy { .. });
+        let columns = Columns { errors: has_errors, spread: options.seeds.is_some() };
+        let file = File::create(&path).map_err(|error| files::named(&path, &error))?;
+        let style = "{wide_bar} {pos} of {len} solves, {eta} left";
+        let bar = ProgressBar::new(solves as u64).with_style(ProgressStyle::with_template(style)?);
+        let said = scene.warnings().into_iter().map(|warning| warning.field).collect();
+        let remarks = options.seeds.is_none() && surfaces::is_random(scene);
+        let (csv, rows, points) = ((path, file), Vec::new(), Vec::new());
+        let mut curve = Self { options, columns, csv, bar, rows, points, said, remarks };
+        curve.write_line(&row::csv_header(columns)).inspect_err(|_| files::remove(&curve.csv.0))?;
+        Ok(curve)
+    }
+
+    /// Appends a line to the table; on an error no part of it is left.
+    fn write_line(&mut self, line: &str) -> Result<(), String> {
+        let (path, file) = &mut self.csv;
+        let before = file.metadata().map_or(0, |found| found.len());
+        // One write, without a buffer: the line is in the file when it returns.
+        file.write_all(format!("{line}\n").as_bytes()).map_err(|error| {
+            // The first error is the one to report.
+            drop(file.set_len(before));
+            files::named(path, &error)
+        })
+    }
+
+    /// Solves one speed after the other for all surfaces; whether all were solved and none interrupted.
+    fn solve(
+        &mut self,
+        scenes: &[Scene],
+        (mut motion, speeds): (Motion, &[f64]),
+        held: &Held,
+    ) -> Result<bool, Box<dyn Error>> {
+        self.bar.tick();
+        for &speed in speeds {
+            motion.entrainment_speed = speed;
+            let mut points = Vec::with_capacity(scenes.len());
+            for (surface, scene) in scenes.iter().enumerate() {
+                let mut scene = scene.clone();
+                scene.motion.entrainment_speed = speed;
+                scene.schedule.entrainment_speed = None;
+                let (held, bar) = (held.clone(), self.bar.clone());
+                let builder = MixedLubricationSim::builder(scene).interrupt(move || {
+                    held.print(&bar);
+                    interrupt::is_requested()
+                });
+                match builder.solve() {
+                    Ok(solution) => points.push(Point { motion, surface, solution }),
+                    Err(SimError::Interrupted) => return Ok(false),
+                    Err(error) => return Err(output::in_scene(&self.options.scene, &error).into()),
+                }
+                self.bar.inc(1);
+            }
+            self.take(speed, points)?;
+        }
+        Ok(true)
+    }
+
+    /// Prints and writes the `points` of one speed.
+    fn take(&mut self, speed: f64, points: Vec<Point>) -> Result<(), Box<dyn Error>> {
+        self.bar.suspend(|| self.said.extend(warn(speed, &points, &self.said)));
+        let is_converged = |point: &&Point| point.solution.report.status == Status::Converged;
+        let solutions: Vec<_> = points.iter().filter(is_converged).map(|point| &point.solution).collect();
+        if let Some(row) = Row::of(speed, &solutions) {
+            self.write_line(&row.csv(self.columns))?;
+            if !self.options.output.json {
+                let header = self.rows.is_empty().then(|| row::table_header(self.columns));
+                let lines = header.into_iter().chain([row.table_line(self.columns)]).collect::<Vec<_>>();
+                self.bar.suspend(|| output::print(&lines.join("\n")))?;
+            }
+            self.rows.push(row);
+        }
+        if self.remarks && points.iter().any(|point| surfaces::is_mixed(&point.solution)) {
+            self.remarks = false;
+            let text = format!(
+                "at {speed:.4e} m/s solids and fluid share the load: this is one random surface of many; \
+                 --seeds 4 gives the mean of four and their standard deviation"
+            );
+            self.bar.suspend(|| output::complain("warning", &text));
+        }
+        self.points.extend(points);
+        Ok(())
+    }
+
+    /// Writes the pictures and prints the JSON; the files that were written.
+    fn finish(&self, name: &str, start: Instant) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+        let mut written = Vec::new();
+        if !self.rows.is_empty() {
+            written.push(self.csv.0.clone());
+            if self.options.output.plot {
+                let chart = chart::chart(&output::stem(&self.options.scene), &self.rows);
+                written.extend(picture::write(&chart, &self.options.output.out, name)?);
+            }
+        }
+        if self.options.output.json && !self.points.is_empty() {
+            output::print(&self.to_json(start.elapsed().as_secs_f64())?)?;
+        }
+        Ok(written)
+    }
+
+    /// Each contact under the names of `solve`, with its speeds, and the rows of the table.
+    fn to_json(&self, seconds: f64) -> Result<Value, serde_json::Error> {
+        let mut list = Vec::with_capacity(self.points.len());
+        for point in &self.points {
+            let mut numbers = serde_json::to_value(&point.solution)?;
+            numbers["motion"] = serde_json::to_value(point.motion)?;
+            if self.columns.spread {
+                numbers["surface"] = point.surface.into();
+            }
+            list.push(numbers);
+        }
+        let rows: Vec<_> = self.rows.iter().map(|row| row.to_json(self.columns)).collect();
+        Ok(json!({
+            "points": list, "curve": rows, "seconds": seconds, "version": env!("CARGO_PKG_VERSION"),
+        }))
+    }
+}
+
+/// Prints the warnings of the `points` of a speed that were not `said` before, and the contacts that were not
+/// solved; the fields of the former.
+fn warn(speed: f64, points: &[Point], said: &[String]) -> Vec<String> {
+    let mut new: Vec<String> = Vec::new();
+    for point in points {
+        let status = point.solution.report.status;
+        if status != Status::Converged {
+            let which =
+                if points.len() > 1 { format!(", surface {},", point.surface) } else { String::new() };
+            output::complain(
+                "warning",
+                &format!("{speed:.4e} m/s{which} is left out of the curve: {status}"),
+            );
+        }
+        for warning in &point.solution.warnings {
+            if !said.contains(&warning.field) && !new.contains(&warning.field) {
+                output::complain("warning", &format!("at {speed:.4e} m/s: {warning}"));
+                new.push(warning.field.clone());
+            }
+        }
+    }
+    new
+}

@@ -1,0 +1,178 @@
+//! The numbers of one speed: means over the surfaces, their spread and their errors.
+
+use serde_json::{Map, Value as Json};
+use stribeck::sim::ContactSolution;
+
+/// A number of a solution as a column of the curve.
+pub(super) struct Quantity {
+    /// Heading of the column in files, in SI units.
+    pub(super) column: &'static str,
+    /// Heading in the table on the terminal and label in the picture, and the factor to their unit.
+    pub(super) label: &'static str,
+    pub(super) factor: f64,
+    /// Digits behind the point in the table.
+    decimals: usize,
+    value: fn(&ContactSolution) -> Option<f64>,
+    /// Estimated absolute error.
+    error: fn(&ContactSolution) -> Option<f64>,
+}
+
+pub(super) const QUANTITIES: [Quantity; 4] = [
+    Quantity {
+        column: "friction_coefficient",
+        label: "friction",
+        factor: 1.0,
+        decimals: 4,
+        value: |solution| Some(solution.friction.coefficient),
+        error: |solution| {
+            Some(solution.friction.coefficient.abs() * solution.error_estimate?.friction_coefficient)
+        },
+    },
+    Quantity {
+        column: "contact_load_ratio",
+        label: "load on solids",
+        factor: 1.0,
+        decimals: 4,
+        value: |solution| Some(solution.contact.load_ratio),
+        error: |solution| Some(solution.error_estimate?.contact_load_ratio),
+    },
+    Quantity {
+        column: "film_mean_central_m",
+        label: "film (nm)",
+        factor: 1e9,
+        decimals: 2,
+        value: |solution| Some(solution.film.mean_central),
+        error: |solution| Some(solution.film.mean_central * solution.error_estimate?.film_mean_central),
+    },
+    Quantity {
+        column: "film_lambda",
+        label: "film / Rq",
+        factor: 1.0,
+        decimals: 3,
+        value: |solution| solution.film.lambda,
+        error: |solution| Some(solution.film.lambda? * solution.error_estimate?.film_mean_central),
+    },
+];
+
+/// The headings that a curve has beside the values.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Columns {
+    /// Estimated errors are asked for.
+    pub(super) errors: bool,
+    /// There are several surfaces.
+    pub(super) spread: bool,
+}
+
+/// A number at one speed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Value {
+    pub(super) mean: f64,
+    /// Sample standard deviation over the surfaces. It estimates the spread of single surfaces for any number
+    /// of them, while the range from minimum to maximum widens with each further surface.
+    sd: Option<f64>,
+    /// Mean of the estimated errors.
+    error: Option<f64>,
+}
+
+impl Value {
+    /// Half the width of the band around the mean: surfaces and meshes err independently.
+    pub(super) fn band(&self) -> Option<f64> {
+        match (self.sd, self.error) {
+            (None, None) => None,
+            (sd, error) => Some(sd.unwrap_or(0.0).hypot(error.unwrap_or(0.0))),
+        }
+    }
+}
+
+/// One speed of the curve.
+pub(super) struct Row {
+    pub(super) speed: f64,
+    /// Surfaces that the means are over.
+    surfaces: usize,
+    pub(super) values: [Option<Value>; QUANTITIES.len()],
+}
+
+impl Row {
+    /// That of the converged `solutions`, one for each surface; none without any.
+    pub(super) fn of(speed: f64, solutions: &[&ContactSolution]) -> Option<Self> {
+        let all = |get: fn(&ContactSolution) -> Option<f64>| -> Option<Vec<f64>> {
+            solutions.iter().map(|solution| get(solution)).collect()
+        };
+        let values = QUANTITIES.map(|quantity| {
+            let values = all(quantity.value)?;
+            let mean = mean(&values)?;
+            let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+            let sd = (values.len() > 1).then(|| (squares / (values.len() - 1) as f64).sqrt());
+            let error = all(quantity.error).and_then(|errors| self::mean(&errors));
+            Some(Value { mean, sd, error })
+        });
+        (!solutions.is_empty()).then_some(Self { speed, surfaces: solutions.len(), values })
+    }
+
+    /// Names and values of the columns; a value that is not known is `None`.
+    fn cells(&self, columns: Columns) -> Vec<(String, Option<f64>)> {
+        let mut cells = vec![("motion_entrainment_speed_m_s".to_owned(), Some(self.speed))];
+        let named = |ending: &str, get: fn(&Value) -> Option<f64>| {
+            let named = QUANTITIES.iter().zip(&self.values);
+            let cells = named.map(|(quantity, value)| {
+                (format!("{}{ending}", quantity.column), value.as_ref().and_then(get))
+            });
+            cells.collect::<Vec<_>>()
+        };
+        cells.extend(named("", |value| Some(value.mean)));
+        if columns.errors {
+            cells.extend(named("_error", |value| value.error));
+        }
+        if columns.spread {
+            cells.extend(named("_sd", |value| value.sd));
+            cells.push(("surfaces".to_owned(), Some(self.surfaces as f64)));
+        }
+        cells
+    }
+
+    /// A line of comma-separated values.
+    pub(super) fn csv(&self, columns: Columns) -> String {
+        let cells = self.cells(columns).into_iter();
+        let texts = cells.map(|(_, value)| value.map_or_else(String::new, |value| format!("{value:e}")));
+        texts.collect::<Vec<_>>().join(",")
+    }
+
+    pub(super) fn to_json(&self, columns: Columns) -> Json {
+        let cells = self.cells(columns).into_iter().map(|(name, value)| (name, Json::from(value)));
+        Json::Object(cells.collect::<Map<_, _>>())
+    }
+
+    /// A line of the table on the terminal.
+    pub(super) fn table_line(&self, columns: Columns) -> String {
+        let cells = QUANTITIES.iter().zip(&self.values).map(|(quantity, value)| {
+            let shown = |number: f64| format!("{:.*}", quantity.decimals, quantity.factor * number);
+            let Some(value) = value else { return cell(columns, "-") };
+            let band = value.band().map_or_else(String::new, |band| format!(" +- {}", shown(band)));
+            cell(columns, &(shown(value.mean) + &band))
+        });
+        format!("{:11.4e}{}", self.speed, cells.collect::<String>())
+    }
+}
+
+/// The headings of a file.
+pub(super) fn csv_header(columns: Columns) -> String {
+    let empty = Row { speed: 0.0, surfaces: 0, values: [None; QUANTITIES.len()] };
+    empty.cells(columns).into_iter().map(|(name, _)| name).collect::<Vec<_>>().join(",")
+}
+
+/// The headings of the table on the terminal.
+pub(super) fn table_header(columns: Columns) -> String {
+    let cells = QUANTITIES.iter().map(|quantity| cell(columns, quantity.label));
+    format!("{:>11}{}", "speed, m/s", cells.collect::<String>())
+}
+
+/// A cell of the table, wide enough for a number with its band where there are bands.
+fn cell(columns: Columns, text: &str) -> String {
+    let width = if columns.errors || columns.spread { 20 } else { 15 };
+    format!("{text:>width$}")
+}
+
+/// The mean of `values`; none without any.
+fn mean(values: &[f64]) -> Option<f64> {
+    (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
+}

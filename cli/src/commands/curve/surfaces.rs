@@ -1,0 +1,50 @@
+//! Random surfaces of a curve.
+
+use stribeck::InputError;
+use stribeck::sim::ContactSolution;
+use stribeck::sim::scene::{Roughness, Scene};
+
+/// Difference of the seeds of one surface and the next.
+const STRIDE: u64 = 1000;
+/// Shares of the load on solids between which a contact is mixed.
+const MIXED: std::ops::RangeInclusive<f64> = 0.02..=0.98;
+
+/// The scene with so many random surfaces: its own and others whose seeds are 1000, 2000, ... larger; the
+/// scene alone without a number.
+///
+/// # Errors
+/// A scene without a random surface.
+pub(super) fn scenes(scene: &Scene, seeds: Option<u32>) -> Result<Vec<Scene>, InputError> {
+    let Some(seeds) = seeds else { return Ok(vec![scene.clone()]) };
+    if !is_random(scene) {
+        return Err(InputError::Conflict {
+            field: format!("--seeds = {seeds}"),
+            reason:
+                "neither [roughness.ball] nor [roughness.disc] is random, so all surfaces would be the same; \
+                     leave --seeds out"
+                    .to_owned(),
+        });
+    }
+    Ok((0..u64::from(seeds)).map(|number| with_seeds(scene, number)).collect())
+}
+
+/// Whether ball or disc have generated random heights.
+pub(super) fn is_random(scene: &Scene) -> bool {
+    let bodies = [&scene.roughness.ball, &scene.roughness.disc];
+    bodies.into_iter().any(|body| matches!(body, Roughness::Random(surface) if surface.rq > 0.0))
+}
+
+/// Whether solids and fluid share the load.
+pub(super) fn is_mixed(solution: &ContactSolution) -> bool {
+    MIXED.contains(&solution.contact.load_ratio)
+}
+
+fn with_seeds(scene: &Scene, number: u64) -> Scene {
+    let mut scene = scene.clone();
+    for body in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
+        if let Roughness::Random(surface) = body {
+            surface.seed = surface.seed.wrapping_add(STRIDE * number);
+        }
+    }
+    scene
+}

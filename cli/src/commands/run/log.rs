@@ -1,0 +1,177 @@
+//! What a history leaves while it runs: bar, means, files and pictures.
+
+use std::error::Error;
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use stribeck::reynolds::ContactState;
+use stribeck::sim::{HistoryMeans, MixedLubricationSim, Observer, RunFolder, StepRecord};
+
+use super::plan::Plan;
+use super::{Options, ROUNDING, picture_folder};
+use crate::commands::contact_pictures::{Seen, maps};
+use crate::picture::{self, BLUE, Chart, GREEN, Line, Panel, VERMILION, XScale};
+use crate::{files, interrupt, output};
+
+/// What is kept of a history while it runs.
+pub(super) struct Log {
+    pub(super) bar: ProgressBar,
+    steps: u64,
+    pub(super) means: HistoryMeans,
+    folder: Option<RunFolder>,
+    csv: Option<(PathBuf, BufWriter<File>)>,
+    failure: Option<String>,
+    /// For the pictures.
+    pub(super) records: Vec<StepRecord>,
+    last: Option<ContactState>,
+    plot: bool,
+}
+
+impl Log {
+    pub(super) fn new(
+        options: &Options,
+        sim: &mut MixedLubricationSim,
+        plan: &Plan,
+        bar: ProgressBar,
+    ) -> Result<Self, Box<dyn Error>> {
+        let all = sim.steps_until(plan.end, plan.time_step);
+        let every = options.checkpoint_every.unwrap_or_else(|| all.div_ceil(20));
+        let (folder, records) = match &options.out {
+            Some(path) if options.resume => {
+                let (folder, records) = RunFolder::resume(path, sim, every).map_err(output::plain)?;
+                if sim.time() > plan.end + ROUNDING * plan.time_step {
+                    let (folder, time, end) = (path.display(), sim.time(), plan.end);
+                    return Err(format!(
+                        "{folder}: the run has reached {time} s, more than the {end} s asked for; give a later end, or begin again \
+                         with --force in place of --resume"
+                    )
+                    .into());
+                }
+                (Some(folder), records)
+            }
+            Some(path) => (Some(RunFolder::create(path, sim, every).map_err(output::plain)?), Vec::new()),
+            None => (None, Vec::new()),
+        };
+        let steps = sim.steps() + sim.steps_until(plan.end, plan.time_step);
+        let mut means = HistoryMeans::new(steps);
+        records.iter().for_each(|record| means.see(record));
+        let csv = options.csv.as_ref().map(|path| -> Result<_, String> {
+            let named = |error: io::Error| files::named(path, &error);
+            let mut csv = BufWriter::new(File::create(path).map_err(named)?);
+            let written = writeln!(csv, "{}", StepRecord::csv_header()).and_then(|()| csv.flush());
+            written.map_err(named).inspect_err(|_| files::remove(path))?;
+            Ok((path.clone(), csv))
+        });
+        let last = folder.as_ref().and_then(|folder| folder.last_contact().cloned());
+        bar.set_style(ProgressStyle::with_template("{wide_bar} {pos} of {len} steps, {eta} left{msg}")?);
+        bar.set_length(steps);
+        bar.set_position(sim.steps());
+        bar.reset_eta();
+        let csv = csv.transpose()?;
+        Ok(Self { bar, steps, means, folder, csv, failure: None, records, last, plot: options.plot })
+    }
+
+    /// Ends all files, also those of a run that failed; the files that were written.
+    pub(super) fn finish(
+        &mut self,
+        options: &Options,
+        sim: &MixedLubricationSim,
+    ) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+        let mut files = Vec::new();
+        if let Some(folder) = self.folder.take() {
+            folder.finish(sim).map_err(output::plain)?;
+            files.extend(options.out.clone());
+        }
+        if let Some(failure) = self.failure.take() {
+            return Err(failure.into());
+        }
+        files.extend(options.csv.clone());
+        if self.plot && !self.records.is_empty() {
+            files.extend(self.pictures(options, sim)?);
+        }
+        Ok(files)
+    }
+
+    fn pictures(&self, options: &Options, sim: &MixedLubricationSim) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+        let (name, out) = (output::stem(&options.scene), picture_folder(options));
+        let chart = history(&name, &self.records);
+        let mut files = picture::write(&chart, out, &format!("{name}_history"))?.to_vec();
+        if let Some(state) = self.last.as_ref().filter(|_| sim.grid().ny() > 1) {
+            let film = sim.scene().tribofilm.map(|_| sim.bodies()[1].tribofilm());
+            let time = self.records.last().map_or(0.0, |record| record.time);
+            let seen = Seen {
+                title: format!("{name} after {time:.0} s"),
+                grid: sim.grid(),
+                hertz: sim.hertz(),
+                state,
+                lubricated: sim.scene().is_lubricated(),
+                tribofilm: film,
+            };
+            files.extend(picture::write(&maps(&seen), out, &format!("{name}_maps"))?);
+        }
+        Ok(files)
+    }
+}
+
+impl Observer for Log {
+    fn after_step(&mut self, sim: &MixedLubricationSim, record: &StepRecord) -> ControlFlow<()> {
+        let done = record.step + 1;
+        self.bar.set_message(format!(", friction {:.4}", record.friction.coefficient));
+        self.bar.set_position(done);
+        // Without a terminal a line after each tenth of the steps.
+        if self.bar.is_hidden() && (done.is_multiple_of(self.steps.div_ceil(10)) || done == self.steps) {
+            let line = format!("{done} of {} steps, {:.1} s of the test", self.steps, record.time);
+            let _ = writeln!(io::stderr(), "{line}");
+        }
+        self.means.see(record);
+        if self.plot {
+            self.records.push(record.clone());
+            self.last.get_or_insert_with(|| sim.state().clone()).clone_from(sim.state());
+        }
+        if let Some((path, csv)) = &mut self.csv {
+            if let Err(error) = record.write_csv(csv).and_then(|()| csv.flush()) {
+                self.failure = Some(files::named(path, &error));
+                return ControlFlow::Break(());
+            }
+        }
+        let flow =
+            self.folder.as_mut().map_or(ControlFlow::Continue(()), |folder| folder.after_step(sim, record));
+        if interrupt::is_requested() { ControlFlow::Break(()) } else { flow }
+    }
+}
+
+/// Friction, share of the load on solids, film over roughness, wear and tribofilm over time.
+fn history(name: &str, records: &[StepRecord]) -> Chart {
+    let line = |name, colour, value: fn(&StepRecord) -> f64| Line {
+        name,
+        colour,
+        points: records.iter().map(|record| (record.time, value(record))).collect(),
+        bands: Vec::new(),
+    };
+    let panel = |y_label: &str, lines| Panel { y_label: y_label.to_owned(), lines, highest: None };
+    let mut panels = vec![
+        panel("friction", vec![line("", BLUE, |r| r.friction.coefficient)]),
+        panel("load on solids", vec![line("", BLUE, |r| r.contact.load_ratio)]),
+        panel("film / Rq", vec![line("", BLUE, |r| r.film.lambda.unwrap_or(f64::NAN))]),
+    ];
+    let grows =
+        |value: fn(&StepRecord) -> [f64; 2]| records.iter().any(|r| value(r).iter().any(|v| *v > 0.0));
+    if grows(|r| r.wear.in_contact()) {
+        let lines = vec![
+            line("ball", VERMILION, |r| 1e9 * r.wear.ball_in_contact),
+            line("disc", GREEN, |r| 1e9 * r.wear.disc_in_contact),
+        ];
+        panels.push(panel("worn (nm)", lines));
+    }
+    if grows(|r| r.tribofilm.in_contact()) {
+        let lines = vec![
+            line("ball", VERMILION, |r| 1e9 * r.tribofilm.ball_in_contact),
+            line("disc", GREEN, |r| 1e9 * r.tribofilm.disc_in_contact),
+        ];
+        panels.push(panel("tribofilm (nm)", lines));
+    }
+    Chart { title: format!("{name}: history"), x_label: "time (s)", x_scale: XScale::Linear, panels }
+}

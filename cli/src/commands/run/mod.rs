@@ -1,0 +1,157 @@
+//! `stribeck run`: the history of a contact.
+
+mod log;
+mod plan;
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use indicatif::ProgressBar;
+use stribeck::sim::{MixedLubricationSim, RunFolder, SimError, StepControl};
+use stribeck::units::Dimension;
+
+use self::log::Log;
+use self::plan::{Plan, plan};
+use crate::output::{self, Held, Outcome};
+use crate::{files, interrupt, picture};
+
+/// Relative difference of times that rounding explains.
+const ROUNDING: f64 = 1e-9;
+
+/// Numbers are means over the last tenth of the steps.
+#[derive(clap::Args)]
+pub(crate) struct Options {
+    /// Scene file
+    scene: PathBuf,
+    /// Number of steps, not counting those that end at an entry of a schedule [default: what the time needs, or 100]
+    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::count::<u64>("--steps", text, 1..=u64::MAX))]
+    steps: Option<u64>,
+    /// Length of a step, "10" or "10 s"; the last one ends at the time [default: an equal share of the time]
+    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::positive(Dimension::Time, "--time-step", text))]
+    time_step: Option<f64>,
+    /// Time of the history, "7200" or "2 h" [default: the last entry of the schedules]
+    #[arg(long, allow_hyphen_values = true, value_parser = |text: &str| output::positive(Dimension::Time, "--duration", text))]
+    duration: Option<f64>,
+    /// Folder of the run: scene, history, checkpoint, fields and pictures
+    #[arg(long, value_name = "FOLDER")]
+    out: Option<PathBuf>,
+    /// Go on from the checkpoint in the folder of the run, up to the same or a later time
+    #[arg(long, requires = "out")]
+    resume: bool,
+    /// Write over files that exist, and over the run that is in the folder
+    #[arg(long, conflicts_with = "resume")]
+    force: bool,
+    /// Steps between checkpoints [default: a twentieth of the steps]
+    #[arg(
+        long, requires = "out", allow_hyphen_values = true,
+        value_parser = |text: &str| output::count::<u64>("--checkpoint-every", text, 1..=u64::MAX)
+    )]
+    checkpoint_every: Option<u64>,
+    /// Write a row for each step as comma-separated values
+    #[arg(long, value_name = "OUT.csv", conflicts_with = "resume")]
+    csv: Option<PathBuf>,
+    /// Print one JSON object in SI units on standard output
+    #[arg(long)]
+    json: bool,
+    /// Write pictures of the history and of the last contact as SVG and PNG
+    #[arg(long)]
+    plot: bool,
+}
+
+pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
+    let start = Instant::now();
+    if let Some(path) = &options.csv {
+        output::keep_scene(&options.scene, path)?;
+    }
+    let scene = output::load(&options.scene)?;
+    let (held, bar) = (Held::default(), ProgressBar::new(0));
+    let (due, above) = (held.clone(), bar.clone());
+    let builder = MixedLubricationSim::builder(scene).interrupt(move || {
+        due.print(&above);
+        false
+    });
+    let mut sim = builder.build().map_err(|error| output::in_scene(&options.scene, &error))?;
+    held.hold_warnings(sim.warnings());
+    output::announce_memory(sim.scene(), &held)?;
+    let known = sim.warnings().len();
+    let plan = plan(options, &sim)?;
+    claim(options, &sim)?;
+    let mut log = Log::new(options, &mut sim, &plan, bar)?;
+    let longest = log.records.iter().map(|record| record.time_step).reduce(f64::max);
+    if let Some(before) = longest.filter(|before| (before / plan.time_step - 1.0).abs() > ROUNDING) {
+        let text =
+            format!("the run has taken steps of {before} s, it goes on with steps of {} s", plan.time_step);
+        output::complain("warning", &text);
+    }
+    interrupt::listen("the run ends after this step")?;
+    let outcome = sim.run_until(plan.end, &StepControl::fixed(plan.time_step), &mut log);
+    log.bar.finish_and_clear();
+    if outcome.is_ok() {
+        held.print(&log.bar);
+    }
+    let files = log.finish(options, &sim)?;
+    output::warn(sim.warnings().iter().skip(known));
+    let status = match outcome {
+        Ok(_) if plan.end - sim.time() > ROUNDING * plan.time_step => {
+            output::complain("error", &interrupted(options, &sim, &plan));
+            Outcome::NotConverged
+        }
+        Ok(_) => Outcome::Converged,
+        Err(error @ SimError::NotConverged { .. }) => {
+            output::complain("error", &error.to_string());
+            Outcome::NotConverged
+        }
+        Err(error) => return Err(output::in_scene(&options.scene, &error).into()),
+    };
+    if status == Outcome::Converged {
+        let mut numbers = serde_json::to_value(log.means.numbers(&sim))?;
+        numbers["seconds"] = start.elapsed().as_secs_f64().into();
+        if options.json { output::print(&numbers)? } else { output::print(&log.means)? }
+    }
+    output::report_files(&files, options.json)?;
+    Ok(status)
+}
+
+/// The remaining part of a run that was interrupted, and how it goes on.
+fn interrupted(options: &Options, sim: &MixedLubricationSim, plan: &Plan) -> String {
+    let rest = match &options.out {
+        Some(folder) => {
+            format!("the same command with --resume goes on from the checkpoint in {}", folder.display())
+        }
+        None => "with --out FOLDER it would have left a checkpoint".to_owned(),
+    };
+    format!("interrupted after {} steps, at {} s of {} s; {rest}", sim.steps(), sim.time(), plan.end)
+}
+
+/// Checks before the first step that all files can be written. A run that goes on replaces its own.
+fn claim(options: &Options, sim: &MixedLubricationSim) -> Result<(), String> {
+    let run = |folder: &PathBuf| RunFolder::FILES.map(|file| folder.join(file));
+    let of_run = || options.out.iter().flat_map(run);
+    if let Some(folder) = options.out.as_ref().filter(|_| !options.resume && !options.force) {
+        if ["history.csv", "checkpoint"].iter().any(|file| folder.join(file).exists()) {
+            let name = folder.display();
+            return Err(format!("{name}: there is a run; --resume goes on with it, --force writes over it"));
+        }
+    }
+    if let Some(folder) = &options.out {
+        output::keep_scene(&options.scene, &folder.join("scene.toml"))?;
+        files::make_folder(folder)?;
+    }
+    let mut targets: Vec<PathBuf> = of_run().collect();
+    if options.plot {
+        let (out, name) = (picture_folder(options), output::stem(&options.scene));
+        targets.extend(picture::files(out, &format!("{name}_history")));
+        if sim.grid().ny() > 1 {
+            targets.extend(picture::files(out, &format!("{name}_maps")));
+        }
+    }
+    targets.extend(options.csv.clone());
+    let elsewhere = if options.out.is_some() { output::OTHER_FOLDER } else { output::OTHER_NAME };
+    files::claim(&targets, options.force || options.resume, elsewhere)
+}
+
+/// Where pictures go.
+fn picture_folder(options: &Options) -> &Path {
+    options.out.as_deref().unwrap_or(Path::new("."))
+}

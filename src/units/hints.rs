@@ -1,0 +1,59 @@
+//! Remedies for text that is nearly a quantity.
+
+use super::Dimension;
+#[cfg(feature = "serde")]
+use super::spelling::split;
+use super::tables::Scale;
+use crate::error::legible;
+#[cfg(feature = "serde")]
+use crate::error::quoted;
+
+/// Density of a mineral oil, by which kinematic viscosities are converted in messages \[kg/m^3\].
+const OIL_DENSITY: f64 = 850.0;
+/// Units of kinematic viscosity beside those of diffusivities, in m^2/s.
+const STOKES: [(&str, f64); 2] = [("cSt", 1e-6), ("St", 1e-4)];
+
+/// The remedy for a comma between digits.
+pub(super) fn comma(text: &str) -> Option<String> {
+    let (before, after) = text.split_once(',')?;
+    let is_decimal =
+        before.ends_with(|c: char| c.is_ascii_digit()) && after.starts_with(|c: char| c.is_ascii_digit());
+    let shown = format!("{}.{}", before.trim(), after.trim());
+    (is_decimal && !after.contains(',') && shown.len() < 40)
+        .then(|| format!("the decimal separator is a point: \"{shown}\""))
+}
+
+/// The remedy for the `line` of a TOML file that is no TOML because of a number in it.
+#[cfg(feature = "serde")]
+pub(crate) fn toml_line(line: &str) -> Option<String> {
+    let (_, value) = line.split_once('=')?;
+    let value = value.split('#').next().unwrap_or_default().trim();
+    comma(value).or_else(|| {
+        let (_, unit) = split(value)?;
+        let is_unit =
+            unit.starts_with(|c: char| c.is_alphabetic() || "%/\u{b0}\u{b5}".contains(c) || c == '1');
+        is_unit.then(|| format!("a number with a unit is text in quotes: \"{}\"", quoted(value)))
+    })
+}
+
+/// The remedy for a `number` in a unit, in its plain spelling, of a dimension that is close to the one asked for.
+pub(super) fn other_dimension(dimension: Dimension, number: &str, unit: &str) -> Option<String> {
+    if dimension != Dimension::Viscosity {
+        return None;
+    }
+    let in_stokes = STOKES.iter().find(|(name, _)| *name == unit).map(|(_, factor)| *factor);
+    let units = Dimension::Diffusivity.units().iter();
+    let factor = in_stokes.or_else(|| {
+        units.filter(|(names, _)| names.contains(&unit)).find_map(|(_, scale)| match *scale {
+            Scale::Ten(power) => Some(10.0_f64.powi(power)),
+            Scale::Times(_) | Scale::Plus(_) => None,
+        })
+    })?;
+    let dynamic = 1e3 * OIL_DENSITY * factor * number.parse::<f64>().ok()?;
+    let dynamic: f64 = format!("{dynamic:.4e}").parse().ok()?;
+    Some(format!(
+        "`{unit}` is a unit of kinematic viscosity, the dynamic viscosity is asked for; multiply by the density: with {OIL_DENSITY} \
+         kg/m^3 it is \"{} mPa s\"",
+        legible(dynamic)
+    ))
+}

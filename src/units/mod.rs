@@ -1,0 +1,158 @@
+//! Quantities as people write them: a number and a unit, `9.525 mm` or `14.9 1/GPa`.
+//!
+//! Scene files and options of the command take such text where a quantity has a [`Dimension`]; all that is
+//! behind them is in SI units. A power of ten moves the decimal exponent of the
+//! text, so that `9.525 mm` and `9.525e-3` are the same double. A new unit is an entry in `tables`, a new
+//! dimension a variant, its table and its name.
+
+mod hints;
+mod spelling;
+mod tables;
+
+#[cfg(feature = "serde")]
+pub(crate) use self::hints::toml_line;
+use self::spelling::{plain, split, times_power_of_ten};
+use self::tables::Scale::{Plus, Ten, Times};
+use crate::error::{InputError, quoted};
+
+/// What a quantity measures, and with it the units that do for it.
+///
+/// ```
+/// use stribeck::units::Dimension;
+/// assert_eq!(Dimension::Length.parse("radius", "9.525 mm")?, 9.525e-3);
+/// assert_eq!(Dimension::Temperature.parse("temperature", "80 degC")?, 353.15);
+/// let error = Dimension::Length.parse("radius", "9.5 kg").unwrap_err();
+/// assert_eq!(error.to_string(), "radius = \"9.5 kg\": `kg` is no unit of length; m, cm, mm, um, nm or in would do");
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Dimension {
+    /// In m.
+    Length,
+    /// In Pa.
+    Pressure,
+    /// In 1/Pa: pressure-viscosity coefficients, constants of the density.
+    InversePressure,
+    /// In Pa/m: hardening.
+    PressurePerLength,
+    /// In N.
+    Force,
+    /// In N/m: load of a line contact.
+    ForcePerLength,
+    /// In m/s.
+    Speed,
+    /// In Pa s.
+    Viscosity,
+    /// In s.
+    Time,
+    /// In 1/s.
+    Rate,
+    /// In K.
+    Temperature,
+    /// In W/(m K).
+    Conductivity,
+    /// In m^2/s.
+    Diffusivity,
+    /// In J: barriers of reactions, per molecule.
+    Energy,
+    /// In m^3: activation volumes.
+    Volume,
+    /// In m^3/J: wear per energy of friction.
+    VolumePerEnergy,
+    /// In rad.
+    Angle,
+    /// In J/(m^3 K): heat capacity of a volume.
+    HeatCapacity,
+    /// A part of something: its unit is per cent, without one it is a number.
+    Ratio,
+}
+
+impl Dimension {
+    /// The name in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Length => "length",
+            Self::Pressure => "pressure",
+            Self::InversePressure => "one over pressure",
+            Self::PressurePerLength => "pressure per length",
+            Self::Force => "force",
+            Self::ForcePerLength => "force per length",
+            Self::Speed => "speed",
+            Self::Viscosity => "viscosity",
+            Self::Time => "time",
+            Self::Rate => "one over time",
+            Self::Temperature => "temperature",
+            Self::Conductivity => "thermal conductivity",
+            Self::Diffusivity => "diffusivity",
+            Self::Energy => "energy",
+            Self::Volume => "volume",
+            Self::VolumePerEnergy => "volume per energy",
+            Self::Angle => "angle",
+            Self::HeatCapacity => "heat capacity of a volume",
+            Self::Ratio => "ratio",
+        }
+    }
+
+    /// The units that do, the SI one first; other spellings of them (`µm`, `°C`, `Pa*s`, `Pa.s`, `GPa^-1`, `GPa-1`,
+    /// `mm2/N`) do too.
+    pub fn unit_names(self) -> impl Iterator<Item = &'static str> {
+        self.units().iter().filter_map(|(names, _)| names.first().copied())
+    }
+
+    /// The value of `text`, a number and a unit, in SI units; a space between them may be left out. `field`
+    /// is for the error.
+    ///
+    /// # Errors
+    /// Text that is no number and unit, a unit of something else, no unit.
+    pub fn parse(self, field: &str, text: &str) -> Result<f64, InputError> {
+        let refused = |reason: String| InputError::Conflict {
+            field: format!("{field} = \"{}\"", quoted(text)),
+            reason,
+        };
+        if let Some(hint) = hints::comma(text) {
+            return Err(refused(hint));
+        }
+        let Some((number, unit)) = split(text) else {
+            return Err(refused(format!(
+                "must be a number, alone or with a unit of {}: {}",
+                self.name(),
+                self.offer()
+            )));
+        };
+        if unit.is_empty() {
+            return Err(refused(format!("the unit is missing: {}", self.offer())));
+        }
+        let plain = plain(unit);
+        let known = self.units().iter().find(|(names, _)| names.contains(&plain.as_str()));
+        let Some((_, scale)) = known else {
+            if let Some(hint) = hints::other_dimension(self, number, &plain) {
+                return Err(refused(hint));
+            }
+            return Err(refused(format!(
+                "`{}` is no unit of {}; {}",
+                quoted(unit),
+                self.name(),
+                self.offer()
+            )));
+        };
+        let value = match *scale {
+            Ten(power) => times_power_of_ten(number, power),
+            Times(factor) => number.parse().ok().map(|number: f64| number * factor),
+            Plus(zero) => number.parse().ok().map(|number: f64| number + zero),
+        };
+        value
+            .filter(|value| value.is_finite())
+            .ok_or_else(|| refused("is beyond the range of numbers".into()))
+    }
+
+    /// The units that do, for messages: `m, cm or mm would do`.
+    fn offer(self) -> String {
+        let names: Vec<&str> = self.unit_names().collect();
+        match names.as_slice() {
+            [] => String::new(),
+            [only] => format!("{only} would do"),
+            [first @ .., last] => format!("{} or {last} would do", first.join(", ")),
+        }
+    }
+}
