@@ -1,6 +1,7 @@
 //! What can be asked of a simulation between two steps.
 
 use super::body::Body;
+use super::far_field::FloodedInlet;
 use super::hertz::HertzContact;
 use super::scene::Scene;
 use super::simulation::MixedLubricationSim;
@@ -80,6 +81,15 @@ impl MixedLubricationSim {
     /// ellipses and line contacts it is that of a circle of their mean flux.
     pub fn flash_estimate(&self) -> f64 {
         self.heat.estimate
+    }
+
+    /// The inlet under the conditions of the last step, or of the start; none in a dry contact and where the oil begins
+    /// at the edge of the box or, by a supplied film, within it.
+    ///
+    /// # Errors
+    /// Never for a simulation that was built.
+    pub fn inlet(&self) -> Result<Option<FloodedInlet>, InputError> {
+        self.contact.flooded_inlet()
     }
 
     /// Largest difference over both bodies between the surface and `initial - wear - plastic + film` \[m\].

@@ -89,6 +89,7 @@ pub use builder::SimBuilder;
 pub use checkpoint::CheckpointError;
 pub use contact::solve_contact;
 pub use error::SimError;
+pub use far_field::FloodedInlet;
 pub use formula::FormulaFilm;
 pub use hertz::HertzContact;
 pub use history_means::HistoryMeans;

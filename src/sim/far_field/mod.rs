@@ -34,6 +34,28 @@ const SOLVES: usize = 10;
 /// Relative difference of the films near the inlet edge that is left.
 const FILM_TOLERANCE: f64 = 1e-4;
 
+/// A flooded inlet and the box of a contact, as far as they are known without solving.
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let mut scene = Scene::azam_2019(32);
+/// let inlet = |scene: &Scene| MixedLubricationSim::builder(scene.clone()).build()?.inlet();
+/// let slow = inlet(&scene)?.ok_or("dry")?;
+/// assert!(slow.box_holds_it && slow.film_error < 0.005);
+/// scene.motion.entrainment_speed = 10.0; // a film that is 20 times as thick
+/// assert!(!inlet(&scene)?.ok_or("dry")?.box_holds_it);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct FloodedInlet {
+    /// Relative error that ambient pressure at the edges of the box would make of the central film.
+    pub film_error: f64,
+    /// Whether that is small: the box is solved as it stands. Else the smooth contact in a wider box tells the pressures at
+    /// its edges.
+    pub box_holds_it: bool,
+}
+
 /// The fluid outside of the box of a contact.
 #[derive(Debug, Clone)]
 pub(super) struct FarField {
@@ -143,14 +165,7 @@ impl ContactModel {
         self.far_field = None;
         inlet.is_solved = true;
         inlet.error = BoxError::NONE;
-        let (Some(oil), Some(formulas)) = (&self.lubricant, self.formulas) else { return Ok(()) };
-        let scale = InletScale::new(&Contact {
-            scene: &inlet.scene,
-            hertz: &self.hertz,
-            viscosity: oil.viscosity(),
-            entrainment_speed: motion.entrainment_speed,
-            formulas,
-        })?;
+        let Some(scale) = self.inlet_scale(&inlet.scene)? else { return Ok(()) };
         if !self.is_starved(&inlet.scene)? {
             inlet.error = scale.error_on(&self.grid);
         }
@@ -167,6 +182,25 @@ impl ContactModel {
 }
 
 impl ContactModel {
+    /// Lengths and pressures of the flooded contact of `scene` under the present conditions; none without a lubricant.
+    fn inlet_scale(&self, scene: &Scene) -> Result<Option<InletScale>, InputError> {
+        let (Some(oil), Some(formulas)) = (&self.lubricant, self.formulas) else { return Ok(None) };
+        let (hertz, viscosity) = (&self.hertz, oil.viscosity());
+        let entrainment_speed = self.motion.entrainment_speed;
+        InletScale::new(&Contact { scene, hertz, viscosity, entrainment_speed, formulas }).map(Some)
+    }
+
+    /// The inlet under the present conditions; none where the oil begins at the edge of the box or within it.
+    pub(super) fn flooded_inlet(&self) -> Result<Option<FloodedInlet>, InputError> {
+        let Some(inlet) = &self.inlet else { return Ok(None) };
+        let Some(scale) = self.inlet_scale(&inlet.scene)? else { return Ok(None) };
+        if self.is_starved(&inlet.scene)? {
+            return Ok(None);
+        }
+        let error = scale.error_on(&self.grid);
+        Ok(Some(FloodedInlet { film_error: error.ambient, box_holds_it: error.is_small() }))
+    }
+
     /// Whether the supplied film meets the surfaces within the box: nothing upstream of it then has pressure.
     fn is_starved(&self, scene: &Scene) -> Result<bool, InputError> {
         let Some(supply) = self.supplied_film else { return Ok(false) };
