@@ -3,7 +3,7 @@
 //! Ambient pressure at an edge lacks the reduced pressure `q` that the flooded film has there. The reduced pressure at
 //! which the contact begins is `q_c = 1/(alpha + 1/(0.35 p_H))`: the oil stiffens, or the bodies deflect. The film is
 //! then thinner by at most `0.7 q/q_c` of it, the sum over the inlet edge and the sides. The load outside `W_o` makes it
-//! thinner by up to 1.5 `W_o/W` where bodies hardly deflect, `H = h R/a^2 > 1`, and by `H^2 W_o/W` below; of a point
+//! thinner by up to `c W_o/W` with `c = H^2`, `H = h R/a^2`, between 0.3 and, where bodies hardly deflect, 1.5; of a point
 //! contact `W_o/W = 8.8 / (M^(4/3) X)` with the distance `X` of the inlet edge in half-widths.
 
 use crate::analytic::RigidParaboloids;
@@ -29,8 +29,8 @@ const DEFLECTING: f64 = 0.35;
 const SIDE_AT: f64 = -0.5;
 /// Load outside of a point contact, times `M^(4/3) X` over the load.
 const LOAD_OUTSIDE: f64 = 8.8;
-/// Largest error of the film over the load outside over the load.
-const BY_LOAD: f64 = 1.5;
+/// Error of the film over the load outside over the load, of contacts whose bodies deflect much and of rigid ones.
+const BY_LOAD: [f64; 2] = [0.3, 1.5];
 
 /// What the edges of a box make of the film of a flooded contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -149,7 +149,7 @@ impl InletScale {
         } else {
             LOAD_OUTSIDE * self.moes_load.powf(-4.0 / 3.0) * self.halves[0] / inlet
         };
-        let by_load = BY_LOAD.min(scaled_film * scaled_film) * outside;
+        let by_load = (scaled_film * scaled_film).clamp(BY_LOAD[0], BY_LOAD[1]) * outside;
         BoxError {
             ambient: (BY_PRESSURE * lacking + by_load).min(1.0),
             handed_over: HANDED_OVER * lacking.min(1.0) + BY_OUTER_MESH * (scaled_film / RIGID_FILM).min(1.0),
