@@ -1,4 +1,4 @@
-//! Physics that a scene leaves out is said where it matters: a contact on either side of each bound, in solves,
+//! Warnings about physics that a scene leaves out: a contact on either side of each bound, in solves,
 //! runs and before the solve.
 
 use stribeck::sim::{MixedLubricationSim, Scene, Warning, solve_contact};
@@ -66,14 +66,14 @@ fn expected(scene: &Scene, field: &str) -> usize {
 }
 
 #[test]
-fn isothermal_film_is_told_where_its_friction_heats_it() {
+fn hot_isothermal_film_warns() {
     let field = "friction.coefficient";
     let cool = scene(BALL, &[]);
     let hot = scene(BALL, &[("_speed = 0.5", "_speed = 2.0"), ("_ratio = 0.1", "_ratio = 0.7")]);
     assert!(solved(&cool, field).is_empty() && expected(&cool, field) == 0);
-    let told = solved(&hot, field);
-    assert!(told.len() == 1 && told[0].message.contains("1.4 m/s of sliding"), "{told:?}");
-    assert!(told[0].remedy.contains("[lubricant.thermal]") && expected(&hot, field) == 1, "{told:?}");
+    let found = solved(&hot, field);
+    assert!(found.len() == 1 && found[0].message.contains("1.4 m/s of sliding"), "{found:?}");
+    assert!(found[0].remedy.contains("[lubricant.thermal]") && expected(&hot, field) == 1, "{found:?}");
     // Modelled, it is not left out.
     let temperature = "roelands_z = 0.68, temperature = 300.0, roelands_s0 = 1.1, thermal = {}";
     let changes = [
@@ -85,9 +85,9 @@ fn isothermal_film_is_told_where_its_friction_heats_it() {
     assert!(about(&solve_contact(&modelled).unwrap().warnings, field).is_empty());
 }
 
-/// The rise that the warning tells against the film of the same contact that has its own temperature.
+/// The rise in the warning against the film of the same contact that has its own temperature.
 #[test]
-fn estimated_heating_is_that_of_the_thermal_film() {
+fn estimated_heating_is_within_a_quarter_of_the_thermal_film() {
     for (speed, ratio, eta0) in [("8.0", "1.5", "0.02"), ("2.0", "0.5", "0.02"), ("4.0", "1.0", "0.006")] {
         let oil = format!("eta0 = {eta0}, temperature = 353.15, roelands_s0 = 1.1");
         let changes = [
@@ -97,8 +97,8 @@ fn estimated_heating_is_that_of_the_thermal_film() {
             ("solver =", "thermal = { bulk_temperature = 353.15 }\nsolver =".to_owned()),
         ];
         let mut changes: Vec<(&str, &str)> = changes.iter().map(|(from, to)| (*from, to.as_str())).collect();
-        let told = solve_contact(&scene(BALL, &changes)).unwrap().warnings;
-        let message = about(&told, "friction.coefficient")[0].message.clone();
+        let found = solve_contact(&scene(BALL, &changes)).unwrap().warnings;
+        let message = about(&found, "friction.coefficient")[0].message.clone();
         let rise =
             message.split("by about ").nth(1).unwrap().split(' ').next().unwrap().parse::<f64>().unwrap();
         changes.push(("roelands_z = 0.68", "roelands_z = 0.68, thermal = {}"));
@@ -106,45 +106,45 @@ fn estimated_heating_is_that_of_the_thermal_film() {
         let found = thermal.film_temperature_mean_central - 353.15;
         assert!(
             (rise / found - 1.0).abs() < 0.25,
-            "{speed} m/s, ratio {ratio}: {rise} K told, {found} K found"
+            "{speed} m/s, ratio {ratio}: {rise} K estimated, {found} K found"
         );
     }
 }
 
 #[test]
-fn newtonian_stress_is_told_above_50_mpa() {
+fn newtonian_stress_above_50_mpa_warns() {
     let field = "friction.fluid";
     let low = scene(BALL, &[("friction = { eyring_stress = 5e6 }", ""), ("_ratio = 0.1", "_ratio = 0.001")]);
     let high = scene(BALL, &[("friction = { eyring_stress = 5e6 }", "")]);
     assert!(solved(&low, field).is_empty());
-    let told = solved(&high, field);
+    let found = solved(&high, field);
     assert!(
-        told.len() == 1 && told[0].message.contains("Newtonian") && told[0].remedy.contains("eyring"),
-        "{told:?}"
+        found.len() == 1 && found[0].message.contains("Newtonian") && found[0].remedy.contains("eyring"),
+        "{found:?}"
     );
     assert!(solved(&scene(BALL, &[]), field).is_empty(), "it thins");
     assert_eq!([expected(&low, field), expected(&high, field)], [0, 1]);
 }
 
 #[test]
-fn ridges_are_told_where_they_touch() {
+fn ridges_that_touch_warn() {
     let field = "contact.load_ratio";
     let slow = scene(ROLLER, &[("_speed = 0.02", "_speed = 0.005")]);
     let fast = scene(ROLLER, &[("_speed = 0.02", "_speed = 0.5")]);
-    let told = solved(&slow, field);
-    assert!(told.len() == 1 && told[0].value > 0.5 && told[0].message.contains("ridges"), "{told:?}");
+    let found = solved(&slow, field);
+    assert!(found.len() == 1 && found[0].value > 0.5 && found[0].message.contains("ridges"), "{found:?}");
     assert!(solved(&fast, field).is_empty());
     assert_eq!([expected(&slow, field), expected(&fast, field)], [1, 0]);
 }
 
 #[test]
-fn yield_beyond_the_pressure_limit_is_told() {
+fn yield_beyond_the_pressure_limit_warns() {
     let plastic = |hardness: &str| {
         scene(BALL, &[("solver =", &format!("plastic = {{ hardness = {hardness} }}\nsolver ="))])
     };
-    let told = |scene: &Scene, field: &str| about(&scene.warnings(), field).len();
+    let found = |scene: &Scene, field: &str| about(&scene.warnings(), field).len();
     assert_eq!(
-        [told(&plastic("0.79e9"), "plastic.hardness"), told(&plastic("0.81e9"), "plastic.hardness")],
+        [found(&plastic("0.79e9"), "plastic.hardness"), found(&plastic("0.81e9"), "plastic.hardness")],
         [1, 0]
     );
     // 0.62 times 0.8 GPa is 0.496 GPa.
@@ -152,10 +152,10 @@ fn yield_beyond_the_pressure_limit_is_told() {
         scene(BALL, &[("solver =", &format!("stress = {{ yield_strength = {strength} }}\nsolver ="))])
     };
     let field = "stress.yield_strength";
-    assert_eq!([told(&stress("0.49e9"), field), told(&stress("0.51e9"), field)], [1, 0]);
+    assert_eq!([found(&stress("0.49e9"), field), found(&stress("0.51e9"), field)], [1, 0]);
     let once = solve_contact(&stress("0.45e9")).unwrap();
     assert_eq!(about(&once.warnings, field).len(), 1, "{:?}", once.warnings);
-    // Asperities make more than the smooth contact: only the solve tells.
+    // Asperities make more than the smooth contact: only the solve reports it.
     let rough = "\n[roughness.disc]\nkind = \"gaussian\"\nrq = 200e-9\nlength_x = 40e-6\nlength_y = 40e-6\nseed = 1\n";
     let mut asperities = scene(&format!("{BALL}{rough}"), &[("_speed = 0.5", "_speed = 0.01")]);
     asperities.stress = stress("0.6e9").stress;
@@ -166,7 +166,7 @@ fn yield_beyond_the_pressure_limit_is_told() {
 }
 
 #[test]
-fn fast_schedules_are_told_as_quasi_static() {
+fn changes_within_a_passage_warn() {
     let ramp = |key: &str, duration: f64, from: f64, to: f64| {
         let table = format!(
             "\n[schedule.{key}]\nkind = \"ramps\"\ntimes = [0.0, {duration}]\nvalues = [{from}, {to}]\n"
@@ -179,14 +179,14 @@ fn fast_schedules_are_told_as_quasi_static() {
         assert_eq!(about(&fast.warnings(), "schedule.load").len(), count, "{duration} s");
     }
     let fast = ramp("entrainment_speed", 1e-3, 0.5, 1.0);
-    let told = fast.warnings();
-    assert_eq!(about(&told, "schedule.entrainment_speed").len(), 1, "{told:?}");
+    let found = fast.warnings();
+    assert_eq!(about(&found, "schedule.entrainment_speed").len(), 1, "{found:?}");
     let with_squeeze = MixedLubricationSim::builder(fast).with_squeeze().build().unwrap();
     assert!(about(with_squeeze.warnings(), "schedule.entrainment_speed").is_empty());
 }
 
 #[test]
-fn steep_and_high_roughness_is_told() {
+fn steep_and_high_roughness_warns() {
     let rough = |rq: &str| {
         let table = format!(
             "\n[roughness.disc]\nkind = \"gaussian\"\nrq = {rq}\nlength_x = 50e-6\nlength_y = 50e-6\nseed = 1\n"

@@ -1,4 +1,4 @@
-//! What `check` says of the load on solids is what `solve` finds.
+//! The load on solids by `check` against that of `solve`.
 #![expect(clippy::unwrap_used, reason = "tests")]
 
 mod common;

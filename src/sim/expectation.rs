@@ -1,4 +1,4 @@
-//! What formulas make of a contact before it is solved: roughness, regime and film, lambda, the load on solids,
+//! Estimates of a contact by formula before it is solved: roughness, regime and film, lambda, the load on solids,
 //! friction and its heat.
 
 use super::SimError;
@@ -31,7 +31,7 @@ const THIN_FILM: f64 = 4.0;
 const MIXED_FILM: f64 = 2.0;
 const THINNEST_FILM: f64 = 0.6;
 
-/// What formulas expect of a contact before it is solved.
+/// Estimates of a contact by formula before it is solved.
 ///
 /// ```
 /// use stribeck::analytic::FilmRegime;
@@ -50,11 +50,11 @@ pub struct Expectation {
     /// Roughness on the track.
     pub roughness: RoughnessNumbers,
     /// Shorter one of the lengths along x and y at which the autocorrelation of both surfaces together has fallen to
-    /// 10 % \[m\]; none of smooth bodies, textures and waves longer than half of the patch.
+    /// 10 % \[m\]; `None` for smooth bodies, textures and waves longer than half of the patch.
     pub correlation_length: Option<f64>,
     /// Flash temperature rise of the surfaces \[K\].
     pub flash_rise: f64,
-    /// Film and friction; none of a dry contact.
+    /// Film and friction; `None` for a dry contact.
     pub film: Option<ExpectedFilm>,
 }
 
@@ -65,22 +65,21 @@ pub struct Expectation {
 pub struct ExpectedFilm {
     /// Regime and film of the smooth, flooded contact.
     pub map: FilmMap,
-    /// Film over composite roughness; none between smooth bodies and of textures.
+    /// Film over composite roughness; `None` for smooth bodies and textures.
     pub lambda: Option<f64>,
     /// Share of the load that solids carry, by the inlets of asperities ([`AsperityInlets`]), zero of a full film
-    /// between smooth bodies; none where no formula holds.
+    /// between smooth bodies; `None` where no formula holds.
     pub load_ratio: Option<f64>,
-    /// Least and largest share that solutions were found to have at this inlet number; none where no formula holds.
+    /// Least and largest share that solutions have at this inlet number; `None` where no formula holds.
     pub load_ratio_range: Option<[f64; 2]>,
-    /// Friction coefficients of solids and of the isothermal fluid, with that share on solids, none where no formula
-    /// holds.
+    /// Friction coefficients of solids, by that share or the least one, and of the isothermal fluid.
     pub friction: [f64; 2],
-    /// Mean rise of the film that this friction would make \[K\].
+    /// Mean rise of the film by the heat of this friction \[K\].
     pub film_rise: f64,
 }
 
 impl MixedLubricationSim {
-    /// What formulas expect of the contact as it stands, under the present conditions.
+    /// Estimates by formula of the contact as it stands, under the present conditions.
     ///
     /// # Errors
     /// Conditions that the formulas do not take.
@@ -98,7 +97,7 @@ impl MixedLubricationSim {
         Ok(Expectation { roughness, correlation_length, flash_rise, film: Some(film) })
     }
 
-    /// Warnings about what the scene leaves out of the contact that is expected; the solve has its own.
+    /// Warnings about physics that the scene leaves out and this estimate needs; a solve has its own.
     ///
     /// # Errors
     /// As of [`expectation`](Self::expectation).

@@ -44,9 +44,9 @@ pub(super) struct Rises {
 /// flash of the flux `(t_b + t_f) v` and the film above them by `t_f v h/(12 k)`. The fluid loses stress as it
 /// warms: by the law of the scene, by Roelands' law with the exponent 1.1 where that has no temperature.
 ///
-/// Against solutions with the temperature of the film (0.006 to 0.04 Pa s, 1 to 10 m/s, slide-roll ratios 0.1 to
-/// 1.5) the film is within 25 % of their mean in the middle, but for slide-roll ratios near 0.1, where compression
-/// of the oil heats too and it is up to 45 % low.
+/// Against solutions with the temperature of the film (0.006 to 0.02 Pa s, 2 to 8 m/s, slide-roll ratios 0.5 to 1.5)
+/// the film is within 17 % of their mean in the middle. At a slide-roll ratio of 0.1, where compression of the oil and
+/// the inlet heat too, it is up to 45 % low.
 pub(super) fn film_rise(
     scene: &Scene,
     hertz: &HertzContact,

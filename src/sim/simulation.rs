@@ -239,7 +239,7 @@ impl MixedLubricationSim {
         self.warnings.extend(warnings::of_contact(&self.scene, &seen, false));
     }
 
-    /// Warnings about what the scene leaves out under these conditions, each once a run.
+    /// Warnings about physics that the scene leaves out under these conditions, each once a run.
     fn warn_of_left_out(&mut self, record: &StepRecord, conditions: Conditions) {
         let point = warnings::OperatingPoint {
             hertz: &self.contact.hertz,

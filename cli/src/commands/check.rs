@@ -1,5 +1,5 @@
-//! `stribeck check`: regime, film and load on solids that formulas expect of a scene, whether it can be solved and
-//! run, and what it models, without solving.
+//! `stribeck check`: regime, film and load on solids by formula, whether a scene can be solved and run, and the
+//! parts of its model, without solving.
 
 mod parts;
 mod words;

@@ -130,7 +130,7 @@ fn written(options: &Options, answers: &Answers) -> Result<(String, Scene), Box<
         }
         warnings = solution.warnings;
     }
-    // An isothermal film is what is asked for; solves say where it is too hot.
+    // `init` writes isothermal scenes; solves warn where the film is too hot.
     warnings.retain(|warning| warning.field != FRICTION);
     let Some(warning) = warnings.first() else { return Ok((text, scene)) };
     let remedy = match warning.field.as_str() {

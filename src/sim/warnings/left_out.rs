@@ -24,7 +24,7 @@ pub(in crate::sim) struct OperatingPoint<'a> {
     pub(in crate::sim) hertz: &'a HertzContact,
     /// Load, motion and bulk temperature.
     pub(in crate::sim) conditions: Conditions,
-    /// Viscosity at the bulk temperature; none of a dry contact.
+    /// Viscosity at the bulk temperature; `None` for a dry contact.
     pub(in crate::sim) viscosity: Option<&'a dyn ViscosityLaw>,
     /// Whether the bodies are smooth.
     pub(in crate::sim) smooth: bool,
@@ -38,7 +38,7 @@ pub(in crate::sim) struct OperatingPoint<'a> {
     pub(in crate::sim) yield_ratio: Option<f64>,
 }
 
-/// Warnings about what the scene leaves out at this operating point.
+/// Warnings about physics that the scene leaves out at this operating point.
 pub(in crate::sim) fn left_out(scene: &Scene, point: &OperatingPoint<'_>) -> Vec<Warning> {
     let checks =
         [isothermal(scene, point), sheared(scene, point), ridges(scene, point), yields(scene, point)];

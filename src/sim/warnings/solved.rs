@@ -82,7 +82,7 @@ pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> 
         left_out(scene, &point)
     }));
     list.extend(mesh_errors(scene, solution));
-    // The smooth contact has told of some before.
+    // Checks of the smooth contact may have reported the same before the solve.
     list.retain(|found| solution.warnings.iter().all(|known| known.field != found.field));
     list
 }

@@ -1,4 +1,4 @@
-//! What a scene models and what it leaves out, and which keys decide it.
+//! The parts of the model that a scene has or leaves out, and the keys that decide.
 
 use stribeck::InputError;
 use stribeck::sim::MixedLubricationSim;
@@ -102,7 +102,7 @@ fn sliding(scene: &Scene) -> Result<Part, InputError> {
     Ok(Part { what: "friction", modelled, why: why.to_owned() })
 }
 
-/// What changes the surfaces, in a history.
+/// Processes that change the surfaces in a history.
 fn changes(scene: &Scene, sim: &MixedLubricationSim) -> Vec<Part> {
     let table = |what, given: bool, key: &str, history: bool| Part {
         what,

@@ -115,11 +115,11 @@ fn length_text(metre: f64) -> String {
     if metre < 1e-6 { format!("{:.2} nm", 1e9 * metre) } else { format!("{:.2} um", 1e6 * metre) }
 }
 
-/// What carries the load.
+/// Shares of the load on the film and on solids.
 fn load_words(film: &ExpectedFilm) -> String {
     let per_cent = |share: f64| format!("{:.0} %", 100.0 * share);
     let Some([least, most]) = film.load_ratio_range else {
-        return "not estimated: the formula is for random roughness in piezoviscous contacts; `stribeck solve` tells"
+        return "not estimated: the formula is for random roughness in piezoviscous contacts; `stribeck solve` finds it"
             .to_owned();
     };
     let about = film.load_ratio.map_or_else(String::new, |share| format!("about {}, ", per_cent(share)));
