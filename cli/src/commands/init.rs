@@ -32,10 +32,10 @@ const FEWEST_IN_LENGTH: f64 = 3.0;
 /// Young's modulus \[Pa\] and Poisson's ratio of steel.
 const STEEL: (f64, f64) = (210e9, 0.3);
 /// What warnings that answers can mend are about.
-const FORMULA: &str = "film.formula_central";
-const FRICTION: &str = "friction.coefficient";
 const LARGEST_PRESSURE: &str = "pressure.max";
 const CENTRAL_FILM: &str = "film.central";
+/// The warning about the heat of an isothermal film.
+const FRICTION: &str = "friction.coefficient";
 /// Pressure that steel carries before it yields for good \[Pa\].
 const HARDNESS: &str = "6 GPa";
 
@@ -134,7 +134,7 @@ fn written(options: &Options, answers: &Answers) -> Result<(String, Scene), Box<
     warnings.retain(|warning| warning.field != FRICTION);
     let Some(warning) = warnings.first() else { return Ok((text, scene)) };
     let remedy = match warning.field.as_str() {
-        FORMULA | LARGEST_PRESSURE => "less speed or viscosity, or more load",
+        LARGEST_PRESSURE => "less speed or viscosity, or more load",
         CENTRAL_FILM => "more --cells, or more speed or viscosity",
         _ => &warning.remedy,
     };
