@@ -524,7 +524,7 @@ fn numbers_of_solutions_that_mislead_are_named() {
     slipping.motion.slide_roll_ratio = 2.0;
     slipping.lubricant.as_mut().unwrap().eta0 = 0.4;
     slipping.grid = GridSpec::Cells { nx: 64, ny: 64, x: [-0.2e-3, 0.1e-3], y: [-0.15e-3, 0.15e-3] };
-    assert_eq!(named(&slipping), ["friction.fluid"]);
+    assert_eq!(named(&slipping), ["friction.coefficient", "friction.fluid"]);
 }
 
 /// A run has its warnings once, and those of its first contact beside them.

@@ -116,6 +116,7 @@ fn point_films<'py>(
         "hamrock_dowson_central": value(py, films.hamrock_dowson_central())?,
         "hamrock_dowson_minimum": value(py, films.hamrock_dowson_minimum())?,
         "moes_central": films.moes_central().ok(),
+        "film_map": named(py, &value(py, films.film_map())?)?,
         "moes": dictionary!(py, { "m": films.moes_load(), "l": films.moes_lubricant() }),
     }))
 }
@@ -136,6 +137,7 @@ fn line_films<'py>(
         "dowson_toyoda_central": value(py, films.dowson_toyoda_central())?,
         "dowson_minimum": value(py, films.dowson_minimum())?,
         "moes_central": films.moes_central().ok(),
+        "film_map": named(py, &value(py, films.film_map())?)?,
         "moes": dictionary!(py, { "m": films.moes_load(), "l": films.moes_lubricant() }),
     }))
 }

@@ -20,7 +20,7 @@ _POINT = {
 }
 _LINE = {"half_width": "m", "pressure": "Pa", "force": "N/m"}
 _FILMS = dict.fromkeys(
-    ("hamrock_dowson_central", "hamrock_dowson_minimum", "dowson_toyoda_central", "dowson_minimum", "moes_central"), "m"
+    ("hamrock_dowson_central", "hamrock_dowson_minimum", "dowson_toyoda_central", "dowson_minimum", "moes_central", "film_map.central"), "m"
 )
 _WAVE = {"full_contact_pressure": "Pa", "contact_half_width": "m"}
 
@@ -78,8 +78,8 @@ def point_films(
     load: Quantity,
     ellipticity: float = 1.0,
 ) -> Numbers:
-    """Film formulas of a point contact: ``hamrock_dowson_central``, ``hamrock_dowson_minimum``, ``moes_central`` [m] and ``moes.m``, ``moes.l``.
-    Speed in m/s, viscosity in Pa s, pressure-viscosity coefficient in 1/Pa, radius in m, load in N."""
+    """Film formulas of a point contact: ``hamrock_dowson_central``, ``hamrock_dowson_minimum``, ``moes_central``, ``film_map.central`` [m], the
+    last by the regime ``film_map.regime``, and ``moes.m``, ``moes.l``. Speed in m/s, viscosity in Pa s, pressure-viscosity coefficient in 1/Pa, radius in m, load in N."""
     speed = number("entrainment_speed", entrainment_speed, "m/s")
     oil, solid = _oil(eta0, alpha), _solid(equivalent_modulus, radius)
     loads = number("load", load, "N"), number("ellipticity", ellipticity, "1")
@@ -95,7 +95,8 @@ def line_films(
     radius: Quantity,
     load: Quantity,
 ) -> Numbers:
-    """Film formulas of a line contact: ``dowson_toyoda_central``, ``dowson_minimum``, ``moes_central`` [m] and ``moes.m``, ``moes.l``. Load in N/m."""
+    """Film formulas of a line contact: ``dowson_toyoda_central``, ``dowson_minimum``, ``moes_central``, ``film_map.central`` [m],
+    the last by the regime ``film_map.regime``, and ``moes.m``, ``moes.l``. Load in N/m."""
     speed = number("entrainment_speed", entrainment_speed, "m/s")
     oil, solid = _oil(eta0, alpha), _solid(equivalent_modulus, radius)
     return Numbers(_stribeck.line_films(speed, oil, solid, number("load", load, "N/m")), units=_FILMS)

@@ -366,6 +366,7 @@ def test_formulas_and_metrics() -> None:
     oil = {"entrainment_speed": 1.0, "eta0": 0.04, "alpha": 2e-8, "equivalent_modulus": modulus, "radius": 10e-3}
     point = stribeck.analytic.point_films(load=50.0, **oil)
     assert 0.4 < point.hamrock_dowson_minimum / point.hamrock_dowson_central < 0.7
+    assert point.film_map.regime == "piezoviscous-elastic" and 0.8 < point.film_map.central / point.hamrock_dowson_central < 1.2
     assert stribeck.analytic.line_films(load=1e5, **oil).dowson_toyoda_central > 1e-8
     wave = stribeck.analytic.westergaard(amplitude=1e-7, wavelength=1e-4, equivalent_modulus=modulus, mean_pressure=1e6)
     assert 0 < wave.contact_half_width < 0.5e-4

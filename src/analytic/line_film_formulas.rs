@@ -1,5 +1,6 @@
 //! Film thickness formulas for smooth lubricated line contacts.
 
+use super::film_regimes::Asymptotes;
 use crate::error::InputError;
 
 /// Operating conditions of a smooth, fully flooded, isothermal line contact, and the film formulas fitted to
@@ -172,7 +173,8 @@ impl LineFilmConditions {
     ///
     /// `H = {(H_RI^(7/3) + H_EI^(7/3))^(3s/7) + (H_RP^(-7/2) + H_EP^(-7/2))^(-2s/7)}^(1/s)`,
     /// `h = H R (2U)^(1/2)`, `s = (7 + 8 exp(-2 H_EI/H_RI))/5`, with `H_RI = 3 M^-1`,
-    /// `H_EI = 2.621 M^(-1/5)`, `H_RP = 1.287 L^(2/3)`, `H_EP = 1.311 M^(-1/8) L^(3/4)`.
+    /// `H_EI = 2.621 M^(-1/5)`, `H_RP = 1.287 L^(2/3)`, `H_EP = 1.311 M^(-1/8) L^(3/4)`. Where rigid bodies in an
+    /// isoviscous oil set the film it is 23 % above exact solutions; [`film_map`](Self::film_map) is not.
     ///
     /// Source: Moes, H. (1992), Wear 159, 57-66; Moes, H. (2000), Lubrication and Beyond, University of
     /// Twente.
@@ -188,15 +190,23 @@ impl LineFilmConditions {
     /// ```
     pub fn moes_central(&self) -> Result<f64, InputError> {
         self.validate()?;
+        Ok(self.asymptotes().line_film() * self.film_scale())
+    }
+
+    /// `R (2U)^(1/2)` \[m\], the unit of Moes' films.
+    pub(super) fn film_scale(&self) -> f64 {
+        self.radius * (2.0 * self.speed_parameter()).sqrt()
+    }
+
+    /// The asymptotes of [`moes_central`](Self::moes_central).
+    pub(super) fn asymptotes(&self) -> Asymptotes {
         let (load, lubricant) = (self.moes_load(), self.moes_lubricant());
-        let rigid_isoviscous = 3.0 / load;
-        let elastic_isoviscous = 2.621 * load.powf(-0.2);
-        let rigid_piezoviscous = 1.287 * lubricant.powf(2.0 / 3.0);
-        let elastic_piezoviscous = 1.311 * load.powf(-0.125) * lubricant.powf(0.75);
-        let s = (7.0 + 8.0 * (-2.0 * elastic_isoviscous / rigid_isoviscous).exp()) / 5.0;
-        let isoviscous = rigid_isoviscous.powf(7.0 / 3.0) + elastic_isoviscous.powf(7.0 / 3.0);
-        let piezoviscous = rigid_piezoviscous.powf(-3.5) + elastic_piezoviscous.powf(-3.5);
-        let film = (isoviscous.powf(3.0 * s / 7.0) + piezoviscous.powf(-2.0 * s / 7.0)).powf(1.0 / s);
-        Ok(film * self.radius * (2.0 * self.speed_parameter()).sqrt())
+        Asymptotes {
+            rigid_isoviscous: 3.0 / load,
+            elastic_isoviscous: 2.621 * load.powf(-0.2),
+            thickest_elastic: f64::INFINITY,
+            rigid_piezoviscous: 1.287 * lubricant.powf(2.0 / 3.0),
+            elastic_piezoviscous: 1.311 * load.powf(-0.125) * lubricant.powf(0.75),
+        }
     }
 }

@@ -2,16 +2,19 @@
 //!
 //! [`HertzPoint`] is the dry smooth contact of two curved bodies (circular or elliptical), [`HertzLine`] that
 //! of parallel cylinders. [`FilmConditions`] and [`LineFilmConditions`] are film formulas fitted to full
-//! numerical solutions. [`Westergaard`] is the dry contact of a wavy surface. [`rectangle_potential`] is the
+//! numerical solutions, [`FilmMap`] the regime of a contact and its film, [`AsperityInlets`] the share of the
+//! load on solids. [`Westergaard`] is the dry contact of a wavy surface. [`rectangle_potential`] is the
 //! integral of 1/r over a rectangle and [`strip_potential`] that of a logarithm over a strip, the
 //! displacements of uniformly loaded cells. [`ThermalInlet`] and [`ShearedLayer`] give the heat of inlets and
 //! of a sheared film. The module is plain arithmetic, without grids or solvers.
 
 mod film_formulas;
 mod film_heat;
+mod film_regimes;
 mod hertz;
 mod hertz_line;
 mod line_film_formulas;
+mod load_share;
 mod love;
 mod rigid_paraboloids;
 mod strip;
@@ -19,9 +22,11 @@ mod westergaard;
 
 pub use film_formulas::FilmConditions;
 pub use film_heat::{ShearedLayer, ThermalInlet};
+pub use film_regimes::{FilmMap, FilmRegime};
 pub use hertz::{HertzPoint, equivalent_modulus};
 pub use hertz_line::HertzLine;
 pub use line_film_formulas::LineFilmConditions;
+pub use load_share::AsperityInlets;
 pub use love::{rectangle_displacement, rectangle_potential};
 pub use rigid_paraboloids::RigidParaboloids;
 pub use strip::{strip_displacement, strip_potential};

@@ -357,8 +357,13 @@ impl SimBuilder {
         let viscosity = contact.lubricant.as_ref().filter(|_| own.viscosity).map(Lubricant::viscosity);
         let growth = laws.growth.as_ref().filter(|_| own.growth);
         found.extend(warnings::of_own_laws(viscosity, growth.map(|law| law.maximum_thickness())));
+        let heights = bodies.each_ref().map(Body::initial);
+        found.extend(warnings::of_roughness(&self.scene, heights, &contact.grid, &contact.hertz));
         let mut warnings = scene.warnings();
         warnings.extend(found);
+        if self.squeeze {
+            warnings.retain(|warning| !warnings::QUASI_STATIC.contains(&warning.field.as_str()));
+        }
         warnings
     }
 

@@ -5,7 +5,7 @@ use super::numbers::Moes;
 use super::scene::Scene;
 use super::setup;
 use super::timetable::Conditions;
-use crate::analytic::{FilmConditions, HertzPoint, LineFilmConditions};
+use crate::analytic::{FilmConditions, FilmMap, FilmRegime, HertzPoint, LineFilmConditions};
 use crate::error::InputError;
 use crate::lubricant::ViscosityLaw;
 
@@ -14,10 +14,11 @@ use crate::lubricant::ViscosityLaw;
 /// # Examples
 ///
 /// ```
+/// use stribeck::analytic::FilmRegime;
 /// use stribeck::sim::Scene;
 /// let film = Scene::azam_2019(32).formula_film()?.ok_or("dry")?;
-/// let all = film.all_regimes.ok_or("an elliptic contact")?;
-/// assert!((film.central / all - 1.0).abs() < 0.5); // two formulas, one contact
+/// assert_eq!(film.map.regime, FilmRegime::PiezoviscousElastic);
+/// assert!((film.central / film.map.central - 1.0).abs() < 0.15); // two formulas, one contact
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,12 +26,23 @@ use crate::lubricant::ViscosityLaw;
 pub struct FormulaFilm {
     /// Moes' parameters.
     pub moes: Moes,
-    /// Central film, Hamrock and Dowson of a point contact, Dowson and Toyoda of a line contact; of an oil that
-    /// does not thicken under pressure that for all regimes, of an elliptic contact Hamrock and Dowson's of
-    /// soft bodies \[m\].
+    /// Central film of loaded steel contacts: Hamrock and Dowson of a point contact, Dowson and Toyoda of a line
+    /// contact; of an oil that does not thicken under pressure that of Moes, of an elliptic contact Hamrock and
+    /// Dowson's of soft bodies \[m\]. Solvers scale with it.
     pub central: f64,
-    /// Central film by the formulas of Moes for all regimes; none of an elliptic contact \[m\].
-    pub all_regimes: Option<f64>,
+    /// Regime, and the film that holds in all regimes.
+    pub map: FilmMap,
+}
+
+impl FormulaFilm {
+    /// Central film by the formula of the regime: [`central`](Self::central) of piezoviscous-elastic contacts, that
+    /// of all regimes else \[m\].
+    pub(super) fn of_its_regime(&self) -> f64 {
+        match self.map.regime {
+            FilmRegime::PiezoviscousElastic => self.central,
+            _ => self.map.central,
+        }
+    }
 }
 
 impl Scene {
@@ -76,11 +88,10 @@ pub(super) fn formula_film(
             radius,
             load: load / LINE_LENGTH,
         };
-        let all_regimes = line.moes_central()?;
         FormulaFilm {
             moes: Moes { m: line.moes_load(), l: line.moes_lubricant() },
-            central: if thickens { line.dowson_toyoda_central()? } else { all_regimes },
-            all_regimes: Some(all_regimes),
+            central: if thickens { line.dowson_toyoda_central()? } else { line.moes_central()? },
+            map: line.film_map()?,
         }
     } else {
         let point = FilmConditions {
@@ -92,15 +103,15 @@ pub(super) fn formula_film(
             load,
             ellipticity: ellipticity(scene, hertz)?,
         };
-        let all_regimes = point.moes_central().ok();
+        let is_circle = (point.ellipticity - 1.0).abs() < 1e-9;
         FormulaFilm {
             moes: Moes { m: point.moes_load(), l: point.moes_lubricant() },
-            central: match all_regimes {
-                _ if thickens => point.hamrock_dowson_central()?,
-                Some(film) => film,
-                None => point.hamrock_dowson_soft()?,
+            central: match (thickens, is_circle) {
+                (true, _) => point.hamrock_dowson_central()?,
+                (false, true) => point.moes_central()?,
+                (false, false) => point.hamrock_dowson_soft()?,
             },
-            all_regimes,
+            map: point.film_map()?,
         }
     }))
 }
@@ -117,8 +128,8 @@ pub(super) fn ellipticity(scene: &Scene, hertz: &HertzContact) -> Result<f64, In
     Ok(sections.half_width_y / sections.half_width_x)
 }
 
-/// Central film by formula, by the coefficient that is stated for it, else the slope of the law; zero without
-/// lubricant \[m\].
+/// Central film by the formula of its regime, by the coefficient that is stated for it, else the slope of the law;
+/// zero without lubricant \[m\].
 pub(super) fn stated_film(
     scene: &Scene,
     hertz: &HertzContact,
@@ -127,5 +138,5 @@ pub(super) fn stated_film(
 ) -> Result<f64, InputError> {
     let alpha = scene.lubricant.and_then(|lubricant| lubricant.formula_alpha);
     let film = formula_film(scene, hertz, conditions.motion.entrainment_speed, law, alpha)?;
-    Ok(film.map_or(0.0, |film| film.central))
+    Ok(film.map_or(0.0, |film| film.of_its_regime()))
 }

@@ -10,7 +10,7 @@ use super::numbers::FrictionNumbers;
 use super::scene::{FrictionSpec, Scene};
 use crate::boundary_friction::{BoundaryFriction, ConstantFriction, FilmFriction};
 use crate::error::InputError;
-use crate::lubricant::{Lubricant, Rheology};
+use crate::lubricant::Rheology;
 use crate::metrics;
 use crate::reynolds::ContactState;
 
@@ -137,9 +137,9 @@ impl FrictionFields {
 
 /// Mean shear stress \[Pa\] of a fluid that fills a Hertz contact of maximum pressure `p_max` \[Pa\], point
 /// or line, with a `film` \[m\] everywhere, at `sliding` \[m/s\]: the mean over the area of the stress under
-/// `p_max sqrt(1 - r^2/a^2)`.
+/// `p_max sqrt(1 - r^2/a^2)`. `viscosity` \[Pa s\] is that at a pressure \[Pa\].
 pub(super) fn mean_fluid_stress(
-    lubricant: &Lubricant,
+    viscosity: &dyn Fn(f64) -> f64,
     rheology: &Rheology,
     (p_max, is_line): (f64, bool),
     film: f64,
@@ -152,7 +152,7 @@ pub(super) fn mean_fluid_stress(
     let stress = |part: u32| {
         let share = (f64::from(part) + 0.5) / f64::from(MEAN_POINTS);
         let pressure = p_max * if is_line { 1.0 - share * share } else { share }.sqrt();
-        rheology.shear_stress_under(pressure, lubricant.viscosity().viscosity(pressure), sliding / film)
+        rheology.shear_stress_under(pressure, viscosity(pressure), sliding / film)
     };
     (0..MEAN_POINTS).map(stress).sum::<f64>() / f64::from(MEAN_POINTS)
 }

@@ -131,7 +131,8 @@ fn estimated_rise(
         let film = film.map_or(0.0, |film| film.central);
         let rheology = scene.friction.rheology()?;
         let is_line = scene.form.is_line();
-        let stress = mean_fluid_stress(lubricant, &rheology, (hertz.pressure, is_line), film, sliding);
+        let viscosity = |pressure| lubricant.viscosity().viscosity(pressure);
+        let stress = mean_fluid_stress(&viscosity, &rheology, (hertz.pressure, is_line), film, sliding);
         flux = flux.max(stress * sliding);
     }
     estimate_rise_under_flux(scene.thermal_bodies(), speeds, flux, hertz.radius)

@@ -31,6 +31,7 @@ use super::timetable::{Conditions, Timetable};
 use super::warnings::{self, Warning};
 use super::yielding::Yielding;
 use crate::error::InputError;
+use crate::lubricant::Lubricant;
 use crate::reynolds::ContactState;
 
 /// Positions of the roughness that a step tries before it gives up.
@@ -215,6 +216,7 @@ impl MixedLubricationSim {
         if self.step == 0 {
             self.warn_of_first(&record);
         }
+        self.warn_of_left_out(&record, conditions);
         if self.warnings.iter().all(|warning| !warnings::DEEP_WEAR.contains(&warning.field.as_str())) {
             let depths = [record.wear.ball_max, record.wear.disc_max];
             self.warnings.extend(warnings::deep_wear(depths, self.half_width()));
@@ -232,10 +234,26 @@ impl MixedLubricationSim {
             largest_pressure: record.pressure.max,
             central_film: record.film.central,
             friction: record.friction.coefficient,
-            fluid_friction: record.friction.fluid,
             temperatures: record.thermal.map(|heat| [heat.film_temperature_max, record.bulk_temperature]),
         };
         self.warnings.extend(warnings::of_contact(&self.scene, &seen, false));
+    }
+
+    /// Warnings about physics that the scene leaves out under these conditions, each once a run.
+    fn warn_of_left_out(&mut self, record: &StepRecord, conditions: Conditions) {
+        let point = warnings::OperatingPoint {
+            hertz: &self.contact.hertz,
+            conditions,
+            viscosity: self.contact.lubricant.as_ref().map(Lubricant::viscosity),
+            smooth: record.roughness.composite_rq == 0.0,
+            friction: [record.friction.boundary, record.friction.fluid],
+            film: record.film.mean_central,
+            load_ratio: record.contact.load_ratio,
+            yield_ratio: None,
+        };
+        let mut found = warnings::left_out(&self.scene, &point);
+        found.retain(|warning| self.warnings.iter().all(|known| known.field != warning.field));
+        self.warnings.extend(found);
     }
 
     /// Commits the longest step that `control` allows and returns its length.

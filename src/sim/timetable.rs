@@ -105,6 +105,11 @@ impl Timetable {
         [&self.load, &self.speed, &self.slide_roll_ratio, &self.temperature].into_iter().flatten()
     }
 
+    /// Load \[N\] and entrainment speed \[m/s\] over time, where they are scheduled.
+    pub(super) fn load_and_speed(&self) -> [Option<&Course>; 2] {
+        [self.load.as_ref(), self.speed.as_ref()]
+    }
+
     /// The next time after `time` \[s\] at which a schedule has an entry.
     pub(super) fn next_entry(&self, time: f64) -> Option<f64> {
         self.courses().filter_map(|course| course.next_entry(time)).min_by(f64::total_cmp)

@@ -1,15 +1,20 @@
-//! `stribeck check`: whether a scene can be solved and run, what it models and what to expect of it, without
-//! solving.
+//! `stribeck check`: regime, film and load on solids by formula, whether a scene can be solved and run, and the
+//! parts of its model, without solving.
+
+mod parts;
+mod words;
 
 use std::error::Error;
 use std::path::PathBuf;
 
 use serde_json::{Value, json};
 use stribeck::InputError;
-use stribeck::metrics::{composite_rq, height_statistics};
-use stribeck::sim::scene::{Exposure, Flash, FrictionSpec, GridSpec, Roughness, Scene, TrackSpec};
-use stribeck::sim::{FormulaFilm, HertzContact, MixedLubricationSim, SimError, Warning};
+use stribeck::sim::scene::{GridSpec, Scene, TrackSpec};
+use stribeck::sim::{
+    Expectation, ExpectedFilm, FormulaFilm, HertzContact, MixedLubricationSim, SimError, Warning,
+};
 
+use self::parts::{Part, parts};
 use crate::output::{self, Outcome};
 
 /// Box and cells on which a scene is looked at that picks its own.
@@ -29,13 +34,6 @@ pub(crate) struct Options {
     json: bool,
 }
 
-/// A part of the model, whether it is there, and why.
-struct Part {
-    what: &'static str,
-    modelled: bool,
-    why: String,
-}
-
 /// Why a scene is refused as a single contact, and as a history; none of it where it is not.
 struct Refusals {
     solve: Option<SimError>,
@@ -48,8 +46,7 @@ struct Expected {
     parts: Vec<Part>,
     hertz: HertzContact,
     formula: Option<FormulaFilm>,
-    /// Root mean square heights of ball and disc on the grid \[m\].
-    rq: [f64; 2],
+    expectation: Expectation,
     /// The grid is picked by the solve.
     picks_grid: bool,
     lubricated: bool,
@@ -90,27 +87,21 @@ impl Expected {
             leave_contact(&mut on_grid)?;
         }
         let sim = MixedLubricationSim::builder(on_grid).build()?;
-        let mut rq = [0.0; 2];
-        for (rq, body) in rq.iter_mut().zip(sim.bodies()) {
-            *rq = height_statistics(&sim.track_roughness(body.initial())?)?.sq;
-        }
+        let expected = sim.expected_warnings()?;
+        let is_new = |warning: &Warning| warnings.iter().all(|known: &Warning| known.field != warning.field);
+        let expected: Vec<Warning> = expected.into_iter().filter(is_new).collect();
+        let warnings = [warnings, expected].concat();
         Ok(Self {
             refusals,
             parts: parts(scene, &sim)?,
             hertz,
             formula: scene.formula_film()?,
-            rq,
+            expectation: sim.expectation()?,
             picks_grid,
             lubricated: scene.is_lubricated(),
             warnings,
             sim,
         })
-    }
-
-    /// Film by formula over roughness; none without either.
-    fn lambda(&self) -> Option<f64> {
-        let rq = composite_rq(self.rq[0], self.rq[1]);
-        self.formula.filter(|_| rq > 0.0).map(|formula| formula.central / rq)
     }
 
     /// Cells in a Hertz half-width.
@@ -140,6 +131,9 @@ impl Expected {
             .map(|part| json!({ "what": part.what, "modelled": part.modelled, "why": part.why }))
             .collect();
         let (hertz, grid, [inlet, outlet]) = (&self.hertz, self.sim.grid(), self.room());
+        let film = self.expectation.film;
+        let mut roughness = serde_json::to_value(self.expectation.roughness)?;
+        roughness["correlation_length"] = self.expectation.correlation_length.into();
         let grid = (!self.picks_grid).then(|| {
             json!({
                 "nx": grid.nx(), "ny": grid.ny(), "dx": grid.dx(), "dy": grid.dy(),
@@ -155,80 +149,27 @@ impl Expected {
             "modelled": parts,
             "hertz": hertz,
             "moes": self.formula.map(|formula| formula.moes),
+            "regime": film.map(|film| film.map.regime),
+            "viscosity_parameter": film.map(|film| film.map.viscosity_parameter),
+            "elasticity_parameter": film.map(|film| film.map.elasticity_parameter),
             "film": {
-                "formula_central": self.formula.map(|formula| formula.central),
-                "formula_lambda": self.lambda(),
+                "formula_central": film.map(|film| film.map.central),
+                "formula_lambda": film.and_then(|film| film.lambda),
             },
-            "roughness": {
-                "ball_rq": self.rq[0],
-                "disc_rq": self.rq[1],
-                "composite_rq": composite_rq(self.rq[0], self.rq[1]),
+            "contact": {
+                "load_ratio": film.and_then(|film| film.load_ratio),
+                "load_ratio_range": film.and_then(|film| film.load_ratio_range),
             },
-            "flash_estimate": self.sim.flash_estimate(),
+            "friction": film.map(|ExpectedFilm { friction: [boundary, fluid], .. }| {
+                json!({ "coefficient": boundary + fluid, "boundary": boundary, "fluid": fluid })
+            }),
+            "film_rise": film.map(|film| film.film_rise),
+            "flash_rise": self.expectation.flash_rise,
+            "roughness": roughness,
             "grid": grid,
             "warnings": serde_json::to_value(&self.warnings)?,
             "version": env!("CARGO_PKG_VERSION"),
         }))
-    }
-
-    fn to_text(&self) -> String {
-        let mut text = String::new();
-        let whole = [("solve", &self.refusals.solve), ("run", &self.refusals.run)];
-        for (command, refusal) in whole {
-            let (sign, why) = match refusal {
-                None => ("yes", format!("`stribeck {command}` takes it")),
-                Some(error) => ("no ", error.to_string()),
-            };
-            text += &format!("{command:<16} {sign}  {why}\n");
-        }
-        for part in &self.parts {
-            let sign = if part.modelled { "yes" } else { "no " };
-            text += &format!("{:<16} {sign}  {}\n", part.what, part.why);
-        }
-        let hertz = &self.hertz;
-        text += &format!(
-            "Hertz            {:.4} GPa, {:.4} N, half-widths {:.2} x {:.2} um\n",
-            hertz.pressure * 1e-9,
-            hertz.force,
-            hertz.half_width_x * 1e6,
-            hertz.half_width_y * 1e6
-        );
-        text += &self.film_text();
-        let (grid, [inlet, outlet]) = (self.sim.grid(), self.room());
-        if self.picks_grid {
-            return text + "mesh             picked by the solve for the accuracy that is asked for";
-        }
-        text += &format!(
-            "mesh             {} x {} cells, {:.1} in a Hertz half-width; the box ends {inlet:.2} half-widths before and {outlet:.2} \
-             behind the middle; about {:.0} MB\n",
-            grid.nx(),
-            grid.ny(),
-            self.cells(),
-            1e-6 * self.memory()
-        );
-        text + "                 its error is estimated with `estimate = true` in [solver] (two solves); `accuracy = 0.01` in place of \
-                the cells picks a mesh"
-    }
-
-    fn film_text(&self) -> String {
-        let [ball, disc] = self.rq.map(|rq| 1e9 * rq);
-        let rq = format!("Rq of ball and disc {ball:.1} and {disc:.1} nm");
-        let Some(formula) = self.formula else { return format!("film             none, dry; {rq}\n") };
-        let (film, m, l) = (1e9 * formula.central, formula.moes.m, formula.moes.l);
-        let regime = match self.lambda() {
-            None => "smooth: a full film where it is thicker than the contact film".to_owned(),
-            Some(lambda) => {
-                let regime = match lambda {
-                    _ if lambda < 1.0 => "solids carry much of the load",
-                    _ if lambda < 3.0 => "mixed lubrication",
-                    _ => "a full film",
-                };
-                format!("lambda {lambda:.3}: {regime}")
-            }
-        };
-        format!(
-            "film             {film:.2} nm in the middle by formula (Moes M {m:.1}, L {l:.3}); {rq}; {regime}\n"
-        )
     }
 }
 
@@ -251,118 +192,4 @@ fn own_grid(scene: &Scene, hertz: &HertzContact) -> GridSpec {
     } else {
         GridSpec::Cells { nx: n, ny: n, x, y: edges(half_y) }
     }
-}
-
-fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part>, InputError> {
-    let part = |what, modelled, why: &str| Part { what, modelled, why: why.to_owned() };
-    let mut parts = vec![
-        if scene.form.is_line() {
-            part("line contact", true, "form.kind is a cylinder: one row of cells, loads per metre of length")
-        } else {
-            part("point contact", true, "form.kind is no cylinder")
-        },
-        match (&scene.lubricant, scene.is_lubricated()) {
-            (_, true) => part("oil", true, "[lubricant] is given"),
-            (Some(_), false) => part("oil", false, "solver.kind is dry: the [lubricant] is left out"),
-            (None, false) => part("oil", false, "there is no [lubricant]: a dry contact"),
-        },
-    ];
-    if scene.is_lubricated() {
-        let starved = scene.lubricant.as_ref().is_some_and(|oil| oil.supplied_film.is_some());
-        parts.push(if starved {
-            part("starved inlet", true, "lubricant.supplied_film is given")
-        } else {
-            part("starved inlet", false, "without lubricant.supplied_film the inlet is flooded")
-        });
-        parts.push(match scene.motion.spin_radius {
-            Some(_) => part("spin", true, "motion.spin_radius is given"),
-            None => part("spin", false, "without motion.spin_radius the surfaces move along x alone"),
-        });
-        let warm = scene.lubricant.as_ref().is_some_and(|oil| oil.thermal.is_some());
-        parts.push(if warm {
-            part("film temperature", true, "lubricant.thermal is given")
-        } else {
-            part("film temperature", false, "without [lubricant.thermal] the film has the bulk temperature")
-        });
-        let FrictionSpec { eyring_stress, carreau_stress, flow_thinning, .. } = &scene.friction;
-        let law = match (eyring_stress, carreau_stress) {
-            (Some(_), _) => "by Eyring, friction.eyring_stress is given",
-            (None, Some(_)) => "by Carreau, friction.carreau_stress is given",
-            (None, None) => {
-                "Newtonian up to its largest stress, without friction.eyring_stress or carreau_stress"
-            }
-        };
-        parts.push(part("shear of the oil", true, law));
-        parts.push(match flow_thinning {
-            Some(_) => part("flow thinning", true, "friction.flow_thinning is given"),
-            None => part(
-                "flow thinning",
-                false,
-                "without friction.flow_thinning sliding leaves the flow by pressure its viscosity",
-            ),
-        });
-    }
-    for (what, key, roughness) in [
-        ("rough ball", "roughness.ball", &scene.roughness.ball),
-        ("rough disc", "roughness.disc", &scene.roughness.disc),
-    ] {
-        parts.push(Part { what, modelled: !roughness.is_smooth(), why: why_rough(key, roughness) });
-    }
-    parts.push(sliding(scene)?);
-    parts.extend(changes(scene, sim));
-    Ok(parts)
-}
-
-fn why_rough(key: &str, roughness: &Roughness) -> String {
-    match roughness {
-        Roughness::None => format!("there is no [{key}]"),
-        _ if roughness.is_smooth() => format!("{key}.rq = 0"),
-        Roughness::File(file) => format!("measured: {}", file.path.display()),
-        _ => format!("[{key}] is given"),
-    }
-}
-
-fn sliding(scene: &Scene) -> Result<Part, InputError> {
-    let modelled =
-        scene.conditions(0.0)?.motion.sliding_speed() > 0.0 || scene.schedule.slide_roll_ratio.is_some();
-    let why = if modelled {
-        "the surfaces slide"
-    } else {
-        "without sliding there is neither friction nor its heat"
-    };
-    Ok(Part { what: "friction", modelled, why: why.to_owned() })
-}
-
-/// What changes the surfaces, in a history.
-fn changes(scene: &Scene, sim: &MixedLubricationSim) -> Vec<Part> {
-    let table = |what, given: bool, key: &str, history: bool| Part {
-        what,
-        modelled: given,
-        why: match (given, history) {
-            (false, _) => format!("there is no [{key}]"),
-            (true, false) => format!("[{key}] is given"),
-            (true, true) => format!("[{key}] is given; in a history alone"),
-        },
-    };
-    let (rise, on) = (sim.flash_estimate(), sim.models_flash_temperature());
-    let why = match scene.thermal.flash {
-        Flash::On => format!("thermal.flash is on; estimated rise {rise:.2} K"),
-        Flash::Off => format!("thermal.flash is off; estimated rise {rise:.2} K"),
-        _ => format!("estimated rise {rise:.2} K, it counts from 1 K on; in a history alone"),
-    };
-    let scheduled = !scene.schedule.is_empty();
-    let exposed = scene.track.exposure == Exposure::Track;
-    vec![
-        table("plastic limit", scene.plastic.is_some(), "plastic", false),
-        table("tribofilm", scene.tribofilm.is_some(), "tribofilm", true),
-        table("wear", scene.wear.is_some(), "wear", true),
-        Part { what: "flash heat", modelled: on, why },
-        table("schedule", scheduled, "schedule", true),
-        Part {
-            what: "time on track",
-            modelled: exposed,
-            why: if exposed { "track.exposure is track" } else { "track.exposure is contact_clock" }
-                .to_owned(),
-        },
-    ]
 }

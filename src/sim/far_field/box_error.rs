@@ -176,7 +176,7 @@ impl InletScale {
 /// Central film of the smooth flooded contact, in whatever regime it is \[m\].
 fn smooth_film(contact: &Contact<'_>) -> f64 {
     let Contact { scene, hertz, formulas, .. } = contact;
-    let elastic = formulas.central.max(formulas.all_regimes.unwrap_or(0.0));
+    let elastic = formulas.central.max(formulas.map.central);
     if scene.form.is_line() {
         return elastic;
     }

@@ -2,16 +2,22 @@
 //! One function a check.
 
 mod given_film;
+mod left_out;
 mod limits;
 mod mesh;
 mod plausible;
 mod quantity;
+mod quasi_static;
+mod rough;
 mod solved;
 
 use std::fmt;
 
 pub use given_film::given_film_warnings;
+pub(super) use left_out::{OperatingPoint, left_out};
 pub(super) use plausible::{of_own_laws, refuse_height_slip, refuse_slips};
+pub(super) use quasi_static::QUASI_STATIC;
+pub(super) use rough::of_roughness;
 pub(super) use solved::{DEEP_WEAR, Seen, after_solve, deep_wear, of_contact};
 
 use super::hertz::HertzContact;
@@ -70,6 +76,7 @@ impl Scene {
     pub fn warnings(&self) -> Vec<Warning> {
         let mut list = plausible::values(self);
         list.extend(limits::of_models(self));
+        list.extend(quasi_static::fast_changes(self));
         list.extend(mesh::boxes(self));
         list.extend(mesh::known_waves(self));
         list

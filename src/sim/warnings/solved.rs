@@ -1,18 +1,18 @@
 //! What only a solution tells.
 
+use super::left_out::{OperatingPoint, left_out};
 use super::quantity::FRICTION;
 use super::{Warning, short};
 use crate::sim::accuracy::ErrorEstimate;
 use crate::sim::hertz::HertzContact;
 use crate::sim::scene::{GridSpec, Scene};
+use crate::sim::setup;
 use crate::sim::solution::ContactSolution;
 
 /// Largest pressure of a smooth contact over that of Hertz.
 const LARGEST_PRESSURE: f64 = 2.0;
 /// Largest rise of a film above the bulk temperature \[K\].
 const LARGEST_RISE: f64 = 100.0;
-/// Largest friction coefficient of the shear of an oil: traction oils have 0.12.
-const LARGEST_TRACTION: f64 = 0.15;
 /// Widest cells over the length of the inlet: from there on central films of smooth contacts err by a tenth and
 /// more.
 const WIDEST_CELL: f64 = 2.0;
@@ -35,9 +35,8 @@ pub(in crate::sim) struct Seen<'a> {
     pub(in crate::sim) largest_pressure: f64,
     /// Central film \[m\].
     pub(in crate::sim) central_film: f64,
-    /// Friction over the load, of all and of the fluid alone.
+    /// Friction over the load.
     pub(in crate::sim) friction: f64,
-    pub(in crate::sim) fluid_friction: f64,
     /// Largest temperature of the film and that of the bulk \[K\], where the film has its own.
     pub(in crate::sim) temperatures: Option<[f64; 2]>,
 }
@@ -48,41 +47,44 @@ pub(in crate::sim) fn of_contact(scene: &Scene, seen: &Seen<'_>, with_error: boo
     let pressure = seen.smooth.then(excess).flatten();
     let inlet = (seen.smooth && !with_error).then(|| coarse_inlet(scene, seen)).flatten();
     let hot = seen.temperatures.and_then(|[largest, bulk]| hot_film(largest, bulk));
-    let traction = high_traction(seen.fluid_friction);
     let friction = FRICTION.check("friction.coefficient", seen.friction);
-    pressure.into_iter().chain(inlet).chain(hot).chain(traction).chain(friction).collect()
+    pressure.into_iter().chain(inlet).chain(hot).chain(friction).collect()
 }
 
 /// Warnings about the finished `solution` of `scene`.
 pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
-    let film = solution.thermal.as_ref().zip(scene.conditions(0.0).ok());
+    let conditions = scene.conditions(0.0).ok();
+    let film = solution.thermal.as_ref().zip(conditions);
+    // Heights in memory may be rough in a scene that says nothing of roughness.
+    let smooth = scene.is_smooth() && solution.roughness.composite_rq == 0.0;
     let seen = Seen {
         hertz: &solution.hertz,
         dx: solution.grid.dx(),
-        // Heights in memory may be rough in a scene that says nothing of roughness.
-        smooth: scene.is_smooth() && solution.roughness.composite_rq == 0.0,
+        smooth,
         largest_pressure: solution.pressure.max,
         central_film: solution.film.central,
         friction: solution.friction.coefficient,
-        fluid_friction: solution.friction.fluid,
         temperatures: film.map(|(heat, at)| [heat.film_temperature_max, at.bulk_temperature]),
     };
     let mut list = of_contact(scene, &seen, solution.error_estimate.is_some());
+    list.extend(conditions.iter().flat_map(|&conditions| {
+        let law = setup::viscosity(scene, conditions.bulk_temperature).ok().flatten();
+        let point = OperatingPoint {
+            hertz: &solution.hertz,
+            conditions,
+            viscosity: law.as_deref(),
+            smooth,
+            friction: [solution.friction.boundary, solution.friction.fluid],
+            film: solution.film.mean_central,
+            load_ratio: solution.contact.load_ratio,
+            yield_ratio: solution.stress.and_then(|stress| stress.yield_ratio),
+        };
+        left_out(scene, &point)
+    }));
     list.extend(mesh_errors(scene, solution));
+    // Checks of the smooth contact may have reported the same before the solve.
+    list.retain(|found| solution.warnings.iter().all(|known| known.field != found.field));
     list
-}
-
-/// Friction of the fluid over the load that is more than that of an oil.
-fn high_traction(fluid: f64) -> Option<Warning> {
-    (fluid > LARGEST_TRACTION).then(|| {
-        Warning::new(
-            "friction.fluid",
-            fluid,
-            format!("shear of the fluid alone is above {LARGEST_TRACTION} of the load, oils do not reach that"),
-            "friction.limiting_stress_coefficient limits it in proportion to the pressure, 0.05 to 0.12 for oils"
-                .to_owned(),
-        )
-    })
 }
 
 /// Cells too wide for the inlet that makes the central film of a smooth contact.

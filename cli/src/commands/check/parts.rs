@@ -1,0 +1,137 @@
+//! The parts of the model that a scene has or leaves out, and the keys that decide.
+
+use stribeck::InputError;
+use stribeck::sim::MixedLubricationSim;
+use stribeck::sim::scene::{Exposure, Flash, FrictionSpec, Roughness, Scene};
+
+/// The part that is there by one of several laws.
+const SHEAR: &str = "shear of the oil";
+
+/// A part of the model, whether it is there, and why.
+pub(super) struct Part {
+    pub(super) what: &'static str,
+    pub(super) modelled: bool,
+    pub(super) why: String,
+}
+
+impl Part {
+    /// Its name; that of the shear says by which law.
+    pub(super) fn name(&self) -> String {
+        let law = self.why.split(',').next().filter(|_| self.what == SHEAR);
+        law.map_or_else(|| self.what.to_owned(), |law| format!("{} {law}", self.what))
+    }
+}
+
+pub(super) fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part>, InputError> {
+    let part = |what, modelled, why: &str| Part { what, modelled, why: why.to_owned() };
+    let mut parts = vec![
+        if scene.form.is_line() {
+            part("line contact", true, "form.kind is a cylinder: one row of cells, loads per metre of length")
+        } else {
+            part("point contact", true, "form.kind is no cylinder")
+        },
+        match (&scene.lubricant, scene.is_lubricated()) {
+            (_, true) => part("oil", true, "[lubricant] is given"),
+            (Some(_), false) => part("oil", false, "solver.kind is dry: the [lubricant] is left out"),
+            (None, false) => part("oil", false, "there is no [lubricant]: a dry contact"),
+        },
+    ];
+    if scene.is_lubricated() {
+        let starved = scene.lubricant.as_ref().is_some_and(|oil| oil.supplied_film.is_some());
+        parts.push(if starved {
+            part("starved inlet", true, "lubricant.supplied_film is given")
+        } else {
+            part("starved inlet", false, "without lubricant.supplied_film the inlet is flooded")
+        });
+        parts.push(match scene.motion.spin_radius {
+            Some(_) => part("spin", true, "motion.spin_radius is given"),
+            None => part("spin", false, "without motion.spin_radius the surfaces move along x alone"),
+        });
+        let warm = scene.lubricant.as_ref().is_some_and(|oil| oil.thermal.is_some());
+        parts.push(if warm {
+            part("film temperature", true, "lubricant.thermal is given")
+        } else {
+            part("film temperature", false, "without [lubricant.thermal] the film has the bulk temperature")
+        });
+        let FrictionSpec { eyring_stress, carreau_stress, flow_thinning, .. } = &scene.friction;
+        let law = match (eyring_stress, carreau_stress) {
+            (Some(_), _) => "by Eyring, friction.eyring_stress is given",
+            (None, Some(_)) => "by Carreau, friction.carreau_stress is given",
+            (None, None) => {
+                "Newtonian up to its largest stress, without friction.eyring_stress or carreau_stress"
+            }
+        };
+        parts.push(part(SHEAR, true, law));
+        parts.push(match flow_thinning {
+            Some(_) => part("flow thinning", true, "friction.flow_thinning is given"),
+            None => part(
+                "flow thinning",
+                false,
+                "without friction.flow_thinning sliding leaves the flow by pressure its viscosity",
+            ),
+        });
+    }
+    for (what, key, roughness) in [
+        ("rough ball", "roughness.ball", &scene.roughness.ball),
+        ("rough disc", "roughness.disc", &scene.roughness.disc),
+    ] {
+        parts.push(Part { what, modelled: !roughness.is_smooth(), why: why_rough(key, roughness) });
+    }
+    parts.push(sliding(scene)?);
+    parts.extend(changes(scene, sim));
+    Ok(parts)
+}
+
+fn why_rough(key: &str, roughness: &Roughness) -> String {
+    match roughness {
+        Roughness::None => format!("there is no [{key}]"),
+        _ if roughness.is_smooth() => format!("{key}.rq = 0"),
+        Roughness::File(file) => format!("measured: {}", file.path.display()),
+        _ => format!("[{key}] is given"),
+    }
+}
+
+fn sliding(scene: &Scene) -> Result<Part, InputError> {
+    let modelled =
+        scene.conditions(0.0)?.motion.sliding_speed() > 0.0 || scene.schedule.slide_roll_ratio.is_some();
+    let why = if modelled {
+        "the surfaces slide"
+    } else {
+        "without sliding there is neither friction nor its heat"
+    };
+    Ok(Part { what: "friction", modelled, why: why.to_owned() })
+}
+
+/// Processes that change the surfaces in a history.
+fn changes(scene: &Scene, sim: &MixedLubricationSim) -> Vec<Part> {
+    let table = |what, given: bool, key: &str, history: bool| Part {
+        what,
+        modelled: given,
+        why: match (given, history) {
+            (false, _) => format!("there is no [{key}]"),
+            (true, false) => format!("[{key}] is given"),
+            (true, true) => format!("[{key}] is given; in a history alone"),
+        },
+    };
+    let on = sim.models_flash_temperature();
+    let why = match scene.thermal.flash {
+        Flash::On => "thermal.flash is on; in a history alone",
+        Flash::Off => "thermal.flash is off",
+        _ => "thermal.flash is auto: on where it may exceed 1 K; in a history alone",
+    };
+    let scheduled = !scene.schedule.is_empty();
+    let exposed = scene.track.exposure == Exposure::Track;
+    vec![
+        table("plastic limit", scene.plastic.is_some(), "plastic", false),
+        table("tribofilm", scene.tribofilm.is_some(), "tribofilm", true),
+        table("wear", scene.wear.is_some(), "wear", true),
+        Part { what: "flash heat", modelled: on, why: why.to_owned() },
+        table("schedule", scheduled, "schedule", true),
+        Part {
+            what: "time on track",
+            modelled: exposed,
+            why: if exposed { "track.exposure is track" } else { "track.exposure is contact_clock" }
+                .to_owned(),
+        },
+    ]
+}

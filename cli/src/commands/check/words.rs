@@ -1,0 +1,135 @@
+//! The report of `check` for people.
+
+use stribeck::sim::{Expectation, ExpectedFilm};
+
+use super::Expected;
+use super::parts::Part;
+
+/// Largest share of the load on solids in a full film.
+const FULL_FILM: f64 = 0.05;
+/// Least share in boundary lubrication.
+const BOUNDARY: f64 = 0.8;
+
+impl Expected {
+    /// At most 25 lines, in the units of engineers.
+    pub(super) fn to_text(&self) -> String {
+        let hertz = &self.hertz;
+        let mut lines = self.film_lines();
+        let half_width = 1e6 * hertz.half_width_x;
+        let size = if self.sim.grid().ny() == 1 {
+            format!("{:.4e} N/m, half-width {half_width:.1} um", hertz.force)
+        } else {
+            format!("{:.4} N, half-widths {half_width:.1} x {:.1} um", hertz.force, 1e6 * hertz.half_width_y)
+        };
+        lines.push(format!("Hertz      {}, {size}", pressure(hertz.pressure)));
+        lines.extend(self.mesh_lines());
+        for (command, refusal) in [("solve", &self.refusals.solve), ("run", &self.refusals.run)] {
+            lines.push(match refusal {
+                None => format!("{command:<10} yes"),
+                Some(error) => format!("{command:<10} no: {error}"),
+            });
+        }
+        let names = |modelled: bool| {
+            let parts = self.parts.iter().filter(|part| part.modelled == modelled);
+            parts.map(Part::name).collect::<Vec<_>>().join(", ")
+        };
+        lines.push(format!("modelled   {}", names(true)));
+        lines.push(format!("left out   {} (--json: by which keys)", names(false)));
+        lines.join("\n")
+    }
+
+    /// Regime, film, load and friction.
+    fn film_lines(&self) -> Vec<String> {
+        let Expectation { roughness, correlation_length, flash_rise, film, .. } = &self.expectation;
+        let length = correlation_length
+            .map_or_else(String::new, |length| format!(", correlation length {:.1} um", 1e6 * length));
+        let rough = if roughness.composite_rq == 0.0 {
+            "roughness  smooth".to_owned()
+        } else {
+            let [ball, disc] = roughness.rq().map(|rq| 1e9 * rq);
+            format!("roughness  Rq of ball {ball:.1} nm and disc {disc:.1} nm{length}")
+        };
+        let (Some(film), Some(formula)) = (film, self.formula) else {
+            let load = "load       solids carry all of it".to_owned();
+            return vec![
+                "regime     dry".to_owned(),
+                load,
+                rough,
+                format!("heat       flash of about {flash_rise:.1} K"),
+            ];
+        };
+        let (map, moes, [boundary, fluid]) = (&film.map, formula.moes, film.friction);
+        let lambda = film.lambda.map_or_else(String::new, |lambda| format!("; lambda {lambda:.3}"));
+        let supplied = self.sim.scene().lubricant.and_then(|oil| oil.supplied_film);
+        let supplied =
+            supplied.map_or_else(String::new, |film| format!(", {} at most is supplied", length_text(film)));
+        let mut lines = vec![
+            format!(
+                "regime     {} (g_V {:.3e}, g_E {:.3e}; Moes M {:.2}, L {:.3})",
+                map.regime, map.viscosity_parameter, map.elasticity_parameter, moes.m, moes.l
+            ),
+            format!(
+                "film       {} in the middle by formula, smooth and flooded{supplied}{lambda}",
+                length_text(map.central)
+            ),
+            format!("load       {}", load_words(film)),
+            rough,
+        ];
+        if boundary + fluid > 0.0 {
+            let (all, rise) = (boundary + fluid, film.film_rise);
+            let of = match film.load_ratio_range {
+                Some(_) => format!("about {all:.4}: solids {boundary:.4}, isothermal fluid {fluid:.4}"),
+                None => format!("of the isothermal fluid alone about {fluid:.4}"),
+            };
+            lines.push(format!("friction   {of}; it would warm the film by {rise:.1} K"));
+        }
+        lines
+    }
+
+    fn mesh_lines(&self) -> Vec<String> {
+        let (grid, [inlet, outlet]) = (self.sim.grid(), self.room());
+        if self.picks_grid {
+            return vec!["mesh       picked by the solve for the accuracy that is asked for".to_owned()];
+        }
+        vec![
+            format!(
+                "mesh       {} x {} cells, {:.1} in a Hertz half-width; box from -{inlet:.2} to {outlet:.2} half-widths; about {:.0} MB",
+                grid.nx(),
+                grid.ny(),
+                self.cells(),
+                1e-6 * self.memory()
+            ),
+            "           `estimate = true` in [solver] estimates its error; `accuracy = 0.01` in place of the cells picks a mesh"
+                .to_owned(),
+        ]
+    }
+}
+
+/// A pressure in GPa, in MPa below 0.1 GPa.
+fn pressure(pascal: f64) -> String {
+    if pascal < 1e8 { format!("{:.4} MPa", 1e-6 * pascal) } else { format!("{:.4} GPa", 1e-9 * pascal) }
+}
+
+/// A film in nm, in um from 1 um on.
+fn length_text(metre: f64) -> String {
+    if metre < 1e-6 { format!("{:.2} nm", 1e9 * metre) } else { format!("{:.2} um", 1e6 * metre) }
+}
+
+/// Shares of the load on the film and on solids.
+fn load_words(film: &ExpectedFilm) -> String {
+    let per_cent = |share: f64| format!("{:.0} %", 100.0 * share);
+    let Some([least, most]) = film.load_ratio_range else {
+        return "not estimated: the formula is for random roughness in piezoviscous contacts; `stribeck solve` finds it"
+            .to_owned();
+    };
+    let about = film.load_ratio.map_or_else(String::new, |share| format!("about {}, ", per_cent(share)));
+    if most == 0.0 {
+        "full film: the oil carries all of it".to_owned()
+    } else if most < FULL_FILM {
+        format!("full film: the oil carries it, solids less than {}", per_cent(FULL_FILM))
+    } else if least > BOUNDARY {
+        format!("boundary lubrication: solids carry {about}at least {}", per_cent(BOUNDARY))
+    } else {
+        format!("mixed lubrication: solids carry {about}{} to {}", per_cent(least), per_cent(most))
+    }
+}
