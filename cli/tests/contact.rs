@@ -159,7 +159,7 @@ fn check_tells_what_to_expect() {
         parts.iter().find(|part| part["what"] == what).unwrap()["modelled"].as_bool().unwrap()
     };
     assert!(modelled("oil") && modelled("plastic limit") && modelled("rough disc"));
-    assert!(!modelled("wear") && !modelled("tribofilm") && !modelled("starved inlet"));
+    assert!(!modelled("wear") && !modelled("tribofilm") && modelled("flooded inlet"));
     assert!(modelled("shear of the oil") && !modelled("flow thinning"));
     let report = String::from_utf8(stribeck(&["check", text(&path)]).stdout).unwrap();
     for words in

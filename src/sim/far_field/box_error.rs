@@ -98,7 +98,7 @@ impl InletScale {
             is_line: contact.scene.form.is_line(),
             halves: contact.hertz.half_extents(),
             curvatures,
-            film: smooth_film(contact),
+            film: contact.formulas.map.central,
             stiff: 1.0 / (alpha + 1.0 / (DEFLECTING * contact.hertz.pressure)),
             moes_load: contact.formulas.moes.m,
         })
@@ -171,19 +171,4 @@ impl InletScale {
         };
         half * half * self.curvatures[axis] * of_hertz
     }
-}
-
-/// Central film of the smooth flooded contact, in whatever regime it is \[m\].
-fn smooth_film(contact: &Contact<'_>) -> f64 {
-    let Contact { scene, hertz, formulas, .. } = contact;
-    let elastic = formulas.central.max(formulas.map.central);
-    if scene.form.is_line() {
-        return elastic;
-    }
-    let (radius_x, radius_y) = scene.form.radii_of_entrainment();
-    let ratio = radius_y / radius_x;
-    let side = (1.0 + 2.0 / (3.0 * ratio)).powi(-2) * (0.131 * (0.5 * ratio).atan() + 1.683).powi(2);
-    let drag = contact.viscosity.viscosity(0.0) * contact.entrainment_speed;
-    let slip = drag * radius_x / hertz.force;
-    elastic.max(128.0 * ratio * side * slip * slip * radius_x)
 }

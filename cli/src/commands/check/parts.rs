@@ -2,7 +2,7 @@
 
 use stribeck::InputError;
 use stribeck::sim::MixedLubricationSim;
-use stribeck::sim::scene::{Exposure, Flash, FrictionSpec, Roughness, Scene};
+use stribeck::sim::scene::{Exposure, Flash, FrictionSpec, GridSpec, InletSpec, Roughness, Scene};
 
 /// The part that is there by one of several laws.
 const SHEAR: &str = "shear of the oil";
@@ -22,6 +22,28 @@ impl Part {
     }
 }
 
+/// Where the oil begins, and whether the box holds the inlet.
+fn inlet(scene: &Scene, sim: &MixedLubricationSim) -> Result<Part, InputError> {
+    let part = |modelled, why| Ok(Part { what: "flooded inlet", modelled, why });
+    let Some(oil) = &scene.lubricant else { return part(false, String::new()) };
+    if oil.inlet == InletSpec::BoxEdge {
+        return part(false, "lubricant.inlet is box_edge: the oil begins at the edges of the box".to_owned());
+    }
+    if oil.supplied_film.is_some() {
+        return part(false, "lubricant.supplied_film starves it".to_owned());
+    }
+    let picks_grid = matches!(scene.grid, GridSpec::Accuracy { .. });
+    let boxed = sim.inlet()?.filter(|_| !picks_grid).map(|inlet| {
+        let error = 100.0 * inlet.film_error;
+        if inlet.box_holds_it {
+            format!("; the box holds the inlet, its edges thin the film by less than {error:.1} %")
+        } else {
+            format!("; the box cuts up to {error:.0} % of the film: a smooth contact in a wider box gives the pressure at its edges")
+        }
+    });
+    part(true, format!("oil fills the gap far upstream{}", boxed.unwrap_or_default()))
+}
+
 pub(super) fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part>, InputError> {
     let part = |what, modelled, why: &str| Part { what, modelled, why: why.to_owned() };
     let mut parts = vec![
@@ -37,12 +59,7 @@ pub(super) fn parts(scene: &Scene, sim: &MixedLubricationSim) -> Result<Vec<Part
         },
     ];
     if scene.is_lubricated() {
-        let starved = scene.lubricant.as_ref().is_some_and(|oil| oil.supplied_film.is_some());
-        parts.push(if starved {
-            part("starved inlet", true, "lubricant.supplied_film is given")
-        } else {
-            part("starved inlet", false, "without lubricant.supplied_film the inlet is flooded")
-        });
+        parts.push(inlet(scene, sim)?);
         parts.push(match scene.motion.spin_radius {
             Some(_) => part("spin", true, "motion.spin_radius is given"),
             None => part("spin", false, "without motion.spin_radius the surfaces move along x alone"),
