@@ -32,6 +32,7 @@ mod random;
 mod resample;
 mod rescale;
 mod roughness_motion;
+mod round_form;
 mod self_affine;
 mod subcell;
 mod texture;
