@@ -152,7 +152,7 @@ fn excess(squared: f64) -> f64 {
     squared / ((1.0 + squared).sqrt() + 1.0)
 }
 
-/// A running mean.
+/// Running mean.
 #[derive(Default)]
 struct Mean {
     /// Sum of the values.

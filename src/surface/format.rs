@@ -23,7 +23,7 @@ pub use surface_formats::Options as ReadOptions;
 
 /// Reads a measured surface; the content decides about the format, not the name.
 ///
-/// The formats and what is read of each are listed in `docs/surfaces.md`. All lengths are converted to metres;
+/// The formats, and the parts of each that are read, are listed in `docs/surfaces.md`. All lengths are converted to metres;
 /// [`Heights::unit`] tells the unit of the file. Numbers without unit are taken as metres, which is one of the
 /// [`Heights::warnings`]. Points that the format marks as undefined, and those whose height is NaN or infinite,
 /// go into the mask.

@@ -15,7 +15,7 @@ pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
 /// Headers longer than this are not those of a plain array.
 const MAX_HEADER: u32 = 1 << 16;
 
-/// What the header says.
+/// Content of the header.
 struct Header {
     /// Type of the numbers.
     number: NumberType,

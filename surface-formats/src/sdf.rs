@@ -37,7 +37,7 @@ pub(crate) fn recognises(bytes: &[u8]) -> bool {
     MAGICS.iter().any(|(magic, _)| bytes.starts_with(magic))
 }
 
-/// What the header says.
+/// Content of the header.
 struct Header {
     /// Points along x.
     nx: usize,

@@ -39,7 +39,7 @@ enum Inversion {
     HeightsAndRows,
 }
 
-/// What the header says.
+/// Content of the header.
 struct Header {
     /// Points along x.
     nx: usize,

@@ -1,6 +1,6 @@
-//! Keys of text headers, by what they give.
+//! Meanings of the keys of text headers.
 
-/// What a key of a header gives.
+/// Meaning of a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Key {
     /// Number of points along an axis.

@@ -1,4 +1,4 @@
-//! Matrices and columns: what the numbers of a table are.
+//! Choice between matrices and columns for the numbers of a table.
 
 use super::columns::Columns;
 use super::edges::{Corner, Edges, cut_edges};

@@ -1,7 +1,7 @@
 //! Heights as text: matrices and columns of numbers, with or without a header that gives sizes and units.
 //!
 //! A file is blocks of rows, each behind lines of a header. The header is pairs of keys and values, whose
-//! spellings are in `keys`; rows are split by `style`, and `layout` decides what their numbers are. Nothing is
+//! spellings are in `keys`; rows are split by `style`, and `layout` decides between matrices and columns. Nothing is
 //! passed over in silence: keys that are not understood, choices and missing units become warnings, all else
 //! an error with its line.
 

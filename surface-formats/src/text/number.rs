@@ -90,7 +90,7 @@ pub(super) enum Evidence {
     Comma,
 }
 
-/// What a field tells about the decimal mark.
+/// Evidence of a field about the decimal mark.
 pub(super) fn evidence(field: &str) -> Evidence {
     let digits = field.trim().trim_start_matches(['+', '-']);
     let end = digits.find(['e', 'E', 'd', 'D']).unwrap_or(digits.len());

@@ -93,7 +93,7 @@ pub(super) fn split_unit(title: &str) -> (&str, &str) {
     }
 }
 
-/// A finite number, perhaps with a decimal comma, and what follows it, which is its unit.
+/// A finite number, perhaps with a decimal comma, and the unit that follows it.
 pub(super) fn quantity(text: &str) -> Option<(f64, &str)> {
     let text = text.trim();
     let is_number = |c: char| matches!(c, '0'..='9' | '+' | '-' | '.' | ',' | 'e' | 'E' | 'D');

@@ -7,7 +7,7 @@ use crate::source::{Source, shortened};
 /// A line of the file and its number, counted from 1.
 pub(super) type Line<'a> = (usize, &'a str);
 
-/// What stands between the fields of a row.
+/// Separator of the fields of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Separator {
     /// Any number of blanks and tabs.

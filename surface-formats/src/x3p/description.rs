@@ -154,7 +154,7 @@ impl Context<'_> {
         };
         // heights that are floats may come with an increment of nothing
         let scale = Some(optional("Increment", 1.0)?).filter(|scale| *scale != 0.0).unwrap_or(1.0);
-        // what is added to nothing must leave a negative zero as it is
+        // a missing offset is -0: adding it keeps the sign of zero
         Ok((number, scale, optional("Offset", -0.0)?))
     }
 
