@@ -164,7 +164,8 @@ fn generated_surfaces_of_all_kinds_are_those_of_the_library() {
         let scene = stribeck::sim::Scene::load(&path).unwrap();
         let expected = scene.roughness.disc.heights(&scene.grid().unwrap()).unwrap();
         let out = folder.path().join(format!("run{k}"));
-        let output = stribeck(&["run", text(&path), "--steps", "1", "--time-step", "1 s", "--out", text(&out)]);
+        let output =
+            stribeck(&["run", text(&path), "--steps", "1", "--time-step", "1 s", "--out", text(&out)]);
         assert!(out.join("fields.npz").exists(), "{table}: {output:?}");
         let mut archive = zip::ZipArchive::new(std::fs::File::open(out.join("fields.npz")).unwrap()).unwrap();
         let mut bytes = Vec::new();

@@ -101,10 +101,7 @@ fn hybrid_parameters<'py>(
 
 /// The bearing curve: heights about the mean, highest first, and the ends of the equivalent line of the core.
 #[pyfunction]
-fn bearing_curve<'py>(
-    py: Python<'py>,
-    heights: Array<'py>,
-) -> PyResult<Curve<'py>> {
+fn bearing_curve<'py>(py: Python<'py>, heights: Array<'py>) -> PyResult<Curve<'py>> {
     let (heights, _) = defined(contiguous(py, "heights", &heights)?);
     let curve = value(py, BearingCurve::new(&heights))?;
     Ok((PyArray1::from_slice(py, curve.heights()), curve.equivalent_line()))
