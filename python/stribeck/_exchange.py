@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import warnings
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -114,13 +115,22 @@ def _known_spacing(surface: Surface) -> tuple[float, float]:
     return surface.dx, surface.dy
 
 
-def has_surface_topography() -> bool:
-    """Whether the package SurfaceTopography is installed."""
-    return importlib.util.find_spec("SurfaceTopography") is not None
+def can_read(place: str) -> bool:
+    """Whether the file is binary and the package SurfaceTopography is installed: it takes more text for heights than is."""
+    with open(place, "rb") as file:
+        is_binary = b"\0" in file.read(4096)
+    return is_binary and importlib.util.find_spec("SurfaceTopography") is not None
 
 
 def read(place: str, channel: int | None, refused: SurfaceError) -> Any:
     """The topography of a file by SurfaceTopography; ``refused`` is the error of the file where that does not know it either."""
+    # warnings of the package itself
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return _read(place, channel, refused)
+
+
+def _read(place: str, channel: int | None, refused: SurfaceError) -> Any:
     from SurfaceTopography import open_topography
     from SurfaceTopography.Exceptions import CannotDetectFileFormat, UnknownFileFormat
 

@@ -198,9 +198,12 @@ def read(path: str | os.PathLike[str], *, channel: int | None = None, unit: str 
     try:
         surface = Surface._of(_Surface.read(place, chosen, None if unit is None else text("unit", unit)))
     except SurfaceError as error:
-        if error.field != "format" or not _exchange.has_surface_topography():
+        if error.field != "format":
             raise
-        return Surface(_exchange.read(place, chosen, error))
+        refused = SurfaceError(str(error), field="path", value=place)
+        if not _exchange.can_read(place):
+            raise refused from None
+        return Surface(_exchange.read(place, chosen, refused))
     for doubt in surface.warnings:
         warnings.warn(f"{place}: {doubt}", StribeckWarning, stacklevel=2)
     return surface
