@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import importlib.util
 import warnings
+from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -99,14 +100,13 @@ def to_xarray(surface: Surface) -> Any:
 
 def to_surface_topography(surface: Surface) -> Any:
     """A topography or line scan in metres."""
-    from SurfaceTopography import Topography, UniformLineScan
-
+    package = import_module("SurfaceTopography")
     dx, dy = _known_spacing(surface)
     ny, nx = surface.shape
     heights = surface.to_masked() if surface.undefined else surface.heights
     if ny == 1:
-        return UniformLineScan(heights[0], nx * dx, unit="m")
-    return Topography(heights.T, (nx * dx, ny * dy), unit="m")
+        return package.UniformLineScan(heights[0], nx * dx, unit="m")
+    return package.Topography(heights.T, (nx * dx, ny * dy), unit="m")
 
 
 def _known_spacing(surface: Surface) -> tuple[float, float]:
@@ -119,7 +119,7 @@ def can_read(place: str) -> bool:
     """Whether the file is binary and the package SurfaceTopography is installed: it takes more text for heights than is."""
     with open(place, "rb") as file:
         is_binary = b"\0" in file.read(4096)
-    return is_binary and importlib.util.find_spec("SurfaceTopography") is not None
+    return is_binary and find_spec("SurfaceTopography") is not None
 
 
 def read(place: str, channel: int | None, refused: SurfaceError) -> Any:
@@ -131,12 +131,10 @@ def read(place: str, channel: int | None, refused: SurfaceError) -> Any:
 
 
 def _read(place: str, channel: int | None, refused: SurfaceError) -> Any:
-    from SurfaceTopography import open_topography
-    from SurfaceTopography.Exceptions import CannotDetectFileFormat, UnknownFileFormat
-
+    package, errors = import_module("SurfaceTopography"), import_module("SurfaceTopography.Exceptions")
     try:
-        reader = open_topography(place)
-    except (CannotDetectFileFormat, UnknownFileFormat):
+        reader = package.open_topography(place)
+    except (errors.CannotDetectFileFormat, errors.UnknownFileFormat):
         raise refused from None
     except Exception as error:
         raise SurfaceError(f"{place}: SurfaceTopography: {error}", field="path", value=place) from error

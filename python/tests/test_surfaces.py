@@ -108,7 +108,7 @@ def test_a_format_without_a_reader_is_named(tmp_path: Path) -> None:
     path = tmp_path / "scan.vk4"
     path.write_bytes(b"VK4_\0\0\0")
     program = (
-        "import importlib.util as u; u.find_spec = lambda *a: None\n"
+        "import stribeck._exchange as e; e.find_spec = lambda *a: None\n"
         f"import stribeck\ntry: stribeck.surface.read({str(path)!r})\nexcept stribeck.SurfaceError as e: print(e.field, e)"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
