@@ -37,7 +37,11 @@ def taken(values: Any) -> tuple[Any, Spacing]:
 
 def _metres(field: str, unit: Any) -> float:
     """Length of a unit [m]; None is a metre."""
-    return 1.0 if unit is None else quantity(field, f"1 {unit}", "m")
+    if unit is None:
+        return 1.0
+    # both signs for micro
+    name = str(unit).replace("\u00b5", "u").replace("\u03bc", "u")
+    return quantity(field, f"1 {name}", "m")
 
 
 def _of_topography(topography: Any) -> tuple[Any, Spacing]:
@@ -137,7 +141,7 @@ def _read(place: str, channel: int | None, refused: SurfaceError) -> Any:
     except (errors.CannotDetectFileFormat, errors.UnknownFileFormat):
         raise refused from None
     except Exception as error:
-        raise SurfaceError(f"{place}: SurfaceTopography: {error}", field="path", value=place) from error
+        raise SurfaceError(f"{refused}; SurfaceTopography: {error}", field="path", value=place) from error
     names = [found.name for found in reader.channels]
     if not 1 <= (channel or 1) <= len(names) or (channel is None and len(names) > 1):
         listed = ", ".join(f"{k + 1} {name!r}" for k, name in enumerate(names))
