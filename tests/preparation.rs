@@ -348,3 +348,26 @@ fn grooves_run_as_asked_for() {
         Texture::Grooves { width: 31e-6, depth: 1e-6, pitch: 30e-6, direction: GrooveDirection::AlongX };
     assert!(wide.generate(&grid).unwrap_err().to_string().contains("above the width"));
 }
+
+#[test]
+fn cylinders_of_any_direction_and_tilt_are_removed() {
+    let grid = Grid::centred(60, 48, 10e-6, 12e-6).unwrap();
+    for (angle, tilt, radius) in
+        [(0.0_f64, 0.0_f64, 4e-3_f64), (0.4, 0.05, 4e-3), (1.9, -0.1, -6e-3), (1.2, 0.0, 1.0)]
+    {
+        let (sin, cos) = angle.sin_cos();
+        let heights: Vec<f64> = grid
+            .nodes()
+            .map(|(x, y)| {
+                let (u, v) = (x * cos + y * sin, y * cos - x * sin - 30e-6);
+                tilt * u + radius.signum() * (1.0 + tilt * tilt).sqrt() * (radius * radius - v * v).sqrt()
+            })
+            .collect();
+        let mut surface = Heights::new(60, 48, Some([10e-6, 12e-6]), heights, None).unwrap();
+        let found = surface.remove_cylinder().unwrap();
+        assert!((found / radius - 1.0).abs() < 1e-5, "{angle}: {found}, expected {radius}");
+        assert!(surface.heights().iter().all(|z| z.abs() < 1e-12), "{angle}");
+    }
+    let mut lost = Heights::new(4, 4, None, vec![0.0; 16], None).unwrap();
+    assert!(matches!(lost.remove_cylinder(), Err(SurfaceError::NoSpacing)));
+}

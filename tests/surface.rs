@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use approx::assert_relative_eq;
 use stribeck::metrics::height_statistics;
 use stribeck::surface::{
-    AlongTrack, AtRest, Autocorrelation, Carried, Form, FourierShift, Heights, Offset, RandomShift,
-    RoughnessMotion, RoughnessSpec, SurfaceError, generate, read, write_npy,
+    AlongTrack, AtRest, Autocorrelation, Carried, FileError, Form, FourierShift, Heights, Offset,
+    RandomShift, RoughnessMotion, RoughnessSpec, SurfaceError, generate, read, write_npy,
 };
 use stribeck::{Grid, InputError};
 
@@ -432,7 +432,10 @@ fn npy_files_come_back_as_written() {
     assert_eq!(heights.heights(), field);
     assert!(write_npy(&path, 5, 3, &field).is_err());
     let nowhere = folder.0.path().join("missing/a.npy");
-    assert!(matches!(write_npy(&nowhere, 4, 3, &field), Err(SurfaceError::Io { .. })));
+    assert!(matches!(
+        write_npy(&nowhere, 4, 3, &field),
+        Err(SurfaceError::File { error: FileError::Io { .. } })
+    ));
 }
 
 #[test]
@@ -505,7 +508,10 @@ fn damaged_npy_files_are_refused_by_name() {
         let error = read(&path).unwrap_err().to_string();
         assert!(error.contains(expected) && error.contains("broken.npy"), "{expected}: {error}");
     }
-    assert!(matches!(read(folder.0.path().join("none.npy")), Err(SurfaceError::Io { .. })));
+    assert!(matches!(
+        read(folder.0.path().join("none.npy")),
+        Err(SurfaceError::File { error: FileError::Io { .. } })
+    ));
     assert!(read(folder.0.path()).is_err());
 }
 

@@ -7,8 +7,12 @@ use stribeck::metrics::{
 use stribeck::surface::{Heights, SurfaceError};
 use stribeck::{Boundary, Grid, InputError};
 
-/// Root mean square height \[m\] from which on a unit is asked for.
-const LARGEST_SQ: f64 = 1e-3;
+/// Share of the mean square height from which on a plane or form is spoken of.
+const MOST: f64 = 0.5;
+/// Points from which on a plane or form is no mere interpolation.
+const FEWEST_POINTS: usize = 16;
+/// Degree of the polynomial that stands for a form.
+const FORM_DEGREE: usize = 2;
 /// Value of the autocorrelation at which Sal and Str are read.
 const THRESHOLD: f64 = 0.2;
 /// Material ratios that bound the volumes.
@@ -21,6 +25,8 @@ pub(crate) struct Numbers {
     undefined: usize,
     unit: Option<String>,
     pub(crate) grid: Option<Grid>,
+    /// Mean of the defined heights \[m\].
+    pub(crate) mean: f64,
     pub(crate) curve: BearingCurve,
     pub(crate) correlation: Option<AreaCorrelation>,
     /// Key, value in SI units (none when the surface has none).
@@ -29,7 +35,7 @@ pub(crate) struct Numbers {
 
 impl Numbers {
     pub(crate) fn of(surface: &Heights) -> Result<Self, SurfaceError> {
-        let heights = defined_heights(surface);
+        let heights = surface.defined_heights();
         if heights.is_empty() {
             return Err(SurfaceError::AllUndefined { points: surface.undefined() });
         }
@@ -77,17 +83,11 @@ impl Numbers {
             undefined: surface.undefined(),
             unit: surface.unit().map(|unit| unit.to_string()),
             grid,
+            mean: statistics.mean,
             curve,
             correlation,
             parameters,
         })
-    }
-
-    /// What is unlikely to be meant: heights of a millimetre and more in a file that names no unit.
-    pub(crate) fn warning(&self) -> Option<String> {
-        let (_, sq) = self.parameters.iter().find(|(key, _)| *key == "sq")?;
-        let sq = sq.filter(|&sq| sq > LARGEST_SQ && self.unit.is_none())?;
-        Some(format!("sq = {sq:.3e} m is implausible; a line `unit: um` before the heights names their unit"))
     }
 
     fn lengths(&self) -> [(&'static str, Option<f64>); 4] {
@@ -116,7 +116,7 @@ impl Numbers {
     pub(crate) fn to_text(&self) -> String {
         let [nx, ny] = self.size;
         let mut text = format!("points     {nx} x {ny}, {} undefined\n", self.undefined);
-        let unit = self.unit.as_deref().unwrap_or("none, taken as m");
+        let unit = self.unit.as_deref().unwrap_or("an unknown unit, taken as m");
         text += &format!("file       heights in {unit}\n");
         for (key, value) in self.lengths().iter().chain(&self.parameters) {
             let unit = unit_of(key);
@@ -141,12 +141,27 @@ fn absent<T>(result: Result<T, InputError>) -> Option<T> {
     result.ok()
 }
 
-/// Heights of the defined points \[m\].
-pub(crate) fn defined_heights(surface: &Heights) -> Vec<f64> {
-    match surface.defined() {
-        None => surface.heights().to_vec(),
-        Some(mask) => {
-            surface.heights().iter().zip(mask).filter(|(_, flag)| **flag).map(|(z, _)| *z).collect()
-        }
+/// A plane or form that holds most of the mean square height, as a sentence.
+pub(crate) fn dominant_form(surface: &Heights) -> Option<String> {
+    if surface.defined_heights().len() < FEWEST_POINTS {
+        return None;
+    }
+    let square = |surface: &Heights| Some(height_statistics(&surface.defined_heights()).ok()?.sq.powi(2));
+    let whole = square(surface).filter(|square| *square > 0.0)?;
+    let share = |degree: usize| {
+        let mut rest = surface.clone();
+        rest.remove_polynomial(degree).ok()?;
+        Some(1.0 - square(&rest)? / whole)
+    };
+    let (plane, form) = (share(1)?, share(FORM_DEGREE)?);
+    let says = |what: &str, share: f64, option: &str| {
+        format!("{what} holds {:.0} % of Sq^2; {option} removes it", 100.0 * share)
+    };
+    if plane > MOST {
+        Some(says("a plane", plane, "--level"))
+    } else if form > MOST {
+        Some(says("a form of the second degree", form, "--form sphere, cylinder or polynomial"))
+    } else {
+        None
     }
 }

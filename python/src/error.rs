@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck::reynolds::ReynoldsError;
 use stribeck::sim::{CheckpointError, SimError};
-use stribeck::surface::SurfaceError;
+use stribeck::surface::{FileError, SurfaceError};
 use stribeck::{InputError, NotConverged};
 
 use crate::convert::named;
@@ -72,24 +72,31 @@ fn input(py: Python<'_>, kind: &str, error: &InputError) -> PyErr {
 impl ForPython for SurfaceError {
     fn for_python(self, py: Python<'_>) -> PyErr {
         let message = self.to_string();
-        let path = match &self {
-            Self::Input(error) => return input(py, "InputError", error),
-            Self::Io { path, source } => return io(py, &path.display().to_string(), &message, source),
-            Self::UnknownFormat { path }
-            | Self::Corrupt { path, .. }
-            | Self::Unsupported { path, .. }
-            | Self::NotFinite { path, .. } => path.display().to_string(),
-            // What the surface lacks is its property of that name.
-            Self::NoSpacing => return raise(py, "SurfaceError", &message, Some("dx"), None),
+        match &self {
+            Self::Input(error) => input(py, "InputError", error),
+            Self::File { error } => file(py, error, &message),
+            // the missing property of the surface has that name
+            Self::NoSpacing => raise(py, "SurfaceError", &message, Some("dx"), None),
             Self::AllUndefined { points } | Self::Undefined { points } => {
                 let points = points.into_bound_py_any(py).ok();
-                return raise(py, "SurfaceError", &message, Some("undefined"), points);
+                raise(py, "SurfaceError", &message, Some("undefined"), points)
             }
-            _ => return raise(py, "SurfaceError", &message, Some("heights"), None),
-        };
-        let value = path.into_bound_py_any(py).ok();
-        raise(py, "SurfaceError", &message, Some("path"), value)
+            _ => raise(py, "SurfaceError", &message, Some("heights"), None),
+        }
     }
+}
+
+/// The exception of a surface file; of one whose format has no reader the field is `format`.
+fn file(py: Python<'_>, error: &FileError, message: &str) -> PyErr {
+    let (field, path) = match error {
+        FileError::Io { path, source } => return io(py, &path.display().to_string(), message, source),
+        FileError::UnknownFormat { path } | FileError::Foreign { path, .. } => ("format", path),
+        FileError::Several { path, .. } => ("channel", path),
+        FileError::Corrupt { path, .. } | FileError::Unsupported { path, .. } => ("path", path),
+        _ => return raise(py, "SurfaceError", message, Some("dx"), None),
+    };
+    let path = path.display().to_string().into_bound_py_any(py).ok();
+    raise(py, "SurfaceError", message, Some(field), path)
 }
 
 fn io(py: Python<'_>, path: &str, message: &str, source: &std::io::Error) -> PyErr {

@@ -36,7 +36,6 @@ fn _stribeck(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(given_film::solve_film, module)?)?;
     module.add_function(wrap_pyfunction!(laws::check_visits, module)?)?;
     module.add_function(wrap_pyfunction!(surface::generate, module)?)?;
-    module.add_function(wrap_pyfunction!(surface::texture, module)?)?;
     analytic::register(module)?;
     metrics::register(module)
 }

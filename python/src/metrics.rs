@@ -11,10 +11,13 @@ use crate::error::value;
 use crate::surface::boundary;
 
 type Array<'py> = PyReadonlyArray2<'py, f64>;
+/// Values of a curve, and the ends of a line.
+type Curve<'py> = (Bound<'py, PyArray1<f64>>, (f64, f64));
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(height_statistics, module)?)?;
     module.add_function(wrap_pyfunction!(bearing, module)?)?;
+    module.add_function(wrap_pyfunction!(bearing_curve, module)?)?;
     module.add_function(wrap_pyfunction!(hybrid_parameters, module)?)?;
     module.add_function(wrap_pyfunction!(spatial_parameters, module)?)?;
     module.add_function(wrap_pyfunction!(radial_spectrum, module)?)?;
@@ -28,10 +31,24 @@ fn grid_of(py: Python<'_>, shape: &[usize], dx: f64, dy: f64) -> PyResult<Grid> 
     value(py, Grid::centred(shape[1], shape[0], dx, dy))
 }
 
+/// Finite heights, in their order, and how many are not.
+fn defined(heights: &[f64]) -> (Vec<f64>, usize) {
+    let finite: Vec<f64> = heights.iter().copied().filter(|height| height.is_finite()).collect();
+    let undefined = heights.len() - finite.len();
+    (finite, undefined)
+}
+
+/// Which heights are finite.
+fn mask(heights: &[f64]) -> Vec<bool> {
+    heights.iter().map(|height| height.is_finite()).collect()
+}
+
 #[pyfunction]
 fn height_statistics<'py>(py: Python<'py>, heights: Array<'py>) -> PyResult<Bound<'py, PyDict>> {
-    let numbers = value(py, metrics::height_statistics(contiguous(py, "heights", &heights)?))?;
+    let (heights, undefined) = defined(contiguous(py, "heights", &heights)?);
+    let numbers = value(py, metrics::height_statistics(&heights))?;
     Ok(dictionary!(py, {
+        "undefined": undefined,
         "mean": numbers.mean,
         "sa": numbers.sa,
         "sq": numbers.sq,
@@ -50,9 +67,11 @@ fn bearing<'py>(
     peaks: f64,
     valleys: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let curve = value(py, BearingCurve::new(contiguous(py, "heights", &heights)?))?;
+    let (heights, undefined) = defined(contiguous(py, "heights", &heights)?);
+    let curve = value(py, BearingCurve::new(&heights))?;
     let (core, volumes) = (curve.core(), value(py, curve.volumes(peaks, valleys))?);
     Ok(dictionary!(py, {
+        "undefined": undefined,
         "sk": core.sk,
         "spk": core.spk,
         "svk": core.svk,
@@ -73,8 +92,19 @@ fn hybrid_parameters<'py>(
     dy: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
     let grid = grid_of(py, heights.shape(), dx, dy)?;
-    let numbers = value(py, metrics::hybrid_parameters(&grid, contiguous(py, "heights", &heights)?, None))?;
-    Ok(dictionary!(py, { "sdq": numbers.sdq, "sdr": numbers.sdr }))
+    let heights = contiguous(py, "heights", &heights)?;
+    let known = mask(heights);
+    let numbers = value(py, metrics::hybrid_parameters(&grid, heights, Some(&known)))?;
+    let undefined = known.iter().filter(|known| !**known).count();
+    Ok(dictionary!(py, { "undefined": undefined, "sdq": numbers.sdq, "sdr": numbers.sdr }))
+}
+
+/// The bearing curve: heights about the mean, highest first, and the ends of the equivalent line of the core.
+#[pyfunction]
+fn bearing_curve<'py>(py: Python<'py>, heights: Array<'py>) -> PyResult<Curve<'py>> {
+    let (heights, _) = defined(contiguous(py, "heights", &heights)?);
+    let curve = value(py, BearingCurve::new(&heights))?;
+    Ok((PyArray1::from_slice(py, curve.heights()), curve.equivalent_line()))
 }
 
 #[pyfunction]
@@ -89,9 +119,11 @@ fn spatial_parameters<'py>(
     let grid = grid_of(py, heights.shape(), dx, dy)?;
     let boundary = boundary(py, boundary_name)?;
     let heights = contiguous(py, "heights", &heights)?;
-    let correlation = value(py, py.detach(|| AreaCorrelation::new(&grid, heights, None, boundary)))?;
+    let known = mask(heights);
+    let correlation = value(py, py.detach(|| AreaCorrelation::new(&grid, heights, Some(&known), boundary)))?;
     let numbers = value(py, correlation.spatial(threshold))?;
-    Ok(dictionary!(py, { "sal": numbers.sal, "str": numbers.str }))
+    let undefined = known.iter().filter(|known| !**known).count();
+    Ok(dictionary!(py, { "undefined": undefined, "sal": numbers.sal, "str": numbers.str }))
 }
 
 #[pyfunction]
@@ -105,7 +137,13 @@ fn radial_spectrum<'py>(
     let grid = grid_of(py, heights.shape(), dx, dy)?;
     let boundary = boundary(py, boundary_name)?;
     let heights = contiguous(py, "heights", &heights)?;
-    let spectrum = value(py, py.detach(|| metrics::radial_spectrum(&grid, heights, boundary)))?;
+    let (known, undefined) = defined(heights);
+    let mean = value(py, metrics::height_statistics(&known))?.mean;
+    // undefined points have the mean height, which adds nothing
+    let filled: Vec<f64> = heights.iter().map(|z| if z.is_finite() { z - mean } else { 0.0 }).collect();
+    let mut spectrum = value(py, py.detach(|| metrics::radial_spectrum(&grid, &filled, boundary)))?;
+    let share = known.len() as f64 / (known.len() + undefined) as f64;
+    spectrum.density.iter_mut().for_each(|density| *density /= share);
     Ok([spectrum.wavenumber, spectrum.density].map(|values| PyArray1::from_vec(py, values)))
 }
 

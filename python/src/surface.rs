@@ -6,13 +6,11 @@ use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stribeck::surface::{
-    self, Autocorrelation, DimpleLayout, GrooveDirection, HeightDistribution, HeightScale, Heights,
-    RandomShape, RandomSurface, SelfAffine, SurfaceError, Synthesis, Texture,
-};
-use stribeck::{Boundary, Grid};
+use stribeck::sim::scene::Roughness;
+use stribeck::surface::{self, Heights, LengthUnit, ReadOptions, SurfaceError};
+use stribeck::{Boundary, Grid, InputError};
 
-use crate::convert::{contiguous, field};
+use crate::convert::{contiguous, field, table};
 use crate::error::{raise, value};
 use crate::scene::Cells;
 
@@ -47,6 +45,7 @@ impl Surface {
 
 #[pymethods]
 impl Surface {
+    /// Heights that are not finite are undefined.
     #[new]
     #[pyo3(signature = (heights, dx=None, dy=None, defined=None))]
     fn new(
@@ -63,17 +62,28 @@ impl Surface {
             (Some(dx), dy) => Some([dx, dy.unwrap_or(dx)]),
             _ => None,
         };
-        let defined = match &defined {
-            Some(defined) => Some(contiguous(py, "defined", defined)?.to_vec()),
-            None => None,
-        };
         let values = contiguous(py, "heights", &heights)?.to_vec();
-        value(py, Heights::new(*nx, *ny, spacing, values, defined)).map(Self)
+        let mut known: Vec<bool> = values.iter().map(|height| height.is_finite()).collect();
+        if let Some(defined) = &defined {
+            let given = contiguous(py, "defined", defined)?;
+            value(py, same_length(given.len(), known.len()))?;
+            known.iter_mut().zip(given).for_each(|(known, given)| *known &= given);
+        }
+        value(py, Heights::new(*nx, *ny, spacing, values, Some(known))).map(Self)
     }
 
+    /// Reads a file; `channel` counts from 1, `unit` is that of lengths without one.
     #[staticmethod]
-    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        value(py, py.detach(|| surface::read(&path))).map(Self)
+    #[pyo3(signature = (path, channel=None, unit=None))]
+    fn read(py: Python<'_>, path: PathBuf, channel: Option<usize>, unit: Option<&str>) -> PyResult<Self> {
+        let mut options = ReadOptions::new();
+        options.channel = channel;
+        if let Some(name) = unit {
+            let found = LengthUnit::parse(name);
+            options.unit =
+                Some(found.ok_or_else(|| unknown(py, "unit", name, "a unit of length, such as um"))?);
+        }
+        value(py, py.detach(|| surface::read_with(&path, &options))).map(Self)
     }
 
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
@@ -81,16 +91,9 @@ impl Surface {
         let name = path.extension().and_then(|end| end.to_str()).unwrap_or_default().to_lowercase();
         match name.as_str() {
             "x3p" => value(py, surface::write_x3p(path, surface)),
-            "npy" if surface.undefined() > 0 => {
-                let message = format!(
-                    "path = {}: an npy file cannot tell the {} undefined points; call fill_undefined first or \
-                     write x3p",
-                    path.display(),
-                    surface.undefined()
-                );
-                Err(raise(py, "InputError", &message, Some("path"), path.into_bound_py_any(py).ok()))
+            "npy" => {
+                value(py, surface::write_npy(path, surface.nx(), surface.ny(), &surface.heights_or_nan()))
             }
-            "npy" => value(py, surface::write_npy(path, surface.nx(), surface.ny(), surface.heights())),
             "txt" | "csv" => value(py, surface::write_text(path, surface)),
             _ => Err(unknown(
                 py,
@@ -104,7 +107,19 @@ impl Surface {
     #[getter]
     fn heights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let unit = value(py, Grid::centred(self.0.nx(), self.0.ny(), 1.0, 1.0))?;
-        field(py, &unit, self.0.heights())
+        field(py, &unit, &self.0.heights_or_nan())
+    }
+
+    /// Unit of the heights in the file.
+    #[getter]
+    fn unit(&self) -> Option<String> {
+        self.0.unit().map(|unit| unit.to_string())
+    }
+
+    /// Doubts of the reader of the file.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.0.warnings().to_vec()
     }
 
     #[getter]
@@ -163,6 +178,15 @@ impl Surface {
         Ok((surface, radius))
     }
 
+    fn remove_cylinder(&self, py: Python<'_>) -> PyResult<(Self, f64)> {
+        let mut radius = 0.0;
+        let surface = self.changed(py, |heights| {
+            radius = heights.remove_cylinder()?;
+            Ok(())
+        })?;
+        Ok((surface, radius))
+    }
+
     fn s_filter(&self, py: Python<'_>, cutoff: f64, boundary_name: &str) -> PyResult<Self> {
         let boundary = boundary(py, boundary_name)?;
         self.changed(py, |heights| heights.s_filter(cutoff, boundary))
@@ -200,90 +224,28 @@ impl Surface {
     }
 }
 
-fn number(options: &Bound<'_, PyDict>, key: &str) -> PyResult<Option<f64>> {
-    match options.get_item(key)? {
-        Some(given) if !given.is_none() => Ok(Some(given.extract()?)),
-        _ => Ok(None),
+/// Error unless the mask has as many values as the heights.
+fn same_length(found: usize, expected: usize) -> Result<(), InputError> {
+    if found == expected {
+        return Ok(());
     }
+    Err(InputError::Shape { field: "defined".to_owned(), expected, found })
 }
 
-/// A random surface on a grid, by the options of `stribeck.surface.generate`.
+/// The roughness of a table of a scene file on a grid.
 #[pyfunction]
 pub(crate) fn generate<'py>(
     py: Python<'py>,
     on: &Cells,
-    kind: &str,
-    rq: f64,
-    seed: u64,
-    options: &Bound<'py, PyDict>,
+    keys: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let grid = on.0;
-    let needed = |key: &str| -> PyResult<f64> {
-        number(options, key)?
-            .ok_or_else(|| raise(py, "InputError", &format!("{key} is missing"), Some(key), None))
-    };
-    let correlated = |autocorrelation| -> PyResult<RandomShape> {
-        Ok(RandomShape::Correlated {
-            autocorrelation,
-            length_x: needed("length_x")?,
-            length_y: needed("length_y")?,
-        })
-    };
-    let shape = match kind {
-        "gaussian" => correlated(Autocorrelation::Gaussian)?,
-        "exponential" => correlated(Autocorrelation::Exponential)?,
-        "self_affine" => RandomShape::SelfAffine(SelfAffine {
-            hurst: needed("hurst")?,
-            longest: number(options, "longest")?.unwrap_or(f64::INFINITY),
-            roll_off: needed("roll_off")?,
-            shortest: needed("shortest")?,
-            synthesis: Synthesis::RandomPhase,
-        }),
-        _ => return Err(unknown(py, "kind", kind, "gaussian, exponential or self_affine")),
-    };
-    let mut surface = RandomSurface::new(shape, rq, seed);
-    if let (Some(skewness), kurtosis) = (number(options, "skewness")?, number(options, "kurtosis")?) {
-        surface.distribution = HeightDistribution::Johnson { skewness, kurtosis: kurtosis.unwrap_or(3.0) };
-    }
-    if let Some(exact) = options.get_item("exact_rq")? {
-        surface.height = if exact.extract()? { HeightScale::Exact } else { HeightScale::Ensemble };
-    }
-    if let Some(name) = options.get_item("boundary")? {
-        surface.boundary = boundary(py, name.extract()?)?;
-    }
-    field(py, &grid, &value(py, py.detach(|| surface.generate(&grid)))?)
-}
-
-/// Dimples or grooves on a grid, by their radius or width, depth and pitch \[m\].
-#[pyfunction]
-pub(crate) fn texture<'py>(
-    py: Python<'py>,
-    on: &Cells,
-    kind: &str,
-    sizes: [f64; 3],
-    layout: &str,
-    seed: u64,
-) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let (grid, [size, depth, pitch]) = (on.0, sizes);
-    let texture = match (kind, layout) {
-        ("dimples", "square") => {
-            Texture::Dimples { radius: size, depth, pitch, layout: DimpleLayout::Square }
-        }
-        ("dimples", "random") => {
-            Texture::Dimples { radius: size, depth, pitch, layout: DimpleLayout::Random { seed } }
-        }
-        ("grooves", "x") => {
-            Texture::Grooves { width: size, depth, pitch, direction: GrooveDirection::AlongX }
-        }
-        ("grooves", "y") => {
-            Texture::Grooves { width: size, depth, pitch, direction: GrooveDirection::AlongY }
-        }
-        ("grooves", "crossed") => {
-            Texture::Grooves { width: size, depth, pitch, direction: GrooveDirection::Crossed }
-        }
-        ("dimples", _) => return Err(unknown(py, "layout", layout, "square or random")),
-        ("grooves", _) => return Err(unknown(py, "direction", layout, "x, y or crossed")),
-        _ => return Err(unknown(py, "kind", kind, "dimples or grooves")),
-    };
-    field(py, &grid, &value(py, texture.generate(&grid))?)
+    let roughness: Result<Roughness, _> = table(keys, "")?.try_into();
+    let roughness = roughness.map_err(|error| {
+        let message = error.message().to_owned();
+        // messages name keys in quotes
+        let field = message.split(['`', '"']).nth(1).map(str::to_owned);
+        raise(py, "InputError", &message, field.as_deref(), None)
+    })?;
+    field(py, &grid, &value(py, py.detach(|| roughness.heights(&grid)))?)
 }

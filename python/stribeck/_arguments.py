@@ -187,10 +187,17 @@ def heights(field: str, values: Any) -> npt.NDArray[np.float64]:
     if wrong.size:
         row, column = (int(index) for index in wrong[0])
         value = float(found[row, column])
-        remedy = "Surface(heights, dx, defined=numpy.isfinite(heights)).fill_undefined() fills such points"
+        remedy = "Surface(heights, dx).fill_undefined() fills such points"
         place = f"{field}[{row}][{column}]"
         raise InputError(f"{place} = {value}: must be finite; {remedy}", field=place, value=value)
     return found
+
+
+def surface_array(field: str, values: Any) -> npt.NDArray[np.float64]:
+    """Numbers of the shape ``(ny, nx)``, NaN where they are masked."""
+    if isinstance(values, np.ma.MaskedArray):
+        values = np.ma.filled(values.astype(np.float64), np.nan) if values.dtype.kind in _NUMBERS else values.data
+    return array(field, values)
 
 
 def optional_heights(field: str, values: Any) -> npt.NDArray[np.float64] | None:

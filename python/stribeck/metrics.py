@@ -1,11 +1,17 @@
-"""Numbers that describe surfaces, films and contacts. Arrays have the shape ``(ny, nx)``; numbers are SI, or text with a unit."""
+"""Numbers that describe surfaces, films and contacts. Arrays have the shape ``(ny, nx)``; numbers are SI, or text with a unit.
+
+``heights`` may be an array, a masked array, a :class:`~stribeck.surface.Surface` or what it is made of. Points that are undefined, masked,
+NaN or infinite are left out; ``undefined`` says how many."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import Quantity, array, mask, number, refused, text
+from ._arguments import Quantity, array, mask, number, refused, surface_array, text
+from ._exchange import taken
 from ._numbers import Numbers
 from . import _stribeck
 from .surface import Boundary
@@ -31,39 +37,60 @@ _CONTACT = {"area": "m^2", "corrected_area": "m^2"}
 _PATCHES = {"areas": "m^2", "perimeter": "m", "corrected_area": "m^2"}
 
 
+#: Heights of any kind.
+Heights = Any
+
+
 def _cell(dx: Quantity, dy: Quantity | None) -> tuple[float, float]:
     return number("dx", dx, "m"), number("dy", dx if dy is None else dy, "m")
 
 
-def height_statistics(heights: npt.ArrayLike) -> Numbers:
-    """``mean``, ``sa``, ``sq``, ``sp``, ``sv``, ``sz`` [m], ``ssk`` and ``sku`` (ISO 25178-2)."""
-    return Numbers(_stribeck.height_statistics(array("heights", heights)), units=_HEIGHTS)
+def _heights(heights: Heights) -> npt.NDArray[np.float64]:
+    return surface_array("heights", taken(heights)[0])
 
 
-def bearing(heights: npt.ArrayLike, *, peaks: float = 0.1, valleys: float = 0.8) -> Numbers:
-    """Core and volume parameters ``sk``, ``spk``, ``svk`` [m], ``smr1``, ``smr2``, ``vmp``, ``vmc``, ``vvc``, ``vvv`` [m^3/m^2] (ISO 25178-2)."""
+def _surface(heights: Heights, dx: Quantity | None, dy: Quantity | None) -> tuple[npt.NDArray[np.float64], float, float]:
+    """Heights and spacing; without ``dx`` that of the surface."""
+    values, (own_dx, own_dy) = taken(heights)
+    if dx is None and own_dx is None:
+        raise refused("dx", dx, "given: the heights have no spacing of their own")
+    spacing = (own_dx, own_dy) if dx is None else _cell(dx, dy)
+    return surface_array("heights", values), float(spacing[0] or 0.0), float(spacing[1] or 0.0)
+
+
+def height_statistics(heights: Heights) -> Numbers:
+    """``mean``, ``sa``, ``sq``, ``sp``, ``sv``, ``sz`` [m], ``ssk`` and ``sku`` (ISO 25178-2), and ``undefined``."""
+    return Numbers(_stribeck.height_statistics(_heights(heights)), units=_HEIGHTS)
+
+
+def bearing(heights: Heights, *, peaks: float = 0.1, valleys: float = 0.8) -> Numbers:
+    """Core and volume parameters ``sk``, ``spk``, ``svk`` [m], ``smr1``, ``smr2``, ``vmp``, ``vmc``, ``vvc``, ``vvv`` [m^3/m^2] (ISO 25178-2),
+    and ``undefined``."""
     shares = number("peaks", peaks, "1"), number("valleys", valleys, "1")
-    return Numbers(_stribeck.bearing(array("heights", heights), *shares), units=_BEARING)
+    return Numbers(_stribeck.bearing(_heights(heights), *shares), units=_BEARING)
 
 
-def hybrid_parameters(heights: npt.ArrayLike, dx: Quantity, dy: Quantity | None = None) -> Numbers:
-    """Root mean square gradient ``sdq`` and developed area ``sdr`` (ISO 25178-2), points ``dx`` and ``dy`` [m] apart."""
-    return Numbers(_stribeck.hybrid_parameters(array("heights", heights), *_cell(dx, dy)))
+def hybrid_parameters(heights: Heights, dx: Quantity | None = None, dy: Quantity | None = None) -> Numbers:
+    """Root mean square gradient ``sdq`` and developed area ``sdr`` (ISO 25178-2), points ``dx`` and ``dy`` [m] apart (those of a ``Surface``
+    unless given), and ``undefined``."""
+    return Numbers(_stribeck.hybrid_parameters(*_surface(heights, dx, dy)))
 
 
 def spatial_parameters(
-    heights: npt.ArrayLike, dx: Quantity, dy: Quantity | None = None, *, threshold: float = 0.2, boundary: Boundary = "periodic"
+    heights: Heights, dx: Quantity | None = None, dy: Quantity | None = None, *, threshold: float = 0.2, boundary: Boundary = "periodic"
 ) -> Numbers:
-    """Correlation length ``sal`` [m] and texture aspect ``str`` (ISO 25178-2); None where the surface is too small to tell."""
+    """Correlation length ``sal`` [m] and texture aspect ``str`` (ISO 25178-2); None where the surface is too small to tell; and
+    ``undefined``."""
     chosen = number("threshold", threshold, "1"), text("boundary", boundary)
-    return Numbers(_stribeck.spatial_parameters(array("heights", heights), *_cell(dx, dy), *chosen), units=_SPATIAL)
+    return Numbers(_stribeck.spatial_parameters(*_surface(heights, dx, dy), *chosen), units=_SPATIAL)
 
 
 def radial_spectrum(
-    heights: npt.ArrayLike, dx: Quantity, dy: Quantity | None = None, *, boundary: Boundary = "periodic"
+    heights: Heights, dx: Quantity | None = None, dy: Quantity | None = None, *, boundary: Boundary = "periodic"
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
-    """Wavenumbers and the radially averaged power spectral density at them, two arrays of one length."""
-    wavenumber, density = _stribeck.radial_spectrum(array("heights", heights), *_cell(dx, dy), text("boundary", boundary))
+    """Wavenumbers and the radially averaged power spectral density at them, two arrays of one length. Undefined points enter with the mean
+    height, and the density is divided by the share of the defined ones."""
+    wavenumber, density = _stribeck.radial_spectrum(*_surface(heights, dx, dy), text("boundary", boundary))
     return wavenumber, density
 
 

@@ -6,16 +6,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ._arguments import instance
 from ._numbers import unit
+from ._stribeck import bearing_curve
 from .errors import unknown
 from .history import History
+from .metrics import bearing, radial_spectrum
 from .solution import Solution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
-__all__ = ["history", "map", "profile"]
+    from .surface import Surface
+
+__all__ = ["history", "map", "profile", "surface"]
 
 #: Fields: scale of the unit shown and its name.
 _SHOWN = {
@@ -103,3 +110,46 @@ def history(
     else:
         axes.legend()
     return axes
+
+
+def surface(measured: Surface) -> Figure:
+    """A figure of a surface: height map with undefined points in grey, middle profile, height distribution, bearing curve with the
+    construction of Sk, spectrum."""
+    try:
+        import matplotlib.pyplot as plt
+    except ImportError as error:
+        raise ImportError("stribeck.plot needs matplotlib: pip install matplotlib") from error
+    figure, axes = plt.subplots(2, 3, figsize=(15, 8), layout="constrained")
+    ny, nx = measured.shape
+    known = measured.dx is not None and measured.dy is not None
+    dx, dy = (1e6 * (measured.dx or 0.0), 1e6 * (measured.dy or 0.0)) if known else (1.0, 1.0)
+    length = "um" if known else "points"
+    heights = 1e6 * measured.to_masked()
+    grey = plt.get_cmap("viridis").with_extremes(bad="0.67")
+    image = axes[0, 0].imshow(heights, origin="lower", extent=(0.0, nx * dx, 0.0, ny * dy), cmap=grey)
+    figure.colorbar(image, ax=axes[0, 0], label="height, um")
+    axes[0, 0].set(xlabel=f"x, {length}", ylabel=f"y, {length}")
+    axes[0, 1].plot(dx * (np.arange(nx) + 0.5), heights[ny // 2].filled(np.nan))
+    axes[0, 1].set(xlabel=f"x, {length}", ylabel="height, um", title=f"row {ny // 2}")
+    axes[0, 2].hist(heights.compressed(), bins=60, density=True)
+    axes[0, 2].set(xlabel="height, um", ylabel="density, 1/um")
+    _bearing(axes[1, 0], measured)
+    if known and min(nx, ny) >= 4:
+        wavenumber, density = radial_spectrum(measured, boundary="open")
+        shown = density > 0.0
+        axes[1, 1].loglog(wavenumber[shown], density[shown])
+    axes[1, 1].set(xlabel="wavenumber, 1/m", ylabel="radial spectral density, m^4")
+    axes[1, 2].set_axis_off()
+    return figure
+
+
+def _bearing(axes: Axes, measured: Surface) -> None:
+    """The bearing curve, the equivalent line of its core and the ratios at which its ends cut the curve."""
+    curve, (top, bottom) = bearing_curve(np.ascontiguousarray(measured.heights))
+    core = bearing(measured)
+    axes.plot((np.arange(len(curve)) + 0.5) / len(curve), 1e6 * curve)
+    axes.plot([0.0, 1.0], [1e6 * top, 1e6 * bottom], label=f"Sk {1e6 * core.sk:.4g} um")
+    axes.plot([0.0, core.smr1], [1e6 * top] * 2, label=f"Smr1 {100 * core.smr1:.1f} %")
+    axes.plot([core.smr2, 1.0], [1e6 * bottom] * 2, label=f"Smr2 {100 * core.smr2:.1f} %")
+    axes.set(xlabel="material ratio", ylabel="height about the mean, um")
+    axes.legend()

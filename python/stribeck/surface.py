@@ -4,15 +4,20 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Literal
+import warnings
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
-from ._arguments import Quantity, array, cells, heights as as_heights, mask, number, optional_number, path as _path, text, truth, whole, wholes
-from ._stribeck import Surface as _Surface, generate as _generate, texture as _texture
-from .errors import InputError, unknown
+from . import _exchange
+from ._arguments import Quantity, cells, mask, number, optional_number, path as _path, surface_array, text, truth, whole, wholes
+from ._stribeck import Surface as _Surface, generate as _generate
+from .errors import InputError, StribeckWarning, SurfaceError, unknown
 from .scene import Grid
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 __all__ = ["Surface", "dimples", "generate", "grooves", "read"]
 
@@ -33,11 +38,16 @@ class Surface:
         dy: Quantity | None = None,
         defined: npt.ArrayLike | None = None,
     ) -> None:
-        """Heights [m] of the shape ``(ny, nx)``, spacing [m] and which points are defined; ``dy`` is ``dx`` unless given."""
+        """Heights [m] of the shape ``(ny, nx)``, spacing [m] and which points are defined; ``dy`` is ``dx`` unless given.
+
+        Points whose height is masked, NaN or infinite are undefined. ``heights`` may also be an xarray ``DataArray`` with equidistant
+        coordinates, a topography of the package SurfaceTopography, whose arrays are ``(nx, ny)``, or another ``Surface``: spacing and
+        unit are then theirs.
+        """
+        heights, spacing = _exchange.taken(heights)
         known = None if defined is None else mask("defined", defined)
-        spacing = optional_number("dx", dx, "m"), optional_number("dy", dy, "m")
-        points = as_heights("heights", heights) if known is None else array("heights", heights)
-        self._raw = _Surface(points, *spacing, known)
+        given = optional_number("dx", dx, "m"), optional_number("dy", dy, "m")
+        self._raw = _Surface(surface_array("heights", heights), *(given if given[0] is not None else spacing), known)
 
     @classmethod
     def _of(cls, raw: Any) -> Surface:
@@ -50,7 +60,7 @@ class Surface:
 
     @property
     def heights(self) -> Field:
-        """Heights [m], shape ``(ny, nx)``, a copy; zero where undefined."""
+        """Heights [m], shape ``(ny, nx)``, a copy; NaN where undefined."""
         return self._raw.heights
 
     @property
@@ -79,6 +89,16 @@ class Surface:
         """Number of undefined points."""
         return self._raw.undefined
 
+    @property
+    def unit(self) -> str | None:
+        """Unit of the heights in the file they were read from; None where it names none and its numbers are taken as metres."""
+        return self._raw.unit
+
+    @property
+    def warnings(self) -> list[str]:
+        """Doubts of the reader of the file: missing units, keys that are not understood, layouts chosen among several."""
+        return self._raw.warnings
+
     def with_spacing(self, dx: Quantity, dy: Quantity | None = None) -> Surface:
         """The same heights with other distances of the points [m]."""
         return self._of(self._raw.with_spacing(number("dx", dx, "m"), number("dy", dx if dy is None else dy, "m")))
@@ -98,6 +118,11 @@ class Surface:
     def remove_sphere(self) -> tuple[Surface, float]:
         """Without the sphere of least squares, and its radius [m]."""
         raw, radius = self._raw.remove_sphere()
+        return self._of(raw), radius
+
+    def remove_cylinder(self) -> tuple[Surface, float]:
+        """Without the cylinder of least squares, and its radius [m]."""
+        raw, radius = self._raw.remove_cylinder()
         return self._of(raw), radius
 
     def s_filter(self, cutoff: Quantity, boundary: Boundary = "open") -> Surface:
@@ -136,15 +161,52 @@ class Surface:
         """Writes the surface; the format is that of the name: ``.x3p``, ``.npy``, ``.txt`` or ``.csv``."""
         self._raw.write(_path("path", path))
 
+    def to_masked(self) -> np.ma.MaskedArray[Any, Any]:
+        """The heights [m] as a masked array of the shape ``(ny, nx)``, masked where undefined."""
+        return np.ma.masked_invalid(self.heights)
+
+    def to_xarray(self) -> Any:
+        """The heights [m] as an xarray ``DataArray`` with the dimensions ``y`` and ``x`` and their coordinates [m]."""
+        return _exchange.to_xarray(self)
+
+    def to_surface_topography(self) -> Any:
+        """The surface as a topography of the package SurfaceTopography, in metres; of a single row a line scan."""
+        return _exchange.to_surface_topography(self)
+
+    def plot(self) -> Figure:
+        """A figure of the height map with undefined points in grey, the middle profile, the height distribution, the bearing curve with the
+        construction of Sk, and the spectrum. Needs matplotlib."""
+        from .plot import surface
+
+        return surface(self)
+
     def __repr__(self) -> str:
         spacing = "unknown spacing" if self.dx is None or self.dy is None else f"{self.dx * 1e6:g} x {self.dy * 1e6:g} um apart"
         return f"<Surface of {self.shape[1]} x {self.shape[0]} points, {spacing}, {self.undefined} undefined>"
 
 
-def read(path: str | os.PathLike[str]) -> Surface:
-    """Reads a file of an instrument: x3p, sur, sdf, plu, al3d, npy or text. Raises :class:`~stribeck.SurfaceError` or
-    :class:`~stribeck.FileError`, whose ``value`` is the path."""
-    return Surface._of(_Surface.read(_path("path", path)))
+def read(path: str | os.PathLike[str], *, channel: int | None = None, unit: str | None = None) -> Surface:
+    """Reads a file of an instrument: x3p, sur, sdf, prf, plu, al3d, npy or text; other formats by the package SurfaceTopography, where it is
+    installed (``pip install "stribeck[formats]"``).
+
+    ``channel`` chooses a surface of a file that holds several, counted from 1. ``unit`` is that of heights and lengths for which the
+    file names none; without it they are taken as metres. This and other doubts are :class:`~stribeck.StribeckWarning`, and in
+    :attr:`Surface.warnings`. Raises :class:`~stribeck.SurfaceError` or :class:`~stribeck.FileError`, whose ``value`` is the path.
+    """
+    place = _path("path", path)
+    chosen = None if channel is None else whole("channel", channel)
+    try:
+        surface = Surface._of(_Surface.read(place, chosen, None if unit is None else text("unit", unit)))
+    except SurfaceError as error:
+        if error.field != "format":
+            raise
+        refused = SurfaceError(str(error), field="path", value=place)
+        if not _exchange.can_read(place):
+            raise refused from None
+        return Surface(_exchange.read(place, chosen, refused))
+    for doubt in surface.warnings:
+        warnings.warn(f"{place}: {doubt}", StribeckWarning, stacklevel=2)
+    return surface
 
 
 #: Lengths and numbers that describe a random surface, with their units.
@@ -163,8 +225,10 @@ _CORRELATED = ("length_x", "length_y")
 _OF_KIND = {
     "gaussian": _CORRELATED,
     "exponential": _CORRELATED,
-    "self_affine": ("hurst", "roll_off", "shortest", "longest"),
+    "self_affine": ("hurst", "roll_off", "shortest", "longest", "synthesis"),
 }
+#: Options that are words.
+_WORDS = ("synthesis", "height", "boundary")
 _MOMENTS = ("skewness", "kurtosis")
 _LARGEST_SEED = 2**64 - 1
 
@@ -179,9 +243,11 @@ def generate(
 ) -> Field:
     """A random surface [m] on ``grid`` with the root mean square height ``rq`` [m].
 
-    Options of ``gaussian`` and ``exponential``: ``length_x``, ``length_y``, where the autocorrelation is 10 % [m] (``length`` for both). Of
-    ``self_affine``: ``hurst``, ``roll_off``, ``shortest`` and ``longest`` [m]. Of all: ``skewness`` and ``kurtosis``, both or none,
-    ``boundary`` ("periodic" or "open") and ``exact_rq`` (True: this very surface has ``rq``; False: the mean over seeds).
+    The options are the keys of a roughness table in a scene, and give its surface to the last bit. Of ``gaussian`` and ``exponential``:
+    ``length_x``, ``length_y``, where the autocorrelation is 10 % [m] (``length`` for both). Of ``self_affine``: ``hurst``,
+    ``roll_off``, ``shortest`` and ``longest`` [m], ``synthesis`` ("filtered_noise" or "random_phase"). Of all: ``skewness`` and
+    ``kurtosis``, both or none, ``boundary`` ("periodic" or "open") and ``height`` ("exact": this very surface has ``rq``; "ensemble": the
+    mean over seeds), or ``exact_rq`` (True or False) in its place.
 
     Raises :class:`~stribeck.InputError` with the option in ``field``.
     """
@@ -193,21 +259,28 @@ def generate(
         if name in _OPTIONS:
             taken[name] = optional_number(f"roughness.{name}", value, _OPTIONS[name])
         elif name == "exact_rq":
-            taken[name] = truth(name, value)
-        elif name == "boundary":
+            taken["height"] = "exact" if truth(name, value) else "ensemble"
+        elif name in _WORDS:
             taken[name] = text(name, value)
         else:
-            raise unknown("option", name, [*_OPTIONS, "length", "boundary", "exact_rq"])
-    _belonging(text("kind", kind), {name: value for name, value in taken.items() if value is not None})
-    heights = number("roughness.rq", rq, "m")
-    return _generate(cells(grid), kind, heights, whole("seed", seed, most=_LARGEST_SEED), taken)
+            raise unknown("option", name, [*_OPTIONS, *_WORDS, "length", "exact_rq"])
+    taken = {name: value for name, value in taken.items() if value is not None}
+    _belonging(text("kind", kind), taken)
+    keys = {"kind": kind, "rq": number("roughness.rq", rq, "m"), "seed": _seed(seed), **taken}
+    return _generate(cells(grid), keys)
+
+
+def _seed(seed: int) -> int | str:
+    """A seed as tables hold it: numbers beyond the integers of TOML are text."""
+    found = whole("seed", seed, most=_LARGEST_SEED)
+    return found if found < 2**63 else str(found)
 
 
 def _belonging(kind: str, options: dict[str, Any]) -> None:
     """Refuses an option of another kind, and one of two moments without the other."""
     own = _OF_KIND.get(kind)
     if own is None:
-        return
+        raise InputError(f"kind = {kind!r}: must be {', '.join(_OF_KIND)}", field="kind", value=kind)
     for name, value in options.items():
         if name not in own and any(name in other for other in _OF_KIND.values()):
             message = f"{name} = {value!r}: a {kind} surface has no such option, but {', '.join(own)}"
@@ -219,18 +292,19 @@ def _belonging(kind: str, options: dict[str, Any]) -> None:
 
 def dimples(grid: Grid, *, radius: Quantity, depth: Quantity, pitch: Quantity, seed: int | None = None) -> Field:
     """Round dimples [m]: on a square lattice, or with a ``seed`` at random within its squares."""
-    layout = "square" if seed is None else "random"
-    start = 0 if seed is None else whole("seed", seed, most=_LARGEST_SEED)
-    return _texture(cells(grid), "dimples", _sizes(radius=radius, depth=depth, pitch=pitch), layout, start)
+    layout = {"layout": "square"} if seed is None else {"layout": "random", "seed": _seed(seed)}
+    return _generate(cells(grid), {"kind": "dimples", **_sizes(radius=radius, depth=depth, pitch=pitch), **layout})
 
 
 def grooves(
     grid: Grid, *, width: Quantity, depth: Quantity, pitch: Quantity, direction: Literal["x", "y", "crossed"] = "y"
 ) -> Field:
     """Straight grooves [m] along x, along y or both."""
-    sizes = _sizes(width=width, depth=depth, pitch=pitch)
-    return _texture(cells(grid), "grooves", sizes, text("direction", direction), 0)
+    if text("direction", direction) not in ("x", "y", "crossed"):
+        raise InputError(f"direction = {direction!r}: must be x, y or crossed", field="direction", value=direction)
+    along = direction if direction == "crossed" else f"along_{direction}"
+    return _generate(cells(grid), {"kind": "grooves", **_sizes(width=width, depth=depth, pitch=pitch), "direction": along})
 
 
-def _sizes(**sizes: Quantity) -> list[float]:
-    return [number(name, size, "m") for name, size in sizes.items()]
+def _sizes(**sizes: Quantity) -> dict[str, float]:
+    return {name: number(name, size, "m") for name, size in sizes.items()}

@@ -4,7 +4,7 @@
 use super::roughness::{height_statistics, require_heights};
 use crate::error::InputError;
 
-/// Width of the equivalent-line secant in material ratio.
+/// Share of the curve through which the line of the core is fitted.
 const SECANT: f64 = 0.4;
 
 /// Height as a function of the areal material ratio, from the highest peak at ratio 0 to the deepest valley
@@ -27,12 +27,10 @@ pub struct BearingCurve {
 
 /// Parameters of the core, the peaks and the valleys (ISO 13565-2, areal form ISO 25178-2).
 ///
-/// The equivalent line passes through the ends of the secant of least slope over 40 % of the curve. Its
-/// heights at the ratios 0 and 1 differ by the core height. Peaks above and valleys below the core are
-/// converted to triangles of the same area.
-///
-/// The standard fits the equivalent line by least squares over the same 40 %, which gives Sk = 2.574 Sq for a
-/// normal distribution instead of the commonly quoted 2.622 Sq; the secant gives the latter.
+/// The equivalent line is the line of least squares through the 40 % of the curve whose secant has the least
+/// slope (the first of equals). Between the ratios 0 and 1 it spans the core height Sk. The ratios at which its
+/// ends cut the curve are Smr1 and Smr2; the peaks above and the valleys below are turned into triangles of the
+/// same area on these bases, whose heights are Spk and Svk.
 ///
 /// # Examples
 ///
@@ -146,8 +144,9 @@ impl BearingCurve {
 
     /// Core, peak and valley parameters.
     ///
-    /// For a normal distribution with standard deviation Sq: `sk = 2.622 Sq`, `spk = svk = 0.937 Sq`,
-    /// `smr1 = 9.49 %`.
+    /// Of a normal distribution of standard deviation Sq: `sk = 2.574 Sq`, `spk = svk = 0.945 Sq`,
+    /// `smr1 = 9.9 %`. The line through both ends of the secant, which some programs take, gives 2.622 Sq, 0.937 Sq
+    /// and 9.5 %.
     ///
     /// ```
     /// # use stribeck::metrics::BearingCurve;
@@ -158,14 +157,11 @@ impl BearingCurve {
     /// ```
     #[must_use]
     pub fn core(&self) -> CoreParameters {
-        let (start, drop) = self.least_secant();
-        let slope = drop / SECANT;
-        let top = self.height_at(start) + slope * start;
-        let bottom = top - slope;
+        let (top, bottom) = self.equivalent_line();
         let (smr1, smr2) = (self.material_ratio_at(top), self.material_ratio_at(bottom));
         let triangle = |area: f64, base: f64| if base > 0.0 { 2.0 * area / base } else { 0.0 };
         CoreParameters {
-            sk: slope,
+            sk: top - bottom,
             spk: triangle(self.material_above(top), smr1),
             svk: triangle(self.void_below(bottom), 1.0 - smr2),
             smr1,
@@ -203,10 +199,37 @@ impl BearingCurve {
         })
     }
 
-    /// Start and drop of the first secant of least slope over 40 % of the curve.
-    fn least_secant(&self) -> (f64, f64) {
+    /// Heights \[m\] of the equivalent line of the core at the material ratios 0 and 1, see [`CoreParameters`].
+    ///
+    /// ```
+    /// # use stribeck::metrics::BearingCurve;
+    /// let ramp: Vec<f64> = (0..1000).map(|i| f64::from(i) * 1e-9).collect();
+    /// let (top, bottom) = BearingCurve::new(&ramp)?.equivalent_line();
+    /// assert!((top - 500e-9).abs() < 1e-12 && (bottom + 500e-9).abs() < 1e-12);
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    #[must_use]
+    pub fn equivalent_line(&self) -> (f64, f64) {
         let count = self.heights.len() as f64;
-        let mut best = (0.0, f64::INFINITY);
+        let first = self.flattest_start();
+        let points = ((SECANT * count).round() as usize).clamp(1, self.heights.len() - first);
+        // the line of least squares about the middle of the points
+        let middle = (first as f64 + 0.5 * points as f64) / count;
+        let (mut mean, mut moment, mut square) = (0.0, 0.0, 0.0);
+        for (i, height) in self.heights[first..first + points].iter().enumerate() {
+            let ratio = ((first + i) as f64 + 0.5) / count - middle;
+            mean += height / points as f64;
+            moment += ratio * height;
+            square += ratio * ratio;
+        }
+        let slope = if square > 0.0 { moment / square } else { 0.0 };
+        (mean - slope * middle, mean + slope * (1.0 - middle))
+    }
+
+    /// First point of the 40 % of the curve whose secant has the least slope; the first of equals.
+    fn flattest_start(&self) -> usize {
+        let count = self.heights.len() as f64;
+        let mut best = (0, f64::INFINITY);
         for i in 0..self.heights.len() {
             let start = (i as f64 + 0.5) / count;
             // both ends lie between points of the curve; a single point has no secant
@@ -215,19 +238,19 @@ impl BearingCurve {
             }
             let drop = self.height_at(start) - self.height_at(start + SECANT);
             if drop < best.1 {
-                best = (start, drop);
+                best = (i, drop);
             }
         }
-        if best.1.is_finite() { best } else { (0.0, 0.0) }
+        best.0
     }
 
-    /// Mean material above `height` \[m\].
+    /// Material above `height` \[m\] over the area.
     fn material_above(&self, height: f64) -> f64 {
         let part = self.heights.iter().take_while(|&&h| h > height);
         part.map(|h| h - height).sum::<f64>() / self.heights.len() as f64
     }
 
-    /// Mean void below `height` \[m\].
+    /// Void below `height` \[m\] over the area.
     fn void_below(&self, height: f64) -> f64 {
         let part = self.heights.iter().rev().take_while(|&&h| h < height);
         part.map(|h| height - h).sum::<f64>() / self.heights.len() as f64

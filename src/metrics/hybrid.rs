@@ -22,17 +22,25 @@ use crate::grid::Grid;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct HybridParameters {
-    /// Root mean square gradient `sqrt(mean (dz/dx)^2 + mean (dz/dy)^2)`; of a line the slope along it alone.
+    /// Root mean square gradient; of a line the slope along it alone.
     pub sdq: f64,
-    /// Developed area over projected area, minus 1; zero for a line.
+    /// Developed area over projected area, less 1; zero for a line.
     pub sdr: f64,
 }
 
 /// Gradient and developed area of `heights` \[m\] on `grid`, where `defined` (`None`: everywhere).
 ///
-/// Slopes are differences between neighbors, averaged along each axis over all pairs of defined points. The
-/// area of the cell between four defined points is the mean of its two triangulations. On surfaces that are
-/// rough at all scales both parameters grow with the resolution; filter first.
+/// ```text
+/// Sdq = sqrt(mean (dz/dx)^2 + mean (dz/dy)^2)      Sdr = mean (sqrt(1 + (dz/dx)^2 + (dz/dy)^2) - 1)
+/// ```
+///
+/// Slopes are those of the seven-point formula
+/// `(z[i+3] - 9 z[i+2] + 45 z[i+1] - 45 z[i-1] + 9 z[i-2] - z[i-3]) / (60 dx)`
+/// at points whose seven points are defined. Where an axis has no such point the formula of five, three or two
+/// points stands in. Both parameters grow with the resolution of a surface that is rough at every scale: filter
+/// first.
+///
+/// Sources: ISO 25178-2 (definitions), ISO 4287:1997, 3.2.9 (formula).
 ///
 /// # Errors
 /// Slices that do not fit the grid, a defined height that is not finite, no two defined neighbours.
@@ -52,38 +60,91 @@ pub fn hybrid_parameters(
     defined: Option<&[bool]>,
 ) -> Result<HybridParameters, InputError> {
     let mask = Mask::new(grid, heights, defined)?;
-    let (nx, ny, dx, dy) = (grid.nx(), grid.ny(), grid.dx(), grid.dy());
-    let slope =
-        |a: usize, b: usize, d: f64| (mask.has(a) && mask.has(b)).then(|| (heights[b] - heights[a]) / d);
-    let (mut along_x, mut along_y, mut area) = (Mean::default(), Mean::default(), Mean::default());
-    for j in 0..ny {
-        for i in 0..nx {
-            let k = j * nx + i;
-            let (right, up) = (i + 1 < nx, j + 1 < ny);
-            let bottom = right.then(|| slope(k, k + 1, dx)).flatten();
-            let left = up.then(|| slope(k, k + nx, dy)).flatten();
-            bottom.iter().for_each(|p| along_x.add(p * p));
-            left.iter().for_each(|p| along_y.add(p * p));
-            if !(right && up) {
-                continue;
-            }
-            let top = slope(k + nx, k + nx + 1, dx);
-            let far = slope(k + 1, k + nx + 1, dy);
-            if let (Some(bottom), Some(top), Some(left), Some(far)) = (bottom, top, left, far) {
-                let corner = |p: f64, q: f64| excess(p * p + q * q);
-                let corners =
-                    [corner(bottom, left), corner(bottom, far), corner(top, left), corner(top, far)];
-                area.add(0.25 * corners.iter().sum::<f64>());
-            }
+    let (nx, ny) = (grid.nx(), grid.ny());
+    let field = Field { mask, heights };
+    let along_x = Slopes::of(&field, Line { points: nx, lines: ny, step: 1, between: nx }, grid.dx());
+    let along_y = Slopes::of(&field, Line { points: ny, lines: nx, step: nx, between: 1 }, grid.dy());
+    let (mut square_x, mut square_y, mut area) = (Mean::default(), Mean::default(), Mean::default());
+    for k in 0..heights.len() {
+        let (i, j) = (k % nx, k / nx);
+        let (p, q) = (along_x.at(i, k), along_y.at(j, k));
+        p.iter().for_each(|p| square_x.add(p * p));
+        q.iter().for_each(|q| square_y.add(q * q));
+        if let (Some(p), Some(q)) = (p, q) {
+            area.add(excess(p * p + q * q));
         }
     }
-    if along_x.count + along_y.count == 0 {
+    if square_x.count + square_y.count == 0 {
         return Err(InputError::Conflict {
             field: "heights".to_owned(),
             reason: "slopes need two defined neighbors".to_owned(),
         });
     }
-    Ok(HybridParameters { sdq: (along_x.value() + along_y.value()).sqrt(), sdr: area.value() })
+    Ok(HybridParameters { sdq: (square_x.value() + square_y.value()).sqrt(), sdr: area.value() })
+}
+
+/// Weights of a slope on both sides of a point, by distance, over the spacing: of seven, five and three points.
+const CENTRAL: [&[f64]; 3] = [&[45.0 / 60.0, -9.0 / 60.0, 1.0 / 60.0], &[8.0 / 12.0, -1.0 / 12.0], &[0.5]];
+
+/// Heights of which some are undefined.
+struct Field<'a> {
+    mask: Mask<'a>,
+    heights: &'a [f64],
+}
+
+/// The lines of points along an axis.
+#[derive(Clone, Copy)]
+struct Line {
+    /// Points of a line.
+    points: usize,
+    /// Number of lines.
+    lines: usize,
+    /// From a point to the next.
+    step: usize,
+    /// From a line to the next.
+    between: usize,
+}
+
+/// Slopes along an axis by the formula of most points that applies anywhere.
+struct Slopes<'a> {
+    field: &'a Field<'a>,
+    line: Line,
+    spacing: f64,
+    /// Weights of a central formula; `None` for the difference to the next point.
+    weights: Option<&'static [f64]>,
+}
+
+impl<'a> Slopes<'a> {
+    fn of(field: &'a Field<'a>, line: Line, spacing: f64) -> Self {
+        let with = |weights| Self { field, line, spacing, weights };
+        let applies = |slopes: &Self| {
+            let places = (0..line.lines).flat_map(|l| (0..line.points).map(move |p| (p, l)));
+            places.into_iter().any(|(p, l)| slopes.at(p, p * line.step + l * line.between).is_some())
+        };
+        CENTRAL.into_iter().map(|weights| with(Some(weights))).find(applies).unwrap_or(with(None))
+    }
+
+    /// The slope at point `place` of its line, which is value `k`; `None` where the formula does not apply.
+    fn at(&self, place: usize, k: usize) -> Option<f64> {
+        let Field { mask, heights } = self.field;
+        let (step, last) = (self.line.step, self.line.points - 1);
+        let Some(weights) = self.weights else {
+            let defined = place < last && mask.has(k) && mask.has(k + step);
+            return defined.then(|| (heights[k + step] - heights[k]) / self.spacing);
+        };
+        if place < weights.len() || place + weights.len() > last || !mask.has(k) {
+            return None;
+        }
+        let mut sum = 0.0;
+        for (n, weight) in weights.iter().enumerate() {
+            let (before, after) = (k - (n + 1) * step, k + (n + 1) * step);
+            if !(mask.has(before) && mask.has(after)) {
+                return None;
+            }
+            sum += weight * (heights[after] - heights[before]);
+        }
+        Some(sum / self.spacing)
+    }
 }
 
 /// `sqrt(1 + squared) - 1` without cancellation.
@@ -91,7 +152,7 @@ fn excess(squared: f64) -> f64 {
     squared / ((1.0 + squared).sqrt() + 1.0)
 }
 
-/// A running mean.
+/// Running mean.
 #[derive(Default)]
 struct Mean {
     /// Sum of the values.

@@ -175,14 +175,41 @@ pub(super) struct RoughBody {
 
 /// Heights of one body on the grid.
 pub(super) fn heights(roughness: &Roughness, grid: &Grid, body: &str) -> Result<RoughBody, SimError> {
-    let generated = match roughness {
-        Roughness::None => Ok(vec![0.0; grid.len()]),
+    if let Roughness::File(file) = roughness {
+        return measured(file, grid, body);
+    }
+    let heights = generated(roughness, grid).map_err(|error| of_body(error, body))?;
+    Ok(RoughBody { heights, measured_rq: None })
+}
+
+/// Heights of a surface that is not measured.
+fn generated(roughness: &Roughness, grid: &Grid) -> Result<Vec<f64>, InputError> {
+    match roughness {
         Roughness::Random(surface) => surface.generate(grid),
         Roughness::Texture(texture) => texture.generate(grid),
-        Roughness::File(file) => return measured(file, grid, body),
-    };
-    let heights = generated.map_err(|error| of_body(error, body))?;
-    Ok(RoughBody { heights, measured_rq: None })
+        Roughness::None | Roughness::File(_) => Ok(vec![0.0; grid.len()]),
+    }
+}
+
+impl Roughness {
+    /// Heights on `grid` \[m\], positive out of the body: those of a body of a scene with this roughness.
+    ///
+    /// # Errors
+    /// A value that is out of range or does not fit the grid, a file that cannot be read.
+    ///
+    /// ```
+    /// use stribeck::{Grid, sim::scene::Roughness};
+    /// let grid = Grid::centred(64, 64, 2e-6, 2e-6)?;
+    /// let heights = Roughness::gaussian(50e-9, 20e-6, 1).heights(&grid)?;
+    /// assert!((stribeck::metrics::height_statistics(&heights)?.sq / 50e-9 - 1.0).abs() < 1e-9);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn heights(&self, grid: &Grid) -> Result<Vec<f64>, SimError> {
+        match self {
+            Self::File(file) => Ok(measured(file, grid, "file")?.heights),
+            _ => Ok(generated(self, grid)?),
+        }
+    }
 }
 
 /// The error of a roughness with the body's key in front of the field.
@@ -200,7 +227,8 @@ fn measured(file: &FileRoughness, grid: &Grid, body: &str) -> Result<RoughBody, 
         InputError::require_non_negative(&format!("roughness.{body}.rq"), rq)?;
     }
     let unusable = |reason: String| InputError::Conflict { field: format!("roughness.{body}.path"), reason };
-    let surface = crate::surface::read(&file.path).map_err(|error| unusable(error.to_string()))?;
+    let mut surface = crate::surface::read(&file.path).map_err(|error| unusable(error.to_string()))?;
+    let unfit = |error| unusable(format!("{}: {error}", file.path.display()));
     let mut measured_rq = None;
     let mut heights = if surface.dx().is_none() {
         if (surface.nx(), surface.ny()) != (grid.nx(), grid.ny()) {
@@ -213,9 +241,9 @@ fn measured(file: &FileRoughness, grid: &Grid, body: &str) -> Result<RoughBody, 
                 grid.ny()
             ))));
         }
+        surface.fill_undefined().map_err(unfit)?;
         surface.heights().to_vec()
     } else {
-        let unfit = |error| unusable(format!("{}: {error}", file.path.display()));
         let level = surface.levelled().map_err(unfit)?;
         measured_rq = Some(crate::metrics::height_statistics(level.heights())?.sq);
         level.mean_free_on(grid).map_err(unfit)?

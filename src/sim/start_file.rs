@@ -69,6 +69,12 @@ fn read_array(
     let mut bytes = Vec::new();
     entry.take(8 * grid.len() as u64 + HEADER).read_to_end(&mut bytes).map_err(io)?;
     let array = read_bytes(&bytes, path.join(name))?;
+    if array.undefined() > 0 {
+        return Err(SimError::Input(InputError::Conflict {
+            field: format!("{name} of {}", path.display()),
+            reason: format!("{} values are not finite", array.undefined()),
+        }));
+    }
     if (array.nx(), array.ny()) != (grid.nx(), grid.ny()) {
         return Err(SimError::Input(InputError::Conflict {
             field: format!("{name} of {}", path.display()),

@@ -198,6 +198,16 @@ impl Heights {
         let mask = self.defined.as_ref();
         let defined: Option<Vec<bool>> = mask.map(|mask| points().map(|(i, j)| mask[source(i, j)]).collect());
         let defined = defined.filter(|mask| mask.contains(&false));
-        Self { nx, ny, spacing: self.spacing, heights, defined, unit: self.unit }
+        Self {
+            nx,
+            ny,
+            spacing: self.spacing,
+            heights,
+            defined,
+            #[cfg(feature = "formats")]
+            unit: self.unit,
+            #[cfg(feature = "formats")]
+            warnings: self.warnings.clone(),
+        }
     }
 }

@@ -1,9 +1,4 @@
-//! What can be wrong with a measured surface or its file.
-//!
-//! Each error of a file carries its path; those of heights in memory are an [`InputError`]. Readers never
-//! panic: what is damaged, unknown or not supported ends here.
-
-use std::path::PathBuf;
+//! Errors of measured surfaces and their files.
 
 use thiserror::Error;
 
@@ -28,47 +23,12 @@ pub enum SurfaceError {
     /// A value out of range or a field of the wrong shape.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// The operating system refused to open, read or write the file.
-    #[error("{}: {source}", path.display())]
-    Io {
-        /// The file.
-        path: PathBuf,
-        /// What the operating system said.
-        source: std::io::Error,
-    },
-    /// The content starts like no format that is read here.
-    #[error("{}: neither x3p, sur, sdf, al3d, plu, npy nor text with numbers", path.display())]
-    UnknownFormat {
-        /// The file.
-        path: PathBuf,
-    },
-    /// The file is damaged: truncated, contradicting itself or not what its format requires.
-    #[error("{}: {what}", path.display())]
-    Corrupt {
-        /// The file.
-        path: PathBuf,
-        /// The place and what is wrong with it.
-        what: String,
-    },
-    /// The file is sound but uses a part of the format that is not read here.
-    #[error("{}: not supported: {what}", path.display())]
-    Unsupported {
-        /// The file.
-        path: PathBuf,
-        /// The part.
-        what: String,
-    },
-    /// A height in a file without undefined points is not finite.
-    #[error("{}: height ({column}, {row}) = {value} is not finite", path.display())]
-    NotFinite {
-        /// The file.
-        path: PathBuf,
-        /// Position along x.
-        column: usize,
-        /// Position along y.
-        row: usize,
-        /// The value found.
-        value: f64,
+    /// A file that cannot be read or written.
+    #[cfg(feature = "formats")]
+    #[error("{error}{}", conversion(error))]
+    File {
+        /// The error of its reader or writer.
+        error: surface_formats::Error,
     },
     /// The heights have no lateral spacing (npy files hold none): set it with `Heights::with_spacing`.
     #[error("the measured surface has no lateral spacing")]
@@ -99,4 +59,20 @@ pub enum SurfaceError {
         /// Extent of the grid along y \[m\].
         grid_y: f64,
     },
+}
+
+#[cfg(feature = "formats")]
+impl From<surface_formats::Error> for SurfaceError {
+    fn from(error: surface_formats::Error) -> Self {
+        Self::File { error }
+    }
+}
+
+/// The command that converts a file whose format has no reader.
+#[cfg(feature = "formats")]
+fn conversion(error: &surface_formats::Error) -> String {
+    let surface_formats::Error::Foreign { path, .. } = error else { return String::new() };
+    let (from, to) = (path.display(), path.with_extension("x3p"));
+    let program = format!("import stribeck; stribeck.surface.read('{from}').write('{}')", to.display());
+    format!("; with the Python package stribeck[formats] this converts it: python -c \"{program}\"")
 }

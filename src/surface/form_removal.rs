@@ -1,4 +1,4 @@
-//! Removal of form: the plane, polynomial or sphere of least squares.
+//! Removal of form: the plane or polynomial of least squares.
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
@@ -10,13 +10,6 @@ use crate::error::InputError;
 const MAX_DEGREE: usize = 10;
 /// Share of the largest eigenvalue below which a direction is left as it is.
 const DEGENERATE: f64 = 1e-12;
-/// Steps of the fit of a sphere, halvings of a step that leaves the sphere, and change at which the fit ends,
-/// in half the length of the surface.
-const STEPS: usize = 50;
-/// Halvings of a step that does not lower the sum of squares.
-const HALVINGS: usize = 30;
-/// Relative change at which the fit ends.
-const CONVERGED: f64 = 1e-13;
 /// Iterations for the eigenvectors of at most 66 equations, which take some two a vector.
 const SWEEPS: usize = 10_000;
 
@@ -103,42 +96,6 @@ impl Heights {
         Ok(())
     }
 
-    /// Subtracts the sphere of least squares of the vertical distances through the defined points and returns
-    /// its radius \[m\]: positive for a ball, negative for a socket, very large for a flat.
-    ///
-    /// # Errors
-    /// [`SurfaceError::NoSpacing`]; [`SurfaceError::Input`] when no sphere is found (the surface reaches
-    /// beyond its equator); those of [`Heights::remove_plane`].
-    ///
-    /// ```
-    /// # use stribeck::{Grid, surface::Heights};
-    /// let grid = Grid::centred(40, 30, 10e-6, 10e-6)?;
-    /// let ball = grid.nodes().map(|(x, y)| (9.525e-3_f64.powi(2) - x * x - y * y).sqrt()).collect();
-    /// let mut surface = Heights::new(40, 30, Some([10e-6, 10e-6]), ball, None)?;
-    /// assert!((surface.remove_sphere()? / 9.525e-3 - 1.0).abs() < 1e-9);
-    /// assert!(surface.heights().iter().all(|z| z.abs() < 1e-15));
-    /// # Ok::<(), stribeck::surface::SurfaceError>(())
-    /// ```
-    pub fn remove_sphere(&mut self) -> Result<f64, SurfaceError> {
-        let [dx, dy] = self.spacing.ok_or(SurfaceError::NoSpacing)?;
-        let mean = self.mean()?;
-        let unit = 0.5 * (dx * self.nx as f64).max(dy * self.ny as f64);
-        let (width, length) = (0.5 * dx * self.nx as f64 / unit, 0.5 * dy * self.ny as f64 / unit);
-        let points: Vec<(usize, [f64; 3])> = (0..self.heights.len())
-            .filter(|&k| self.is_defined(k))
-            .map(|k| {
-                let (u, v) = (centred(k % self.nx, self.nx), centred(k / self.nx, self.ny));
-                (k, [u * width, v * length, (self.heights[k] - mean) / unit])
-            })
-            .collect();
-        let cap = Cap::fit(&points)?;
-        for (k, [x, y, z]) in points {
-            let (sphere, _) = cap.at(x, y).ok_or_else(no_sphere)?;
-            self.heights[k] = (z - sphere) * unit;
-        }
-        Ok(-unit / cap.0[3])
-    }
-
     /// Mean of the defined heights.
     pub(super) fn mean(&self) -> Result<f64, SurfaceError> {
         let points = self.heights.len();
@@ -154,7 +111,7 @@ impl Heights {
 }
 
 /// Position of point `i` of `n` between -1 and 1.
-fn centred(i: usize, n: usize) -> f64 {
+pub(super) fn centred(i: usize, n: usize) -> f64 {
     (2.0 * i as f64 + 1.0) / n as f64 - 1.0
 }
 
@@ -173,7 +130,7 @@ fn legendre(x: f64, degree: usize) -> Vec<f64> {
 }
 
 /// Solution of least norm of the normal equations, by the eigenvectors of their matrix.
-fn least_squares(matrix: &DMatrix<f64>, right: &[f64]) -> Result<Vec<f64>, SurfaceError> {
+pub(super) fn least_squares(matrix: &DMatrix<f64>, right: &[f64]) -> Result<Vec<f64>, SurfaceError> {
     InputError::require_finite("heights, summed over all points", right)?;
     let unknown = || InputError::Conflict {
         field: "heights".to_owned(),
@@ -189,73 +146,4 @@ fn least_squares(matrix: &DMatrix<f64>, right: &[f64]) -> Result<Vec<f64>, Surfa
         }
     }
     Ok(solution)
-}
-
-/// The error of points that no sphere fits.
-fn no_sphere() -> SurfaceError {
-    InputError::Conflict { field: "heights".to_owned(), reason: "no sphere fits them".to_owned() }.into()
-}
-
-/// A sphere by height, slopes and curvature at the origin, so that a flat is one of them:
-/// `curvature (w^2 + r^2) - 2 (w - p x - q y) / m = 0` with `w` the height above the origin and
-/// `m^2 = 1 + p^2 + q^2`.
-#[derive(Clone, Copy)]
-struct Cap([f64; 4]);
-
-impl Cap {
-    fn fit(points: &[(usize, [f64; 3])]) -> Result<Self, SurfaceError> {
-        let mut cap = Self([0.0; 4]);
-        let mut normal = cap.normal_equations(points).ok_or_else(no_sphere)?;
-        for _ in 0..STEPS {
-            let step = least_squares(&normal.0, &normal.1)?;
-            let mut share = 1.0;
-            let mut next = None;
-            for _ in 0..HALVINGS {
-                let mut moved = cap;
-                moved.0.iter_mut().zip(&step).for_each(|(value, change)| *value += share * change);
-                next = moved.normal_equations(points).map(|normal| (moved, normal));
-                if next.is_some() {
-                    break;
-                }
-                share *= 0.5;
-            }
-            (cap, normal) = next.ok_or_else(no_sphere)?;
-            if step.iter().all(|change| change.abs() < CONVERGED) {
-                return Ok(cap);
-            }
-        }
-        Err(no_sphere())
-    }
-
-    /// Height and its derivatives by the four parameters, `None` beyond the equator.
-    fn at(&self, x: f64, y: f64) -> Option<(f64, [f64; 4])> {
-        let [height, p, q, curvature] = self.0;
-        let m = (1.0 + p * p + q * q).sqrt();
-        let (plane, square) = (p * x + q * y, x * x + y * y);
-        let gap = curvature * square + 2.0 * plane / m;
-        let under = 1.0 / (m * m) - curvature * gap;
-        if under.is_nan() || under <= 0.0 {
-            return None;
-        }
-        let root = under.sqrt();
-        let w = gap / (1.0 / m + root);
-        let tilt = (w - plane) / (m * m * m);
-        let slope = |along: f64, coordinate: f64| (coordinate / m + along * tilt) / root;
-        Some((height + w, [1.0, slope(p, x), slope(q, y), 0.5 * (w * w + square) / root]))
-    }
-
-    fn normal_equations(&self, points: &[(usize, [f64; 3])]) -> Option<(DMatrix<f64>, [f64; 4])> {
-        let (mut matrix, mut right) = (DMatrix::<f64>::zeros(4, 4), [0.0; 4]);
-        let share = 1.0 / points.len() as f64;
-        for (_, [x, y, z]) in points {
-            let (sphere, derivatives) = self.at(*x, *y)?;
-            for (row, a) in derivatives.iter().enumerate() {
-                right[row] += share * a * (z - sphere);
-                for (column, b) in derivatives.iter().enumerate() {
-                    matrix[(row, column)] += share * a * b;
-                }
-            }
-        }
-        Some((matrix, right))
-    }
 }

@@ -54,7 +54,13 @@ impl Heights {
         }
         let finer = |points: usize, nodes: usize| points as f64 / nodes as f64;
         let spacing = self.spacing.map(|[dx, dy]| [dx * finer(self.nx, nx), dy * finer(self.ny, ny)]);
-        Ok(Self { unit: self.unit, ..Self::new(nx, ny, spacing, heights, None)? })
+        Ok(Self {
+            #[cfg(feature = "formats")]
+            unit: self.unit,
+            #[cfg(feature = "formats")]
+            warnings: self.warnings.clone(),
+            ..Self::new(nx, ny, spacing, heights, None)?
+        })
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::error::SurfaceError;
 use super::resample::{Tiling, resample};
-use super::unit::LengthUnit;
 use crate::error::InputError;
 use crate::grid::Grid;
 
@@ -35,7 +34,11 @@ pub struct Heights {
     /// `None`: all points are defined.
     pub(super) defined: Option<Vec<bool>>,
     /// Unit of the file that they came from.
-    pub(super) unit: Option<LengthUnit>,
+    #[cfg(feature = "formats")]
+    pub(super) unit: Option<surface_formats::LengthUnit>,
+    /// Doubts of the reader of that file.
+    #[cfg(feature = "formats")]
+    pub(super) warnings: Vec<String>,
 }
 
 impl Heights {
@@ -67,7 +70,17 @@ impl Heights {
             }
         }
         InputError::require_finite("heights", &heights)?;
-        Ok(Self { nx, ny, spacing, heights, defined, unit: None })
+        Ok(Self {
+            nx,
+            ny,
+            spacing,
+            heights,
+            defined,
+            #[cfg(feature = "formats")]
+            unit: None,
+            #[cfg(feature = "formats")]
+            warnings: Vec::new(),
+        })
     }
 
     /// The same heights with spacing `dx`, `dy` \[m\], for formats that hold none.
@@ -78,19 +91,6 @@ impl Heights {
         Grid::centred(self.nx, self.ny, dx, dy)?;
         self.spacing = Some([dx, dy]);
         Ok(self)
-    }
-
-    /// The same heights, which came from a file in `unit`; their values stay metres.
-    #[must_use]
-    pub fn with_unit(mut self, unit: LengthUnit) -> Self {
-        self.unit = Some(unit);
-        self
-    }
-
-    /// Unit of the heights in the file they were read from, where it is known.
-    #[must_use]
-    pub fn unit(&self) -> Option<LengthUnit> {
-        self.unit
     }
 
     /// Number of points along x.
@@ -127,6 +127,26 @@ impl Heights {
     #[must_use]
     pub fn defined(&self) -> Option<&[bool]> {
         self.defined.as_deref()
+    }
+
+    /// The heights \[m\] with NaN where they are undefined.
+    #[must_use]
+    pub fn heights_or_nan(&self) -> Vec<f64> {
+        (0..self.heights.len()).map(|k| if self.is_defined(k) { self.heights[k] } else { f64::NAN }).collect()
+    }
+
+    /// The heights of the defined points \[m\], in their order: what the height and bearing parameters of
+    /// [`crate::metrics`] are taken from.
+    ///
+    /// ```
+    /// # use stribeck::surface::Heights;
+    /// let surface = Heights::new(3, 1, None, vec![1e-6, 0.0, 3e-6], Some(vec![true, false, true]))?;
+    /// assert_eq!(surface.defined_heights(), [1e-6, 3e-6]);
+    /// # Ok::<(), stribeck::surface::SurfaceError>(())
+    /// ```
+    #[must_use]
+    pub fn defined_heights(&self) -> Vec<f64> {
+        (0..self.heights.len()).filter(|&k| self.is_defined(k)).map(|k| self.heights[k]).collect()
     }
 
     /// Number of undefined points.

@@ -7,7 +7,7 @@
 //! | [`RandomSurface`] | the same with more choice: self-affine, skewed, open, ensemble height |
 //! | [`Texture`] | dimples and grooves |
 //! | [`Heights`] | a measured surface: removal of form, filters, filling of holes, transfer to a grid |
-//! | `read`, `read_bytes` (feature `formats`) | instrument files: x3p, sur, sdf, plu, al3d, npy, text |
+//! | `read`, `read_with`, `read_bytes` (feature `formats`) | instrument files: x3p, sur, sdf, prf, plu, al3d, npy, text |
 //! | `write_x3p`, `write_npy`, `write_text` (feature `formats`) | files that come back bit by bit |
 //! | [`RoughnessMotion`] | where periodic roughness stands from step to step: [`AlongTrack`], [`RandomShift`], [`Carried`], [`AtRest`] |
 //! | [`FourierShift`] | shift by less than a cell |
@@ -32,15 +32,15 @@ mod random;
 mod resample;
 mod rescale;
 mod roughness_motion;
+mod round_form;
 mod self_affine;
 mod subcell;
 mod texture;
-mod unit;
 
 pub use error::SurfaceError;
 pub use form::Form;
 #[cfg(feature = "formats")]
-pub use format::{read, read_bytes, write_npy, write_text, write_x3p};
+pub use format::{ReadOptions, read, read_bytes, read_with, write_npy, write_text, write_x3p};
 pub use generate::{Autocorrelation, RoughnessSpec, generate};
 pub use measured::Heights;
 pub use motion::Offset;
@@ -52,5 +52,6 @@ pub use roughness_motion::{AlongTrack, AtRest, Carried, RandomShift, RoughnessMo
 pub use self_affine::{SelfAffine, Synthesis};
 pub use subcell::FourierShift;
 pub(crate) use subcell::blend_shifted;
+#[cfg(feature = "formats")]
+pub use surface_formats::{Error as FileError, LengthUnit};
 pub use texture::{DimpleLayout, GrooveDirection, Texture};
-pub use unit::LengthUnit;

@@ -3,27 +3,60 @@
 use std::error::Error;
 use std::path::PathBuf;
 
-use stribeck::surface;
+use clap::ValueEnum;
+use stribeck::Boundary;
+use stribeck::surface::{self, Heights, LengthUnit, ReadOptions};
+use stribeck::units::Dimension;
 
 use crate::files;
 use crate::output::{self, Outcome, Output};
 use crate::picture::{self, Page};
-use crate::surface_numbers::Numbers;
+use crate::surface_numbers::{Numbers, dominant_form};
 
-/// Nothing is levelled, filtered or filled first.
+/// Degree of the polynomial that is removed as a form.
+const FORM_DEGREE: usize = 2;
+
+/// Nothing is levelled, filtered or filled unless an option asks for it.
 #[derive(clap::Args)]
 pub(crate) struct Options {
-    /// File of heights: x3p, sur, sdf, plu, al3d, npy or text
+    /// File of heights: x3p, sur, sdf, prf, plu, al3d, npy or text
     file: PathBuf,
+    /// Which surface of a file that holds several, counted from 1
+    #[arg(long, value_name = "NUMBER")]
+    channel: Option<usize>,
+    /// Unit of heights and lengths for which the file names none
+    #[arg(long, value_name = "UNIT")]
+    unit: Option<String>,
+    /// Remove the plane of least squares
+    #[arg(long)]
+    level: bool,
+    /// Remove the form of least squares; the polynomial is of the second degree
+    #[arg(long, value_enum, value_name = "FORM")]
+    form: Option<Form>,
+    /// Remove waves longer than this, "80 um" (L-filter of ISO 16610-61), after plane and form
+    #[arg(long, value_name = "LENGTH")]
+    filter: Option<String>,
     #[command(flatten)]
     output: Output,
 }
 
+/// Form that is removed.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Form {
+    Sphere,
+    Cylinder,
+    Polynomial,
+}
+
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
-    let measured = surface::read(&options.file)?;
+    let mut measured = read(options)?;
+    for warning in measured.warnings() {
+        output::complain("warning", &format!("{}: {warning}", options.file.display()));
+    }
+    prepare(options, &mut measured)?;
     let numbers = Numbers::of(&measured)?;
-    if let Some(warning) = numbers.warning() {
-        output::complain("warning", &warning);
+    if let Some(words) = dominant_form(&measured) {
+        output::complain("warning", &format!("{}: {words}", options.file.display()));
     }
     let mut written = Vec::new();
     if options.output.plot {
@@ -43,4 +76,37 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     }
     output::report_files(&written, options.output.json)?;
     Ok(Outcome::Converged)
+}
+
+/// The surface of the file.
+fn read(options: &Options) -> Result<Heights, Box<dyn Error>> {
+    let mut choices = ReadOptions::new();
+    if let Some(channel) = options.channel {
+        choices = choices.with_channel(channel);
+    }
+    if let Some(name) = &options.unit {
+        let unit = LengthUnit::parse(name);
+        let unit =
+            unit.ok_or_else(|| format!("--unit = \"{name}\": must be a unit of length, such as um"))?;
+        choices = choices.with_unit(unit);
+    }
+    Ok(surface::read_with(&options.file, &choices)?)
+}
+
+/// Removes plane, form and waviness as the options say.
+fn prepare(options: &Options, surface: &mut Heights) -> Result<(), Box<dyn Error>> {
+    if options.level {
+        surface.remove_plane()?;
+    }
+    match options.form {
+        Some(Form::Sphere) => drop(surface.remove_sphere()?),
+        Some(Form::Cylinder) => drop(surface.remove_cylinder()?),
+        Some(Form::Polynomial) => surface.remove_polynomial(FORM_DEGREE)?,
+        None => {}
+    }
+    if let Some(length) = &options.filter {
+        let cutoff = output::positive(Dimension::Length, "--filter", length)?;
+        surface.l_filter(cutoff, Boundary::Open)?;
+    }
+    Ok(())
 }

@@ -1,5 +1,6 @@
 //! Pictures: each drawn twice, as SVG and as PNG. Letters come from a font in the program.
 
+mod curves;
 mod lines;
 mod maps;
 mod page;

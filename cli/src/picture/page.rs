@@ -1,26 +1,26 @@
-//! One page: height map, spectra, autocorrelation and bearing curve.
+//! One page: height map, profile, spectra, autocorrelation, height distribution and bearing curve.
 
 use std::ops::Range;
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use stribeck::metrics::{Axis, Spectrum, height_histogram, profile_spectrum, radial_spectrum};
+use stribeck::metrics::{Axis, Spectrum, profile_spectrum, radial_spectrum};
 use stribeck::surface::Heights;
 use stribeck::{Boundary, Grid};
 
+use super::curves::{draw_bearing, draw_histogram, draw_profile};
 use super::{BLUE, Drawn, GREEN, Picture, TEXT_SIZE, TITLE_SIZE, VERMILION, colour, extremes, text, tick};
-use crate::surface_numbers::{Numbers, defined_heights};
+use crate::surface_numbers::Numbers;
 
-const SIZE: (u32, u32) = (1100, 900);
+const SIZE: (u32, u32) = (1600, 900);
 const HEAD: i32 = 40;
 /// Most squares along a side of a map.
 const SQUARES: usize = 100;
 /// Size of a square over their distance: without overlap, viewers show seams.
 const OVERLAP: f64 = 1.5;
-/// Most points of a curve.
-const POINTS: usize = 400;
-const CLASSES: usize = 60;
+/// Colour of undefined points.
+const GREY: RGBColor = RGBColor(170, 170, 170);
 /// Share of the highest and of the lowest points that have no colour of their own.
 const OUTLIERS: f64 = 0.005;
 const CUBIC_NANOMETRES: f64 = 1e27;
@@ -35,7 +35,7 @@ struct Map<'a> {
     nx: usize,
     ny: usize,
     values: &'a [f64],
-    /// Blank where not set.
+    /// Grey where not set.
     defined: Option<&'a [bool]>,
 }
 
@@ -58,12 +58,16 @@ impl Picture for Page<'_> {
         let (head, body) = canvas.split_vertically(HEAD);
         let title = text(TITLE_SIZE).pos(Pos::new(HPos::Center, VPos::Center));
         head.draw(&Text::new(self.title.as_str(), (SIZE.0 as i32 / 2, HEAD / 2), title))?;
-        let areas = body.split_evenly((2, 2));
-        let [map, spectrum, correlation, bearing] = areas.as_slice() else { return Ok(()) };
+        let areas = body.split_evenly((2, 3));
+        let [map, profile, spectrum, correlation, histogram, bearing] = areas.as_slice() else {
+            return Ok(());
+        };
         draw_heights(map, self.surface, self.numbers)?;
+        draw_profile(profile, self.surface, self.numbers)?;
         draw_spectra(spectrum, self.surface, self.numbers)?;
         draw_correlation(correlation, self.numbers)?;
-        draw_bearing(bearing, self.surface, self.numbers)
+        draw_histogram(histogram, self.surface)?;
+        draw_bearing(bearing, self.numbers)
     }
 }
 
@@ -80,8 +84,7 @@ where
         Some(grid) => (grid.size_x() * 1e6, grid.size_y() * 1e6, "x (µm)", "y (µm)"),
         None => (nx as f64, ny as f64, "x (points)", "y (points)"),
     };
-    let heights = defined_heights(surface);
-    let (low, high) = extremes(heights.iter().copied());
+    let (low, high) = extremes(surface.defined_heights());
     let middle = 0.5 * (low + high);
     // a spike must not take all colours
     let mean = high - numbers.curve.height_at(0.0);
@@ -91,11 +94,12 @@ where
         area,
         &Map {
             title: format!(
-                "Height, {:.4} to {:.4} µm (colours {:.4} to {:.4} µm)",
+                "Height, {:.4} to {:.4} µm (colours {:.4} to {:.4} µm{})",
                 low * 1e6,
                 high * 1e6,
                 colours.0 * 1e6,
-                colours.1 * 1e6
+                colours.1 * 1e6,
+                if surface.undefined() > 0 { ", undefined grey" } else { "" }
             ),
             x_label,
             y_label,
@@ -167,12 +171,11 @@ where
         let point = (2 * j + 1) * map.ny / (2 * rows) * map.nx + (2 * i + 1) * map.nx / (2 * columns);
         let defined = map.defined.is_none_or(|mask| mask.get(point) == Some(&true));
         let value = *map.values.get(point)?;
-        defined.then(|| {
-            let (i, j) = (i as f64, j as f64);
-            let from = (edge(&map.x, i, columns), edge(&map.y, j, rows));
-            let to = (edge(&map.x, i + OVERLAP, columns), edge(&map.y, j + OVERLAP, rows));
-            Rectangle::new([from, to], colour((value - low) / (high - low)).filled())
-        })
+        let fill = if defined { colour((value - low) / (high - low)) } else { GREY };
+        let (i, j) = (i as f64, j as f64);
+        let from = (edge(&map.x, i, columns), edge(&map.y, j, rows));
+        let to = (edge(&map.x, i + OVERLAP, columns), edge(&map.y, j + OVERLAP, rows));
+        Some(Rectangle::new([from, to], fill.filled()))
     });
     chart.draw_series(squares)?;
     Ok(())
@@ -254,49 +257,8 @@ fn positive_points(spectrum: &Spectrum, density: impl Fn(f64, f64) -> f64) -> Ve
     points.map(|(&q, &c)| (q, density(q, c))).filter(|&(_, c)| c > 0.0).collect()
 }
 
-fn draw_bearing<B: DrawingBackend>(
-    area: &DrawingArea<B, Shift>,
-    surface: &Heights,
-    numbers: &Numbers,
-) -> Drawn
-where
-    B::ErrorType: 'static,
-{
-    let curve = &numbers.curve;
-    let (top, bottom) = (curve.height_at(0.0) * 1e6, curve.height_at(1.0) * 1e6);
-    let Ok(histogram) = height_histogram(&defined_heights(surface), CLASSES) else {
-        return note(area, "no bearing curve: flat");
-    };
-    let mut chart = ChartBuilder::on(area)
-        .caption("Bearing curve and height distribution", text(TEXT_SIZE + 1))
-        .margin(10)
-        .x_label_area_size(38)
-        .y_label_area_size(70)
-        .build_cartesian_2d(0.0..1.0, bottom..top)?;
-    chart
-        .configure_mesh()
-        .y_label_formatter(&|height| format!("{}", (height * 1e6).round() / 1e6 + 0.0))
-        .x_desc("material ratio")
-        .y_desc("height about the mean (µm)")
-        .light_line_style(WHITE)
-        .label_style(text(TEXT_SIZE))
-        .draw()?;
-    let densest = histogram.density.iter().copied().fold(0.0, f64::max);
-    let step = (top - bottom) / CLASSES as f64;
-    let bars = histogram.density.iter().enumerate().map(|(k, density)| {
-        let low = bottom + k as f64 * step;
-        Rectangle::new([(0.0, low), (0.5 * density / densest, low + step)], BLUE.mix(0.25).filled())
-    });
-    chart.draw_series(bars)?;
-    let points = (0..=POINTS).map(|k| {
-        let ratio = k as f64 / POINTS as f64;
-        (ratio, curve.height_at(ratio) * 1e6)
-    });
-    chart.draw_series(LineSeries::new(points, &VERMILION))?;
-    Ok(())
-}
-
-fn note<B: DrawingBackend>(area: &DrawingArea<B, Shift>, words: &str) -> Drawn
+/// Words in place of a panel.
+pub(super) fn note<B: DrawingBackend>(area: &DrawingArea<B, Shift>, words: &str) -> Drawn
 where
     B::ErrorType: 'static,
 {

@@ -4,14 +4,18 @@
 //! by row: in an ASCII file as keys and text, in a binary one at fixed places. The version is told by the
 //! first eight bytes.
 
-use super::number::{Kind, NumberType};
-use super::source::{Found, Source, decode_text, shortened};
-use super::text::parse_height;
-use crate::surface::{Heights, LengthUnit, SurfaceError};
+use crate::error::Error;
+use crate::number::{Kind, NumberType};
+use crate::source::{Source, decode_text, shortened};
+use crate::surface::Surface;
+use crate::text::parse_height;
+use crate::unit::LengthUnit;
 
 /// First bytes of each version.
-const MAGICS: [(&[u8], Version); 6] = [
+const MAGICS: [(&[u8], Version); 8] = [
     (b"aBCR-1.0", Version::Ascii),
+    (b"aNPL-V1.0", Version::Ascii),
+    (b"aNPL-1.0", Version::Ascii),
     (b"aISO-1.0", Version::Ascii),
     (b"aISO-2.0", Version::Ascii),
     (b"bBCR-1.0", Version::Binary { wide: false }),
@@ -29,11 +33,11 @@ enum Version {
 }
 
 /// Whether the file begins as one of the versions.
-pub(super) fn recognises(bytes: &[u8]) -> bool {
+pub(crate) fn recognises(bytes: &[u8]) -> bool {
     MAGICS.iter().any(|(magic, _)| bytes.starts_with(magic))
 }
 
-/// What the header says.
+/// Content of the header.
 struct Header {
     /// Points along x.
     nx: usize,
@@ -50,29 +54,21 @@ struct Header {
 }
 
 /// Heights, those that equal the marker undefined.
-pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
-    let version =
-        MAGICS.iter().find(|(magic, _)| source.bytes.starts_with(magic)).map(|(_, version)| *version);
-    let (header, stored, mut defined) = match version {
-        Some(Version::Ascii) => read_ascii(source)?,
-        Some(Version::Binary { wide }) => read_binary(source, wide)?,
+pub(crate) fn read(source: Source<'_>) -> Result<Surface, Error> {
+    let found = MAGICS.iter().find(|(magic, _)| source.bytes.starts_with(magic));
+    let (header, mut stored) = match found {
+        Some((magic, Version::Ascii)) => read_ascii(source, magic.len())?,
+        Some((_, Version::Binary { wide })) => read_binary(source, *wide)?,
         None => return Err(source.unknown()),
     };
     if let Some(marker) = header.undefined {
-        defined
-            .iter_mut()
-            .zip(&stored)
-            .for_each(|(flag, value)| *flag &= value.to_bits() != marker.to_bits());
+        stored.iter_mut().filter(|value| value.to_bits() == marker.to_bits()).for_each(|v| *v = f64::NAN);
     }
-    source.finish(Found {
-        nx: header.nx,
-        ny: header.ny,
-        spacing: Some(header.spacing),
-        // the scale turns stored numbers into metres
-        unit: Some(LengthUnit::of_length(header.scale).unwrap_or(LengthUnit::Metre)),
-        heights: stored.iter().map(|value| header.scale * value).collect(),
-        defined: Some(defined),
-    })
+    let heights = source.scaled(header.nx, stored, -0.0, header.scale)?;
+    // the scale turns stored numbers into metres
+    let unit = Some(LengthUnit::of_length(header.scale).unwrap_or(LengthUnit::Metre));
+    let surface = Surface { unit, ..Surface::new(header.nx, header.ny, heights) };
+    source.finish(surface.with_spacing(Some(header.spacing)))
 }
 
 /// Type of the stored numbers and the one that marks an undefined point, by the code of the standard.
@@ -93,13 +89,10 @@ fn number_type(code: u64) -> Option<(NumberType, Option<f64>)> {
 
 /// The header of `sizes` (points, profiles), `scales` (of x, y, z) and `codes` (compression, data type),
 /// refused where one makes no sense or is not read.
-fn check(
-    source: Source<'_>,
-    sizes: [usize; 2],
-    scales: [f64; 3],
-    codes: [u64; 2],
-) -> Result<Header, SurfaceError> {
+fn check(source: Source<'_>, sizes: [usize; 2], scales: [f64; 3], codes: [u64; 2]) -> Result<Header, Error> {
     let ([nx, ny], [dx, dy, scale], [compression, data_type]) = (sizes, scales, codes);
+    // a profile has no distance between rows
+    let dy = if ny == 1 && dy == 0.0 { dx } else { dy };
     source.require_size(nx, ny, Some([dx, dy]))?;
     if !scale.is_finite() {
         return Err(source.corrupt(format!("Zscale = {scale}")));
@@ -112,8 +105,8 @@ fn check(
     Ok(Header { nx, ny, spacing: [dx, dy], scale, number, undefined })
 }
 
-/// Header, stored numbers and which are defined, of a binary file.
-fn read_binary(source: Source<'_>, wide: bool) -> Result<(Header, Vec<f64>, Vec<bool>), SurfaceError> {
+/// Header and stored numbers of a binary file.
+fn read_binary(source: Source<'_>, wide: bool) -> Result<(Header, Vec<f64>), Error> {
     // magic, maker and two dates come first
     let at = 8 + 10 + 12 + 12;
     let (sizes, at) = if wide {
@@ -129,8 +122,7 @@ fn read_binary(source: Source<'_>, wide: bool) -> Result<(Header, Vec<f64>, Vec<
     let [nx, ny] = sizes;
     let what = format!("the data of {nx} x {ny} points");
     let stored = header.number.decode(source.slice(at + 35, nx * ny * header.number.size(), &what)?);
-    let defined = vec![true; stored.len()];
-    Ok((header, stored, defined))
+    Ok((header, stored))
 }
 
 /// The value of a key of the ASCII header, if it is there.
@@ -144,14 +136,14 @@ fn value_of<'a>(header: &'a str, key: &str) -> Option<&'a str> {
 }
 
 /// The value of a key as a number.
-fn parse<T: std::str::FromStr>(source: Source<'_>, header: &str, key: &str) -> Result<T, SurfaceError> {
+fn parse<T: std::str::FromStr>(source: Source<'_>, header: &str, key: &str) -> Result<T, Error> {
     let text = value_of(header, key).ok_or_else(|| source.corrupt(format!("the header lacks {key}")))?;
     text.parse().map_err(|_| source.corrupt(format!("{key} = {} is not a number", shortened(text))))
 }
 
-/// Header, stored numbers and which are defined, of an ASCII file.
-fn read_ascii(source: Source<'_>) -> Result<(Header, Vec<f64>, Vec<bool>), SurfaceError> {
-    let content = decode_text(&source.bytes[8..]);
+/// Header and stored numbers of an ASCII file whose magic has `start` bytes.
+fn read_ascii(source: Source<'_>, start: usize) -> Result<(Header, Vec<f64>), Error> {
+    let content = decode_text(&source.bytes[start..]);
     let (head, rest) =
         content.split_once('*').ok_or_else(|| source.corrupt("the header is not closed by *".to_owned()))?;
     let sizes = [parse(source, head, "NumPoints")?, parse(source, head, "NumProfiles")?];
@@ -163,21 +155,19 @@ fn read_ascii(source: Source<'_>) -> Result<(Header, Vec<f64>, Vec<bool>), Surfa
     let header = check(source, sizes, scales, codes)?;
     let data = rest.split('*').next().unwrap_or("");
     let [nx, ny] = sizes;
-    let (mut stored, mut defined) = (Vec::new(), Vec::new());
+    let mut stored = Vec::new();
     let is_separator = |letter: char| letter.is_whitespace() || matches!(letter, ',' | ';');
     for (k, token) in data.split(is_separator).filter(|token| !token.is_empty()).enumerate() {
         if k == nx * ny {
             return Err(source.corrupt(format!("more than the {nx} x {ny} heights of the header")));
         }
-        let height = parse_height(token).ok_or_else(|| {
+        stored.push(parse_height(token).ok_or_else(|| {
             source.corrupt(format!("height ({}, {}) = {} is not a number", k % nx, k / nx, shortened(token)))
-        })?;
-        stored.push(height.unwrap_or(0.0));
-        defined.push(height.is_some());
+        })?);
     }
     if stored.len() < nx * ny {
         let found = stored.len();
         return Err(source.corrupt(format!("{found} heights, the header says {nx} x {ny}")));
     }
-    Ok((header, stored, defined))
+    Ok((header, stored))
 }

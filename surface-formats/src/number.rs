@@ -2,7 +2,7 @@
 
 /// Type of a stored number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     /// IEEE 754.
     Float,
     /// Two's complement.
@@ -13,7 +13,7 @@ pub(super) enum Kind {
 
 /// A number of 1, 2, 4 or 8 bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct NumberType {
+pub(crate) struct NumberType {
     /// Whole or floating.
     kind: Kind,
     /// Bytes of a number.
@@ -24,7 +24,7 @@ pub(super) struct NumberType {
 
 impl NumberType {
     /// `None` for a size that the kind does not come in (floats of 2, 4, 8; integers of 1, 2, 4, 8 bytes).
-    pub(super) fn new(kind: Kind, size: usize, big_endian: bool) -> Option<Self> {
+    pub(crate) fn new(kind: Kind, size: usize, big_endian: bool) -> Option<Self> {
         let exists = match kind {
             Kind::Float => matches!(size, 2 | 4 | 8),
             Kind::Signed | Kind::Unsigned => matches!(size, 1 | 2 | 4 | 8),
@@ -33,12 +33,12 @@ impl NumberType {
     }
 
     /// Bytes of a number.
-    pub(super) fn size(self) -> usize {
+    pub(crate) fn size(self) -> usize {
         self.size
     }
 
     /// The numbers in `bytes`; an incomplete one at the end is left out.
-    pub(super) fn decode(self, bytes: &[u8]) -> Vec<f64> {
+    pub(crate) fn decode(self, bytes: &[u8]) -> Vec<f64> {
         bytes.chunks_exact(self.size).map(|chunk| self.value(chunk)).collect()
     }
 

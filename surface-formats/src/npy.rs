@@ -4,18 +4,18 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use super::number::{Kind, NumberType};
-use super::source::{Found, Source};
-use crate::error::InputError;
-use crate::surface::{Heights, SurfaceError};
+use crate::error::Error;
+use crate::number::{Kind, NumberType};
+use crate::source::{Source, without_unit};
+use crate::surface::Surface;
 
 /// First bytes of the file.
-pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
+pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
 
 /// Headers longer than this are not those of a plain array.
 const MAX_HEADER: u32 = 1 << 16;
 
-/// What the header says.
+/// Content of the header.
 struct Header {
     /// Type of the numbers.
     number: NumberType,
@@ -29,8 +29,8 @@ struct Header {
     data: usize,
 }
 
-/// Heights of an array of one or two dimensions, in metres, without a spacing.
-pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
+/// Heights of an array of one or two dimensions, without a spacing.
+pub(crate) fn read(source: Source<'_>) -> Result<Surface, Error> {
     let Header { number, fortran_order, ny, nx, data } = read_header(source)?;
     let expected = nx * ny * number.size();
     let bytes = source.bytes.get(data..).unwrap_or_default();
@@ -46,11 +46,17 @@ pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
     } else {
         stored
     };
-    source.finish(Found { nx, ny, spacing: None, unit: None, heights, defined: None })
+    let unit = source.options.unit;
+    let heights = source.scaled(nx, heights, -0.0, unit.map_or(1.0, |unit| unit.metres()))?;
+    let mut surface = Surface { unit, ..Surface::new(nx, ny, heights) };
+    if unit.is_none() {
+        surface.warnings.push(without_unit("npy files name none, the option unit does"));
+    }
+    source.finish(surface)
 }
 
 /// The header, of the versions 1 to 3 of the format.
-fn read_header(source: Source<'_>) -> Result<Header, SurfaceError> {
+fn read_header(source: Source<'_>) -> Result<Header, Error> {
     let version = source.slice(6, 2, "the end of the magic number")?[0];
     let (start, length) = match version {
         1 => (10, u32::from(source.u16(8, "the length of the header")?)),
@@ -66,12 +72,12 @@ fn read_header(source: Source<'_>) -> Result<Header, SurfaceError> {
 }
 
 /// Number type, order and shape from the dictionary of the header.
-fn parse_header(source: Source<'_>, text: &str) -> Result<(NumberType, bool, usize, usize), SurfaceError> {
+fn parse_header(source: Source<'_>, text: &str) -> Result<(NumberType, bool, usize, usize), Error> {
     let missing = |key: &str| source.corrupt(format!("header without a usable '{key}'"));
     let descr = value_of(text, "descr").ok_or_else(|| missing("descr"))?;
     let number = parse_number_type(descr).ok_or_else(|| {
         source.unsupported(format!(
-            "array of type {}",
+            "array of type {}, heights are integers or floats",
             descr.split(',').next().unwrap_or(descr).chars().take(16).collect::<String>()
         ))
     })?;
@@ -91,10 +97,10 @@ fn parse_header(source: Source<'_>, text: &str) -> Result<(NumberType, bool, usi
         [ny, nx] => (ny, nx),
         [nx] => (1, nx),
         _ => {
-            let count = sizes.len();
-            return Err(
-                source.unsupported(format!("array of {count} dimensions instead of 2, or 1 for a profile"))
-            );
+            let shape = shape.chars().take(32).collect::<String>();
+            return Err(source.unsupported(format!(
+                "array of shape ({shape}) instead of (ny, nx), or (nx,) for a profile; numpy.squeeze removes axes of length 1"
+            )));
         }
     };
     source.require_size(nx, ny, None)?;
@@ -129,24 +135,24 @@ fn parse_number_type(descr: &str) -> Option<NumberType> {
     NumberType::new(kind, letters.as_str().parse().ok()?, big_endian)
 }
 
-/// Writes a field \[m\] of `nx` x `ny` values, x fastest, as an npy array of shape `(ny, nx)`, 64 bit floats
-/// in C order.
+/// Writes heights \[m\], undefined points as NaN, as an npy array of shape `(ny, nx)`, 64 bit floats in C
+/// order. The spacing is not written.
 ///
 /// # Errors
-/// [`SurfaceError::Input`] when `field` has not `nx * ny` values, [`SurfaceError::Io`] when the file cannot
-/// be written.
+/// [`Error::Io`] when the file cannot be written.
 ///
 /// ```
 /// # let folder = tempfile::tempdir()?;
 /// # let path = folder.path().join("heights.npy");
-/// stribeck::surface::write_npy(&path, 3, 2, &[0.0; 6])?;
+/// use surface_formats::{Surface, write_npy};
+/// write_npy(&path, &Surface::new(3, 2, vec![0.0; 6]))?;
 /// assert_eq!(std::fs::metadata(&path)?.len(), 128 + 6 * 8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn write_npy(path: impl AsRef<Path>, nx: usize, ny: usize, field: &[f64]) -> Result<(), SurfaceError> {
-    InputError::require_len("field", field, nx.saturating_mul(ny))?;
+pub fn write_npy(path: impl AsRef<Path>, surface: &Surface) -> Result<(), Error> {
     let path = path.as_ref();
-    write_array(path, nx, ny, field).map_err(|source| SurfaceError::Io { path: path.to_owned(), source })
+    write_array(path, surface.nx, surface.ny, &surface.heights)
+        .map_err(|source| Error::Io { path: path.to_owned(), source })
 }
 
 /// Header and numbers of an array of `ny` rows.

@@ -3,12 +3,14 @@
 //! Behind the magic stand tags of fixed width, name and value as text; they give counts, spacings and where
 //! the depth image starts: floats of 32 bits, rows padded to multiples of eight bytes.
 
-use super::number::{Kind, NumberType};
-use super::source::{Found, Source, shortened};
-use crate::surface::{Heights, LengthUnit, SurfaceError};
+use crate::error::Error;
+use crate::number::{Kind, NumberType};
+use crate::source::{Source, shortened};
+use crate::surface::Surface;
+use crate::unit::LengthUnit;
 
 /// First bytes of the file.
-pub(super) const MAGIC: &[u8] = b"AliconaImaging\0\r\n";
+pub(crate) const MAGIC: &[u8] = b"AliconaImaging\0\r\n";
 
 /// Bytes of the name of a tag, which its value and the end of the line follow.
 const NAME: usize = 20;
@@ -35,7 +37,7 @@ struct Tags<'a> {
 
 impl<'a> Tags<'a> {
     /// Reads as many tags as the second one counts.
-    fn read(source: Source<'a>) -> Result<Self, SurfaceError> {
+    fn read(source: Source<'a>) -> Result<Self, Error> {
         let version = read_tag(source, 0)?;
         let count = read_tag(source, 1)?;
         let mut tags = Self { source, tags: vec![version, count] };
@@ -55,7 +57,7 @@ impl<'a> Tags<'a> {
     }
 
     /// The value of a tag as a number; an error where it is missing.
-    fn number<T: std::str::FromStr>(&self, name: &str) -> Result<T, SurfaceError> {
+    fn number<T: std::str::FromStr>(&self, name: &str) -> Result<T, Error> {
         let text = self.text(name).ok_or_else(|| self.source.corrupt(format!("tag {name} is missing")))?;
         text.parse()
             .map_err(|_| self.source.corrupt(format!("tag {name} = {} is not a number", shortened(text))))
@@ -63,7 +65,7 @@ impl<'a> Tags<'a> {
 }
 
 /// Name and value of tag number `index`.
-fn read_tag(source: Source<'_>, index: usize) -> Result<(String, String), SurfaceError> {
+fn read_tag(source: Source<'_>, index: usize) -> Result<(String, String), Error> {
     let at = MAGIC.len() + index * TAG;
     let what = format!("tag {index}");
     if source.slice(at + NAME + VALUE, 2, &what)? != b"\r\n" {
@@ -73,7 +75,7 @@ fn read_tag(source: Source<'_>, index: usize) -> Result<(String, String), Surfac
 }
 
 /// Heights of the depth image.
-pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
+pub(crate) fn read(source: Source<'_>) -> Result<Surface, Error> {
     let tags = Tags::read(source)?;
     let (nx, ny) = (tags.number::<usize>("Cols")?, tags.number::<usize>("Rows")?);
     let spacing = [tags.number("PixelSizeXMeter")?, tags.number("PixelSizeYMeter")?];
@@ -90,20 +92,14 @@ pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
     // the padding of the last row may be missing
     let what = format!("the depth image of {nx} x {ny} points");
     let image = source.slice(start, stride * (ny - 1) + row, &what)?;
-    let heights: Vec<f64> = image.chunks(stride).flat_map(|line| number.decode(&line[..row])).collect();
-    let defined = heights.iter().map(|&depth| is_defined(depth, marker)).collect();
-    source.finish(Found {
-        nx,
-        ny,
-        spacing: Some(spacing),
-        unit: Some(LengthUnit::Metre),
-        heights,
-        defined: Some(defined),
-    })
+    let depths = image.chunks(stride).flat_map(|line| number.decode(&line[..row]));
+    let heights = depths.map(|depth| if is_defined(depth, marker) { depth } else { f64::NAN }).collect();
+    let surface = Surface { unit: Some(LengthUnit::Metre), ..Surface::new(nx, ny, heights) };
+    source.finish(surface.with_spacing(Some(spacing)))
 }
 
-/// Neither `NaN` nor the marker of undefined points nor beyond all heights.
+/// Whether a depth is finite, below [`MARKER`] and not the marker of undefined points.
 fn is_defined(depth: f64, marker: f64) -> bool {
     let marked = (depth - marker).abs() <= MARKER_TOLERANCE * marker.abs();
-    !depth.is_nan() && !marked && depth < MARKER
+    depth.is_finite() && !marked && depth < MARKER
 }

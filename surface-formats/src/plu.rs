@@ -1,8 +1,10 @@
 //! Sensofar topographies (`.plu`, `.apx`). The format has no magic number.
 
-use super::number::{Kind, NumberType};
-use super::source::{Found, Source};
-use crate::surface::{Heights, LengthUnit, SurfaceError};
+use crate::error::Error;
+use crate::number::{Kind, NumberType};
+use crate::source::Source;
+use crate::surface::Surface;
+use crate::unit::LengthUnit;
 
 /// Length of the date, a text padded with zeros.
 const DATE: usize = 128;
@@ -21,7 +23,7 @@ const UNDEFINED: f64 = 1_000_001.0;
 
 /// Whether the file starts with a date of printable letters padded with zeros, and the type is one that
 /// exists.
-pub(super) fn recognises(bytes: &[u8]) -> bool {
+pub(crate) fn recognises(bytes: &[u8]) -> bool {
     let Some(date) = bytes.get(..DATE) else { return false };
     let length = date.iter().take_while(|byte| (0x20..0x7f).contains(*byte)).count();
     // garbage may follow the zero that ends the text
@@ -31,8 +33,8 @@ pub(super) fn recognises(bytes: &[u8]) -> bool {
     is_date && kind.is_some_and(|kind| kind <= LAST_KIND)
 }
 
-/// The first layer.
-pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
+/// The only layer, or the chosen one of several.
+pub(crate) fn read(source: Source<'_>) -> Result<Surface, Error> {
     let kind = source.u32(KIND, "the type of measurement")?;
     if kind != KIND_TOPOGRAPHY {
         return Err(source.unsupported(format!("a measurement of type {kind} instead of 3, topography")));
@@ -42,16 +44,27 @@ pub(super) fn read(source: Source<'_>) -> Result<Heights, SurfaceError> {
         source.f32(CALIBRATION + 16, "x spacing")? * unit.metres(),
         source.f32(CALIBRATION + 20, "y spacing")? * unit.metres(),
     ];
-    let layers = source.slice(KIND + 61, 1, "the number of layers")?;
-    if layers == [0] {
+    let layers = usize::from(source.slice(KIND + 61, 1, "the number of layers")?[0]);
+    if layers == 0 {
         return Err(source.corrupt("no layer".to_owned()));
     }
-    let (ny, nx) = (source.u32(LAYER, "rows")? as usize, source.u32(LAYER + 4, "columns")? as usize);
-    source.require_size(nx, ny, Some(spacing))?;
+    let chosen = source.choose((1..=layers).map(|number| format!("layer {number}")).collect())?;
     let number = NumberType::new(Kind::Float, 4, false).ok_or_else(|| source.unknown())?;
-    let what = format!("the data of {nx} x {ny} points");
-    let stored = number.decode(source.slice(LAYER + 8, nx * ny * number.size(), &what)?);
-    let defined = stored.iter().map(|value| value.to_bits() != UNDEFINED.to_bits()).collect();
-    let heights = stored.iter().map(|value| value * unit.metres()).collect();
-    source.finish(Found { nx, ny, spacing: Some(spacing), unit: Some(unit), heights, defined: Some(defined) })
+    let mut start = LAYER;
+    for layer in 0.. {
+        let (ny, nx) = (source.u32(start, "rows")? as usize, source.u32(start + 4, "columns")? as usize);
+        source.require_size(nx, ny, Some(spacing))?;
+        let what = format!("the data of {nx} x {ny} points");
+        let data = source.slice(start + 8, nx * ny * number.size(), &what)?;
+        if layer < chosen {
+            start += 8 + data.len();
+            continue;
+        }
+        let mut stored = number.decode(data);
+        stored.iter_mut().filter(|v| v.to_bits() == UNDEFINED.to_bits()).for_each(|v| *v = f64::NAN);
+        let heights = source.scaled(nx, stored, -0.0, unit.metres())?;
+        let surface = Surface { unit: Some(unit), ..Surface::new(nx, ny, heights) };
+        return source.finish(surface.with_spacing(Some(spacing)));
+    }
+    Err(source.unknown())
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
-use stribeck::surface::{Heights, read_bytes, write_npy};
+use surface_formats::{Surface, read_bytes, write_npy};
 
 thread_local! {
     // By thread: the tests of this file and the harness run side by side.
@@ -64,7 +64,7 @@ fn weighed<T>(work: impl FnOnce() -> T) -> (T, usize) {
 
 /// The folder with the small files (`tests/data/surfaces/README.md`).
 fn data(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/surfaces").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/surfaces").join(name)
 }
 
 /// Files tried for each reader: 20000 with `MUTATIONS=20000 cargo test --release --test mutated_files`.
@@ -135,9 +135,9 @@ fn survives(original: &[u8], seed: u64, wrap: impl Fn(Vec<u8>) -> Vec<u8>) {
         assert!(most < BUFFERS + PER_BYTE * file.len(), "{most} bytes for a file of {}", file.len());
         match result {
             Ok(surface) => {
-                assert_eq!(surface.heights().len(), surface.nx() * surface.ny());
-                assert!(surface.heights().iter().all(|z| z.is_finite()));
-                assert!(surface.dx().is_none_or(|dx| dx.is_finite() && dx > 0.0));
+                assert_eq!(surface.heights.len(), surface.nx * surface.ny);
+                assert!(surface.heights.iter().all(|z| !z.is_infinite()));
+                assert!(surface.spacing.is_none_or(|s| s.iter().all(|d| d.is_finite() && *d > 0.0)));
             }
             Err(error) => {
                 assert!(error.to_string().contains("mutated"), "{error}");
@@ -189,12 +189,47 @@ fn mutated_text_files_do_not_panic() {
     survives_file("cut.txt", 7);
 }
 
+/// Lines of x, y and height of 4 x 3 points with `separator` between them.
+fn columns(separator: &str) -> String {
+    (0..12).map(|k| format!("{}.5{separator}{}.5{separator}{}.25\n", k % 4, k / 4, k * k)).collect()
+}
+
+#[test]
+fn mutated_columns_do_not_panic() {
+    survives(format!("x (um),y (um),z (um)\n{}", columns(",")).as_bytes(), 31, |bytes| bytes);
+    survives(format!("# x[um] y[um] z[nm]\n{}", columns(" ")).as_bytes(), 32, |bytes| bytes);
+    survives(columns("\t").replace('.', ",").as_bytes(), 33, |bytes| bytes);
+    let profile: String = (0..12).map(|k| format!("{k}.5;{}.25\n", k % 3)).collect();
+    survives(format!("Distance (mm);Height (um)\n{profile}").as_bytes(), 34, |bytes| bytes);
+    let edges = ",0.0,0.5,1.0\n0.0,1,2,3\n0.5,4,BAD,6\n1.0,7,8,9\n";
+    survives(format!("# unit: um\n{edges}").as_bytes(), 35, |bytes| bytes);
+}
+
+#[test]
+fn mutated_exports_do_not_panic() {
+    let rows = "1\t2\t3\t4\n5\tBad\t7\t8\n9\t10\t11\t12\n";
+    let wyko = format!(
+        "Wyko ASCII Data File Format 0\t1\t1\nX Size\t3\nY Size\t4\nPixel_size\t7\t4\t0.002\nWavelength\t7\t4\t600\nMult\t7\t4\t1\nRAW_DATA\t3\t48\t\n{rows}"
+    );
+    survives(wyko.as_bytes(), 41, |bytes| bytes);
+    let pixels: String = (0..12).map(|k| format!("{} {} {k}.5\n", k % 4, k / 4)).collect();
+    let zygo =
+        format!("Zygo XYZ Data File - Format 1\n{}0 1 1 0 1 1 5e-7 0\n#\n{pixels}#\n", "0\n".repeat(6));
+    survives(zygo.as_bytes(), 42, |bytes| bytes);
+    let prf = "1 2\nSG 0 PRF\nCX I 4 MM 2.5e-4 D\nCZ M 4 UM 1e-1 L\nEOR\nEOR\n-2\n2\n-2\n2\nEOR\n";
+    survives(prf.as_bytes(), 43, |bytes| bytes);
+    let keyence = "XY Calibration,500.0,nm\nHorizontal,4\nVertical,3\nUnit,um\n\nHeight\n1.0,2.0,3.0,4.0\n5.0,6.0,7.0,8.0\n9.0,10.0,11.0,12.0\n";
+    survives(keyence.as_bytes(), 44, |bytes| bytes);
+    let nova = "NX = 4\nNY = 3\nScale X = 0.5\nScale Y = 0.25\nScale Data = 2\nDataScaleNeeded = Yes\nUnit X = um\nUnit Data = nm\n1\t2\t3\t4\n5\t6\t7\t8\n9\t10\t11\t12\n";
+    survives(nova.as_bytes(), 45, |bytes| bytes);
+}
+
 #[test]
 fn mutated_npy_files_do_not_panic() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.npy");
     let heights: Vec<f64> = (0..35).map(|k| 1e-7 * f64::from(k).sin()).collect();
-    write_npy(&path, 7, 5, &heights).unwrap();
+    write_npy(&path, &Surface::new(7, 5, heights)).unwrap();
     survives(&std::fs::read(&path).unwrap(), 8, |bytes| bytes);
 }
 
@@ -255,7 +290,7 @@ fn a_lie_about_the_size_costs_no_memory() {
     ];
     for (k, file) in files.iter().enumerate() {
         let (result, most) = weighed(|| read_bytes(file, "mutated"));
-        let error = result.map(|heights: Heights| heights.nx()).unwrap_err().to_string();
+        let error = result.map(|surface: Surface| surface.nx).unwrap_err().to_string();
         assert!(
             error.contains("8192 x 8192") || error.contains("(8192, 8192)") || error.contains("bytes"),
             "{k}: {error}"

@@ -1,0 +1,162 @@
+//! Meanings of the keys of text headers.
+
+/// Meaning of a key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Key {
+    /// Number of points along an axis.
+    Count(usize),
+    /// Length of the surface along an axis.
+    Size(usize),
+    /// The same in nanometres where no unit is given.
+    SizeInNanometres(usize),
+    /// Lengths along both axes.
+    Sizes,
+    /// Distance of the points along an axis.
+    Spacing(usize),
+    /// Distance along both.
+    Spacings,
+    /// Unit of lengths along an axis.
+    LateralUnit(usize),
+    /// Unit of lengths along the first axis, and along the other where none is given for it.
+    FirstLateralUnit,
+    /// Unit of lengths along both.
+    LateralUnits,
+    /// Unit of the heights.
+    HeightUnit,
+    /// Unit of all that has none of its own.
+    Unit,
+    /// Nanometres per stored number.
+    Nanometres,
+    /// Heights in their unit per stored number.
+    Factor,
+    /// The same, if [`Key::FactorNeeded`] says so.
+    ScaleData,
+    FactorNeeded,
+    /// Stored number of undefined points.
+    NoData,
+    /// Name of the surface.
+    Name,
+    /// Nothing that heights depend on.
+    Nothing,
+}
+
+/// The meaning of `key` in small letters, with blanks for hyphens and underscores; `None` where it is not known.
+///
+/// Gwyddion writes its keys in the language of its user.
+pub(super) fn meaning(key: &str) -> Option<Key> {
+    Some(match key {
+        "x pixels" | "nx" | "w" | "ncols" | "horizontal" | "columns" | "samps/line" | "points per line" => {
+            Key::Count(0)
+        }
+        "y pixels" | "ny" | "h" | "nrows" | "vertical" | "rows" | "lines" | "number of lines" => {
+            Key::Count(1)
+        }
+        "x length" => Key::SizeInNanometres(0),
+        "y length" => Key::SizeInNanometres(1),
+        "width"
+        | "x size"
+        | "size x"
+        | "x range"
+        | "breite"
+        | "largeur"
+        | "larghezza"
+        | "anchura"
+        | "largura"
+        | "\u{161}\u{ed}\u{159}ka"
+        | "\u{448}\u{438}\u{440}\u{438}\u{43d}\u{430}"
+        | "\u{5e45}"
+        | "\u{d3ed}"
+        | "\u{5bbd}\u{5ea6}" => Key::Size(0),
+        "height"
+        | "y size"
+        | "size y"
+        | "y range"
+        | "h\u{f6}he"
+        | "hauteur"
+        | "altezza"
+        | "altura"
+        | "v\u{fd}\u{161}ka"
+        | "\u{432}\u{44b}\u{441}\u{43e}\u{442}\u{430}"
+        | "\u{9ad8}\u{3055}"
+        | "\u{b192}\u{c774}"
+        | "\u{9ad8}\u{5ea6}" => Key::Size(1),
+        "scan size" => Key::Sizes,
+        "spacing x" | "x spacing" | "scale x" | "x scale" | "step x" | "x step" | "pixel size x"
+        | "x pixel size" | "pixelsizex" | "dx" => Key::Spacing(0),
+        "spacing y" | "y spacing" | "scale y" | "y scale" | "step y" | "y step" | "pixel size y"
+        | "y pixel size" | "pixelsizey" | "dy" => Key::Spacing(1),
+        "pixel size" | "spacing" | "step" | "cellsize" | "cell size" | "xy calibration" | "resolution" => {
+            Key::Spacings
+        }
+        "x unit" => Key::LateralUnit(0),
+        "y unit" | "unit y" => Key::LateralUnit(1),
+        "unit x" => Key::FirstLateralUnit,
+        "lateral unit" | "lateral units" | "xy unit" | "xy units" => Key::LateralUnits,
+        "value units"
+        | "value unit"
+        | "z unit"
+        | "z units"
+        | "unit z"
+        | "unit data"
+        | "data unit"
+        | "height unit"
+        | "height units"
+        | "exported image units"
+        | "image units"
+        | "vertical units"
+        | "einheiten"
+        | "unit\u{e9}s"
+        | "unit\u{e0} valore"
+        | "unidades de valor"
+        | "jednotky hodnot"
+        | "\u{435}\u{434}\u{438}\u{43d}\u{438}\u{446}\u{44b} \u{438}\u{437}\u{43c}\u{435}\u{440}\u{435}\u{43d}\u{438}\u{44f}"
+        | "\u{5024}\u{306e}\u{5358}\u{4f4d}"
+        | "\u{ac12} \u{b2e8}\u{c704}" => Key::HeightUnit,
+        "unit" | "units" => Key::Unit,
+        "bit2nm" => Key::Nanometres,
+        "scale data" => Key::ScaleData,
+        "datascaleneeded" | "data scale needed" => Key::FactorNeeded,
+        "nodata value" | "nodata" | "no data value" | "void pixel value" => Key::NoData,
+        "channel"
+        | "kanal"
+        | "canal"
+        | "canale"
+        | "kan\u{e1}l"
+        | "\u{43a}\u{430}\u{43d}\u{430}\u{43b}"
+        | "\u{30c1}\u{30e3}\u{30cd}\u{30eb}"
+        | "\u{30c1}\u{30e3}\u{30f3}\u{30cd}\u{30eb}"
+        | "\u{cc44}\u{b110}"
+        | "title"
+        | "name" => Key::Name,
+        "file format"
+        | "created by"
+        | "start of data"
+        | "date"
+        | "time"
+        | "comment"
+        | "comments"
+        | "operator"
+        | "instrument"
+        | "xllcorner"
+        | "yllcorner"
+        | "xllcenter"
+        | "yllcenter"
+        | "measurement data name"
+        | "reference data name"
+        | "data name"
+        | "output image data"
+        | "measurement date and time"
+        | "measurement date"
+        | "objective lens"
+        | "minimum value"
+        | "maximum value"
+        | "model"
+        | "meta data"
+        | "scan parameters"
+        | "scan data"
+        | "file list"
+        | "file list end" => Key::Nothing,
+        _ if key.starts_with("height conversion factor") => Key::Factor,
+        _ => return None,
+    })
+}

@@ -1,0 +1,261 @@
+//! Choice between matrices and columns for the numbers of a table.
+
+use super::columns::Columns;
+use super::edges::{Corner, Edges, cut_edges};
+use super::header::Header;
+use super::raster::Axis;
+use super::table::Table;
+use super::titles::{Column, Titles};
+use crate::error::Error;
+use crate::source::Source;
+use crate::surface::Surface;
+use crate::unit::LengthUnit;
+
+/// Tables of two or three columns with more rows than this are lists of positions, or refused.
+const MOST_ROWS: usize = 8;
+/// Rows from which on positions can be told from heights.
+const FEWEST_ROWS: usize = 3;
+
+/// A table and all that is known of it.
+pub(super) struct Content<'a> {
+    pub(super) source: Source<'a>,
+    pub(super) header: &'a Header,
+    pub(super) titles: Option<&'a Titles>,
+    pub(super) table: Table,
+    /// Coordinates in the line before the first row, behind a title.
+    pub(super) corner: Option<Corner>,
+    /// Choices that were made.
+    pub(super) warnings: Vec<String>,
+}
+
+/// Lengths along x and y.
+pub(super) struct Lateral {
+    /// Distances of the points \[m\].
+    pub(super) spacing: [f64; 2],
+    /// Whether their unit is not known.
+    pub(super) is_unit_missing: bool,
+}
+
+impl Content<'_> {
+    /// The surface.
+    pub(super) fn arrange(mut self) -> Result<Surface, Error> {
+        if let Some(marker) = self.header.no_data {
+            let marked = self.table.values.iter_mut().filter(|value| value.to_bits() == marker.to_bits());
+            marked.for_each(|value| *value = f64::NAN);
+        }
+        if let Some(titles) = self.titles
+            && self.header.counts().iter().all(Option::is_none)
+        {
+            self.table.require_even(self.source)?;
+            return self.titled(titles);
+        }
+        if let [Some(nx), Some(ny)] = self.header.counts() {
+            return self.counted(nx, ny);
+        }
+        let edges = cut_edges(self.source, self.header, &mut self.table, self.corner.take())?;
+        self.table.require_even(self.source)?;
+        if edges.is_some() || self.header.describes_matrix() {
+            return self.matrix(edges);
+        }
+        match self.table.columns {
+            1 => {
+                (self.table.columns, self.table.rows) = (self.table.rows, 1);
+                self.matrix(None)
+            }
+            2 => self.two_columns(),
+            3 => self.three_columns(),
+            _ => {
+                self.drop_index();
+                self.matrix(None)
+            }
+        }
+    }
+
+    /// A matrix of the size that the header counts, whose rows may be wrapped; or columns of as many points.
+    fn counted(mut self, nx: usize, ny: usize) -> Result<Surface, Error> {
+        let fits = |table: &Table| nx.checked_mul(ny) == Some(table.values.len());
+        let mut edges = None;
+        if !fits(&self.table) {
+            if let Some(titles) = self.titles
+                && self.table.ragged.is_none()
+                && nx.checked_mul(ny) == Some(self.table.rows)
+            {
+                return self.titled(titles);
+            }
+            edges = cut_edges(self.source, self.header, &mut self.table, self.corner.take())?;
+        }
+        if !fits(&self.table) {
+            let found = self.table.values.len();
+            return Err(self.source.corrupt(format!("{found} heights, the header says {nx} x {ny}")));
+        }
+        (self.table.columns, self.table.rows) = (nx, ny);
+        self.matrix(edges)
+    }
+
+    /// Rows of heights, with the coordinates that stood at their edges.
+    fn matrix(mut self, edges: Option<Edges>) -> Result<Surface, Error> {
+        let (columns, rows) = (self.table.columns, self.table.rows);
+        for (what, given, found) in
+            [("along x", self.header.counts()[0], columns), ("along y", self.header.counts()[1], rows)]
+        {
+            if let Some(given) = given.filter(|given| *given != found) {
+                let what = format!("{found} heights {what}, the header says {given}");
+                return Err(self.source.corrupt(what));
+            }
+        }
+        let (spacing, is_unit_missing) = self.header.spacings(self.source, [columns, rows])?;
+        let mut lateral = spacing.map(|spacing| Lateral { spacing, is_unit_missing });
+        if let Some(edges) = edges {
+            self.warnings.extend(edges.warning);
+            lateral = lateral.or(edges.lateral);
+        }
+        let values = std::mem::take(&mut self.table.values);
+        // the title of a single column that was laid out in rows
+        let title = self.titles.and_then(|titles| match titles.0.as_slice() {
+            [only] => only.unit,
+            _ => None,
+        });
+        self.finish([columns, rows], values, title, lateral)
+    }
+
+    /// Columns with titles.
+    fn titled(self, titles: &Titles) -> Result<Surface, Error> {
+        let found = titles.heights();
+        let chosen = match found.as_slice() {
+            [] => {
+                let names: Vec<&str> = titles.0.iter().map(|title| title.name.as_str()).collect();
+                return Err(self.source.unsupported(format!(
+                    "columns \"{}\", none of which is called z or height with a unit of length",
+                    names.join("\", \"")
+                )));
+            }
+            [only] => *only,
+            several => {
+                let names = several.iter().map(|place| titles.0[*place].name.clone()).collect();
+                several[self.source.choose(names)?]
+            }
+        };
+        let place = |column: Column| titles.place(column).filter(|place| *place != chosen);
+        let unit = |place: usize| titles.0.get(place).and_then(|title| title.unit);
+        let columns = Columns {
+            x: place(Column::X),
+            y: place(Column::Y),
+            z: chosen,
+            valid: place(Column::Valid),
+            units: [Column::X, Column::Y].map(|column| place(column).and_then(unit)),
+        };
+        self.columns(&columns, unit(chosen))
+    }
+
+    /// Two columns without titles: positions and heights, or a matrix.
+    fn two_columns(mut self) -> Result<Surface, Error> {
+        let x = self.table.column(0);
+        let rises = x.windows(2).all(|pair| pair[0] < pair[1]) || x.windows(2).all(|pair| pair[0] > pair[1]);
+        if rises && self.table.rows >= FEWEST_ROWS {
+            self.warnings.push("two columns without titles are read as positions and heights".to_owned());
+            return self.columns(&Columns::new(Some(0), None, 1), None);
+        }
+        if self.table.rows > MOST_ROWS {
+            return Err(self.refused("two", "the first does not rise or fall all along"));
+        }
+        self.matrix(None)
+    }
+
+    /// Three columns without titles: positions along x and y and heights, or a matrix.
+    fn three_columns(mut self) -> Result<Surface, Error> {
+        let columns = Columns::new(Some(0), Some(1), 2);
+        let axes = columns.axes(&self.table);
+        let points = self.table.rows;
+        let is_list = match &axes {
+            // a matrix of three columns hardly has positions that repeat in the other two
+            Ok([x, y]) => {
+                let is_map = x.count > 1 && y.count > 1 && 2 * points >= x.count * y.count;
+                points >= FEWEST_ROWS && (is_map || x.count == 1 || y.count == 1)
+            }
+            Err(_) => false,
+        };
+        if is_list {
+            self.warnings.push("three columns without titles are read as x, y and heights".to_owned());
+            return self.columns(&columns, None);
+        }
+        if points > MOST_ROWS {
+            let reason = match axes {
+                Err(reason) => reason,
+                Ok([x, y]) => format!("{points} points of a raster of {} x {}", x.count, y.count),
+            };
+            return Err(self.refused("three", &reason));
+        }
+        self.matrix(None)
+    }
+
+    /// The error of columns that are neither positions nor a matrix.
+    fn refused(&self, count: &str, reason: &str) -> Error {
+        self.source.unsupported(format!(
+            "{count} columns without titles that are not positions and heights ({reason}); a line \"x-pixels = {}\" \
+             before them says that they are a matrix, one of titles \"x (um), y (um), z (um)\" what they are",
+            self.table.columns
+        ))
+    }
+
+    /// Leaves out a first column that counts the rows while all other numbers have decimals.
+    fn drop_index(&mut self) {
+        let first = self.table.column(0);
+        let counts = |from: f64| {
+            first
+                .iter()
+                .enumerate()
+                .all(|(k, value)| (value - from - k as f64).abs() < 0.5 / first.len() as f64)
+        };
+        let is_whole = |k: usize| self.table.decimals.get(k).is_none_or(|digits| *digits <= 0);
+        let others_have_decimals = !(1..self.table.columns).any(is_whole);
+        if first.len() >= FEWEST_ROWS && is_whole(0) && others_have_decimals && (counts(0.0) || counts(1.0)) {
+            let columns = self.table.columns;
+            let mut place = 0;
+            self.table.values.retain(|_| {
+                place += 1;
+                (place - 1) % columns != 0
+            });
+            self.table.columns -= 1;
+            self.warnings.push("the first column counts the rows and is left out".to_owned());
+        }
+    }
+
+    /// The surface of points in columns.
+    fn columns(mut self, columns: &Columns, unit: Option<LengthUnit>) -> Result<Surface, Error> {
+        let raster = columns.raster(self.source, self.header, &self.table)?;
+        self.table.values = Vec::new();
+        self.finish(raster.size, raster.values, unit, raster.lateral)
+    }
+
+    /// The surface of `values`, whose column names a unit or not.
+    fn finish(
+        self,
+        [nx, ny]: [usize; 2],
+        values: Vec<f64>,
+        unit: Option<LengthUnit>,
+        lateral: Option<Lateral>,
+    ) -> Result<Surface, Error> {
+        self.source.require_size(nx, ny, None)?;
+        let scale = self.header.heights(self.source, unit)?;
+        let heights = self.source.scaled(nx, values, -0.0, scale.metres)?;
+        let is_unit_missing = lateral.as_ref().is_some_and(|lateral| lateral.is_unit_missing);
+        let mut warnings = self.warnings;
+        warnings.extend(self.header.warnings(scale.unit, is_unit_missing));
+        let surface = Surface { unit: scale.unit, warnings, ..Surface::new(nx, ny, heights) };
+        self.source.finish(surface.with_spacing(lateral.map(|lateral| lateral.spacing)))
+    }
+}
+
+/// Spacings of a raster \[m\]; the one of a single row or column is that of the other axis.
+pub(super) fn lateral_of(axes: [Axis; 2], units: [Option<LengthUnit>; 2]) -> Option<Lateral> {
+    let metres = |k: usize| axes[k].spacing.abs() * units[k].map_or(1.0, LengthUnit::metres);
+    let several = [0, 1].map(|k| axes[k].count > 1);
+    let spacing = match several {
+        [true, true] => [metres(0), metres(1)],
+        [true, false] => [metres(0), metres(0)],
+        [false, true] => [metres(1), metres(1)],
+        [false, false] => return None,
+    };
+    let is_unit_missing = (0..2).any(|k| several[k] && units[k].is_none());
+    Some(Lateral { spacing, is_unit_missing })
+}
