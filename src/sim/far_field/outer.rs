@@ -164,22 +164,6 @@ impl<'a> OuterContact<'a> {
             }
             edge_film.copy_from_slice(&state.film);
             let now = interpolate(&grid, &state.film, [0.0; 2], false);
-            if std::env::var("FARV").is_ok() {
-                #[allow(clippy::print_stderr)]
-                {
-                    eprintln!(
-                        "DBG turn {turn} {}x{} film {:.3} nm guess {:.3} outside {:.5} of {:.5} min {:.3} it {}",
-                        grid.nx(),
-                        grid.ny(),
-                        now * 1e9,
-                        film * 1e9,
-                        outside,
-                        self.model.hertz.force,
-                        state.film.iter().cloned().fold(1.0, f64::min) * 1e9,
-                        report.work.iterations
-                    );
-                }
-            }
             if turn > 0 && (now / central - 1.0).abs() < SETTLED {
                 return self.hand_over(inner, &state, &edge, &friction).map(Some);
             }
