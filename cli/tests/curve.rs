@@ -55,7 +55,7 @@ fn the_curve_is_that_of_its_speeds() {
 fn curve_of(folder: &Path, scene: &Path, more: &[&str]) -> (serde_json::Value, String) {
     let out = folder.join("curve");
     let arguments =
-        ["curve", text(scene), "--from", "0.05", "--to", "0.2", "--points", "2", "--json", "--force"];
+        ["curve", text(scene), "--from", "0.02", "--to", "0.2", "--points", "2", "--json", "--force"];
     let output = stribeck(&[&arguments[..], &["--out", text(&out)], more].concat());
     assert!(output.status.success(), "{output:?}");
     (json_of(&output), error_of(&output))
@@ -74,7 +74,7 @@ fn a_curve_over_seeds_has_mean_and_standard_deviation() {
     let friction: Vec<f64> =
         points[..3].iter().map(|point| point["friction"]["coefficient"].as_f64().unwrap()).collect();
     let mut scene = Scene::load(&path).unwrap();
-    scene.motion.entrainment_speed = 0.05;
+    scene.motion.entrainment_speed = 0.02;
     assert_eq!(friction[0], solve_contact(&scene).unwrap().friction.coefficient);
     for body in [&mut scene.roughness.ball, &mut scene.roughness.disc] {
         let Roughness::Random(random) = body else { panic!("{body:?}") };
