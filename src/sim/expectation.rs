@@ -78,6 +78,9 @@ pub struct ExpectedFilm {
     pub film_rise: f64,
 }
 
+/// Share of the load on solids, `None` where only its least and its largest value are known, and these.
+type LoadShare = (Option<f64>, [f64; 2]);
+
 impl MixedLubricationSim {
     /// Estimates by formula of the contact as it stands, under the present conditions.
     ///
@@ -190,7 +193,7 @@ impl MixedLubricationSim {
         lubricant: &Lubricant,
         roughness: &RoughnessNumbers,
         correlation_length: Option<f64>,
-    ) -> Result<Option<(Option<f64>, [f64; 2])>, InputError> {
+    ) -> Result<Option<LoadShare>, InputError> {
         let contact_film = self.contact.film_cutoff;
         let (smooth, smooth_range) = match central / contact_film {
             ratio if ratio >= THIN_FILM => (Some(0.0), [0.0, 0.0]),
