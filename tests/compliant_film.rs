@@ -387,7 +387,7 @@ fn errors_name_field_and_value() {
         (refused(SOFT.with_modulus(0.0)), ["elastic.tribofilm.modulus", "= 0"]),
         (refused(SOFT.with_modulus(f64::NAN)), ["elastic.tribofilm.modulus", "NaN"]),
         (refused(SOFT.with_modulus(f64::INFINITY)), ["elastic.tribofilm.modulus", "inf"]),
-        (refused(SOFT.with_modulus(300e9)), ["elastic.tribofilm.modulus = 3", "the body below"]),
+        (refused(SOFT.with_modulus(300e9)), ["elastic.tribofilm.modulus = 3", "than its substrate"]),
         (refused(SOFT.with_poisson(0.46)), ["elastic.tribofilm.poisson = 0.46", "0.45"]),
         (refused(SOFT.with_poisson(-1.0)), ["elastic.tribofilm.poisson = -1", "above -1"]),
         (solve_contact(&none).unwrap_err().to_string(), ["elastic.tribofilm", "no tribofilm"]),

@@ -142,7 +142,7 @@ fn solvers_agree_or_say_that_they_do_not_know_spin() {
         assert!((p - other).abs() < 1e-4 * 0.5e9, "{p}, {other}");
     }
     let error = pressures(&mut Multigrid::new()).unwrap_err().to_string();
-    assert!(error.contains("turning surfaces"), "{error}");
+    assert!(error.contains("which spin causes"), "{error}");
 }
 
 #[test]

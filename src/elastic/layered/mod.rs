@@ -147,7 +147,7 @@ struct Loads {
     surface: f64,
     /// Compliance of the layer, which multiplies the images \[1/Pa\].
     layer: f64,
-    /// ImageSource sources.
+    /// Image sources.
     images: Vec<ImageSource>,
 }
 

@@ -73,8 +73,8 @@ impl StressField {
 ///
 /// Stresses under a uniformly loaded rectangle have closed forms, which are summed as convolutions through
 /// FFTs of twice the grid, without periodic images. At depth zero the stresses are those just below the
-/// surface. Under a line contact (a row of cells one metre wide) they are the plane-strain stresses to `4 (1
-/// - 2 v) b/pi` of the pressure, with the half-width `b` in metres. Cost: twelve convolutions and the
+/// surface. Under a line contact (a row of cells one metre wide) they are the plane-strain stresses to
+/// `4 (1 - 2 v) b/pi` of the pressure, with the half-width `b` in metres. Cost: twelve convolutions and the
 /// transforms of their kernels, six without traction.
 ///
 /// Sources: Love, A. E. H. (1929), Philosophical Transactions of the Royal Society A 228, 377-420 (pressure);
