@@ -351,7 +351,11 @@ fn changes(scene: &Scene, sim: &MixedLubricationSim) -> Vec<Part> {
         _ => format!("estimated rise {rise:.2} K, it counts from 1 K on; in a history alone"),
     };
     let scheduled = !scene.schedule.is_empty();
-    let exposed = scene.track.exposure == Exposure::Track;
+    let exposures = [
+        ("track.exposure", Some(scene.track.exposure)),
+        ("wear.exposure", scene.wear.map(|wear| wear.exposure)),
+    ];
+    let on_track = exposures.into_iter().find(|(_, exposure)| *exposure == Some(Exposure::Track));
     vec![
         table("plastic limit", scene.plastic.is_some(), "plastic", false),
         table("tribofilm", scene.tribofilm.is_some(), "tribofilm", true),
@@ -360,9 +364,11 @@ fn changes(scene: &Scene, sim: &MixedLubricationSim) -> Vec<Part> {
         table("schedule", scheduled, "schedule", true),
         Part {
             what: "time on track",
-            modelled: exposed,
-            why: if exposed { "track.exposure is track" } else { "track.exposure is contact_clock" }
-                .to_owned(),
+            modelled: on_track.is_some(),
+            why: on_track.map_or_else(
+                || "points age as if they never left the contact".to_owned(),
+                |(key, _)| format!("{key} is track"),
+            ),
         },
     ]
 }
