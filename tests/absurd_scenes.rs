@@ -13,7 +13,8 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use stribeck::Status;
 use stribeck::sim::scene::{
-    ArchardSpec, FilmElasticSpec, GridSpec, Load, PlasticSpec, SolverKind, TribofilmSpec, WearSpec,
+    ArchardSpec, FilmElasticSpec, GridSpec, Load, PlasticSpec, SolverKind, TribofilmSpec, WearLawSpec,
+    WearSpec,
 };
 use stribeck::sim::{MixedLubricationSim, Scene, SimError, solve_contact};
 use stribeck::surface::Form;
@@ -152,11 +153,8 @@ fn scenes_of_earlier_failures_end_in_a_status() {
     let mut worn = Scene::azam_2019(16);
     worn.lubricant = None;
     worn.solver.edge_contact = true;
-    worn.wear = Some(WearSpec::Archard(ArchardSpec {
-        coefficient: 1e300,
-        film_coefficient: 0.0,
-        ..ArchardSpec::default()
-    }));
+    let law = ArchardSpec { coefficient: 1e300, film_coefficient: 0.0, ..ArchardSpec::default() };
+    worn.wear = Some(WearSpec::azam_2019().with_law(WearLawSpec::Archard(law)));
     for scene in [start, worn] {
         if let Err(reason) = tried(&scene, 11) {
             panic!("{reason}: {scene:?}");

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use stribeck::elastic::{DeformationModel, HalfSpace, LayeredHalfSpace, LineHalfSpace};
 use stribeck::lubricant::Lubricant;
 use stribeck::reynolds::{Auto, ContactSolver, Dry, Multigrid, NewtonKrylov, SemiSystem};
-use stribeck::sim::scene::{ArchardSpec, Flash, Schedule, SolverKind, WearSpec};
+use stribeck::sim::scene::{ArchardSpec, Flash, Schedule, SolverKind, WearLawSpec, WearSpec};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, SimError, StepRecord};
 use stribeck::surface::Carried;
 use stribeck::wear::Archard;
@@ -83,7 +83,8 @@ fn clones_of_a_dry_contact_go_the_same_way() {
 #[test]
 fn clones_are_independent() {
     let mut scene = Scene::azam_2019(16);
-    scene.wear = Some(WearSpec::Archard(ArchardSpec { coefficient: 1e-6, ..ArchardSpec::default() }));
+    let law = WearLawSpec::Archard(ArchardSpec { coefficient: 1e-6, ..ArchardSpec::default() });
+    scene.wear = Some(WearSpec::azam_2019().with_law(law));
     let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
     sim.step(30.0).unwrap();
     let (heights, time) = (sim.bodies()[1].surface().to_vec(), sim.time());

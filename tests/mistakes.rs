@@ -118,7 +118,11 @@ const MISTAKES: [(&str, &str, &[&str]); 55] = [
         &["form.radius_y = 1000000", "it is taken in m, of which 0.01 is usual"],
     ),
     ("roelands_z = 0.68", "roelands_z = 6.8", &["lubricant.roelands_z = 6.8", "0.6 is usual"]),
-    ("[plastic]", "[wear]\ncoefficient = 1\n[plastic]", &["wear.coefficient = 1", "1e-6 is usual"]),
+    (
+        "[plastic]",
+        "[wear]\nexposure = \"track\"\ncoefficient = 1\n[plastic]",
+        &["wear.coefficient = 1", "1e-6 is usual"],
+    ),
     ("length_x = 64e-6", "length_x = 64", &["roughness.disc.length_x = 64", "at most"]),
     ("hardness = 6e9", "hardness = 6", &["plastic.hardness = 6", "6 GPa"]),
     ("= 353.15", "= 80", &["thermal.bulk_temperature = 80", "80 degC = 353.15 K"]),
@@ -549,6 +553,8 @@ fn a_run_has_each_warning_once() {
 fn wear_that_is_too_deep_is_said_once() {
     let mut scene = Scene::azam_2019(16);
     (scene.lubricant, scene.roughness) = (None, Default::default());
+    // The law wears beside the contact too.
+    scene.solver.edge_contact = true;
     let mut sim = MixedLubricationSim::builder(scene).wear_law(WornAway).build().unwrap();
     assert!(sim.warnings().is_empty(), "{:?}", sim.warnings());
     sim.step(1e-9).unwrap();

@@ -10,7 +10,7 @@ use stribeck::plastic::{ElasticPerfectlyPlastic, IsotropicHardening};
 use stribeck::reynolds::{
     ContactSolver, ContactState, Dry, FaceMobility, LubricatedContact, Scheme, StoppingRule,
 };
-use stribeck::sim::scene::{Flash, SolverKind, WearSpec};
+use stribeck::sim::scene::{Flash, SolverKind, WearLawSpec};
 use stribeck::sim::{MixedLubricationSim, Scene, StepControl, StepRecord, solve_contact};
 use stribeck::surface::{AtRest, Carried};
 
@@ -185,7 +185,7 @@ fn the_error_of_long_steps_falls_with_their_length() {
 #[test]
 fn convected_roughness_wears_by_force_and_distance() {
     let mut scene = dry(32);
-    let Some(WearSpec::Archard(spec)) = &mut scene.wear else { panic!("not by Archard") };
+    let WearLawSpec::Archard(spec) = &mut scene.wear.as_mut().unwrap().law else { panic!("not by Archard") };
     spec.film_coefficient = spec.coefficient;
     let mut sim = MixedLubricationSim::builder(scene).motion(Carried).build().unwrap();
     // A third of a cell on the disc, another part on the ball.

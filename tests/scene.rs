@@ -8,6 +8,7 @@ use stribeck::Grid;
 use stribeck::sim::scene::{FileRoughness, GridSpec, Roughness, SolverKind, TribofilmSpec, WearSpec};
 use stribeck::sim::{Scene, SimError, solve_contact, write_npz};
 use stribeck::surface::{Form, write_npy};
+use stribeck::wear::WearPressure;
 
 use crate::common::scene_text::{assert_names, dry};
 
@@ -64,12 +65,13 @@ fn scenes_survive_the_round_trip() {
 #[test]
 fn defaults_are_those_of_the_document() {
     let mut scene = Scene::from_toml(documented()).unwrap();
-    let minimal = Scene::from_toml(&dry("[tribofilm]\n[wear]\n")).unwrap();
+    let minimal = Scene::from_toml(&dry("[tribofilm]\n[wear]\nexposure = \"contact_clock\"\n")).unwrap();
     assert_eq!(minimal.tribofilm, Some(TribofilmSpec::default()));
-    assert_eq!(minimal.wear, Some(WearSpec::default()));
+    let by_solids = WearSpec::azam_2019().with_pressure(WearPressure::Solid);
+    assert_eq!(minimal.wear, Some(by_solids));
     assert_eq!((scene.solver, scene.thermal), (minimal.solver, minimal.thermal));
     assert_eq!((scene.friction, scene.tribofilm), (minimal.friction, minimal.tribofilm));
-    assert_eq!(scene.wear, minimal.wear);
+    assert_eq!(scene.wear, Some(WearSpec::azam_2019()));
     let lubricant = scene.lubricant.take();
     let short =
         Scene::from_toml(&dry("[lubricant]\neta0 = 0.004\nroelands_z = 0.68\nformula_alpha = 1.494e-8\n"))

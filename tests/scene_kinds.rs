@@ -5,7 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::common::scene_text::{assert_names, dry, error_of};
 use stribeck::Boundary;
-use stribeck::sim::scene::{FrictionalEnergySpec, GridSpec, InletSpec, Roughness, RoughnessPair, WearSpec};
+use stribeck::sim::scene::{
+    FrictionalEnergySpec, GridSpec, InletSpec, Roughness, RoughnessPair, WearLawSpec, WearSpec,
+};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, solve_contact};
 use stribeck::surface::{
     Autocorrelation, DimpleLayout, Form, GrooveDirection, HeightDistribution, HeightScale, RandomShape,
@@ -25,7 +27,7 @@ const LAWS: [&str; 6] = [
      activation_energy = 1.2e-19\nactivation_volume = \"3.8 A^3\"\nactivation = \"pressure\"",
     "[tribofilm]\nlaw = \"proportional_removal\"\nmaximum_thickness = 2e-7\ngrowth_rate = \"0.2 nm/s\"\n\
      activation_energy = 0\nactivation_volume = 0\nremoval_rate = \"0.12 1/min\"",
-    "[wear]\nlaw = \"frictional_energy\"\nvolume_per_energy = \"1e-6 mm^3/J\"",
+    "[wear]\nexposure = \"contact_clock\"\nlaw = \"frictional_energy\"\nvolume_per_energy = \"1e-6 mm^3/J\"",
     "[lubricant.viscosity]\nlaw = \"barus\"\neta0 = \"4 mPa s\"\nalpha = \"15 1/GPa\"",
 ];
 
@@ -79,20 +81,18 @@ fn laws_name_what_does_not_fit() {
     );
     let missing = "missing keys: `tribofilm.growth_rate`, `tribofilm.activation_energy`, \
                    `tribofilm.activation_volume`, `tribofilm.removal_rate`, `wear.volume_per_energy`";
-    let short = "[tribofilm]\nlaw = \"proportional_removal\"\nmaximum_thickness = 1e-7\n[wear]\nlaw = \"frictional_energy\"";
+    let short = "[tribofilm]\nlaw = \"proportional_removal\"\nmaximum_thickness = 1e-7\n[wear]\nexposure = \"track\"\nlaw = \"frictional_energy\"";
     assert!(error_of(&dry(short)).contains(missing), "{}", error_of(&dry(short)));
     assert_names(&dry("[tribofilm]\nlaw = \"linear\""), &["linear", "ghanbarzadeh"]);
     assert_names(&dry("[tribofilm]\nactivation_energy = \"1 GPa\""), &["tribofilm.activation_energy", "eV"]);
     assert_names(&dry("[tribofilm]\nmaximum_thickness = true"), &["maximum_thickness", "expected a number"]);
     assert_names(
-        &dry("[wear]\nlaw = \"frictional_energy\"\nhardness = 1e9"),
+        &dry("[wear]\nexposure = \"track\"\nlaw = \"frictional_energy\"\nhardness = 1e9"),
         &["hardness", "frictional_energy"],
     );
     let mut scene = Scene::azam_2019(16);
-    scene.wear = Some(WearSpec::FrictionalEnergy(FrictionalEnergySpec {
-        volume_per_energy: 1e-15,
-        film_volume_per_energy: 2e-15,
-    }));
+    let law = FrictionalEnergySpec { volume_per_energy: 1e-15, film_volume_per_energy: 2e-15 };
+    scene.wear = Some(WearSpec::azam_2019().with_law(WearLawSpec::FrictionalEnergy(law)));
     let error = solve_contact(&scene).unwrap_err().to_string();
     assert!(error.contains("wear.film_volume_per_energy"), "{error}");
 }

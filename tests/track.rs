@@ -32,6 +32,13 @@ fn rough(columns: usize, rows: usize) -> Scene {
     scene
 }
 
+/// The scene with growth and wear exposed so.
+fn exposed(mut scene: Scene, exposure: Exposure) -> Scene {
+    scene.track.exposure = exposure;
+    scene.wear = scene.wear.map(|wear| wear.with_exposure(exposure));
+    scene
+}
+
 fn run(scene: Scene, steps: u64, time_step: f64) -> (MixedLubricationSim, StepRecord) {
     let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
     let mut last = None;
@@ -89,8 +96,7 @@ fn wear_of_the_track_is_that_of_force_and_distance_in_any_box() {
 #[test]
 fn on_a_track_a_point_ages_while_the_contact_passes() {
     let clock = run(rough(32, 32).with_tribofilm(), 3, 10.0).1;
-    let mut scene = rough(32, 32).with_tribofilm();
-    scene.track.exposure = Exposure::Track;
+    let mut scene = exposed(rough(32, 32).with_tribofilm(), Exposure::Track);
     (scene.track.radius_ball, scene.track.radius_disc) = (Some(9.525e-3), Some(23e-3));
     let share =
         [9.525e-3, 23e-3].map(|radius| scene.hertz().unwrap().half_width_x / (std::f64::consts::PI * radius));
@@ -108,9 +114,8 @@ fn on_a_track_a_point_ages_while_the_contact_passes() {
 #[test]
 fn a_body_that_does_not_move_stays_in_the_contact() {
     for exposure in [Exposure::ContactClock, Exposure::Track] {
-        let mut scene = smooth(32, 32);
+        let mut scene = exposed(smooth(32, 32), exposure);
         scene.motion.slide_roll_ratio = 2.0;
-        scene.track.exposure = exposure;
         // The disc needs no track.
         scene.track.radius_ball = Some(9.525e-3);
         let (sim, record) = run(scene, 10, 1.0);

@@ -4,7 +4,10 @@
 mod common;
 
 use common::{assert_pictures, assert_refused, error_of, json_of, repository, rough, stribeck, text};
+use stribeck::Grid;
+use stribeck::sim::scene::Roughness;
 use stribeck::sim::{Scene, solve_contact};
+use stribeck::surface::Heights;
 
 #[test]
 fn solve_has_the_numbers_of_the_library_and_draws_them() {
@@ -186,13 +189,15 @@ fn check_tells_what_to_expect() {
 fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
-    let rough = ["--cells", "32", "--slide-roll-ratio", "5%"].as_slice();
+    let rough =
+        ["--roughness", "20 nm", "--length", "30 um", "--cells", "64", "--slide-roll-ratio", "5%"].as_slice();
     let smooth =
         ["--roughness", "0", "--radius", "12.7 mm", "--load", "30", "--speed", "200 mm/s"].as_slice();
     for options in [rough, smooth] {
         let output = stribeck(&[&["init", text(&path)], options].concat());
         assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
         let written = std::fs::read_to_string(&path).unwrap();
+        assert!(written.contains("estimate = true"), "{written}");
         assert!(written.contains("entrainment_speed = \"") && written.matches("# ").count() > 8, "{written}");
         let output = stribeck(&["check", text(&path)]);
         assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
@@ -206,14 +211,15 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
         std::fs::remove_file(&path).unwrap();
     }
     // A thick film needs a longer inlet, on cells of the same size.
-    let output = stribeck(&["init", text(&path), "--eta0", "50 mPa s", "--speed", "2 m/s", "--load", "5 N"]);
+    let thicker = ["--eta0", "50 mPa s", "--speed", "2 m/s", "--load", "5 N", "--roughness", "0"];
+    let output = stribeck(&[&["init", text(&path)], thicker.as_slice()].concat());
     assert!(output.status.success(), "{output:?}");
     let grid = Scene::load(&path).unwrap().grid().unwrap();
     assert!(grid.nx() > grid.ny() && (grid.dx() / grid.dy() - 1.0).abs() < 1e-3, "{grid:?}");
     std::fs::remove_file(&path).unwrap();
     // A very thick one a wider box, and one that a ball swims on is refused.
     let thick =
-        ["init", text(&path), "--roughness", "20 nm", "--load", "5", "--speed", "2", "--eta0", "300 mPa s"];
+        ["init", text(&path), "--roughness", "0", "--load", "5", "--speed", "2", "--eta0", "300 mPa s"];
     let output = stribeck(&thick);
     assert!(output.status.success(), "{output:?}");
     let scene = Scene::load(&path).unwrap();
@@ -224,8 +230,11 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     std::fs::remove_file(&path).unwrap();
     let swims = ["init", text(&path), "--load", "1", "--speed", "10", "--eta0", "100 mPa s"];
     assert_refused(&swims, &["--speed = 10", "more load"]);
-    let length = ["init", text(&path), "--length", "1 um", "--force"];
-    assert_refused(&length, &["--length = 1 um", "--cells"]);
+    let short = ["init", text(&path), "--roughness", "50 nm", "--length", "1 um"];
+    assert_refused(&short, &["more than 512", "--length", "--cells"]);
+    let few = ["init", text(&path), "--roughness", "50 nm", "--length", "5 um", "--cells", "64"];
+    assert_refused(&few, &["--cells = 64", "less than 3 cells"]);
+    assert_refused(&["init", text(&path), "--roughness", "50 nm"], &["--length is missing", "--finish"]);
     for (option, value, words) in [
         ("--alpha", "12", "--alpha = 12: "),
         ("--radius", "9.525", "did you mean 9.525 mm"),
@@ -237,8 +246,58 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
         assert!(output.status.code() == Some(2) && error_of(&output).contains(words), "{output:?}");
     }
     let slow = ["init", text(&path), "--speed", "0.001", "--roughness", "0"];
-    assert_refused(&slow, &["a warning: film.central", "more --cells"]);
+    assert_refused(&slow, &["more --cells"]);
     let unit = ["init", text(&path), "--load", "5 kg"];
     assert_refused(&unit, &["--load = \"5 kg\"", "N"]);
     assert!(!path.exists());
+}
+
+/// The cells hold the roughness, whatever says what it is.
+#[test]
+fn cells_of_init_follow_from_the_roughness() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    let light = ["--load", "1 N", "--speed", "2 m/s", "--eta0", "20 mPa s"];
+    let written = |options: &[&str]| {
+        let output = stribeck(&[&["init", text(&path), "--force"], light.as_slice(), options].concat());
+        assert!(output.status.success(), "{output:?}");
+        let scene = Scene::load(&path).unwrap();
+        assert!(scene.solver.estimate);
+        scene
+    };
+    let cell = |scene: &Scene| scene.grid().unwrap().dx();
+    let Roughness::Random(polished) = written(&["--finish", "polished"]).roughness.disc else {
+        panic!("random")
+    };
+    assert!((polished.rq / 25e-9 - 1.0).abs() < 1e-9, "{polished:?}");
+    let own = ["--roughness", "20 nm", "--length", "6 um"];
+    let random = written(&own);
+    assert!(cell(&random) <= 1.5e-6 && cell(&random) > 1.2e-6, "{:?}", random.grid);
+    // A measured surface of that length on points of 0.5 um.
+    let grid = Grid::centred(800, 800, 0.5e-6, 0.5e-6).unwrap();
+    let Roughness::Random(surface) = Roughness::gaussian(20e-9, 6e-6, 3) else { panic!("random") };
+    let heights = Heights::new(800, 800, Some([0.5e-6; 2]), surface.generate(&grid).unwrap(), None).unwrap();
+    let file = folder.path().join("disc.sdf");
+    std::fs::write(&file, sdf(&heights)).unwrap();
+    let measured = written(&["--surface", text(&file)]);
+    assert!(matches!(&measured.roughness.disc, Roughness::File(_)), "{:?}", measured.roughness.disc);
+    assert!((cell(&measured) / cell(&random) - 1.0).abs() < 0.25, "{:?} {:?}", measured.grid, random.grid);
+    let both = ["init", text(&path), "--finish", "ground", "--roughness", "50 nm", "--length", "10 um"];
+    assert_eq!(stribeck(&both).status.code(), Some(2));
+}
+
+/// A surface as text in the format sdf.
+fn sdf(surface: &Heights) -> String {
+    let mut text = format!(
+        "aBCR-1.0\nManufacID = none\nCreateDate = 010120200000\nModDate = 010120200000\nNumPoints = {}\nNumProfiles = {}\n\
+         Xscale = {:e}\nYscale = {:e}\nZscale = 1\nZresolution = -1\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n",
+        surface.nx(),
+        surface.ny(),
+        surface.dx().unwrap(),
+        surface.dy().unwrap()
+    );
+    for height in surface.heights() {
+        text += &format!("{height:e}\n");
+    }
+    text + "*\n"
 }

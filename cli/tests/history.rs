@@ -5,9 +5,9 @@ mod common;
 
 use std::path::{Path, PathBuf};
 
-use common::{assert_pictures, assert_refused, error_of, json_of, stribeck, text};
+use common::{assert_pictures, assert_refused, error_of, json_of, repository, stribeck, text};
 use serde_json::Value;
-use stribeck::sim::scene::{Roughness, SolverKind};
+use stribeck::sim::scene::{ArchardSpec, GridSpec, Roughness, SolverKind, WearLawSpec};
 use stribeck::sim::{HistoryMeans, MixedLubricationSim, Scene, Schedule};
 
 fn scene() -> Scene {
@@ -68,6 +68,68 @@ fn a_run_has_the_numbers_of_the_library_also_where_it_was_resumed() {
         &["time (s)", "friction", "worn (nm)", "tribofilm (nm)", "disc"],
     );
     assert_pictures(&out, "rubbing_maps", &["pressure (GPa)", "tribofilm on the disc (nm)", "360 s"]);
+}
+
+/// The history of `docs/getting_started.md` in longer steps, on wider cells: solids stay away from the edges, where they
+/// would end it.
+#[test]
+fn the_first_history_ends_with_solids_away_from_the_edges() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    let output =
+        stribeck(&["init", text(&path), "--roughness", "125 nm", "--length", "30 um", "--speed", "5 mm/s"]);
+    assert!(output.status.success(), "{output:?}");
+    let page = std::fs::read_to_string(repository("docs/getting_started.md")).unwrap();
+    let tables = page.split("```toml\n").nth(1).unwrap().split("```").next().unwrap();
+    let scene = std::fs::read_to_string(&path).unwrap() + "\n" + tables;
+    std::fs::write(&path, scene).unwrap();
+    let output = stribeck(&["run", text(&path), "--duration", "2 h", "--steps", "12", "--json"]);
+    assert!(output.status.success(), "{output:?}");
+    let numbers = json_of(&output);
+    let number = |key: &str| numbers.pointer(key).and_then(Value::as_f64).unwrap();
+    assert!(number("/contact/load_ratio") > 0.0 && number("/contact/area_ratio") > 0.0, "{numbers}");
+    assert!(number("/wear/ball_volume") > 0.0 && number("/tribofilm/disc_in_contact") > 0.0, "{numbers}");
+}
+
+/// A groove that reaches the edge of the box: the steps before it are kept, the exit status is 1.
+#[test]
+fn a_run_whose_groove_reaches_the_edge_keeps_its_steps_and_ends_with_1() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut scene = scene();
+    (scene.lubricant, scene.roughness) = (None, Default::default());
+    let half = 176e-6;
+    scene.grid = GridSpec::Cells { nx: 24, ny: 32, x: [-250e-6, 250e-6], y: [-half, half] };
+    let law = ArchardSpec { coefficient: 3e-6, film_coefficient: 3e-6, ..ArchardSpec::default() };
+    scene.wear = scene.wear.map(|wear| wear.with_law(WearLawSpec::Archard(law)));
+    let path = written(&scene, folder.path());
+    let out = folder.path().join("run");
+    let command = ["run", text(&path), "--steps", "400", "--time-step", "10 s", "--out", text(&out)];
+    let output = stribeck(&command);
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let message = error_of(&output);
+    for words in ["reaches the edge of the box", "grid.y = [", "grid.ny = ", "grid.grows = true"] {
+        assert!(message.contains(words), "`{words}` is not in {message}");
+    }
+    let rows = std::fs::read_to_string(out.join("history.csv")).unwrap().lines().count();
+    assert!(rows > 5 && out.join("fields.npz").exists() && out.join("checkpoint").exists(), "{rows}");
+    // In a box that grows the same history goes on.
+    let GridSpec::Cells { nx, ny, x, y } = scene.grid else { panic!("cells") };
+    scene.grid = GridSpec::Growing { nx, ny, x, y };
+    let path = written(&scene, folder.path());
+    let longer = (rows + 2).to_string();
+    let grown = folder.path().join("grown");
+    let command =
+        ["run", text(&path), "--steps", &longer, "--time-step", "10 s", "--out", text(&grown), "--plot"];
+    let output = stribeck(&command);
+    assert!(output.status.success(), "{output:?}");
+    assert!(error_of(&output).contains("warning: grid.y"), "{output:?}");
+    let further = (rows + 4).to_string();
+    let command =
+        ["run", text(&path), "--steps", &further, "--time-step", "10 s", "--out", text(&grown), "--resume"];
+    let output = stribeck(&command);
+    assert!(output.status.success(), "{output:?}");
+    let end = String::from_utf8(output.stdout).unwrap();
+    assert!(end.contains("wear.disc_volume") && end.contains("mm^3/(N m)"), "{end}");
 }
 
 #[test]

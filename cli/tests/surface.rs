@@ -100,10 +100,7 @@ fn forms_are_named_and_removed() {
         (json_of(&output)["sq"].as_f64().unwrap(), error_of(&output))
     };
     let (whole, warning) = sq(&[]);
-    assert!(
-        warning.contains("a form of the second degree holds") && warning.contains("--form"),
-        "{warning}"
-    );
+    assert!(warning.contains("a form of the second degree holds") && warning.contains("--form"), "{warning}");
     let (level, warning) = sq(&["--level"]);
     assert!(warning.contains("a form of the second degree") && level < whole, "{warning}");
     // heights 0, 0.05 and 0.1 um by turns: Sq is 0.0707 um

@@ -157,6 +157,10 @@ impl ForPython for SimError {
                 };
                 raise(py, "SolverError", &message, field, value)
             }
+            Self::BoxTooSmall(edge) => {
+                let value = edge.value.into_bound_py_any(py).ok();
+                raise(py, "SolverError", &message, Some(edge.field), value)
+            }
             Self::Scene { reason } => scene(py, &reason),
             Self::Io { path, source } => io(py, &path.display().to_string(), &message, &source),
             Self::Interrupted => raise(py, "InterruptedSolve", &message, None, None),

@@ -170,7 +170,7 @@ def test_solves_that_do_not_converge_say_so(rough: stribeck.Scene) -> None:
     error = refused(stribeck.NotConvergedError, lambda: simulation.step(60.0), "status")
     assert error.report["status"] == "max_iterations" and simulation.steps == 0
     crowded = rough.replace(lubricant=None, roughness=None, grid={"nx": 16, "ny": 16, "x": [-1e-4, 1e-4], "y": [-1e-4, 1e-4]})
-    refused(stribeck.SolverError, lambda: stribeck.solve(crowded), "grid")
+    refused(stribeck.SolverError, lambda: stribeck.solve(crowded), "grid.y")
 
 
 def test_checkpoints_of_others(rough: stribeck.Scene, tmp_path: Path) -> None:

@@ -493,8 +493,8 @@ def test_own_laws_and_heights_are_looked_at(rough: stribeck.Scene) -> None:
 
 
 def test_tables_of_another_law_are_replaced_whole(rough: stribeck.Scene) -> None:
-    worn = rough.replace(wear={"law": "archard", "coefficient": 1e-8, "hardness": 6e9})
-    other = worn.replace(wear={"law": "frictional_energy", "volume_per_energy": 1e-16})
+    worn = rough.replace(wear={"law": "archard", "exposure": "contact_clock", "coefficient": 1e-8, "hardness": 6e9})
+    other = worn.replace(wear={"law": "frictional_energy", "exposure": "contact_clock", "volume_per_energy": 1e-16})
     assert "coefficient" not in other.to_dict()["wear"]
     assert worn.replace(wear={"law": "archard", "coefficient": 2e-8}).to_dict()["wear"]["hardness"] == 6e9
 

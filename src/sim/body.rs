@@ -42,6 +42,8 @@ pub struct Body {
     pub(super) no_film: Vec<f64>,
     /// Heights now, brought up to date by `rebuild` \[m\].
     pub(super) surface: Vec<f64>,
+    /// Volume worn off since the start of the history \[m^3\].
+    pub(super) worn_volume: f64,
 }
 
 impl Clone for Body {
@@ -53,6 +55,7 @@ impl Clone for Body {
             film: self.film.clone(),
             no_film: self.no_film.clone(),
             surface: self.surface.clone(),
+            worn_volume: self.worn_volume,
         }
     }
 
@@ -64,6 +67,7 @@ impl Clone for Body {
         self.film.clone_from(&source.film);
         self.no_film.clone_from(&source.no_film);
         self.surface.clone_from(&source.surface);
+        self.worn_volume = source.worn_volume;
     }
 }
 
@@ -78,6 +82,7 @@ impl Body {
             no_film: vec![0.0; n],
             surface: initial.clone(),
             initial,
+            worn_volume: 0.0,
         }
     }
 
@@ -94,6 +99,14 @@ impl Body {
     /// Worn depth \[m\].
     pub fn wear(&self) -> &[f64] {
         self.wear.values()
+    }
+
+    /// Volume worn off the whole body since the start of the history \[m^3\], of a line contact off one metre of
+    /// its width: the time integral of the rate of wear over the contact. With Archard's law and one coefficient
+    /// it is `K F s/H` (load `F` of the pressure that wears, sliding distance `s`), in any box, whether the body
+    /// moves or not. The patch holds a part of it, see [`Exposure`](super::scene::Exposure).
+    pub fn worn_volume(&self) -> f64 {
+        self.worn_volume
     }
 
     /// Plastic depth \[m\].
@@ -114,7 +127,7 @@ impl Body {
         SurfaceLedger::new(&self.initial, self.wear(), self.plastic_depth(), self.tribofilm())
     }
 
-    /// Volumes worn, flattened and grown \[m^3\] on cells of `cell_area` \[m^2\].
+    /// Volumes worn, flattened and grown on the patch \[m^3\], on cells of `cell_area` \[m^2\].
     ///
     /// # Errors
     /// See [`Body::ledger`].

@@ -158,7 +158,7 @@ impl SimBuilder {
         self
     }
 
-    /// Replaces the wear law, or brings one into a scene without.
+    /// Replaces the wear law of the scene; its [`exposure`](super::scene::WearSpec::exposure) stays.
     #[must_use]
     pub fn wear_law(mut self, law: impl WearLaw + 'static) -> Self {
         self.wear = Some(Arc::new(law));
@@ -275,16 +275,29 @@ impl SimBuilder {
         }
     }
 
+    /// A part that a builder has been given and a box that grows cannot take along.
+    pub(super) fn part_on_one_grid(&self) -> Option<&'static str> {
+        let others = [
+            ("growth_law", self.growth.is_some()),
+            ("wear_law", self.wear.is_some()),
+            ("motion", self.motion.is_some()),
+            ("squeeze", self.squeeze),
+        ];
+        self.own_part().or_else(|| others.into_iter().find_map(|(part, given)| given.then_some(part)))
+    }
+
     /// Checks the scene and makes the simulation; what is not modelled is decided here once.
     ///
     /// # Errors
     /// A scene or heights that do not fit.
     pub fn build(mut self) -> Result<MixedLubricationSim, SimError> {
         self.scene.schedule.read_tables()?;
+        self.require_growable()?;
         #[cfg(feature = "serde")]
         let own_parts = super::identity::OwnParts::of(&self);
         let own = self.own();
         let overrides = std::mem::take(&mut self.overrides);
+        let interrupt = overrides.interrupt.clone();
         let mut contact = ContactModel::new(&self.scene, overrides)?;
         let timetable = Timetable::new(&self.scene)?;
         let plastic = self.scene.plastic.filter(|_| self.plasticity.is_none());
@@ -300,6 +313,7 @@ impl SimBuilder {
         let whole = (self.scene, timetable, warnings);
         let mut sim = MixedLubricationSim::assemble(whole, contact, bodies, laws, heat, travel)?;
         sim.contact_start = self.contact_start;
+        sim.interrupt = interrupt;
         #[cfg(feature = "serde")]
         let sim = sim.with_own_parts(own_parts);
         Ok(sim)
@@ -392,8 +406,16 @@ impl SimBuilder {
             (None, None) => None,
         };
         let wear = match (self.wear.take(), scene.wear) {
-            (Some(law), _) => Some(PerBody::same(law)),
-            (None, Some(spec)) => match spec.hardness() {
+            (Some(_), None) => {
+                return Err(SimError::Input(InputError::Conflict {
+                    field: "wear.exposure".to_owned(),
+                    reason: "is missing: a wear law is given, whose exposure is that of the wear table of the scene, and the \
+                             scene has none"
+                        .to_owned(),
+                }));
+            }
+            (Some(law), Some(_)) => Some(PerBody::same(law)),
+            (None, Some(spec)) => match spec.law.hardness() {
                 None => Some(PerBody::same(spec.law(0.0, film_thickness)?.into())),
                 Some(common) => Some(PerBody::by(scene.hardnesses(common), |hardness| {
                     spec.law(hardness, film_thickness)

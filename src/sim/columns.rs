@@ -158,7 +158,7 @@ macro_rules! column {
 }
 
 /// All columns, in the order of a line.
-pub(super) static COLUMNS: [Column; 65] = [
+pub(super) static COLUMNS: [Column; 67] = [
     column!("", step),
     column!("s", time),
     column!("s", time_step),
@@ -207,6 +207,8 @@ pub(super) static COLUMNS: [Column; 65] = [
     column!("m", wear.disc_max),
     column!("m", wear.ball_in_contact),
     column!("m", wear.disc_in_contact),
+    column!("m^3", wear.ball_volume),
+    column!("m^3", wear.disc_volume),
     column!("m", tribofilm.ball_mean),
     column!("m", tribofilm.disc_mean),
     column!("m", tribofilm.ball_max),

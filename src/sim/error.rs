@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
+use super::outer_rows::BoxTooSmall;
 use crate::error::InputError;
 use crate::report::NotConverged;
 use crate::reynolds::ReynoldsError;
@@ -43,6 +44,9 @@ pub enum SimError {
         /// The last attempt.
         source: NotConverged,
     },
+    /// Solids, wear or a tribofilm reach the edge of the box.
+    #[error(transparent)]
+    BoxTooSmall(#[from] BoxTooSmall),
     /// The solve was ended from outside ([`SimBuilder::interrupt`](super::SimBuilder::interrupt)).
     #[error("the solve was interrupted")]
     Interrupted,

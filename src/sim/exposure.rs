@@ -16,7 +16,11 @@
 //! in place of `L/(2a)`, with the area of the contact. A body at rest relative to the contact (at a
 //! slide-roll ratio of 2 or -2) has no track: what is in the contact stays there.
 //!
-//! Growth and wear of a step take this time. A print of the contact takes no time: a passage leaves one.
+//! Growth takes the time of `track.exposure`, wear that of `wear.exposure`. A worn volume is that of the contact,
+//! whatever the exposure: in a step `dt` times the integral of the rate of wear, of Archard's law `K F u_s dt`.
+//! The patch holds the share `L/l` (track) or `L/(2a)` (contact clock) of it.
+//!
+//! A print of the contact takes no time: a passage leaves one.
 //! Where a step is so short that less than one passage of a point falls to a solve at one of the places of
 //! the track, it leaves that share of its print; a body that stays, or whose passages the steps follow, takes
 //! the whole print each time.
@@ -53,7 +57,12 @@ impl Ageing {
 /// where the exposure needs it.
 pub(super) fn validate(scene: &Scene, timetable: &Timetable, grid: &Grid) -> Result<(), InputError> {
     scene.track.validate()?;
-    let needed = scene.track.exposure == scene::Exposure::Track;
+    let by_wear = scene.wear.is_some_and(|wear| wear.exposure == scene::Exposure::Track);
+    let needed_by = match scene.track.exposure {
+        _ if by_wear => Some("wear.exposure"),
+        scene::Exposure::Track => Some("track.exposure"),
+        scene::Exposure::ContactClock => None,
+    };
     let [_, largest_load] = timetable.loads();
     let lengths = [
         ("patch", grid.size_x()),
@@ -72,22 +81,23 @@ pub(super) fn validate(scene: &Scene, timetable: &Timetable, grid: &Grid) -> Res
                     return Err(InputError::Conflict { field: format!("{field} = {radius:e}"), reason });
                 }
             }
-            None if needed && moves => {
-                let reason = "is missing; track.exposure = \"track\" needs it".to_owned();
-                return Err(InputError::Conflict { field, reason });
+            None => {
+                if let Some(key) = needed_by.filter(|_| moves) {
+                    let reason = format!("is missing; {key} = \"track\" needs it");
+                    return Err(InputError::Conflict { field, reason });
+                }
             }
-            None => {}
         }
     }
     Ok(())
 }
 
-/// The ageing of ball and disc that move at `speeds` \[m/s\] as `motion` says.
+/// The ageing of ball and disc that move at `speeds` \[m/s\] as `motion` says, on `track` under `exposure`.
 ///
 /// # Errors
 /// A radius that is not finite and positive.
 pub(super) fn ageing(
-    track: &TrackSpec,
+    (track, exposure): (&TrackSpec, scene::Exposure),
     motion: &dyn RoughnessMotion,
     grid: &Grid,
     hertz: &HertzContact,
@@ -95,8 +105,7 @@ pub(super) fn ageing(
 ) -> Result<[Ageing; 2], InputError> {
     let half_chord = hertz.ellipse().half_chord_x();
     let of = |radius: Option<f64>, speed: f64| {
-        // What is in the contact at rest stays there, whatever the motion says.
-        let visits = if speed == 0.0 { Visits::Stays } else { motion.visits(speed) };
+        let visits = visits(motion, speed);
         // How much rarer the contact is met than if it stayed.
         let spread = match visits {
             Visits::Stays => 1.0,
@@ -106,7 +115,7 @@ pub(super) fn ageing(
             }
             Visits::Passing | Visits::Track | Visits::Patch => grid.size_x() / (2.0 * half_chord),
         };
-        let share = match (track.exposure, radius) {
+        let share = match (exposure, radius) {
             (scene::Exposure::Track, Some(radius)) if speed != 0.0 => track_duty_factor(half_chord, radius)?,
             _ => 1.0,
         };
@@ -119,6 +128,12 @@ pub(super) fn ageing(
         Ok(Ageing { rate, passages })
     };
     Ok([of(track.radius_ball, speeds[0])?, of(track.radius_disc, speeds[1])?])
+}
+
+/// Places that a body moving at `speed` \[m/s\] as `motion` says brings under the contact: at rest it stays,
+/// whatever the motion says.
+pub(super) fn visits(motion: &dyn RoughnessMotion, speed: f64) -> Visits {
+    if speed == 0.0 { Visits::Stays } else { motion.visits(speed) }
 }
 
 /// Length of a track of this `radius` \[m\]: `2 pi radius`.

@@ -1,7 +1,8 @@
 //! What a history ends with: means over its last tenth, under the names that JSON, terminal and Python share.
 //!
 //! The last tenth of the steps is taken, one step at least. What is a number of the contact or of the bodies has
-//! a mean: the columns with a table, but for the conditions and what the solves took.
+//! a mean: the columns with a table, but for the conditions and what the solves took. Worn volumes are those after
+//! the last step.
 
 use std::fmt;
 
@@ -10,6 +11,9 @@ use super::record::StepRecord;
 
 /// Tables whose means say nothing.
 const WITHOUT_MEANS: [&str; 3] = ["motion", "residual", "work"];
+
+/// Columns that are totals of the whole history.
+const TOTALS: [&str; 2] = ["wear.ball_volume", "wear.disc_volume"];
 
 /// The columns that have means.
 fn averaged() -> impl Iterator<Item = &'static Column> {
@@ -39,20 +43,24 @@ pub struct HistoryMeans {
     count: u64,
     /// Steps whose contact took more than one position of the roughness.
     moved: u64,
+    /// Load times sliding distance \[N m\].
+    load_distance: f64,
 }
 
 impl HistoryMeans {
     /// Of a history of `steps` steps, none of which was seen yet.
     pub fn new(steps: u64) -> Self {
-        Self { steps, sums: averaged().map(|_| Some(0.0)).collect(), count: 0, moved: 0 }
+        Self { steps, sums: averaged().map(|_| Some(0.0)).collect(), count: 0, moved: 0, load_distance: 0.0 }
     }
 
     /// Takes in the next step.
     pub fn see(&mut self, record: &StepRecord) {
         self.moved += u64::from(record.attempts > 1);
+        self.load_distance += record.load * record.motion.sliding_speed() * record.time_step;
         if record.step + self.steps.div_ceil(10) >= self.steps {
             for (sum, column) in self.sums.iter_mut().zip(averaged()) {
                 *sum = match (column.get)(record) {
+                    Cell::Number(number) if TOTALS.contains(&column.name) => Some(number),
                     Cell::Number(number) => sum.map(|sum| sum + number),
                     Cell::Count(count) => sum.map(|sum| sum + count as f64),
                     Cell::Empty | Cell::Word(_) => None,
@@ -62,8 +70,8 @@ impl HistoryMeans {
         }
     }
 
-    /// The mean of `key` in `table` (as in `film.lambda`) over the steps of the last tenth that were seen, in
-    /// SI units; none for other names, and for what is not modelled.
+    /// The mean of `key` in `table` (as in `film.lambda`) over the steps of the last tenth that were seen, of
+    /// worn volumes that after the last step, in SI units; none for other names, and for what is not modelled.
     pub fn mean(&self, table: &str, key: &str) -> Option<f64> {
         self.named().find(|(column, _)| column.path() == Some((table, key))).map(|(_, mean)| mean)
     }
@@ -72,16 +80,26 @@ impl HistoryMeans {
     fn named(&self) -> impl Iterator<Item = (&'static Column, f64)> {
         let count = self.count;
         let counted = averaged().zip(&self.sums).filter(move |_| count > 0);
-        counted.filter_map(move |(column, sum)| Some((column, (*sum)? / count as f64)))
+        counted.filter_map(move |(column, sum)| {
+            let number = (*sum)?;
+            Some((column, if TOTALS.contains(&column.name) { number } else { number / count as f64 }))
+        })
     }
 }
 
 impl fmt::Display for HistoryMeans {
-    /// One line a number, with its unit.
+    /// One line a number, with its unit; worn volumes in mm^3, and per load and sliding distance in mm^3/(N m).
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, (Column { name, unit, .. }, mean)) in self.named().enumerate() {
             let end = if index == 0 { "" } else { "\n" };
             let space = if unit.is_empty() { "" } else { " " };
+            if TOTALS.contains(name) {
+                write!(f, "{end}{name:<28} {:.6e} mm^3", 1e9 * mean)?;
+                if self.load_distance > 0.0 {
+                    write!(f, ", {:.6e} mm^3/(N m)", 1e9 * mean / self.load_distance)?;
+                }
+                continue;
+            }
             write!(f, "{end}{name:<28} {mean:.6e}{space}{unit}")?;
         }
         Ok(())

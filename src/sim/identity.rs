@@ -9,7 +9,7 @@ use toml::{Table, Value};
 
 use super::SimError;
 use super::builder::SimBuilder;
-use super::scene::Scene;
+use super::scene::{GridSpec, Scene};
 use super::simulation::MixedLubricationSim;
 use crate::elastic::{DeformationModel, NEAR};
 
@@ -44,6 +44,11 @@ pub(super) struct Identity {
 }
 
 impl Identity {
+    /// The grid of the scene.
+    pub(super) fn grid(&self) -> Option<GridSpec> {
+        Scene::from_toml(&self.scene).ok().map(|scene| scene.grid)
+    }
+
     /// The parts in which both differ.
     pub(super) fn differences(&self, other: &Self) -> Vec<String> {
         if self.version != other.version {

@@ -54,6 +54,7 @@ mod mixing;
 mod npz;
 mod numbers;
 mod observer;
+mod outer_rows;
 mod own_laws;
 mod owned;
 mod passage;
@@ -82,6 +83,7 @@ mod vtk;
 mod warnings;
 #[cfg(feature = "serde")]
 mod whole_file;
+mod wider_box;
 mod yielding;
 
 pub use accuracy::ErrorEstimate;
@@ -102,9 +104,10 @@ pub use history_means::HistoryNumbers;
 pub use npz::write_npz;
 pub use numbers::{
     ContactNumbers, DepthNumbers, FilmNumbers, FrictionNumbers, Moes, PlasticNumbers, PressureNumbers,
-    RoughnessNumbers, StressNumbers, ThermalNumbers,
+    RoughnessNumbers, StressNumbers, ThermalNumbers, WearNumbers,
 };
 pub use observer::Observer;
+pub use outer_rows::{BoxTooSmall, EdgeQuantity};
 pub use record::StepRecord;
 #[cfg(all(feature = "serde", feature = "npz"))]
 pub use run_folder::RunFolder;

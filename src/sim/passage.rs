@@ -34,8 +34,10 @@ pub(super) struct Passage<'a> {
     pub(super) sliding: f64,
     /// Where the bodies lie.
     pub(super) offsets: Offsets,
-    /// How their nodes age in a second.
+    /// How their nodes age in a second, of growth and prints.
     pub(super) ageing: [Ageing; 2],
+    /// The same of wear.
+    pub(super) wear_ageing: [Ageing; 2],
 }
 
 impl Passage<'_> {
@@ -125,8 +127,12 @@ impl Marks {
             };
             grow(&mut body.film)?;
             if let Some(law) = &laws.wear {
+                let exposed = passage.wear_ageing[index].rate * time_step;
                 let thickness = body.film.as_ref().map_or(body.no_film.as_slice(), Tribofilm::thickness);
                 body.wear.advance_all(law.each()[index], exposed, (points, thickness), wear_rates)?;
+                // K F u_s dt, however long the nodes are exposed
+                let per_second = wear_rates.iter().sum::<f64>() * passage.grid.cell_area();
+                body.worn_volume += per_second * time_step;
             }
             grow(&mut body.film)?;
             body.rebuild()?;

@@ -8,7 +8,7 @@ use std::io::{self, Write};
 use super::columns::{COLUMNS, Cell, Column};
 use super::numbers::{
     ContactNumbers, DepthNumbers, FilmNumbers, FrictionNumbers, PlasticNumbers, PressureNumbers,
-    RoughnessNumbers, ThermalNumbers,
+    RoughnessNumbers, ThermalNumbers, WearNumbers,
 };
 use super::scene::Motion;
 use crate::error::InputError;
@@ -68,8 +68,8 @@ pub struct StepRecord {
     /// Largest flash temperature rise, of a film with a temperature of its own the largest rise of a surface
     /// \[K\]; none where it is not modelled.
     pub flash_rise: Option<f64>,
-    /// Worn depth.
-    pub wear: DepthNumbers,
+    /// Worn depth and volume.
+    pub wear: WearNumbers,
     /// Thickness of the tribofilms.
     pub tribofilm: DepthNumbers,
     /// What was flattened.
@@ -154,7 +154,7 @@ impl StepRecord {
             flow: None,
             thermal: None,
             flash_rise: None,
-            wear: DepthNumbers::default(),
+            wear: WearNumbers::default(),
             tribofilm: DepthNumbers::default(),
             plastic: PlasticNumbers::default(),
             attempts: 0,

@@ -19,8 +19,10 @@ use super::exposure;
 use super::film_heat::{self, FilmIteration, Solved, Surroundings};
 use super::friction::FrictionFields;
 use super::heat::Heat;
+use super::interrupt::Interrupt;
 use super::laws::Laws;
-use super::numbers::{DepthNumbers, Numbers, PlasticNumbers};
+use super::numbers::{DepthNumbers, Numbers, PlasticNumbers, WearNumbers};
+use super::outer_rows::{self, Change};
 use super::passage::{Marks, Passage};
 use super::placement::{Offsets, Placement, Travel};
 use super::record::StepRecord;
@@ -121,6 +123,8 @@ pub struct MixedLubricationSim {
     before: ContactState,
     /// What was found unlikely so far.
     pub(super) warnings: Vec<Warning>,
+    /// Ends solves early, in a wider box too.
+    pub(super) interrupt: Option<Interrupt>,
     /// What was put in place of parts of the scene.
     #[cfg(feature = "serde")]
     pub(super) own_parts: super::identity::OwnParts,
@@ -160,6 +164,7 @@ impl MixedLubricationSim {
             draws: 0,
             before: ContactState::new(&grid),
             warnings,
+            interrupt: None,
             #[cfg(feature = "serde")]
             own_parts: super::identity::OwnParts::default(),
         })
@@ -169,7 +174,7 @@ impl MixedLubricationSim {
     ///
     /// # Errors
     /// A time step that is not finite and positive; a contact that did not converge at any tried position of
-    /// the roughness; a law that returned a value that is not finite; an
+    /// the roughness; solids, wear or a tribofilm at the edge of a box that does not grow; a law that returned a value that is not finite; an
     /// [interrupt](super::SimBuilder::interrupt). Everything is then as before, so that another step of this
     /// length fails again.
     pub fn step(&mut self, time_step: f64) -> Result<StepRecord, SimError> {
@@ -183,6 +188,16 @@ impl MixedLubricationSim {
     /// As of [`MixedLubricationSim::step`], and laws that change a node by more than the depth in any time.
     pub fn step_within(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         control.validate()?;
+        match self.step_in_box(control) {
+            Err(SimError::BoxTooSmall(edge)) if self.scene.grid.grows() => {
+                self.step_in_wider_box(control, edge)
+            }
+            outcome => outcome,
+        }
+    }
+
+    /// The same in the box as it is.
+    pub(super) fn step_in_box(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         let (draws, circumstances) = (self.draws, self.contact.circumstances());
         self.before.clone_from(&self.state);
         for (backup, body) in self.backup.iter_mut().zip(&self.bodies) {
@@ -207,6 +222,7 @@ impl MixedLubricationSim {
         let flash_rise = self.heat.rub(&self.friction, self.film_heat.as_ref())?;
         let rq = self.roughness()?;
         let time_step = self.commit_within(control, offsets)?;
+        self.require_changes_inside()?;
         let record = self.record((solved, attempts), flash_rise, (conditions, rq), time_step)?;
         self.time = record.time;
         if let Some(heat) = &mut self.film_heat {
@@ -283,6 +299,28 @@ impl MixedLubricationSim {
             field: format!("depth = {:?}", control.depth),
             reason: format!("the laws change a node by more than it even within {time_step:e} s"),
         }))
+    }
+
+    /// Refuses wear and tribofilms that have reached the edge of the box in this step.
+    fn require_changes_inside(&self) -> Result<(), SimError> {
+        if self.scene.solver.edge_contact {
+            return Ok(());
+        }
+        let Conditions { motion, bulk_temperature, .. } = self.conditions();
+        let speeds = motion.surface_speeds();
+        let growth = self.laws.growth.as_deref();
+        let by_solids = growth.is_some_and(|law| outer_rows::needs_solids(law, bulk_temperature));
+        for (body, (now, before)) in self.bodies.iter().zip(&self.backup).enumerate() {
+            let change = Change {
+                body,
+                visits: exposure::visits(self.travel.motion.as_ref(), speeds[body]),
+                wear: [now.wear(), before.wear()],
+                film: by_solids.then(|| [now.tribofilm(), before.tribofilm()]),
+            };
+            let contact_film = self.scene.solver.film_cutoff;
+            change.require_inside(&self.contact.grid, &self.contact.hertz, contact_film)?;
+        }
+        Ok(())
     }
 
     /// Smaller half-width of the Hertz contact \[m\].
@@ -365,7 +403,9 @@ impl MixedLubricationSim {
             None => contact.solve(&placement.gap, None, squeeze, state),
             Some(models) => yielding.solve(models, placement, contact, squeeze, state),
         };
-        film_heat::solve(&given, self.film_heat.as_mut(), (contact, state, &mut self.friction), &mut once)
+        let heat = self.film_heat.as_mut();
+        let solved = film_heat::solve(&given, heat, (contact, state, &mut self.friction), &mut once);
+        outer_rows::require_solids_inside(&self.scene, (contact, state), solved)
     }
 
     /// Applies flattening, wear and film growth of a step of `time_step` \[s\] to the bodies.
@@ -374,6 +414,9 @@ impl MixedLubricationSim {
         let Self { bodies, contact, laws, state, yielding, friction, marks, .. } = self;
         let (grid, speeds) = (&contact.grid, motion.surface_speeds());
         let (track, roughness_motion) = (&self.scene.track, self.travel.motion.as_ref());
+        let ageing =
+            |exposure| exposure::ageing((track, exposure), roughness_motion, grid, &contact.hertz, speeds);
+        let wear_exposure = self.scene.wear.map_or(track.exposure, |wear| wear.exposure);
         let passage = Passage {
             grid,
             state,
@@ -382,7 +425,8 @@ impl MixedLubricationSim {
             bulk: bulk_temperature,
             sliding: motion.sliding_speed(),
             offsets,
-            ageing: exposure::ageing(track, roughness_motion, grid, &contact.hertz, speeds)?,
+            ageing: ageing(track.exposure)?,
+            wear_ageing: ageing(wear_exposure)?,
         };
         if laws.plasticity.is_some() {
             yielding.share(&state.plastic_depth)?;
@@ -426,7 +470,7 @@ impl MixedLubricationSim {
             flow: self.contact.flow,
             thermal: heat.map(|(numbers, _)| numbers),
             flash_rise,
-            wear: depths(Body::wear)?,
+            wear: WearNumbers::of(depths(Body::wear)?, self.bodies.each_ref().map(Body::worn_volume)),
             tribofilm: depths(Body::tribofilm)?,
             plastic: PlasticNumbers::of(&self.bodies, self.contact.grid.cell_area())?,
             attempts,

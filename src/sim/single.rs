@@ -20,7 +20,7 @@ use super::solution::{ContactSolution, is_known};
 use super::track::track_rq;
 use super::warnings::Warning;
 use super::yielding::Yielding;
-use super::{SimError, setup, warnings};
+use super::{SimError, outer_rows, setup, warnings};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::ContactState;
@@ -152,7 +152,7 @@ impl SimBuilder {
     }
 
     /// The first part that was put in place of one of the scene.
-    fn own_part(&self) -> Option<&'static str> {
+    pub(super) fn own_part(&self) -> Option<&'static str> {
         let [ball, disc] = &self.heights;
         let [ball_start, disc_start] = &self.starts;
         let own = &self.overrides;
@@ -288,7 +288,8 @@ impl Prepared {
             model.solve(&gap, limit.as_deref(), None, state)
         };
         let contact = (&mut model, &mut state, &mut friction);
-        let solved = film_heat::solve(&given, film_heat.as_mut(), contact, &mut once)?;
+        let solved = film_heat::solve(&given, film_heat.as_mut(), contact, &mut once);
+        let solved = outer_rows::require_solids_inside(&scene, (&model, &state), solved)?;
         let known = is_known(&state).then_some(&friction);
         let numbers = Numbers::of(&model, &state, known, limit.as_deref(), self.rq)?;
         let stress =

@@ -8,7 +8,7 @@ use super::strategies::{decades, scenes};
 use crate::sim::Scene;
 use crate::sim::scene::{
     ArchardSpec, FileRoughness, FrictionSpec, GhanbarzadehSpec, GridSpec, Load, LubricantSpec, Material,
-    PlasticSpec, Roughness, Schedule, SolverSpec, ThermalSpec, TribofilmSpec, WearSpec,
+    PlasticSpec, Roughness, Schedule, SolverSpec, ThermalSpec, TribofilmSpec, WearLawSpec, WearSpec,
 };
 use crate::surface::{Autocorrelation, Form, RoughnessSpec};
 
@@ -135,10 +135,11 @@ const CHANGES: &[fn(&mut Scene, f64)] = &[
     },
     |scene, value| {
         let wear = ArchardSpec { coefficient: value, film_coefficient: 0.0, ..ArchardSpec::default() };
-        scene.wear = Some(WearSpec::Archard(wear));
+        scene.wear = Some(WearSpec::azam_2019().with_law(WearLawSpec::Archard(wear)));
     },
     |scene, value| {
-        scene.wear = Some(WearSpec::Archard(ArchardSpec { hardness: value, ..ArchardSpec::default() }));
+        let wear = ArchardSpec { hardness: value, ..ArchardSpec::default() };
+        scene.wear = Some(WearSpec::azam_2019().with_law(WearLawSpec::Archard(wear)));
         scene.track.radius_ball = Some(value);
     },
     |scene, value| {

@@ -5,9 +5,9 @@ use proptest::prelude::*;
 use crate::grid::Grid;
 use crate::sim::Scene;
 use crate::sim::scene::{
-    ArchardSpec, Elastic, Flash, FlowThinning, FrictionSpec, GhanbarzadehSpec, GridSpec, Load, LubricantSpec,
-    Materials, Motion, PlasticSpec, Roughness, RoughnessPair, Schedules, SolverKind, SolverSpec, ThermalSpec,
-    TrackSpec, TribofilmSpec, WearSpec,
+    ArchardSpec, Elastic, Exposure, Flash, FlowThinning, FrictionSpec, GhanbarzadehSpec, GridSpec, Load,
+    LubricantSpec, Materials, Motion, PlasticSpec, Roughness, RoughnessPair, Schedules, SolverKind,
+    SolverSpec, ThermalSpec, TrackSpec, TribofilmSpec, WearLawSpec, WearSpec,
 };
 use crate::surface::{Autocorrelation, Form, RoughnessSpec};
 use crate::tribochem::Activation;
@@ -102,11 +102,9 @@ fn processes()
         TribofilmSpec::Ghanbarzadeh(GhanbarzadehSpec { activation, x_tribo, ..GhanbarzadehSpec::default() })
     });
     let wear = (decades(1e-9, 1e-5), 0.0..1.0).prop_map(|(coefficient, share)| {
-        WearSpec::Archard(ArchardSpec {
-            coefficient,
-            film_coefficient: share * coefficient,
-            ..ArchardSpec::default()
-        })
+        let film_coefficient = share * coefficient;
+        let law = ArchardSpec { coefficient, film_coefficient, ..ArchardSpec::default() };
+        WearSpec::new(WearLawSpec::Archard(law), Exposure::ContactClock)
     });
     let flash = prop_oneof![Just(Flash::Auto), Just(Flash::On), Just(Flash::Off)];
     let thermal = (250.0..500.0, flash).prop_map(|(bulk_temperature, flash)| ThermalSpec {

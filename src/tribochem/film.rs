@@ -107,7 +107,6 @@ impl Tribofilm {
     }
 
     /// Accumulated gain and loss of thickness, summed over nodes \[m\].
-    #[cfg(feature = "serde")]
     pub(crate) fn changes(&self) -> [f64; 2] {
         [self.gained, self.lost]
     }

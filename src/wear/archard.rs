@@ -1,30 +1,8 @@
 //! Archard's law with a wear coefficient that falls as the tribofilm grows.
 
-use super::WearLaw;
+use super::{WearLaw, WearPressure};
 use crate::error::InputError;
 use crate::surface_state::SurfaceState;
-
-/// Which pressure wears.
-///
-/// # Examples
-///
-/// ```
-/// use stribeck::SurfaceState;
-/// use stribeck::wear::{Archard, WearLaw, WearPressure};
-/// let fluid = SurfaceState::new(1e9, 353.15).with_sliding_speed(0.1); // no solid contact
-/// let all = Archard::azam_2019();
-/// assert!(all.depth_rate(&fluid, 0.0) > 0.0);
-/// assert_eq!(all.with_pressure(WearPressure::Solid).depth_rate(&fluid, 0.0), 0.0);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum WearPressure {
-    /// All of it, fluid and solid (default).
-    #[default]
-    Total,
-    /// The share of solid contact alone.
-    Solid,
-}
 
 /// `dz/dt = K(h)/H p |u_s|` with `K(h) = K_steel - (K_steel - K_min) clamp(h / h_max, 0, 1)`; K
 /// dimensionless, H the hardness of the substrate, constant, or the [local one](Self::with_film_hardness).
@@ -62,7 +40,8 @@ pub struct Archard {
 
 impl Archard {
     /// Law with the wear coefficients `bare` and `filmed` \[-\] of a surface without film and under a film of
-    /// `reference_thickness` \[m\] or more, and the `hardness` \[Pa\] of the substrate; all pressure wears.
+    /// `reference_thickness` \[m\] or more, and the `hardness` \[Pa\] of the substrate; the pressure of solid
+    /// contact wears.
     ///
     /// # Errors
     /// A negative coefficient, `filmed` above `bare`, a thickness or hardness that is not positive, a value
@@ -80,9 +59,10 @@ impl Archard {
         Ok(Self::from_valid(bare, filmed, reference_thickness, hardness))
     }
 
-    /// The constants of Azam and co-workers (2019): 5.45e-8 bare, 5.45e-9 under 200 nm of film, 6 GPa.
+    /// The constants of Azam and co-workers (2019): 5.45e-8 bare, 5.45e-9 under 200 nm of film, 6 GPa; all
+    /// pressure wears.
     pub fn azam_2019() -> Self {
-        Self::from_valid(5.45e-8, 5.45e-9, 200e-9, 6e9)
+        Self::from_valid(5.45e-8, 5.45e-9, 200e-9, 6e9).with_pressure(WearPressure::Total)
     }
 
     /// The law of constants that are in range.
@@ -137,10 +117,6 @@ impl Archard {
 
 impl WearLaw for Archard {
     fn depth_rate(&self, at: &SurfaceState, film_thickness: f64) -> f64 {
-        let pressure = match self.pressure {
-            WearPressure::Total => at.pressure,
-            WearPressure::Solid => at.solid_pressure,
-        };
-        self.specific_rate(film_thickness) * pressure.max(0.0) * at.sliding_speed.abs()
+        self.specific_rate(film_thickness) * self.pressure.at(at).max(0.0) * at.sliding_speed.abs()
     }
 }

@@ -1,12 +1,13 @@
 //! Wear in proportion to the energy that friction dissipates.
 
-use super::WearLaw;
+use super::{WearLaw, WearPressure};
 use crate::error::InputError;
 use crate::surface_state::SurfaceState;
 
 /// `dz/dt = a(h) tau |u_s|`: the volume worn is proportional to the energy of friction, with the volume per
 /// energy `a(h) = a_bare - (a_bare - a_film) clamp(h / h_ref, 0, 1)` \[m^3/J\] falling as the tribofilm
-/// grows. Shear of contact and fluid both count.
+/// grows. By default the friction of solid contact counts: that of the nodes with solid pressure, the shear of
+/// the fluid there with it. With [`WearPressure::Total`] every node under pressure counts.
 ///
 /// Under one friction coefficient `mu` and no fluid shear it is [`Archard`](super::Archard) with
 /// `a = K / (mu H)`; it differs where friction varies over the contact.
@@ -33,6 +34,8 @@ pub struct FrictionalEnergy {
     drop: f64,
     /// One over the thickness of a full film \[1/m\].
     per_thickness: f64,
+    /// Which nodes wear.
+    pressure: WearPressure,
 }
 
 impl FrictionalEnergy {
@@ -50,12 +53,23 @@ impl FrictionalEnergy {
             "finite, >= 0 and not above that of the bare surface",
         )?;
         InputError::require_positive("reference_thickness", reference_thickness)?;
-        Ok(Self { bare, drop: bare - filmed, per_thickness: 1.0 / reference_thickness })
+        let pressure = WearPressure::default();
+        Ok(Self { bare, drop: bare - filmed, per_thickness: 1.0 / reference_thickness, pressure })
+    }
+
+    /// The same law, worn at the nodes that carry this pressure.
+    #[must_use]
+    pub fn with_pressure(mut self, pressure: WearPressure) -> Self {
+        self.pressure = pressure;
+        self
     }
 }
 
 impl WearLaw for FrictionalEnergy {
     fn depth_rate(&self, at: &SurfaceState, film_thickness: f64) -> f64 {
+        if self.pressure.at(at) <= 0.0 {
+            return 0.0;
+        }
         let volume = self.bare - self.drop * (film_thickness * self.per_thickness).clamp(0.0, 1.0);
         volume * at.shear_stress.abs() * at.sliding_speed.abs()
     }

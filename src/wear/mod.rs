@@ -10,14 +10,16 @@ mod depth;
 mod duty;
 mod frictional_energy;
 mod ledger;
+mod pressure;
 
 use std::fmt::Debug;
 
-pub use archard::{Archard, WearPressure};
+pub use archard::Archard;
 pub use depth::WearDepth;
 pub use duty::track_duty_factor;
 pub use frictional_energy::FrictionalEnergy;
 pub use ledger::{SurfaceLedger, Volumes};
+pub use pressure::WearPressure;
 
 use crate::surface_state::SurfaceState;
 

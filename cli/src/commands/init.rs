@@ -1,6 +1,7 @@
 //! `stribeck init`: a scene file from options, or from the answers to a few questions.
 
 mod answers;
+mod disc;
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -9,10 +10,10 @@ use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use stribeck::sim::{MixedLubricationSim, Scene};
-use stribeck::units::Dimension;
 use stribeck::{InputError, Status};
 
-use self::answers::{Answers, Quantity};
+use self::answers::Answers;
+use self::disc::Finish;
 use crate::output::{self, Outcome};
 
 /// Half a side of the box in Hertz half-widths.
@@ -26,9 +27,12 @@ const MOST_CELLS: u64 = 2048;
 const LONGEST_INLET: f64 = 6.0;
 /// Longest inlet over the radius: further out a ball is no paraboloid.
 const LARGEST_SLOPE: f64 = 0.3;
-/// Cells in the length of the roughness: where it is not given, and at least.
-const CELLS_IN_LENGTH: f64 = 4.0;
-const FEWEST_IN_LENGTH: f64 = 3.0;
+/// Asperities reach over this many times Rq, and touch up to where the bodies part by that: beyond the contact of
+/// the half-width `a` by `1.2 e^1.5 a^2/R` at the distance `e a`.
+const REACH: f64 = 5.0;
+const GAP_BEYOND: f64 = 1.2;
+/// Room between them and the edge of the box, in half-widths.
+const ROOM: f64 = 0.3;
 /// Young's modulus \[Pa\] and Poisson's ratio of steel.
 const STEEL: (f64, f64) = (210e9, 0.3);
 /// What warnings that answers can mend are about.
@@ -36,6 +40,9 @@ const LARGEST_PRESSURE: &str = "pressure.max";
 const CENTRAL_FILM: &str = "film.central";
 /// The warning about the heat of an isothermal film.
 const FRICTION: &str = "friction.coefficient";
+const ESTIMATE: &str = "solver.estimate";
+/// Beginning of the field of warnings about the mesh error.
+const MESH_ERROR: &str = "error_estimate.";
 /// Pressure that steel carries before it yields for good \[Pa\].
 const HARDNESS: &str = "6 GPa";
 
@@ -67,13 +74,19 @@ pub(crate) struct Options {
         value_parser = |text: &str| output::ratio("--slide-roll-ratio", text)
     )]
     slide_roll_ratio: Option<f64>,
-    /// Root mean square height of the disc, 0 for a smooth one [default: 50 nm]
+    /// Root mean square height of the disc, 0 for a smooth one [default: 0]; others need --length
     #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
     roughness: Option<String>,
-    /// Length over which the heights forget each other [default: four cells]
-    #[arg(long, allow_hyphen_values = true, value_name = "LENGTH")]
+    /// Correlation length of the heights: where their autocorrelation has fallen to 10 %
+    #[arg(long, allow_hyphen_values = true, value_name = "LENGTH", requires = "roughness")]
     length: Option<String>,
-    /// Cells along each side of the box [default: 64, smooth 128]
+    /// Typical height and length of a finish, in place of --roughness
+    #[arg(long, conflicts_with = "roughness")]
+    finish: Option<Finish>,
+    /// File of a measured surface, in place of --roughness
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["roughness", "finish"])]
+    surface: Option<PathBuf>,
+    /// Cells along each side of the box [default: four in the correlation length, at least 64 and at most 512; smooth 128]
     #[arg(
         long, allow_hyphen_values = true,
         value_parser = |text: &str| output::count::<u32>("--cells", text, 16..=MOST_CELLS)
@@ -89,7 +102,7 @@ pub(crate) struct Options {
 
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let ask = options.is_empty() && io::stdin().is_terminal();
-    if ask && !options.force && options.file.exists() {
+    if !options.force && options.file.exists() {
         return Err(format!("{}: the file is there; --force writes over it", options.file.display()).into());
     }
     let mut answers = answers::answers(options, ask, None)?;
@@ -132,10 +145,18 @@ fn written(options: &Options, answers: &Answers) -> Result<(String, Scene), Box<
     }
     // `init` writes isothermal scenes; solves warn where the film is too hot.
     warnings.retain(|warning| warning.field != FRICTION);
-    let Some(warning) = warnings.first() else { return Ok((text, scene)) };
+    // In mixed lubrication a mesh error is a part of the answer, no slip of the scene.
+    let rough = answers.disc.rq() > 0.0;
+    let (errors, mistakes): (Vec<_>, Vec<_>) =
+        warnings.into_iter().partition(|warning| rough && warning.field.starts_with(MESH_ERROR));
+    let Some(warning) = mistakes.first() else {
+        output::warn(&errors);
+        return Ok((text, scene));
+    };
     let remedy = match warning.field.as_str() {
         LARGEST_PRESSURE => "less speed or viscosity, or more load",
-        CENTRAL_FILM => "more --cells, or more speed or viscosity",
+        CENTRAL_FILM | ESTIMATE => "more --cells, or more speed or viscosity",
+        field if field.starts_with(MESH_ERROR) => "more --cells, or more speed or viscosity",
         _ => &warning.remedy,
     };
     let (field, message) = (&warning.field, &warning.message);
@@ -156,8 +177,6 @@ fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>>
     let bodies = bodies(answers)?;
     let trial = Scene::from_toml(&format!("{bodies}{}", grid([1.0; 2], [16; 2])))?;
     let half_width = trial.hertz()?.half_width_x;
-    let smooth = answers.roughness.value == 0.0;
-    let cells = options.cells.unwrap_or(if smooth { 128 } else { 64 });
     let inlet = half_width * flooded_inlet(&trial, half_width)?;
     if inlet > LARGEST_SLOPE * answers.radius.value {
         return Err(format!(
@@ -168,15 +187,23 @@ fn scene(options: &Options, answers: &Answers) -> Result<String, Box<dyn Error>>
         )
         .into());
     }
-    let half_side = rounded(BOX * half_width.max(inlet / LONGEST_INLET));
+    let disc = &answers.disc;
+    let beyond =
+        (REACH * disc.rq() * answers.radius.value / (GAP_BEYOND * half_width.powi(2))).powf(2.0 / 3.0);
+    let touching = half_width * (1.0 + beyond + ROOM);
+    let half_side = rounded((BOX * half_width.max(inlet / LONGEST_INLET)).max(touching));
+    let cells = disc.cells(options.cells, 2.0 * half_side)?;
     let cell = 2.0 * half_side / f64::from(cells);
     let more = ((inlet - half_side) / cell).ceil().max(0.0);
-    let mut text =
-        format!("{bodies}{}", grid([half_side + more * cell, half_side], [cells + more as u32, cells]));
-    if !smooth {
-        text += &roughness(options, answers, cell)?;
-    }
-    Ok(text)
+    let inlet = half_side + more * cell;
+    disc.require_size([inlet + half_side, 2.0 * half_side])?;
+    let tables = disc.tables(&options.file, HARDNESS)?;
+    let tolerance = if disc.rq() > 0.0 { "tolerance = 1e-5 # bound for each residual\n" } else { "" };
+    Ok(format!(
+        "{bodies}{}{tables}\n[solver]\n\
+         estimate = true # errors of the mesh, from a solve on half the cells along each side\n{tolerance}",
+        grid([inlet, half_side], [cells + more as u32, cells])
+    ))
 }
 
 /// Distance of the inlet edge from the middle, in half-widths, from which on the oil floods the contact:
@@ -191,20 +218,13 @@ fn flooded_inlet(scene: &Scene, half_width: f64) -> Result<f64, InputError> {
 /// All of the scene that does not depend on the size of the contact.
 fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
-    let entry = |quantity: &Quantity| {
-        if quantity.text.trim().parse::<f64>().is_ok() {
-            format!("{:?}", quantity.value)
-        } else {
-            format!("{:?}", quantity.text.trim())
-        }
-    };
     let (modulus, ratio) = STEEL;
     writeln!(
         text,
         "# A steel ball on a steel disc in oil. Numbers are in SI units or have a unit. `stribeck check` says what to expect of the\n\
          # contact, `stribeck solve` solves it, `stribeck curve` varies the speed. Every key: docs/scene.md.\n\n\
          [form]\nkind = \"sphere\"\nradius = {}\n",
-        entry(&answers.radius)
+        answers.radius.entry()
     )?;
     for body in ["ball", "disc"] {
         writeln!(
@@ -213,12 +233,12 @@ fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
             modulus * 1e-9
         )?;
     }
-    writeln!(text, "[load]\nforce = {} # or hertz_pressure = \"1 GPa\"\n", entry(&answers.load))?;
+    writeln!(text, "[load]\nforce = {} # or hertz_pressure = \"1 GPa\"\n", answers.load.entry())?;
     writeln!(
         text,
         "[motion]\nentrainment_speed = {} # mean of the two surface speeds; the oil flows along +x\n\
          slide_roll_ratio = {:?} # sliding speed over that; positive: the ball is faster\n",
-        entry(&answers.speed),
+        answers.speed.entry(),
         answers.slide_roll_ratio
     )?;
     writeln!(
@@ -230,8 +250,8 @@ fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
          [friction]\n\
          boundary_coefficient = 0.115 # where solids touch\n\
          eyring_stress = \"5 MPa\" # shear stress from which on the oil thins; leave the line out for a Newtonian oil",
-        entry(&answers.eta0),
-        entry(&answers.alpha)
+        answers.eta0.entry(),
+        answers.alpha.entry()
     )?;
     Ok(text)
 }
@@ -241,48 +261,9 @@ fn bodies(answers: &Answers) -> Result<String, std::fmt::Error> {
 fn grid([inlet, half_side]: [f64; 2], [nx, ny]: [u32; 2]) -> String {
     let [inlet, edge] = [inlet, half_side].map(|length| format!("{} um", plain(length * 1e6)));
     format!(
-        "\n[grid] # cells that fill a box around the contact: {BOX} Hertz half-widths or a little more to each side, further at the\n\
-         nx = {nx} # inlet where a thick film needs it\nny = {ny}\nx = [\"-{inlet}\", \"{edge}\"]\ny = [\"-{edge}\", \"{edge}\"]\n"
+        "\n[grid] # cells that fill a box around the contact: {BOX} Hertz half-widths or more to each side, as far as asperities\n\
+         nx = {nx} # touch, and further at the inlet where a thick film needs it\nny = {ny}\nx = [\"-{inlet}\", \"{edge}\"]\ny = [\"-{edge}\", \"{edge}\"]\n"
     )
-}
-
-/// The tables of a rough disc on cells of the width `cell` \[m\].
-fn roughness(options: &Options, answers: &Answers, cell: f64) -> Result<String, Box<dyn Error>> {
-    let length = match &options.length {
-        None => format!("{} um", plain(rounded(CELLS_IN_LENGTH * cell) * 1e6)),
-        Some(text) => {
-            let length = output::positive(Dimension::Length, "--length", text)?;
-            if length < FEWEST_IN_LENGTH * cell {
-                let cells =
-                    (f64::from(options.cells.unwrap_or(64)) * FEWEST_IN_LENGTH * cell / length).ceil();
-                let remedy = if cells <= MOST_CELLS as f64 {
-                    format!("--cells {cells} would do")
-                } else {
-                    format!("give a longer one, --cells {MOST_CELLS} are the most")
-                };
-                let cell = plain(cell * 1e6);
-                return Err(format!(
-                    "--length = {text} is less than {FEWEST_IN_LENGTH} cells of {cell} um; {remedy}"
-                )
-                .into());
-            }
-            format!("{length:e} m")
-        }
-    };
-    let rq = answers.roughness.text.trim();
-    let rq = if rq.parse::<f64>().is_ok() { rq.to_owned() } else { format!("{rq:?}") };
-    Ok(format!(
-        "\n[roughness.disc] # the ball is smooth\n\
-         kind = \"gaussian\" # random; a measured surface is kind = \"file\", path = \"FILE\"\n\
-         rq = {rq} # root mean square height\n\
-         length_x = \"{length}\" # where the autocorrelation has fallen to 10 %: three cells or more\n\
-         length_y = \"{length}\"\n\
-         seed = 1 # another number is another surface of the same kind\n\n\
-         [plastic] # leave the table out for an elastic contact\n\
-         hardness = \"{HARDNESS}\" # no cell carries more\n\n\
-         [solver]\n\
-         tolerance = 1e-5 # bound for each residual\n"
-    ))
 }
 
 /// The next larger number of two digits.

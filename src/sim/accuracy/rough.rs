@@ -66,7 +66,9 @@ impl Halving {
         interrupt: Option<&Interrupt>,
     ) -> Result<Self, SimError> {
         let surfaces = surfaces(&scene, field)?;
-        let halved = Scene { grid: of_cells(scene.grid, |n| n.div_ceil(2)), ..scene.clone() };
+        let mut halved = Scene { grid: of_cells(scene.grid, |n| n.div_ceil(2)), ..scene.clone() };
+        // Two rows of the mesh that is asked for decide on the edge of the box.
+        halved.solver.edge_contact = true;
         let half = on(&halved, &surfaces, interrupt).map_err(|error| on_half(error, field))?;
         let whole = on(&scene, &surfaces, interrupt)?;
         Ok(Self { scene, accuracy, field, surfaces, interrupt: interrupt.cloned(), half, whole })
@@ -170,6 +172,7 @@ fn on_half(error: SimError, field: &str) -> SimError {
 fn of_cells(grid: GridSpec, count: impl Fn(usize) -> usize) -> GridSpec {
     match grid {
         GridSpec::Cells { nx, ny, x, y } => GridSpec::Cells { nx: count(nx), ny: count(ny), x, y },
+        GridSpec::Growing { nx, ny, x, y } => GridSpec::Growing { nx: count(nx), ny: count(ny), x, y },
         GridSpec::Row { nx, x } => GridSpec::Row { nx: count(nx), x },
         other => other,
     }

@@ -46,7 +46,7 @@ impl RoughnessNumbers {
     }
 }
 
-/// A depth or thickness on both bodies: what is worn, or the tribofilm \[m\].
+/// A depth or thickness on both bodies \[m\], as that of the tribofilm.
 ///
 /// # Examples
 ///
@@ -54,9 +54,9 @@ impl RoughnessNumbers {
 /// use stribeck::sim::{MixedLubricationSim, Scene};
 /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16).with_tribofilm()).build()?;
 /// let record = sim.step(600.0)?;
-/// // Beside the track nothing is worn: the mean over its width is above that over the patch.
-/// assert!(record.wear.disc_in_contact > record.wear.disc_mean && record.wear.disc_mean > 0.0);
-/// assert!(record.tribofilm.disc_max >= record.tribofilm.disc_in_contact);
+/// // Beside the track nothing grows: the mean over its width is above that over the patch.
+/// let film = record.tribofilm;
+/// assert!(film.disc_max >= film.disc_in_contact && film.disc_in_contact > film.disc_mean);
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -10,6 +10,7 @@ mod contact;
 mod friction;
 mod stress;
 mod thermal;
+mod wear;
 
 pub use bodies::{DepthNumbers, PlasticNumbers, RoughnessNumbers};
 pub(super) use contact::Numbers;
@@ -17,3 +18,4 @@ pub use contact::{ContactNumbers, FilmNumbers, Moes, PressureNumbers};
 pub use friction::FrictionNumbers;
 pub use stress::StressNumbers;
 pub use thermal::ThermalNumbers;
+pub use wear::WearNumbers;

@@ -3,6 +3,9 @@
 //! Cells of one size fill a box; nodes are their centres. Whether the box holds the contact is checked where a
 //! contact is made.
 
+#[cfg(feature = "serde")]
+use serde::ser::SerializeMap as _;
+
 use super::Scene;
 use crate::error::InputError;
 use crate::grid::Grid;
@@ -23,12 +26,23 @@ use crate::sim::hertz::LINE_LENGTH;
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(untagged))]
 #[non_exhaustive]
 pub enum GridSpec {
     /// Cells that fill a box. A line contact is solved on one row of them: `ny` and `y` are checked and not
     /// used.
     Cells {
+        /// Cells along x.
+        nx: usize,
+        /// Cells along y.
+        ny: usize,
+        /// Outer edges along x \[m\]; the flow goes along +x.
+        x: [f64; 2],
+        /// Outer edges along y \[m\].
+        y: [f64; 2],
+    },
+    /// The same cells to begin with; in a history a box that solid contact, wear or a tribofilm reaches the edge of
+    /// becomes twice as wide (`grows = true` in a file).
+    Growing {
         /// Cells along x.
         nx: usize,
         /// Cells along y.
@@ -55,6 +69,38 @@ pub enum GridSpec {
     },
 }
 
+impl GridSpec {
+    /// Whether the box of a history grows.
+    pub(in crate::sim) fn grows(&self) -> bool {
+        matches!(self, Self::Growing { .. })
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for GridSpec {
+    /// The keys of `[grid]`.
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut keys = serializer.serialize_map(None)?;
+        match self {
+            Self::Cells { nx, ny, x, y } | Self::Growing { nx, ny, x, y } => {
+                keys.serialize_entry("nx", nx)?;
+                keys.serialize_entry("ny", ny)?;
+                keys.serialize_entry("x", x)?;
+                keys.serialize_entry("y", y)?;
+                if self.grows() {
+                    keys.serialize_entry("grows", &true)?;
+                }
+            }
+            Self::Row { nx, x } => {
+                keys.serialize_entry("nx", nx)?;
+                keys.serialize_entry("x", x)?;
+            }
+            Self::Accuracy { accuracy } => keys.serialize_entry("accuracy", accuracy)?,
+        }
+        keys.end()
+    }
+}
+
 impl Scene {
     /// The grid; of a line contact one row of cells one metre wide.
     ///
@@ -66,7 +112,7 @@ impl Scene {
             Err(InputError::Conflict { field: field.to_owned(), reason: reason.to_owned() })
         };
         match self.grid {
-            GridSpec::Cells { nx, ny, x, y } => {
+            GridSpec::Cells { nx, ny, x, y } | GridSpec::Growing { nx, ny, x, y } => {
                 let grid = Grid::from_edges(nx, ny, x, y)?;
                 if self.form.is_line() { row(nx, x) } else { Ok(grid) }
             }

@@ -228,7 +228,7 @@ impl Scene {
                     InputError::require_positive(&format!("materials.{name}.{key}"), value)
                 })?;
             }
-            let by_wear = self.wear.and_then(|wear| wear.hardness());
+            let by_wear = self.wear.and_then(|wear| wear.law.hardness());
             if let (Some(hardness), None, None) = (body.hardness, &self.plastic, by_wear) {
                 return Err(InputError::Conflict {
                     field: format!("materials.{name}.hardness = {hardness:e}"),

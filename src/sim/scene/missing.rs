@@ -98,9 +98,8 @@ impl<'a> Search<'a> {
             _ => &[],
         };
         self.look("tribofilm", keys);
-        if self.text("wear", "law") == Some("frictional_energy") {
-            self.look("wear", &["volume_per_energy"]);
-        }
+        let energy = self.text("wear", "law") == Some("frictional_energy");
+        self.look("wear", if energy { &["exposure", "volume_per_energy"] } else { &["exposure"] });
     }
 
     /// Notes which `keys` the table at `path` lacks, or that there is no such table where every scene has it.

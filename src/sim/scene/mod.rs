@@ -49,7 +49,7 @@ pub use tribofilm::{
     DrivingStress, GhanbarzadehSpec, ProportionalRemovalSpec, StressActivatedSpec, ThermalArrheniusSpec,
     TribofilmSpec,
 };
-pub use wear::{ArchardSpec, FrictionalEnergySpec, WearSpec};
+pub use wear::{ArchardSpec, FrictionalEnergySpec, WearLawSpec, WearSpec};
 
 use crate::surface::Form;
 
@@ -166,7 +166,7 @@ impl Scene {
             plastic: Some(PlasticSpec { hardness: 6e9, film_hardness: Some(2e9), hardening_modulus: None }),
             friction: FrictionSpec::default(),
             tribofilm: None,
-            wear: Some(WearSpec::default()),
+            wear: Some(WearSpec::azam_2019()),
             track: TrackSpec::default(),
             thermal: ThermalSpec::default(),
             schedule: Schedules::default(),

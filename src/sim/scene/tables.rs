@@ -98,6 +98,9 @@ struct GridTable {
     y: Option<[f64; 2]>,
     /// Wanted relative error, in place of all the others.
     accuracy: Option<f64>,
+    /// Whether the box of a history grows.
+    #[serde(default)]
+    grows: bool,
 }
 
 /// Reads `[grid]`.
@@ -108,9 +111,15 @@ pub(super) fn grid<'de, D: Deserializer<'de>>(deserializer: D) -> Result<GridSpe
 impl GridTable {
     /// Cells, a row of them, or an accuracy; a mixture is an error.
     fn into_spec(self) -> Result<GridSpec, String> {
-        let Self { nx, ny, x, y, accuracy } = self;
+        let Self { nx, ny, x, y, accuracy, grows } = self;
         if let Some(accuracy) = accuracy {
-            let given = [("nx", nx.is_some()), ("ny", ny.is_some()), ("x", x.is_some()), ("y", y.is_some())];
+            let given = [
+                ("nx", nx.is_some()),
+                ("ny", ny.is_some()),
+                ("x", x.is_some()),
+                ("y", y.is_some()),
+                ("grows", grows),
+            ];
             return match given.iter().find(|(_, present)| *present) {
                 Some((key, _)) => {
                     Err(format!("`accuracy` stands in place of nx, ny, x and y, not with `{key}`"))
@@ -119,10 +128,11 @@ impl GridTable {
             };
         }
         let (nx, x) = (required("nx", nx)?, required("x", x)?);
-        if ny.is_none() && y.is_none() {
+        if ny.is_none() && y.is_none() && !grows {
             return Ok(GridSpec::Row { nx, x });
         }
-        Ok(GridSpec::Cells { nx, ny: required("ny", ny)?, x, y: required("y", y)? })
+        let (ny, y) = (required("ny", ny)?, required("y", y)?);
+        Ok(if grows { GridSpec::Growing { nx, ny, x, y } } else { GridSpec::Cells { nx, ny, x, y } })
     }
 }
 

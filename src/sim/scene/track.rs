@@ -3,7 +3,7 @@
 use crate::error::InputError;
 use crate::surface::{AlongTrack, AtRest, Carried, RandomShift, RoughnessMotion};
 
-/// Motion of the roughness and exposure of the track in a history.
+/// Motion of the roughness in a history, tracks, and the exposure of tribofilms to the contact.
 ///
 /// # Examples
 ///
@@ -31,7 +31,8 @@ pub struct TrackSpec {
     /// Seed of the places that a random motion meets.
     #[cfg_attr(feature = "serde", serde(with = "super::tables::seed"))]
     pub seed: u64,
-    /// How long a point of the track is in the contact.
+    /// Time that a point of the track is in the contact, of growth and flattening; that of wear is
+    /// [`WearSpec::exposure`](super::WearSpec::exposure).
     pub exposure: Exposure,
     /// Radius of the track on the ball \[m\]; needed for [`Exposure::Track`] where the ball moves.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -66,7 +67,7 @@ pub enum TrackMotion {
 /// use stribeck::sim::{MixedLubricationSim, Scene};
 /// let worn = |exposure| -> Result<f64, stribeck::sim::SimError> {
 ///     let mut scene = Scene::azam_2019(16);
-///     scene.track.exposure = exposure;
+///     scene.wear = scene.wear.map(|wear| wear.with_exposure(exposure));
 ///     (scene.track.radius_ball, scene.track.radius_disc) = (Some(9e-3), Some(20e-3));
 ///     Ok(MixedLubricationSim::builder(scene).build()?.step(10.0)?.wear.disc_mean)
 /// };

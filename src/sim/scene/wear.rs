@@ -1,33 +1,56 @@
-//! Wear: the laws of the crate by name.
+//! Wear: the laws of the crate by name, the pressure that wears and the time of exposure.
 
 #[cfg(feature = "serde")]
 use super::tables::{keyed, required};
+use super::track::Exposure;
 use crate::error::InputError;
 use crate::wear::{Archard, FrictionalEnergy, WearLaw, WearPressure};
+use crate::with_fields::with_fields;
 
-/// Wear by one of the laws of the crate.
+/// Wear of both bodies: a law, the pressure that wears, and the time that a point of the track is exposed to it.
 ///
 /// # Examples
 ///
 /// ```
 /// use stribeck::SurfaceState;
-/// use stribeck::sim::scene::{ArchardSpec, WearSpec};
-/// let spec = WearSpec::Archard(ArchardSpec { coefficient: 6e-8, film_coefficient: 6e-9, ..Default::default() });
-/// let law = spec.law(6e9, Some(100e-9))?;
-/// // k p u / H: 1e-17 1/Pa times 1 GPa times 0.1 m/s, bare and under a full film.
-/// let at = SurfaceState::new(1e9, 300.0).with_sliding_speed(0.1);
+/// use stribeck::sim::scene::{ArchardSpec, Exposure, WearLawSpec, WearSpec};
+/// let archard = ArchardSpec { coefficient: 6e-8, film_coefficient: 6e-9, ..Default::default() };
+/// let law = WearSpec::new(WearLawSpec::Archard(archard), Exposure::Track).law(6e9, Some(100e-9))?;
+/// // k p u / H: 1e-17 1/Pa times 1 GPa of solid contact times 0.1 m/s, bare and under a film of full thickness.
+/// let at = SurfaceState::new(1e9, 300.0).with_solid_pressure(1e9).with_sliding_speed(0.1);
 /// assert!((law.depth_rate(&at, 0.0) / 1e-9 - 1.0).abs() < 1e-12);
 /// assert!((law.depth_rate(&at, 100e-9) / 1e-10 - 1.0).abs() < 1e-9);
+/// assert_eq!(law.depth_rate(&at.with_solid_pressure(0.0), 0.0), 0.0);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(tag = "law", rename_all = "snake_case", try_from = "WearTable")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "WearTable"))]
 #[non_exhaustive]
-pub enum WearSpec {
+pub struct WearSpec {
+    /// The law and its constants.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub law: WearLawSpec,
+    /// The pressure that wears.
+    pub pressure: WearPressure,
+    /// The time that a point of the track is exposed to wear; it belongs to the constants of the law and has no
+    /// default.
+    pub exposure: Exposure,
+}
+
+/// Laws of wear by name.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::scene::{ArchardSpec, FrictionalEnergySpec, WearLawSpec};
+/// assert_eq!(WearLawSpec::Archard(ArchardSpec::default()).hardness(), Some(6e9));
+/// let energy = FrictionalEnergySpec { volume_per_energy: 1e-16, film_volume_per_energy: 1e-17 };
+/// assert_eq!(WearLawSpec::FrictionalEnergy(energy).hardness(), None);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(tag = "law", rename_all = "snake_case"))]
+#[non_exhaustive]
+pub enum WearLawSpec {
     /// In proportion to pressure and distance: [`Archard`].
     Archard(ArchardSpec),
     /// In proportion to the energy of friction: [`FrictionalEnergy`].
@@ -48,8 +71,6 @@ pub struct ArchardSpec {
     /// absent: constant.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub film_hardness: Option<f64>,
-    /// Whether only solid pressure wears, or all pressure.
-    pub solid_pressure_only: bool,
 }
 
 /// Constants of [`FrictionalEnergy`].
@@ -63,32 +84,32 @@ pub struct FrictionalEnergySpec {
 }
 
 impl Default for ArchardSpec {
-    /// The constants of Azam et al. (2019), all pressure.
+    /// The constants of Azam et al. (2019).
     fn default() -> Self {
-        Self {
-            coefficient: 5.45e-8,
-            film_coefficient: 5.45e-9,
-            hardness: 6e9,
-            film_hardness: None,
-            solid_pressure_only: false,
-        }
+        Self { coefficient: 5.45e-8, film_coefficient: 5.45e-9, hardness: 6e9, film_hardness: None }
     }
 }
 
-impl Default for WearSpec {
-    /// The law and the constants of Azam et al. (2019).
-    fn default() -> Self {
-        Self::Archard(ArchardSpec::default())
-    }
-}
-
-impl WearSpec {
+impl WearLawSpec {
     /// Hardness that the law divides by \[Pa\]; none for a law without.
     pub fn hardness(&self) -> Option<f64> {
         match self {
             Self::Archard(spec) => Some(spec.hardness),
             Self::FrictionalEnergy(_) => None,
         }
+    }
+}
+
+impl WearSpec {
+    /// Wear by `law` under the pressure of solid contact.
+    pub const fn new(law: WearLawSpec, exposure: Exposure) -> Self {
+        Self { law, pressure: WearPressure::Solid, exposure }
+    }
+
+    /// The choices of Azam et al. (2019): their constants, all pressure, the time of the test.
+    pub fn azam_2019() -> Self {
+        Self::new(WearLawSpec::Archard(ArchardSpec::default()), Exposure::ContactClock)
+            .with_pressure(WearPressure::Total)
     }
 
     /// The law of a body of `hardness` \[Pa\], which laws without one pass over, under films whose full
@@ -104,39 +125,46 @@ impl WearSpec {
 
     /// The same under films of the `full` thickness \[m\]; errors name the law's constants alone.
     fn bare_law(&self, hardness: f64, full: f64) -> Result<Box<dyn WearLaw>, InputError> {
-        Ok(match *self {
-            Self::Archard(spec) => {
+        Ok(match self.law {
+            WearLawSpec::Archard(spec) => {
                 let mut law = Archard::new(spec.coefficient, spec.film_coefficient, full, hardness)?;
                 if let Some(film_hardness) = spec.film_hardness {
                     law = law.with_film_hardness(film_hardness)?;
                 }
-                let pressure =
-                    if spec.solid_pressure_only { WearPressure::Solid } else { WearPressure::Total };
-                Box::new(law.with_pressure(pressure))
+                Box::new(law.with_pressure(self.pressure))
             }
-            Self::FrictionalEnergy(spec) => {
-                Box::new(FrictionalEnergy::new(spec.volume_per_energy, spec.film_volume_per_energy, full)?)
+            WearLawSpec::FrictionalEnergy(spec) => {
+                let law = FrictionalEnergy::new(spec.volume_per_energy, spec.film_volume_per_energy, full)?;
+                Box::new(law.with_pressure(self.pressure))
             }
         })
     }
 
     /// Checks the constants as the law itself does.
     pub(in crate::sim) fn validate(&self) -> Result<(), InputError> {
-        self.law(self.hardness().unwrap_or(1.0), None).map(|_| ())
+        self.law(self.law.hardness().unwrap_or(1.0), None).map(|_| ())
     }
 }
+
+with_fields!(WearSpec {
+    with_law law: WearLawSpec,
+    with_pressure pressure: WearPressure,
+    with_exposure exposure: Exposure,
+});
 
 #[cfg(feature = "serde")]
 keyed! {
     /// What a scene file holds.
     #[derive(serde::Deserialize)]
     struct WearTable {
-        law: Option<LawName>;
+        law: Option<LawName>,
+        pressure: Option<WearPressure>,
+        exposure: Option<Exposure>,
+        solid_pressure_only: Option<bool>;
         coefficient: f64,
         film_coefficient: f64,
         hardness: f64,
         film_hardness: f64,
-        solid_pressure_only: bool,
         volume_per_energy: f64,
         film_volume_per_energy: f64,
     }
@@ -153,35 +181,54 @@ enum LawName {
 
 /// Keys of `law = "archard"`.
 #[cfg(feature = "serde")]
-const ARCHARD: [&str; 5] =
-    ["coefficient", "film_coefficient", "hardness", "film_hardness", "solid_pressure_only"];
+const ARCHARD: [&str; 4] = ["coefficient", "film_coefficient", "hardness", "film_hardness"];
 /// Keys of `law = "frictional_energy"`.
 #[cfg(feature = "serde")]
 const FRICTIONAL_ENERGY: [&str; 2] = ["volume_per_energy", "film_volume_per_energy"];
+/// The error of a table without an exposure.
+#[cfg(feature = "serde")]
+const EXPOSURES: &str = "missing field `exposure`; \
+    exposure = \"track\": a point of the track wears while the contact passes, once a round, for coefficients by load \
+    and sliding distance (needs track.radius_ball and track.radius_disc of bodies that move); \
+    exposure = \"contact_clock\": a point wears as if it never left the contact, for coefficients fitted to the depth at \
+    the time of a test";
 
 #[cfg(feature = "serde")]
 impl TryFrom<WearTable> for WearSpec {
     type Error = String;
 
     fn try_from(table: WearTable) -> Result<Self, String> {
-        match table.law.unwrap_or(LawName::Archard) {
+        if let Some(solid) = table.solid_pressure_only {
+            let pressure = if solid { "solid" } else { "total" };
+            return Err(format!("unknown key `solid_pressure_only`; write pressure = \"{pressure}\""));
+        }
+        let law = table.law()?;
+        let exposure = table.exposure.ok_or_else(|| EXPOSURES.to_owned())?;
+        Ok(Self::new(law, exposure).with_pressure(table.pressure.unwrap_or_default()))
+    }
+}
+
+#[cfg(feature = "serde")]
+impl WearTable {
+    /// The law and its constants.
+    fn law(&self) -> Result<WearLawSpec, String> {
+        match self.law.unwrap_or(LawName::Archard) {
             LawName::Archard => {
-                table.refuse_strays("law = \"archard\"", &ARCHARD)?;
+                self.refuse_strays("law = \"archard\"", &ARCHARD)?;
                 let usual = ArchardSpec::default();
-                Ok(Self::Archard(ArchardSpec {
-                    coefficient: table.coefficient.unwrap_or(usual.coefficient),
-                    film_coefficient: table.film_coefficient.unwrap_or(usual.film_coefficient),
-                    hardness: table.hardness.unwrap_or(usual.hardness),
-                    film_hardness: table.film_hardness,
-                    solid_pressure_only: table.solid_pressure_only.unwrap_or(usual.solid_pressure_only),
+                Ok(WearLawSpec::Archard(ArchardSpec {
+                    coefficient: self.coefficient.unwrap_or(usual.coefficient),
+                    film_coefficient: self.film_coefficient.unwrap_or(usual.film_coefficient),
+                    hardness: self.hardness.unwrap_or(usual.hardness),
+                    film_hardness: self.film_hardness,
                 }))
             }
             LawName::FrictionalEnergy => {
-                table.refuse_strays("law = \"frictional_energy\"", &FRICTIONAL_ENERGY)?;
-                let bare = required("volume_per_energy", table.volume_per_energy)?;
-                Ok(Self::FrictionalEnergy(FrictionalEnergySpec {
+                self.refuse_strays("law = \"frictional_energy\"", &FRICTIONAL_ENERGY)?;
+                let bare = required("volume_per_energy", self.volume_per_energy)?;
+                Ok(WearLawSpec::FrictionalEnergy(FrictionalEnergySpec {
                     volume_per_energy: bare,
-                    film_volume_per_energy: table.film_volume_per_energy.unwrap_or(bare),
+                    film_volume_per_energy: self.film_volume_per_energy.unwrap_or(bare),
                 }))
             }
         }

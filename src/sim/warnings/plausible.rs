@@ -14,7 +14,7 @@ use super::quantity::{
 use crate::error::InputError;
 use crate::lubricant::ViscosityLaw;
 use crate::metrics::height_statistics;
-use crate::sim::scene::{BODIES, LubricantSpec, Scene, Schedule, TribofilmSpec, WearSpec};
+use crate::sim::scene::{BODIES, LubricantSpec, Scene, Schedule, TribofilmSpec, WearLawSpec};
 use crate::sim::setup;
 
 /// Rq above which the heights of a body are refused where the contact is narrower \[m\].
@@ -230,14 +230,14 @@ fn processes(scene: &Scene) -> Vec<Entry> {
         list.push(entry("tribofilm.maximum_thickness", film.maximum_thickness(), TRIBOFILM));
     }
     list.extend(scene.tribofilm.iter().flat_map(growth));
-    match scene.wear {
+    match scene.wear.map(|wear| wear.law) {
         None => {}
-        Some(WearSpec::Archard(wear)) => {
+        Some(WearLawSpec::Archard(wear)) => {
             list.push(entry("wear.coefficient", wear.coefficient, WEAR));
             list.push(entry("wear.hardness", wear.hardness, HARDNESS));
             list.push(entry("wear.film_hardness", wear.film_hardness, HARDNESS));
         }
-        Some(WearSpec::FrictionalEnergy(wear)) => {
+        Some(WearLawSpec::FrictionalEnergy(wear)) => {
             list.push(entry("wear.volume_per_energy", wear.volume_per_energy, WEAR_PER_ENERGY));
         }
     }

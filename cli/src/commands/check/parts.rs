@@ -137,7 +137,11 @@ fn changes(scene: &Scene, sim: &MixedLubricationSim) -> Vec<Part> {
         _ => "thermal.flash is auto: on where it may exceed 1 K; in a history alone",
     };
     let scheduled = !scene.schedule.is_empty();
-    let exposed = scene.track.exposure == Exposure::Track;
+    let exposures = [
+        ("track.exposure", Some(scene.track.exposure)),
+        ("wear.exposure", scene.wear.map(|wear| wear.exposure)),
+    ];
+    let on_track = exposures.into_iter().find(|(_, exposure)| *exposure == Some(Exposure::Track));
     vec![
         table("plastic limit", scene.plastic.is_some(), "plastic", false),
         table("tribofilm", scene.tribofilm.is_some(), "tribofilm", true),
@@ -146,9 +150,11 @@ fn changes(scene: &Scene, sim: &MixedLubricationSim) -> Vec<Part> {
         table("schedule", scheduled, "schedule", true),
         Part {
             what: "time on track",
-            modelled: exposed,
-            why: if exposed { "track.exposure is track" } else { "track.exposure is contact_clock" }
-                .to_owned(),
+            modelled: on_track.is_some(),
+            why: on_track.map_or_else(
+                || "points age as if they never left the contact".to_owned(),
+                |(key, _)| format!("{key} is track"),
+            ),
         },
     ]
 }

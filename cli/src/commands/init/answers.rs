@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::io::{self, BufRead, Write};
+use std::path::Path;
 
 use stribeck::sim::scene::{Load, LubricantSpec, Roughness};
 use stribeck::sim::{Scene, Warning};
@@ -9,6 +10,7 @@ use stribeck::surface::Form;
 use stribeck::units::Dimension;
 
 use super::Options;
+use super::disc::{Disc, Finish, Measured};
 use crate::output;
 
 /// A question, the option that answers it, its default and what it asks for.
@@ -20,13 +22,28 @@ const ETA0: Question = ("Viscosity of the oil", "--eta0", "10 mPa s", Dimension:
 const ALPHA: Question =
     ("Pressure-viscosity coefficient of the oil", "--alpha", "18 1/GPa", Dimension::InversePressure);
 const SPEED: Question = ("Mean speed of the surfaces", "--speed", "0.5 m/s", Dimension::Speed);
-const ROUGHNESS: Question =
-    ("Root mean square height of the disc (0 for a smooth one)", "--roughness", "50 nm", Dimension::Length);
+/// Keys of the roughness, the question for it and its default.
+const RQ: &str = "--roughness";
+const LENGTH: &str = "--length";
+const DISC: &str = "Disc: ground, honed, superfinished or polished, its root mean square height (0: smooth), or a file of heights";
+const SMOOTH: &str = "0";
 
 /// A quantity as it was written, and in SI units.
+#[derive(Debug, Clone)]
 pub(super) struct Quantity {
     pub(super) text: String,
     pub(super) value: f64,
+}
+
+impl Quantity {
+    /// The value of a key in a scene file.
+    pub(super) fn entry(&self) -> String {
+        if self.text.trim().parse::<f64>().is_ok() {
+            format!("{:?}", self.value)
+        } else {
+            format!("{:?}", self.text.trim())
+        }
+    }
 }
 
 /// What a scene is made of.
@@ -37,7 +54,7 @@ pub(super) struct Answers {
     pub(super) alpha: Quantity,
     pub(super) speed: Quantity,
     pub(super) slide_roll_ratio: f64,
-    pub(super) roughness: Quantity,
+    pub(super) disc: Disc,
 }
 
 impl Options {
@@ -45,7 +62,9 @@ impl Options {
     pub(super) fn is_empty(&self) -> bool {
         let given =
             [&self.radius, &self.load, &self.eta0, &self.alpha, &self.speed, &self.roughness, &self.length];
-        given.into_iter().all(Option::is_none) && (self.slide_roll_ratio, self.cells) == (None, None)
+        given.into_iter().all(Option::is_none)
+            && (self.slide_roll_ratio, self.cells) == (None, None)
+            && (self.finish, &self.surface) == (None, &None)
     }
 }
 
@@ -78,13 +97,59 @@ pub(super) fn answers(
         None if ask => asked("Sliding speed over mean speed", &last, ratio)?,
         None => ratio(last)?,
     };
-    let roughness = quantity(ROUGHNESS, &o.roughness, |answers| &answers.roughness)?;
-    Ok(Answers { radius, load, eta0, alpha, speed, slide_roll_ratio, roughness })
+    let disc = match (&o.roughness, o.finish, &o.surface) {
+        (Some(rq), ..) => {
+            let rq = height(rq)?;
+            match &o.length {
+                _ if rq.value == 0.0 => Disc::Smooth,
+                Some(length) => Disc::Random(rq, correlation_length(length)?),
+                None => {
+                    return Err(format!(
+                        "{RQ} = {}: {LENGTH} is missing, the correlation length of the heights; or take a --finish",
+                        rq.text
+                    )
+                    .into());
+                }
+            }
+        }
+        (None, Some(finish), _) => Disc::Finish(finish),
+        (None, None, Some(file)) => Disc::Measured(Measured::read(file)?),
+        (None, None, None) if ask => asked(DISC, SMOOTH, disc_of_answer)?,
+        (None, None, None) => Disc::Smooth,
+    };
+    Ok(Answers { radius, load, eta0, alpha, speed, slide_roll_ratio, disc })
+}
+
+/// The disc that an answer describes; of a height the correlation length is asked for.
+fn disc_of_answer(text: String) -> Result<Disc, Box<dyn Error>> {
+    if let Some(finish) = Finish::named(&text) {
+        return Ok(Disc::Finish(finish));
+    }
+    if Path::new(&text).is_file() {
+        return Ok(Disc::Measured(Measured::read(Path::new(&text))?));
+    }
+    let rq = height(&text)?;
+    if rq.value == 0.0 {
+        return Ok(Disc::Smooth);
+    }
+    let length = asked("Correlation length of the heights", "10 um", |text| correlation_length(&text))?;
+    Ok(Disc::Random(rq, length))
+}
+
+/// A root mean square height, zero or more.
+fn height(text: &str) -> Result<Quantity, Box<dyn Error>> {
+    checked(RQ, Dimension::Length, text).map(|value| Quantity { text: text.to_owned(), value })
+}
+
+/// A correlation length.
+fn correlation_length(text: &str) -> Result<Quantity, Box<dyn Error>> {
+    let value = output::positive(Dimension::Length, LENGTH, text)?;
+    Ok(Quantity { text: text.to_owned(), value })
 }
 
 /// The value in `text` of the option `key`, refused where it is rather that of another unit.
 fn checked(key: &str, dimension: Dimension, text: &str) -> Result<f64, Box<dyn Error>> {
-    let value = if key == "--roughness" {
+    let value = if key == RQ {
         let value = output::quantity(dimension, key, text)?;
         output::require(value >= 0.0, key, value, "finite and >= 0")?
     } else {

@@ -98,7 +98,7 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
             Outcome::NotConverged
         }
         Ok(_) => Outcome::Converged,
-        Err(error @ SimError::NotConverged { .. }) => {
+        Err(error @ (SimError::NotConverged { .. } | SimError::BoxTooSmall(_))) => {
             output::complain("error", &error.to_string());
             Outcome::NotConverged
         }
