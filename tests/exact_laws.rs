@@ -35,7 +35,9 @@ fn line_contact_balances_mass_by_the_closed_form_of_barus() {
     let reduced: Vec<f64> = state.fluid_pressure.iter().map(|p| -(-alpha * p).exp_m1() / alpha).collect();
     let flow = |k: usize| {
         let mobility = 0.5 * (state.film[k].powi(3) + state.film[k + 1].powi(3)) / (12.0 * ETA);
-        state.mass[k] + mobility * (reduced[k] - reduced[k + 1]) / (speed * grid.dx())
+        // Pressure is ambient at the edge of the box, half a cell beyond the outermost nodes.
+        let cells = if k == 0 || k + 2 == n { 1.5 } else { 1.0 };
+        state.mass[k] + mobility * (reduced[k] - reduced[k + 1]) / (speed * cells * grid.dx())
     };
     let imbalance: f64 = (1..n - 1).map(|k| (flow(k) - flow(k - 1)).abs()).sum();
     let load: f64 = state.pressure.iter().sum();
@@ -63,7 +65,7 @@ fn mass_residual_of_a_point_contact_does_not_depend_on_the_unit_of_pressure() {
         let mut problem = LubricatedContact::new(&gap, &mut body, unit * hertz.force, (a, a), unit * 1e9)
             .with_lubricant(Some(&oil))
             .with_entrainment_speed(0.5);
-        if unit == 1.0 {
+        if unit < 2.0 {
             state = ContactState::new(&grid);
             let report = NewtonKrylov::new().solve(&mut problem, &mut state, &stop).unwrap();
             report.require_converged().unwrap();

@@ -169,3 +169,85 @@ impl Globalization {
         self.step_bound = (self.step_bound * change).min(self.largest_step_bound);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elastic::HalfSpace;
+    use crate::grid::Grid;
+    use crate::reynolds::Cavitation;
+
+    /// Runs `check` on a contact of a reference pressure of 1 GPa and a contact film of 1 nm.
+    fn with_problem(check: impl FnOnce(&mut LubricatedContact<'_>)) {
+        let grid = Grid::centred(8, 8, 1e-6, 1e-6).unwrap();
+        let (gap, mut body) = (vec![0.0; grid.len()], HalfSpace::new(grid, 230e9).unwrap());
+        check(&mut LubricatedContact::new(&gap, &mut body, 1.0, (4e-6, 4e-6), 1e9));
+    }
+
+    #[test]
+    fn homotopy_halves_the_contact_film_and_restores_cavitation_at_a_low_residual() {
+        with_problem(|problem| {
+            let mut globalization = Globalization::new(problem, &NewtonSettings::default());
+            globalization.start_homotopy(problem);
+            assert!((problem.film_cutoff / 30e-9 - 1.0).abs() < 1e-12);
+            for film in [15e-9, 7.5e-9, 3.75e-9, 1.875e-9, 1e-9] {
+                assert!(
+                    !globalization.restore_cavitation(problem, 1e-9),
+                    "the contact film is not the own one"
+                );
+                let control = globalization.begin_step(problem, 1e9);
+                assert!((problem.film_cutoff / film - 1.0).abs() < 1e-12 && control.acceptable.is_infinite());
+            }
+            assert!(!globalization.restore_cavitation(problem, 101.0) && globalization.is_homotopy(problem));
+            assert!(globalization.restore_cavitation(problem, 99.0));
+            assert!(problem.cavitation == Cavitation::MassConserving && !globalization.is_homotopy(problem));
+        });
+    }
+
+    #[test]
+    fn step_bound_is_halved_and_growth_excluded_after_five_steps_without_progress() {
+        with_problem(|problem| {
+            let mut globalization = Globalization::new(problem, &NewtonSettings::default());
+            globalization.update_progress(problem, 8.0);
+            let control = globalization.begin_step(problem, 8.0);
+            assert_eq!((control.step_bound, control.acceptable), (0.03 * 1e9, 16.0));
+            for _ in 0..5 {
+                globalization.update_progress(problem, 5.0);
+            }
+            let control = globalization.begin_step(problem, 5.0);
+            assert_eq!((control.step_bound, control.acceptable), (0.015 * 1e9, 5.0));
+            // A large linearization error halves it again, a small one returns it to its largest value.
+            globalization.update_step_bound(9.0);
+            assert!((globalization.begin_step(problem, 5.0).step_bound - 7.5e6).abs() < 1.0);
+            globalization.update_step_bound(1e-9);
+            globalization.update_step_bound(1e-9);
+            assert!((globalization.begin_step(problem, 5.0).step_bound - 1.5e7).abs() < 1.0);
+        });
+    }
+
+    #[test]
+    fn iteration_has_stalled_when_the_residual_does_not_halve_within_the_window() {
+        with_problem(|problem| {
+            let mut globalization = Globalization::new(problem, &NewtonSettings::default());
+            for step in 0..=80 {
+                assert!(!globalization.has_stalled(), "step {step}");
+                globalization.update_progress(problem, 1.0 - 1e-3 * f64::from(step));
+            }
+            assert!(globalization.has_stalled());
+            globalization.update_progress(problem, 0.5);
+            assert!(!globalization.has_stalled());
+        });
+    }
+
+    #[test]
+    fn pseudo_transient_term_falls_by_its_reduction_and_with_the_residual() {
+        with_problem(|problem| {
+            let mut globalization = Globalization::new(problem, &NewtonSettings::default());
+            let [far, near] =
+                [1e3, 50.0].map(|residual| globalization.begin_step(problem, residual).pseudo_transient);
+            assert!((far - 0.3).abs() < 1e-12 && (near - 0.5 * 0.3 * 0.85).abs() < 1e-12, "{far} {near}");
+            globalization.for_warm_start();
+            assert!(globalization.begin_step(problem, 1e3).pseudo_transient.abs() < f64::MIN_POSITIVE);
+        });
+    }
+}

@@ -256,7 +256,7 @@ impl Window {
         true
     }
 
-    /// Solves the linearised balances of the chosen nodes for the changes of their pressures and films, and
+    /// Solves the linearized balances of the chosen nodes for the changes of their pressures and films, and
     /// finds those of their balances, in the units of [`Linearization`]; false where the equations have no
     /// finite factors.
     fn linear_step(&mut self, problem: &LubricatedContact<'_>, film_unit: f64, own: f64) -> bool {
