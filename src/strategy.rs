@@ -18,8 +18,7 @@ use crate::displayed::serialize_as_displayed;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Strategy {
-    /// From the given state or the dry contact, with the settings of
-    /// [`NewtonSettings::attempt`](crate::reynolds::NewtonSettings::attempt).
+    /// From the given state or the dry contact.
     Attempt,
     /// Continuation in the contact film, from thicker films
     /// ([`NewtonSettings::least_film_ratio`](crate::reynolds::NewtonSettings::least_film_ratio)).

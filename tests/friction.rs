@@ -2,6 +2,7 @@
 #![expect(clippy::float_cmp, reason = "tests")]
 
 use stribeck::BoundaryFriction;
+use stribeck::lubricant::{Roelands, ViscosityLaw};
 use stribeck::metrics::height_statistics;
 use stribeck::sim::scene::{FrictionSpec, SolverKind};
 use stribeck::sim::{Body, BodyStart, MixedLubricationSim, Scene, solve_contact};
@@ -157,4 +158,26 @@ fn record_values_are_consistent() {
     let (by_slope, stated) = (formula(None), formula(Some(2.0 * 1.4393e-8)));
     assert!((stated.0 / by_slope.0 / 2.0_f64.powf(0.53) - 1.0).abs() < 1e-4, "{stated:?} {by_slope:?}");
     assert_eq!(stated.1, by_slope.1);
+}
+
+/// Behind a fully flooded contact the film ruptures: the share `theta` of each cell is sheared.
+#[test]
+fn cavitated_cells_shear_by_their_film_fraction() {
+    let mut scene = Scene::azam_2019(48);
+    (scene.roughness, scene.plastic) = (Default::default(), None);
+    let solution = solve_contact(&scene).unwrap();
+    solution.report.require_converged().unwrap();
+    let (state, rheology, sliding) =
+        (&solution.state, scene.friction.rheology().unwrap(), scene.motion.sliding_speed());
+    let oil = scene.lubricant.unwrap();
+    let law = Roelands::new(oil.eta0, oil.roelands_z, oil.roelands_p0).unwrap();
+    assert!(state.theta.iter().filter(|theta| **theta < 0.9).count() > 100);
+    let stress = |k: usize| {
+        let pressure = state.fluid_pressure[k];
+        let stress = rheology.shear_stress_under(pressure, law.viscosity(pressure), sliding / state.film[k]);
+        state.theta[k] * stress
+    };
+    let force = (0..state.film.len()).map(stress).sum::<f64>() * solution.grid.cell_area();
+    let exact = force / solution.hertz.force;
+    assert!((solution.friction.fluid / exact - 1.0).abs() < 1e-12, "{} for {exact}", solution.friction.fluid);
 }

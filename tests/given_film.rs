@@ -292,6 +292,19 @@ fn friction_of_a_pad() {
     assert!((rolling.friction[0] / rolling.friction[1] - 1.0).abs() < 1e-12);
 }
 
+/// A film that opens from 1 to 2 um along the flow cavitates from its edge on and carries `theta h = h_0`: friction
+/// is `eta u` times the integral of `h_0/h^2`, `eta u L/h_1`.
+#[test]
+fn friction_of_a_diverging_film_is_that_of_its_fluid() {
+    let (length, u) = (1e-2, 2.0);
+    let grid = Grid::from_edges(400, 1, [0.0, length], [0.0, 1.0]).unwrap();
+    let film = FilmThickness::from_function(grid, |x, _| 1e-6 * (1.0 + x / length)).unwrap();
+    let solution = solved(&GivenFilm::new(&film, &oil(ETA, 0.0), [u, 0.0]));
+    assert!(solution.load.abs() < 1e-9 && solution.theta[399] < 0.51);
+    let exact = ETA * u * length / 2e-6;
+    assert!((solution.friction[1] / exact - 1.0).abs() < 2e-3, "{:?} {exact}", solution.friction);
+}
+
 #[test]
 fn turned_round_it_is_the_same() {
     let lubricant = oil(ETA, 2e-9);

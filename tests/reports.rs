@@ -1,6 +1,6 @@
 //! Solve reports: strategy and residual history.
 
-use stribeck::reynolds::{Attempt, ContactDefinition, NewtonKrylov, NewtonSettings};
+use stribeck::reynolds::{ContactDefinition, NewtonKrylov, NewtonSettings};
 use stribeck::sim::scene::{InletSpec, SolverKind};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, solve_contact};
 use stribeck::{Status, Strategy};
@@ -72,17 +72,15 @@ fn converged(scene: Scene, change: fn(&mut NewtonSettings)) -> ContactSolution {
 }
 
 /// The attempt starts at the contact film of the scene and cannot halve its residual in six steps.
-fn stall(attempt: &mut Attempt) {
-    (attempt.first_contact_film, attempt.steps_to_halve) = (1.0, 6);
+fn stall(settings: &mut NewtonSettings) {
+    (settings.first_contact_film, settings.stall_window) = (1.0, 6);
 }
 
 /// The attempt stalls with the contact film of the scene, but not with a thicker one, from which continuation
 /// leads to the same solution.
 #[test]
 fn continuation_from_thicker_contact_films_solves_a_stalled_contact() {
-    let led = converged(Scene::azam_2019(56), |settings| {
-        stall(&mut settings.attempt);
-    });
+    let led = converged(Scene::azam_2019(56), stall);
     assert_eq!(led.report.strategy, Some(Strategy::Continuation));
     assert_eq!(led.report.strategy.unwrap().to_string(), "continuation");
     let usual = converged(Scene::azam_2019(56), |_| ());
@@ -91,7 +89,7 @@ fn continuation_from_thicker_contact_films_solves_a_stalled_contact() {
     same(led.contact.load_ratio, usual.contact.load_ratio);
     same(led.film.mean_central, usual.film.mean_central);
     let stalls = newton(Scene::azam_2019(56), |settings| {
-        stall(&mut settings.attempt);
+        stall(settings);
         settings.least_film_ratio = f64::INFINITY;
     });
     assert_eq!(stalls.report.status, Status::Stalled);

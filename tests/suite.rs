@@ -15,6 +15,7 @@ mod conformance;
 mod dry;
 mod elastic;
 mod ensemble;
+mod exact_laws;
 mod film_regimes;
 mod flooded_inlets;
 mod formats;

@@ -60,6 +60,7 @@ fn section<'a>(viscosity: &'a dyn ViscosityLaw, rheology: &'a Rheology) -> FilmS
         conductivity: 0.14,
         pressure: 0.0,
         film: 1e-7,
+        theta: 1.0,
         sliding: 2.0,
         surfaces: [300.0; 2],
         response: (0.0, 0.0),

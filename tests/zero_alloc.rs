@@ -297,6 +297,7 @@ fn film_temperature_allocates_nothing() {
         let pressed = |(x, y): (f64, f64)| if x.hypot(y) < 60e-6 { 5e8 } else { 0.0 };
         let pressure: Vec<f64> = grid.nodes().map(pressed).collect();
         let (film, solid) = (vec![1e-7; grid.len()], vec![0.0; grid.len()]);
+        let theta = vec![1.0; grid.len()];
         let mut flows = FilmFlows::default();
         flows.resize(grid.len());
         flows.through.fill(1e-7);
@@ -306,6 +307,7 @@ fn film_temperature_allocates_nothing() {
             rheology: &rheology,
             pressure: &pressure,
             film: &film,
+            theta: &theta,
             flows: &flows,
             boundary_heat: &solid,
             speeds: (1.0, 1.0),

@@ -1,9 +1,9 @@
-//! What each ingredient and number of Newton's method is worth: switched off, halved or doubled in turn.
+//! Cost of each setting of Newton's method: switched off, halved or doubled in turn.
 //!
 //! ```text
 //! cargo run --release --example ablation                    # everything over all scenes; hours
 //! cargo run --release --example ablation -- --every 12      # every twelfth scene of the stability map
-//! cargo run --release --example ablation -- --change trust  # the changes whose names hold "trust"
+//! cargo run --release --example ablation -- --change step_bound  # the changes whose names contain "step_bound"
 //! cargo run --release --example ablation -- --quick         # a few coarse scenes
 //! ```
 //!
@@ -40,7 +40,7 @@ usage: cargo run --release --example ablation -- [--quick] [--every N] [--seeds 
   --quick        a few coarse scenes and changes
   --every N      every Nth scene of the stability map (default 1)
   --seeds N      seeds of the map (default 3)
-  --change NAME  changes whose names hold NAME (default all)
+  --change NAME  changes whose names contain NAME (default all)
   --out DIR      where to write ablation.csv (default target/ablation)
 ";
 const THREADS: usize = 2;

@@ -198,8 +198,8 @@ impl Lubricant {
     /// law saturates, films at other temperatures keep the viscosity at that pressure. Empty slices reset all
     /// films to the temperature of the laws.
     ///
-    /// Ratios to the laws are interpolated in a table with intervals of 10 K and 10 MPa, to 1e-3, for films
-    /// from 20 K below the bulk to 590 K above it; other temperatures are clamped to this range.
+    /// Ratios to the laws are interpolated in a table with intervals of 10 K, to 1e-3, and 10 MPa, to 3e-7, for
+    /// films from 20 K below the bulk to 590 K above it; other temperatures are clamped to this range.
     ///
     /// # Errors
     /// Temperatures that are not finite or of different lengths, a negative expansivity, a bulk temperature
@@ -299,9 +299,10 @@ impl Lubricant {
         &*self.density
     }
 
-    /// Reduced pressure and density at `pressure` \[Pa\], from a table of both laws: cubics over 2.5 MPa,
-    /// with a relative error of the reduced pressure below 1e-7 for `alpha` up to 40 1/GPa; linear above
-    /// 20.48 GPa.
+    /// Reduced pressure and density at `pressure` \[Pa\], from a table of the two laws in intervals of 2.5 MPa;
+    /// linear above 20.48 GPa. For laws that are smooth over such an interval, with `alpha` up to 40 1/GPa, the
+    /// slope of the reduced pressure has a relative error below 2e-10, and mass residuals by the laws themselves
+    /// differ from those by the table by less than 1e-7 (points on 128 x 128, lines on 2048 cells).
     ///
     /// The flow through a face at film `h` between pressures 1 and 2 is exactly
     /// `h^3 (q_1 - q_2) / (12 eta_0)` times width over length. It increases with `p_1` and decreases with
@@ -311,7 +312,7 @@ impl Lubricant {
     /// use stribeck::lubricant::{Barus, Incompressible, Lubricant};
     /// let oil = Lubricant::new(Barus::new(0.01, 20e-9)?, Incompressible);
     /// let exact = |p: f64| (1.0 - (-20e-9 * p).exp()) / 20e-9;
-    /// assert!((oil.at(7.3e7).reduced_pressure / exact(7.3e7) - 1.0).abs() < 1e-8);
+    /// assert!((oil.at(7.3e7).reduced_pressure / exact(7.3e7) - 1.0).abs() < 1e-12);
     /// # Ok::<(), stribeck::InputError>(())
     /// ```
     #[inline]

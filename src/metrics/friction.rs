@@ -9,7 +9,8 @@ use crate::lubricant::Rheology;
 ///
 /// `viscosity` \[Pa s\] and `film` \[m\] are fields of one length, `sliding_speed` \[m/s\] is the difference
 /// of the surface speeds (its sign does not matter). Nodes without a film (`film <= 0`) have no viscous
-/// shear: the boundary film carries them. Real lubricants shear at some 5 to 10 % of the pressure at most; a
+/// shear: the boundary film carries them. Gaps count as full: where the fluid cavitates, multiply the stress by
+/// the film fraction `theta`. Real lubricants shear at some 5 to 10 % of the pressure at most; a
 /// Newtonian one without a limit is far too stiff in a concentrated contact. A limit of `rheology` by the
 /// pressure, which is not known here, is left out: see [`Rheology::shear_stress_under`].
 ///

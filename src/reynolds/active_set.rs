@@ -1,4 +1,4 @@
-//! Which of the complementary equations holds at a node.
+//! The active set: which of the complementary equations holds at a node.
 //!
 //! Two complementarity pairs hold at each node, with the net outflow `F`, the fluid pressure `p_f`, the solid
 //! pressure `p - p_f`, the film `h` and the contact film `h_c`:
@@ -9,8 +9,8 @@
 //! | solid | `h = h_c`, `p >= p_f` (contact) | `p = p_f`, `h >= h_c` (open) |
 //!
 //! A pressure limit adds a third state to each: the pressure is the limit and a plastic depth opens the film
-//! by what the equation needs. A state of unknown origin is sorted by [`Sample::classify`]; steps of Newton's
-//! method leave the set that the elimination of each node's own equations finds.
+//! as far as the equation requires. [`Sample::classify`] finds the active set of a state of unknown origin; in
+//! steps of Newton's method the elimination of each node's own equations finds it.
 
 /// The fluid side of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,16 +36,16 @@ pub(super) enum Solid {
     Yielded,
 }
 
-/// The side of both complementarity conditions a node is on.
+/// The state of a node in the active set: the equation of both pairs that holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Kind {
+pub(super) struct NodeState {
     /// Which condition of the fluid is the equality.
     pub(super) fluid: Fluid,
     /// Which condition of the solids is the equality.
     pub(super) solid: Solid,
 }
 
-impl Kind {
+impl NodeState {
     /// A node of the outermost ring before its solid side is known.
     pub(super) const BOUNDARY: Self = Self { fluid: Fluid::Boundary, solid: Solid::Open };
 
@@ -64,8 +64,8 @@ impl Kind {
         matches!(self.fluid, Fluid::Active | Fluid::AtLimit)
     }
 
-    /// By how much pressure and film of the node follow the unknown of its mass balance, in their own units.
-    pub(super) fn follows(self) -> [f32; 2] {
+    /// Pressure and film of the node per unknown of its mass balance, in their own units.
+    pub(super) fn dof_map(self) -> [f32; 2] {
         match (self.fluid, self.solid) {
             (Fluid::Active, Solid::Open) => [1.0, 1.0],
             (Fluid::Active, _) => [1.0, 0.0],
@@ -80,7 +80,7 @@ impl Kind {
     }
 }
 
-/// What decides the side of a node.
+/// The quantities that determine the state of a node.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sample {
     /// Total pressure \[Pa\].
@@ -104,7 +104,7 @@ pub(super) struct Sample {
 impl Sample {
     /// The primal-dual rule: a multiplier plus its scaled constraint decides, so that a solution is a fixed
     /// point and nodes do not chatter as they do when pressure and residual are tested one after the other.
-    pub(super) fn classify(&self, previous: Kind) -> Kind {
+    pub(super) fn classify(&self, previous: NodeState) -> NodeState {
         if previous.fluid == Fluid::AtLimit && self.fluid_pressure >= self.limit {
             return previous;
         }
@@ -123,6 +123,6 @@ impl Sample {
         } else {
             Solid::Contact
         };
-        Kind { fluid, solid }
+        NodeState { fluid, solid }
     }
 }

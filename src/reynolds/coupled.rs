@@ -14,7 +14,7 @@
 //! Which files change what: the flow and its balances are `flow`, the sides of nodes `active_set`, the
 //! unknowns of a solve `state`. What a residual is, is decided here alone (`residuals`).
 
-use super::active_set::{Fluid, Kind, Sample, Solid};
+use super::active_set::{Fluid, NodeState, Sample, Solid};
 use super::flow::{Discretisation, NearField};
 use super::problem::{LubricatedContact, interior};
 use super::state::ContactState;
@@ -31,7 +31,7 @@ const LIMIT_ROUNDING: f64 = 1e-12;
 /// Cost of a convolution without padding in those on the padded grid: transforms of a quarter of the points.
 pub(super) const UNPADDED: f64 = 0.25;
 
-/// Elastic film, mass balances and node kinds that belong to a [`ContactState`].
+/// Elastic film, mass balances and active set of a [`ContactState`].
 #[derive(Debug, Clone)]
 pub(super) struct Coupled {
     /// Nodes and faces of the fluid.
@@ -41,7 +41,7 @@ pub(super) struct Coupled {
     /// `F` of every interior node \[m\].
     pub(super) balance: Vec<f64>,
     /// Which condition holds at each node.
-    pub(super) kinds: Vec<Kind>,
+    pub(super) active_set: Vec<NodeState>,
     /// Influence coefficients of the node itself and of the next two along x \[m/Pa\].
     pub(super) near: NearField,
     /// In equivalents of one on the padded grid.
@@ -51,15 +51,15 @@ pub(super) struct Coupled {
 impl Coupled {
     /// Buffers for `grid`; all interior nodes are without pressure.
     pub(super) fn new(grid: Grid) -> Self {
-        let mut kinds = vec![Kind::BOUNDARY; grid.len()];
+        let mut active_set = vec![NodeState::BOUNDARY; grid.len()];
         for k in interior(&grid) {
-            kinds[k] = Kind { fluid: Fluid::Cavitated, solid: Solid::Open };
+            active_set[k] = NodeState { fluid: Fluid::Cavitated, solid: Solid::Open };
         }
         Self {
             fluid: Discretisation::new(grid),
             elastic_film: vec![0.0; grid.len()],
             balance: vec![0.0; grid.len()],
-            kinds,
+            active_set,
             near: NearField { own: 1.0, next_x: 0.0, second_x: 0.0 },
             convolutions: 0.0,
         }
@@ -71,9 +71,9 @@ impl Coupled {
         self.near = NearField { own: influence(0, 0), next_x: influence(1, 0), second_x: influence(2, 0) };
         self.fluid.configure(problem);
         self.convolutions = 0.0;
-        for kind in &mut self.kinds {
-            let fluid = if kind.fluid == Fluid::Boundary { Fluid::Boundary } else { Fluid::Cavitated };
-            *kind = Kind { fluid, solid: Solid::Open };
+        for side in &mut self.active_set {
+            let fluid = if side.fluid == Fluid::Boundary { Fluid::Boundary } else { Fluid::Cavitated };
+            *side = NodeState { fluid, solid: Solid::Open };
         }
     }
 
@@ -98,7 +98,7 @@ impl Coupled {
         }
         for k in interior(&self.fluid.grid) {
             if state.plastic_depth[k] > 0.0 && state.fluid_pressure[k] >= problem.limit_at(k) {
-                self.kinds[k] = Kind { fluid: Fluid::AtLimit, solid: Solid::Open };
+                self.active_set[k] = NodeState { fluid: Fluid::AtLimit, solid: Solid::Open };
             }
         }
     }
@@ -131,7 +131,7 @@ impl Coupled {
         Ok(())
     }
 
-    /// Plastic depths, fluid quantities and balances that follow from the node kinds; no convolution.
+    /// Plastic depths, fluid quantities and balances that follow from the active set; no convolution.
     pub(super) fn update(&mut self, problem: &LubricatedContact<'_>, state: &mut ContactState) {
         self.apply_plastic_depth(problem, state);
         self.refresh(problem, state);
@@ -149,8 +149,8 @@ impl Coupled {
             }
             return;
         }
-        for (k, kind) in self.kinds.iter().enumerate() {
-            state.plastic_depth[k] = if kind.fluid == Fluid::AtLimit {
+        for (k, side) in self.active_set.iter().enumerate() {
+            state.plastic_depth[k] = if side.fluid == Fluid::AtLimit {
                 state.plastic_depth[k].max(0.0)
             } else if state.pressure[k] >= problem.limit_at(k) {
                 (contact_film - self.elastic_film[k]).max(0.0)
@@ -193,8 +193,8 @@ impl Coupled {
     /// Sorts the nodes.
     pub(super) fn classify(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
         let lubricated = problem.lubricant.is_some();
-        for k in 0..self.kinds.len() {
-            let fluid_push = if lubricated && self.kinds[k].fluid != Fluid::Boundary {
+        for k in 0..self.active_set.len() {
+            let fluid_push = if lubricated && self.active_set[k].fluid != Fluid::Boundary {
                 -self.balance[k] / self.fluid.diagonal(k, self.near)
             } else {
                 0.0
@@ -209,9 +209,9 @@ impl Coupled {
                 own_influence: self.near.own,
                 lubricated,
             };
-            self.kinds[k] = sample.classify(self.kinds[k]);
+            self.active_set[k] = sample.classify(self.active_set[k]);
             if problem.is_paper() {
-                self.kinds[k].solid = Solid::Open;
+                self.active_set[k].solid = Solid::Open;
             }
         }
     }
@@ -226,9 +226,9 @@ impl Coupled {
         let film_scale = self.film_scale(problem, state);
         let previous = problem.squeeze.map(|s| s.previous_mass);
         let (mut mass, mut build_up, mut gap_error) = (0.0, 0.0, 0.0);
-        for (k, kind) in self.kinds.iter().enumerate() {
+        for (k, side) in self.active_set.iter().enumerate() {
             let (p, fluid_p, film) = (state.pressure[k], state.fluid_pressure[k], state.film[k]);
-            if problem.lubricant.is_some() && kind.fluid != Fluid::Boundary {
+            if problem.lubricant.is_some() && side.fluid != Fluid::Boundary {
                 if problem.is_paper() && is_at_limit(problem, k, p) {
                     // Cut at the limit: the fluid would push harder.
                     mass += self.balance[k].max(0.0);
@@ -290,7 +290,7 @@ impl Coupled {
             return;
         }
         for (k, flag) in state.in_contact.iter_mut().enumerate() {
-            *flag = state.pressure[k] > state.fluid_pressure[k] && self.kinds[k].is_contact();
+            *flag = state.pressure[k] > state.fluid_pressure[k] && self.active_set[k].is_contact();
         }
     }
 }

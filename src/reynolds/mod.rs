@@ -37,7 +37,7 @@ pub(crate) use flow::require_spin;
 pub use flow::{Cavitation, FaceMobility, FilmFlows, FlowBalance, Scheme, ShearThinning};
 pub use given_film::{FilmThickness, GivenFilm, GivenFilmSolution, SideEdges};
 pub use multigrid::Multigrid;
-pub use newton_krylov::{Attempt, NewtonKrylov, NewtonSettings, PocketSettings};
+pub use newton_krylov::{NewtonKrylov, NewtonSettings};
 pub use problem::{ContactDefinition, EdgePressure, LubricatedContact, Squeeze};
 pub(crate) use problem::{LEAST_SPEED, SPEED_REQUIREMENT, outermost, require_speed};
 pub use semi_system::SemiSystem;

@@ -245,9 +245,9 @@ impl SimBuilder {
     }
 
     /// Starts [`solve`](Self::solve), or the first step of a history, from the pressures of an earlier
-    /// solution on the same grid. Newton's method forgets them where their residual is above
-    /// [`NewtonSettings::near_below`](crate::reynolds::NewtonSettings::near_below). Later steps start from
-    /// the bodies alone.
+    /// solution on the same grid. Newton's method discards them where their residual is above
+    /// [`NewtonSettings::warm_start_threshold`](crate::reynolds::NewtonSettings::warm_start_threshold). Later
+    /// steps start from the bodies alone.
     #[must_use]
     pub fn contact_start(mut self, state: ContactState) -> Self {
         self.contact_start = Some(state);

@@ -265,6 +265,7 @@ impl FilmIteration {
             rheology: friction.rheology(),
             pressure: &pressure,
             film: &state.film,
+            theta: &state.theta,
             flows,
             boundary_heat: &friction.boundary_heat(),
             speeds: (model.motion.entrainment_speed, model.motion.sliding_speed()),

@@ -2,8 +2,8 @@
 //!
 //! At a node of solid contact the boundary law gives a coefficient of the solid pressure there; everywhere
 //! the fluid has the stress that its rheology gives at the rate `sliding/film` and the viscosity under its
-//! pressure, at most the limiting stress. Both act on both surfaces, and their work `stress * sliding` is the
-//! heat.
+//! pressure, at most the limiting stress, times the film fraction `theta`: the filled share of a cavitated cell
+//! is sheared, the rest is gas. Both act on both surfaces, and their work `stress * sliding` is the heat.
 
 use super::contact::ContactModel;
 use super::numbers::FrictionNumbers;
@@ -83,8 +83,9 @@ impl FrictionFields {
             Some(lubricant) => {
                 lubricant.viscosity().fill(&state.fluid_pressure, &mut self.viscosity);
                 let (viscosity, film) = (&self.viscosity, &state.film);
-                let (rheology, pressure) = (&self.rheology, &state.fluid_pressure);
-                let stress = |k: usize, eta, rate| rheology.shear_stress_under(pressure[k], eta, rate);
+                let (rheology, pressure, theta) = (&self.rheology, &state.fluid_pressure, &state.theta);
+                let stress =
+                    |k: usize, eta, rate| theta[k] * rheology.shear_stress_under(pressure[k], eta, rate);
                 metrics::fill_shear((viscosity, film), self.sliding, stress, &mut self.shear)?;
             }
         }

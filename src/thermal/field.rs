@@ -27,6 +27,8 @@ pub struct FilmFlow<'a> {
     pub pressure: &'a [f64],
     /// Film thickness \[m\].
     pub film: &'a [f64],
+    /// Film fraction, 1 under pressure: the filled share of a cavitated cell is sheared.
+    pub theta: &'a [f64],
     /// Flows through the cells, from the solution of the contact.
     pub flows: &'a FilmFlows,
     /// Heat of solid friction \[W/m^2\].
@@ -76,6 +78,7 @@ impl FilmFlow<'_> {
 ///     rheology: &Rheology::newtonian(),
 ///     pressure: &none,
 ///     film: &vec![1e-6; grid.len()],
+///     theta: &vec![1.0; grid.len()],
 ///     flows: &flows,
 ///     boundary_heat: &none,
 ///     speeds: (1.0, 1.0),
@@ -351,6 +354,7 @@ impl FilmTemperature {
                 conductivity: self.properties.conductivity,
                 pressure: flow.pressure[k],
                 film,
+                theta: flow.theta[k],
                 sliding,
                 surfaces: rises.map(|rise| flow.bulk_temperature + rise),
                 response: (response, self.conducted[k]),

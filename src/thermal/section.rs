@@ -53,6 +53,8 @@ pub struct FilmSection<'a> {
     pub pressure: f64,
     /// Film thickness `h` \[m\].
     pub film: f64,
+    /// Film fraction, 1 in a full gap: the stress `tau` counts times it.
+    pub theta: f64,
     /// Sliding speed `u_s`, not negative \[m/s\].
     pub sliding: f64,
     /// Surface temperatures `T_1, T_2` at the heat flow `q_0` out of the film \[K\].
@@ -92,7 +94,7 @@ pub struct FilmHeat {
 /// // Constant viscosity of 0.1 Pa s, sheared at 1 m/s over 1 um between surfaces at 300 K.
 /// let section = FilmSection {
 ///     viscosity: &Barus::new(0.1, 20e-9)?, rheology: &Rheology::newtonian(), conductivity: 0.14, pressure: 0.0,
-///     film: 1e-6, sliding: 1.0, surfaces: [300.0; 2], response: (0.0, 0.0), other_heat: (0.0, 0.0), carried: (0.0, 300.0),
+///     film: 1e-6, theta: 1.0, sliding: 1.0, surfaces: [300.0; 2], response: (0.0, 0.0), other_heat: (0.0, 0.0), carried: (0.0, 300.0),
 /// };
 /// let heat = SectionSolver::new(FilmProfile::Parabola).solve(&section);
 /// assert!((heat.mean - 300.0 - 0.1 / (12.0 * 0.14)).abs() < 1e-9);
@@ -295,11 +297,11 @@ impl FilmSection<'_> {
         temperature
     }
 
-    /// Shear stress at the mean `viscosity` \[Pa s\]; zero without a film.
+    /// Shear stress at the mean `viscosity` \[Pa s\], over the whole cell; zero without a film.
     fn stress(&self, viscosity: f64) -> f64 {
         if self.film <= 0.0 || self.sliding == 0.0 {
             return 0.0;
         }
-        self.rheology.shear_stress_under(self.pressure, viscosity, self.sliding / self.film)
+        self.theta * self.rheology.shear_stress_under(self.pressure, viscosity, self.sliding / self.film)
     }
 }

@@ -1,8 +1,8 @@
 //! Results along one row of cells: pressure profile, friction, reformation.
 //!
 //! Between two nodes the pressure is linear on each piece, with a kink at the joint. The load is the integral
-//! of this profile. The friction on each surface is `eta (u_2 - u_1)/h` plus its share `h/2 dp/dx` of the
-//! pressure force. The film reforms where the entrained fluid fills the gap.
+//! of this profile. The friction on each surface is `theta eta (u_2 - u_1)/h`, with the film fraction `theta`,
+//! plus its share `h/2 dp/dx` of the pressure force. The film reforms where the entrained fluid fills the gap.
 
 use super::GivenFilm;
 use super::film::FilmThickness;

@@ -40,7 +40,8 @@ pub struct GivenFilmSolution {
     pub theta: Vec<f64>,
     /// Integral of the pressure over the box \[N\], ambient pressure included.
     pub load: f64,
-    /// Shear force of the fluid on the lower and on the upper surface along +x \[N\].
+    /// Shear force of the fluid on the lower and on the upper surface along +x \[N\], `S - P` and `-S - P`, with
+    /// the integrals `S` of `theta eta (u_2 - u_1)/h` and `P` of `h/2 dp/dx`.
     pub friction: [f64; 2],
     /// Flow into and out of the box \[m^3/s at the density of zero pressure\]; the imbalance is at most 1e-10
     /// if the solve converged.

@@ -1,30 +1,30 @@
-//! What turning surfaces carry from row to row, linearised.
+//! Linearized entrainment from row to row by surfaces that turn.
 //!
-//! A change goes on through nodes that are not filled, in shares: along x to the next column, and across to
-//! the next row. Columns are gone through one after the other, each along its flow.
+//! Nodes that are not filled advect shares of a change: along x to the next column, and across to the next row.
+//! Columns are swept one after the other, each along its flow.
 
-use super::linearisation::{FaceFlows, keep, single};
+use super::linearization::{FaceFlows, single, store};
 use crate::grid::Grid;
 use crate::numerics::STENCIL;
 use crate::reynolds::flow::{Course, Discretisation};
 
-/// Derivatives of what turning surfaces carry through the faces to the north of the nodes, and its changes.
+/// Derivatives of the entrainment through the faces to the north of the nodes, and its changes.
 #[derive(Debug)]
 pub(super) struct Across {
     /// Nodes in a row.
     nx: usize,
-    /// Which way fluid is carried along the columns.
+    /// Direction of entrainment along the columns.
     course: Course,
     /// Derivatives, by face.
     pub(super) faces: FaceFlows,
-    /// Changes of what is carried through these faces.
+    /// Changes of the entrainment through these faces.
     pub(super) change: Vec<f32>,
-    /// Changes of what is carried through the faces to the east.
-    sent: Vec<f32>,
-    /// What nodes that are not filled carry on to the next row of a change of their inflow; zero elsewhere.
-    passed: Vec<f32>,
-    /// Share of the gaps that is filled.
-    content: Vec<f32>,
+    /// Changes of the entrainment through the faces to the east.
+    east_change: Vec<f32>,
+    /// Share of a change of inflow that nodes that are not filled advect to the next row; zero elsewhere.
+    advected: Vec<f32>,
+    /// Film fractions.
+    theta: Vec<f32>,
 }
 
 impl Across {
@@ -35,73 +35,73 @@ impl Across {
             course: Course::default(),
             faces: std::array::from_fn(|_| zeros()),
             change: zeros(),
-            sent: zeros(),
-            passed: zeros(),
-            content: zeros(),
+            east_change: zeros(),
+            advected: zeros(),
+            theta: zeros(),
         }
     }
 
-    /// Takes the derivatives at the last update of `fluid`, whose surfaces carry along `course`.
+    /// Evaluates the derivatives at the last update of `fluid`, whose surfaces move along `course`.
     pub(super) fn update(&mut self, fluid: &Discretisation, course: &Course, stiffness: f64) {
         self.course.clone_from(course);
         for k in 0..self.change.len() - self.nx {
-            keep(&mut self.faces, k, fluid.across_derivatives(k), stiffness);
+            store(&mut self.faces, k, fluid.across_derivatives(k), stiffness);
         }
-        for (k, passed) in self.passed.iter_mut().enumerate() {
-            *passed = single(fluid.passed_across(k));
+        for (k, advected) in self.advected.iter_mut().enumerate() {
+            *advected = single(fluid.passed_across(k));
         }
-        for (content, of_node) in self.content.iter_mut().zip(fluid.content()) {
-            *content = single(*of_node);
+        for (theta, of_node) in self.theta.iter_mut().zip(fluid.content()) {
+            *theta = single(*of_node);
         }
     }
 
-    /// Adds to the changes of flow by pressure in `out` what is carried under the changes `mass` of the nodes
-    /// and `beyond` them; `passed` is what nodes carry on along x, `upwind` the coefficients of the masses in
-    /// each row.
-    pub(super) fn carry(
+    /// Adds to the changes of flow by pressure in `out` those of entrainment, under the changes `mass` of the nodes
+    /// and `beyond` them; `advected` is the share that nodes advect along x, `upwind` are the coefficients of the
+    /// masses in each row.
+    pub(super) fn add_entrainment(
         &mut self,
         mass: &[f32],
         beyond: &[f32],
-        passed: &[f32],
+        advected: &[f32],
         upwind: &[[f32; 2]],
         out: &mut [f32],
     ) {
         let nx = self.nx;
-        let Self { course, change, sent, content, .. } = self;
+        let Self { course, change, east_change, theta, .. } = self;
         for (j, [_, up]) in upwind.iter().enumerate() {
-            sent[j * nx] = beyond[j * nx] - up * mass[j * nx];
+            east_change[j * nx] = beyond[j * nx] - up * mass[j * nx];
         }
         for k in (1..nx - 1).flat_map(|i| course.downstream(i)) {
             let ([enters, leaves], sign, [here, up]) = (course.faces(k), course.sign(k), upwind[k / nx]);
-            let flow = out[k] - sent[k - 1] - sign * change[enters];
-            // What leaves a full gap, along x and across it.
+            let flow = out[k] - east_change[k - 1] - sign * change[enters];
+            // Outflow of a full gap, along x and across it.
             let (east, next) = (beyond[k] - up * mass[k], sign * change[leaves]);
             let stored = (here + up) * mass[k];
             out[k] = flow + stored + east + next;
-            sent[k] = east;
-            if passed[k] > 0.0 {
-                // What its own gap lets out, and its share of what enters less what that takes.
-                let left = flow + content[k] * (stored + east + next);
-                sent[k] = content[k] * east - passed[k] * left;
-                change[leaves] = sign * (content[k] * next - self.passed[k] * left);
+            east_change[k] = east;
+            if advected[k] > 0.0 {
+                // Outflow of the filled share, and the advected share of the remaining inflow.
+                let remaining = flow + theta[k] * (stored + east + next);
+                east_change[k] = theta[k] * east - advected[k] * remaining;
+                change[leaves] = sign * (theta[k] * next - self.advected[k] * remaining);
             }
         }
     }
 
-    /// Adds to the `row` of node `k` of the fluid block what is carried through its two faces; arguments as of
-    /// [`Linearisation::stencil_row`](super::linearisation::Linearisation::stencil_row), `passed` being what
-    /// nodes carry on along x.
+    /// Adds to the `row` of node `k` of the fluid block the entrainment through its two faces; arguments as of
+    /// [`Linearization::stencil_row`](super::linearization::Linearization::stencil_row), `advected` being the share
+    /// that nodes advect along x.
     pub(super) fn add_to_row(
         &self,
         k: usize,
         row: &mut [f32; STENCIL],
-        follows: impl Fn(usize) -> [f32; 2],
-        (linked, passed): (&[bool], &[f32]),
+        dof_map: impl Fn(usize) -> [f32; 2],
+        (is_coupled, advected): (&[bool], &[f32]),
     ) {
         let (nx, [enters, _]) = (self.nx, self.course.faces(k));
-        let share = if linked[k] { passed[k] } else { 1.0 };
+        let share = if is_coupled[k] { advected[k] } else { 1.0 };
         let by_unknown = |[p, h]: [f32; 2], o: usize| {
-            let [pressure, film] = follows(o);
+            let [pressure, film] = dof_map(o);
             p * pressure + h * film
         };
         let [_, _, _, north, south] = row;
@@ -109,11 +109,11 @@ impl Across {
         for (entry, o, face) in [(north, k + nx, k), (south, k - nx, k - nx)] {
             let is_north = o > k;
             if face == enters {
-                if linked[o] {
-                    *entry -= share * self.passed[o] / passed[o];
+                if is_coupled[o] {
+                    *entry -= share * self.advected[o] / advected[o];
                     continue;
                 }
-            } else if linked[k] {
+            } else if is_coupled[k] {
                 continue;
             }
             let [first_p, second_p, first_h, second_h] = self.faces.each_ref().map(|by| by[face]);

@@ -1,111 +1,122 @@
-//! A solve: an attempt, and continuation where that stalls.
+//! A solve: an attempt from the given state or the dry contact, and continuation where that stalls.
 
 use super::Workspace;
-use super::homotopy::Homotopy;
-use super::settings::{Attempt, STEADY};
-use crate::report::{Residuals, Status, Work};
-use crate::reynolds::flow::Cavitation;
+use super::globalization::Globalization;
+use super::settings::START_TOLERANCE;
+use crate::report::{Residuals, Status};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 use crate::reynolds::{ReynoldsError, StoppingRule};
-use crate::strategy::Strategy;
 
 impl Workspace {
-    /// Solves from the state as it is if it carries pressure and is near, else from the dry contact; where that
-    /// stalls, by way of thicker contact films. Leaves the best state.
+    /// Solves from the given state if that is a warm start, else from the dry contact; where that stalls, by
+    /// continuation in the contact film. Leaves the best state.
     pub(super) fn run(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<(Status, Residuals), ReynoldsError> {
-        self.work = Work::default();
-        self.history.clear();
-        (self.strategy, self.best_strategy) = (Strategy::Attempt, Strategy::Attempt);
-        self.best_residuals = Residuals::UNKNOWN;
-        let cold = state.pressure.iter().all(|&p| p <= 0.0);
-        let mut status = self.attempt(cold, problem, state, stop)?;
-        if may_go_on(status) && problem.box_load().is_some() && self.can_continue(problem, state) {
+        self.newton.record.clear();
+        let is_cold = state.pressure.iter().all(|&p| p <= 0.0);
+        let mut status = self.attempt(!is_cold, problem, state, stop)?;
+        if is_recoverable(status) && problem.box_load().is_some() && self.may_continue(problem, state) {
             status = self.continue_in_contact_film(problem, state, stop)?;
         }
-        if status != Status::Converged && self.best_residuals == Residuals::UNKNOWN {
-            // No step with the cut-off and the condition of the problem was taken.
-            self.coupled.configure(problem);
-            self.coupled.begin(problem, state)?;
-            self.work.convolutions += self.coupled.convolutions;
-            self.best_residuals = self.coupled.residuals(problem, state);
-            self.best.keep(&self.coupled, state);
+        let best = self.newton.record.best.residuals;
+        if status != Status::Converged && best == Residuals::UNKNOWN {
+            // No state with contact film and cavitation of the problem was evaluated.
+            let residuals = self.newton.evaluate(problem, state)?;
+            self.count_convolutions();
+            self.newton.record.best.residuals = residuals;
+            self.newton.record.best.state.save(&self.newton.coupled, state);
         }
-        if status != Status::Converged && self.best_residuals.is_finite() {
+        let best = self.newton.record.best.residuals;
+        if status != Status::Converged && best.is_finite() {
             if status == Status::Diverged {
-                // What was tried last did; before it a state was left.
+                // The last attempt diverged; an earlier state remains.
                 status = Status::Stalled;
             }
-            // What was tried last may have been another contact film.
-            self.coupled.fluid.configure(problem);
-            self.best.restore(&mut self.coupled, problem, state);
+            // The last attempt may have had another contact film.
+            self.newton.coupled.fluid.configure(problem);
+            self.newton.record.best.state.restore(&mut self.newton.coupled, problem, state);
         }
-        Ok((status, self.best_residuals))
+        Ok((status, best))
     }
 
-    /// From the dry contact by film homotopy if it is `cold` or the state is not near: farther
-    /// than [`NewtonSettings::near_below`](super::NewtonSettings::near_below) the dry contact mostly is the
-    /// better start.
+    /// Newton's method from the given state if `may_be_warm` and its residual is low enough, or the approach is held,
+    /// else by homotopy from the dry contact, which then is mostly the better start.
     pub(super) fn attempt(
         &mut self,
-        cold: bool,
+        may_be_warm: bool,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
         stop: &StoppingRule,
     ) -> Result<Status, ReynoldsError> {
-        let attempt = self.settings.attempt_on(&problem.grid());
-        let homotopy = Homotopy::to(problem);
+        let mut globalization = Globalization::new(problem, &self.settings);
+        // A warm start, or the dry contact with a thick contact film.
         let holds_approach = problem.box_load().is_none();
-        let attempt = if !cold && (self.begins_near(problem, state)? || holds_approach) {
-            Attempt { pseudo_transient: STEADY, ..attempt }
+        if may_be_warm && (self.is_warm_start(problem, state)? || holds_approach) {
+            globalization.for_warm_start();
         } else {
-            problem.film_cutoff *= attempt.first_contact_film;
-            problem.cavitation = Cavitation::Reynolds;
-            self.start_dry(problem, state, attempt.start_tolerance)?;
-            self.begin(problem, state)?;
-            attempt
-        };
-        let status = self.newton(problem, state, stop, attempt, homotopy)?;
-        self.work.convolutions += self.coupled.convolutions;
-        homotopy.end(problem);
+            globalization.start_homotopy(problem);
+            self.start_dry(problem, state)?;
+            self.newton.evaluate(problem, state)?;
+        }
+        // Iterate, and give the problem its own equations back.
+        let status = self.iterate(problem, state, stop, &mut globalization)?;
+        globalization.finish_homotopy(problem);
         Ok(status)
     }
 
-    /// Begins from the state as it is; whether that is near.
-    fn begins_near(
+    /// Newton steps from an evaluated state, their convolutions counted.
+    pub(super) fn iterate(
+        &mut self,
+        problem: &mut LubricatedContact<'_>,
+        state: &mut ContactState,
+        stop: &StoppingRule,
+        globalization: &mut Globalization,
+    ) -> Result<Status, ReynoldsError> {
+        let tolerance = self.settings.linear_tolerance(problem.grid().ny());
+        let status = self.newton.iterate(problem, state, stop, globalization, tolerance)?;
+        self.count_convolutions();
+        Ok(status)
+    }
+
+    /// Evaluates the given state; whether its residual is that of a warm start.
+    fn is_warm_start(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
     ) -> Result<bool, ReynoldsError> {
-        self.begin(problem, state)?;
-        let near = self.residuals.max() <= self.settings.near_below;
-        if !near {
-            self.work.convolutions += self.coupled.convolutions;
+        let residuals = self.newton.evaluate(problem, state)?;
+        let is_warm = residuals.max() <= self.settings.warm_start_threshold;
+        if !is_warm {
+            self.count_convolutions();
         }
-        Ok(near)
+        Ok(is_warm)
     }
 
-    /// The dry contact under the film cut-off of the problem, to the gap error `tolerance` over the cells in a
-    /// half-width: the same error of films is a larger one of the pressures of single nodes on finer meshes.
+    /// The dry contact under the film cut-off of the problem, to a gap error over the cells in a half-width: the
+    /// same error of films is a larger one of the pressures of single nodes on finer meshes.
     fn start_dry(
         &mut self,
         problem: &mut LubricatedContact<'_>,
         state: &mut ContactState,
-        tolerance: f64,
     ) -> Result<(), ReynoldsError> {
         state.pressure.fill(0.0);
         let cells = problem.reference_half_widths.0 / problem.grid().dx();
-        self.work += self.start.run(problem, state, tolerance / cells)?;
+        self.newton.record.work += self.start.run(problem, state, START_TOLERANCE / cells)?;
         Ok(())
+    }
+
+    /// Adds the convolutions since the last evaluation of a state of unknown origin to the work.
+    fn count_convolutions(&mut self) {
+        self.newton.record.work.convolutions += self.newton.coupled.convolutions;
     }
 }
 
-/// Whether a solve that has ended so may be tried in another way.
-pub(super) fn may_go_on(status: Status) -> bool {
+/// Whether another strategy may follow an attempt that ended so.
+pub(super) fn is_recoverable(status: Status) -> bool {
     matches!(status, Status::Stalled | Status::Diverged)
 }

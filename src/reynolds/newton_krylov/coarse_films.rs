@@ -1,4 +1,4 @@
-//! Pressures of blocks of nodes whose films are given.
+//! Pressures of blocks of nodes with prescribed films.
 
 use std::sync::Arc;
 
@@ -10,17 +10,17 @@ use crate::reynolds::coupled::UNPADDED;
 
 /// Nodes of a block along each axis.
 const WIDTH: usize = 3;
-/// Conjugate gradient steps, as many whatever they leave: where their number changes, Krylov steps are more.
+/// Conjugate gradient steps, a fixed number: a varying one costs more Krylov steps.
 const STEPS: u32 = 3;
 /// Cost of a convolution on the blocks in those on the padded grid of the nodes.
 const COST: f64 = UNPADDED / (WIDTH * WIDTH) as f64;
 
-/// One pressure for all nodes of a block whose films are given, such that their mean film is the one given.
+/// One pressure for all prescribed nodes of a block, such that their mean film is the prescribed one.
 ///
-/// With `n` given nodes in a block (the sum of their squared weights) and `K` the mean influence of two
+/// With `n` prescribed nodes in a block (the sum of their squared weights) and `K` the mean influence of two
 /// different nodes of two blocks, the mean film of a block is `sum of K n p + (1 - K_own) p`, its own nodes
 /// having the self-influence, one, on themselves. Multiplied by `sqrt(n)` these equations are symmetric in
-/// `sqrt(n) p`; conjugate gradients solve them, the inverse convolution for blocks full of given nodes being
+/// `sqrt(n) p`; conjugate gradients solve them, the inverse convolution for blocks full of such nodes being
 /// the preconditioner.
 #[derive(Debug)]
 pub(super) struct CoarseFilms {
@@ -30,7 +30,7 @@ pub(super) struct CoarseFilms {
     inverse: Convolution<f32>,
     /// `1 - K_own`.
     excess: f64,
-    /// Square root of the number of given nodes of each block, and its inverse, zero without any.
+    /// Square root of the number of prescribed nodes of each block, and its inverse, zero without any.
     root: Vec<f64>,
     per_root: Vec<f64>,
     solution: Vec<f64>,
@@ -49,7 +49,7 @@ impl CoarseFilms {
         unit[0] = 1.0 / body.influence(0, 0);
         let mut table = vec![0.0; n];
         body.displacement(&unit, &mut table)?;
-        // The first node stands for all of them.
+        // The self-influence of the first node represents that of all.
         table[0] += (body.influence(0, 0) - body.self_influence(0)) * unit[0];
         let (nx, ny) = (grid.nx().div_ceil(WIDTH), grid.ny().div_ceil(WIDTH));
         let mean = |di: isize, dj: isize| mean_influence(&grid, &table, [di, dj]);
@@ -76,7 +76,7 @@ impl CoarseFilms {
         })
     }
 
-    /// Takes the nodes whose films are given, and the weights of all, zero at others.
+    /// Takes the nodes with prescribed films, and the weights of all nodes, zero at others.
     pub(super) fn prepare(&mut self, given: &[u32], weights: &[f64]) {
         self.root.fill(0.0);
         for &k in given {
@@ -89,8 +89,8 @@ impl CoarseFilms {
     }
 
     /// Adds to the pressures of the `given` nodes those of their blocks, such that together with all other
-    /// pressures they make the mean of `films`, in deflections of a node under unit pressure. Returns the
-    /// cost.
+    /// pressures they cause the mean of `films`, in deflections of a node under unit pressure. Returns the cost in
+    /// convolutions.
     pub(super) fn add_pressures(
         &mut self,
         given: &[u32],
@@ -106,6 +106,7 @@ impl CoarseFilms {
         for k in given.iter().map(|&k| k as usize) {
             self.residual[self.block[k] as usize] += weights[k].powi(2) * films[k];
         }
+        // Residual: mean films less those under all pressures.
         self.influence.apply(&self.direction, &mut self.image);
         let roots = self.root.iter().zip(&self.per_root);
         for ((r, image), (root, inverse)) in self.residual.iter_mut().zip(&self.image).zip(roots) {
@@ -119,7 +120,7 @@ impl CoarseFilms {
         cost
     }
 
-    /// Takes the mean pressure of each block from `values`, pressures over their weights.
+    /// Subtracts the mean pressure of each block from `values`, pressures over their weights.
     pub(super) fn take_means(&mut self, given: &[u32], weights: &[f64], values: &mut [f64]) {
         self.scratch.fill(0.0);
         for k in given.iter().map(|&k| k as usize) {
@@ -144,6 +145,7 @@ impl CoarseFilms {
             if energy <= 0.0 || !energy.is_finite() {
                 break;
             }
+            // Step along the direction.
             self.respond();
             convolutions += 1.0;
             let length = energy / dot(&self.direction, &self.image);
@@ -151,6 +153,7 @@ impl CoarseFilms {
             if step == STEPS {
                 break;
             }
+            // Next residual and conjugate direction.
             add_scaled(&mut self.residual, -length, &self.image);
             self.precondition();
             convolutions += 1.0;

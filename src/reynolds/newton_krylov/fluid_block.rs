@@ -1,20 +1,20 @@
-//! How the fluid equations of a linear step are solved.
+//! Solvers of the fluid equations of a linear step.
 
 use std::fmt::Debug;
 
 use crate::numerics::GridLu;
 
-/// Solves the fluid equations in which films follow their own pressures alone: a matrix on the five-point
-/// stencil, row `k` at `stencil[5 k..5 k + 5]` in the order centre, east, west, north, south.
+/// Solves the fluid equations in which films respond to their own pressures alone: a matrix on the five-point
+/// stencil, row `k` at `stencil[5 k..5 k + 5]` in the order center, east, west, north, south.
 pub(in crate::reynolds) trait FluidBlock: Debug + Send + Sync {
-    /// Takes a new matrix; false where it has no finite factors.
+    /// Factorizes a new matrix; false where it has no finite factors.
     fn prepare(&mut self, stencil: &[f32]) -> bool;
 
-    /// Puts the solution, or an estimate of it, in the place of the right-hand side.
+    /// Overwrites the right-hand side with the solution or an estimate of it.
     fn solve(&mut self, stencil: &[f32], rhs: &mut [f32]);
 
-    /// Size of a row of this diagonal in the norm that Krylov's method lessens. What an estimate leaves grows
-    /// with the diagonal, and would hide all other rows.
+    /// Size of a row with this diagonal in the norm that the Krylov method minimizes. The residual of an estimate
+    /// grows with the diagonal and would hide all other rows.
     fn row_size(&self, diagonal: f32) -> f32;
 }
 
@@ -27,7 +27,7 @@ impl FluidBlock for GridLu {
         Self::solve(self, rhs);
     }
 
-    /// All rows count alike: divided by their large diagonals, those of pockets would hardly do.
+    /// All rows have the same weight: divided by their large diagonals, those of isolated regions would vanish.
     fn row_size(&self, _diagonal: f32) -> f32 {
         1.0
     }

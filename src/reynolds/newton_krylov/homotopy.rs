@@ -1,12 +1,9 @@
-//! Film homotopy: from thick contact films, and Reynolds' condition, to those of the problem.
-//!
-//! What holds now is in the solver's copy of the problem, where the way leads in [`Homotopy`].
+//! Homotopy from a thick contact film, and Reynolds' condition of cavitation, to those of the problem.
 
-use super::settings::NewtonSettings;
 use crate::reynolds::flow::Cavitation;
 use crate::reynolds::problem::LubricatedContact;
 
-/// Contact film and condition of cavitation that the way leads to.
+/// Target values of the homotopy; the present ones are in the solver's copy of the problem.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Homotopy {
     film_cutoff: f64,
@@ -14,39 +11,34 @@ pub(super) struct Homotopy {
 }
 
 impl Homotopy {
-    /// To those of `problem`.
-    pub(super) fn to(problem: &LubricatedContact<'_>) -> Self {
+    /// To the contact film and the cavitation of `problem`.
+    pub(super) fn new(problem: &LubricatedContact<'_>) -> Self {
         Self { film_cutoff: problem.film_cutoff, cavitation: problem.cavitation }
     }
 
-    /// Gives `problem` those that the way leads to.
-    pub(super) fn end(&self, problem: &mut LubricatedContact<'_>) {
-        (problem.film_cutoff, problem.cavitation) = (self.film_cutoff, self.cavitation);
+    /// Gives `problem` a contact film `ratio` times the target, and Reynolds' condition.
+    pub(super) fn start(&self, problem: &mut LubricatedContact<'_>, ratio: f64) {
+        problem.film_cutoff = self.film_cutoff * ratio;
+        problem.cavitation = Cavitation::Reynolds;
     }
 
-    /// Whether equations other than those at the end are solved.
-    pub(super) fn is_on(&self, problem: &LubricatedContact<'_>) -> bool {
-        self.eases_films(problem) || self.cavitation != problem.cavitation
+    /// Whether `problem` has a target value not yet.
+    pub(super) fn is_active(&self, problem: &LubricatedContact<'_>) -> bool {
+        self.relaxes_film(problem) || self.cavitation != problem.cavitation
     }
 
-    /// Whether the contact film is not yet the last one.
-    pub(super) fn eases_films(&self, problem: &LubricatedContact<'_>) -> bool {
+    /// Whether the contact film of `problem` is above the target.
+    pub(super) fn relaxes_film(&self, problem: &LubricatedContact<'_>) -> bool {
         problem.film_cutoff > self.film_cutoff
     }
 
-    /// Whether `residual` is low enough, with the last contact film, for the last condition of cavitation: the
-    /// gaps of the dry contact are empty, and fill layer by layer where mass is conserved.
-    pub(super) fn may_end(
-        &self,
-        problem: &LubricatedContact<'_>,
-        residual: f64,
-        settings: &NewtonSettings,
-    ) -> bool {
-        !self.eases_films(problem) && self.cavitation != problem.cavitation && residual < settings.near_below
+    /// Halves the contact film of `problem`, down to the target.
+    pub(super) fn advance(&self, problem: &mut LubricatedContact<'_>) {
+        problem.film_cutoff = (0.5 * problem.film_cutoff).max(self.film_cutoff);
     }
 
-    /// The next contact film, half of the present one.
-    pub(super) fn go_on(&self, problem: &mut LubricatedContact<'_>) {
-        problem.film_cutoff = (0.5 * problem.film_cutoff).max(self.film_cutoff);
+    /// Gives `problem` the target values.
+    pub(super) fn finish(&self, problem: &mut LubricatedContact<'_>) {
+        (problem.film_cutoff, problem.cavitation) = (self.film_cutoff, self.cavitation);
     }
 }

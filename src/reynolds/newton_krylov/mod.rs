@@ -1,31 +1,60 @@
 //! Semismooth Newton on the whole coupled problem, linear systems by preconditioned GMRES.
+//!
+//! One Newton step, in the order of [`newton`]:
+//!
+//! 1. choose contact film, pseudo-transient term and step bound ([`globalization`]);
+//! 2. clamp the films of contact nodes, linearize the equations that the active set selects, and solve the linear
+//!    system to a tenth of its residual ([`linear_system`]);
+//! 3. predict a state ([`prediction`]): the start of the step plus the solution, shortened where a pressure would
+//!    change by too much;
+//! 4. eliminate every node's own equations near the prediction, neighbors held: that determines its pressures and
+//!    its place in the active set ([`node`]); then those of isolated fluid regions ([`isolated_regions`]);
+//! 5. evaluate films, by one convolution, flow and residuals; halve the step where the residual grows too much;
+//! 6. adapt the step bound to the linearization error.
+//!
+//! [`attempt`] starts the loop from the given state or the dry contact, [`continuation`] follows solutions with
+//! thicker contact films where it stalls.
+//!
+//! Vectors of films, and when they are valid:
+//!
+//! | vector | content | valid |
+//! |---|---|---|
+//! | `ContactState::film` | film with plastic depth | after `Coupled::update`; from `clamp_film_to_contact` to the next one it is the contact film at contact nodes |
+//! | `Coupled::elastic_film` | film without plastic depth | after `Coupled::deform`; within the elimination of isolated regions it is the predicted film and its own response |
+//! | `Snapshot` of the start of a step | film without plastic depth | throughout the step |
+//! | `Snapshot` of the best state | the same | once a state of the problem's own equations is evaluated |
+//! | `Unknowns`, changes without plastic depth and those that the flow takes | changes under the last vector: during a linear solve any direction, after it the solution | until the next linear solve |
+//! | `LinearSystem::direction_films` | film changes under the first directions | within a linear solve |
+//!
+//! The predicted films have no vector: [`prediction::Prediction`] adds start and change node by node.
 
 mod across;
 mod attempt;
 mod coarse_films;
 mod continuation;
 mod fluid_block;
-mod globalisation;
+mod globalization;
 mod homotopy;
-mod iteration;
-mod linearisation;
-mod local;
-mod pockets;
+mod isolated_regions;
+mod linear_system;
+mod linearization;
+mod local_elimination;
+mod newton;
+mod node;
 mod preconditioner;
+mod prediction;
 mod prescribed_displacements;
+mod record;
 mod settings;
 mod snapshot;
-mod step;
 mod unknowns;
 mod window;
 
 pub(super) use fluid_block::FluidBlock;
-use linearisation::Linearisation;
-use pockets::Pockets;
-use preconditioner::BlockPreconditioner;
-pub use settings::{Attempt, NewtonSettings, PocketSettings};
-use snapshot::Snapshot;
-use unknowns::Unknowns;
+use linear_system::LinearSystem;
+use local_elimination::LocalElimination;
+use newton::Newton;
+pub use settings::NewtonSettings;
 
 use super::coupled::Coupled;
 use super::dry::DryStart;
@@ -34,25 +63,24 @@ use super::state::ContactState;
 use super::{ContactSolver, ReynoldsError, StoppingRule, check_call};
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::numerics::{Gmres, GridLu};
-use crate::report::{Residuals, SolveReport, Work};
+use crate::numerics::GridLu;
+use crate::report::SolveReport;
 use crate::solver_id::SolverId;
-use crate::strategy::Strategy;
 
 /// Semismooth Newton solver with approach and load balance inside the system.
 ///
-/// Each step solves the linearised equations of the sides (cavitated, fluid, contact, yielded) that the nodes
-/// are on by GMRES on products of a quarter of the cost of a DC-FFT convolution, and checks them by a whole
-/// one. The preconditioner is triangular: sparse LU of the fluid equations in which films follow their own
-/// pressures alone, then the pressures of the contact nodes by conjugate gradients on blocks of nodes and the
-/// inverse convolution, and the load balance as a border. Then each node's own equations are eliminated,
-/// neighbours held as the step foresees them (nonlinear elimination): that decides its side and follows the
-/// viscosity over its orders of magnitude, where a linear step alone makes nodes go round in cycles.
+/// Each step solves the linearized equations of the active set (nodes are cavitated, fluid, in contact or yielded)
+/// by GMRES, with products that cost a quarter of a DC-FFT convolution. The preconditioner is triangular: a sparse
+/// LU of the fluid equations in which films respond to their own pressures alone, then the pressures of contact
+/// nodes by conjugate gradients on blocks of nodes and the inverse convolution, and the load balance as a border.
+/// Then each node's own equations are eliminated, neighbors as the linear step predicts them (nonlinear
+/// elimination): that determines its place in the active set and resolves the viscosity over its orders of
+/// magnitude, where plain Newton steps cycle.
 ///
-/// A state that carries no pressure, or whose residual is above [`NewtonSettings::near_below`], is started
-/// from the dry contact, which is close to the answer in mixed lubrication: the asperities already carry
-/// their load and the fluid fills what is left. Steps from there are steps in time at first. A contact that
-/// stalls is solved with thicker contact films, and that solution followed to its own.
+/// A state without pressure, or with a residual above [`NewtonSettings::warm_start_threshold`], is replaced by the
+/// dry contact, which is close to the answer in mixed lubrication: the asperities already carry their load and the
+/// fluid fills the gaps. The first steps from there are steps in pseudo-time. A contact that stalls is solved with
+/// thicker contact films, and that solution followed to its own.
 #[derive(Debug)]
 pub struct NewtonKrylov {
     fluid_block: fn(&Grid) -> Box<dyn FluidBlock>,
@@ -60,42 +88,12 @@ pub struct NewtonKrylov {
     workspace: Option<Box<Workspace>>,
 }
 
-/// Directions of a linear solve whose film changes are kept: most solves take no more, and where one does, a
-/// convolution is little of it.
-const KEPT_FILMS: usize = 8;
-/// Residuals for which there is room at first.
-const HISTORY: usize = 256;
-
+/// The loop and its starts on one grid.
 #[derive(Debug)]
 struct Workspace {
     settings: NewtonSettings,
-    coupled: Coupled,
-    unknowns: Unknowns,
-    linearisation: Linearisation,
-    preconditioner: BlockPreconditioner,
-    gmres: Gmres,
-    /// Film changes under the first directions of a linear solve, which make up that of its solution.
-    films: Vec<Vec<f32>>,
-    residual: Vec<f32>,
-    step: Vec<f32>,
+    newton: Newton,
     start: DryStart,
-    best: Snapshot,
-    best_residuals: Residuals,
-    best_strategy: Strategy,
-    /// What is tried now.
-    strategy: Strategy,
-    /// Residuals of all steps of the solve so far.
-    history: Vec<Residuals>,
-    /// Of the solve so far, without the convolutions of the attempt at work.
-    work: Work,
-    /// Of the state as it is.
-    residuals: Residuals,
-    before: Snapshot,
-    /// Films through which the fluid flows in a step (see [`Workspace::close_contact`]).
-    flow_film: Vec<f64>,
-    /// Films that the last step foresaw.
-    foreseen: Vec<f64>,
-    pockets: Pockets,
 }
 
 impl Clone for NewtonKrylov {
@@ -117,11 +115,11 @@ impl NewtonKrylov {
         Self::default()
     }
 
-    /// A solver that goes by other numbers than the default ones.
+    /// A solver with other than the default settings.
     ///
     /// # Errors
     ///
-    /// [`InputError`] naming the number that is out of its range.
+    /// [`InputError`] naming the setting that is out of its range.
     pub fn with_settings(settings: NewtonSettings) -> Result<Self, InputError> {
         settings.validate()?;
         Ok(Self { settings, ..Self::default() })
@@ -134,32 +132,13 @@ impl NewtonKrylov {
 
     fn workspace(&mut self, problem: &LubricatedContact<'_>) -> &mut Workspace {
         let grid = problem.grid();
-        let length = Unknowns::most(&grid);
-        let kept = self.workspace.take().filter(|w| w.coupled.fluid.grid == grid);
+        let kept = self.workspace.take().filter(|w| w.newton.coupled.fluid.grid == grid);
         let workspace = kept.unwrap_or_else(|| {
-            Box::new(Workspace {
-                settings: self.settings.clone(),
-                coupled: Coupled::new(grid),
-                unknowns: Unknowns::new(grid),
-                linearisation: Linearisation::new(grid),
-                preconditioner: BlockPreconditioner::new(grid, (self.fluid_block)(&grid)),
-                gmres: Gmres::new(length, self.settings.krylov_steps),
-                films: (0..KEPT_FILMS).map(|_| vec![0.0; grid.len()]).collect(),
-                residual: vec![0.0; length],
-                step: vec![0.0; length],
-                start: DryStart::new(grid),
-                best: Snapshot::new(grid),
-                best_residuals: Residuals::default(),
-                best_strategy: Strategy::Attempt,
-                strategy: Strategy::Attempt,
-                history: Vec::with_capacity(HISTORY),
-                work: Work::default(),
-                residuals: Residuals::default(),
-                before: Snapshot::new(grid),
-                flow_film: vec![0.0; grid.len()],
-                foreseen: vec![0.0; grid.len()],
-                pockets: Pockets::new(grid, self.settings.pockets),
-            })
+            let settings = self.settings.clone();
+            let system = LinearSystem::new(grid, (self.fluid_block)(&grid), settings.krylov_steps);
+            let elimination = LocalElimination::new(grid, settings.eliminates_regions);
+            let newton = Newton::new(Coupled::new(grid), system, elimination);
+            Box::new(Workspace { settings, newton, start: DryStart::new(grid) })
         });
         self.workspace.insert(workspace)
     }
@@ -191,15 +170,16 @@ impl ContactSolver for NewtonKrylov {
         stop: &StoppingRule,
     ) -> Result<SolveReport, ReynoldsError> {
         self.check(problem, state, stop)?;
-        // Films and cavitation are others on the way.
+        // The homotopy changes contact film and cavitation of a copy.
         let problem = &mut problem.copied();
         let workspace = self.workspace(problem);
-        workspace.preconditioner.configure(problem)?;
+        workspace.newton.system.configure(problem)?;
         let (status, residuals) = workspace.run(problem, state, stop)?;
-        workspace.coupled.mark_contact(problem, state);
+        let Newton { coupled, record, .. } = &workspace.newton;
+        coupled.mark_contact(problem, state);
         Ok(SolveReport::new(SolverId::NewtonKrylov, status, residuals)
-            .with_work(workspace.work)
-            .with_strategy(workspace.best_strategy)
-            .with_residual_history(workspace.history.clone()))
+            .with_work(record.work)
+            .with_strategy(record.best.strategy)
+            .with_residual_history(record.history.clone()))
     }
 }

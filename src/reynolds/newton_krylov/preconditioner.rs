@@ -1,37 +1,37 @@
-//! The preconditioner of the linearised equations: the fluid equations, by sparse LU or what takes its place,
-//! then the pressures of the nodes whose films are given, load balance as a border.
+//! The preconditioner of the linearized equations: the fluid equations, by sparse LU or another [`FluidBlock`], then
+//! the pressures of the nodes with prescribed films, load balance as a border.
 
 use super::fluid_block::FluidBlock;
-use super::linearisation::Linearisation;
-use super::pockets::FREE;
+use super::isolated_regions::FREE;
+use super::linearization::Linearization;
 use super::prescribed_displacements::{Inverse, PrescribedDisplacements};
-use super::unknowns::{Linearised, Unknowns};
+use super::unknowns::{Linearized, Unknowns};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::numerics::STENCIL;
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::problem::LubricatedContact;
 
-// How films and pressures of the fluid go together, by the ratio `R` of pressure flow to the entrainment of the
-// elastic response of a node. Where it is small, upstream fixes the film and the pressure is what makes it, as in
-// solid contact; where it is large, pressure flow fixes the pressure, and beyond `FREE` the film does not enter.
+// Coupling of films and pressures of the fluid, by the ratio `R` of pressure flow to the entrainment of the elastic
+// response of a node. Where it is small, the film is determined upstream and the pressure follows from it, as in solid
+// contact; where it is large, pressure flow determines the pressure, and beyond `FREE` the film does not enter.
 
-/// `R` below which pressure is found from the film alone and pressure flow left out.
+/// `R` below which pressure is found from the film alone, without pressure flow.
 const STIFF: f64 = 0.1;
 /// `R` at which half of the pressure of a node is found from its film.
 const BALANCED: f64 = 3.0;
 
-/// The fluid equations in which films follow their own pressures alone, solved by a [`FluidBlock`]; where
-/// solids touch, then the pressures of the nodes in contact, and of those whose film the first block has
-/// found, under the pressures of all others; load balance as a border.
+/// The fluid equations in which films respond to their own pressures alone, solved by a [`FluidBlock`]; then the
+/// pressures of contact nodes, and of those whose films the first block has found, under the pressures of all
+/// others; load balance as a border.
 #[derive(Debug)]
 pub(super) struct BlockPreconditioner {
     stencil: Vec<f32>,
     fluid_block: Box<dyn FluidBlock>,
     /// Square root of the share of a fluid node's pressure that is found from its film.
     film_weight: Vec<f32>,
-    /// Nodes that are not filled and carry on what enters them to a node with a balance.
-    linked: Vec<bool>,
+    /// Nodes that are not filled, upstream of a node with a balance.
+    is_coupled: Vec<bool>,
     fluid: Vec<f32>,
     /// Whether solids touch anywhere, which screens the pressures of the fluid.
     screened: bool,
@@ -51,7 +51,7 @@ impl BlockPreconditioner {
             stencil: vec![0.0; STENCIL * n],
             fluid_block,
             film_weight: vec![0.0; n],
-            linked: vec![false; n],
+            is_coupled: vec![false; n],
             fluid: vec![0.0; n],
             screened: false,
             given: PrescribedDisplacements::new(grid),
@@ -66,18 +66,20 @@ impl BlockPreconditioner {
         self.given.configure(problem.deformation)
     }
 
-    /// Prepares the fluid block, and gives the mass balances the sizes of its rows; false where the block has
-    /// no finite factors.
+    /// Factorizes the fluid block, and scales the mass balances by its rows; false where the block has no finite
+    /// factors.
     pub(super) fn prepare(
         &mut self,
         coupled: &Coupled,
-        linearisation: &Linearisation,
+        linearization: &Linearization,
         unknowns: &mut Unknowns,
         problem: &LubricatedContact<'_>,
     ) -> bool {
-        self.screened = coupled.kinds.iter().any(|kind| kind.is_contact());
+        // Solid contact screens the pressures of the fluid.
+        self.screened = coupled.active_set.iter().any(|side| side.is_contact());
         self.film_weight.fill(0.0);
-        // On a line the inverse of the logarithmic kernel is too poor for pressures from films.
+        // Nodes with prescribed films. On a line the inverse of the logarithmic kernel is too poor for pressures
+        // from films.
         if problem.lubricant.is_some() && coupled.fluid.grid.ny() > 1 {
             self.find_shares(coupled, unknowns);
         }
@@ -87,35 +89,37 @@ impl BlockPreconditioner {
         if problem.lubricant.is_none() {
             return true;
         }
+        // Assemble the five-point matrix of the fluid; all other nodes have the identity.
         for row in self.stencil.chunks_exact_mut(STENCIL) {
             row.copy_from_slice(&[1.0, 0.0, 0.0, 0.0, 0.0]);
         }
-        self.link(linearisation, unknowns);
-        let follows = |node: usize| match coupled.kinds[node].follows() {
+        self.mark_coupled(linearization, unknowns);
+        let dof_map = |node: usize| match coupled.active_set[node].dof_map() {
             [_, film] if self.film_weight[node] >= 1.0 => [0.0, film],
             both => both,
         };
-        let linked = (0..self.linked.len()).filter(|k| self.linked[*k]);
-        for k in unknowns.balanced().iter().map(|&k| k as usize).chain(linked) {
-            let row = linearisation.stencil_row(k, follows, &self.linked);
+        let upstream = (0..self.is_coupled.len()).filter(|k| self.is_coupled[*k]);
+        for k in unknowns.balanced().iter().map(|&k| k as usize).chain(upstream) {
+            let row = linearization.stencil_row(k, dof_map, &self.is_coupled);
             self.stencil[STENCIL * k..][..STENCIL].copy_from_slice(&row);
         }
+        // Scale the rows and factorize.
         unknowns.set_row_sizes(|k| self.fluid_block.row_size(self.stencil[STENCIL * k]));
         self.fluid_block.prepare(&self.stencil)
     }
 
-    /// Marks the nodes that carry fluid on to a node with a balance.
-    fn link(&mut self, linearisation: &Linearisation, unknowns: &Unknowns) {
-        self.linked.fill(false);
-        if linearisation.link_all(&mut self.linked) {
+    /// Marks the nodes whose inflow reaches a node with a balance.
+    fn mark_coupled(&mut self, linearization: &Linearization, unknowns: &Unknowns) {
+        self.is_coupled.fill(false);
+        if linearization.mark_all_coupled(&mut self.is_coupled) {
             return;
         }
         for &k in unknowns.balanced() {
-            linearisation.link(k as usize, |_| true, &mut self.linked);
+            linearization.mark_coupled(k as usize, |_| true, &mut self.is_coupled);
         }
     }
 
-    /// How much of its pressure the film of each open node tells.
+    /// Share of the pressure of each open node that is found from its film.
     fn find_shares(&mut self, coupled: &Coupled, unknowns: &Unknowns) {
         for &k in unknowns.open() {
             let k = k as usize;
@@ -128,15 +132,15 @@ impl BlockPreconditioner {
         }
     }
 
-    /// Prepares the border: what the blocks make of the column of the approach, which moves all films alike.
+    /// Prepares the border: the blocks applied to the column of the approach, which moves all films alike.
     pub(super) fn border(
         &mut self,
         unknowns: &mut Unknowns,
-        at: &mut Linearised<'_, '_>,
+        at: &mut Linearized<'_, '_>,
     ) -> Result<(), InputError> {
         let n = unknowns.len();
         let (mut column, mut border) = (std::mem::take(&mut self.column), std::mem::take(&mut self.border));
-        unknowns.approach_column(at.linearisation, &mut column[..n]);
+        unknowns.approach_column(at.linearization, &mut column[..n]);
         let into = &mut border[..n];
         let result = self.blocks(unknowns, at, &column[..n], into, Inverse::Blocks);
         border[n - 1] = 0.0;
@@ -149,12 +153,13 @@ impl BlockPreconditioner {
     pub(super) fn apply(
         &mut self,
         unknowns: &Unknowns,
-        at: &mut Linearised<'_, '_>,
+        at: &mut Linearized<'_, '_>,
         r: &[f32],
         out: &mut [f32],
     ) -> Result<(), InputError> {
         let last = unknowns.len() - 1;
         self.blocks(unknowns, at, r, out, Inverse::Nodes)?;
+        // Eliminate the border: the approach restores the load.
         let excess = unknowns.load(out) as f32 - r[last];
         let approach = if self.border_load == 0.0 { 0.0 } else { excess / self.border_load };
         for (o, b) in out[..last].iter_mut().zip(&self.border) {
@@ -168,12 +173,13 @@ impl BlockPreconditioner {
     fn blocks(
         &mut self,
         unknowns: &Unknowns,
-        at: &mut Linearised<'_, '_>,
+        at: &mut Linearized<'_, '_>,
         r: &[f32],
         out: &mut [f32],
         inverse: Inverse,
     ) -> Result<(), InputError> {
         let (balanced, open, contact) = (unknowns.balanced(), unknowns.open(), unknowns.contact());
+        // Fluid: pressures, plastic depths and flows from the mass balances.
         if at.problem.lubricant.is_some() {
             self.fluid.fill(0.0);
             for (row, (&k, r)) in balanced.iter().zip(r).enumerate() {
@@ -181,6 +187,7 @@ impl BlockPreconditioner {
             }
             self.fluid_block.solve(&self.stencil, &mut self.fluid);
         }
+        // Prescribed displacements: pressures of contact, and the share of fluid pressures found from films.
         let gaps = &r[balanced.len()..];
         let PrescribedDisplacements { films, pressures, .. } = &mut self.given;
         films.fill(0.0);
@@ -193,6 +200,7 @@ impl BlockPreconditioner {
             pressures[k] = f64::from((1.0 - self.film_weight[k].powi(2)) * self.fluid[k]);
         }
         at.coupled.convolutions += self.given.solve(at.problem.deformation, self.screened, inverse)?;
+        // Gather the vector.
         let found = &self.given.pressures;
         let (fluid, pressures) = out.split_at_mut(balanced.len());
         let (in_open, in_others) = fluid.split_at_mut(open.len());

@@ -1,4 +1,4 @@
-//! Pressures of the nodes whose films are given: a rough inverse of the elastic response.
+//! Pressures of nodes with prescribed films: a rough inverse of the elastic response.
 
 use super::coarse_films::CoarseFilms;
 use crate::elastic::DeformationModel;
@@ -6,30 +6,30 @@ use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::coupled::UNPADDED;
 
-/// How far the rough inverse goes where solids screen.
+/// Levels of the rough inverse in contacts with solid contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Inverse {
     /// Blocks of nodes alone: enough for films that are wide.
     Blocks,
-    /// Blocks, and the nodes with what these leave.
+    /// Blocks, then nodes for their residual.
     Nodes,
 }
 
-/// Finds the pressures of nodes whose films are given under given pressures of all others.
+/// Finds the pressures of nodes with prescribed films under given pressures of all others.
 ///
-/// Blocks of nodes come first (see [`CoarseFilms`]): they take the wide displacements, of which the inverse
-/// convolution, masked to scattered nodes, makes far too much. It then takes what is left, on the nodes.
+/// Blocks of nodes come first (see [`CoarseFilms`]): they resolve the wide displacements, which the inverse
+/// convolution, masked to scattered nodes, overestimates by far. It then resolves their residual on the nodes.
 ///
-/// With `w^2` the share of the pressure of a node that its film decides, `w y` is that share, and the
-/// equations are `w K w y = w` times the film: as symmetric as `K`, and whole nodes have the weight one.
+/// With `w^2` the share of the pressure of a node that is found from its film, `w y` is that share, and the
+/// equations are `w K w y = w` times the film: as symmetric as `K`, and contact nodes have the weight one.
 #[derive(Debug)]
 pub(super) struct PrescribedDisplacements {
     nodes: Vec<u32>,
-    /// Square root of the share of a node's pressure that its film decides.
+    /// Square root of the share of a node's pressure that is found from its film.
     weights: Vec<f64>,
     /// None on a line, whose response has no length to fall off in.
     coarse: Option<CoarseFilms>,
-    /// Influences of the body that the blocks are made for, their bits.
+    /// Bits of the influences of the body for which the blocks were made.
     influences: [u64; 4],
     pub(super) films: Vec<f64>,
     pub(super) pressures: Vec<f64>,
@@ -50,7 +50,7 @@ impl PrescribedDisplacements {
         }
     }
 
-    /// Takes the elastic response of `body`, once for each: no part of the work of a solve.
+    /// Takes the elastic response of `body`, once for each; not counted in the work of a solve.
     pub(super) fn configure(&mut self, body: &mut dyn DeformationModel) -> Result<(), InputError> {
         let [own, along, across] = [(0, 0), (1, 0), (0, 1)].map(|(di, dj)| body.influence(di, dj));
         let influences = [own, along, across, body.self_influence(0)].map(f64::to_bits);
@@ -62,7 +62,7 @@ impl PrescribedDisplacements {
         Ok(())
     }
 
-    /// Takes the nodes whose films are given with their weights, none of which is zero.
+    /// Takes the nodes with prescribed films and their weights, all above zero.
     pub(super) fn prepare(&mut self, nodes: impl Iterator<Item = (u32, f64)>) {
         self.nodes.clear();
         self.weights.fill(0.0);
@@ -75,9 +75,9 @@ impl PrescribedDisplacements {
         }
     }
 
-    /// Adds to `pressures`, as far as they are known, those that make `films`, in deflections of a node under
-    /// unit pressure, where these are given. Where no solids screen them, the known pressures are no load on
-    /// these films: they are wide. Returns the cost in convolutions.
+    /// Adds to the known `pressures` those that cause the prescribed `films`, in deflections of a node under unit
+    /// pressure. Without solid contact (`screened` is false) the known pressures are wide and do not load these
+    /// films. Returns the cost in convolutions.
     pub(super) fn solve(
         &mut self,
         body: &mut dyn DeformationModel,
@@ -88,6 +88,7 @@ impl PrescribedDisplacements {
         if nodes.is_empty() {
             return Ok(0.0);
         }
+        // Blocks of nodes, and their residual.
         let mut cost = UNPADDED;
         let own = body.influence(0, 0);
         let mut coarse = coarse.as_mut().filter(|_| screened);
@@ -102,13 +103,13 @@ impl PrescribedDisplacements {
                 films[k as usize] -= scratch[k as usize] / own;
             }
         }
+        // Inverse convolution on the weighted nodes.
         for (film, weight) in films.iter_mut().zip(&*weights) {
             *film *= weight;
         }
         body.pressure_estimate(films, scratch)?;
         if let Some(coarse) = coarse {
-            // The blocks have found these already, and what single nodes add would have to be carried by the
-            // whole contact.
+            // The blocks have found the means already; those of single nodes would load the whole contact.
             coarse.take_means(nodes, weights, scratch);
         }
         for &k in &*nodes {

@@ -1,20 +1,21 @@
-//! Newton's method on the mass balances of a few cells, everything around them held.
+//! Newton's method on the mass balances of a few cells, everything around held.
 
-use super::linearisation::Linearisation;
-use super::local::{Forecast, Local, Material, NodeState};
-use super::pockets::is_in_pocket;
-use super::settings::PocketSettings;
+use super::isolated_regions::is_weakly_coupled;
+use super::linearization::Linearization;
+use super::node::{Material, NodeBalance, NodePrediction, NodeSolution};
+use super::prediction::Prediction;
+use super::settings::{REGION_SHARE, REGION_STEPS};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::numerics::{GridLu, STENCIL};
-use crate::reynolds::active_set::{Fluid, Kind, Solid};
+use crate::reynolds::active_set::{Fluid, NodeState, Solid};
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::flow::{Discretisation, MARGIN, NearField};
 use crate::reynolds::problem::LubricatedContact;
 use crate::reynolds::state::ContactState;
 
-/// A rectangle of nodes whose films follow their own pressures alone. Those near its edges, and all but the
-/// nodes of pockets, are held.
+/// A rectangle of nodes whose films respond to their own pressures alone. Those near its edges, and all that are
+/// strongly coupled to their films, are held.
 #[derive(Debug)]
 pub(super) struct Window {
     grid: Grid,
@@ -22,25 +23,24 @@ pub(super) struct Window {
     first: usize,
     stride: usize,
     fluid: Discretisation,
-    linearisation: Linearisation,
+    linearization: Linearization,
     lu: GridLu,
     stencil: Vec<f32>,
-    nodes: Vec<NodeState>,
-    best: Vec<NodeState>,
-    /// What the linear step of the whole foresees: films without plastic depth \[m\], total pressures \[Pa\].
-    foreseen_film: Vec<f64>,
-    foreseen_pressure: Vec<f64>,
+    nodes: Vec<NodeSolution>,
+    best: Vec<NodeSolution>,
+    /// Prediction of the whole step: total pressures \[Pa\] and films without plastic depth \[m\].
+    predicted: Vec<[f64; 2]>,
     previous_mass: Vec<f64>,
-    /// Fluid pressures \[Pa\], films and films without plastic depth \[m\] of the present nodes.
+    /// Fluid pressures \[Pa\], films and films without plastic depth \[m\] of the nodes.
     pressure: Vec<f64>,
     film: Vec<f64>,
     elastic_film: Vec<f64>,
-    /// Nodes of pockets, which the window solves for.
+    /// Weakly coupled nodes, for which the window solves.
     chosen: Vec<bool>,
-    /// Chosen nodes that are not filled and carry on what enters them to a node with a balance.
-    linked: Vec<bool>,
-    /// By how much the unknown of a node moves its pressure and its film.
-    follows: Vec<[f32; 2]>,
+    /// Chosen nodes that are not filled, upstream of a node with a balance.
+    is_coupled: Vec<bool>,
+    /// Pressure and film of each node per unknown.
+    dof_map: Vec<[f32; 2]>,
     unknown: Vec<f32>,
     pressure_change: Vec<f32>,
     film_change: Vec<f32>,
@@ -52,27 +52,26 @@ impl Window {
     pub(super) fn new(whole: &Grid, side: usize) -> Self {
         let grid = whole.corner(side.min(whole.nx()), side.min(whole.ny()));
         let n = grid.len();
-        let kind = Kind { fluid: Fluid::Boundary, solid: Solid::Open };
-        let node = NodeState { kind, pressure: 0.0, fluid_pressure: 0.0, depth: 0.0 };
+        let side = NodeState { fluid: Fluid::Boundary, solid: Solid::Open };
+        let node = NodeSolution { side, pressure: 0.0, fluid_pressure: 0.0, depth: 0.0 };
         Self {
             grid,
             first: 0,
             stride: whole.nx(),
             fluid: Discretisation::new(grid),
-            linearisation: Linearisation::new(grid),
+            linearization: Linearization::new(grid),
             lu: GridLu::new(grid.nx(), grid.ny()),
             stencil: vec![0.0; STENCIL * n],
             nodes: vec![node; n],
             best: vec![node; n],
-            foreseen_film: vec![0.0; n],
-            foreseen_pressure: vec![0.0; n],
+            predicted: vec![[0.0; 2]; n],
             previous_mass: vec![0.0; n],
             pressure: vec![0.0; n],
             film: vec![0.0; n],
             elastic_film: vec![0.0; n],
             chosen: vec![false; n],
-            linked: vec![false; n],
-            follows: vec![[0.0; 2]; n],
+            is_coupled: vec![false; n],
+            dof_map: vec![[0.0; 2]; n],
             unknown: vec![0.0; n],
             pressure_change: vec![0.0; n],
             film_change: vec![0.0; n],
@@ -85,104 +84,108 @@ impl Window {
         self.first + q % self.grid.nx() + q / self.grid.nx() * self.stride
     }
 
-    /// Whether all that the balance of node `q` hangs on lies in the window.
+    /// Whether the balance of node `q` depends on nodes of the window alone.
     fn is_core(&self, q: usize) -> bool {
         let inside = |i: usize, n: usize| n == 1 || (i >= MARGIN && i + MARGIN < n);
         inside(q % self.grid.nx(), self.grid.nx()) && inside(q / self.grid.nx(), self.grid.ny())
     }
 
-    /// Lays the window around node `k` of the whole grid, for which films and pressures are `foreseen`.
+    /// Places the window around node `k` of the whole grid and copies its nodes.
     pub(super) fn enter(
         &mut self,
         k: usize,
         coupled: &Coupled,
         problem: &LubricatedContact<'_>,
         state: &ContactState,
-        foreseen: [&[f64]; 2],
+        prediction: &Prediction<'_>,
     ) {
         let whole = &coupled.fluid.grid;
         let place = |i: usize, n: usize, all: usize| i.saturating_sub(n / 2).min(all - n);
+        // Keep it inside the grid.
         self.first = place(k % whole.nx(), self.grid.nx(), whole.nx())
             + place(k / whole.nx(), self.grid.ny(), whole.ny()) * whole.nx();
+        // Coefficients of the flow, states of the nodes, prediction.
         self.fluid.look_at(&coupled.fluid, self.first);
         for q in 0..self.grid.len() {
             let k = self.whole_index(q);
-            self.nodes[q] = NodeState {
-                kind: coupled.kinds[k],
+            self.nodes[q] = NodeSolution {
+                side: coupled.active_set[k],
                 pressure: state.pressure[k],
-                fluid_pressure: if coupled.kinds[k].fluid == Fluid::Boundary {
+                fluid_pressure: if coupled.active_set[k].fluid == Fluid::Boundary {
                     problem.edge_pressure_at(k)
                 } else {
                     state.fluid_pressure[k]
                 },
                 depth: state.plastic_depth[k],
             };
-            (self.foreseen_film[q], self.foreseen_pressure[q]) = (foreseen[0][k], foreseen[1][k]);
+            self.predicted[q] = prediction.pressure_and_film(k);
             if let Some(squeeze) = problem.squeeze {
                 self.previous_mass[q] = squeeze.previous_mass[k];
             }
         }
     }
 
-    /// Takes the best states found to the whole if they are better than those it had; its nodes are settled
+    /// Copies the best solution to the whole grid if it is better than the state there; its nodes count as solved
     /// either way.
     pub(super) fn leave(
         &self,
         is_better: bool,
         coupled: &mut Coupled,
         state: &mut ContactState,
-        settled: &mut [bool],
+        solved: &mut [bool],
     ) {
         for q in (0..self.grid.len()).filter(|&q| self.is_core(q)) {
             let k = self.whole_index(q);
-            settled[k] = true;
+            solved[k] = true;
             if is_better && self.chosen[q] {
-                self.best[q].put(k, coupled, state);
+                self.best[q].write(k, coupled, state);
             }
         }
     }
 
-    /// Newton steps for the nodes of pockets; says whether one of them lessens the sum of what they lack.
+    /// Newton steps for the weakly coupled nodes; says whether one of them lowers the sum of their imbalances.
     pub(super) fn solve(
         &mut self,
         problem: &LubricatedContact<'_>,
         lubricant: &Lubricant,
-        settings: PocketSettings,
-        trust: f64,
+        step_bound: f64,
         near: NearField,
     ) -> bool {
         self.flow(problem, lubricant, near.own);
+        // Choose the nodes.
         for q in 0..self.grid.len() {
-            let kind = self.nodes[q].kind;
-            self.chosen[q] = self.is_core(q) && is_in_pocket(&self.fluid, kind, q, near);
+            let side = self.nodes[q].side;
+            self.chosen[q] = self.is_core(q) && is_weakly_coupled(&self.fluid, side, q, near);
         }
-        let before = self.lack(problem);
+        let before = self.residual_norm(problem);
         let mut least = before;
-        for _ in 0..settings.steps {
-            if !self.step(problem, lubricant, near.own, trust) {
+        for _ in 0..REGION_STEPS {
+            // One Newton step, its residual, the best solution so far.
+            if !self.step(problem, lubricant, near.own, step_bound) {
                 break;
             }
             self.flow(problem, lubricant, near.own);
-            let lack = self.lack(problem);
-            if lack < least {
-                least = lack;
+            let residual = self.residual_norm(problem);
+            if residual < least {
+                least = residual;
                 self.best.copy_from_slice(&self.nodes);
             }
-            if least < (1.0 - settings.share) * before {
+            if least < (1.0 - REGION_SHARE) * before {
                 break;
             }
         }
         least < before
     }
 
-    /// Flow through the films that follow the own pressures.
+    /// Flow through the films that respond to own pressures.
     fn flow(&mut self, problem: &LubricatedContact<'_>, lubricant: &Lubricant, own: f64) {
         let contact_film = problem.contact_film();
         for (q, node) in self.nodes.iter().enumerate() {
-            let elastic_film = self.foreseen_film[q] + own * (node.pressure - self.foreseen_pressure[q]);
+            let [predicted_pressure, predicted_film] = self.predicted[q];
+            let elastic_film = predicted_film + own * (node.pressure - predicted_pressure);
             self.elastic_film[q] = elastic_film;
             self.pressure[q] = node.fluid_pressure;
-            self.film[q] = match (node.kind.fluid, node.kind.solid) {
+            self.film[q] = match (node.side.fluid, node.side.solid) {
                 (_, Solid::Contact) => contact_film,
                 (Fluid::AtLimit, _) => elastic_film + node.depth,
                 (_, Solid::Yielded) => elastic_film.max(contact_film),
@@ -193,51 +196,59 @@ impl Window {
         self.fluid.update_window(lubricant, &self.pressure, &self.film, previous);
     }
 
-    /// Sum of the imbalances of the chosen nodes.
-    fn lack(&self, problem: &LubricatedContact<'_>) -> f64 {
+    /// Residual norm of the window: the sum of the imbalances of the chosen nodes.
+    fn residual_norm(&self, problem: &LubricatedContact<'_>) -> f64 {
         let previous = previous(problem, &self.previous_mass);
         let chosen = (0..self.grid.len()).filter(|&q| self.chosen[q]);
         chosen.map(|q| self.fluid.imbalance(q, previous).abs()).sum()
     }
 
-    /// One Newton step for the chosen nodes, with the elimination of their own equations that a step of the
-    /// whole has; false where their equations have no finite factors.
-    fn step(&mut self, problem: &LubricatedContact<'_>, lubricant: &Lubricant, own: f64, trust: f64) -> bool {
+    /// One Newton step for the chosen nodes, with the elimination of their own equations as in a step of the
+    /// whole; false where their equations have no finite factors.
+    fn step(
+        &mut self,
+        problem: &LubricatedContact<'_>,
+        lubricant: &Lubricant,
+        own: f64,
+        step_bound: f64,
+    ) -> bool {
         let film_unit = own * problem.reference_pressure;
         if !self.linear_step(problem, film_unit, own) {
             return false;
         }
         let previous = previous(problem, &self.previous_mass);
         for q in (0..self.grid.len()).filter(|&q| self.chosen[q]) {
-            let NodeState { kind, pressure, fluid_pressure, .. } = self.nodes[q];
+            // Predict the node.
+            let NodeSolution { side, pressure, fluid_pressure, .. } = self.nodes[q];
             let change = f64::from(self.pressure_change[q]) * problem.reference_pressure;
             let film_change = f64::from(self.film_change[q]) * film_unit;
-            let own_change = if kind.solid == Solid::Open { [change, film_change] } else { [0.0; 2] };
+            let own_change = if side.solid == Solid::Open { [change, film_change] } else { [0.0; 2] };
             let material = Material {
                 contact_film: problem.contact_film(),
                 limit: problem.limit_at(self.whole_index(q)),
                 own_influence: own,
-                trust,
+                step_bound,
             };
-            let local = Local::new(&self.fluid, lubricant, q);
+            let own_balance = NodeBalance::new(&self.fluid, lubricant, q);
             let balance = self.fluid.balance(q, previous);
-            let imbalance = if kind.has_balance() {
+            let imbalance = if side.has_balance() {
                 balance - self.fluid.imbalance(q, previous)
             } else {
                 balance + f64::from(self.balance_change[q]) * film_unit
             };
-            let forecast = Forecast {
+            let prediction = NodePrediction {
                 pressure: pressure + own_change[0],
                 fluid_pressure: fluid_pressure + change,
                 elastic_film: self.elastic_film[q] + own_change[1],
                 depth: 0.0,
-                share: local.foreseen_share(self.film[q], [change, film_change], imbalance),
+                share: own_balance.predicted_share(self.film[q], [change, film_change], imbalance),
             };
-            let mut node = local.eliminate(material, forecast);
-            if node.kind.solid == Solid::Open && node.kind.fluid == Fluid::Active {
-                // The whole does not follow what leaves its forecast by much.
-                let foreseen = self.foreseen_pressure[q];
-                node.pressure = node.pressure.clamp((foreseen - trust).max(0.0), foreseen.max(0.0) + trust);
+            // Solve its own equations, near the prediction of the whole step.
+            let mut node = own_balance.eliminate(material, prediction);
+            if node.side.solid == Solid::Open && node.side.fluid == Fluid::Active {
+                let [predicted, _] = self.predicted[q];
+                node.pressure =
+                    node.pressure.clamp((predicted - step_bound).max(0.0), predicted.max(0.0) + step_bound);
                 node.fluid_pressure = node.pressure;
             }
             self.nodes[q] = node;
@@ -245,39 +256,42 @@ impl Window {
         true
     }
 
-    /// Solves the linearised balances of the chosen nodes for the changes of their pressures and films, and
-    /// finds those of their balances, in the units of [`Linearisation`]; false where the equations have no
+    /// Solves the linearized balances of the chosen nodes for the changes of their pressures and films, and
+    /// finds those of their balances, in the units of [`Linearization`]; false where the equations have no
     /// finite factors.
     fn linear_step(&mut self, problem: &LubricatedContact<'_>, film_unit: f64, own: f64) -> bool {
-        self.linearisation.update(&self.fluid, own);
-        self.linked.fill(false);
+        // Linearize and choose the unknowns.
+        self.linearization.update(&self.fluid, own);
+        self.is_coupled.fill(false);
         for (q, node) in self.nodes.iter().enumerate() {
-            let has_balance = self.chosen[q] && node.kind.has_balance();
-            self.follows[q] = [has_balance, has_balance && !node.kind.is_contact()].map(f32::from);
+            let has_balance = self.chosen[q] && node.side.has_balance();
+            self.dof_map[q] = [has_balance, has_balance && !node.side.is_contact()].map(f32::from);
             if has_balance {
-                self.linearisation.link(q, |up| self.chosen[up], &mut self.linked);
+                self.linearization.mark_coupled(q, |up| self.chosen[up], &mut self.is_coupled);
             }
         }
+        // Assemble matrix and right-hand side.
         let previous = previous(problem, &self.previous_mass);
         for (q, row) in self.stencil.chunks_exact_mut(STENCIL).enumerate() {
-            let is_unknown = self.follows[q][0] > 0.0;
-            let entries = if is_unknown || self.linked[q] {
-                self.linearisation.stencil_row(q, |node| self.follows[node], &self.linked)
+            let is_unknown = self.dof_map[q][0] > 0.0;
+            let entries = if is_unknown || self.is_coupled[q] {
+                self.linearization.stencil_row(q, |node| self.dof_map[node], &self.is_coupled)
             } else {
                 [1.0, 0.0, 0.0, 0.0, 0.0]
             };
             row.copy_from_slice(&entries);
-            let lack = if is_unknown { self.fluid.imbalance(q, previous) } else { 0.0 };
-            self.unknown[q] = (-lack / film_unit) as f32;
+            let imbalance = if is_unknown { self.fluid.imbalance(q, previous) } else { 0.0 };
+            self.unknown[q] = (-imbalance / film_unit) as f32;
         }
+        // Solve, and scatter the unknowns to pressures and films.
         if !self.lu.factorise(&self.stencil) {
             return false;
         }
         self.lu.solve(&mut self.unknown);
         for (q, unknown) in self.unknown.iter().enumerate() {
-            [self.pressure_change[q], self.film_change[q]] = self.follows[q].map(|share| share * unknown);
+            [self.pressure_change[q], self.film_change[q]] = self.dof_map[q].map(|share| share * unknown);
         }
-        self.linearisation.product(&self.pressure_change, &self.film_change, &mut self.balance_change);
+        self.linearization.product(&self.pressure_change, &self.film_change, &mut self.balance_change);
         true
     }
 }

@@ -196,7 +196,7 @@ impl Sweeps {
             self.update_line(problem, state, j, damping.relaxation);
         }
         for k in 0..grid.len() {
-            if self.coupled.kinds[k].fluid == Fluid::Boundary {
+            if self.coupled.active_set[k].fluid == Fluid::Boundary {
                 state.fluid_pressure[k] = 0.0;
                 state.pressure[k] = 0.0;
             }
@@ -217,8 +217,8 @@ impl Sweeps {
         let previous = problem.squeeze.map(|s| s.previous_mass);
         for i in 0..nx {
             let k = j * nx + i;
-            let kind = self.coupled.kinds[k];
-            if matches!(kind.fluid, Fluid::Boundary | Fluid::Cavitated) {
+            let side = self.coupled.active_set[k];
+            if matches!(side.fluid, Fluid::Boundary | Fluid::Cavitated) {
                 // Fixed within the solve: clipping afterwards would expose the neighbors to a spurious
                 // suction.
                 let change = -state.fluid_pressure[k];

@@ -1,8 +1,8 @@
-//! Derivatives of the mass balances, face by face, and what they make of changes of pressures and films.
+//! Derivatives of the mass balances, face by face, and their products with changes of pressures and films.
 //!
-//! All is in single precision, balances and films over the self-influence, so that they are pressures. A flow
-//! is computed once for the two nodes of its face: what rounding makes of it leaves one as it enters the
-//! other, and the balance of a pocket, the small difference of large flows, keeps its digits.
+//! All is in single precision, balances and films over the self-influence, so that they are pressures. A flow is
+//! computed once for the two nodes of its face: it leaves one as it enters the other, rounding included, and the
+//! balance of an isolated region, the small difference of large flows, keeps its digits.
 
 use super::across::Across;
 use crate::grid::Grid;
@@ -10,41 +10,41 @@ use crate::numerics::STENCIL;
 use crate::reynolds::flow::Discretisation;
 use crate::reynolds::problem::inner_rows;
 
-/// Largest derivative that counts: that of real films is some 1e12.
+/// Bound of derivatives; those of real films are some 1e12.
 const LARGEST: f64 = 1e30;
 
 /// Derivatives of the flow through the faces of one direction: by the pressures of its two nodes, by their
 /// films.
 pub(super) type FaceFlows = [Vec<f32>; 4];
 
-/// The mass balances of all nodes, linearised.
+/// The mass balances of all nodes, linearized.
 #[derive(Debug)]
-pub(super) struct Linearisation {
+pub(super) struct Linearization {
     grid: Grid,
     /// Derivatives of the mass of each node by its pressure and by its film.
     mass: [Vec<f32>; 2],
     /// Of the face to the east of each node, and of that to the north.
     east: FaceFlows,
     north: FaceFlows,
-    /// Of what entrainment carries through the face to the east of each node beyond what that node holds,
-    /// where it carries more.
+    /// Of the entrainment through the face to the east of each node beyond the mass of that node, in schemes of
+    /// higher order.
     beyond: [Vec<f32>; 5],
     carries_beyond: bool,
     beyond_change: Vec<f32>,
-    /// What nodes that are not filled carry on of a change of their inflow; zero elsewhere.
-    passed: Vec<f32>,
-    /// Coefficients of the masses of a node and of the one upstream in each row, and those of the
+    /// Share of a change of inflow that nodes that are not filled advect downstream; zero elsewhere.
+    advected: Vec<f32>,
+    /// Coefficients of the masses of a node and of its upstream neighbor in each row, and those of the
     /// preconditioner.
     upwind: Vec<[f32; 2]>,
     near: Vec<[f32; 2]>,
-    /// Between surfaces that turn, what they carry from row to row.
+    /// Entrainment from row to row by surfaces that turn.
     across: Option<Box<Across>>,
     mass_change: Vec<f32>,
     east_change: Vec<f32>,
     north_change: Vec<f32>,
 }
 
-impl Linearisation {
+impl Linearization {
     pub(super) fn new(grid: Grid) -> Self {
         let zeros = || vec![0.0; grid.len()];
         let faces = || std::array::from_fn(|_| zeros());
@@ -56,7 +56,7 @@ impl Linearisation {
             beyond: std::array::from_fn(|_| zeros()),
             carries_beyond: false,
             beyond_change: zeros(),
-            passed: zeros(),
+            advected: zeros(),
             upwind: vec![[0.0; 2]; grid.ny()],
             near: vec![[0.0; 2]; grid.ny()],
             across: None,
@@ -66,24 +66,27 @@ impl Linearisation {
         }
     }
 
-    /// Takes the derivatives at the last update of `fluid`.
+    /// Evaluates the derivatives at the last update of `fluid`.
     pub(super) fn update(&mut self, fluid: &Discretisation, own_influence: f64) {
         let (nx, n) = (self.grid.nx(), self.grid.len());
+        // Masses of the nodes and their advection.
         let stiffness = 1.0 / own_influence;
         for k in 0..n {
             let [by_pressure, by_film] = fluid.mass_derivatives(k);
             self.mass[0][k] = single(stiffness * by_pressure);
             self.mass[1][k] = single(by_film);
         }
-        for (k, passed) in self.passed.iter_mut().enumerate() {
-            *passed = single(fluid.passed(k));
+        for (k, advected) in self.advected.iter_mut().enumerate() {
+            *advected = single(fluid.passed(k));
         }
+        // Flow by pressure through the faces.
         for k in 0..n - 1 {
-            keep(&mut self.east, k, fluid.east_flow_derivatives(k), stiffness);
+            store(&mut self.east, k, fluid.east_flow_derivatives(k), stiffness);
         }
         for k in 0..n - nx {
-            keep(&mut self.north, k, fluid.north_flow_derivatives(k), stiffness);
+            store(&mut self.north, k, fluid.north_flow_derivatives(k), stiffness);
         }
+        // Entrainment beyond the masses, and its coefficients.
         self.carries_beyond = fluid.carries_beyond();
         if self.carries_beyond {
             for k in 0..n {
@@ -111,6 +114,7 @@ impl Linearisation {
     /// they are.
     pub(super) fn product(&mut self, pressure: &[f32], film: &[f32], out: &mut [f32]) {
         let (nx, ny, n) = (self.grid.nx(), self.grid.ny(), self.grid.len());
+        // Changes of masses, of flows through faces and of entrainment beyond the masses.
         let [by_pressure, by_film] = &self.mass;
         let derivatives = by_pressure.iter().zip(by_film);
         let changes = pressure.iter().zip(film);
@@ -124,13 +128,15 @@ impl Linearisation {
         if ny > 1 {
             flow_changes(&self.north, nx, pressure, film, &mut self.north_change);
         }
+        // Balances, row by row.
         for j in inner_rows(&self.grid) {
             let first = j * nx;
             let row = first..first + nx;
-            let (mass, east, passed) =
-                (&self.mass_change[row.clone()], &self.east_change[row.clone()], &self.passed[row.clone()]);
+            let (mass, east, advected) =
+                (&self.mass_change[row.clone()], &self.east_change[row.clone()], &self.advected[row.clone()]);
             let beyond = &self.beyond_change[row.clone()];
             let out = &mut out[row];
+            // Flow by pressure through the faces.
             for i in 1..nx - 1 {
                 out[i] = east[i] - east[i - 1];
             }
@@ -143,52 +149,54 @@ impl Linearisation {
             if self.across.is_some() {
                 continue;
             }
-            // What enters through the face to the west.
+            // Entrainment, downstream: nodes that are not filled advect their inflow.
             let [here, up] = self.upwind[j];
             let mut inflow = beyond[0] - up * mass[0];
             for i in 1..nx - 1 {
                 let flow = out[i] - inflow;
                 out[i] = flow + here * mass[i] + beyond[i];
-                inflow = if passed[i] > 0.0 { -passed[i] * flow } else { beyond[i] - up * mass[i] };
+                inflow = if advected[i] > 0.0 { -advected[i] * flow } else { beyond[i] - up * mass[i] };
             }
         }
         if let Some(across) = &mut self.across {
             flow_changes(&across.faces, nx, pressure, film, &mut across.change);
-            across.carry(&self.mass_change, &self.beyond_change, &self.passed, &self.upwind, out);
+            across.add_entrainment(&self.mass_change, &self.beyond_change, &self.advected, &self.upwind, out);
         }
     }
 
     /// Marks all nodes that are not filled where surfaces turn; false where they move along x alone.
-    pub(super) fn link_all(&self, linked: &mut [bool]) -> bool {
+    pub(super) fn mark_all_coupled(&self, is_coupled: &mut [bool]) -> bool {
         let turns = self.across.is_some();
         if turns {
-            linked.iter_mut().zip(&self.passed).for_each(|(linked, passed)| *linked = *passed > 0.0);
+            let nodes = is_coupled.iter_mut().zip(&self.advected);
+            nodes.for_each(|(is_coupled, advected)| *is_coupled = *advected > 0.0);
         }
         turns
     }
 
-    /// Marks the nodes that are not filled and carry fluid on to node `k`, upstream as far as `may` says.
-    pub(super) fn link(&self, k: usize, may: impl Fn(usize) -> bool, linked: &mut [bool]) {
+    /// Marks the nodes that are not filled upstream of node `k`, as far as `may` admits: the balance of the node
+    /// is coupled to their inflow.
+    pub(super) fn mark_coupled(&self, k: usize, may: impl Fn(usize) -> bool, is_coupled: &mut [bool]) {
         let mut up = k - 1;
-        while self.passed[up] > 0.0 && may(up) && !linked[up] {
-            linked[up] = true;
+        while self.advected[up] > 0.0 && may(up) && !is_coupled[up] {
+            is_coupled[up] = true;
             up -= 1;
         }
     }
 
-    /// Row of inner node `k` of the fluid block, centre, east, west, north and south: entrainment of first
-    /// order, pressure and film of a node following its own unknown as `follows` says. The unknown of a node
-    /// that is `linked` is what it carries on.
+    /// Row of inner node `k` of the fluid block, center, east, west, north and south: entrainment of first order,
+    /// `dof_map` giving pressure and film of a node per unknown. The unknown of a node that `is_coupled` is the
+    /// flow that it advects.
     pub(super) fn stencil_row(
         &self,
         k: usize,
-        follows: impl Fn(usize) -> [f32; 2],
-        linked: &[bool],
+        dof_map: impl Fn(usize) -> [f32; 2],
+        is_coupled: &[bool],
     ) -> [f32; STENCIL] {
         let nx = self.grid.nx();
         let [here, up] = self.near[k / nx];
         let (east, north, mass) = (&self.east, &self.north, &self.mass);
-        // Derivatives by pressures or by films, whose places in the flows are `a` and `a + 1`.
+        // Derivatives by pressures (`a` = 0) or by films (2), at `a` and `a + 1` in the flows.
         let derivatives = |a: usize| {
             let across = if self.grid.ny() > 1 {
                 [north[a][k] - north[a + 1][k - nx], north[a + 1][k], -north[a][k - nx]]
@@ -207,39 +215,39 @@ impl Linearisation {
         let (by_pressure, by_film) = (derivatives(0), derivatives(2));
         let rows = if self.grid.ny() > 1 { nx } else { 0 };
         let nodes = [k, k + 1, k - 1, k + rows, k - rows];
-        let share = if linked[k] { self.passed[k] } else { 1.0 };
+        let share = if is_coupled[k] { self.advected[k] } else { 1.0 };
         let mut row = std::array::from_fn(|slot| {
-            let [pressure, film] = follows(nodes[slot]);
+            let [pressure, film] = dof_map(nodes[slot]);
             share * (by_pressure[slot] * pressure + by_film[slot] * film)
         });
-        if linked[k] {
+        if is_coupled[k] {
             row[0] = 1.0;
         }
-        if linked[k - 1] {
+        if is_coupled[k - 1] {
             row[2] = -share;
         }
         if let Some(across) = &self.across {
-            across.add_to_row(k, &mut row, follows, (linked, &self.passed));
+            across.add_to_row(k, &mut row, dof_map, (is_coupled, &self.advected));
         }
         row
     }
 }
 
-/// Puts the derivatives of a face where they belong.
+/// Stores the derivatives of a face.
 #[inline]
-pub(super) fn keep(flows: &mut FaceFlows, k: usize, derivatives: [f64; 4], stiffness: f64) {
+pub(super) fn store(flows: &mut FaceFlows, k: usize, derivatives: [f64; 4], stiffness: f64) {
     flows[0][k] = single(stiffness * derivatives[0]);
     flows[1][k] = single(stiffness * derivatives[1]);
     flows[2][k] = single(derivatives[2]);
     flows[3][k] = single(derivatives[3]);
 }
 
-/// In single precision, where absurd numbers stay finite.
+/// In single precision, clamped to finite numbers.
 pub(super) fn single(value: f64) -> f32 {
     value.clamp(-LARGEST, LARGEST) as f32
 }
 
-/// Changes of the flows through faces to the node `stride` further on.
+/// Changes of the flows through the faces between nodes `stride` apart.
 fn flow_changes(flows: &FaceFlows, stride: usize, pressure: &[f32], film: &[f32], out: &mut [f32]) {
     let n = out.len() - stride;
     let [own_p, other_p, own_h, other_h] = flows.each_ref().map(|derivatives| &derivatives[..n]);
@@ -250,7 +258,7 @@ fn flow_changes(flows: &FaceFlows, stride: usize, pressure: &[f32], film: &[f32]
     }
 }
 
-/// Changes of what entrainment carries through the faces to the east beyond what their first nodes hold.
+/// Changes of the entrainment through the faces to the east beyond the masses of their first nodes.
 fn beyond_changes(derivatives: &[Vec<f32>; 5], pressure: &[f32], film: &[f32], out: &mut [f32]) {
     let n = out.len() - 2;
     let [own_p, up_p, own_h, next_h, up_h] = derivatives.each_ref().map(|derivatives| &derivatives[1..][..n]);

@@ -1,7 +1,7 @@
-//! The equations of one node with its neighbours held: what makes of a linear step a state.
+//! The equations of one node with its neighbors held.
 
 use crate::lubricant::Lubricant;
-use crate::reynolds::active_set::{Fluid, Kind, Solid};
+use crate::reynolds::active_set::{Fluid, NodeState, Solid};
 use crate::reynolds::coupled::Coupled;
 use crate::reynolds::flow::{Discretisation, HeldNeighbour};
 use crate::reynolds::state::ContactState;
@@ -11,41 +11,42 @@ const MAX_STEPS: u32 = 60;
 /// Relative change of the pressure with which the last step of a local solve ends: the error is about its
 /// square.
 const LAST_CHANGE: f64 = 1e-6;
-/// Pressure next to none, from which a search goes up \[Pa\].
+/// Lowest pressure from which a search starts \[Pa\].
 const FIRST_PRESSURE: f64 = 1.0;
-/// Relative distance from the pressure foreseen within which a root is the one foreseen: what linear systems
-/// that are solved well leave.
-const FORESEEN: f64 = 0.01;
+/// Relative distance from the predicted pressure within which a root is the predicted one; the residual of linear
+/// systems moves it by less.
+const PREDICTED: f64 = 0.01;
 
-/// What the linear step foresees for a node.
+/// The prediction of the linear step for one node.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Forecast {
+pub(super) struct NodePrediction {
     /// Total pressure \[Pa\].
     pub(super) pressure: f64,
-    /// Pressure of its fluid \[Pa\].
+    /// Fluid pressure \[Pa\].
     pub(super) fluid_pressure: f64,
     /// Film at the total pressure without plastic depth \[m\].
     pub(super) elastic_film: f64,
     /// Plastic depth of a node whose fluid is at the limit \[m\].
     pub(super) depth: f64,
-    /// Own share of the mass balance (see [`Local::foreseen_share`]) \[m\].
+    /// Own share of the mass balance (see [`NodeBalance::predicted_share`]) \[m\].
     pub(super) share: f64,
 }
 
-/// The state of a node that its own equations ask for.
+/// The solution of the own equations of a node.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct NodeState {
-    pub(super) kind: Kind,
+pub(super) struct NodeSolution {
+    /// Its state in the active set.
+    pub(super) side: NodeState,
     pub(super) pressure: f64,
     pub(super) fluid_pressure: f64,
     /// Plastic depth of a node whose fluid is at the limit, zero otherwise \[m\].
     pub(super) depth: f64,
 }
 
-impl NodeState {
-    /// Makes this the state of node `k`.
-    pub(super) fn put(self, k: usize, coupled: &mut Coupled, state: &mut ContactState) {
-        coupled.kinds[k] = self.kind;
+impl NodeSolution {
+    /// Overwrites node `k`.
+    pub(super) fn write(self, k: usize, coupled: &mut Coupled, state: &mut ContactState) {
+        coupled.active_set[k] = self.side;
         state.pressure[k] = self.pressure;
         state.fluid_pressure[k] = self.fluid_pressure;
         state.plastic_depth[k] = self.depth;
@@ -59,13 +60,13 @@ pub(super) struct Material {
     pub(super) limit: f64,
     /// Film per own pressure \[m/Pa\].
     pub(super) own_influence: f64,
-    /// How far the pressure may leave the forecast \[Pa\].
-    pub(super) trust: f64,
+    /// Bound of the distance between pressure and prediction \[Pa\].
+    pub(super) step_bound: f64,
 }
 
 impl Material {
-    /// The state without fluid pressure, the fluid side being given: open, or contact below or at the limit.
-    pub(super) fn eliminate_dry(&self, fluid: Fluid, pressure: f64, elastic_film: f64) -> NodeState {
+    /// The solution without fluid pressure, the fluid side being given: open, or contact below or at the limit.
+    pub(super) fn eliminate_dry(&self, fluid: Fluid, pressure: f64, elastic_film: f64) -> NodeSolution {
         let touch = pressure + (self.contact_film - elastic_film) / self.own_influence;
         let (solid, pressure) = if touch <= 0.0 {
             (Solid::Open, 0.0)
@@ -74,14 +75,14 @@ impl Material {
         } else {
             (Solid::Contact, pressure.clamp(0.0, self.limit))
         };
-        NodeState { kind: Kind { fluid, solid }, pressure, fluid_pressure: 0.0, depth: 0.0 }
+        NodeSolution { side: NodeState { fluid, solid }, pressure, fluid_pressure: 0.0, depth: 0.0 }
     }
 }
 
-/// The own share of a mass balance as a function of own pressure and film, neighbours and the films of the
-/// faces over those of their first nodes held: `M rho(p) h + sum over faces of c a(p, h) (phi(p) - phi_o)`.
+/// The own share of a mass balance as a function of own pressure and film, neighbors and the films of the faces
+/// over those of their first nodes held: `M rho(p) h + sum over faces of c a(p, h) (phi(p) - phi_o)`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Local<'a> {
+pub(super) struct NodeBalance<'a> {
     lubricant: &'a Lubricant,
     fluid: &'a Discretisation,
     node: usize,
@@ -89,7 +90,7 @@ pub(super) struct Local<'a> {
     neighbours: [HeldNeighbour; 4],
 }
 
-impl<'a> Local<'a> {
+impl<'a> NodeBalance<'a> {
     pub(super) fn new(fluid: &'a Discretisation, lubricant: &'a Lubricant, node: usize) -> Self {
         let neighbours = fluid.held_neighbours(node);
         Self { lubricant, fluid, node, mass: fluid.own_mass(node), neighbours }
@@ -101,9 +102,9 @@ impl<'a> Local<'a> {
         self.with_mass(density, flow, h)
     }
 
-    /// The own share where the present film is `film`, own pressure and film change by `changes`, and the
-    /// whole balance is left at `imbalance`.
-    pub(super) fn foreseen_share(&self, film: f64, changes: [f64; 2], imbalance: f64) -> f64 {
+    /// The own share at the end of the linear step: the present film is `film`, own pressure and film change by
+    /// `changes`, and the whole balance becomes `imbalance`.
+    pub(super) fn predicted_share(&self, film: f64, changes: [f64; 2], imbalance: f64) -> f64 {
         let (density, flow) = self.fluid.present_outflow(self.node, &self.neighbours);
         let (share, by_pressure, by_film) = self.with_mass(density, flow, film);
         share + (by_pressure * changes[0] + by_film * changes[1]) - imbalance
@@ -119,71 +120,75 @@ impl<'a> Local<'a> {
         )
     }
 
-    /// The state in which the own share is the one foreseen, the film following the own pressure alone.
+    /// The solution in which the own share is the predicted one, the film following the own pressure alone.
     ///
-    /// Along one coordinate `v` all states of a node line up: cavitated (`v <= 0`), contact with fluid
-    /// pressure `v`, open with pressure `v` once that exceeds the pressure `touch` at which the film is the
-    /// contact film, and fluid at the limit with plastic depth `(v - limit)` times the self-influence. The
-    /// share grows along it, but where a node that opens lets in more than it passes on.
-    pub(super) fn eliminate(&self, material: Material, forecast: Forecast) -> NodeState {
-        let Material { contact_film, limit, own_influence, trust } = material;
-        let touch = forecast.pressure + (contact_film - forecast.elastic_film) / own_influence;
+    /// One scalar `v` parametrizes all states of a node: cavitated (`v <= 0`), contact with fluid pressure `v`,
+    /// open with pressure `v` once that exceeds the pressure `touch` at which the film is the contact film, and
+    /// fluid at the limit with plastic depth `(v - limit)` times the self-influence. The share increases with
+    /// `v`, except where a node that opens admits more fluid than leaves it.
+    pub(super) fn eliminate(&self, material: Material, prediction: NodePrediction) -> NodeSolution {
+        let Material { contact_film, limit, own_influence, step_bound } = material;
+        let touch = prediction.pressure + (contact_film - prediction.elastic_film) / own_influence;
         let opening = touch.min(limit);
-        if self.lets_in(material, forecast, opening) {
-            // A streak of such nodes opens together: each keeps the pressure foreseen, and the next linear
-            // step, which knows of all, lifts them.
-            let (pressure, kind) = (forecast.pressure, Kind { fluid: Fluid::Active, solid: Solid::Open });
-            return NodeState { kind, pressure, fluid_pressure: pressure, depth: 0.0 };
+        if self.admits_fluid(material, prediction, opening) {
+            // A streak of such nodes opens together: each keeps the predicted pressure, and the next linear
+            // step, which couples them, lifts them.
+            let (pressure, side) =
+                (prediction.pressure, NodeState { fluid: Fluid::Active, solid: Solid::Open });
+            return NodeSolution { side, pressure, fluid_pressure: pressure, depth: 0.0 };
         }
         let film = |v: f64| contact_film + own_influence * (v - opening).max(0.0);
         let value = |v: f64| {
             let (share, by_pressure, by_film) = self.share(v.min(limit), film(v));
             let slope = if v < limit { by_pressure } else { 0.0 }
                 + if v > opening { by_film * own_influence } else { 0.0 };
-            (share - forecast.share, slope)
+            (share - prediction.share, slope)
         };
-        let mut v = root(value, forecast.fluid_pressure);
-        // Pressures move films far away: a node may not leave the forecast, which knows of all, by much. But
-        // where its share falls at that bound, the next linear step would lead it back.
-        let most = forecast.pressure.max(0.0) + forecast.depth / own_influence + trust;
+        // Solve for v.
+        let mut v = root(value, prediction.fluid_pressure);
+        // Keep it near the prediction, as pressures move films far away; except where the share falls at the
+        // bound, as the next linear step would reverse the change there.
+        let most = prediction.pressure.max(0.0) + prediction.depth / own_influence + step_bound;
         if v > most && value(most).1 >= 0.0 {
             v = most;
         }
         if v > opening {
-            v = v.max(forecast.pressure.min(limit) - trust).max(opening);
+            v = v.max(prediction.pressure.min(limit) - step_bound).max(opening);
         }
+        // Read the state off v.
         let fluid = if v <= 0.0 { Fluid::Cavitated } else { Fluid::Active };
         if v > limit {
             let depth =
-                (film(v) - forecast.elastic_film - own_influence * (limit - forecast.pressure)).max(0.0);
-            let kind = Kind { fluid: Fluid::AtLimit, solid: Solid::Open };
-            NodeState { kind, pressure: limit, fluid_pressure: limit, depth }
+                (film(v) - prediction.elastic_film - own_influence * (limit - prediction.pressure)).max(0.0);
+            let side = NodeState { fluid: Fluid::AtLimit, solid: Solid::Open };
+            NodeSolution { side, pressure: limit, fluid_pressure: limit, depth }
         } else if v < opening {
             let solid = if touch >= limit { Solid::Yielded } else { Solid::Contact };
-            let pressure = if solid == Solid::Yielded { limit } else { forecast.pressure.clamp(v, limit) };
-            NodeState { kind: Kind { fluid, solid }, pressure, fluid_pressure: v, depth: 0.0 }
+            let pressure = if solid == Solid::Yielded { limit } else { prediction.pressure.clamp(v, limit) };
+            NodeSolution { side: NodeState { fluid, solid }, pressure, fluid_pressure: v, depth: 0.0 }
         } else {
-            NodeState { kind: Kind { fluid, solid: Solid::Open }, pressure: v, fluid_pressure: v, depth: 0.0 }
+            let side = NodeState { fluid, solid: Solid::Open };
+            NodeSolution { side, pressure: v, fluid_pressure: v, depth: 0.0 }
         }
     }
 
-    /// Whether more fluid gets to the node than leaves it at the contact film, and more leaves as it opens.
-    fn lets_in(&self, material: Material, forecast: Forecast, opening: f64) -> bool {
+    /// Whether more fluid enters the node at the contact film than leaves it, and more leaves as it opens.
+    fn admits_fluid(&self, material: Material, prediction: NodePrediction, opening: f64) -> bool {
         let Material { contact_film, limit, .. } = material;
         let inside = 0.0..limit;
-        if !inside.contains(&opening) || !inside.contains(&forecast.pressure) || forecast.depth > 0.0 {
+        if !inside.contains(&opening) || !inside.contains(&prediction.pressure) || prediction.depth > 0.0 {
             return false;
         }
         let (share, _, by_film) = self.share(opening, contact_film);
-        share < forecast.share && by_film > 0.0
+        share < prediction.share && by_film > 0.0
     }
 }
 
-/// Root of a function that grows nearly everywhere, zero if it is not negative there; by Newton steps from
-/// `start` inside a bracket. Where it falls at `start`, a root within [`FORESEEN`] of that is taken: nodes around
-/// hold it in place.
+/// Root of a function that increases nearly everywhere, or zero where the function is not negative at zero; by
+/// Newton steps from `start` inside a bracket. Where it falls at `start`, a root within [`PREDICTED`] of that is
+/// taken: the nodes around keep it in place.
 fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
-    // Most starts are close to the root: zero is looked at only where steps lead there.
+    // Most starts are close to the root: zero is evaluated only where steps lead there.
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     let mut v = start;
     if start <= FIRST_PRESSURE {
@@ -194,9 +199,10 @@ fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
     }
     for step in 0..MAX_STEPS {
         let (f, slope) = value(v);
-        if step == 0 && slope <= 0.0 && (f / slope).abs() < FORESEEN * v {
+        if step == 0 && slope <= 0.0 && (f / slope).abs() < PREDICTED * v {
             return v - f / slope;
         }
+        // Narrow the bracket.
         if f < 0.0 {
             low = v;
         } else {
@@ -212,6 +218,7 @@ fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
             }
             low = 0.0;
         }
+        // The Newton step where it stays in the bracket, else bisection, or doubling without an upper end.
         let next = if newton > low && newton < high {
             newton
         } else if high.is_finite() {
@@ -231,10 +238,11 @@ fn root(value: impl Fn(f64) -> (f64, f64), start: f64) -> f64 {
 mod tests {
     use super::*;
 
-    const MATERIAL: Material = Material { contact_film: 1e-9, limit: 2e9, own_influence: 2e-17, trust: 1e8 };
+    const MATERIAL: Material =
+        Material { contact_film: 1e-9, limit: 2e9, own_influence: 2e-17, step_bound: 1e8 };
 
     #[test]
-    fn dry_nodes_open_touch_and_yield() {
+    fn dry_node_is_open_in_contact_or_yielded() {
         // The film is the contact film at 500 MPa, never, and beyond the limit.
         for (film, side, pressure) in [
             (1e-9, Solid::Contact, 5e8),
@@ -242,13 +250,13 @@ mod tests {
             (1e-9 - 2e-17 * 2e9, Solid::Yielded, 2e9),
         ] {
             let node = MATERIAL.eliminate_dry(Fluid::Cavitated, 5e8, film);
-            assert_eq!((node.kind.solid, node.pressure), (side, pressure));
+            assert_eq!((node.side.solid, node.pressure), (side, pressure));
             assert!(node.fluid_pressure.abs() < f64::MIN_POSITIVE);
         }
     }
 
     #[test]
-    fn the_root_is_found_where_the_slope_spans_orders_of_magnitude() {
+    fn root_is_found_where_the_slope_spans_orders_of_magnitude() {
         for exact in [1.0_f64, 1e4, 1e8, 1e9] {
             let value =
                 |v: f64| ((-2e-8_f64 * exact).exp() - (-2e-8_f64 * v).exp(), 2e-8 * (-2e-8_f64 * v).exp());

@@ -1,0 +1,124 @@
+//! Nonlinear elimination of isolated fluid regions.
+//!
+//! An isolated region is fluid whose films hardly respond to its own pressures: some hundred nanometers deep, closed
+//! by a boundary of one. Which of its few nodes cavitate takes many Newton steps of the whole contact to decide, each
+//! of which costs convolutions. It is decided here, between two of them, by Newton's method on small [`Window`]s in
+//! which films respond to own pressures alone.
+
+use super::local_elimination::clamp_film_to_contact;
+use super::prediction::Prediction;
+use super::settings::{MOST_REGION_NODES, REGION_SHARE, WINDOW_SIDE};
+use super::window::Window;
+use crate::grid::Grid;
+use crate::reynolds::active_set::{Fluid, NodeState, Solid};
+use crate::reynolds::coupled::Coupled;
+use crate::reynolds::flow::{Discretisation, NearField};
+use crate::reynolds::problem::{LubricatedContact, interior};
+use crate::reynolds::state::ContactState;
+
+/// Pressure flow over entrainment of the own elastic response beyond which pressure flow alone determines the
+/// pressure of a node.
+pub(super) const FREE: f64 = 30.0;
+
+/// Nodes around which windows are placed, and the window.
+#[derive(Debug)]
+pub(super) struct IsolatedRegions {
+    imbalance: Vec<f64>,
+    /// Nodes of isolated regions, those with the largest imbalances first.
+    order: Vec<u32>,
+    /// Nodes that a window has solved for.
+    solved: Vec<bool>,
+    window: Window,
+}
+
+impl IsolatedRegions {
+    pub(super) fn new(grid: Grid) -> Self {
+        let n = grid.len();
+        Self {
+            imbalance: vec![0.0; n],
+            order: Vec::with_capacity(n),
+            solved: vec![false; n],
+            window: Window::new(&grid, WINDOW_SIDE),
+        }
+    }
+
+    /// Solves the mass balances of isolated regions at the predicted films; in contacts that conserve mass and
+    /// do not spin. Leaves films and flow that belong to the pressures of the prediction.
+    pub(super) fn eliminate(
+        &mut self,
+        prediction: &Prediction<'_>,
+        step_bound: f64,
+        coupled: &mut Coupled,
+        problem: &LubricatedContact<'_>,
+        state: &mut ContactState,
+    ) {
+        let Some(lubricant) = problem.lubricant else { return };
+        if !coupled.fluid.conserves_mass() || coupled.fluid.course().is_some() {
+            return;
+        }
+        // Films after the elimination of the nodes: the predicted ones plus their own response.
+        let near = coupled.near;
+        for (k, (film, pressure)) in coupled.elastic_film.iter_mut().zip(&state.pressure).enumerate() {
+            let [predicted_pressure, predicted_film] = prediction.pressure_and_film(k);
+            *film = predicted_film + near.own * (pressure - predicted_pressure);
+        }
+        coupled.apply_plastic_depth(problem, state);
+        clamp_film_to_contact(coupled, problem, state);
+        // A window around each node that holds much of the residual and is not in one yet.
+        let previous = problem.squeeze.map(|squeeze| squeeze.previous_mass);
+        self.find(&coupled.fluid, &coupled.active_set, near, previous);
+        self.solved.fill(false);
+        let Self { order, solved, window, .. } = self;
+        for &k in &*order {
+            if solved[k as usize] {
+                continue;
+            }
+            window.enter(k as usize, coupled, problem, state, prediction);
+            let is_better = window.solve(problem, lubricant, step_bound, near);
+            window.leave(is_better, coupled, state, solved);
+        }
+    }
+
+    /// Finds the nodes that hold most of the residual of isolated regions; none where it is spread widely, which
+    /// is left to the linear solve.
+    fn find(
+        &mut self,
+        fluid: &Discretisation,
+        active_set: &[NodeState],
+        near: NearField,
+        previous: Option<&[f64]>,
+    ) {
+        // Weakly coupled nodes, ordered by their imbalances.
+        self.order.clear();
+        let mut sum = 0.0;
+        for k in interior(&fluid.grid) {
+            if is_weakly_coupled(fluid, active_set[k], k, near) {
+                self.imbalance[k] = fluid.imbalance(k, previous).abs();
+                sum += self.imbalance[k];
+                self.order.push(k as u32);
+            }
+        }
+        let imbalance = &self.imbalance;
+        self.order.sort_unstable_by(|a, b| imbalance[*b as usize].total_cmp(&imbalance[*a as usize]));
+        // As many of them as hold the wanted share.
+        let mut covered = 0.0;
+        let holds_most = self.order.iter().take_while(|&&k| {
+            let is_more_needed = covered <= REGION_SHARE * sum;
+            covered += imbalance[k as usize];
+            is_more_needed
+        });
+        let count = holds_most.count();
+        let is_wide = count as f64 > MOST_REGION_NODES * fluid.grid.len() as f64;
+        self.order.truncate(if is_wide { 0 } else { count });
+    }
+}
+
+/// Whether the film of node `k` is weakly coupled to its pressure: cavitated, beside solids that touch, or with a
+/// pressure flow that exceeds the entrainment of the own elastic response [`FREE`] times.
+pub(super) fn is_weakly_coupled(fluid: &Discretisation, side: NodeState, k: usize, near: NearField) -> bool {
+    match (side.fluid, side.solid) {
+        (Fluid::Active, Solid::Open) => fluid.flow_ratio(k, near) > FREE,
+        (Fluid::Active | Fluid::Cavitated, _) => true,
+        _ => false,
+    }
+}
