@@ -1,5 +1,5 @@
 //! `stribeck solve`, `check` and `init` from the outside.
-#![expect(clippy::unwrap_used, clippy::float_cmp, reason = "tests")]
+#![expect(clippy::unwrap_used, reason = "tests")]
 
 mod common;
 

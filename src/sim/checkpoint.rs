@@ -324,7 +324,7 @@ impl MixedLubricationSim {
     fn grown_to(&self, saved: &Identity) -> Option<GridSpec> {
         let GridSpec::Growing { nx, ny, .. } = self.scene.grid else { return None };
         let grid = saved.grid()?;
-        let wider = |now: usize, then: usize| then > now && then % now == 0;
+        let wider = |now: usize, then: usize| then > now && then.is_multiple_of(now);
         match grid {
             GridSpec::Growing { nx: columns, ny: rows, .. }
                 if (wider(nx, columns) || columns == nx)

@@ -1,4 +1,5 @@
 //! `describe FILE...`: size, unit, undefined points, mean deviation and warnings of surface files.
+#![expect(clippy::print_stdout, reason = "a program that talks to its user")]
 
 fn main() {
     for path in std::env::args().skip(1) {

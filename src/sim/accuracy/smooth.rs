@@ -105,7 +105,7 @@ impl Plan {
         let width = if scene.form.is_line() { compliance.sqrt() } else { compliance.cbrt() };
         let (wide, narrow) = (width.max(1.0), width.min(1.0));
         let [inlet, outlet, side] = [self.inlet, self.outlet, self.side].map(|length| wide * length);
-        Ok(Self { inlet, outlet, side, cell: narrow * self.cell, ..self })
+        Ok(Self { inlet, outlet, side, cell: narrow * self.cell })
     }
 
     /// The cells of the mesh `level` times coarser than the finest.

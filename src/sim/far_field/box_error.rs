@@ -160,7 +160,7 @@ impl InletScale {
     fn gap(&self, axis: usize, distance: f64) -> f64 {
         let half = self.halves[axis];
         let x = distance / half;
-        if !(x > 1.0) {
+        if x <= 1.0 {
             return 0.0;
         }
         let root = (x * x - 1.0).sqrt();

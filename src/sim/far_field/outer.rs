@@ -307,13 +307,16 @@ impl<'a> OuterContact<'a> {
         let load = self.model.hertz.force;
         let load_outside = load - inside;
         let place = [FILM_AT * inner.x(0), 0.0];
+        let closure = if load_outside > FILM_FROM * load {
+            Closure::Film(place, interpolate(&grid, &state.film, place, false))
+        } else {
+            Closure::LoadOutside(load_outside)
+        };
         let stress = |(k, share): (usize, &f64)| share * friction.stress(k);
         Ok(FarField {
             pressure: take(&full, true),
             displacement: take(&displaced, false),
-            closure: (load_outside > FILM_FROM * load)
-                .then(|| Closure::Film(place, interpolate(&grid, &state.film, place, false)))
-                .unwrap_or(Closure::LoadOutside(load_outside)),
+            closure,
             approach: state.approach,
             friction_force: shares.iter().enumerate().map(stress).sum::<f64>() * area,
             gap: vec![0.0; inner.len()],
@@ -384,7 +387,7 @@ fn pressure_of(oil: &Lubricant, reduced: f64) -> f64 {
         let point = oil.at(pressure);
         let change = (reduced - point.reduced_pressure) / point.reduced_slope;
         pressure += change;
-        if !(change > 1e-9 * pressure) {
+        if change.is_nan() || change <= 1e-9 * pressure {
             break;
         }
     }
