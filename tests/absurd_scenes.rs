@@ -91,6 +91,7 @@ fn named(error: &SimError) -> Result<String, String> {
             Ok("refused".to_owned())
         }
         SimError::Reynolds(_) => Ok("refused by the solver".to_owned()),
+        SimError::BoxTooSmall(_) => Ok("a box too small".to_owned()),
         _ => Err(format!("an error of no use: {text}")),
     }
 }

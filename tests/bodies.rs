@@ -157,6 +157,8 @@ fn bodies_go_on_where_another_run_ended() {
     let read = ["ball", "disc"]
         .map(|name| BodyStart::read_npz(folder.path().join("fields.npz"), name, grid).unwrap());
     assert_eq!(read, starts);
+    let volumes = |sim: &MixedLubricationSim| sim.bodies().each_ref().map(|body| body.worn_volume());
+    let before = volumes(&first);
     let next = &run(&mut first, 1)[0];
     assert!(next.tribofilm.disc_mean > 0.0 && next.plastic.volume > 0.0, "{next:?}");
     let [ball, disc] = starts;
@@ -166,7 +168,12 @@ fn bodies_go_on_where_another_run_ended() {
     let again = &run(&mut second, 1)[0];
     let mut expected = next.clone();
     (expected.step, expected.time) = (0, 60.0);
+    // A body that begins a run has worn nothing in it.
+    (expected.wear.ball_volume, expected.wear.disc_volume) = (again.wear.ball_volume, again.wear.disc_volume);
     assert_eq!(*again, expected);
+    for ((after, before), again) in volumes(&first).iter().zip(before).zip(volumes(&second)) {
+        assert!(again > 0.0 && ((after - before) / again - 1.0).abs() < 1e-9, "{after} {before} {again}");
+    }
     for (body, old) in second.bodies().iter().zip(first.bodies()) {
         assert_eq!(body.surface(), old.surface());
     }

@@ -24,10 +24,11 @@ fn undefined_points_of_files_are_in_the_mask() {
     let surface = text("# unit: um\n1 NaN 3\n--- 5 inf\n").unwrap();
     assert_eq!(surface.defined().unwrap(), [true, false, true, false, true, false]);
     assert_eq!(surface.undefined(), 3);
-    assert_eq!(surface.heights(), [1e-6, 0.0, 3e-6, 0.0, 5e-6, 0.0]);
+    let heights = [1.0, 0.0, 3.0, 0.0, 5.0, 0.0].map(|z| z * 1e-6);
+    assert_eq!(surface.heights(), heights);
     let shown = surface.heights_or_nan();
     assert!(shown[1].is_nan() && shown[3].is_nan() && shown[5].is_nan());
-    assert_eq!(surface.defined_heights(), [1e-6, 3e-6, 5e-6]);
+    assert_eq!(surface.defined_heights(), [heights[0], heights[2], heights[4]]);
     let cut = read(data("cut.sur")).unwrap();
     assert_eq!((cut.undefined(), cut.unit()), (16, Some(LengthUnit::Millimetre)));
     // operations leave them undefined

@@ -81,6 +81,7 @@ fn solids_touch_on_the_outermost_nodes_too() {
         let mut scene = scene(64, speed, 300e-9, length, 0.5e9, hardness);
         let half = 1.05 * scene.hertz().unwrap().half_width_x;
         scene.grid = GridSpec::Cells { nx: 64, ny: 64, x: [-half, half], y: [-half, half] };
+        scene.solver.edge_contact = true;
         let solution = solve_soundly(&scene, "a small box");
         let nodes = (0..64 * 64).map(|k| (k, [k % 64, k / 64]));
         let ring: Vec<usize> =

@@ -102,6 +102,8 @@ fn columns_count_for_a_body_at_rest_alone() {
 #[test]
 fn wear_of_the_fluid_pressure_at_the_edge_ends_the_history() {
     let mut scene = narrow(30);
+    // Two rows at the edge count from 32 rows on.
+    scene.grid = GridSpec::Cells { nx: 48, ny: 36, x: [-250e-6, 250e-6], y: [-156e-6, 156e-6] };
     scene.roughness = Default::default();
     scene.lubricant.as_mut().unwrap().eta0 = 0.04;
     (scene.motion.entrainment_speed, scene.motion.slide_roll_ratio) = (2.0, 0.5);

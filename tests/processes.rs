@@ -306,7 +306,7 @@ fn heat_comes_from_solids_and_from_fluid() {
     let rise = record.flash_rise.unwrap();
     assert!(rise > 1.0, "{rise}");
     // Without the fluid's stress there is none.
-    scene.friction.limiting_shear_stress = 1.0;
+    scene.friction.limiting_shear_stress = 100.0;
     let mut sim = MixedLubricationSim::builder(scene).build().unwrap();
     assert!(sim.step(1e-3).unwrap().flash_rise.unwrap() < 1e-3 * rise);
 }

@@ -481,14 +481,12 @@ fn damaged_npy_files_are_refused_by_name() {
     let long = format!("{}{}", header("<f8", false, "(1, 1)"), " ".repeat(60_000));
     let nested = format!("{{'descr': {}", "[".repeat(60_000));
     let cases = [
-        (npy(&header("<f8", false, "(2, 2)"), &nan), "height (1, 1) = NaN"),
         (npy(&header("<f8", false, "(2, 3)"), &nan), "needs 48 bytes of data, found 32"),
         (npy(&header("<f8", false, "(1, 3)"), &nan), "found more"),
         (npy(&header("<f8", false, "(4294967296, 4294967296)"), &nan), "at most 2^26"),
         (npy(&header("<f8", false, "(0, 4)"), &nan), "at least 1"),
-        (npy(&header("<f8", false, "(4,)"), &nan), "height (3, 0) = NaN"),
-        (npy(&header("<f8", false, "(2, 2, 1)"), &nan), "3 dimensions"),
-        (npy(&header("<f8", false, "()"), &nan), "0 dimensions"),
+        (npy(&header("<f8", false, "(2, 2, 1)"), &nan), "shape (2, 2, 1)"),
+        (npy(&header("<f8", false, "()"), &nan), "shape ()"),
         (npy(&header("<f8", false, "(99999999999999999999999, 1)"), &nan), "shape"),
         (npy(&header("<c16", false, "(2, 1)"), &nan), "not supported"),
         (npy(&header("<f16", false, "(2, 1)"), &nan), "not supported"),
@@ -608,11 +606,9 @@ fn damaged_x3p_files_are_refused_by_name() {
     let data = [0_u8; 48];
     let good = main_xml("D", "", LINK);
     let deep = format!("{}{}", "<a>".repeat(200_000), "</a>".repeat(200_000));
-    let infinite: Vec<u8> = [f64::INFINITY; 6].iter().flat_map(|v| v.to_le_bytes()).collect();
     let cases: Vec<(String, &[u8], &str)> = vec![
-        (good.clone(), &data[..40], "40 bytes, 3 x 2 points need 48"),
+        (good.clone(), &data[..40], "40 bytes, 3 x 2 x 1 points need 48"),
         (good.clone(), &[0; 49], "more than the expected 48"),
-        (good.clone(), &infinite, "not finite"),
         (good.replace(">3<", ">99999999<").replace(">2<", ">99999999<"), &data, "at most 2^26"),
         (good.replace(">3<", ">-3<"), &data, "SizeX is not a count: -3"),
         (good.replace(">3<", ">0<"), &data, "at least 1"),

@@ -131,11 +131,11 @@ impl Observer for Log {
             self.records.push(record.clone());
             self.last.get_or_insert_with(|| sim.state().clone()).clone_from(sim.state());
         }
-        if let Some((path, csv)) = &mut self.csv {
-            if let Err(error) = record.write_csv(csv).and_then(|()| csv.flush()) {
-                self.failure = Some(files::named(path, &error));
-                return ControlFlow::Break(());
-            }
+        if let Some((path, csv)) = &mut self.csv
+            && let Err(error) = record.write_csv(csv).and_then(|()| csv.flush())
+        {
+            self.failure = Some(files::named(path, &error));
+            return ControlFlow::Break(());
         }
         let flow =
             self.folder.as_mut().map_or(ControlFlow::Continue(()), |folder| folder.after_step(sim, record));

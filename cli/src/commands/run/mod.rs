@@ -128,11 +128,11 @@ fn interrupted(options: &Options, sim: &MixedLubricationSim, plan: &Plan) -> Str
 fn claim(options: &Options, sim: &MixedLubricationSim) -> Result<(), String> {
     let run = |folder: &PathBuf| RunFolder::FILES.map(|file| folder.join(file));
     let of_run = || options.out.iter().flat_map(run);
-    if let Some(folder) = options.out.as_ref().filter(|_| !options.resume && !options.force) {
-        if ["history.csv", "checkpoint"].iter().any(|file| folder.join(file).exists()) {
-            let name = folder.display();
-            return Err(format!("{name}: there is a run; --resume goes on with it, --force writes over it"));
-        }
+    if let Some(folder) = options.out.as_ref().filter(|_| !options.resume && !options.force)
+        && ["history.csv", "checkpoint"].iter().any(|file| folder.join(file).exists())
+    {
+        let name = folder.display();
+        return Err(format!("{name}: there is a run; --resume goes on with it, --force writes over it"));
     }
     if let Some(folder) = &options.out {
         output::keep_scene(&options.scene, &folder.join("scene.toml"))?;
