@@ -613,7 +613,7 @@ fn damaged_x3p_files_are_refused_by_name() {
         (good.replace(">3<", ">-3<"), &data, "SizeX is not a count: -3"),
         (good.replace(">3<", ">0<"), &data, "at least 1"),
         (good.replace(">1e-6<", ">zero<"), &data, "CX/Increment"),
-        (good.replace(">1e-6<", ">-1e-6<"), &data, "grid.dx"),
+        (good.replace(">1e-6<", ">-1e-6<"), &data, "dx = -0.000001"),
         (good.replace(">D</DataType></CZ>", ">Q</DataType></CZ>"), &data, "heights of type Q"),
         (good.replace("data.bin", "other.bin"), &data, "other.bin"),
         (good.replace("SUR", "PCL"), &data, "feature type PCL"),
