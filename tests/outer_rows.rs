@@ -55,7 +55,7 @@ fn worn_to_the_edge(mut scene: Scene) -> (MixedLubricationSim, Vec<StepRecord>, 
         records.push(record.clone());
         ControlFlow::Continue(())
     });
-    (sim, records, error.expect_err("the groove reaches the edge"))
+    (sim, records, error.unwrap_err())
 }
 
 fn fast_wear(mut scene: Scene) -> Scene {
