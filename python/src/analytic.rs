@@ -5,7 +5,7 @@ use pyo3::types::PyDict;
 use stribeck::InputError;
 use stribeck::analytic::{self, FilmConditions, HertzLine, HertzPoint, LineFilmConditions, Westergaard};
 
-use crate::convert::dictionary;
+use crate::convert::{dictionary, named};
 use crate::error::{ForPython, value};
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
