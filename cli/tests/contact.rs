@@ -192,7 +192,8 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     let rough =
         ["--roughness", "20 nm", "--length", "30 um", "--cells", "64", "--slide-roll-ratio", "5%"].as_slice();
     let smooth =
-        ["--roughness", "0", "--radius", "12.7 mm", "--load", "30", "--speed", "200 mm/s"].as_slice();
+        ["--roughness", "0", "--radius", "12.7 mm", "--load", "30", "--speed", "200 mm/s", "--cells", "192"]
+            .as_slice();
     for options in [rough, smooth] {
         let output = stribeck(&[&["init", text(&path)], options].concat());
         assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");

@@ -44,7 +44,7 @@ fn an_existing_file_is_replaced_with_force_alone() {
     fs::create_dir(&out).unwrap();
     let file = |name: &str| out.join(name);
     let surface = folder.path().join("plain.txt");
-    fs::write(&surface, "1e-6 2e-6\n3e-6 5e-6\n").unwrap();
+    fs::write(&surface, "# unit: um\n1 2\n3 5\n").unwrap();
     let fields = file("fields.npz");
     let rows = file("rows.csv");
     let (dry, oil, surface, to) = (text(&dry), text(&oil), text(&surface), text(&out));

@@ -87,10 +87,11 @@ class BusyError(StribeckError, RuntimeError):
 
 class StribeckWarning(UserWarning):
     """Something that is allowed but unlikely to be meant or to hold: ``field`` is the key of the scene or the number of the solution,
-    ``value`` its value in SI units, ``message`` what is wrong and ``remedy`` what would mend it."""
+    ``value`` its value in SI units (None where it has none), ``message`` what is wrong and ``remedy`` what would mend it."""
 
-    def __init__(self, field: str, value: float, message: str, remedy: str) -> None:
-        super().__init__(f"{field} = {value:.7g}: {message}; {remedy}")
+    def __init__(self, field: str, value: float | None, message: str, remedy: str) -> None:
+        name = field if value is None else f"{field} = {value:.7g}"
+        super().__init__(f"{name}: {message}; {remedy}" if remedy else f"{name}: {message}")
         self.field, self.value, self.message, self.remedy = field, value, message, remedy
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -205,7 +205,7 @@ def read(path: str | os.PathLike[str], *, channel: int | None = None, unit: str 
             raise refused from None
         return Surface(_exchange.read(place, chosen, refused))
     for doubt in surface.warnings:
-        warnings.warn(f"{place}: {doubt}", StribeckWarning, stacklevel=2)
+        warnings.warn(StribeckWarning(str(place), None, doubt, ""), stacklevel=2)
     return surface
 
 

@@ -166,7 +166,7 @@ def test_a_start_is_a_first_guess(rough: stribeck.Scene) -> None:
 @pytest.mark.parametrize(("solver", "speed"), [("auto", 5.0), ("newton_krylov", 5.0), ("multigrid", 5.0), ("dry", 5.0)])
 def test_solvers_by_name(smooth: stribeck.Scene, solver: str, speed: float) -> None:
     # Multigrid has ambient pressure at the edge of the box.
-    scene = smooth.replace(**{"lubricant.inlet": "box_edge"})
+    scene = smooth.replace(lubricant={"inlet": "box_edge"})
     solution = stribeck.solve(scene, solver=solver)
     assert solution.converged
     if solver not in ("auto", "dry"):

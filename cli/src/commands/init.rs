@@ -103,7 +103,7 @@ pub(crate) struct Options {
 pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
     let ask = options.is_empty() && io::stdin().is_terminal();
     if !options.force && options.file.exists() {
-        return Err(format!("{}: the file is there; --force writes over it", options.file.display()).into());
+        return Err(format!("{}: the file exists; --force writes over it", options.file.display()).into());
     }
     let mut answers = answers::answers(options, ask, None)?;
     let (text, scene) = loop {
@@ -145,10 +145,9 @@ fn written(options: &Options, answers: &Answers) -> Result<(String, Scene), Box<
     }
     // `init` writes isothermal scenes; solves warn where the film is too hot.
     warnings.retain(|warning| warning.field != FRICTION);
-    // In mixed lubrication a mesh error is a part of the answer, no slip of the scene.
-    let rough = answers.disc.rq() > 0.0;
+    // A mesh error is a part of the answer, no slip of the scene.
     let (errors, mistakes): (Vec<_>, Vec<_>) =
-        warnings.into_iter().partition(|warning| rough && warning.field.starts_with(MESH_ERROR));
+        warnings.into_iter().partition(|warning| warning.field.starts_with(MESH_ERROR));
     let Some(warning) = mistakes.first() else {
         output::warn(&errors);
         return Ok((text, scene));
@@ -156,7 +155,6 @@ fn written(options: &Options, answers: &Answers) -> Result<(String, Scene), Box<
     let remedy = match warning.field.as_str() {
         LARGEST_PRESSURE => "less speed or viscosity, or more load",
         CENTRAL_FILM | ESTIMATE => "more --cells, or more speed or viscosity",
-        field if field.starts_with(MESH_ERROR) => "more --cells, or more speed or viscosity",
         _ => &warning.remedy,
     };
     let (field, message) = (&warning.field, &warning.message);
