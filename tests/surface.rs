@@ -618,7 +618,7 @@ fn damaged_x3p_files_are_refused_by_name() {
         (good.replace("data.bin", "other.bin"), &data, "other.bin"),
         (good.replace("SUR", "PCL"), &data, "feature type PCL"),
         (good.replace("SUR", "PRF"), &data, "a profile of 2 rows"),
-        (good.replace("<SizeZ>1", "<SizeZ>2"), &data, "SizeZ"),
+        (good.replace("<SizeZ>1", "<SizeZ>2"), &data, "2 surfaces"),
         (good.replace("</DataLink>", "<ValidPointsLink>v</ValidPointsLink></DataLink>"), &data, "part v"),
         (good.replace(LINK, ""), &data, "PointDataLink"),
         (good.replace(LINK, "<DataList><Datum>1</Datum></DataList>"), &data, "1 heights instead of 6"),
