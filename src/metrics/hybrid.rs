@@ -11,7 +11,7 @@ use crate::grid::Grid;
 /// ```
 /// use stribeck::metrics::hybrid_parameters;
 /// use stribeck::Grid;
-/// let grid = Grid::centred(64, 8, 1e-6, 1e-6)?;
+/// let grid = Grid::centred(512, 8, 1e-6, 1e-6)?;
 /// let wave: Vec<f64> = grid.nodes().map(|(x, _)| 1e-7 * (x * std::f64::consts::TAU / 64e-6).sin()).collect();
 /// let slope = hybrid_parameters(&grid, &wave, None)?.sdq;
 /// // For a sine: amplitude times wave number over the square root of two.

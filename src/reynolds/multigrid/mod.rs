@@ -70,12 +70,14 @@ const ONE_GRID: &str = "the deformation model lives on one grid alone";
 ///
 /// ```
 /// use stribeck::SolverId;
-/// use stribeck::sim::scene::{Load, Motion, Roughness, SolverKind};
+/// use stribeck::sim::scene::{InletSpec, Load, Motion, Roughness, SolverKind};
 /// use stribeck::sim::{Scene, solve_contact};
 /// let mut scene = Scene::azam_2019(64);
 /// (scene.roughness.ball, scene.roughness.disc) = (Roughness::None, Roughness::None);
 /// (scene.load, scene.motion) = (Load::hertz_pressure(0.5e9), Motion::new(5.0, 0.0));
 /// scene.solver.kind = SolverKind::Multigrid;
+/// // Its grids have ambient pressure at the edge of the box.
+/// scene.lubricant = scene.lubricant.map(|oil| oil.with_inlet(InletSpec::BoxEdge));
 /// let solution = solve_contact(&scene)?;
 /// assert_eq!(solution.report.solver, SolverId::Multigrid);
 /// solution.report.require_converged().map_err(|error| error.to_string())?;

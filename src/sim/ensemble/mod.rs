@@ -96,10 +96,8 @@ pub struct Outcome {
 /// let wear = |k: usize| outcomes[k].records[0].wear.disc_mean;
 /// assert!(wear(0) < wear(2));
 /// // The second cannot be built; the others do not mind.
-/// assert_eq!(
-///     outcomes[1].failure.as_ref().map(ToString::to_string).as_deref(),
-///     Some("load.hertz_pressure = -1: must be finite and > 0")
-/// );
+/// let failure = outcomes[1].failure.as_ref().map(ToString::to_string).unwrap_or_default();
+/// assert!(failure.starts_with("load.hertz_pressure = -1"));
 /// ```
 pub fn run(members: &[Member], threads: usize) -> Vec<Outcome> {
     share(members, threads, |member| {

@@ -39,11 +39,11 @@ const FILM_TOLERANCE: f64 = 1e-4;
 /// ```
 /// use stribeck::sim::{MixedLubricationSim, Scene};
 /// let mut scene = Scene::azam_2019(32);
-/// let inlet = |scene: &Scene| MixedLubricationSim::builder(scene.clone()).build()?.inlet();
-/// let slow = inlet(&scene)?.ok_or("dry")?;
+/// let slow = MixedLubricationSim::builder(scene.clone()).build()?.inlet()?.ok_or("dry")?;
 /// assert!(slow.box_holds_it && slow.film_error < 0.005);
 /// scene.motion.entrainment_speed = 10.0; // a film that is 20 times as thick
-/// assert!(!inlet(&scene)?.ok_or("dry")?.box_holds_it);
+/// let fast = MixedLubricationSim::builder(scene).build()?.inlet()?.ok_or("dry")?;
+/// assert!(!fast.box_holds_it);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
