@@ -253,7 +253,6 @@ impl Change<'_> {
         hertz: &HertzContact,
         contact_film: f64,
     ) -> Result<(), BoxTooSmall> {
-        let axes: Vec<Axis> = axes(grid).iter().copied().filter(|axis| self.has_edge(*axis)).collect();
         let [wear, film] = [
             [EdgeQuantity::BallWear, EdgeQuantity::BallTribofilm],
             [EdgeQuantity::DiscWear, EdgeQuantity::DiscTribofilm],
@@ -262,7 +261,7 @@ impl Change<'_> {
             let Some([now, before]) = fields else { continue };
             let largest = now.iter().copied().fold(0.0, f64::max);
             let least = contact_film.max(DEPTH_SHARE * largest);
-            for &axis in &axes {
+            for &axis in axes(grid).iter().filter(|axis| self.has_edge(**axis)) {
                 let rising = |k: usize| if now[k] > before[k] { now[k] } else { 0.0 };
                 Edge::of(grid, axis, (false, false), rising).require(quantity, least, axis, (grid, hertz))?;
             }
