@@ -57,6 +57,8 @@ pub(super) struct OuterContact<'a> {
     drag: f64,
     /// Gap of the undeformed bodies \[m\].
     gap: Vec<f64>,
+    /// Second derivatives of that gap along x, across and along y \[1/m\].
+    curvatures: [f64; 3],
     /// Half-width of the Hertz contact along x \[m\].
     half_width: f64,
 }
@@ -123,7 +125,15 @@ impl<'a> OuterContact<'a> {
             far_field: None,
         };
         let far = RigidParaboloids::new(curvatures)?;
-        Ok(Self { half_width: a, scene, drag: viscosity * inner.motion.entrainment_speed, model, far, gap })
+        Ok(Self {
+            half_width: a,
+            curvatures,
+            scene,
+            drag: viscosity * inner.motion.entrainment_speed,
+            model,
+            far,
+            gap,
+        })
     }
 
     /// Solves it, from pressures whose film is about `film` \[m\]; none where a solve does not converge.
@@ -179,7 +189,7 @@ impl<'a> OuterContact<'a> {
         let mut state = ContactState::new(&grid);
         let hertz = self.model.hertz;
         let (a, b) = (hertz.half_width_x, hertz.half_width_y);
-        let is_rigid = film_lengths(curvatures(self.scene), film)[0] > RIGID * self.half_width;
+        let is_rigid = film_lengths(self.curvatures, film)[0] > RIGID * self.half_width;
         let film = if is_rigid { self.rigid_film(film) } else { film };
         for (k, (x, y)) in grid.nodes().enumerate() {
             state.pressure[k] = if is_rigid {
@@ -201,7 +211,7 @@ impl<'a> OuterContact<'a> {
 
     /// Pressure of a film between rigid bodies that is `film` in the middle \[Pa\].
     fn rigid_pressure(&self, point: [f64; 2], film: f64) -> f64 {
-        let gap = film + gap_at(curvatures(self.scene), point);
+        let gap = film + gap_at(self.curvatures, point);
         let oil = self.model.lubricant.as_ref();
         oil.map_or(0.0, |oil| pressure_of(oil, self.far.reduced_pressure(self.drag, point, gap)))
     }
@@ -247,9 +257,8 @@ impl<'a> OuterContact<'a> {
     fn load_beyond(&self, oil: &Lubricant, offset: f64) -> f64 {
         let grid = self.model.grid;
         let [x0, x1] = [grid.x(0) + 0.5 * grid.dx(), grid.x(grid.nx() - 1) - 0.5 * grid.dx()];
-        let curvatures = curvatures(self.scene);
         let pressure = |[x, y]: [f64; 2]| {
-            let film = offset + gap_at(curvatures, [x, y]);
+            let film = offset + gap_at(self.curvatures, [x, y]);
             if film > 0.0 {
                 pressure_of(oil, self.far.reduced_pressure(self.drag, [x, y], film))
             } else {
