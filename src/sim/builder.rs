@@ -409,8 +409,8 @@ impl SimBuilder {
             (Some(_), None) => {
                 return Err(SimError::Input(InputError::Conflict {
                     field: "wear.exposure".to_owned(),
-                    reason: "is missing: a wear law is given, whose exposure is that of the wear table of the scene, and the \
-                             scene has none"
+                    reason: "is missing; a wear law of your own takes its exposure, \"track\" or \"contact_clock\", from the \
+                             wear table of the scene"
                         .to_owned(),
                 }));
             }
