@@ -22,102 +22,45 @@
 //! all other rooms and none of them knows of it. All numbers are SI, all fields row-major slices over
 //! [`Scene::grid`].
 
-mod accuracy;
-mod asked;
-mod body;
-mod builder;
-#[cfg(feature = "serde")]
-mod checkpoint;
-mod columns;
-mod compliant_films;
 mod contact;
-mod course;
 pub mod ensemble;
 mod error;
-mod expectation;
-mod exposure;
-mod far_field;
-mod film_heat;
-mod formula;
-mod friction;
-mod heat;
-mod heating;
-mod hertz;
-mod history_means;
-#[cfg(feature = "serde")]
-mod identity;
-mod interrupt;
-mod laws;
-mod memory;
-mod mixing;
-#[cfg(feature = "npz")]
-mod npz;
-mod numbers;
-mod observer;
-mod outer_rows;
-mod own_laws;
-mod owned;
-mod passage;
-mod per_body;
-mod placement;
-mod record;
-#[cfg(all(feature = "serde", feature = "npz"))]
-mod run_folder;
-mod runs;
+mod files;
+mod history;
 pub mod scene;
-mod setup;
-mod simulation;
-mod single;
-mod solution;
-mod solution_numbers;
-mod squeeze_memory;
-mod standing;
-mod start;
-#[cfg(all(feature = "formats", feature = "npz"))]
-mod start_file;
-mod step_control;
-mod timetable;
-mod track;
-#[cfg(feature = "vtk")]
-mod vtk;
-mod warnings;
-#[cfg(feature = "serde")]
-mod whole_file;
-mod wider_box;
-mod yielding;
+mod single_contact;
 
-pub use accuracy::ErrorEstimate;
-pub use body::Body;
-pub use builder::SimBuilder;
-#[cfg(feature = "serde")]
-pub use checkpoint::CheckpointError;
-pub use contact::solve_contact;
-pub use error::SimError;
-pub use expectation::{Expectation, ExpectedFilm};
-pub use far_field::FloodedInlet;
-pub use formula::FormulaFilm;
-pub use hertz::HertzContact;
-pub use history_means::HistoryMeans;
-#[cfg(feature = "serde")]
-pub use history_means::HistoryNumbers;
-#[cfg(feature = "npz")]
-pub use npz::write_npz;
-pub use numbers::{
+pub use contact::error_estimate::ErrorEstimate;
+pub use contact::far_field::FloodedInlet;
+pub use contact::formula::FormulaFilm;
+pub use contact::numbers::{
     ContactNumbers, DepthNumbers, FilmNumbers, FrictionNumbers, Moes, PlasticNumbers, PressureNumbers,
     RoughnessNumbers, StressNumbers, ThermalNumbers, WearNumbers,
 };
-pub use observer::Observer;
-pub use outer_rows::{BoxTooSmall, EdgeQuantity};
-pub use record::StepRecord;
+pub use contact::solution::ContactSolution;
+pub use contact::warnings::{Warning, given_film_warnings};
+#[cfg(feature = "serde")]
+pub use error::CheckpointError;
+pub use error::{BoxTooSmall, EdgeQuantity, SimError};
+#[cfg(feature = "npz")]
+pub use files::npz::write_npz;
 #[cfg(all(feature = "serde", feature = "npz"))]
-pub use run_folder::RunFolder;
-pub use runs::RunEnd;
-pub use scene::{Scene, Schedule};
-pub use simulation::MixedLubricationSim;
-pub use solution::ContactSolution;
-pub use start::BodyStart;
-pub use step_control::StepControl;
-pub use timetable::Conditions;
+pub use files::run_folder::RunFolder;
 #[cfg(feature = "vtk")]
-pub use vtk::write_vtk;
-pub use warnings::{Warning, given_film_warnings};
+pub use files::vtk::write_vtk;
+pub use history::body::Body;
+pub use history::builder::SimBuilder;
+pub use history::history_means::HistoryMeans;
+#[cfg(feature = "serde")]
+pub use history::history_means::HistoryNumbers;
+pub use history::observer::Observer;
+pub use history::record::StepRecord;
+pub use history::runs::RunEnd;
+pub use history::simulation::MixedLubricationSim;
+pub use history::start::BodyStart;
+pub use history::step_control::StepControl;
+pub use scene::hertz::HertzContact;
+pub use scene::timetable::Conditions;
+pub use scene::{Scene, Schedule};
+pub use single_contact::expectation::{Expectation, ExpectedFilm};
+pub use single_contact::solve_contact;

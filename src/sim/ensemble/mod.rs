@@ -14,17 +14,17 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::builder::SimBuilder;
-use super::error::SimError;
-#[cfg(all(feature = "serde", feature = "npz"))]
-use super::observer::Observer;
-use super::record::StepRecord;
-use super::scene::Scene;
-use super::simulation::MixedLubricationSim;
 #[cfg(all(feature = "serde", feature = "npz"))]
 use crate::error::InputError;
+use crate::sim::error::SimError;
 #[cfg(all(feature = "serde", feature = "npz"))]
-use crate::sim::RunFolder;
+use crate::sim::files::run_folder::RunFolder;
+use crate::sim::history::builder::SimBuilder;
+#[cfg(all(feature = "serde", feature = "npz"))]
+use crate::sim::history::observer::Observer;
+use crate::sim::history::record::StepRecord;
+use crate::sim::history::simulation::MixedLubricationSim;
+use crate::sim::scene::Scene;
 
 #[cfg(feature = "mpi")]
 pub use over_ranks::run_over_ranks;

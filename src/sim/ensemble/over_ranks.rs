@@ -6,7 +6,8 @@ use mpi::traits::{Communicator, Root};
 
 use super::{Member, Outcome, check_names, run_member, share};
 use crate::error::InputError;
-use crate::sim::{SimError, StepRecord};
+use crate::sim::error::SimError;
+use crate::sim::history::record::StepRecord;
 
 /// [`run_in`](super::run_in) over all ranks of `world`, each on `threads` threads: rank `r` of `n` takes the
 /// members `r`, `r + n`, ... Every rank gets all outcomes in the order of the members, the same ones whatever

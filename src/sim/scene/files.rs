@@ -10,7 +10,7 @@ use toml::de::DeTable;
 
 use super::{Roughness, Scene, keys, missing};
 use crate::error::quoted;
-use crate::sim::SimError;
+use crate::sim::error::SimError;
 use crate::text_file;
 use crate::units::toml_line;
 

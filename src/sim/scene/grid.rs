@@ -9,7 +9,7 @@ use serde::ser::SerializeMap as _;
 use super::Scene;
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::sim::hertz::LINE_LENGTH;
+use crate::sim::scene::hertz::LINE_LENGTH;
 
 /// The grid, or what is asked of it.
 ///

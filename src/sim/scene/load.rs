@@ -6,7 +6,7 @@
 use super::Scene;
 use crate::analytic::{HertzLine, HertzPoint};
 use crate::error::InputError;
-use crate::sim::hertz::HertzContact;
+use crate::sim::scene::hertz::HertzContact;
 
 /// Normal load, by exactly one of the two.
 ///

@@ -6,10 +6,12 @@
 //!
 //! [`Scene::azam_2019`] is a complete scene to start from.
 
+pub(in crate::sim) mod course;
 mod elastic;
 #[cfg(feature = "serde")]
 mod files;
 mod grid;
+pub(in crate::sim) mod hertz;
 #[cfg(feature = "serde")]
 mod keys;
 mod load;
@@ -27,6 +29,7 @@ mod solver;
 mod stress;
 #[cfg(feature = "serde")]
 mod tables;
+pub(in crate::sim) mod timetable;
 mod track;
 mod tribofilm;
 mod wear;
@@ -35,11 +38,11 @@ pub use elastic::{Elastic, FilmElasticSpec, LayerSpec};
 pub use grid::GridSpec;
 pub use load::Load;
 pub use lubricant::{BarusConstants, InletSpec, LubricantSpec, ViscositySpec};
-pub(super) use materials::BODIES;
+pub(in crate::sim) use materials::BODIES;
 pub use materials::{Material, Materials, NamedMaterial};
 pub use motion::Motion;
 pub use processes::{Flash, FlowThinning, FrictionSpec, PlasticSpec, ThermalSpec};
-pub(super) use roughness::ShortestWaves;
+pub(in crate::sim) use roughness::ShortestWaves;
 pub use roughness::{FileRoughness, Roughness, RoughnessPair};
 pub use schedule::{Schedule, Schedules};
 pub use solver::{SolverKind, SolverSpec};

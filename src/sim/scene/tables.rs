@@ -239,7 +239,7 @@ pub(super) mod seed {
     }
 
     /// Writes a seed, as text where TOML has no integer for it.
-    pub(in super::super) fn serialize<S: Serializer>(seed: &u64, serializer: S) -> Result<S::Ok, S::Error> {
+    pub(in crate::sim) fn serialize<S: Serializer>(seed: &u64, serializer: S) -> Result<S::Ok, S::Error> {
         match i64::try_from(*seed) {
             Ok(_) => serializer.serialize_u64(*seed),
             Err(_) => serializer.serialize_str(&seed.to_string()),
@@ -247,7 +247,7 @@ pub(super) mod seed {
     }
 
     /// Writes a seed that may be missing.
-    pub(in super::super) fn serialize_optional<S: Serializer>(
+    pub(in crate::sim) fn serialize_optional<S: Serializer>(
         seed: &Option<u64>,
         serializer: S,
     ) -> Result<S::Ok, S::Error> {
@@ -258,7 +258,7 @@ pub(super) mod seed {
     }
 
     /// Reads a seed, a number or text.
-    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
+    pub(in crate::sim) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u64, D::Error> {
         match Seed::deserialize(deserializer) {
             Ok(Seed::Number(number)) => Ok(number),
             Ok(Seed::Text(text)) => {
@@ -271,7 +271,7 @@ pub(super) mod seed {
     }
 
     /// Reads a seed that may be missing.
-    pub(in super::super) fn optional<'de, D: Deserializer<'de>>(
+    pub(in crate::sim) fn optional<'de, D: Deserializer<'de>>(
         deserializer: D,
     ) -> Result<Option<u64>, D::Error> {
         deserialize(deserializer).map(Some)

@@ -1,0 +1,50 @@
+//! What the tribofilms of a contact give way beyond the bodies below them.
+
+use crate::elastic::WithLocalCompliance;
+use crate::error::InputError;
+use crate::sim::contact::interrupt::Interruptible;
+use crate::sim::contact::model::ContactModel;
+use crate::sim::scene::Scene;
+
+/// Tribofilms with elastic constants of their own.
+#[derive(Debug, Clone)]
+pub(in crate::sim) struct CompliantFilms {
+    /// Displacement per pressure and thickness of the films of ball and disc \[1/Pa\].
+    per_thickness: [f64; 2],
+    /// That of both films per pressure \[m/Pa\].
+    compliance: Vec<f64>,
+}
+
+impl CompliantFilms {
+    /// Those of `scene` on `n` nodes; none where its films give way as the bodies do.
+    pub(in crate::sim) fn of(scene: &Scene, n: usize) -> Result<Option<Self>, InputError> {
+        let films = scene.bonded_films()?;
+        Ok(films.map(|films| Self {
+            per_thickness: films.map(|film| film.compliance()),
+            compliance: vec![0.0; n],
+        }))
+    }
+
+    /// Makes `bodies` give way by films of the thickness `films` \[m\] too.
+    fn lie_on(
+        &mut self,
+        bodies: &mut WithLocalCompliance<Interruptible>,
+        [ball, disc]: &[Vec<f64>; 2],
+    ) -> Result<(), InputError> {
+        let [of_ball, of_disc] = self.per_thickness;
+        for (c, (ball, disc)) in self.compliance.iter_mut().zip(ball.iter().zip(disc)) {
+            *c = of_ball * ball + of_disc * disc;
+        }
+        bodies.set_compliance(&self.compliance)
+    }
+}
+
+impl ContactModel {
+    /// Takes the tribofilms of ball and disc \[m\], as they lie in the contact, for the solves to come.
+    pub(in crate::sim) fn cover(&mut self, films: &[Vec<f64>; 2]) -> Result<(), InputError> {
+        match &mut self.films {
+            Some(compliant) => compliant.lie_on(&mut self.deformation, films),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,293 @@
+//! Flooded inlets in any box.
+//!
+//! The pressure in front of a lubricated contact and at its sides reaches far: of a point contact the load beyond a
+//! distance `X` falls as `1/X`. A box that cuts it, with ambient pressure at its edge, makes the film too thin. Where
+//! the box of a scene does so ([`box_error`]), the smooth contact under the same conditions is solved on a coarse mesh
+//! of a wide box first ([`outer`]), at the edge of which the pressure is that between rigid paraboloids. Its
+//! pressures at the edge of the inner box, the displacement by those outside, and the load and the friction that they
+//! carry are the [`FarField`] of the inner contact.
+//!
+//! Where most of the load is outside, the load inside is a small difference, and a film that is a little thicker hardly
+//! changes it. Then the film near the inlet edge is handed over in its place: the inner contact is solved with its
+//! approach held, which is moved until it has this film.
+
+mod box_error;
+mod hand_over;
+mod outer;
+
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::report::{SolveReport, Status};
+use crate::reynolds::{ContactDefinition, ContactState, EdgePressure, outermost};
+use crate::sim::contact::laws::Laws;
+use crate::sim::contact::model::ContactModel;
+use crate::sim::contact::warnings::Warning;
+use crate::sim::error::SimError;
+use crate::sim::scene::Scene;
+use hand_over::interpolate;
+use outer::OuterContact;
+
+pub(in crate::sim) use box_error::{BoxError, Contact, InletScale};
+
+/// Solves of the inner contact at most, to find its approach.
+const SOLVES: usize = 10;
+/// Relative difference of the films near the inlet edge that is left.
+const FILM_TOLERANCE: f64 = 1e-4;
+
+/// A flooded inlet and the box of a contact, as far as they are known without solving.
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let mut scene = Scene::azam_2019(32);
+/// let slow = MixedLubricationSim::builder(scene.clone()).build()?.inlet()?.ok_or("dry")?;
+/// assert!(slow.box_holds_it && slow.film_error < 0.005);
+/// scene.motion.entrainment_speed = 10.0; // a film that is 20 times as thick
+/// let fast = MixedLubricationSim::builder(scene).build()?.inlet()?.ok_or("dry")?;
+/// assert!(!fast.box_holds_it);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct FloodedInlet {
+    /// Relative error that ambient pressure at the edges of the box would make of the central film.
+    pub film_error: f64,
+    /// Whether that is small: the box is solved as it stands. Else the smooth contact in a wider box tells the pressures at
+    /// its edges.
+    pub box_holds_it: bool,
+}
+
+/// The fluid outside of the box of a contact.
+#[derive(Debug, Clone)]
+pub(in crate::sim) struct FarField {
+    /// Pressure at the nodes of the box, of which the outermost count \[Pa\].
+    pressure: Vec<f64>,
+    /// Displacement by the pressures outside \[m\].
+    displacement: Vec<f64>,
+    /// What closes the equations of the inner contact.
+    closure: Closure,
+    /// Approach of the outer contact \[m\].
+    approach: f64,
+    /// Friction force outside \[N\].
+    pub(in crate::sim) friction_force: f64,
+    /// Undeformed gap with the displacement \[m\].
+    gap: Vec<f64>,
+}
+
+/// The equation that decides the approach of a contact with a far field.
+#[derive(Debug, Clone, Copy)]
+enum Closure {
+    /// The load that is carried outside \[N\].
+    LoadOutside(f64),
+    /// The film \[m\] at a point near the inlet edge.
+    Film([f64; 2], f64),
+    /// None: the approach of the state is held.
+    Approach,
+}
+
+/// Conditions that a far field belongs to: load, speeds, temperature.
+type Point = [u64; 4];
+
+/// The far field of a contact model, found anew where its conditions change.
+#[derive(Debug, Clone)]
+pub(in crate::sim) struct Inlet {
+    /// The scene, which the outer contact takes its bodies from.
+    scene: Box<Scene>,
+    /// Conditions of the last decision.
+    point: Option<Point>,
+    /// What the box makes of the film under these conditions.
+    error: BoxError,
+    /// Whether an outer contact can be solved: with the bodies of the scene, without spin, hard contact.
+    has_outer: bool,
+    /// Whether the outer contact was solved where the box needs it.
+    is_solved: bool,
+}
+
+impl Inlet {
+    /// Of contacts of `scene`, whose bodies may be other ones.
+    pub(in crate::sim) fn new(scene: &Scene, has_own_body: bool) -> Self {
+        let is_hard = scene.solver.contact == ContactDefinition::Hard;
+        let has_outer = is_hard && !has_own_body && scene.motion.spin_radius.is_none();
+        Self {
+            scene: Box::new(scene.clone()),
+            point: None,
+            error: BoxError::NONE,
+            has_outer,
+            is_solved: true,
+        }
+    }
+
+    /// Relative error of the central film of a solve by the box.
+    pub(in crate::sim) fn film_error(&self) -> f64 {
+        if self.is_solved { self.error.of_solve() } else { self.error.ambient }
+    }
+
+    /// The warning about a box that cuts an inlet.
+    pub(in crate::sim) fn warning(&self, grid: &Grid) -> Option<Warning> {
+        if self.is_solved {
+            return None;
+        }
+        let reason = if self.has_outer {
+            "the contact in a wider box, which tells the pressure at its edge, was not solved, or this box ends within 1.2 \
+             half-widths of its middle"
+        } else {
+            "own bodies, spin and contact = \"paper\" take the pressure at its edge as ambient"
+        };
+        Some(Warning::new(
+            "grid.x",
+            grid.x(0) - 0.5 * grid.dx(),
+            format!(
+                "the box cuts the inlet, and {reason}: the film is up to {:.0} % too thin",
+                100.0 * self.error.ambient
+            ),
+            "take a wider box, or say that the oil begins at its edge (lubricant.inlet = \"box_edge\")"
+                .to_owned(),
+        ))
+    }
+}
+
+impl ContactModel {
+    /// Finds the far field under the present conditions where the box cuts the inlet.
+    pub(in crate::sim) fn find_far_field(&mut self, laws: &Laws) -> Result<(), SimError> {
+        let Some(mut inlet) = self.inlet.take() else { return Ok(()) };
+        let found = self.find_far_field_of(&mut inlet, laws);
+        self.inlet = Some(inlet);
+        found
+    }
+
+    fn find_far_field_of(&mut self, inlet: &mut Inlet, laws: &Laws) -> Result<(), SimError> {
+        let motion = self.motion;
+        let point =
+            [self.hertz.force, motion.entrainment_speed, motion.slide_roll_ratio, self.bulk_temperature]
+                .map(f64::to_bits);
+        if inlet.point == Some(point) {
+            return Ok(());
+        }
+        self.far_field = None;
+        inlet.is_solved = true;
+        inlet.error = BoxError::NONE;
+        let Some(scale) = self.inlet_scale(&inlet.scene)? else { return Ok(()) };
+        if !self.is_starved(&inlet.scene)? {
+            inlet.error = scale.error_on(&self.grid);
+        }
+        if !inlet.error.is_small() {
+            if inlet.has_outer && scale.is_held_by(&self.grid) {
+                let outer = OuterContact::new(&inlet.scene, self, scale.film())?;
+                self.far_field = outer.solve(&self.grid, laws, scale.film())?;
+            }
+            inlet.is_solved = self.far_field.is_some();
+        }
+        inlet.point = Some(point);
+        Ok(())
+    }
+}
+
+impl ContactModel {
+    /// Lengths and pressures of the flooded contact of `scene` under the present conditions; none without a lubricant.
+    fn inlet_scale(&self, scene: &Scene) -> Result<Option<InletScale>, InputError> {
+        let (Some(oil), Some(formulas)) = (&self.lubricant, self.formulas) else { return Ok(None) };
+        let (hertz, viscosity) = (&self.hertz, oil.viscosity());
+        let entrainment_speed = self.motion.entrainment_speed;
+        InletScale::new(&Contact { scene, hertz, viscosity, entrainment_speed, formulas }).map(Some)
+    }
+
+    /// The inlet under the present conditions; none where the oil begins at the edge of the box or within it.
+    pub(in crate::sim) fn flooded_inlet(&self) -> Result<Option<FloodedInlet>, InputError> {
+        let Some(inlet) = &self.inlet else { return Ok(None) };
+        let Some(scale) = self.inlet_scale(&inlet.scene)? else { return Ok(None) };
+        if self.is_starved(&inlet.scene)? {
+            return Ok(None);
+        }
+        let error = scale.error_on(&self.grid);
+        Ok(Some(FloodedInlet { film_error: error.ambient, box_holds_it: error.is_small() }))
+    }
+
+    /// Whether the supplied film meets the surfaces within the box: nothing upstream of it then has pressure.
+    fn is_starved(&self, scene: &Scene) -> Result<bool, InputError> {
+        let Some(supply) = self.supplied_film else { return Ok(false) };
+        let mut edge = vec![0.0; self.grid.len()];
+        scene.form.gap_into(&self.grid, &mut edge)?;
+        let least = edge.iter().step_by(self.grid.nx()).copied().fold(f64::INFINITY, f64::min);
+        Ok(least > supply)
+    }
+}
+
+impl FarField {
+    /// Of pressures at the edge alone.
+    fn at_edge(pressure: Vec<f64>, closure: Closure) -> Self {
+        let zeros = vec![0.0; pressure.len()];
+        Self {
+            displacement: zeros.clone(),
+            gap: zeros,
+            pressure,
+            closure,
+            approach: 0.0,
+            friction_force: 0.0,
+        }
+    }
+
+    /// Solves the inner contact by `once`, which gets the pressure at the edge and the undeformed gap, from `state`; a
+    /// state without pressure starts from the outer contact where the surfaces are `smooth`.
+    pub(in crate::sim) fn solve(
+        &mut self,
+        grid: &Grid,
+        gap: &[f64],
+        smooth: bool,
+        state: &mut ContactState,
+        mut once: impl FnMut(EdgePressure<'_>, &[f64], &mut ContactState) -> Result<SolveReport, SimError>,
+    ) -> Result<SolveReport, SimError> {
+        self.displace(gap)?;
+        let holds_load = matches!(self.closure, Closure::LoadOutside(_));
+        if (smooth || !holds_load) && state.pressure.iter().all(|p| *p <= 0.0) {
+            self.start(grid, state);
+        }
+        let load_outside = match self.closure {
+            Closure::LoadOutside(load) => Some(load),
+            Closure::Film(..) | Closure::Approach => None,
+        };
+        let edge = EdgePressure { field: &self.pressure, load_outside };
+        let mut report = once(edge, &self.gap, state)?;
+        let Closure::Film(place, film) = self.closure else { return Ok(report) };
+        for _ in 1..SOLVES {
+            let excess = interpolate(grid, &state.film, place, false) - film;
+            if report.status != Status::Converged || excess.abs() < FILM_TOLERANCE * film {
+                break;
+            }
+            state.approach += excess;
+            report = once(edge, &self.gap, state)?.preceded_by(report);
+        }
+        Ok(report)
+    }
+
+    /// Load that is carried outside of a box whose pressures carry the rest of `load` \[N\].
+    pub(in crate::sim) fn load_outside(&self, load: f64, carried: f64) -> f64 {
+        match self.closure {
+            Closure::LoadOutside(outside) => outside,
+            Closure::Film(..) | Closure::Approach => load - carried,
+        }
+    }
+
+    /// Overwrites the outermost nodes of a field of pressures with those at the edge of the box.
+    pub(in crate::sim) fn fill_edge(&self, grid: &Grid, pressure: &mut [f64]) {
+        for k in outermost(grid) {
+            pressure[k] = self.pressure[k];
+        }
+    }
+
+    fn displace(&mut self, gap: &[f64]) -> Result<(), InputError> {
+        InputError::require_len("gap", gap, self.gap.len())?;
+        for (sum, (gap, displacement)) in self.gap.iter_mut().zip(gap.iter().zip(&self.displacement)) {
+            *sum = gap + displacement;
+        }
+        Ok(())
+    }
+
+    /// The outer contact's pressures as a start.
+    fn start(&self, grid: &Grid, state: &mut ContactState) {
+        state.pressure.copy_from_slice(&self.pressure);
+        for k in outermost(grid) {
+            state.pressure[k] = 0.0;
+        }
+        state.fluid_pressure.clone_from(&state.pressure);
+        state.approach = self.approach;
+    }
+}

@@ -1,0 +1,142 @@
+//! The film formulas on a scene.
+
+use crate::analytic::{FilmConditions, FilmMap, FilmRegime, HertzPoint, LineFilmConditions};
+use crate::error::InputError;
+use crate::lubricant::ViscosityLaw;
+use crate::sim::contact::numbers::Moes;
+use crate::sim::contact::setup;
+use crate::sim::scene::Scene;
+use crate::sim::scene::hertz::{HertzContact, LINE_LENGTH};
+use crate::sim::scene::timetable::Conditions;
+
+/// What the film formulas make of a scene.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::analytic::FilmRegime;
+/// use stribeck::sim::Scene;
+/// let film = Scene::azam_2019(32).formula_film()?.ok_or("dry")?;
+/// assert_eq!(film.map.regime, FilmRegime::PiezoviscousElastic);
+/// assert!((film.central / film.map.central - 1.0).abs() < 0.15); // two formulas, one contact
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct FormulaFilm {
+    /// Moes' parameters.
+    pub moes: Moes,
+    /// Central film of loaded steel contacts: Hamrock and Dowson of a point contact, Dowson and Toyoda of a line
+    /// contact; of an oil that does not thicken under pressure that of Moes, of an elliptic contact Hamrock and
+    /// Dowson's of soft bodies \[m\]. Solvers scale with it.
+    pub central: f64,
+    /// Regime, and the film that holds in all regimes.
+    pub map: FilmMap,
+}
+
+impl FormulaFilm {
+    /// Central film by the formula of the regime: [`central`](Self::central) of piezoviscous-elastic contacts, that
+    /// of all regimes else \[m\].
+    pub(in crate::sim) fn of_its_regime(&self) -> f64 {
+        match self.map.regime {
+            FilmRegime::PiezoviscousElastic => self.central,
+            _ => self.map.central,
+        }
+    }
+}
+
+impl Scene {
+    /// What the film formulas make of the smooth, flooded contact at the start, with the slope of the
+    /// viscosity law; none for a dry contact.
+    ///
+    /// ```
+    /// let film = stribeck::sim::Scene::azam_2019(64).formula_film()?.expect("it has an oil");
+    /// assert!((7e-9..10e-9).contains(&film.central));
+    /// # Ok::<(), stribeck::InputError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A form, modulus, load, speed, oil or schedule out of range.
+    pub fn formula_film(&self) -> Result<Option<FormulaFilm>, InputError> {
+        let conditions = self.conditions(0.0)?;
+        let (hertz, law) = (self.hertz()?, setup::viscosity(self, conditions.bulk_temperature)?);
+        let speed = conditions.motion.entrainment_speed;
+        formula_film(self, &hertz, speed, law.as_deref(), None)
+    }
+}
+
+/// The film formulas at `entrainment_speed` \[m/s\], by the pressure-viscosity coefficient `alpha` \[1/Pa\]
+/// or the slope of the law; none without a lubricant.
+pub(in crate::sim) fn formula_film(
+    scene: &Scene,
+    hertz: &HertzContact,
+    entrainment_speed: f64,
+    viscosity: Option<&dyn ViscosityLaw>,
+    alpha: Option<f64>,
+) -> Result<Option<FormulaFilm>, InputError> {
+    let Some(law) = viscosity else { return Ok(None) };
+    let equivalent_modulus = scene.equivalent_modulus()?;
+    let (eta0, alpha) = (law.viscosity(0.0), alpha.unwrap_or_else(|| law.log_slope(0.0)));
+    let thickens = alpha > 0.0;
+    let ((radius, _), load) = (scene.form.radii_of_entrainment(), hertz.force);
+    Ok(Some(if scene.form.is_line() {
+        let line = LineFilmConditions {
+            entrainment_speed,
+            eta0,
+            alpha,
+            equivalent_modulus,
+            radius,
+            load: load / LINE_LENGTH,
+        };
+        FormulaFilm {
+            moes: Moes { m: line.moes_load(), l: line.moes_lubricant() },
+            central: if thickens { line.dowson_toyoda_central()? } else { line.moes_central()? },
+            map: line.film_map()?,
+        }
+    } else {
+        let point = FilmConditions {
+            entrainment_speed,
+            eta0,
+            alpha,
+            equivalent_modulus,
+            radius,
+            load,
+            ellipticity: ellipticity(scene, hertz)?,
+        };
+        let is_circle = (point.ellipticity - 1.0).abs() < 1e-9;
+        FormulaFilm {
+            moes: Moes { m: point.moes_load(), l: point.moes_lubricant() },
+            central: match (thickens, is_circle) {
+                (true, _) => point.hamrock_dowson_central()?,
+                (false, true) => point.moes_central()?,
+                (false, false) => point.hamrock_dowson_soft()?,
+            },
+            map: point.film_map()?,
+        }
+    }))
+}
+
+/// Semi-axis across the entrainment over that along it. Of a turned ellipse that of the contact whose radii
+/// are those of the sections along and across the entrainment, which is how Chittenden, Dowson, Dunn and
+/// Taylor (1985), Proceedings of the Royal Society A 397, 271-294, reduce oblique entrainment.
+pub(in crate::sim) fn ellipticity(scene: &Scene, hertz: &HertzContact) -> Result<f64, InputError> {
+    if hertz.angle == 0.0 {
+        return Ok(hertz.half_width_y / hertz.half_width_x);
+    }
+    let (along, across) = scene.form.radii_of_entrainment();
+    let sections = HertzPoint::from_load(along, across, scene.equivalent_modulus()?, hertz.force)?;
+    Ok(sections.half_width_y / sections.half_width_x)
+}
+
+/// Central film by the formula of its regime, by the coefficient that is stated for it, else the slope of the law;
+/// zero without lubricant \[m\].
+pub(in crate::sim) fn stated_film(
+    scene: &Scene,
+    hertz: &HertzContact,
+    conditions: &Conditions,
+    law: Option<&dyn ViscosityLaw>,
+) -> Result<f64, InputError> {
+    let alpha = scene.lubricant.and_then(|lubricant| lubricant.formula_alpha);
+    let film = formula_film(scene, hertz, conditions.motion.entrainment_speed, law, alpha)?;
+    Ok(film.map_or(0.0, |film| film.of_its_regime()))
+}

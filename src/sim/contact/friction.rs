@@ -1,0 +1,159 @@
+//! Shear in a solved contact: boundary friction under the solid pressure, shear of the fluid under its own.
+//!
+//! At a node of solid contact the boundary law gives a coefficient of the solid pressure there; everywhere
+//! the fluid has the stress that its rheology gives at the rate `sliding/film` and the viscosity under its
+//! pressure, at most the limiting stress, times the film fraction `theta`: the filled share of a cavitated cell
+//! is sheared, the rest is gas. Both act on both surfaces, and their work `stress * sliding` is the heat.
+
+use crate::boundary_friction::{BoundaryFriction, ConstantFriction, FilmFriction};
+use crate::error::InputError;
+use crate::lubricant::Rheology;
+use crate::metrics;
+use crate::reynolds::ContactState;
+use crate::sim::contact::model::ContactModel;
+use crate::sim::contact::numbers::FrictionNumbers;
+use crate::sim::scene::{FrictionSpec, Scene};
+
+/// Points of the mean over a Hertz contact.
+const MEAN_POINTS: u32 = 32;
+
+/// The law of solid contact in a scene whose tribofilm has the largest thickness `full` \[m\].
+pub(in crate::sim) fn boundary_law(
+    spec: &FrictionSpec,
+    full: Option<f64>,
+) -> Result<Box<dyn BoundaryFriction>, InputError> {
+    let bare = spec.boundary_coefficient;
+    let Some(covered) = spec.film_coefficient else { return Ok(Box::new(ConstantFriction::new(bare)?)) };
+    // Without a film any thickness will do: none is reached.
+    let thickness = spec.covering_thickness.or(full).unwrap_or(1.0);
+    Ok(Box::new(FilmFriction::new(bare, covered, thickness)?))
+}
+
+/// Friction fields of one solved contact. A node in contact that also carries fluid pressure has both shares,
+/// each by its own pressure.
+#[derive(Debug, Clone)]
+pub(in crate::sim) struct FrictionFields {
+    /// Shear stress law of the fluid.
+    rheology: Rheology,
+    /// Sliding speed, never negative \[m/s\].
+    sliding: f64,
+    /// Pressure that solid contact carries \[Pa\].
+    pub(in crate::sim) solid: Vec<f64>,
+    /// Friction coefficient of solid contact.
+    boundary: Vec<f64>,
+    /// Viscosity at the fluid pressure \[Pa s\].
+    viscosity: Vec<f64>,
+    /// Shear stress of the fluid \[Pa\].
+    pub(in crate::sim) shear: Vec<f64>,
+}
+
+impl FrictionFields {
+    /// Fields of zeros for `n` nodes with the rheology of the scene.
+    pub(in crate::sim) fn new(scene: &Scene, n: usize) -> Result<Self, InputError> {
+        let zeros = || vec![0.0; n];
+        Ok(Self {
+            rheology: scene.friction.rheology()?,
+            sliding: 0.0,
+            solid: zeros(),
+            boundary: zeros(),
+            viscosity: zeros(),
+            shear: zeros(),
+        })
+    }
+
+    /// Overwrites the fields with those of `state`, whose bodies carry the tribofilms `films` \[m\].
+    pub(in crate::sim) fn update(
+        &mut self,
+        contact: &ContactModel,
+        state: &ContactState,
+        law: &dyn BoundaryFriction,
+        films: &[Vec<f64>; 2],
+    ) -> Result<(), InputError> {
+        self.sliding = contact.motion.sliding_speed();
+        for (k, solid) in self.solid.iter_mut().enumerate() {
+            *solid = state.solid_pressure(k);
+        }
+        let [ball, disc] = films;
+        law.coefficients(&self.solid, self.sliding, [ball, disc], &mut self.boundary);
+        for &coefficient in &self.boundary {
+            InputError::require_non_negative("boundary friction of the law", coefficient)?;
+        }
+        match &contact.lubricant {
+            None => self.shear.fill(0.0),
+            Some(lubricant) => {
+                lubricant.viscosity().fill(&state.fluid_pressure, &mut self.viscosity);
+                let (viscosity, film) = (&self.viscosity, &state.film);
+                let (rheology, pressure, theta) = (&self.rheology, &state.fluid_pressure, &state.theta);
+                let stress =
+                    |k: usize, eta, rate| theta[k] * rheology.shear_stress_under(pressure[k], eta, rate);
+                metrics::fill_shear((viscosity, film), self.sliding, stress, &mut self.shear)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Shear stress on the surfaces at node `k` \[Pa\]; none without sliding.
+    pub(in crate::sim) fn stress(&self, k: usize) -> f64 {
+        if self.sliding > 0.0 { self.boundary[k] * self.solid[k] + self.shear[k] } else { 0.0 }
+    }
+
+    /// Shear stress law of the fluid.
+    pub(in crate::sim) fn rheology(&self) -> &Rheology {
+        &self.rheology
+    }
+
+    /// Heat of solid friction at every node \[W/m^2\].
+    pub(in crate::sim) fn boundary_heat(&self) -> Vec<f64> {
+        self.boundary.iter().zip(&self.solid).map(|(mu, solid)| mu * solid * self.sliding).collect()
+    }
+
+    /// Heat of friction at node `k` \[W/m^2\].
+    pub(in crate::sim) fn heat(&self, k: usize) -> f64 {
+        self.stress(k) * self.sliding
+    }
+
+    /// Coefficient of friction of solid contact at the first node; zero without sliding.
+    pub(in crate::sim) fn first_boundary(&self) -> f64 {
+        if self.sliding > 0.0 { self.boundary.first().copied().unwrap_or(0.0) } else { 0.0 }
+    }
+
+    /// Friction force over load and its parts; zero without sliding.
+    pub(in crate::sim) fn numbers(&self, contact: &ContactModel) -> Result<FrictionNumbers, InputError> {
+        InputError::require_finite("solid_pressure", &self.solid)?;
+        InputError::require_finite("viscous_shear", &self.shear)?;
+        if self.sliding <= 0.0 {
+            return Ok(FrictionNumbers::default());
+        }
+        // About the coefficient of the first node: exact where the law is a constant.
+        let reference = self.boundary.first().copied().unwrap_or(0.0);
+        let nodes = self.boundary.iter().zip(&self.solid);
+        let beyond: f64 = nodes.map(|(coefficient, solid)| (coefficient - reference) * solid).sum();
+        let boundary = reference * self.solid.iter().sum::<f64>() + beyond;
+        let fluid = self.shear.iter().sum::<f64>();
+        let area = contact.grid.cell_area();
+        let outside = contact.far_field.as_ref().map_or(0.0, |far| far.friction_force);
+        Ok(FrictionNumbers::of(boundary * area, fluid * area + outside, contact.hertz.force))
+    }
+}
+
+/// Mean shear stress \[Pa\] of a fluid that fills a Hertz contact of maximum pressure `p_max` \[Pa\], point
+/// or line, with a `film` \[m\] everywhere, at `sliding` \[m/s\]: the mean over the area of the stress under
+/// `p_max sqrt(1 - r^2/a^2)`. `viscosity` \[Pa s\] is that at a pressure \[Pa\].
+pub(in crate::sim) fn mean_fluid_stress(
+    viscosity: &dyn Fn(f64) -> f64,
+    rheology: &Rheology,
+    (p_max, is_line): (f64, bool),
+    film: f64,
+    sliding: f64,
+) -> f64 {
+    if film <= 0.0 || sliding <= 0.0 {
+        return 0.0;
+    }
+    // Rings or strips of one area.
+    let stress = |part: u32| {
+        let share = (f64::from(part) + 0.5) / f64::from(MEAN_POINTS);
+        let pressure = p_max * if is_line { 1.0 - share * share } else { share }.sqrt();
+        rheology.shear_stress_under(pressure, viscosity(pressure), sliding / film)
+    };
+    (0..MEAN_POINTS).map(stress).sum::<f64>() / f64::from(MEAN_POINTS)
+}

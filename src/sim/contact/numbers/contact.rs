@@ -1,0 +1,270 @@
+//! Film, pressure and solid contact.
+
+use super::{FrictionNumbers, RoughnessNumbers};
+use crate::error::InputError;
+use crate::metrics;
+use crate::reynolds::{ContactState, reaches_limit};
+use crate::sim::contact::friction::FrictionFields;
+use crate::sim::contact::model::ContactModel;
+
+/// Moes' parameters.
+///
+/// `M = W / (2 U)^(3/4)` and `L = G (2 U)^(1/4)` of a point contact, `W / (2 U)^(1/2)` and `G (2 U)^(1/4)` of a line
+/// contact, with the dimensionless load `W`, speed `U` and material parameter `G` of Hamrock and Dowson along
+/// entrainment: two numbers that a smooth contact of given form hangs on, from elastic and dry to rigid.
+///
+/// Source: Moes, H. (2000), Lubrication and Beyond, University of Twente.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let mut scene = Scene::azam_2019(32);
+/// let moes = solve_contact(&scene)?.moes.ok_or("a dry contact")?;
+/// scene.motion.entrainment_speed *= 16.0;
+/// let faster = scene.formula_film()?.ok_or("a dry contact")?.moes;
+/// assert!((faster.m / moes.m - 1.0 / 8.0).abs() < 1e-9 && (faster.l / moes.l - 2.0).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Moes {
+    /// Load parameter M.
+    pub m: f64,
+    /// Lubricant parameter L.
+    pub l: f64,
+}
+
+/// Film thickness \[m\], and over roughness.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let solution = solve_contact(&Scene::azam_2019(32))?;
+/// let film = solution.film;
+/// assert!(film.minimum_gap <= film.minimum && film.minimum <= film.mean_central);
+/// assert_eq!(film.lambda, Some(film.mean_central / solution.roughness.composite_rq));
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct FilmNumbers {
+    /// At x = y = 0, interpolated between nodes.
+    pub central: f64,
+    /// Smallest over the nodes that carry pressure.
+    pub minimum: f64,
+    /// Mean over r <= 2a/3.
+    pub mean_central: f64,
+    /// Smallest over all nodes.
+    pub minimum_gap: f64,
+    /// `mean_central` over the composite roughness; none between smooth surfaces and where the film is not
+    /// known.
+    pub lambda: Option<f64>,
+    /// Central film by formula (Hamrock and Dowson, of a line contact Dowson and Toyoda) with the stated
+    /// pressure-viscosity coefficient over the composite roughness; none between smooth surfaces and without
+    /// lubricant.
+    pub formula_lambda: Option<f64>,
+}
+
+impl FilmNumbers {
+    /// Of a solve that diverged.
+    const UNKNOWN: Self = Self {
+        central: f64::NAN,
+        minimum: f64::NAN,
+        mean_central: f64::NAN,
+        minimum_gap: f64::NAN,
+        lambda: None,
+        formula_lambda: None,
+    };
+
+    /// Of `state`, over the `roughness`.
+    pub(in crate::sim) fn of(
+        model: &ContactModel,
+        state: &ContactState,
+        roughness: &RoughnessNumbers,
+    ) -> Result<Self, InputError> {
+        let mean_central = metrics::mean_central_film_in(&model.grid, &state.film, &model.hertz.ellipse())?;
+        Ok(Self {
+            central: model.grid.interpolate(&state.film, 0.0, 0.0)?,
+            minimum: metrics::minimum_film(&state.film, &state.pressure)?.unwrap_or(0.0),
+            mean_central,
+            minimum_gap: metrics::minimum_gap(&state.film)?,
+            lambda: roughness.lambda(mean_central),
+            formula_lambda: model.lubricant.as_ref().and_then(|_| roughness.lambda(model.stated_film)),
+        })
+    }
+}
+
+/// Total pressure, of fluid and solids together \[Pa\].
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let solution = solve_contact(&Scene::azam_2019(32))?;
+/// let pressure = solution.pressure;
+/// // The surfaces are rough: asperities carry more than Hertz, and yield at 6 GPa.
+/// assert!(pressure.max > solution.hertz.pressure && pressure.max <= 6e9);
+/// assert!(pressure.mean < pressure.max);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct PressureNumbers {
+    /// Largest, between nodes where the peak is resolved (see [`metrics::peak`]), never above the limit of its
+    /// node.
+    pub max: f64,
+    /// At x = y = 0.
+    pub central: f64,
+    /// Mean over the nodes that carry any.
+    pub mean: f64,
+    /// Load that the fluid outside of the box carries, where the box cuts a flooded inlet \[N\]: the pressures in the box
+    /// carry the rest.
+    pub load_outside: f64,
+}
+
+impl PressureNumbers {
+    /// Of a solve that diverged.
+    const UNKNOWN: Self = Self { max: f64::NAN, central: f64::NAN, mean: f64::NAN, load_outside: f64::NAN };
+
+    /// Of `state` whose nodes carry no more than the `limit`.
+    pub(in crate::sim) fn of(
+        model: &ContactModel,
+        state: &ContactState,
+        limit: Option<&[f64]>,
+    ) -> Result<Self, InputError> {
+        // Between nodes no more than the node of the largest pressure may carry.
+        let top = state.pressure.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1));
+        let bound = top.and_then(|(k, _)| limit?.get(k).copied()).unwrap_or(f64::INFINITY);
+        let carrying = state.pressure.iter().filter(|p| **p > 0.0).count().max(1);
+        let sum = state.pressure.iter().sum::<f64>();
+        let carried = sum * model.grid.cell_area();
+        let outside = model.far_field.as_ref().map(|far| far.load_outside(model.hertz.force, carried));
+        Ok(Self {
+            max: metrics::peak(&model.grid, &state.pressure)?.min(bound),
+            central: model.grid.interpolate(&state.pressure, 0.0, 0.0)?,
+            mean: sum / carrying as f64,
+            load_outside: outside.unwrap_or(0.0),
+        })
+    }
+}
+
+/// Solid contact.
+///
+/// Solids touch where the gap is the contact film, `solver.film_cutoff`, and carry there what the fluid does not.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{Scene, solve_contact};
+/// let solution = solve_contact(&Scene::azam_2019(32))?;
+/// let contact = solution.contact;
+/// assert!(contact.load_ratio > 0.0 && contact.load_ratio < 1.0);
+/// assert!(contact.area_ratio <= contact.area / solution.hertz.area + 1e-12);
+/// assert_eq!(contact.film_cutoff, 1e-9);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct ContactNumbers {
+    /// Area of solid contact inside the Hertz ellipse over its area.
+    pub area_ratio: f64,
+    /// Share of the load that solid contact carries.
+    pub load_ratio: f64,
+    /// Area of solid contact \[m^2\].
+    pub area: f64,
+    /// The area ratio with the edges of the contacts corrected, see [`metrics::ContactStatistics`].
+    pub corrected_area_ratio: f64,
+    /// The area with the edges of the contacts corrected \[m^2\].
+    pub corrected_area: f64,
+    /// Area of nodes at the pressure limit \[m^2\].
+    pub plastic_area: f64,
+    /// Film at which solids touch, without which the ratios say little; zero in a dry contact \[m\].
+    pub film_cutoff: f64,
+}
+
+impl ContactNumbers {
+    const UNKNOWN: Self = Self {
+        area_ratio: f64::NAN,
+        load_ratio: f64::NAN,
+        area: f64::NAN,
+        corrected_area_ratio: f64::NAN,
+        corrected_area: f64::NAN,
+        plastic_area: f64::NAN,
+        film_cutoff: f64::NAN,
+    };
+
+    /// Area and load of solid contact under the pressure `solid`, and area at the `limit`.
+    pub(in crate::sim) fn of(
+        model: &ContactModel,
+        state: &ContactState,
+        solid: &[f64],
+        limit: Option<&[f64]>,
+    ) -> Result<Self, InputError> {
+        let ellipse = model.hertz.ellipse();
+        let statistics =
+            metrics::statistics_in(&model.grid, &state.in_contact, solid, model.hertz.force, &ellipse)?;
+        let ellipse = std::f64::consts::PI * model.hertz.half_width_x * model.hertz.half_width_y;
+        let at_limit = limit.map_or(0, |limit| {
+            state.pressure.iter().zip(limit).filter(|(p, limit)| reaches_limit(**p, **limit)).count()
+        });
+        Ok(Self {
+            area_ratio: statistics.area_ratio * ellipse / model.hertz.area,
+            load_ratio: statistics.load_ratio,
+            area: statistics.area,
+            corrected_area_ratio: statistics.corrected_area_ratio * ellipse / model.hertz.area,
+            corrected_area: statistics.corrected_area,
+            plastic_area: at_limit as f64 * model.grid.cell_area(),
+            film_cutoff: if model.lubricant.is_some() { model.film_cutoff } else { 0.0 },
+        })
+    }
+}
+
+/// The numbers of a solved contact.
+pub(in crate::sim) struct Numbers {
+    /// Film thickness.
+    pub(in crate::sim) film: FilmNumbers,
+    /// Total pressure.
+    pub(in crate::sim) pressure: PressureNumbers,
+    /// Solid contact.
+    pub(in crate::sim) contact: ContactNumbers,
+    /// Coefficient of friction and its parts.
+    pub(in crate::sim) friction: FrictionNumbers,
+    /// Roughness on the track.
+    pub(in crate::sim) roughness: RoughnessNumbers,
+}
+
+impl Numbers {
+    /// Those of `state` between bodies of the roughness `rq`, whose nodes carry no more than the `limit`;
+    /// without `friction` the solve diverged, which is a status, and its numbers are unknown.
+    pub(in crate::sim) fn of(
+        model: &ContactModel,
+        state: &ContactState,
+        friction: Option<&FrictionFields>,
+        limit: Option<&[f64]>,
+        rq: [f64; 2],
+    ) -> Result<Self, InputError> {
+        let roughness = RoughnessNumbers::of(rq);
+        let Some(friction) = friction else {
+            return Ok(Self {
+                film: FilmNumbers::UNKNOWN,
+                pressure: PressureNumbers::UNKNOWN,
+                contact: ContactNumbers::UNKNOWN,
+                friction: FrictionNumbers::UNKNOWN,
+                roughness,
+            });
+        };
+        Ok(Self {
+            film: FilmNumbers::of(model, state, &roughness)?,
+            pressure: PressureNumbers::of(model, state, limit)?,
+            contact: ContactNumbers::of(model, state, &friction.solid, limit)?,
+            friction: friction.numbers(model)?,
+            roughness,
+        })
+    }
+}

@@ -1,0 +1,356 @@
+//! From a scene to the pieces of a contact problem.
+//!
+//! One function a piece: it reads the values of the scene that decide, refuses those out of range by the name
+//! of their key, and makes the law, the solver or the heights. The order in which they are put together is
+//! that of `ContactModel::new`; a new law that scenes name is made here.
+
+use crate::error::{InputError, legible};
+use crate::grid::Grid;
+use crate::lubricant::{
+    Barus, DensityLaw, DoolittleTait, DowsonHigginson, ImprovedYasutomi, Roelands, ThermalRoelands,
+    ViscosityLaw,
+};
+use crate::metrics::mean_central_film_in;
+use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule, require_speed};
+use crate::sim::contact::friction::boundary_law;
+pub(in crate::sim) use crate::sim::contact::memory::validate_memory;
+use crate::sim::contact::owned::OwnedSolver;
+use crate::sim::contact::warnings::refuse_slips;
+use crate::sim::error::SimError;
+use crate::sim::scene::hertz::HertzContact;
+use crate::sim::scene::{FileRoughness, LubricantSpec, Roughness, Scene, SolverKind, ViscositySpec};
+#[cfg(feature = "formats")]
+use crate::surface::rescale;
+
+/// Largest film at which solids touch, over the smallest radius of the form.
+const LARGEST_CUTOFF: f64 = 1e-3;
+
+/// Checks every value of the scene but form, load, grid and roughness, used or not.
+pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
+    let speed = scene.motion.entrainment_speed;
+    if scene.is_lubricated() && scene.schedule.entrainment_speed.is_none() {
+        require_speed("motion.entrainment_speed", speed)?;
+    }
+    let requirement =
+        "finite and >= 0: the surfaces move along +x; mirror the scene in x for the other direction";
+    InputError::require(speed.is_finite() && speed >= 0.0, "motion.entrainment_speed", speed, requirement)?;
+    let ratio = scene.motion.slide_roll_ratio;
+    InputError::require(ratio.is_finite(), "motion.slide_roll_ratio", ratio, "finite")?;
+    let friction = scene.friction;
+    boundary_law(&friction, None)?;
+    if let (Some(thickness), None) = (friction.covering_thickness, friction.film_coefficient) {
+        return Err(InputError::Conflict {
+            field: format!("friction.covering_thickness = {thickness:e}"),
+            reason: "friction.film_coefficient is missing".to_owned(),
+        });
+    }
+    friction.rheology()?;
+    friction.shear_thinning(scene.motion.sliding_speed())?;
+    scene.validate_materials()?;
+    scene.layer()?;
+    scene.bonded_films()?;
+    if let Some(stress) = scene.stress {
+        stress.validate(scene)?;
+    }
+    let thermal = scene.thermal;
+    InputError::require_positive("thermal.bulk_temperature", thermal.bulk_temperature)?;
+    InputError::require_positive("thermal.conductivity", thermal.conductivity)?;
+    InputError::require_positive("thermal.diffusivity", thermal.diffusivity)?;
+    if let Some(plastic) = scene.plastic {
+        InputError::require_positive("plastic.hardness", plastic.hardness)?;
+        if let Some(film) = plastic.film_hardness {
+            InputError::require_positive("plastic.film_hardness", film)?;
+        }
+        if let Some(modulus) = plastic.hardening_modulus {
+            InputError::require_non_negative("plastic.hardening_modulus", modulus)?;
+        }
+    }
+    if let Some(spec) = scene.lubricant {
+        viscosity_law(&spec, thermal.bulk_temperature)?;
+        DowsonHigginson::new(spec.density_a, spec.density_b)?;
+        if let Some(properties) = spec.thermal {
+            properties.validate().map_err(|error| error.within("lubricant.thermal"))?;
+        }
+        if let Some(alpha) = spec.formula_alpha {
+            InputError::require_positive("lubricant.formula_alpha", alpha)?;
+        }
+        if let Some(film) = spec.supplied_film {
+            InputError::require_positive("lubricant.supplied_film", film)?;
+            if scene.is_lubricated() {
+                scene.cavitation().require_conserved("lubricant.supplied_film", film)?;
+            }
+        }
+    }
+    if let Some(spec) = scene.tribofilm {
+        spec.law()?;
+    }
+    scene.track.validate()?;
+    if let Some(wear) = scene.wear {
+        wear.validate()?;
+    }
+    InputError::require_positive("solver.film_cutoff", scene.solver.film_cutoff)?;
+    SemiSystem::new(scene.solver.relaxation, scene.solver.stiffness)?;
+    if let Some(accuracy) = scene.solver.accuracy {
+        validate_accuracy("solver.accuracy", accuracy)?;
+    }
+    stopping_rule(scene)?;
+    refuse_slips(scene)
+}
+
+/// Checks a wanted relative error of the mesh.
+pub(in crate::sim) fn validate_accuracy(field: &str, accuracy: f64) -> Result<(), InputError> {
+    InputError::require((1e-4..=0.1).contains(&accuracy), field, accuracy, "between 1e-4 and 0.1")
+}
+
+/// Checks that the box holds the point of first touch and resolves the contact.
+pub(in crate::sim) fn validate_box(
+    grid: &Grid,
+    hertz: &HertzContact,
+    is_line: bool,
+) -> Result<(), InputError> {
+    for (field, n, free) in [("grid.nx", grid.nx(), false), ("grid.ny", grid.ny(), is_line)] {
+        InputError::require(free || n >= 5, field, n as f64, "at least 5 for a contact solve")?;
+    }
+    let axes = [
+        ("grid.x", grid.x(0) - 0.5 * grid.dx(), grid.size_x()),
+        ("grid.y", grid.y(0) - 0.5 * grid.dy(), grid.size_y()),
+    ];
+    for (field, low, size) in axes {
+        if low > 0.0 || low + size < 0.0 {
+            return Err(InputError::Conflict {
+                field: field.to_owned(),
+                reason: format!(
+                    "the bodies touch at 0, outside the box from {low:.6e} to {:.6e}",
+                    low + size
+                ),
+            });
+        }
+    }
+    let zeros = vec![0.0; grid.len()];
+    mean_central_film_in(grid, &zeros, &hertz.ellipse()).map_err(|_| InputError::Conflict {
+        field: "grid".to_owned(),
+        reason: format!(
+            "no node lies within two thirds of the Hertz half-widths {:.6e} x {:.6e} m, the cells are {:.6e} x {:.6e} m; a smaller box, or more cells",
+            hertz.half_width_x,
+            hertz.half_width_y,
+            grid.dx(),
+            grid.dy()
+        ),
+    })?;
+    Ok(())
+}
+
+/// Checks that solids do not touch at a distance at which the bodies are no paraboloids any more.
+pub(in crate::sim) fn validate_film_cutoff(scene: &Scene) -> Result<(), InputError> {
+    let (radius_x, radius_y) = scene.form.radii();
+    let cutoff = scene.solver.film_cutoff;
+    InputError::require(
+        cutoff <= LARGEST_CUTOFF * radius_x.min(radius_y),
+        "solver.film_cutoff",
+        cutoff,
+        "at most a thousandth of the smallest radius of the form",
+    )
+}
+
+/// Checks that a uniform `hardness` \[Pa\] can carry the load without the outermost nodes.
+pub(in crate::sim) fn validate_hardness(
+    hardness: f64,
+    grid: &Grid,
+    hertz: &HertzContact,
+) -> Result<(), InputError> {
+    let rows = if grid.ny() == 1 { 1 } else { grid.ny().saturating_sub(2) };
+    let nodes = grid.nx().saturating_sub(2) * rows;
+    let largest = hardness * nodes as f64 * grid.cell_area();
+    if nodes == 0 || hertz.force < largest {
+        return Ok(());
+    }
+    Err(InputError::Conflict {
+        field: format!("plastic.hardness = {}", legible(hardness)),
+        reason: format!(
+            "the box carries less than {largest:.6e} N at this pressure, the load is {:.6e} N",
+            hertz.force
+        ),
+    })
+}
+
+/// The rough surface of one body.
+pub(in crate::sim) struct RoughBody {
+    /// Heights on the grid \[m\].
+    pub(in crate::sim) heights: Vec<f64>,
+    /// Rq of the measurement that they are taken from \[m\]; none where they are those of the scene.
+    pub(in crate::sim) measured_rq: Option<f64>,
+}
+
+/// Heights of one body on the grid.
+pub(in crate::sim) fn heights(roughness: &Roughness, grid: &Grid, body: &str) -> Result<RoughBody, SimError> {
+    if let Roughness::File(file) = roughness {
+        return measured(file, grid, body);
+    }
+    let heights = generated(roughness, grid).map_err(|error| of_body(error, body))?;
+    Ok(RoughBody { heights, measured_rq: None })
+}
+
+/// Heights of a surface that is not measured.
+fn generated(roughness: &Roughness, grid: &Grid) -> Result<Vec<f64>, InputError> {
+    match roughness {
+        Roughness::Random(surface) => surface.generate(grid),
+        Roughness::Texture(texture) => texture.generate(grid),
+        Roughness::None | Roughness::File(_) => Ok(vec![0.0; grid.len()]),
+    }
+}
+
+impl Roughness {
+    /// Heights on `grid` \[m\], positive out of the body: those of a body of a scene with this roughness.
+    ///
+    /// # Errors
+    /// A value that is out of range or does not fit the grid, a file that cannot be read.
+    ///
+    /// ```
+    /// use stribeck::{Grid, sim::scene::Roughness};
+    /// let grid = Grid::centred(64, 64, 2e-6, 2e-6)?;
+    /// let heights = Roughness::gaussian(50e-9, 20e-6, 1).heights(&grid)?;
+    /// assert!((stribeck::metrics::height_statistics(&heights)?.sq / 50e-9 - 1.0).abs() < 1e-9);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn heights(&self, grid: &Grid) -> Result<Vec<f64>, SimError> {
+        match self {
+            Self::File(file) => Ok(measured(file, grid, "file")?.heights),
+            _ => Ok(generated(self, grid)?),
+        }
+    }
+}
+
+/// The error of a roughness with the body's key in front of the field.
+fn of_body(mut error: InputError, body: &str) -> InputError {
+    if let InputError::Value { field, .. } | InputError::Conflict { field, .. } = &mut error {
+        let key = field.strip_prefix("roughness.").or(field.strip_prefix("texture.")).unwrap_or(field);
+        *field = format!("roughness.{body}.{key}");
+    }
+    error
+}
+
+#[cfg(feature = "formats")]
+fn measured(file: &FileRoughness, grid: &Grid, body: &str) -> Result<RoughBody, SimError> {
+    if let Some(rq) = file.rq {
+        InputError::require_non_negative(&format!("roughness.{body}.rq"), rq)?;
+    }
+    let unusable = |reason: String| InputError::Conflict { field: format!("roughness.{body}.path"), reason };
+    let mut surface = crate::surface::read(&file.path).map_err(|error| unusable(error.to_string()))?;
+    let unfit = |error| unusable(format!("{}: {error}", file.path.display()));
+    let mut measured_rq = None;
+    let mut heights = if surface.dx().is_none() {
+        if (surface.nx(), surface.ny()) != (grid.nx(), grid.ny()) {
+            return Err(SimError::Input(unusable(format!(
+                "{} holds {} x {} heights without spacing, the grid has {} x {}",
+                file.path.display(),
+                surface.nx(),
+                surface.ny(),
+                grid.nx(),
+                grid.ny()
+            ))));
+        }
+        surface.fill_undefined().map_err(unfit)?;
+        surface.heights().to_vec()
+    } else {
+        let level = surface.levelled().map_err(unfit)?;
+        measured_rq = Some(crate::metrics::height_statistics(level.heights())?.sq);
+        level.mean_free_on(grid).map_err(unfit)?
+    };
+    if let Some(rq) = file.rq {
+        rescale(&mut heights, grid.nx(), |_| true, rq).ok_or_else(|| InputError::Conflict {
+            field: format!("roughness.{body}.rq"),
+            reason: "a flat surface cannot be rescaled".to_owned(),
+        })?;
+        measured_rq = None;
+    }
+    Ok(RoughBody { heights, measured_rq })
+}
+
+#[cfg(not(feature = "formats"))]
+fn measured(file: &FileRoughness, _grid: &Grid, body: &str) -> Result<RoughBody, SimError> {
+    Err(SimError::Input(InputError::Conflict {
+        field: format!("roughness.{body}.path"),
+        reason: format!("{}: the feature `formats` reads files and is not enabled", file.path.display()),
+    }))
+}
+
+/// The viscosity law of the scene at `temperature` \[K\].
+pub(in crate::sim) fn viscosity(
+    scene: &Scene,
+    temperature: f64,
+) -> Result<Option<Box<dyn ViscosityLaw>>, InputError> {
+    let Some(spec) = scene.lubricant.filter(|_| scene.is_lubricated()) else { return Ok(None) };
+    let law = viscosity_law(&spec, temperature)?;
+    Ok(Some(law.at_temperature(temperature).unwrap_or(law)))
+}
+
+/// Checked whether the scene uses it or not.
+fn viscosity_law(spec: &LubricantSpec, temperature: f64) -> Result<Box<dyn ViscosityLaw>, InputError> {
+    Ok(match spec.viscosity {
+        Some(ViscositySpec::Barus(constants)) => {
+            let law = Barus::new(constants.eta0, constants.alpha);
+            Box::new(law.map_err(|error| error.within("lubricant.viscosity"))?)
+        }
+        Some(ViscositySpec::DoolittleTait(constants)) => Box::new(DoolittleTait::new(constants)?),
+        Some(ViscositySpec::ImprovedYasutomi(constants)) => {
+            Box::new(ImprovedYasutomi::new(constants, temperature)?)
+        }
+        None => match (spec.temperature, spec.roelands_s0) {
+            (None, None) => Box::new(roelands(spec)?),
+            (Some(reference), Some(slope)) => {
+                Box::new(ThermalRoelands::new(roelands(spec)?, reference, slope)?)
+            }
+            (given, _) => {
+                let missing = if given.is_none() { "temperature" } else { "roelands_s0" };
+                return Err(InputError::Conflict {
+                    field: format!("lubricant.{missing}"),
+                    reason: "is missing: temperature and roelands_s0 are given together or not at all"
+                        .to_owned(),
+                });
+            }
+        },
+    })
+}
+
+/// The law of Roelands by its index or its slope.
+fn roelands(spec: &LubricantSpec) -> Result<Roelands, InputError> {
+    match spec.alpha {
+        None => Roelands::new(spec.eta0, spec.roelands_z, spec.roelands_p0),
+        Some(alpha) => Roelands::from_alpha(spec.eta0, alpha, spec.roelands_z, spec.roelands_p0),
+    }
+}
+
+/// The density law of the scene at `temperature` \[K\].
+pub(in crate::sim) fn density(
+    scene: &Scene,
+    temperature: f64,
+) -> Result<Option<Box<dyn DensityLaw>>, InputError> {
+    let Some(spec) = scene.lubricant.filter(|_| scene.is_lubricated()) else { return Ok(None) };
+    let law: Box<dyn DensityLaw> = match spec.viscosity {
+        Some(ViscositySpec::DoolittleTait(constants)) => Box::new(DoolittleTait::new(constants)?),
+        _ => Box::new(DowsonHigginson::new(spec.density_a, spec.density_b)?),
+    };
+    Ok(Some(law.at_temperature(temperature).unwrap_or(law)))
+}
+
+/// The solver of the scene.
+pub(in crate::sim) fn solver(scene: &Scene) -> Result<Box<dyn OwnedSolver>, InputError> {
+    let edge_contact = scene.solver.edge_contact;
+    Ok(match scene.solver.kind {
+        SolverKind::Auto if edge_contact => Box::new(Auto::allowing_edge_contact()) as Box<dyn OwnedSolver>,
+        SolverKind::Auto => Box::new(Auto::new()),
+        SolverKind::NewtonKrylov => Box::new(NewtonKrylov::new()),
+        SolverKind::Multigrid => Box::new(Multigrid::new()),
+        SolverKind::Dry if edge_contact => Box::new(Dry::allowing_edge_contact()),
+        SolverKind::Dry => Box::new(Dry::new()),
+        SolverKind::SemiSystem => Box::new(SemiSystem::new(scene.solver.relaxation, scene.solver.stiffness)?),
+    })
+}
+
+/// Tolerance and largest number of iterations.
+pub(in crate::sim) fn stopping_rule(scene: &Scene) -> Result<StoppingRule, InputError> {
+    let rule =
+        StoppingRule { tolerance: scene.solver.tolerance, max_iterations: scene.solver.max_iterations };
+    rule.validate()?;
+    Ok(rule)
+}

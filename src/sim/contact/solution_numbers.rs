@@ -1,0 +1,241 @@
+//! The numbers of a solution under the names that JSON, terminal and Python share.
+//!
+//! Two outlets of one [`ContactSolution`]: `Display`, the report for people in units at hand (nm, GPa), and,
+//! with the feature `serde`, `Serialize`, the object in SI units that the command prints and Python returns.
+//! A new number is a field of [`ContactSolution`], a line here and one in the table of `docs/output.md`,
+//! which the tests compare.
+
+use std::fmt;
+
+use crate::sim::contact::solution::ContactSolution;
+
+impl fmt::Display for ContactSolution {
+    /// A short report, one line a subject.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { report, grid, hertz, .. } = self;
+        let (residuals, work) = (report.residual, report.work);
+        writeln!(f, "{} by {} on {} x {} nodes", report.status, report.solver, grid.nx(), grid.ny())?;
+        writeln!(f, "residuals  {residuals}")?;
+        writeln!(
+            f,
+            "work       {} iterations, {} inner, {:.0} convolutions",
+            work.iterations, work.inner_iterations, work.convolutions
+        )?;
+        let moes = self
+            .moes
+            .map_or_else(|| "dry".to_owned(), |moes| format!("Moes M {:.1}, L {:.3}", moes.m, moes.l));
+        writeln!(
+            f,
+            "Hertz      {:.4} GPa, {:.4} N, {:.2} x {:.2} um; {moes}",
+            hertz.pressure * 1e-9,
+            hertz.force,
+            hertz.half_width_x * 1e6,
+            hertz.half_width_y * 1e6
+        )?;
+        self.write_film(f)?;
+        self.write_roughness(f)?;
+        writeln!(
+            f,
+            "friction   {:.4}: {:.4} of solid contact, {:.4} of the fluid",
+            self.friction.coefficient, self.friction.boundary, self.friction.fluid
+        )?;
+        self.write_flow(f)?;
+        writeln!(f, "approach   {:.3} nm", self.state.approach * 1e9)?;
+        self.write_errors(f)?;
+        self.write_heat(f)?;
+        self.write_stress(f)
+    }
+}
+
+impl ContactSolution {
+    /// Film, pressure and solid contact.
+    fn write_film(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { film, contact, .. } = self;
+        writeln!(
+            f,
+            "film       central {:.3} nm, minimum {:.3} nm, mean {:.3} nm",
+            film.central * 1e9,
+            film.minimum * 1e9,
+            film.mean_central * 1e9
+        )?;
+        writeln!(
+            f,
+            "pressure   maximum {:.4} GPa, central {:.4} GPa",
+            self.pressure.max * 1e-9,
+            self.pressure.central * 1e-9
+        )?;
+        writeln!(
+            f,
+            "contact    below {:.2} nm: {:.2} % of the Hertz area, {:.2} % of the load, {:.1} um^2 plastic",
+            contact.film_cutoff * 1e9,
+            contact.area_ratio * 100.0,
+            contact.load_ratio * 100.0,
+            contact.plastic_area * 1e12
+        )
+    }
+
+    /// Composite roughness and the film over it.
+    fn write_roughness(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.roughness.composite_rq == 0.0 {
+            return writeln!(f, "roughness  none");
+        }
+        write!(f, "roughness  composite Rq {:.2} nm", self.roughness.composite_rq * 1e9)?;
+        match self.film.lambda {
+            Some(lambda) => writeln!(f, ", lambda {lambda:.3} (mean film over it)"),
+            None => writeln!(f),
+        }
+    }
+
+    /// What flows through the box, a metre of contact where it is a line.
+    fn write_flow(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(flow) = self.flow else { return writeln!(f, "flow       none: dry") };
+        let unit = if self.grid.ny() == 1 { "m^2/s" } else { "m^3/s" };
+        let (inflow, outflow, imbalance) = (flow.inflow, flow.outflow, flow.imbalance);
+        writeln!(f, "flow       in {inflow:.4e}, out {outflow:.4e} {unit}, imbalance {imbalance:.1e}")
+    }
+
+    /// Estimated errors of the mesh, the relative ones in per cent.
+    fn write_errors(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(estimate) = self.error_estimate else { return write!(f, "errors     not estimated") };
+        write!(
+            f,
+            "errors     central film {:.2} %, minimum film {:.2} %, maximum pressure {:.2} %, mean film {:.2} %, friction {:.2} %, \
+             load ratio {:.4}, area ratio {:.4}",
+            estimate.film_central * 100.0,
+            estimate.film_minimum * 100.0,
+            estimate.pressure_max * 100.0,
+            estimate.film_mean_central * 100.0,
+            estimate.friction_coefficient * 100.0,
+            estimate.contact_load_ratio,
+            estimate.contact_area_ratio
+        )
+    }
+
+    /// Temperatures of the film and the surfaces; nothing where heat is not modelled.
+    fn write_heat(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(heat) = &self.thermal else { return Ok(()) };
+        let (ball, disc) = (heat.surface_rise_ball, heat.surface_rise_disc);
+        write!(
+            f,
+            "\nheat       film up to {:.2} K, ball up to {ball:.2} K and disc up to {disc:.2} K above the bulk; {} solves",
+            heat.film_temperature_max, heat.solves
+        )
+    }
+
+    /// Largest stresses below the surface and of the layer; nothing where they are not asked for.
+    fn write_stress(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(stress) = self.stress else { return Ok(()) };
+        let (mises, shear) = (stress.von_mises, stress.orthogonal_shear);
+        write!(
+            f,
+            "\nstress     von Mises {:.4} GPa at {:.2} um, orthogonal shear {:.4} GPa at {:.2} um",
+            mises.stress * 1e-9,
+            mises.depth * 1e6,
+            shear.stress * 1e-9,
+            shear.depth * 1e6
+        )?;
+        let Some(layer) = stress.layer else { return Ok(()) };
+        write!(
+            f,
+            "\nlayer      von Mises {:.4} GPa at {:.2} um, bond: shear {:.4} GPa, tension {:.4} GPa",
+            layer.von_mises.stress * 1e-9,
+            layer.von_mises.depth * 1e6,
+            layer.bond_shear.stress * 1e-9,
+            layer.bond_tension.stress * 1e-9
+        )
+    }
+}
+
+#[cfg(feature = "serde")]
+mod named {
+    //! Names of the numbers, all in SI units; `docs/output.md` says what they are.
+
+    use serde::{Serialize, Serializer};
+
+    use crate::reynolds::{Cavitation, ContactDefinition, FaceMobility, FlowBalance, Scheme};
+    use crate::sim::contact::error_estimate::ErrorEstimate;
+    use crate::sim::contact::numbers::{
+        ContactNumbers, FilmNumbers, FrictionNumbers, Moes, PressureNumbers, RoughnessNumbers, StressNumbers,
+        ThermalNumbers,
+    };
+    use crate::sim::contact::solution::ContactSolution;
+    use crate::sim::contact::warnings::Warning;
+    use crate::sim::scene::hertz::HertzContact;
+    use crate::{Grid, SolveReport};
+
+    /// The object that stands for a solution: its numbers, `null` where there is nothing to tell.
+    #[derive(Serialize)]
+    struct Numbers<'a> {
+        #[serde(flatten)]
+        report: &'a SolveReport,
+        scheme: Option<Scheme>,
+        face_mobility: Option<FaceMobility>,
+        cavitation: Option<Cavitation>,
+        contact_definition: Option<ContactDefinition>,
+        hertz: HertzContact,
+        moes: Option<Moes>,
+        film: FilmNumbers,
+        pressure: PressureNumbers,
+        contact: ContactNumbers,
+        friction: FrictionNumbers,
+        roughness: RoughnessNumbers,
+        flow: Option<FlowBalance>,
+        /// Approach of the undeformed bodies \[m\].
+        approach: f64,
+        stress: Option<StressNumbers>,
+        thermal: Option<ThermalNumbers>,
+        error_estimate: Option<ErrorEstimate>,
+        grid: Cells,
+        warnings: &'a [Warning],
+        /// Version of the crate.
+        version: &'static str,
+    }
+
+    /// The grid.
+    #[derive(Serialize)]
+    struct Cells {
+        /// Cells along entrainment.
+        nx: usize,
+        /// Cells across it.
+        ny: usize,
+        /// Length of a cell \[m\].
+        dx: f64,
+        /// Width of a cell \[m\]; a metre of a line.
+        dy: f64,
+    }
+
+    impl Cells {
+        fn of(grid: &Grid) -> Self {
+            Self { nx: grid.nx(), ny: grid.ny(), dx: grid.dx(), dy: grid.dy() }
+        }
+    }
+
+    impl Serialize for ContactSolution {
+        /// The numbers of the solution in SI units under their names in `docs/output.md`, without the fields.
+        fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+            let numbers = Numbers {
+                report: &self.report,
+                scheme: self.scheme,
+                face_mobility: self.face_mobility,
+                cavitation: self.cavitation,
+                contact_definition: self.contact_definition,
+                hertz: self.hertz,
+                moes: self.moes,
+                film: self.film,
+                pressure: self.pressure,
+                contact: self.contact,
+                friction: self.friction,
+                roughness: self.roughness,
+                flow: self.flow,
+                approach: self.state.approach,
+                stress: self.stress,
+                thermal: self.thermal,
+                error_estimate: self.error_estimate,
+                grid: Cells::of(&self.grid),
+                warnings: &self.warnings,
+                version: env!("CARGO_PKG_VERSION"),
+            };
+            numbers.serialize(serializer)
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Physics that the scene leaves out and that a contact has: heat of the film, shear thinning, flow around
+//! ridges, yield below the surface.
+
+use super::{Warning, short};
+use crate::lubricant::ViscosityLaw;
+use crate::sim::contact::film_heat;
+use crate::sim::contact::heating::{IsothermalFriction, film_rise};
+use crate::sim::scene::Scene;
+use crate::sim::scene::hertz::HertzContact;
+use crate::sim::scene::timetable::Conditions;
+
+/// Rise of an isothermal film that goes without a warning \[K\].
+const LARGEST_RISE: f64 = 10.0;
+/// Largest mean shear stress of a Newtonian fluid \[Pa\]: oils thin from 5 to 10 MPa on.
+const LARGEST_NEWTONIAN: f64 = 50e6;
+/// Largest friction coefficient of the shear of an oil: traction oils have 0.12.
+const LARGEST_TRACTION: f64 = 0.15;
+/// Share of the load on the solids of a profile under a line contact.
+const LARGEST_RIDGE_LOAD: f64 = 0.01;
+
+/// A contact at one operating point, solved or expected.
+pub(in crate::sim) struct OperatingPoint<'a> {
+    /// The contact between smooth dry bodies.
+    pub(in crate::sim) hertz: &'a HertzContact,
+    /// Load, motion and bulk temperature.
+    pub(in crate::sim) conditions: Conditions,
+    /// Viscosity at the bulk temperature; `None` for a dry contact.
+    pub(in crate::sim) viscosity: Option<&'a dyn ViscosityLaw>,
+    /// Whether the bodies are smooth.
+    pub(in crate::sim) smooth: bool,
+    /// Friction coefficients of solid contact and of the fluid.
+    pub(in crate::sim) friction: [f64; 2],
+    /// Mean film in the middle \[m\].
+    pub(in crate::sim) film: f64,
+    /// Share of the load that solids carry.
+    pub(in crate::sim) load_ratio: f64,
+    /// Largest von Mises stress below the surface over the yield strength, where both are known.
+    pub(in crate::sim) yield_ratio: Option<f64>,
+}
+
+/// Warnings about physics that the scene leaves out at this operating point.
+pub(in crate::sim) fn left_out(scene: &Scene, point: &OperatingPoint<'_>) -> Vec<Warning> {
+    let checks =
+        [isothermal(scene, point), sheared(scene, point), ridges(scene, point), yields(scene, point)];
+    checks.into_iter().flatten().collect()
+}
+
+/// A film of the bulk temperature that its friction would warm.
+fn isothermal(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
+    let law = point.viscosity.filter(|_| !film_heat::is_asked(scene))?;
+    let [boundary, fluid] = point.friction;
+    let friction = IsothermalFriction { boundary, fluid, film: point.film };
+    let rise = film_rise(scene, point.hertz, &point.conditions, law, friction).ok()?.film;
+    (rise > LARGEST_RISE).then(|| {
+        Warning::new(
+            "friction.coefficient",
+            boundary + fluid,
+            format!(
+                "at {} m/s of sliding this friction would warm the film by about {rise:.0} K, which the isothermal model leaves out: \
+                 friction and film are too large",
+                short(point.conditions.motion.sliding_speed())
+            ),
+            "[lubricant.thermal] models it, with the viscosity by temperature (lubricant.temperature and roelands_s0)"
+                .to_owned(),
+        )
+    })
+}
+
+/// A fluid under more shear stress than oils carry: a Newtonian one by its stress, any other by its friction.
+fn sheared(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
+    let thins = scene.friction.eyring_stress.is_some() || scene.friction.carreau_stress.is_some();
+    let [_, fluid] = point.friction;
+    let stress = fluid * point.hertz.force / point.hertz.area;
+    let (message, remedy) = if !thins && stress > LARGEST_NEWTONIAN {
+        let stress = 1e-6 * stress;
+        (
+            format!(
+                "the mean shear stress of the Newtonian fluid is {stress:.0} MPa; oils thin above 5 to 10 MPa: friction is too large"
+            ),
+            "friction.eyring_stress, 5 MPa for mineral oils",
+        )
+    } else if fluid > LARGEST_TRACTION {
+        (
+            format!(
+                "shear of the fluid alone is above {LARGEST_TRACTION} of the load, oils do not reach that"
+            ),
+            "friction.limiting_stress_coefficient limits it in proportion to the pressure, 0.05 to 0.12 for oils",
+        )
+    } else {
+        return None;
+    };
+    Some(Warning::new("friction.fluid", fluid, message, remedy.to_owned()))
+}
+
+/// A rough profile under a line contact whose solids carry load.
+fn ridges(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
+    let touches = point.load_ratio > LARGEST_RIDGE_LOAD;
+    (scene.form.is_line() && scene.is_lubricated() && !point.smooth && touches).then(|| {
+        Warning::new(
+            "contact.load_ratio",
+            point.load_ratio,
+            "a profile under a line contact is ridges across the flow, which oil cannot flow around: load ratio and friction are not \
+             those of a surface that is rough along both axes"
+                .to_owned(),
+            "a point contact of the same Hertz pressure with a surface along both axes".to_owned(),
+        )
+    })
+}
+
+/// Stress below the surface above the strength of the disc.
+fn yields(scene: &Scene, point: &OperatingPoint<'_>) -> Option<Warning> {
+    let (ratio, strength) = (point.yield_ratio?, scene.stress?.yield_strength?);
+    (ratio > 1.0).then(|| {
+        Warning::new(
+            "stress.yield_strength",
+            strength,
+            format!(
+                "the largest von Mises stress is {} times the yield strength: bodies yield below the surface, which `[plastic]`, a \
+                 limit of the pressure at asperities, does not model",
+                short((1e3 * ratio).round() / 1e3)
+            ),
+            "lower the load; stresses hold up to a ratio of 1".to_owned(),
+        )
+    })
+}

@@ -1,0 +1,104 @@
+//! Models beyond what they hold for.
+
+use super::{Warning, short};
+use crate::error::InputError;
+use crate::sim::contact::formula::ellipticity;
+use crate::sim::scene::Scene;
+use crate::sim::scene::hertz::HertzContact;
+use crate::sim::scene::timetable::Timetable;
+
+/// Largest half-width of a contact over the radius: bodies are parabolas and half-spaces.
+const LARGEST_SLOPE: f64 = 0.1;
+/// Ellipticities that the formula of Hamrock and Dowson was fitted to.
+const ELLIPTICITIES: [f64; 2] = [1.0, 8.0];
+/// Largest von Mises stress over the Hertz pressure, of circles and of lines; Poisson's ratio is 0.3 (Johnson, K. L.
+/// (1985), Contact Mechanics, sections 4.2 and 4.4).
+const POINT_MISES: f64 = 0.62;
+const LINE_MISES: f64 = 0.558;
+
+/// Warnings about half-space, parabolas, film formula and yield.
+pub(super) fn of_models(scene: &Scene) -> Vec<Warning> {
+    let Ok(timetable) = Timetable::new(scene) else { return Vec::new() };
+    let [_, largest] = timetable.loads();
+    let heaviest = if scene.schedule.load.is_some() { scene.hertz_under(largest) } else { scene.hertz() };
+    let Ok(hertz) = heaviest else { return Vec::new() };
+    let formula = scene.hertz().and_then(|at_start| film_formula(scene, &at_start)).ok().flatten();
+    let checks = [slope(scene, &hertz), formula, soft_surface(scene, &hertz), weak_body(scene, &hertz)];
+    checks.into_iter().flatten().collect()
+}
+
+/// The contact that is as wide as the bodies are curved.
+fn slope(scene: &Scene, hertz: &HertzContact) -> Option<Warning> {
+    let (radius_x, radius_y) = scene.form.radii();
+    let ratio = (hertz.half_width_x / radius_x).max(hertz.half_width_y / radius_y);
+    (ratio > LARGEST_SLOPE).then(|| {
+        let (field, value) = match scene.load.hertz_pressure {
+            Some(pressure) if scene.schedule.load.is_none() => ("load.hertz_pressure", pressure),
+            _ => ("load.force", hertz.force),
+        };
+        Warning::new(
+            field,
+            value,
+            format!(
+                "the contact has a half-width of {} of the radius: elastic half-spaces and parabolas hold up to \
+                 {LARGEST_SLOPE}",
+                short(ratio)
+            ),
+            "lower the load or check radius and modulus".to_owned(),
+        )
+    })
+}
+
+/// A pressure limit below the pressure of the smooth contact.
+fn soft_surface(scene: &Scene, hertz: &HertzContact) -> Option<Warning> {
+    let [ball, disc] = scene.hardnesses(scene.plastic?.hardness);
+    let hardness = ball.min(disc);
+    (hardness < hertz.pressure).then(|| {
+        Warning::new(
+            "plastic.hardness",
+            hardness,
+            format!(
+                "the hardness is below the Hertz pressure of {} Pa: the bodies yield as wholes, while `[plastic]` limits the pressure of \
+                 asperities on elastic bodies",
+                short(hertz.pressure)
+            ),
+            "lower the load; the hardness of steel is 2 to 8 GPa".to_owned(),
+        )
+    })
+}
+
+/// A disc that yields below the surface of the smooth contact.
+fn weak_body(scene: &Scene, hertz: &HertzContact) -> Option<Warning> {
+    let strength = scene.stress?.yield_strength?;
+    let share = if scene.form.is_line() { LINE_MISES } else { POINT_MISES };
+    let ratio = share * hertz.pressure / strength;
+    (ratio > 1.0).then(|| {
+        Warning::new(
+            "stress.yield_strength",
+            strength,
+            format!(
+                "the von Mises stress below the smooth contact is {} times the yield strength: bodies yield below the surface, which no part \
+                 of the model follows",
+                short((1e3 * ratio).round() / 1e3)
+            ),
+            format!("Hertz pressures up to {} Pa", short(strength / share)),
+        )
+    })
+}
+
+/// Entrainment that the film formulas were not fitted to.
+fn film_formula(scene: &Scene, hertz: &HertzContact) -> Result<Option<Warning>, InputError> {
+    let Some(formulas) = scene.formula_film()? else { return Ok(None) };
+    let ellipticity = ellipticity(scene, hertz)?;
+    let [narrowest, widest] = ELLIPTICITIES;
+    let message = if hertz.angle != 0.0 {
+        "the formula is for entrainment along an axis of the ellipse; it takes the sections along and across it"
+            .to_owned()
+    } else if !scene.form.is_line() && !(narrowest - 1e-9..=widest).contains(&ellipticity) {
+        format!("the ellipticity of {} is outside the range of the formula, 1 to 8", short(ellipticity))
+    } else {
+        return Ok(None);
+    };
+    let remedy = "take the film of the solve, not that of the formula".to_owned();
+    Ok(Some(Warning::new("film.formula_central", formulas.of_its_regime(), message, remedy)))
+}

@@ -1,0 +1,120 @@
+//! What is unlikely to be meant, or to hold, in a scene and its solution: said, never silent, never fatal.
+//! One function a check.
+
+mod given_film;
+mod left_out;
+mod limits;
+mod mesh;
+mod plausible;
+mod quantity;
+mod quasi_static;
+mod rough;
+mod solved;
+
+use std::fmt;
+
+pub use given_film::given_film_warnings;
+pub(in crate::sim) use left_out::{OperatingPoint, left_out};
+pub(in crate::sim) use plausible::{of_own_laws, refuse_height_slip, refuse_slips};
+pub(in crate::sim) use quasi_static::QUASI_STATIC;
+pub(in crate::sim) use rough::of_roughness;
+pub(in crate::sim) use solved::{DEEP_WEAR, Seen, after_solve, deep_wear, of_contact};
+
+use crate::error::legible;
+use crate::grid::Grid;
+use crate::metrics::height_statistics;
+use crate::sim::scene::hertz::HertzContact;
+use crate::sim::scene::{BODIES, Scene};
+
+/// Share of the Rq of a measured surface that its way onto the grid may cost without a word.
+const LARGEST_LOSS: f64 = 0.1;
+
+/// Something in a scene, or in its solution, that is allowed but unlikely to be meant or to hold.
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// let mut scene = Scene::azam_2019(256);
+/// assert!(scene.warnings().is_empty());
+/// scene.lubricant.as_mut().unwrap().alpha = Some(15.0);
+/// let warnings = scene.warnings();
+/// assert_eq!(warnings[0].field, "lubricant.alpha");
+/// assert!(warnings[0].to_string().contains("did you mean 15 1/GPa = 1.5e-8 1/Pa?"));
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct Warning {
+    /// The key of the scene, or the number of the solution, that it is about.
+    pub field: String,
+    /// Its value, in SI units.
+    pub value: f64,
+    /// What is wrong with it.
+    pub message: String,
+    /// What would mend it.
+    pub remedy: String,
+}
+
+impl Warning {
+    /// A warning about `field` of the given `value` in SI units.
+    pub(in crate::sim) fn new(field: impl Into<String>, value: f64, message: String, remedy: String) -> Self {
+        Self { field: field.into(), value, message, remedy }
+    }
+}
+
+impl fmt::Display for Warning {
+    /// One line: `field = value: message; remedy`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}: {}; {}", self.field, short(self.value), self.message, self.remedy)
+    }
+}
+
+impl Scene {
+    /// What is unlikely to be meant or to hold in this scene, as far as it is known without solving: values
+    /// of another unit, a box or cells that do not hold the contact, models beyond their limits. What is an
+    /// error is none of the warnings; roughness from files is looked at when it is read. `docs/errors.md`
+    /// lists the checks.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let mut list = plausible::values(self);
+        list.extend(limits::of_models(self));
+        list.extend(quasi_static::fast_changes(self));
+        list.extend(mesh::boxes(self));
+        list.extend(mesh::known_waves(self));
+        list
+    }
+}
+
+/// Those of `heights` \[m\] that a file or a caller has given for the `body`.
+pub(in crate::sim) fn of_heights(
+    body: usize,
+    heights: &[f64],
+    grid: &Grid,
+    hertz: &HertzContact,
+) -> Vec<Warning> {
+    let field = format!("roughness.{}", BODIES[body]);
+    let mut list = plausible::height(&field, heights, hertz.half_width_x.min(hertz.half_width_y));
+    list.extend(mesh::measured_waves(&field, heights, grid));
+    list
+}
+
+/// The warning about `heights` \[m\] on the grid that have lost much of the `measured` Rq \[m\] of their file.
+pub(in crate::sim) fn lost_rq(body: usize, heights: &[f64], measured: f64) -> Option<Warning> {
+    let left = height_statistics(heights).ok()?.sq;
+    (left < (1.0 - LARGEST_LOSS) * measured).then(|| {
+        let nanometres = |rq: f64| format!("{:.1}", 1e9 * rq);
+        Warning::new(
+            format!("roughness.{}_rq", BODIES[body]),
+            left,
+            format!(
+                "of an Rq of {} nm in the file {} nm are left on the grid, whose cells average short waves and whose box cuts long ones",
+                nanometres(measured),
+                nanometres(left)
+            ),
+            "take smaller cells, or give the `rq` that the surface is to have on the grid".to_owned(),
+        )
+    })
+}
+
+/// The number with at most seven digits.
+fn short(value: f64) -> String {
+    legible(format!("{value:.6e}").parse().unwrap_or(value))
+}

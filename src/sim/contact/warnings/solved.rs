@@ -1,0 +1,200 @@
+//! What only a solution tells.
+
+use super::left_out::{OperatingPoint, left_out};
+use super::quantity::FRICTION;
+use super::{Warning, short};
+use crate::sim::contact::error_estimate::ErrorEstimate;
+use crate::sim::contact::setup;
+use crate::sim::contact::solution::ContactSolution;
+use crate::sim::scene::hertz::HertzContact;
+use crate::sim::scene::{GridSpec, Scene};
+
+/// Largest pressure of a smooth contact over that of Hertz.
+const LARGEST_PRESSURE: f64 = 2.0;
+/// Largest rise of a film above the bulk temperature \[K\].
+const LARGEST_RISE: f64 = 100.0;
+/// Widest cells over the length of the inlet: from there on central films of smooth contacts err by a tenth and
+/// more.
+const WIDEST_CELL: f64 = 2.0;
+/// Deepest wear over the half-width of the contact.
+const DEEPEST_WEAR: f64 = 0.1;
+/// What that warning is about, of ball and disc.
+pub(in crate::sim) const DEEP_WEAR: [&str; 2] = ["wear.ball_max", "wear.disc_max"];
+/// Largest estimate of an error that goes without a warning.
+const LARGEST_ERROR: f64 = 0.1;
+
+/// What single contacts and the first one of a history are looked at for.
+pub(in crate::sim) struct Seen<'a> {
+    /// The contact between smooth dry bodies.
+    pub(in crate::sim) hertz: &'a HertzContact,
+    /// Width of the cells along the flow \[m\].
+    pub(in crate::sim) dx: f64,
+    /// Whether the bodies are smooth.
+    pub(in crate::sim) smooth: bool,
+    /// Largest pressure \[Pa\].
+    pub(in crate::sim) largest_pressure: f64,
+    /// Central film \[m\].
+    pub(in crate::sim) central_film: f64,
+    /// Friction over the load.
+    pub(in crate::sim) friction: f64,
+    /// Largest temperature of the film and that of the bulk \[K\], where the film has its own.
+    pub(in crate::sim) temperatures: Option<[f64; 2]>,
+}
+
+/// Warnings about a contact of `scene`; `with_error` where the error of its mesh is known.
+pub(in crate::sim) fn of_contact(scene: &Scene, seen: &Seen<'_>, with_error: bool) -> Vec<Warning> {
+    let excess = || excess_pressure(seen.largest_pressure, seen.hertz.pressure);
+    let pressure = seen.smooth.then(excess).flatten();
+    let inlet = (seen.smooth && !with_error).then(|| coarse_inlet(scene, seen)).flatten();
+    let hot = seen.temperatures.and_then(|[largest, bulk]| hot_film(largest, bulk));
+    let friction = FRICTION.check("friction.coefficient", seen.friction);
+    pressure.into_iter().chain(inlet).chain(hot).chain(friction).collect()
+}
+
+/// Warnings about the finished `solution` of `scene`.
+pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
+    let conditions = scene.conditions(0.0).ok();
+    let film = solution.thermal.as_ref().zip(conditions);
+    // Heights in memory may be rough in a scene that says nothing of roughness.
+    let smooth = scene.is_smooth() && solution.roughness.composite_rq == 0.0;
+    let seen = Seen {
+        hertz: &solution.hertz,
+        dx: solution.grid.dx(),
+        smooth,
+        largest_pressure: solution.pressure.max,
+        central_film: solution.film.central,
+        friction: solution.friction.coefficient,
+        temperatures: film.map(|(heat, at)| [heat.film_temperature_max, at.bulk_temperature]),
+    };
+    let mut list = of_contact(scene, &seen, solution.error_estimate.is_some());
+    list.extend(conditions.iter().flat_map(|&conditions| {
+        let law = setup::viscosity(scene, conditions.bulk_temperature).ok().flatten();
+        let point = OperatingPoint {
+            hertz: &solution.hertz,
+            conditions,
+            viscosity: law.as_deref(),
+            smooth,
+            friction: [solution.friction.boundary, solution.friction.fluid],
+            film: solution.film.mean_central,
+            load_ratio: solution.contact.load_ratio,
+            yield_ratio: solution.stress.and_then(|stress| stress.yield_ratio),
+        };
+        left_out(scene, &point)
+    }));
+    list.extend(mesh_errors(scene, solution));
+    // Checks of the smooth contact may have reported the same before the solve.
+    list.retain(|found| solution.warnings.iter().all(|known| known.field != found.field));
+    list
+}
+
+/// Cells too wide for the inlet that makes the central film of a smooth contact.
+///
+/// In front of the contact the gap rises as `a^2/R (s/a)^(3/2)`, `s` being the distance from its edge; where it
+/// is the film the pressure of the fluid builds up.
+fn coarse_inlet(scene: &Scene, seen: &Seen<'_>) -> Option<Warning> {
+    let Seen { hertz, dx, central_film: central, .. } = *seen;
+    let along = hertz.half_width_x;
+    let length = (central * scene.form.radii().0 / along.powi(2)).powf(2.0 / 3.0) * along;
+    (scene.is_lubricated() && hertz.angle == 0.0 && dx > WIDEST_CELL * length).then(|| {
+        Warning::new(
+            "film.central",
+            central,
+            format!(
+                "cells of {} m are wider than twice the inlet that makes such a film, {} m: it may err by a tenth to a half",
+                short(dx),
+                short(length)
+            ),
+            "more cells, or solver.estimate or solver.accuracy, which tell the error".to_owned(),
+        )
+    })
+}
+
+/// A film whose largest temperature \[K\] is so far above that of the `bulk` that no law of viscosity was
+/// fitted to it.
+fn hot_film(largest: f64, bulk: f64) -> Option<Warning> {
+    let rise = largest - bulk;
+    (rise > LARGEST_RISE).then(|| {
+        Warning::new(
+            "thermal.film_temperature_max",
+            largest,
+            format!(
+                "the film is {} K above the bulk temperature: laws of viscosity by temperature hold over some {LARGEST_RISE} K",
+                short(rise)
+            ),
+            "take film and friction as a guess".to_owned(),
+        )
+    })
+}
+
+/// The largest pressure \[Pa\] of a smooth contact that is far above the one of Hertz.
+fn excess_pressure(largest: f64, hertz: f64) -> Option<Warning> {
+    (largest > LARGEST_PRESSURE * hertz).then(|| {
+        Warning::new(
+            "pressure.max",
+            largest,
+            format!(
+                "between smooth bodies it is {} times the Hertz pressure of {} Pa",
+                short(largest / hertz),
+                short(hertz)
+            ),
+            "check that the box holds the contact and the cells its film".to_owned(),
+        )
+    })
+}
+
+/// A node of ball or disc worn by the larger of the `depths` \[m\], which is much for a contact of `half_width`
+/// \[m\].
+pub(in crate::sim) fn deep_wear([ball, disc]: [f64; 2], half_width: f64) -> Option<Warning> {
+    let [of_ball, of_disc] = DEEP_WEAR;
+    let (field, depth) = if ball > disc { (of_ball, ball) } else { (of_disc, disc) };
+    (depth > DEEPEST_WEAR * half_width).then(|| {
+        let message = format!(
+            "a node has worn by {} times the half-width of the contact, surfaces are taken for shallow",
+            short(depth / half_width)
+        );
+        let remedy = "check the unit of the wear coefficient and the time step".to_owned();
+        Warning::new(field, depth, message, remedy)
+    })
+}
+
+/// Errors that were estimated large, or that are unknown although they are asked for.
+fn mesh_errors(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
+    let wanted = match scene.grid {
+        GridSpec::Accuracy { accuracy } => Some(("grid.accuracy", accuracy)),
+        _ => scene.solver.accuracy.map(|accuracy| ("solver.accuracy", accuracy)),
+    };
+    let Some(estimate) = solution.error_estimate else {
+        let asked = wanted.or(scene.solver.estimate.then_some(("solver.estimate", 1.0)));
+        let unknown = asked.map(|(field, value)| {
+            let message = "no error could be estimated: a coarser mesh was not solved".to_owned();
+            Warning::new(field, value, message, "more cells".to_owned())
+        });
+        return unknown.into_iter().collect();
+    };
+    large_errors(&estimate).into_iter().collect()
+}
+
+/// The warning about the largest of all estimates above [`LARGEST_ERROR`]; it names the others too.
+fn large_errors(estimate: &ErrorEstimate) -> Option<Warning> {
+    let errors = [
+        ("film_central", estimate.film_central),
+        ("film_minimum", estimate.film_minimum),
+        ("pressure_max", estimate.pressure_max),
+        ("film_mean_central", estimate.film_mean_central),
+        ("contact_load_ratio", estimate.contact_load_ratio),
+        ("contact_area_ratio", estimate.contact_area_ratio),
+        ("friction_coefficient", estimate.friction_coefficient),
+    ];
+    // What is no number is no small error.
+    let large = errors.into_iter().filter(|(_, error)| error.is_nan() || *error > LARGEST_ERROR);
+    let large: Vec<(&str, f64)> = large.collect();
+    let (worst, error) = large.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let names: Vec<String> =
+        large.iter().map(|(name, error)| format!("{name} {}", short((1e3 * error).round() / 1e3))).collect();
+    Some(Warning::new(
+        format!("error_estimate.{worst}"),
+        error,
+        format!("errors of the mesh above {LARGEST_ERROR}: {}", names.join(", ")),
+        "more cells, or solver.accuracy, which refines them".to_owned(),
+    ))
+}

@@ -1,0 +1,400 @@
+//! Checkpoints: a simulation in a file, to the last bit.
+//!
+//! | bytes | content |
+//! |---|---|
+//! | 0..20 | `stribeck checkpoint\n` |
+//! | 20..24 | format version, little-endian |
+//! | 24..32 | length of the content, little-endian |
+//! | 32..36 | CRC-32 of the content, little-endian |
+//! | 36.. | content in the `postcard` format |
+
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::InputError;
+use crate::plastic::PlasticDepth;
+use crate::regular_file;
+use crate::reynolds::ContactState;
+use crate::sim::contact::warnings::Warning;
+use crate::sim::error::CheckpointError;
+use crate::sim::files::whole_file;
+use crate::sim::history::body::Body;
+use crate::sim::history::identity::{CONDITIONS, Identity};
+use crate::sim::history::simulation::MixedLubricationSim;
+use crate::sim::history::squeeze_memory::SqueezeMemory;
+use crate::sim::scene::GridSpec;
+use crate::tribochem::{FilmGrowthLaw, Tribofilm};
+use crate::wear::WearDepth;
+
+/// What errors call a checkpoint that is no file.
+const IN_MEMORY: &str = "checkpoint in memory";
+/// What a file starts with.
+const MAGIC: &[u8; 20] = b"stribeck checkpoint\n";
+/// Format that this version writes and reads.
+const FORMAT: u32 = 8;
+/// Bytes before the content.
+const HEADER: usize = 36;
+
+/// What is kept of a body.
+#[derive(Serialize, Deserialize)]
+struct BodyPart<'a> {
+    /// Heights at the start, which must be those of the simulation that resumes.
+    initial: Cow<'a, [f64]>,
+    /// Heights at the time of the checkpoint.
+    surface: Cow<'a, [f64]>,
+    /// Worn depth.
+    wear: Cow<'a, [f64]>,
+    /// Plastic depth.
+    plastic: Cow<'a, [f64]>,
+    /// The tribofilm, where there is one.
+    film: Option<FilmPart<'a>>,
+    /// Worn volume.
+    worn_volume: f64,
+}
+
+/// What is kept of a tribofilm.
+#[derive(Serialize, Deserialize)]
+struct FilmPart<'a> {
+    /// States of its law, node by node.
+    states: Cow<'a, [f64]>,
+    /// Thicknesses that nodes have gained and lost in sum \[m\].
+    changes: [f64; 2],
+}
+
+/// Everything that later steps depend on, and what tells one run from another.
+#[derive(Serialize, Deserialize)]
+struct Content<'a> {
+    /// What the simulation was built from.
+    identity: Identity,
+    /// Ball and disc.
+    bodies: [BodyPart<'a>; 2],
+    /// Solution of the last step, which the next one starts from where there is squeeze.
+    state: Cow<'a, ContactState>,
+    /// Masses of the last two contacts.
+    squeeze_memory: Cow<'a, SqueezeMemory>,
+    /// Time that has passed \[s\].
+    time: f64,
+    /// Steps that were committed.
+    step: u64,
+    /// Positions of the roughness that were tried.
+    draws: u64,
+    /// Rises that the film of the next contact starts from \[K\], where it has a temperature of its own.
+    film_rises: Option<Cow<'a, [f64]>>,
+    /// What was found unlikely so far.
+    warnings: Cow<'a, [Warning]>,
+}
+
+impl<'a> BodyPart<'a> {
+    /// What is kept of a body.
+    fn of(body: &'a Body) -> Self {
+        Self {
+            initial: body.initial().into(),
+            surface: body.surface().into(),
+            wear: body.wear().into(),
+            plastic: body.plastic_depth().into(),
+            film: body
+                .film
+                .as_ref()
+                .map(|film| FilmPart { states: film.states().into(), changes: film.changes() }),
+            worn_volume: body.worn_volume,
+        }
+    }
+
+    /// The body again, with the film of `law`; refuses fields that have not `n` finite values.
+    fn into_body(self, law: Option<&dyn FilmGrowthLaw>, n: usize) -> Result<Body, InputError> {
+        let mut body = Body::new(self.initial.into_owned(), None);
+        body.wear = WearDepth::from_values(self.wear.into_owned())?;
+        body.plastic = PlasticDepth::from_values(self.plastic.into_owned())?;
+        body.film = match (law, self.film) {
+            (Some(law), Some(film)) => {
+                Some(Tribofilm::from_states(law, film.states.into_owned(), film.changes)?)
+            }
+            (None, None) => None,
+            _ => {
+                return Err(InputError::Conflict {
+                    field: "tribofilm".to_owned(),
+                    reason: "there is a law or a film, not both".to_owned(),
+                });
+            }
+        };
+        body.surface = self.surface.into_owned();
+        InputError::require_non_negative("worn volume", self.worn_volume)?;
+        body.worn_volume = self.worn_volume;
+        for (field, values) in [
+            ("initial heights", body.initial()),
+            ("surface", body.surface()),
+            ("wear", body.wear()),
+            ("plastic depth", body.plastic_depth()),
+            ("tribofilm", body.tribofilm()),
+        ] {
+            InputError::require_len(field, values, n)?;
+            InputError::require_finite(field, values)?;
+        }
+        Ok(body)
+    }
+}
+
+impl MixedLubricationSim {
+    /// Writes all that later steps depend on into one file: a simulation of the same scene and laws that
+    /// [restores](Self::restore) it goes on as this one, equal to the last bit on the same kind of processor.
+    /// The file is replaced as a whole: a process killed meanwhile leaves the old one.
+    ///
+    /// Own laws and solvers must not remember anything between calls that changes what they return.
+    ///
+    /// # Errors
+    /// [`CheckpointError::Io`] when the file cannot be written.
+    ///
+    /// ```
+    /// # let folder = tempfile::tempdir()?;
+    /// # let path = folder.path().join("checkpoint");
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let build = || MixedLubricationSim::builder(Scene::azam_2019(32).with_tribofilm()).build();
+    /// let mut sim = build()?;
+    /// sim.step(10.0)?;
+    /// sim.save(&path)?;
+    /// let mut other = build()?;
+    /// other.restore(&path)?;
+    /// assert_eq!(other.step(10.0)?, sim.step(10.0)?);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<(), CheckpointError> {
+        let path = path.as_ref();
+        let io = |source| CheckpointError::Io { path: path.to_owned(), source };
+        let bytes = self.checkpoint().map_err(|error| io(std::io::Error::other(error)))?;
+        whole_file::replace(path, &bytes).map_err(io)
+    }
+
+    /// The content of the file that [`save`](Self::save) writes, for copies in memory.
+    ///
+    /// # Errors
+    /// [`CheckpointError::Damaged`] where it cannot be put into bytes.
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let build = || MixedLubricationSim::builder(Scene::azam_2019(32)).build();
+    /// let mut sim = build()?;
+    /// sim.step(10.0)?;
+    /// let mut fork = build()?;
+    /// fork.restore_checkpoint(&sim.checkpoint()?)?;
+    /// assert_eq!(fork.step(10.0)?, sim.step(10.0)?);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn checkpoint(&self) -> Result<Vec<u8>, CheckpointError> {
+        let damaged = |reason: String| CheckpointError::Damaged { path: PathBuf::from(IN_MEMORY), reason };
+        let [ball, disc] = self.bodies();
+        let content = Content {
+            identity: self.identity().map_err(|error| damaged(error.to_string()))?,
+            bodies: [BodyPart::of(ball), BodyPart::of(disc)],
+            state: Cow::Borrowed(&self.state),
+            squeeze_memory: Cow::Borrowed(&self.squeeze_memory),
+            time: self.time,
+            step: self.step,
+            draws: self.draws,
+            film_rises: self.film_heat.as_ref().map(|heat| heat.start().into()),
+            warnings: Cow::Borrowed(&self.warnings),
+        };
+        let content = postcard::to_stdvec(&content).map_err(|error| damaged(error.to_string()))?;
+        let mut bytes = Vec::with_capacity(HEADER + content.len());
+        bytes.extend_from_slice(MAGIC);
+        bytes.extend_from_slice(&FORMAT.to_le_bytes());
+        bytes.extend_from_slice(&(content.len() as u64).to_le_bytes());
+        bytes.extend_from_slice(&crc32fast::hash(&content).to_le_bytes());
+        bytes.extend_from_slice(&content);
+        Ok(bytes)
+    }
+
+    /// Takes over what [`checkpoint`](Self::checkpoint) gave.
+    ///
+    /// # Errors
+    /// As of [`restore`](Self::restore).
+    pub fn restore_checkpoint(&mut self, bytes: &[u8]) -> Result<(), CheckpointError> {
+        self.take_over(Path::new(IN_MEMORY), bytes, &[]).map(|_| ())
+    }
+
+    /// Takes over what [`save`](Self::save) wrote. The simulation must be built from the same scene, laws,
+    /// motion and heights; time, steps and all fields are then those of the file. On an error it is as
+    /// before.
+    ///
+    /// # Errors
+    /// A file that cannot be read, is no checkpoint, is damaged, has a newer format or belongs to another
+    /// simulation.
+    pub fn restore(&mut self, path: impl AsRef<Path>) -> Result<(), CheckpointError> {
+        let path = path.as_ref();
+        self.take_over(path, &read(path)?, &[]).map(|_| ())
+    }
+
+    /// Goes on from what [`save`](Self::save) wrote under other conditions: load, speeds, lubricant,
+    /// friction, temperatures, schedule and solver may be others than those of the file. Returns the names of
+    /// the parts that differ. Time and steps go on from those of the file, and a schedule is asked for its
+    /// values at that time.
+    ///
+    /// # Errors
+    /// As of [`restore`](Self::restore); the simulation is then as before.
+    ///
+    /// ```
+    /// # let folder = tempfile::tempdir()?;
+    /// # let path = folder.path().join("checkpoint");
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut slow = MixedLubricationSim::builder(Scene::azam_2019(32)).build()?;
+    /// slow.step(10.0)?;
+    /// slow.save(&path)?;
+    /// let mut scene = Scene::azam_2019(32);
+    /// scene.motion.entrainment_speed = 0.2;
+    /// let mut fast = MixedLubricationSim::builder(scene).build()?;
+    /// assert!(fast.restore(&path).unwrap_err().to_string().contains("scene.motion"));
+    /// assert_eq!(fast.restore_under_other_conditions(&path)?, ["scene.motion"]);
+    /// fast.step(10.0)?;
+    /// assert_eq!(fast.time(), 20.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn restore_under_other_conditions(
+        &mut self,
+        path: impl AsRef<Path>,
+    ) -> Result<Vec<String>, CheckpointError> {
+        let path = path.as_ref();
+        self.take_over(path, &read(path)?, &CONDITIONS)
+    }
+
+    /// The box of a saved run that has grown out of that of this one.
+    fn grown_to(&self, saved: &Identity) -> Option<GridSpec> {
+        let GridSpec::Growing { nx, ny, .. } = self.scene.grid else { return None };
+        let grid = saved.grid()?;
+        let wider = |now: usize, then: usize| then > now && then.is_multiple_of(now);
+        match grid {
+            GridSpec::Growing { nx: columns, ny: rows, .. }
+                if (wider(nx, columns) || columns == nx)
+                    && (wider(ny, rows) || rows == ny)
+                    && (columns, rows) != (nx, ny) =>
+            {
+                Some(grid)
+            }
+            _ => None,
+        }
+    }
+
+    /// Takes over the `bytes` of the file at `path`, which may differ in the parts `allowed`; returns those
+    /// in which it does.
+    fn take_over(
+        &mut self,
+        path: &Path,
+        bytes: &[u8],
+        allowed: &[&str],
+    ) -> Result<Vec<String>, CheckpointError> {
+        let content = checked_content(path, bytes)?;
+        let damaged = |reason: String| CheckpointError::Damaged { path: path.to_owned(), reason };
+        let content: Content<'_> =
+            postcard::from_bytes(content).map_err(|error| damaged(error.to_string()))?;
+        let other = |part: &str| CheckpointError::Other { path: path.to_owned(), part: part.to_owned() };
+        if let Some(grid) = self.grown_to(&content.identity) {
+            let mut wide = self.rebuilt(grid).map_err(|error| damaged(error.to_string()))?;
+            let differences = wide.take_over(path, bytes, allowed)?;
+            *self = wide;
+            return Ok(differences);
+        }
+        let own = self.identity().map_err(|error| damaged(error.to_string()))?;
+        let differences = own.differences(&content.identity);
+        if !differences.iter().all(|part| allowed.contains(&part.as_str())) {
+            return Err(other(&differences.join(", ")));
+        }
+        for (name, (own, saved)) in
+            ["ball_heights", "disc_heights"].into_iter().zip(self.bodies.iter().zip(&content.bodies))
+        {
+            // A box that has grown holds heights of two generations.
+            if !self.scene.grid.grows() && !same_bits(own.initial(), &saved.initial) {
+                return Err(other(name));
+            }
+        }
+        let grid = self.contact.grid;
+        let law = self.laws.growth.as_deref();
+        let Content {
+            bodies: [ball, disc],
+            state,
+            squeeze_memory,
+            time,
+            step,
+            draws,
+            film_rises,
+            warnings,
+            ..
+        } = content;
+        let bodies = [ball.into_body(law, grid.len()), disc.into_body(law, grid.len())];
+        let [Ok(ball), Ok(disc)] = bodies else {
+            let reasons: Vec<String> =
+                bodies.into_iter().filter_map(Result::err).map(|error| error.to_string()).collect();
+            return Err(damaged(reasons.join("; ")));
+        };
+        state
+            .validate(&grid)
+            .and_then(|()| squeeze_memory.validate(&grid))
+            .and_then(|()| InputError::require_non_negative("time", time))
+            .and_then(|()| match &film_rises {
+                Some(rises) => InputError::require_len("film rises", rises, 2 * grid.len())
+                    .and_then(|()| InputError::require_finite("film rises", rises)),
+                None => Ok(()),
+            })
+            .map_err(|error| damaged(error.to_string()))?;
+        self.bodies = [ball, disc];
+        self.backup.clone_from(&self.bodies);
+        self.state = state.into_owned();
+        self.squeeze_memory = squeeze_memory.into_owned();
+        (self.time, self.step, self.draws) = (time, step, draws);
+        // Under other conditions a film may have had no temperature of its own: it starts cool.
+        if let Some(heat) = &mut self.film_heat {
+            match film_rises {
+                Some(rises) => heat.set_start(rises.into_owned()),
+                None => drop(heat.take_start()),
+            }
+        }
+        // Other conditions may be unlikely on their own.
+        let mut warnings = warnings.into_owned();
+        if !differences.is_empty() {
+            let own = std::mem::take(&mut self.warnings);
+            warnings.extend(own.into_iter().filter(|own| !warnings.contains(own)).collect::<Vec<_>>());
+        }
+        self.warnings = warnings;
+        Ok(differences)
+    }
+}
+
+/// The bytes of a file; a checkpoint is as large as its grid asks for.
+fn read(path: &Path) -> Result<Vec<u8>, CheckpointError> {
+    let io = |source| CheckpointError::Io { path: path.to_owned(), source };
+    if !regular_file::begins_with(path, MAGIC).map_err(io)? {
+        return Err(CheckpointError::Foreign { path: path.to_owned() });
+    }
+    regular_file::read(path, u64::MAX).map_err(io)
+}
+
+/// Whether two fields agree to the last bit.
+fn same_bits(a: &[f64], b: &[f64]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
+}
+
+/// The content behind a valid header.
+fn checked_content<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a [u8], CheckpointError> {
+    let damaged =
+        |reason: &str| CheckpointError::Damaged { path: path.to_owned(), reason: reason.to_owned() };
+    let Some(rest) = bytes.strip_prefix(MAGIC) else {
+        return Err(CheckpointError::Foreign { path: path.to_owned() });
+    };
+    let Some((header, content)) = rest.split_first_chunk::<{ HEADER - MAGIC.len() }>() else {
+        return Err(damaged("it ends within its header"));
+    };
+    let [f0, f1, f2, f3, length @ .., c0, c1, c2, c3] = header;
+    let found = u32::from_le_bytes([*f0, *f1, *f2, *f3]);
+    if found > FORMAT {
+        return Err(CheckpointError::Newer { path: path.to_owned(), found, known: FORMAT });
+    }
+    if found < FORMAT {
+        return Err(damaged("its format is none that this version reads"));
+    }
+    if length != (content.len() as u64).to_le_bytes().as_slice() {
+        return Err(damaged("its length is not the one it was written with"));
+    }
+    if crc32fast::hash(content) != u32::from_le_bytes([*c0, *c1, *c2, *c3]) {
+        return Err(damaged("its checksum does not fit"));
+    }
+    Ok(content)
+}

@@ -1,0 +1,150 @@
+//! One body: its surface on its own nodes, and where every nanometre of it went.
+//!
+//! Wear, plastic depth and tribofilm of a body are kept apart, on the nodes of the body, which move through
+//! the contact; the surface follows from them. Nothing else of a body is remembered from step to step.
+
+use crate::error::InputError;
+use crate::metrics;
+use crate::plastic::PlasticDepth;
+use crate::sim::error::SimError;
+use crate::tribochem::{FilmGrowthLaw, Tribofilm};
+use crate::wear::{SurfaceLedger, Volumes, WearDepth};
+
+/// The surface of one body on its own periodic patch.
+///
+/// At every moment `surface = initial - wear - plastic + film`, node by node.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16).with_tribofilm()).build()?;
+/// sim.step(60.0)?;
+/// let disc = &sim.bodies()[1];
+/// for k in 0..16 * 16 {
+///     let lost = disc.wear()[k] + disc.plastic_depth()[k];
+///     let surface = disc.initial()[k] - lost + disc.tribofilm()[k];
+///     assert!((disc.surface()[k] - surface).abs() < 1e-20);
+/// }
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
+#[derive(Debug)]
+pub struct Body {
+    /// Heights at the start \[m\].
+    initial: Vec<f64>,
+    /// Worn depth, which only grows.
+    pub(in crate::sim) wear: WearDepth,
+    /// Flattened depth, which only grows.
+    pub(in crate::sim) plastic: PlasticDepth,
+    /// The tribofilm with the states of its law; none without a law.
+    pub(in crate::sim) film: Option<Tribofilm>,
+    /// Zeros in place of the thickness where there is none.
+    pub(in crate::sim) no_film: Vec<f64>,
+    /// Heights now, brought up to date by `rebuild` \[m\].
+    pub(in crate::sim) surface: Vec<f64>,
+    /// Volume worn off since the start of the history \[m^3\].
+    pub(in crate::sim) worn_volume: f64,
+}
+
+impl Clone for Body {
+    fn clone(&self) -> Self {
+        Self {
+            initial: self.initial.clone(),
+            wear: self.wear.clone(),
+            plastic: self.plastic.clone(),
+            film: self.film.clone(),
+            no_film: self.no_film.clone(),
+            surface: self.surface.clone(),
+            worn_volume: self.worn_volume,
+        }
+    }
+
+    /// Copies into the buffers that are there.
+    fn clone_from(&mut self, source: &Self) {
+        self.initial.clone_from(&source.initial);
+        self.wear.clone_from(&source.wear);
+        self.plastic.clone_from(&source.plastic);
+        self.film.clone_from(&source.film);
+        self.no_film.clone_from(&source.no_film);
+        self.surface.clone_from(&source.surface);
+        self.worn_volume = source.worn_volume;
+    }
+}
+
+impl Body {
+    /// A body without wear and plastic depth, bare of the film of `law`.
+    pub(in crate::sim) fn new(initial: Vec<f64>, law: Option<&dyn FilmGrowthLaw>) -> Self {
+        let n = initial.len();
+        Self {
+            wear: WearDepth::new(n),
+            plastic: PlasticDepth::new(n),
+            film: law.map(|law| Tribofilm::bare(law, n)),
+            no_film: vec![0.0; n],
+            surface: initial.clone(),
+            initial,
+            worn_volume: 0.0,
+        }
+    }
+
+    /// Heights at the start \[m\].
+    pub fn initial(&self) -> &[f64] {
+        &self.initial
+    }
+
+    /// Heights now \[m\].
+    pub fn surface(&self) -> &[f64] {
+        &self.surface
+    }
+
+    /// Worn depth \[m\].
+    pub fn wear(&self) -> &[f64] {
+        self.wear.values()
+    }
+
+    /// Volume worn off the whole body since the start of the history \[m^3\], of a line contact off one metre of
+    /// its width: the time integral of the rate of wear over the contact. With Archard's law and one coefficient
+    /// it is `K F s/H` (load `F` of the pressure that wears, sliding distance `s`), in any box, whether the body
+    /// moves or not. The patch holds a part of it, see [`Exposure`](crate::sim::scene::Exposure).
+    pub fn worn_volume(&self) -> f64 {
+        self.worn_volume
+    }
+
+    /// Plastic depth \[m\].
+    pub fn plastic_depth(&self) -> &[f64] {
+        self.plastic.values()
+    }
+
+    /// Thickness of the tribofilm \[m\]; zeros without one.
+    pub fn tribofilm(&self) -> &[f64] {
+        self.film.as_ref().map_or(&self.no_film, Tribofilm::thickness)
+    }
+
+    /// The account of the surface.
+    ///
+    /// # Errors
+    /// Never for a body of a simulation: its fields have one length.
+    pub fn ledger(&self) -> Result<SurfaceLedger<'_>, InputError> {
+        SurfaceLedger::new(&self.initial, self.wear(), self.plastic_depth(), self.tribofilm())
+    }
+
+    /// Volumes worn, flattened and grown on the patch \[m^3\], on cells of `cell_area` \[m^2\].
+    ///
+    /// # Errors
+    /// See [`Body::ledger`].
+    pub fn volumes(&self, cell_area: f64) -> Result<Volumes, InputError> {
+        Ok(self.ledger()?.volumes(cell_area))
+    }
+
+    /// Brings the surface up to date with its account; heights beyond the range of numbers are an error.
+    pub(in crate::sim) fn rebuild(&mut self) -> Result<(), SimError> {
+        let ledger = SurfaceLedger::new(
+            &self.initial,
+            self.wear.values(),
+            self.plastic.values(),
+            self.film.as_ref().map_or(&self.no_film, Tribofilm::thickness),
+        )?;
+        ledger.surface_into(&mut self.surface)?;
+        let sq = metrics::height_statistics(&self.surface)?.sq;
+        Ok(InputError::require(sq.is_finite(), "sq of a body after the step", sq, "finite: wear less")?)
+    }
+}

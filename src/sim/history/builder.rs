@@ -1,0 +1,486 @@
+//! Putting a simulation together: the scene's own laws, or the user's in their place.
+//!
+//! Every law of the scene can be replaced before [`build`](SimBuilder::build) or
+//! [`solve`](SimBuilder::solve), which check all of it: nothing is made before. Replaced parts make a run
+//! another one for checkpoints, which compare them by what `Debug` prints.
+//!
+//! [`SimBuilder::build`] makes a history, [`SimBuilder::solve`] a single contact. Parts are kept as given and
+//! shared by clones of the simulation, but for elastic bodies and solver, which are copied.
+
+use std::sync::Arc;
+
+use crate::boundary_friction::BoundaryFriction;
+use crate::elastic::DeformationModel;
+use crate::error::InputError;
+use crate::lubricant::{DensityLaw, Lubricant, ViscosityLaw};
+use crate::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
+use crate::reynolds::{ContactSolver, ContactState, FaceMobility};
+use crate::sim::contact::friction::boundary_law;
+use crate::sim::contact::interrupt::Interrupt;
+use crate::sim::contact::laws::Laws;
+use crate::sim::contact::model::{ContactModel, Overrides, validate_loads};
+use crate::sim::contact::per_body::PerBody;
+use crate::sim::contact::setup;
+use crate::sim::contact::warnings::{self, Warning};
+use crate::sim::error::SimError;
+use crate::sim::history::body::Body;
+use crate::sim::history::exposure;
+use crate::sim::history::heat::Heat;
+use crate::sim::history::placement::Travel;
+use crate::sim::history::simulation::MixedLubricationSim;
+use crate::sim::history::start::BodyStart;
+use crate::sim::scene::timetable::Timetable;
+use crate::sim::scene::{BODIES, PlasticSpec, Roughness, Scene};
+use crate::surface::RoughnessMotion;
+use crate::tribochem::FilmGrowthLaw;
+use crate::wear::WearLaw;
+
+/// Builder of a [`MixedLubricationSim`].
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// use stribeck::wear::Archard;
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16))
+///     .wear_law(Archard::azam_2019()) // one law for both bodies
+///     .disc_heights(vec![0.0; 16 * 16]) // a smooth disc under the rough ball of the scene
+///     .build()?;
+/// assert_eq!(sim.bodies()[1].surface(), [0.0; 16 * 16]);
+/// assert!(sim.step(10.0)?.wear.disc_mean > 0.0);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
+#[derive(Debug)]
+pub struct SimBuilder {
+    /// The scene, which what follows takes precedence over.
+    pub(in crate::sim) scene: Scene,
+    /// Parts of the contact that were given.
+    pub(in crate::sim) overrides: Overrides,
+    /// Laws that were given; none for those of the scene.
+    pub(in crate::sim) plasticity: Option<Arc<dyn PlasticityModel>>,
+    /// Growth of the tribofilm.
+    pub(in crate::sim) growth: Option<Arc<dyn FilmGrowthLaw>>,
+    /// Wear of both bodies.
+    pub(in crate::sim) wear: Option<Arc<dyn WearLaw>>,
+    /// Friction of solid contact.
+    pub(in crate::sim) friction: Option<Arc<dyn BoundaryFriction>>,
+    /// Motion of the roughness from step to step.
+    pub(in crate::sim) motion: Option<Arc<dyn RoughnessMotion>>,
+    /// Whether contacts feel the squeeze of those before.
+    squeeze: bool,
+    /// Heights of ball and disc that were given \[m\].
+    pub(in crate::sim) heights: [Option<Vec<f64>>; 2],
+    /// Bodies from earlier runs.
+    pub(in crate::sim) starts: [Option<BodyStart>; 2],
+    /// Rq in the files of measured surfaces, once they are read \[m\].
+    measured_rq: [Option<f64>; 2],
+    /// What a single contact, or the first one of a history, starts from.
+    pub(in crate::sim) contact_start: Option<ContactState>,
+}
+
+/// What is in place of parts of the scene.
+#[derive(Debug, Default, Clone, Copy)]
+pub(in crate::sim) struct Own {
+    /// Heights of ball and disc.
+    heights: [bool; 2],
+    /// The viscosity law.
+    viscosity: bool,
+    /// The growth law.
+    growth: bool,
+}
+
+impl MixedLubricationSim {
+    /// A builder that makes the simulation of `scene`.
+    pub fn builder(scene: Scene) -> SimBuilder {
+        SimBuilder::new(scene)
+    }
+}
+
+impl SimBuilder {
+    /// A builder that replaces nothing.
+    pub(in crate::sim) fn new(scene: Scene) -> Self {
+        Self {
+            scene,
+            overrides: Overrides::default(),
+            plasticity: None,
+            growth: None,
+            wear: None,
+            friction: None,
+            motion: None,
+            squeeze: false,
+            heights: [None, None],
+            starts: [None, None],
+            measured_rq: [None, None],
+            contact_start: None,
+        }
+    }
+
+    /// Replaces the elastic half-space; the model must live on the grid of the scene ([`Scene::grid`]). It is
+    /// copied where the simulation is.
+    #[must_use]
+    pub fn deformation(mut self, model: impl DeformationModel + Clone + 'static) -> Self {
+        self.overrides.deformation = Some(Box::new(model));
+        self
+    }
+
+    /// Replaces the viscosity law; the scene must have a lubricant.
+    #[must_use]
+    pub fn viscosity(mut self, law: impl ViscosityLaw + 'static) -> Self {
+        self.overrides.viscosity = Some(Box::new(law));
+        self
+    }
+
+    /// Replaces the density law; the scene must have a lubricant.
+    #[must_use]
+    pub fn density(mut self, law: impl DensityLaw + 'static) -> Self {
+        self.overrides.density = Some(Box::new(law));
+        self
+    }
+
+    /// Replaces the solver, which is copied where the simulation is. A state that it calls converged is
+    /// evaluated before it counts: where its residuals are above twice the tolerance the status is
+    /// [`Status::Unconfirmed`](crate::Status::Unconfirmed), and nothing is done to the bodies.
+    #[must_use]
+    pub fn solver(mut self, solver: impl ContactSolver + Clone + 'static) -> Self {
+        self.overrides.solver = Some(Box::new(solver));
+        self
+    }
+
+    /// Replaces the plasticity model, or brings one into a scene without.
+    #[must_use]
+    pub fn plasticity(mut self, model: impl PlasticityModel + 'static) -> Self {
+        self.plasticity = Some(Arc::new(model));
+        self
+    }
+
+    /// Replaces the growth law of the tribofilm, or brings one into a scene without.
+    #[must_use]
+    pub fn growth_law(mut self, law: impl FilmGrowthLaw + 'static) -> Self {
+        self.growth = Some(Arc::new(law));
+        self
+    }
+
+    /// Replaces the wear law of the scene; its [`exposure`](crate::sim::scene::WearSpec::exposure) stays.
+    #[must_use]
+    pub fn wear_law(mut self, law: impl WearLaw + 'static) -> Self {
+        self.wear = Some(Arc::new(law));
+        self
+    }
+
+    /// Replaces the law of friction in solid contact.
+    #[must_use]
+    pub fn boundary_friction(mut self, law: impl BoundaryFriction + 'static) -> Self {
+        self.friction = Some(Arc::new(law));
+        self
+    }
+
+    /// Begins with a ball that has been through an earlier run: its heights, wear, plastic depth and
+    /// tribofilm.
+    #[must_use]
+    pub fn ball_start(mut self, start: BodyStart) -> Self {
+        self.starts[0] = Some(start);
+        self
+    }
+
+    /// Begins with a disc that has been through an earlier run: its heights, wear, plastic depth and
+    /// tribofilm.
+    #[must_use]
+    pub fn disc_start(mut self, start: BodyStart) -> Self {
+        self.starts[1] = Some(start);
+        self
+    }
+
+    /// Replaces the motion of the roughness from step to step.
+    #[must_use]
+    pub fn motion(mut self, motion: impl RoughnessMotion + 'static) -> Self {
+        self.motion = Some(Arc::new(motion));
+        self
+    }
+
+    /// Makes the history transient: each contact after the first feels the squeeze of the films of the two
+    /// before ([`Squeeze::second_order`](crate::reynolds::Squeeze::second_order); of first order in the
+    /// second contact and after a step more than twice as long as the one before). It belongs to
+    /// [`Carried`](crate::surface::Carried) and steps of the time that the surfaces need for a cell; in the
+    /// long steps of a wear history the squeeze is nothing.
+    #[must_use]
+    pub fn with_squeeze(mut self) -> Self {
+        self.squeeze = true;
+        self
+    }
+
+    /// Replaces the heights of the ball, one value per node of the grid, positive out of the body \[m\]. Flow
+    /// through faces is by default that between rough surfaces unless all of them are equal.
+    #[must_use]
+    pub fn ball_heights(mut self, heights: Vec<f64>) -> Self {
+        self.heights[0] = Some(heights);
+        self
+    }
+
+    /// Replaces the heights of the disc, one value per node of the grid, positive out of the body \[m\]; see
+    /// [`ball_heights`](Self::ball_heights).
+    #[must_use]
+    pub fn disc_heights(mut self, heights: Vec<f64>) -> Self {
+        self.heights[1] = Some(heights);
+        self
+    }
+
+    /// Ends a solve early: `asked` is called once an iteration, on the thread that solves, and where it
+    /// returns true the solve is an error ([`SimError::Interrupted`]) and a simulation is as before the step.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use std::sync::atomic::{AtomicBool, Ordering};
+    /// use stribeck::sim::{MixedLubricationSim, Scene, SimError};
+    /// let stop = Arc::new(AtomicBool::new(true));
+    /// let seen = Arc::clone(&stop);
+    /// let builder = MixedLubricationSim::builder(Scene::azam_2019(32));
+    /// let mut sim = builder.interrupt(move || seen.load(Ordering::Relaxed)).build()?;
+    /// assert!(matches!(sim.step(60.0), Err(SimError::Interrupted)));
+    /// stop.store(false, Ordering::Relaxed);
+    /// assert_eq!(sim.step(60.0)?.step, 0);
+    /// # Ok::<(), SimError>(())
+    /// ```
+    #[must_use]
+    pub fn interrupt(mut self, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
+        self.overrides.interrupt = Some(Interrupt::new(asked));
+        self
+    }
+
+    /// Starts [`solve`](Self::solve), or the first step of a history, from the pressures of an earlier
+    /// solution on the same grid. Newton's method discards them where their residual is above
+    /// [`NewtonSettings::warm_start_threshold`](crate::reynolds::NewtonSettings::warm_start_threshold). Later
+    /// steps start from the bodies alone.
+    #[must_use]
+    pub fn contact_start(mut self, state: ContactState) -> Self {
+        self.contact_start = Some(state);
+        self
+    }
+
+    /// The pressure flow through faces, by default that between rough surfaces where heights in place of
+    /// those of the scene are.
+    pub(in crate::sim) fn face_mobility(&self, own: Own, bodies: &[Body; 2]) -> FaceMobility {
+        let roughness = [&self.scene.roughness.ball, &self.scene.roughness.disc];
+        let smooth = (0..2).all(|index| {
+            let surface = bodies[index].surface();
+            let is_flat = || surface.iter().all(|z| z.to_bits() == surface[0].to_bits());
+            if own.heights[index] { is_flat() } else { roughness[index].is_smooth() }
+        });
+        self.scene.face_mobility_between(smooth)
+    }
+
+    /// What a caller has given so far in place of parts of the scene.
+    pub(in crate::sim) fn own(&self) -> Own {
+        Own {
+            heights: [0, 1].map(|body| self.heights[body].is_some() || self.starts[body].is_some()),
+            viscosity: self.overrides.viscosity.is_some(),
+            growth: self.growth.is_some(),
+        }
+    }
+
+    /// A part that a builder has been given and a box that grows cannot take along.
+    pub(in crate::sim) fn part_on_one_grid(&self) -> Option<&'static str> {
+        let others = [
+            ("growth_law", self.growth.is_some()),
+            ("wear_law", self.wear.is_some()),
+            ("motion", self.motion.is_some()),
+            ("squeeze", self.squeeze),
+        ];
+        self.own_part().or_else(|| others.into_iter().find_map(|(part, given)| given.then_some(part)))
+    }
+
+    /// Checks the scene and makes the simulation; what is not modelled is decided here once.
+    ///
+    /// # Errors
+    /// A scene or heights that do not fit.
+    pub fn build(mut self) -> Result<MixedLubricationSim, SimError> {
+        self.scene.schedule.read_tables()?;
+        self.require_growable()?;
+        #[cfg(feature = "serde")]
+        let own_parts = crate::sim::history::identity::OwnParts::of(&self);
+        let own = self.own();
+        let overrides = std::mem::take(&mut self.overrides);
+        let interrupt = overrides.interrupt.clone();
+        let mut contact = ContactModel::new(&self.scene, overrides)?;
+        let timetable = Timetable::new(&self.scene)?;
+        let plastic = self.scene.plastic.filter(|_| self.plasticity.is_none());
+        validate_loads(&self.scene, plastic, &contact.grid, &timetable)?;
+        exposure::validate(&self.scene, &timetable, &contact.grid)?;
+        let laws = self.laws()?;
+        let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
+        let warnings = self.warnings(own, &contact, &bodies, &laws);
+        contact.face_mobility = self.face_mobility(own, &bodies);
+        let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
+        let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion().into());
+        let travel = Travel { motion, squeeze: self.squeeze };
+        let whole = (self.scene, timetable, warnings);
+        let mut sim = MixedLubricationSim::assemble(whole, contact, bodies, laws, heat, travel)?;
+        sim.contact_start = self.contact_start;
+        sim.interrupt = interrupt;
+        #[cfg(feature = "serde")]
+        let sim = sim.with_own_parts(own_parts);
+        Ok(sim)
+    }
+
+    /// Goes as far as [`build`](Self::build) and the first step of the history do before the first iteration
+    /// of its solver, and solves nothing. Returns the warnings that are known by then. What a single contact
+    /// refuses, [`check_contact`](Self::check_contact) tells.
+    ///
+    /// # Errors
+    /// What [`build`](Self::build) and the first step refuse, with the same error: what no contact can have,
+    /// and what a history alone has no place for, as a track shorter than the patch, or a load of the schedule
+    /// that the box does not hold or the hardness does not carry.
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut scene = Scene::azam_2019(32);
+    /// let builder = |scene: &Scene| MixedLubricationSim::builder(scene.clone());
+    /// assert_eq!(builder(&scene).check()?, scene.warnings());
+    /// scene.track.radius_disc = Some(1e-6); // a track that the patch does not fit on
+    /// assert!(builder(&scene).check().is_err() && builder(&scene).check_contact().is_ok());
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn check(self) -> Result<Vec<Warning>, SimError> {
+        let mut sim = self.build()?;
+        sim.check_first_contact()?;
+        Ok(sim.warnings)
+    }
+
+    /// Those of the scene but for roughness that `own` heights replace, and those of heights and laws that were
+    /// given or read.
+    pub(in crate::sim) fn warnings(
+        &self,
+        own: Own,
+        contact: &ContactModel,
+        bodies: &[Body; 2],
+        laws: &Laws,
+    ) -> Vec<Warning> {
+        let mut scene = self.scene.clone();
+        let mut found = Vec::new();
+        let roughness = [&mut scene.roughness.ball, &mut scene.roughness.disc];
+        for (index, (roughness, given)) in roughness.into_iter().zip(own.heights).enumerate() {
+            if given || matches!(roughness, Roughness::File(_)) {
+                *roughness = Roughness::None;
+                found.extend(warnings::of_heights(
+                    index,
+                    bodies[index].initial(),
+                    &contact.grid,
+                    &contact.hertz,
+                ));
+                let measured = self.measured_rq[index];
+                found.extend(measured.and_then(|rq| warnings::lost_rq(index, bodies[index].initial(), rq)));
+            }
+        }
+        let viscosity = contact.lubricant.as_ref().filter(|_| own.viscosity).map(Lubricant::viscosity);
+        let growth = laws.growth.as_ref().filter(|_| own.growth);
+        found.extend(warnings::of_own_laws(viscosity, growth.map(|law| law.maximum_thickness())));
+        let heights = bodies.each_ref().map(Body::initial);
+        found.extend(warnings::of_roughness(&self.scene, heights, &contact.grid, &contact.hertz));
+        let mut warnings = scene.warnings();
+        warnings.extend(found);
+        if self.squeeze {
+            warnings.retain(|warning| !warnings::QUASI_STATIC.contains(&warning.field.as_str()));
+        }
+        warnings
+    }
+
+    /// The laws that were given, else those that the scene names, each for the hardness of its body. The
+    /// thickness of a full tribofilm goes to the laws that depend on the film.
+    pub(in crate::sim) fn laws(&mut self) -> Result<Laws, SimError> {
+        let scene = &self.scene;
+        let growth: Option<Arc<dyn FilmGrowthLaw>> = match (self.growth.take(), scene.tribofilm) {
+            (Some(law), _) => Some(law),
+            (None, Some(spec)) => Some(spec.law()?.into()),
+            (None, None) => None,
+        };
+        if growth.is_none() && scene.elastic.tribofilm.is_some() {
+            return Err(SimError::Input(InputError::Conflict {
+                field: "elastic.tribofilm".to_owned(),
+                reason: "the scene has no tribofilm".to_owned(),
+            }));
+        }
+        let film_thickness = growth.as_ref().map(|law| law.maximum_thickness());
+        let plasticity = match (self.plasticity.take(), scene.plastic) {
+            (Some(model), _) => Some(PerBody::same(model)),
+            (None, Some(spec)) => Some(PerBody::by(scene.hardnesses(spec.hardness), |hardness| {
+                plasticity_model(&PlasticSpec { hardness, ..spec }, film_thickness)
+                    .map_err(|error| error.within("plastic"))
+            })?),
+            (None, None) => None,
+        };
+        let wear = match (self.wear.take(), scene.wear) {
+            (Some(_), None) => {
+                return Err(SimError::Input(InputError::Conflict {
+                    field: "wear.exposure".to_owned(),
+                    reason: "is missing; a wear law of your own takes its exposure, \"track\" or \"contact_clock\", from the \
+                             wear table of the scene"
+                        .to_owned(),
+                }));
+            }
+            (Some(law), Some(_)) => Some(PerBody::same(law)),
+            (None, Some(spec)) => match spec.law.hardness() {
+                None => Some(PerBody::same(spec.law(0.0, film_thickness)?.into())),
+                Some(common) => Some(PerBody::by(scene.hardnesses(common), |hardness| {
+                    spec.law(hardness, film_thickness)
+                })?),
+            },
+            (None, None) => None,
+        };
+        let friction = match self.friction.take() {
+            Some(law) => law,
+            None => boundary_law(&scene.friction, film_thickness)?.into(),
+        };
+        Ok(Laws { plasticity, growth, wear, friction })
+    }
+
+    /// Ball (0) or disc (1): a body of an earlier run, or new with heights that were given, generated or
+    /// read.
+    pub(in crate::sim) fn body(
+        &mut self,
+        index: usize,
+        contact: &ContactModel,
+        laws: &Laws,
+    ) -> Result<Body, SimError> {
+        let name = BODIES[index];
+        let (heights, start) = (self.heights[index].take(), self.starts[index].take());
+        if let Some(start) = start {
+            if heights.is_some() {
+                return Err(SimError::Input(InputError::Conflict {
+                    field: format!("{name} start"),
+                    reason: format!("heights of the {name} are given too, and a start brings its own"),
+                }));
+            }
+            return Ok(start.into_body(name, &contact.grid, laws.growth.as_deref())?);
+        }
+        let roughness = &self.scene.roughness;
+        let roughness = [&roughness.ball, &roughness.disc][index];
+        let initial = match heights {
+            Some(heights) => heights,
+            None => {
+                let rough = setup::heights(roughness, &contact.grid, name)?;
+                self.measured_rq[index] = rough.measured_rq;
+                rough.heights
+            }
+        };
+        let field = format!("{name}_heights");
+        contact.grid.require_field(&field, &initial)?;
+        let half_width = contact.hertz.half_width_x.min(contact.hertz.half_width_y);
+        warnings::refuse_height_slip(&format!("roughness.{name}"), &initial, half_width)?;
+        Ok(Body::new(initial, laws.growth.as_deref()))
+    }
+}
+
+/// The plasticity model of one body: a hardness, linear in the thickness of a tribofilm that is softer, and
+/// growing with the plastic depth where a modulus is given. Errors name its constants alone.
+fn plasticity_model(
+    spec: &PlasticSpec,
+    film_thickness: Option<f64>,
+) -> Result<Box<dyn PlasticityModel>, InputError> {
+    let initial = match (spec.film_hardness, film_thickness) {
+        (Some(film), Some(full)) => ElasticPerfectlyPlastic::with_film(spec.hardness, film, full)?,
+        _ => ElasticPerfectlyPlastic::uniform(spec.hardness)?,
+    };
+    Ok(match spec.hardening_modulus {
+        Some(modulus) => Box::new(IsotropicHardening::new(initial, modulus)?),
+        None => Box::new(initial),
+    })
+}

@@ -1,0 +1,170 @@
+//! What a history ends with: means over its last tenth, under the names that JSON, terminal and Python share.
+//!
+//! The last tenth of the steps is taken, one step at least. What is a number of the contact or of the bodies has
+//! a mean: the columns with a table, but for the conditions and what the solves took. Worn volumes are those after
+//! the last step.
+
+use std::fmt;
+
+use crate::sim::history::columns::{COLUMNS, Cell, Column};
+use crate::sim::history::record::StepRecord;
+
+/// Tables whose means say nothing.
+const WITHOUT_MEANS: [&str; 3] = ["motion", "residual", "work"];
+
+/// Columns that are totals of the whole history.
+const TOTALS: [&str; 2] = ["wear.ball_volume", "wear.disc_volume"];
+
+/// The columns that have means.
+fn averaged() -> impl Iterator<Item = &'static Column> {
+    let has_mean = |column: &&Column| column.path().is_some_and(|(table, _)| !WITHOUT_MEANS.contains(&table));
+    COLUMNS.iter().filter(has_mean)
+}
+
+/// Means over the last tenth of the steps of a history.
+///
+/// ```
+/// use stribeck::sim::{HistoryMeans, MixedLubricationSim, Scene};
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(32)).build()?;
+/// let mut means = HistoryMeans::new(2);
+/// let records = [sim.step(10.0)?, sim.step(10.0)?];
+/// records.iter().for_each(|record| means.see(record));
+/// assert_eq!(means.mean("contact", "load_ratio"), Some(records[1].contact.load_ratio));
+/// assert_eq!(HistoryMeans::new(2).mean("contact", "load_ratio"), None); // nothing was seen
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct HistoryMeans {
+    /// Steps of the whole history.
+    steps: u64,
+    /// Sums over the steps that count, of each column that has means; none where a step has no such number.
+    sums: Vec<Option<f64>>,
+    /// Steps that count, so far.
+    count: u64,
+    /// Steps whose contact took more than one position of the roughness.
+    moved: u64,
+    /// Load times sliding distance \[N m\].
+    load_distance: f64,
+}
+
+impl HistoryMeans {
+    /// Of a history of `steps` steps, none of which was seen yet.
+    pub fn new(steps: u64) -> Self {
+        Self { steps, sums: averaged().map(|_| Some(0.0)).collect(), count: 0, moved: 0, load_distance: 0.0 }
+    }
+
+    /// Takes in the next step.
+    pub fn see(&mut self, record: &StepRecord) {
+        self.moved += u64::from(record.attempts > 1);
+        self.load_distance += record.load * record.motion.sliding_speed() * record.time_step;
+        if record.step + self.steps.div_ceil(10) >= self.steps {
+            for (sum, column) in self.sums.iter_mut().zip(averaged()) {
+                *sum = match (column.get)(record) {
+                    Cell::Number(number) if TOTALS.contains(&column.name) => Some(number),
+                    Cell::Number(number) => sum.map(|sum| sum + number),
+                    Cell::Count(count) => sum.map(|sum| sum + count as f64),
+                    Cell::Empty | Cell::Word(_) => None,
+                };
+            }
+            self.count += 1;
+        }
+    }
+
+    /// The mean of `key` in `table` (as in `film.lambda`) over the steps of the last tenth that were seen, of
+    /// worn volumes that after the last step, in SI units; none for other names, and for what is not modelled.
+    pub fn mean(&self, table: &str, key: &str) -> Option<f64> {
+        self.named().find(|(column, _)| column.path() == Some((table, key))).map(|(_, mean)| mean)
+    }
+
+    /// Columns with their means, but for those that a step has left empty; none before any step counts.
+    fn named(&self) -> impl Iterator<Item = (&'static Column, f64)> {
+        let count = self.count;
+        let counted = averaged().zip(&self.sums).filter(move |_| count > 0);
+        counted.filter_map(move |(column, sum)| {
+            let number = (*sum)?;
+            Some((column, if TOTALS.contains(&column.name) { number } else { number / count as f64 }))
+        })
+    }
+}
+
+impl fmt::Display for HistoryMeans {
+    /// One line a number, with its unit; worn volumes in mm^3, and per load and sliding distance in mm^3/(N m).
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, (Column { name, unit, .. }, mean)) in self.named().enumerate() {
+            let end = if index == 0 { "" } else { "\n" };
+            let space = if unit.is_empty() { "" } else { " " };
+            if TOTALS.contains(name) {
+                write!(f, "{end}{name:<28} {:.6e} mm^3", 1e9 * mean)?;
+                if self.load_distance > 0.0 {
+                    write!(f, ", {:.6e} mm^3/(N m)", 1e9 * mean / self.load_distance)?;
+                }
+                continue;
+            }
+            write!(f, "{end}{name:<28} {mean:.6e}{space}{unit}")?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(feature = "serde")]
+mod named {
+    use std::collections::BTreeMap;
+
+    use serde::Serialize;
+
+    use crate::sim::contact::warnings::Warning;
+    use crate::sim::history::history_means::HistoryMeans;
+    use crate::sim::history::simulation::MixedLubricationSim;
+    use crate::sim::scene::BODIES;
+
+    /// What a history ends with, ready to be written: the means and the worn profiles of `sim`, all in SI
+    /// units.
+    #[derive(Debug, Clone, Serialize)]
+    pub struct HistoryNumbers {
+        steps: u64,
+        time: f64,
+        averaged_steps: u64,
+        moved_steps: u64,
+        roughness_motion: String,
+        warnings: Vec<Warning>,
+        version: &'static str,
+        #[serde(flatten)]
+        tables: BTreeMap<&'static str, BTreeMap<String, Entry>>,
+    }
+
+    #[derive(Debug, Clone, Serialize)]
+    #[serde(untagged)]
+    enum Entry {
+        Mean(f64),
+        Profile(Vec<f64>),
+    }
+
+    impl HistoryMeans {
+        /// The numbers of the history that `sim` has run, under their names in `docs/running.md`.
+        pub fn numbers(&self, sim: &MixedLubricationSim) -> HistoryNumbers {
+            let mut tables: BTreeMap<_, BTreeMap<_, _>> = BTreeMap::new();
+            for (column, mean) in self.named() {
+                if let Some((table, key)) = column.path() {
+                    tables.entry(table).or_default().insert(key.to_owned(), Entry::Mean(mean));
+                }
+            }
+            for (name, body) in BODIES.into_iter().zip(sim.bodies()) {
+                let profile = Entry::Profile(sim.worn_profile(body));
+                tables.entry("worn_profile").or_default().insert(name.to_owned(), profile);
+            }
+            HistoryNumbers {
+                steps: sim.steps(),
+                time: sim.time(),
+                averaged_steps: self.count,
+                moved_steps: self.moved,
+                roughness_motion: format!("{:?}", sim.motion()),
+                warnings: sim.warnings().to_vec(),
+                version: env!("CARGO_PKG_VERSION"),
+                tables,
+            }
+        }
+    }
+}
+
+#[cfg(feature = "serde")]
+pub use named::HistoryNumbers;

@@ -1,0 +1,27 @@
+//! Histories: bodies that flatten, wear and grow tribofilms under a contact that is solved once a step.
+//!
+//! ```text
+//! builder ──> simulation: placement ──> contact ──> passage (flatten, wear, grow) ──> record
+//! ```
+
+pub(in crate::sim) mod accessors;
+pub(in crate::sim) mod body;
+pub(in crate::sim) mod builder;
+pub(in crate::sim) mod columns;
+pub(in crate::sim) mod exposure;
+pub(in crate::sim) mod heat;
+pub(in crate::sim) mod history_means;
+#[cfg(feature = "serde")]
+pub(in crate::sim) mod identity;
+pub(in crate::sim) mod observer;
+pub(in crate::sim) mod passage;
+pub(in crate::sim) mod placement;
+pub(in crate::sim) mod record;
+pub(in crate::sim) mod runs;
+pub(in crate::sim) mod simulation;
+pub(in crate::sim) mod squeeze_memory;
+pub(in crate::sim) mod start;
+pub(in crate::sim) mod step_control;
+pub(in crate::sim) mod track;
+pub(in crate::sim) mod wider_box;
+pub(in crate::sim) mod yielding;

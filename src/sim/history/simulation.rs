@@ -1,0 +1,482 @@
+//! The history of a contact: solve, grow, wear, flatten, move on.
+//!
+//! One step, in this order:
+//!
+//! 1. conditions: load, speeds and temperature at the start of the step;
+//! 2. solve: the bodies at the next position of the roughness, at further ones where that does not converge,
+//!    with friction and, where the film has one, its temperature;
+//! 3. rub: flash temperature under the solved pressures;
+//! 4. commit: flattening, half of the film growth, wear, the other half; a shorter step where a node changes by
+//!    more than it may;
+//! 5. record, and the masses that the squeeze of the next contact refers to.
+//!
+//! Bodies change in 4 alone, and only after 2 has converged; an error puts everything back.
+
+use crate::error::InputError;
+use crate::lubricant::Lubricant;
+use crate::reynolds::ContactState;
+use crate::sim::contact::film_heat::{self, FilmIteration, Solved, Surroundings};
+use crate::sim::contact::friction::FrictionFields;
+use crate::sim::contact::interrupt::Interrupt;
+use crate::sim::contact::laws::Laws;
+use crate::sim::contact::model::ContactModel;
+use crate::sim::contact::numbers::{DepthNumbers, Numbers, PlasticNumbers, WearNumbers};
+use crate::sim::contact::outer_rows::{self, Change};
+use crate::sim::contact::warnings::{self, Warning};
+use crate::sim::error::SimError;
+use crate::sim::history::body::Body;
+use crate::sim::history::exposure;
+use crate::sim::history::heat::Heat;
+use crate::sim::history::passage::{Marks, Passage};
+use crate::sim::history::placement::{Offsets, Placement, Travel};
+use crate::sim::history::record::StepRecord;
+use crate::sim::history::squeeze_memory::SqueezeMemory;
+use crate::sim::history::step_control::StepControl;
+use crate::sim::history::yielding::Yielding;
+use crate::sim::scene::Scene;
+use crate::sim::scene::timetable::{Conditions, Timetable};
+
+/// Positions of the roughness that a step tries before it gives up.
+const MAX_ATTEMPTS: u32 = 8;
+/// Attempts to find the length of a step.
+const MAX_CUTS: usize = 40;
+
+/// A rough lubricated contact whose surfaces flatten, grow a tribofilm and wear as they rub.
+///
+/// Each step solves the quasi-static contact of the surfaces as they stand, advances tribofilm and wear under
+/// its pressures for the time that the step exposes the nodes to it ([`Exposure`](crate::sim::scene::Exposure)),
+/// applies the plastic depth, and moves the roughness of both bodies to the next position. One solve stands
+/// for all passages within the step. Nothing irreversible happens unless the solve converged: where it did
+/// not, the step tries other positions of the roughness, and if all fail the step is an error and the state
+/// is as before.
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, RunEnd, Scene, StepRecord};
+/// use std::ops::ControlFlow;
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(32).with_tribofilm()).build()?;
+/// let mut wear = Vec::new();
+/// let end = sim.run(3, 10.0, &mut |_: &MixedLubricationSim, record: &StepRecord| {
+///     wear.push(record.wear.disc_mean);
+///     ControlFlow::Continue(())
+/// })?;
+/// assert_eq!(end, RunEnd::Finished);
+/// assert!(wear[2] > wear[0]);
+/// assert!(sim.ledger_residual()? < 1e-20);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
+///
+/// A clone goes its own way from where the original stands, step by step to the last bit as the original
+/// would. Laws are shared, buffers are not; the buffers of the solver are made anew at its first solve.
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
+/// sim.step(60.0)?;
+/// let mut other = sim.clone();
+/// let short = std::thread::spawn(move || other.step(10.0)).join().expect("no panic")?;
+/// assert!(sim.step(60.0)?.wear.disc_mean > short.wear.disc_mean);
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct MixedLubricationSim {
+    /// The scene that it was built from.
+    pub(in crate::sim) scene: Scene,
+    /// Conditions over time.
+    pub(in crate::sim) timetable: Timetable,
+    /// The contact problem with its solver.
+    pub(in crate::sim) contact: ContactModel,
+    /// What flattens, wears, grows and rubs.
+    pub(in crate::sim) laws: Laws,
+    /// Flash temperature of the contact in progress.
+    pub(in crate::sim) heat: Heat,
+    /// Motion of the roughness and squeeze.
+    pub(in crate::sim) travel: Travel,
+    /// Ball and disc after the last step.
+    pub(in crate::sim) bodies: [Body; 2],
+    /// Solution of the last step.
+    pub(in crate::sim) state: ContactState,
+    /// What the solver of the first step starts from; none for a cold start.
+    pub(in crate::sim) contact_start: Option<ContactState>,
+    /// Masses of the last two contacts.
+    pub(in crate::sim) squeeze_memory: SqueezeMemory,
+    /// Time that has passed \[s\].
+    pub(in crate::sim) time: f64,
+    /// Steps that were committed.
+    pub(in crate::sim) step: u64,
+    /// Positions of the roughness that were tried; with the seed the state of the random numbers.
+    pub(in crate::sim) draws: u64,
+    /// The bodies as they lie in the step in progress, and what follows from its contact.
+    pub(in crate::sim) placement: Placement,
+    /// Pressure limit and flattening.
+    pub(in crate::sim) yielding: Yielding,
+    /// Shear stresses.
+    pub(in crate::sim) friction: FrictionFields,
+    /// Temperature of the film; none where it has that of the bulk.
+    pub(in crate::sim) film_heat: Option<FilmIteration>,
+    /// Buffers on the nodes of a body.
+    marks: Marks,
+    /// Mass that the squeeze refers to.
+    squeezed: Vec<f64>,
+    /// The bodies before the step in progress.
+    pub(in crate::sim) backup: [Body; 2],
+    /// The contact before the step in progress.
+    before: ContactState,
+    /// What was found unlikely so far.
+    pub(in crate::sim) warnings: Vec<Warning>,
+    /// Ends solves early, in a wider box too.
+    pub(in crate::sim) interrupt: Option<Interrupt>,
+    /// What was put in place of parts of the scene.
+    #[cfg(feature = "serde")]
+    pub(in crate::sim) own_parts: crate::sim::history::identity::OwnParts,
+}
+
+impl MixedLubricationSim {
+    /// A simulation at the time zero of what its builder has made.
+    pub(in crate::sim) fn assemble(
+        (scene, timetable, warnings): (Scene, Timetable, Vec<Warning>),
+        contact: ContactModel,
+        bodies: [Body; 2],
+        laws: Laws,
+        heat: Heat,
+        travel: Travel,
+    ) -> Result<Self, InputError> {
+        let grid = contact.grid;
+        Ok(Self {
+            state: ContactState::new(&grid),
+            contact_start: None,
+            squeeze_memory: SqueezeMemory::new(grid.len()),
+            placement: Placement::new(grid),
+            yielding: Yielding::new(grid.len()),
+            friction: FrictionFields::new(&scene, grid.len())?,
+            film_heat: FilmIteration::new(&scene, &contact)?,
+            marks: Marks::new(grid.len()),
+            squeezed: vec![0.0; grid.len()],
+            scene,
+            timetable,
+            contact,
+            laws,
+            heat,
+            travel,
+            backup: bodies.clone(),
+            bodies,
+            time: 0.0,
+            step: 0,
+            draws: 0,
+            before: ContactState::new(&grid),
+            warnings,
+            interrupt: None,
+            #[cfg(feature = "serde")]
+            own_parts: crate::sim::history::identity::OwnParts::default(),
+        })
+    }
+
+    /// Takes one step of `time_step` \[s\] under the conditions that hold at its start.
+    ///
+    /// # Errors
+    /// A time step that is not finite and positive; a contact that did not converge at any tried position of
+    /// the roughness; solids, wear or a tribofilm at the edge of a box that does not grow; a law that returned a value that is not finite; an
+    /// [interrupt](crate::sim::SimBuilder::interrupt). Everything is then as before, so that another step of this
+    /// length fails again.
+    pub fn step(&mut self, time_step: f64) -> Result<StepRecord, SimError> {
+        self.step_within(&StepControl::fixed(time_step))
+    }
+
+    /// Takes one step, as long as `control` allows: one solve of the contact, and then the longest step under
+    /// its pressures in which no node wears or grows by more than the depth. The record holds its length.
+    ///
+    /// # Errors
+    /// As of [`MixedLubricationSim::step`], and laws that change a node by more than the depth in any time.
+    pub fn step_within(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
+        control.validate()?;
+        match self.step_in_box(control) {
+            Err(SimError::BoxTooSmall(edge)) if self.scene.grid.grows() => {
+                self.step_in_wider_box(control, edge)
+            }
+            outcome => outcome,
+        }
+    }
+
+    /// The same in the box as it is.
+    pub(in crate::sim) fn step_in_box(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
+        let (draws, circumstances) = (self.draws, self.contact.circumstances());
+        self.before.clone_from(&self.state);
+        for (backup, body) in self.backup.iter_mut().zip(&self.bodies) {
+            backup.clone_from(body);
+        }
+        let outcome = self.take_step(control);
+        if outcome.is_err() {
+            self.draws = draws;
+            self.contact.return_to(circumstances);
+            std::mem::swap(&mut self.state, &mut self.before);
+            std::mem::swap(&mut self.bodies, &mut self.backup);
+        }
+        outcome
+    }
+
+    /// The same; an error leaves contact and bodies as they were when it came.
+    fn take_step(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
+        let conditions = self.conditions();
+        self.contact.put_under(&self.scene, &conditions)?;
+        self.heat.move_at(conditions.motion.surface_speeds(), &self.contact.grid)?;
+        let (solved, offsets, attempts) = self.solve_somewhere()?;
+        let flash_rise = self.heat.rub(&self.friction, self.film_heat.as_ref())?;
+        let rq = self.roughness()?;
+        let time_step = self.commit_within(control, offsets)?;
+        self.require_changes_inside()?;
+        let record = self.record((solved, attempts), flash_rise, (conditions, rq), time_step)?;
+        self.time = record.time;
+        if let Some(heat) = &mut self.film_heat {
+            heat.commit();
+        }
+        self.squeeze_memory.keep(&self.state.mass, time_step);
+        if self.step == 0 {
+            self.warn_of_first(&record);
+        }
+        self.warn_of_left_out(&record, conditions);
+        if self.warnings.iter().all(|warning| !warnings::DEEP_WEAR.contains(&warning.field.as_str())) {
+            let depths = [record.wear.ball_max, record.wear.disc_max];
+            self.warnings.extend(warnings::deep_wear(depths, self.half_width()));
+        }
+        self.step += 1;
+        Ok(record)
+    }
+
+    /// Warnings about the first contact.
+    fn warn_of_first(&mut self, record: &StepRecord) {
+        let seen = warnings::Seen {
+            hertz: &self.contact.hertz,
+            dx: self.contact.grid.dx(),
+            smooth: record.roughness.composite_rq == 0.0,
+            largest_pressure: record.pressure.max,
+            central_film: record.film.central,
+            friction: record.friction.coefficient,
+            temperatures: record.thermal.map(|heat| [heat.film_temperature_max, record.bulk_temperature]),
+        };
+        self.warnings.extend(warnings::of_contact(&self.scene, &seen, false));
+    }
+
+    /// Warnings about physics that the scene leaves out under these conditions, each once a run.
+    fn warn_of_left_out(&mut self, record: &StepRecord, conditions: Conditions) {
+        let point = warnings::OperatingPoint {
+            hertz: &self.contact.hertz,
+            conditions,
+            viscosity: self.contact.lubricant.as_ref().map(Lubricant::viscosity),
+            smooth: record.roughness.composite_rq == 0.0,
+            friction: [record.friction.boundary, record.friction.fluid],
+            film: record.film.mean_central,
+            load_ratio: record.contact.load_ratio,
+            yield_ratio: None,
+        };
+        let mut found = warnings::left_out(&self.scene, &point);
+        found.retain(|warning| self.warnings.iter().all(|known| known.field != warning.field));
+        self.warnings.extend(found);
+    }
+
+    /// Commits the longest step that `control` allows and returns its length.
+    fn commit_within(&mut self, control: &StepControl, offsets: Offsets) -> Result<f64, SimError> {
+        let mut time_step = control.longest;
+        for _ in 0..MAX_CUTS {
+            self.commit(time_step, offsets)?;
+            let change = self.largest_change();
+            if change.min(control.depth) > self.half_width() {
+                return Err(SimError::Input(InputError::Conflict {
+                    field: format!("time_step = {time_step:e}"),
+                    reason: format!(
+                        "a node would change by {change:.1e} m, more than the half-width of the contact: take shorter steps, or check \
+                         the coefficient of wear"
+                    ),
+                }));
+            }
+            if change <= control.depth {
+                return Ok(time_step);
+            }
+            for (body, backup) in self.bodies.iter_mut().zip(&self.backup) {
+                body.clone_from(backup);
+            }
+            time_step *= (0.98 * control.depth / change).clamp(0.02, 0.98);
+        }
+        Err(SimError::Input(InputError::Conflict {
+            field: format!("depth = {:?}", control.depth),
+            reason: format!("the laws change a node by more than it even within {time_step:e} s"),
+        }))
+    }
+
+    /// Refuses wear and tribofilms that have reached the edge of the box in this step.
+    fn require_changes_inside(&self) -> Result<(), SimError> {
+        if self.scene.solver.edge_contact {
+            return Ok(());
+        }
+        let Conditions { motion, bulk_temperature, .. } = self.conditions();
+        let speeds = motion.surface_speeds();
+        let growth = self.laws.growth.as_deref();
+        let by_solids = growth.is_some_and(|law| outer_rows::needs_solids(law, bulk_temperature));
+        for (body, (now, before)) in self.bodies.iter().zip(&self.backup).enumerate() {
+            let change = Change {
+                body,
+                visits: exposure::visits(self.travel.motion.as_ref(), speeds[body]),
+                wear: [now.wear(), before.wear()],
+                film: by_solids.then(|| [now.tribofilm(), before.tribofilm()]),
+            };
+            let contact_film = self.scene.solver.film_cutoff;
+            change.require_inside(&self.contact.grid, &self.contact.hertz, contact_film)?;
+        }
+        Ok(())
+    }
+
+    /// Smaller half-width of the Hertz contact \[m\].
+    fn half_width(&self) -> f64 {
+        self.contact.hertz.half_width_x.min(self.contact.hertz.half_width_y)
+    }
+
+    /// Largest change of wear or film of any node since the backup \[m\].
+    fn largest_change(&self) -> f64 {
+        let fields = self.bodies.iter().zip(&self.backup).flat_map(|(now, before)| {
+            let wear = now.wear().iter().zip(before.wear());
+            wear.chain(now.tribofilm().iter().zip(before.tribofilm()))
+        });
+        fields.fold(0.0, |largest, (now, before)| largest.max((now - before).abs()))
+    }
+
+    /// Solves the contact at the next position of the roughness, or at further ones where that fails.
+    fn solve_somewhere(&mut self) -> Result<(Solved, Offsets, u32), SimError> {
+        let mut attempt = 1;
+        loop {
+            let offsets = self.offsets()?;
+            self.draws += 1;
+            let (report, heat) = self.solve_at(offsets)?;
+            match report.require_converged() {
+                Ok(()) => return Ok(((report, heat), offsets, attempt)),
+                // A motion that has no other position has no other contact.
+                Err(source) if attempt >= MAX_ATTEMPTS || self.offsets()? == offsets => {
+                    return Err(SimError::NotConverged { step: self.step, attempts: attempt, source });
+                }
+                // With squeeze a solve starts from the state: from the last one that converged.
+                Err(_) => {
+                    self.state.clone_from(&self.before);
+                    attempt += 1;
+                }
+            }
+        }
+    }
+
+    /// Where the roughness stands at the next solve.
+    fn offsets(&self) -> Result<Offsets, InputError> {
+        let speeds = self.timetable.mean_speeds(self.time);
+        self.travel.offsets(self.draws, self.time, speeds, &self.contact.grid)
+    }
+
+    /// Refuses what the solver of the next contact refuses before its first iteration.
+    pub(in crate::sim) fn check_first_contact(&mut self) -> Result<(), SimError> {
+        let offsets = self.offsets()?;
+        let Self { bodies, contact, laws, state, contact_start, placement, yielding, .. } = self;
+        placement.place(bodies, &contact.form_gap, offsets)?;
+        contact.cover(&placement.films)?;
+        let limit = match &laws.plasticity {
+            None => None,
+            Some(models) => {
+                yielding.start(models, &placement.films, &placement.depths)?;
+                Some(yielding.limit.as_slice())
+            }
+        };
+        Ok(contact.check(&placement.gap, limit, contact_start.as_ref().unwrap_or(state))?)
+    }
+
+    /// Solves the contact of the bodies as they lie at `offsets`, with its shear stresses and, where the film
+    /// has one, with its temperature.
+    pub(in crate::sim) fn solve_at(&mut self, offsets: Offsets) -> Result<Solved, SimError> {
+        let Self { contact, laws, state, placement, yielding, squeeze_memory, squeezed, .. } = self;
+        placement.place(&self.bodies, &contact.form_gap, offsets)?;
+        contact.cover(&placement.films)?;
+        let squeeze = if self.travel.squeeze { squeeze_memory.squeeze(self.step, squeezed)? } else { None };
+        // A film that is squeezed was there a moment ago; roughness that has moved far makes the last
+        // pressures no better a start than the dry contact.
+        match self.contact_start.as_ref().filter(|_| self.step == 0) {
+            Some(start) => state.clone_from(start),
+            None if squeeze.is_none() => state.pressure.fill(0.0),
+            None => {}
+        }
+        if let Some(heat) = &mut self.film_heat {
+            heat.move_at(contact.motion.surface_speeds(), &contact.grid)?;
+        }
+        let given = Surroundings { laws, tribofilms: &placement.films };
+        let mut once = |contact: &mut ContactModel, state: &mut ContactState| match &laws.plasticity {
+            None => contact.solve(&placement.gap, None, squeeze, state),
+            Some(models) => yielding.solve(models, placement, contact, squeeze, state),
+        };
+        let heat = self.film_heat.as_mut();
+        let solved = film_heat::solve(&given, heat, (contact, state, &mut self.friction), &mut once);
+        outer_rows::require_solids_inside(&self.scene, (contact, state), solved)
+    }
+
+    /// Applies flattening, wear and film growth of a step of `time_step` \[s\] to the bodies.
+    fn commit(&mut self, time_step: f64, offsets: Offsets) -> Result<(), SimError> {
+        let Conditions { motion, bulk_temperature, .. } = self.conditions();
+        let Self { bodies, contact, laws, state, yielding, friction, marks, .. } = self;
+        let (grid, speeds) = (&contact.grid, motion.surface_speeds());
+        let (track, roughness_motion) = (&self.scene.track, self.travel.motion.as_ref());
+        let ageing =
+            |exposure| exposure::ageing((track, exposure), roughness_motion, grid, &contact.hertz, speeds);
+        let wear_exposure = self.scene.wear.map_or(track.exposure, |wear| wear.exposure);
+        let passage = Passage {
+            grid,
+            state,
+            friction,
+            rises: self.heat.rises(),
+            bulk: bulk_temperature,
+            sliding: motion.sliding_speed(),
+            offsets,
+            ageing: ageing(track.exposure)?,
+            wear_ageing: ageing(wear_exposure)?,
+        };
+        if laws.plasticity.is_some() {
+            yielding.share(&state.plastic_depth)?;
+            marks.flatten(bodies, &passage, &yielding.split, time_step)?;
+        }
+        marks.rub(bodies, &passage, laws, time_step)
+    }
+
+    /// Root mean square roughness of both bodies on the track \[m\].
+    fn roughness(&self) -> Result<[f64; 2], InputError> {
+        let [ball, disc] = &self.bodies;
+        Ok([self.track_rq(&ball.surface)?, self.track_rq(&disc.surface)?])
+    }
+
+    /// The record of the step of length `time_step` that the bodies have just taken, whose contact was solved
+    /// under `conditions` on surfaces of roughness `rq`.
+    fn record(
+        &self,
+        ((report, heat), attempts): (Solved, u32),
+        flash_rise: Option<f64>,
+        (conditions, rq): (Conditions, [f64; 2]),
+        time_step: f64,
+    ) -> Result<StepRecord, SimError> {
+        let limit = self.laws.plasticity.is_some().then_some(self.yielding.limit.as_slice());
+        let numbers = Numbers::of(&self.contact, &self.state, Some(&self.friction), limit, rq)?;
+        let depths = |field: fn(&Body) -> &[f64]| {
+            DepthNumbers::of(self.bodies.each_ref().map(field), |values| self.mean_on_track(values))
+        };
+        let [ball, disc] = self.bodies.each_ref().map(|body| body.volumes(self.contact.grid.cell_area()));
+        let volume = ball?.plastic + disc?.plastic;
+        Ok(StepRecord {
+            step: self.step,
+            time: self.time + time_step,
+            time_step,
+            load: conditions.load,
+            motion: conditions.motion,
+            bulk_temperature: conditions.bulk_temperature,
+            roughness: numbers.roughness,
+            film: numbers.film,
+            pressure: numbers.pressure,
+            contact: numbers.contact,
+            friction: numbers.friction,
+            flow: self.contact.flow,
+            thermal: heat.map(|(numbers, _)| numbers),
+            flash_rise,
+            wear: WearNumbers::of(depths(Body::wear)?, self.bodies.each_ref().map(Body::worn_volume)),
+            tribofilm: depths(Body::tribofilm)?,
+            plastic: PlasticNumbers { volume },
+            attempts,
+            report,
+        })
+    }
+}

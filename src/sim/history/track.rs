@@ -1,0 +1,100 @@
+//! What a history leaves on the track: means over its width, its profile, and the roughness on it.
+
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::sim::history::body::Body;
+use crate::sim::history::simulation::MixedLubricationSim;
+
+impl MixedLubricationSim {
+    /// Mean of `field`, one value per node of a body's patch, over the width of the track, `|y| <= a` with
+    /// the half-width `a` of the Hertz contact across under the load of the last step; cells count by their
+    /// share of it. The box does not change it.
+    ///
+    /// # Errors
+    /// A field of another length than the grid.
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let sim = MixedLubricationSim::builder(Scene::azam_2019(32)).build()?;
+    /// let grid = sim.grid();
+    /// let inside: Vec<f64> = grid.nodes().map(|(_, y)| if y.abs() < 1.2e-4 { 2.0 } else { 0.0 }).collect();
+    /// assert!((sim.mean_on_track(&vec![1.0; grid.len()])? - 1.0).abs() < 1e-12);
+    /// assert!(sim.mean_on_track(&inside)? > 1.5);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn mean_on_track(&self, field: &[f64]) -> Result<f64, InputError> {
+        let (grid, half_width) = (self.contact.grid, self.contact.hertz.half_extents()[1]);
+        InputError::require_len("field", field, grid.len())?;
+        let (mut sum, mut width) = (0.0, 0.0);
+        for (j, row) in field.chunks_exact(grid.nx()).enumerate() {
+            let (low, high) = (grid.y(j) - 0.5 * grid.dy(), grid.y(j) + 0.5 * grid.dy());
+            let share = (high.min(half_width) - low.max(-half_width)).max(0.0);
+            sum += share * row.iter().sum::<f64>();
+            width += share * row.len() as f64;
+        }
+        Ok(if width > 0.0 { sum / width } else { 0.0 })
+    }
+
+    /// Worn depth of `body` across the track, one value per row of the grid: the mean along x \[m\].
+    pub fn worn_profile(&self, body: &Body) -> Vec<f64> {
+        let nx = self.contact.grid.nx();
+        body.wear().chunks_exact(nx).map(|row| row.iter().sum::<f64>() / nx as f64).collect()
+    }
+
+    /// Roughness on the track \[m\]: of `heights`, one value per node of a body's patch, the rows within
+    /// `|y| <= a`, each about its mean along x. A groove is the same all along the track, so that its form
+    /// goes with the means; roughness that is as long as the patch goes too, of isotropic roughness of the
+    /// correlation length `b` in a patch of the length `L` a share of the order `b/L` of the square of Rq.
+    /// Rows beside the track are none of its roughness: with them Rq would be that of the box.
+    ///
+    /// # Errors
+    /// A field of another length than the grid.
+    ///
+    /// ```
+    /// use stribeck::metrics::height_statistics;
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(32)).build()?;
+    /// let roughness = sim.track_roughness(sim.bodies()[1].surface())?;
+    /// let record = sim.step(10.0)?;
+    /// assert!((height_statistics(&roughness)?.sq / record.roughness.disc_rq - 1.0).abs() < 1e-9);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn track_roughness(&self, heights: &[f64]) -> Result<Vec<f64>, InputError> {
+        let rows = self.track_rows(heights)?.flat_map(|(row, mean)| row.iter().map(move |z| z - mean));
+        Ok(rows.collect())
+    }
+
+    /// Root mean square of [`track_roughness`](Self::track_roughness) \[m\].
+    pub(in crate::sim) fn track_rq(&self, heights: &[f64]) -> Result<f64, InputError> {
+        InputError::require_len("field", heights, self.contact.grid.len())?;
+        Ok(track_rq(&self.contact.grid, self.contact.hertz.half_extents()[1], heights))
+    }
+
+    /// The rows of the track and their means.
+    fn track_rows<'a>(&self, field: &'a [f64]) -> Result<impl Iterator<Item = (&'a [f64], f64)>, InputError> {
+        InputError::require_len("field", field, self.contact.grid.len())?;
+        Ok(track_rows(&self.contact.grid, self.contact.hertz.half_extents()[1], field))
+    }
+}
+
+/// Root mean square of the rows of `heights` on `grid` within `|y| <= half_width`, each about its mean \[m\].
+pub(in crate::sim) fn track_rq(grid: &Grid, half_width: f64, heights: &[f64]) -> f64 {
+    let (mut square, mut count) = (0.0, 0);
+    for (row, mean) in track_rows(grid, half_width, heights) {
+        square += row.iter().map(|z| (z - mean).powi(2)).sum::<f64>();
+        count += row.len();
+    }
+    if count > 0 { (square / count as f64).sqrt() } else { 0.0 }
+}
+
+/// Rows of `field` on `grid` within `|y| <= half_width` \[m\], each with its mean.
+fn track_rows<'a>(
+    grid: &Grid,
+    half_width: f64,
+    field: &'a [f64],
+) -> impl Iterator<Item = (&'a [f64], f64)> + use<'a> {
+    let grid = *grid;
+    let rows = field.chunks_exact(grid.nx()).enumerate();
+    let within = rows.filter(move |(j, _)| grid.y(*j).abs() <= half_width);
+    within.map(|(_, row)| (row, row.iter().sum::<f64>() / row.len() as f64))
+}

@@ -1,0 +1,90 @@
+//! The smooth dry contact of a scene in numbers, point or line.
+
+use std::f64::consts::PI;
+
+use crate::analytic::{HertzLine, HertzPoint};
+use crate::metrics::Ellipse;
+
+/// Length of a line contact that loads, areas and fields refer to \[m\].
+pub(in crate::sim) const LINE_LENGTH: f64 = 1.0;
+
+/// Size, pressure and load of the Hertz contact of the smooth bodies. Of a line contact these are those of
+/// one metre of its length, so that its load in N is its load per length in N/m.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::Scene;
+/// let hertz = Scene::azam_2019(32).hertz()?;
+/// assert!((hertz.force / (2.0 / 3.0 * hertz.pressure * hertz.area) - 1.0).abs() < 1e-12);
+/// assert!((hertz.radius_squared(hertz.half_width_x, 0.0) - 1.0).abs() < 1e-12);
+/// # Ok::<(), stribeck::InputError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct HertzContact {
+    /// Semi-axis along x, of a turned ellipse along the first axis of its form; half-width of a line contact
+    /// \[m\].
+    pub half_width_x: f64,
+    /// Semi-axis along y, of a turned ellipse along the second axis of its form; half a metre of a line
+    /// contact \[m\].
+    pub half_width_y: f64,
+    /// Angle from x to the first axis \[rad\].
+    pub angle: f64,
+    /// Geometric mean of the semi-axes; half-width of a line contact \[m\].
+    pub radius: f64,
+    /// Contact area \[m^2\].
+    pub area: f64,
+    /// Maximum pressure \[Pa\].
+    pub pressure: f64,
+    /// Load \[N\].
+    pub force: f64,
+}
+
+impl HertzContact {
+    /// Half the extent of the contact along x and y \[m\].
+    pub fn half_extents(&self) -> [f64; 2] {
+        self.ellipse().half_extents()
+    }
+
+    /// Square of the distance of a point from the middle in Hertz units: 1 on the rim of the contact.
+    pub fn radius_squared(&self, x: f64, y: f64) -> f64 {
+        self.ellipse().radius_squared(x, y)
+    }
+
+    /// The rim of the contact.
+    pub(in crate::sim) fn ellipse(&self) -> Ellipse {
+        Ellipse::turned(self.half_width_x, self.half_width_y, self.angle)
+    }
+}
+
+impl From<HertzPoint> for HertzContact {
+    fn from(point: HertzPoint) -> Self {
+        let HertzPoint { half_width_x, half_width_y, pressure, force, .. } = point;
+        Self {
+            half_width_x,
+            half_width_y,
+            angle: 0.0,
+            radius: (half_width_x * half_width_y).sqrt(),
+            area: PI * half_width_x * half_width_y,
+            pressure,
+            force,
+        }
+    }
+}
+
+impl From<HertzLine> for HertzContact {
+    fn from(line: HertzLine) -> Self {
+        let half_width_x = line.half_width;
+        Self {
+            half_width_x,
+            half_width_y: 0.5 * LINE_LENGTH,
+            angle: 0.0,
+            radius: half_width_x,
+            area: 2.0 * half_width_x * LINE_LENGTH,
+            pressure: line.pressure,
+            force: line.force * LINE_LENGTH,
+        }
+    }
+}

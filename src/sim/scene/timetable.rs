@@ -1,0 +1,178 @@
+//! Load, speeds and bulk temperature of a history, at any time.
+
+use crate::error::InputError;
+use crate::reynolds::{LEAST_SPEED, SPEED_REQUIREMENT};
+use crate::sim::scene::course::Course;
+use crate::sim::scene::{Motion, Scene, Schedule};
+
+/// What acts on a contact from outside.
+///
+/// # Examples
+///
+/// ```
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
+/// let mut conditions = sim.conditions();
+/// conditions.motion.entrainment_speed = 1.0;
+/// // The bodies as they stand under another speed, without a step:
+/// let faster = sim.clone().solve_under(&conditions)?;
+/// assert!(faster.moes.map(|moes| moes.m) < sim.scene().formula_film()?.map(|film| film.moes.m));
+/// # Ok::<(), stribeck::sim::SimError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Conditions {
+    /// Normal load \[N\]; of a line contact that of one metre of its length.
+    pub load: f64,
+    /// Speeds of the surfaces.
+    pub motion: Motion,
+    /// Bulk temperature \[K\].
+    pub bulk_temperature: f64,
+}
+
+/// Conditions as functions of time.
+#[derive(Debug, Clone)]
+pub(in crate::sim) struct Timetable {
+    /// Conditions of the scene, which hold where nothing is scheduled.
+    base: Conditions,
+    /// Load over time \[N\].
+    load: Option<Course>,
+    /// Entrainment speed over time \[m/s\].
+    speed: Option<Course>,
+    /// Slide-roll ratio over time.
+    slide_roll_ratio: Option<Course>,
+    /// Bulk temperature over time \[K\].
+    temperature: Option<Course>,
+}
+
+impl Scene {
+    /// What holds at `time` \[s\]: the values of the schedules, of the scene where there is none.
+    ///
+    /// # Errors
+    /// A load, form or modulus out of range, a schedule that goes back in time, has no value at the start or
+    /// asks for a value out of range, a table that cannot be read.
+    pub fn conditions(&self, time: f64) -> Result<Conditions, InputError> {
+        InputError::require_non_negative("time", time)?;
+        Ok(Timetable::new(self)?.at(time))
+    }
+}
+
+impl Timetable {
+    /// Checks the schedules of `scene`.
+    pub(in crate::sim) fn new(scene: &Scene) -> Result<Self, InputError> {
+        let schedules = &scene.schedule;
+        let course = |key: &str, schedule: &Option<Schedule>, fits: fn(f64) -> bool, requirement| {
+            let field = format!("schedule.{key}");
+            schedule.as_ref().map(|given| Course::new(given, &field, fits, requirement)).transpose()
+        };
+        let positive: fn(f64) -> bool = |value| value.is_finite() && value > 0.0;
+        let load = course("load", &schedules.load, positive, "finite and > 0")?;
+        let speeds = &schedules.entrainment_speed;
+        let speed = if scene.is_lubricated() {
+            course("entrainment_speed", speeds, |v| v.is_finite() && v >= LEAST_SPEED, SPEED_REQUIREMENT)?
+        } else {
+            course("entrainment_speed", speeds, |v| v.is_finite() && v >= 0.0, "finite and >= 0")?
+        };
+        let ratios = &schedules.slide_roll_ratio;
+        let slide_roll_ratio = course("slide_roll_ratio", ratios, f64::is_finite, "finite")?;
+        let temperatures = &schedules.bulk_temperature;
+        let temperature = course("bulk_temperature", temperatures, positive, "finite and > 0")?;
+        let base = Conditions {
+            load: scene.load.force.unwrap_or(scene.constant_hertz()?.force),
+            motion: scene.motion,
+            bulk_temperature: scene.thermal.bulk_temperature,
+        };
+        Ok(Self { base, load, speed, slide_roll_ratio, temperature })
+    }
+
+    /// What holds at `time` \[s\].
+    pub(in crate::sim) fn at(&self, time: f64) -> Conditions {
+        let value = |course: &Option<Course>, constant| course.as_ref().map_or(constant, |c| c.value(time));
+        Conditions {
+            load: value(&self.load, self.base.load),
+            motion: Motion {
+                entrainment_speed: value(&self.speed, self.base.motion.entrainment_speed),
+                slide_roll_ratio: value(&self.slide_roll_ratio, self.base.motion.slide_roll_ratio),
+                spin_radius: self.base.motion.spin_radius,
+            },
+            bulk_temperature: value(&self.temperature, self.base.bulk_temperature),
+        }
+    }
+
+    /// Those that are scheduled.
+    fn courses(&self) -> impl Iterator<Item = &Course> {
+        [&self.load, &self.speed, &self.slide_roll_ratio, &self.temperature].into_iter().flatten()
+    }
+
+    /// Load \[N\] and entrainment speed \[m/s\] over time, where they are scheduled.
+    pub(in crate::sim) fn load_and_speed(&self) -> [Option<&Course>; 2] {
+        [self.load.as_ref(), self.speed.as_ref()]
+    }
+
+    /// The next time after `time` \[s\] at which a schedule has an entry.
+    pub(in crate::sim) fn next_entry(&self, time: f64) -> Option<f64> {
+        self.courses().filter_map(|course| course.next_entry(time)).min_by(f64::total_cmp)
+    }
+
+    /// Smallest and largest load \[N\].
+    pub(in crate::sim) fn loads(&self) -> [f64; 2] {
+        let Some(load) = &self.load else { return [self.base.load; 2] };
+        let extreme = |pick: fn(f64, f64) -> f64| load.values().iter().copied().reduce(pick);
+        [extreme(f64::min), extreme(f64::max)].map(|load| load.unwrap_or(self.base.load))
+    }
+
+    /// The conditions at the start and at all later entries; those of a jump are those after it.
+    pub(in crate::sim) fn entries(&self) -> Vec<Conditions> {
+        let times = self.courses().flat_map(Course::times).copied().filter(|time| *time > 0.0);
+        std::iter::once(0.0).chain(times).map(|time| self.at(time)).collect()
+    }
+
+    /// Whether ball and disc move at any time.
+    pub(in crate::sim) fn moving(&self) -> [bool; 2] {
+        let speeds = |time| self.at(time).motion.surface_speeds().map(|speed| speed != 0.0);
+        let (mut from, mut moving) = (0.0, speeds(0.0));
+        while let Some(to) = self.next_entry(from) {
+            // Products of two ramps are parabolas: one that is zero at three places between entries is zero.
+            for share in [0.25, 0.5, 0.75, 1.0] {
+                let now = speeds(from + share * (to - from));
+                moving.iter_mut().zip(now).for_each(|(moving, now)| *moving |= now);
+            }
+            if to <= from {
+                break;
+            }
+            from = to;
+        }
+        moving
+    }
+
+    /// Mean speeds \[m/s\] of ball and disc from the start to `time` \[s\]: what carries them as far as they
+    /// have come.
+    pub(in crate::sim) fn mean_speeds(&self, time: f64) -> [f64; 2] {
+        let changes = self.speed.is_some() || self.slide_roll_ratio.is_some();
+        if !changes || time <= 0.0 {
+            return self.at(time).motion.surface_speeds();
+        }
+        let courses = [&self.speed, &self.slide_roll_ratio];
+        let next = |from: f64| {
+            let entries = courses.into_iter().flatten().filter_map(|course| course.next_entry(from));
+            entries.fold(time, f64::min)
+        };
+        let (mut from, mut distances) = (0.0, [0.0; 2]);
+        while from < time {
+            let to = next(from);
+            // Products of two ramps are parabolas, which the two points of Gauss integrate exactly; none is
+            // at a jump.
+            let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+            for point in [middle - half / 3.0_f64.sqrt(), middle + half / 3.0_f64.sqrt()] {
+                let speeds = self.at(point).motion.surface_speeds();
+                distances.iter_mut().zip(speeds).for_each(|(distance, speed)| *distance += half * speed);
+            }
+            if to <= from {
+                break;
+            }
+            from = to;
+        }
+        distances.map(|distance| distance / time)
+    }
+}

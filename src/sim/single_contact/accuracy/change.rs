@@ -1,0 +1,142 @@
+//! What the change of a solution from a coarser mesh says of its errors.
+//!
+//! Numbers of a mixed contact do not change evenly with the mesh: asperities touch on one mesh and part on
+//! the next, here and there, and the sum may stay by chance. So the estimates take changes node by node,
+//! those of the mean film piece by piece, which do not cancel. The factors were set on random contacts and
+//! checked on others, see `docs/errors.md`.
+
+use crate::grid::Grid;
+use crate::metrics::{CENTRAL, is_central};
+use crate::report::Status;
+use crate::sim::contact::error_estimate::ErrorEstimate;
+use crate::sim::contact::solution::ContactSolution;
+
+/// Of the load of the nodes that change sides, what the load ratio may still change by.
+const LOAD: f64 = 0.75;
+/// The same of the load of nodes that part, but whose film changes by more than what is left above the
+/// contact film.
+const NEARLY: f64 = 0.1;
+/// Area ratio over load ratio, of what changes sides.
+const AREA: f64 = 0.6;
+/// Boundary friction of what changes sides.
+const BOUNDARY: f64 = 0.75;
+/// Of the change of the shear of the fluid, node by node.
+const SHEAR: f64 = 0.15;
+/// Pieces along each axis of the central region, in each of which changes of the film may cancel.
+const PIECES: usize = 4;
+/// Of the changes of the film in these pieces.
+const FILM: f64 = 1.2;
+/// Of the change of a film or a pressure at one point.
+const POINT: f64 = 1.5;
+/// The error that a box makes of the minimum film, over that of the central one: at most, measured 0.8 to 1.4.
+pub(super) const BOX_MINIMUM: f64 = 1.4;
+/// Changes of a film below this share of the approach are rounding of a contact without one.
+const NO_FILM: f64 = 1e-9;
+
+/// The errors of `fine`, of which `coarse` is the same contact on larger cells; none unless both are solved.
+pub(super) fn estimate(coarse: &ContactSolution, fine: &ContactSolution) -> Option<ErrorEstimate> {
+    if [coarse, fine].iter().any(|solution| solution.report.status != Status::Converged) {
+        return None;
+    }
+    let change = Change::between(coarse, fine);
+    let relative = |value: fn(&ContactSolution) -> f64| {
+        let (change, now) = ((value(fine) - value(coarse)).abs(), value(fine).abs());
+        if change <= NO_FILM * fine.state.approach.abs() { 0.0 } else { change / now }
+    };
+    let sides = (LOAD * change.sides).max(NEARLY * change.nearly);
+    let fluid = 1.0 - fine.contact.load_ratio.min(coarse.contact.load_ratio);
+    let load_ratio = sides.min(fluid.max(0.0));
+    let edge = fine.contact.area_ratio - fine.contact.corrected_area_ratio;
+    let friction = fine.friction.coefficient;
+    let of_friction = |stress: f64| if friction > 0.0 { stress / friction } else { 0.0 };
+    Some(ErrorEstimate {
+        film_central: POINT * relative(|solution| solution.film.central) + fine.box_error,
+        film_minimum: POINT * relative(|solution| solution.film.minimum) + BOX_MINIMUM * fine.box_error,
+        pressure_max: POINT * relative(|solution| solution.pressure.max),
+        film_mean_central: if fine.film.mean_central <= NO_FILM * fine.state.approach.abs() {
+            0.0
+        } else {
+            FILM * change.film + fine.box_error
+        },
+        contact_load_ratio: load_ratio,
+        contact_area_ratio: edge + AREA * sides,
+        friction_coefficient: of_friction(
+            BOUNDARY * fine.boundary_friction * load_ratio
+                + SHEAR * change.shear
+                + fine.friction.fluid * fine.box_error,
+        ),
+        film_by_box: fine.box_error,
+    })
+}
+
+/// Changes from node to node, all but that of the film over the load.
+#[derive(Debug, Default)]
+struct Change {
+    /// Load of the nodes times the change of the share that is solid.
+    sides: f64,
+    /// Load of the nodes that part, and by less than their film changes.
+    nearly: f64,
+    /// Change of the shear stress of the fluid.
+    shear: f64,
+    /// Change of the film of each piece of the central region, over the film of all.
+    film: f64,
+}
+
+impl Change {
+    /// Changes from `coarse`, each cell of `fine` against the cell of `coarse` that holds its node.
+    fn between(coarse: &ContactSolution, fine: &ContactSolution) -> Self {
+        let (mut sum, mut load) = (Self::default(), 0.0);
+        let (mut pieces, mut films) = ([0.0; PIECES * PIECES], 0.0);
+        for (k, (x, y)) in fine.grid.nodes().enumerate() {
+            let before = cell_at(&coarse.grid, x, y);
+            let pressure = fine.state.pressure[k];
+            load += pressure;
+            sum.shear += (fine.shear[k] - coarse.shear[before]).abs();
+            let (now, then) = (solid_share(fine, k), solid_share(coarse, before));
+            if let (Some(now), Some(then)) = (now, then) {
+                sum.sides += pressure * (now - then).abs();
+            }
+            let film = fine.state.film[k];
+            let change: f64 = film - coarse.state.film[before];
+            if !fine.state.in_contact[k] && film - change.abs() <= fine.contact.film_cutoff {
+                sum.nearly += pressure;
+            }
+            if let Some(piece) = piece_at(fine, x, y) {
+                pieces[piece] += change;
+                films += film;
+            }
+        }
+        let over = |value: f64, whole: f64| if whole > 0.0 { value / whole } else { 0.0 };
+        Self {
+            sides: over(sum.sides, load),
+            nearly: over(sum.nearly, load),
+            shear: over(sum.shear, load),
+            film: over(pieces.iter().map(|change: &f64| change.abs()).sum(), films),
+        }
+    }
+}
+
+/// The piece of the region of the mean film that holds the point `(x, y)`; none outside of it.
+fn piece_at(solution: &ContactSolution, x: f64, y: f64) -> Option<usize> {
+    let ellipse = solution.hertz.ellipse();
+    let along = |share: f64| {
+        let share = 0.5 * (1.0 + share / CENTRAL);
+        ((share * PIECES as f64) as usize).min(PIECES - 1)
+    };
+    let [first, second] = ellipse.normalised(x, y);
+    is_central(x, y, &ellipse).then(|| along(second) * PIECES + along(first))
+}
+
+/// Share of the pressure of node `k` that is solid; none without pressure.
+fn solid_share(solution: &ContactSolution, k: usize) -> Option<f64> {
+    let pressure = solution.state.pressure[k];
+    (pressure > 0.0).then(|| (solution.state.solid_pressure(k) / pressure).min(1.0))
+}
+
+/// The cell of `grid` that holds the point `(x, y)`, or the nearest one.
+fn cell_at(grid: &Grid, x: f64, y: f64) -> usize {
+    let along = |distance: f64, n: usize| ((distance + 0.5).max(0.0) as usize).min(n - 1);
+    let column = along((x - grid.x(0)) / grid.dx(), grid.nx());
+    let row = along((y - grid.y(0)) / grid.dy(), grid.ny());
+    row * grid.nx() + column
+}

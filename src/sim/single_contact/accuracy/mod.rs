@@ -1,0 +1,126 @@
+//! Errors of a single contact that coarser meshes tell, and meshes for a wanted accuracy.
+//!
+//! Three ways, one a file: `smooth` picks box and meshes for a smooth contact and extrapolates over three of
+//! them, `rough` halves cells until the change is small, and `change` says what the difference of two meshes
+//! tells of the errors of the finer one. `surfaces` evaluates heights on any mesh. What counts as small, and
+//! on what the factors rest, is in `docs/errors.md`.
+
+mod change;
+mod rough;
+mod smooth;
+mod surfaces;
+
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::report::Work;
+use crate::sim::contact::interrupt::Interrupt;
+use crate::sim::contact::setup;
+use crate::sim::contact::solution::ContactSolution;
+use crate::sim::contact::warnings::Warning;
+use crate::sim::error::SimError;
+use crate::sim::scene::{GridSpec, Scene};
+
+/// Nodes of the largest mesh that a solve of `scene` takes: its own where that is given, the finest of the first
+/// meshes of a smooth contact that picks them, the largest that is ever tried of a rough one.
+pub(in crate::sim) fn largest_mesh(scene: &Scene) -> Result<usize, SimError> {
+    match scene.grid {
+        GridSpec::Accuracy { accuracy } if scene.is_smooth() => {
+            let grid = smooth::finest(scene, accuracy)?;
+            Ok(Scene { grid, ..scene.clone() }.grid()?.len())
+        }
+        GridSpec::Accuracy { .. } => Ok(rough::MAX_NODES),
+        _ if scene.solver.accuracy.is_some() => Ok(rough::MAX_NODES.max(scene.grid()?.len())),
+        _ => Ok(scene.grid()?.len()),
+    }
+}
+
+/// The meshes of one contact, of which nothing is solved yet.
+pub(in crate::sim) enum Meshes {
+    /// Of a smooth contact, box and cells picked.
+    Smooth(Box<smooth::Picked>),
+    /// Of a rough one, or of given cells.
+    Rough(Box<rough::Halving>),
+}
+
+impl Meshes {
+    /// Those of the single contact of `scene`. Everything that a solve refuses before its first iteration is
+    /// refused here.
+    ///
+    /// # Errors
+    /// A scene that does not fit, an accuracy out of range, surfaces that are not known on other meshes.
+    pub(in crate::sim) fn new(scene: &Scene, interrupt: Option<&Interrupt>) -> Result<Self, SimError> {
+        let (accuracy, field) = match (scene.grid, scene.solver.accuracy) {
+            (GridSpec::Accuracy { .. }, Some(_)) => {
+                return Err(SimError::Input(InputError::Conflict {
+                    field: "solver.accuracy".to_owned(),
+                    reason: "it is for given cells, grid.accuracy stands in its place".to_owned(),
+                }));
+            }
+            (GridSpec::Accuracy { accuracy }, None) => {
+                setup::validate_accuracy("grid.accuracy", accuracy)?;
+                if scene.is_smooth() {
+                    let meshes = smooth::Picked::new(scene, accuracy, interrupt)?;
+                    return Ok(Self::Smooth(Box::new(meshes)));
+                }
+                let grid = rough::cells_of_waves(scene, accuracy)?;
+                let scene = Scene { grid, ..scene.clone() };
+                let meshes = rough::Halving::new(scene, accuracy, "grid.accuracy", interrupt)?;
+                return Ok(Self::Rough(Box::new(meshes)));
+            }
+            (_, Some(accuracy)) => (accuracy, "solver.accuracy"),
+            (_, None) => (f64::INFINITY, "solver.estimate"),
+        };
+        let meshes = rough::Halving::new(scene.clone(), accuracy, field, interrupt)?;
+        Ok(Self::Rough(Box::new(meshes)))
+    }
+
+    /// Solves on one mesh after the other and estimates the errors of the last; `observer` sees the solution of
+    /// each.
+    pub(in crate::sim) fn solve(
+        self,
+        observer: &mut dyn FnMut(&ContactSolution),
+    ) -> Result<ContactSolution, SimError> {
+        match self {
+            Self::Smooth(meshes) => meshes.solve(observer),
+            Self::Rough(meshes) => meshes.solve(observer),
+        }
+    }
+
+    /// What is known without solving.
+    pub(in crate::sim) fn into_warnings(self) -> Vec<Warning> {
+        match self {
+            Self::Smooth(meshes) => meshes.warnings,
+            Self::Rough(meshes) => meshes.into_warnings(),
+        }
+    }
+}
+
+/// Work of all meshes, convolutions as node counts.
+#[derive(Debug, Default)]
+struct Spent {
+    /// Convolutions times the nodes of their grids.
+    convolved_nodes: f64,
+    /// Outer iterations.
+    iterations: u64,
+    /// Inner iterations.
+    inner_iterations: u64,
+}
+
+impl Spent {
+    /// Counts in the work of `solution`.
+    fn add(&mut self, solution: &ContactSolution) {
+        let work = solution.report.work;
+        self.convolved_nodes += work.convolutions * solution.grid.len() as f64;
+        self.iterations += work.iterations;
+        self.inner_iterations += work.inner_iterations;
+    }
+
+    /// The work in equivalents of `grid`.
+    fn on(&self, grid: &Grid) -> Work {
+        Work {
+            convolutions: self.convolved_nodes / grid.len() as f64,
+            iterations: self.iterations,
+            inner_iterations: self.inner_iterations,
+        }
+    }
+}

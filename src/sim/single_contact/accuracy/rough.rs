@@ -1,0 +1,308 @@
+//! A rough contact and its errors: one surface, by its Fourier series, on meshes whose cells halve.
+//!
+//! A rough contact has no order of convergence: asperities touch on one mesh and not on the next. So the
+//! errors of a mesh are estimated from the change since the mesh of half the cells along each side
+//! ([`change`]), and meshes are refined until the estimate is below the accuracy. The surface stays one
+//! surface, as its Fourier series is evaluated on each mesh. Where no cells are given, box and cells follow
+//! from the waves of the random surfaces, which must have a shortest length.
+
+use super::smooth::Plan;
+use super::surfaces::Surfaces;
+use super::{Spent, change};
+use crate::boundary::Boundary;
+use crate::error::InputError;
+use crate::report::Status;
+use crate::reynolds::ContactDefinition;
+use crate::sim::contact::error_estimate::ErrorEstimate;
+use crate::sim::contact::interrupt::Interrupt;
+use crate::sim::contact::setup;
+use crate::sim::contact::solution::ContactSolution;
+use crate::sim::contact::warnings::Warning;
+use crate::sim::error::SimError;
+use crate::sim::scene::{GridSpec, Roughness, Scene, ShortestWaves};
+use crate::sim::single_contact::prepared::{Prepared, prepare_heights};
+use crate::surface::{HeightDistribution, RandomShape};
+
+/// Meshes of more nodes are not tried.
+pub(super) const MAX_NODES: usize = 1 << 20;
+/// Fewest cells along a side that have a half.
+const FEWEST: usize = 10;
+/// Cells in the length over which a Gaussian autocorrelation falls to 10 %, and in the shortest wave of a
+/// self-affine surface: of the former the density of waves shorter than two of them is below 1e-4 of the
+/// largest.
+const CELLS_IN_LENGTH: f64 = 3.0;
+/// Fewest cells in a Hertz half-width that a contact begins with.
+const CELLS_IN_AXIS: f64 = 10.0;
+/// Beyond the Hertz circle the bodies part by `1.2 e^1.5 a^2/R` at the distance `e a`; asperities reach over
+/// five times their Rq.
+const GAP_BEYOND: f64 = 1.2;
+/// Heights in Rq up to which asperities reach.
+const REACH: f64 = 5.0;
+/// Room between the last asperities that may touch and the edge of the box, in Hertz half-widths.
+const ROOM: f64 = 0.3;
+
+/// A contact on half the cells of its scene, on these, and on finer and finer ones.
+pub(in crate::sim) struct Halving {
+    /// The scene, its grid the mesh that is asked for.
+    scene: Scene,
+    /// Wanted error.
+    accuracy: f64,
+    /// Key of the scene that asks.
+    field: &'static str,
+    /// Heights of both bodies on any mesh.
+    surfaces: Surfaces,
+    /// What may end a solve early.
+    interrupt: Option<Interrupt>,
+    /// The contact on half the cells.
+    half: Prepared,
+    /// The contact on the mesh that is asked for.
+    whole: Prepared,
+}
+
+impl Halving {
+    /// Both first meshes of `scene`, whose `field` asks for the `accuracy`, infinity where any will do.
+    pub(super) fn new(
+        scene: Scene,
+        accuracy: f64,
+        field: &'static str,
+        interrupt: Option<&Interrupt>,
+    ) -> Result<Self, SimError> {
+        let surfaces = surfaces(&scene, field)?;
+        let mut halved = Scene { grid: of_cells(scene.grid, |n| n.div_ceil(2)), ..scene.clone() };
+        // Two rows of the mesh that is asked for decide on the edge of the box.
+        halved.solver.edge_contact = true;
+        let half = on(&halved, &surfaces, interrupt).map_err(|error| on_half(error, field))?;
+        let whole = on(&scene, &surfaces, interrupt)?;
+        Ok(Self { scene, accuracy, field, surfaces, interrupt: interrupt.cloned(), half, whole })
+    }
+
+    /// What is known before anything is solved.
+    pub(super) fn into_warnings(self) -> Vec<Warning> {
+        self.whole.warnings
+    }
+
+    /// Solves until the largest of the four estimated errors is at most the accuracy, or a mesh is not
+    /// solved, or the next one would be too large.
+    pub(super) fn solve(
+        self,
+        observer: &mut dyn FnMut(&ContactSolution),
+    ) -> Result<ContactSolution, SimError> {
+        let Self { mut scene, accuracy, field, surfaces, interrupt, half, whole } = self;
+        let mut coarse = half.solve().map_err(|error| on_half(error, field))?;
+        let mut contact = whole;
+        let mut work = Spent::default();
+        work.add(&coarse);
+        observer(&coarse);
+        loop {
+            let mut solution = contact.solve()?;
+            work.add(&solution);
+            solution.error_estimate = change::estimate(&coarse, &solution);
+            observer(&solution);
+            let error = solution.error_estimate.map_or(f64::INFINITY, |estimate| largest(&estimate));
+            let finer = Scene { grid: of_cells(scene.grid, |n| 2 * n), ..scene.clone() };
+            let unsolved = solution.report.status != Status::Converged;
+            if error <= accuracy || unsolved || !is_affordable(&finer) {
+                solution.report.work = work.on(&solution.grid);
+                return Ok(solution);
+            }
+            contact = on(&finer, &surfaces, interrupt.as_ref())?;
+            (coarse, scene) = (solution, finer);
+        }
+    }
+}
+
+/// The contact on the mesh of `scene`.
+fn on(scene: &Scene, surfaces: &Surfaces, interrupt: Option<&Interrupt>) -> Result<Prepared, SimError> {
+    prepare_heights(scene, interrupt, surfaces.on(&scene.grid()?)?)
+}
+
+/// What an accuracy of a rough contact bounds.
+fn largest(estimate: &ErrorEstimate) -> f64 {
+    let ErrorEstimate {
+        film_mean_central, contact_load_ratio, contact_area_ratio, friction_coefficient, ..
+    } = *estimate;
+    film_mean_central.max(contact_load_ratio).max(contact_area_ratio).max(friction_coefficient)
+}
+
+/// Whether a mesh has at most [`MAX_NODES`] nodes and memory is granted for them.
+fn is_affordable(scene: &Scene) -> bool {
+    scene.grid().is_ok_and(|grid| {
+        grid.len() <= MAX_NODES && setup::validate_memory(&grid, scene.is_lubricated()).is_ok()
+    })
+}
+
+/// The surfaces of a scene that can be solved on half its cells too.
+fn surfaces(scene: &Scene, field: &str) -> Result<Surfaces, SimError> {
+    if scene.is_lubricated() && scene.solver.contact == ContactDefinition::UnifiedReynolds {
+        return Err(SimError::Input(InputError::Conflict {
+            field: "solver.contact = \"paper\"".to_owned(),
+            reason: format!(
+                "{field} needs \"hard\": where the pressure flow ends, numbers have no limit on fine meshes"
+            ),
+        }));
+    }
+    setup::validate(scene)?;
+    let grid = scene.grid()?;
+    setup::validate_box(&grid, &scene.hertz()?, scene.form.is_line())?;
+    setup::validate_memory(&grid, scene.is_lubricated())?;
+    let few = |n: usize| n < FEWEST;
+    for (axis, n, counts) in [("grid.nx", grid.nx(), true), ("grid.ny", grid.ny(), grid.ny() > 1)] {
+        if counts && few(n) {
+            return Err(SimError::Input(InputError::Conflict {
+                field: format!("{axis} = {n}"),
+                reason: format!(
+                    "{field} needs at least {FEWEST} cells along each side, so that half of them are a mesh"
+                ),
+            }));
+        }
+    }
+    Surfaces::new(scene, &grid)
+}
+
+/// The error of the mesh of half the cells.
+fn on_half(error: SimError, field: &str) -> SimError {
+    match error {
+        SimError::Input(error) => SimError::Input(InputError::Conflict {
+            field: field.to_owned(),
+            reason: format!("on half the cells along each side: {error}"),
+        }),
+        other => other,
+    }
+}
+
+/// The same box with other cells.
+fn of_cells(grid: GridSpec, count: impl Fn(usize) -> usize) -> GridSpec {
+    match grid {
+        GridSpec::Cells { nx, ny, x, y } => GridSpec::Cells { nx: count(nx), ny: count(ny), x, y },
+        GridSpec::Growing { nx, ny, x, y } => GridSpec::Growing { nx: count(nx), ny: count(ny), x, y },
+        GridSpec::Row { nx, x } => GridSpec::Row { nx: count(nx), x },
+        other => other,
+    }
+}
+
+/// The box of the smooth contact, or one that holds all asperities that may touch, with cells that hold the
+/// waves of the random surfaces.
+pub(super) fn cells_of_waves(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
+    setup::validate(scene)?;
+    let hertz = scene.hertz()?;
+    let Waves { lengths: [along_x, along_y], rq } = waves(scene)?;
+    let plan = Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?;
+    let depth = GAP_BEYOND * hertz.half_width_x.powi(2) / scene.form.radii().0;
+    let reach = 1.0 + (REACH * rq / depth).powf(2.0 / 3.0) + ROOM;
+    let [half_x, half_y] = hertz.half_extents();
+    let x = [-plan.inlet.max(reach) * half_x, plan.outlet.max(reach) * half_x];
+    let side = plan.side.max(reach) * half_y;
+    let y = [-side, side];
+    let cells = |[low, high]: [f64; 2], length: f64, axis: f64| {
+        ((high - low) / (length / CELLS_IN_LENGTH).min(axis / CELLS_IN_AXIS)).ceil()
+    };
+    let line = scene.form.is_line();
+    let (nx, ny) = (cells(x, along_x, half_x), if line { 1.0 } else { cells(y, along_y, half_y) });
+    if nx * ny > MAX_NODES as f64 {
+        return Err(SimError::Input(InputError::Conflict {
+            field: "grid.accuracy".to_owned(),
+            reason: format!("the waves of the surfaces need {:.2e} nodes, more than {MAX_NODES}", nx * ny),
+        }));
+    }
+    let (nx, ny) = (nx as usize, ny as usize);
+    Ok(if line { GridSpec::Row { nx, x } } else { GridSpec::Cells { nx, ny, x, y } })
+}
+
+/// The random surfaces of both bodies.
+struct Waves {
+    /// The shortest lengths along x and y of the autocorrelations, or waves \[m\].
+    lengths: [f64; 2],
+    /// Root mean square of the heights of both \[m\].
+    rq: f64,
+}
+
+/// Shortest lengths and common Rq; refuses surfaces that have waves of every length, heights that are not
+/// normal or not periodic, and files, by the key that would have to change.
+fn waves(scene: &Scene) -> Result<Waves, SimError> {
+    let needs_cells = |field: String, reason: &str| {
+        let reason =
+            format!("{reason}: give nx, ny, x and y, the cells that hold the surface, and solver.accuracy");
+        Err(SimError::Input(InputError::Conflict { field, reason }))
+    };
+    let (mut lengths, mut square) = ([f64::INFINITY; 2], 0.0);
+    for (roughness, body) in [(&scene.roughness.ball, "ball"), (&scene.roughness.disc, "disc")] {
+        if roughness.is_smooth() {
+            continue;
+        }
+        let normal = match roughness {
+            Roughness::Random(surface) => {
+                surface.distribution == HeightDistribution::Normal && surface.boundary == Boundary::Periodic
+            }
+            Roughness::Texture(_) => false,
+            _ => true,
+        };
+        let key = |name: &str| format!("roughness.{body}.{name}");
+        match (roughness, roughness.shortest_waves()) {
+            _ if !normal => {
+                return needs_cells(
+                    format!("roughness.{body}"),
+                    "only normal heights that are periodic are refined without cells",
+                );
+            }
+            (_, ShortestWaves::Of(shortest)) => {
+                let rq = roughness.rq().unwrap_or(0.0);
+                InputError::require_non_negative(&key("rq"), rq)?;
+                square += rq.powi(2);
+                let of_length = matches!(
+                    roughness,
+                    Roughness::Random(surface) if matches!(surface.shape, RandomShape::Correlated { .. })
+                );
+                let names = if of_length { ["length_x", "length_y"] } else { ["shortest"; 2] };
+                for (axis, least) in lengths.iter_mut().enumerate() {
+                    InputError::require_positive(&key(names[axis]), shortest[axis])?;
+                    *least = least.min(shortest[axis]);
+                }
+            }
+            (Roughness::Random(surface), ShortestWaves::Endless)
+                if matches!(surface.shape, RandomShape::Correlated { .. }) =>
+            {
+                return needs_cells(
+                    format!("roughness.{body}.kind = \"exponential\""),
+                    "the surface has waves of every length and no finest ones to refine",
+                );
+            }
+            (_, ShortestWaves::Endless) => {
+                return needs_cells(
+                    key("shortest"),
+                    "without it the surface has waves of every length and no finest ones to refine",
+                );
+            }
+            (Roughness::File(file), _) => {
+                return needs_cells(
+                    format!("roughness.{body}.path = {}", file.path.display()),
+                    "the box that the heights belong to is not known",
+                );
+            }
+            (_, ShortestWaves::Unknown) => {}
+        }
+    }
+    Ok(Waves { lengths, rq: square.sqrt() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sim::scene::LayerSpec;
+
+    #[test]
+    fn a_soft_layer_widens_the_box() {
+        let mut scene = Scene::azam_2019(32);
+        scene.lubricant = None;
+        scene.roughness.ball = Roughness::gaussian(1e-9, 40e-6, 1);
+        scene.roughness.disc = Roughness::None;
+        let inlet = |scene: &Scene| match cells_of_waves(scene, 0.01).unwrap() {
+            GridSpec::Cells { x: [low, _], .. } => low,
+            other => panic!("{other:?}"),
+        };
+        let bare = inlet(&scene);
+        let soft = LayerSpec::new(50e-6, 1e9, 0.3);
+        scene.elastic.layer =
+            Some(soft.with_substrate_modulus(Some(210e9)).with_substrate_poisson(Some(0.3)));
+        assert!(inlet(&scene) < 1.5 * bare, "{} and {bare}", inlet(&scene));
+    }
+}

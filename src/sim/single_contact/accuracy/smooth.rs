@@ -1,0 +1,346 @@
+//! A smooth contact to a wanted accuracy: box and mesh by the film's own scale, coarse to fine, with an error
+//! estimate.
+//!
+//! Of three meshes whose cells halve, a number changes by `d_2` and then `d_1`. The estimate is 1.5 times the
+//! largest of `|d_1|/3` and `|d_2|/15`, which are the error at second order, and `|d_1| r/(1 - r)` with
+//! `r = |d_1/d_2|`, which is that at the order observed. The box is as long as its error asks for
+//! ([`InletScale`]), which is added.
+
+use super::{Spent, change};
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::report::Status;
+use crate::reynolds::ContactState;
+use crate::sim::contact::error_estimate::ErrorEstimate;
+use crate::sim::contact::far_field::{Contact, InletScale};
+use crate::sim::contact::formula::formula_film;
+use crate::sim::contact::interrupt::Interrupt;
+use crate::sim::contact::setup;
+use crate::sim::contact::solution::ContactSolution;
+use crate::sim::contact::warnings::Warning;
+use crate::sim::error::SimError;
+use crate::sim::scene::hertz::HertzContact;
+use crate::sim::scene::{GridSpec, InletSpec, Scene};
+use crate::sim::single_contact::prepared::prepare_on_grid;
+
+/// Ratio of the cells of one mesh to those of the next finer one.
+const RATIO: f64 = 2.0;
+/// Meshes of one estimate.
+const LEVELS: u32 = 3;
+/// Cells on either side of the origin are a multiple of this: it stays on a face on every mesh.
+const MULTIPLE: usize = 4;
+/// Largest ratio of successive differences that is extrapolated; beyond it a number is not seen to converge.
+const SLOWEST: f64 = 0.8;
+/// The estimate over what the differences say.
+const SAFETY: f64 = 1.5;
+/// How much higher a pressure spike may become on finer meshes, of its height: it grew by up to 0.4 when
+/// cells of this size were halved twice.
+const SPIKE_GROWTH: f64 = 0.5;
+/// Exponent of the viscosity under the Hertz pressure from which spikes are that sharp; milder ones are
+/// rounder.
+const SHARP: f64 = 10.0;
+/// A spike is a local maximum of the pressure behind this share of the half-width.
+const SPIKE_FROM: f64 = 0.5;
+/// Share of the wanted error that the first mesh aims at.
+const AIM: f64 = 0.3;
+/// Share of the wanted error that the box may make.
+const BOX_SHARE: f64 = 0.5;
+/// Ends of boxes upstream that are tried, in half-widths.
+const INLETS: [f64; 6] = [2.5, 3.0, 4.0, 5.0, 6.0, 8.0];
+/// Meshes that are refined once more before what has been reached is handed back.
+const ROUNDS: u32 = 3;
+/// More nodes than these are refused.
+const MAX_NODES: usize = 1 << 22;
+
+/// Box and cell size in Hertz units.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Plan {
+    /// End of the box upstream of the middle, in half-widths.
+    pub(super) inlet: f64,
+    /// End of the box downstream.
+    pub(super) outlet: f64,
+    /// End of the box to either side.
+    pub(super) side: f64,
+    /// Cell size of the finest mesh, in half-widths.
+    cell: f64,
+}
+
+impl Plan {
+    /// A box that makes the share [`BOX_SHARE`] of the error, and cells whose error of second order, `C h^2`
+    /// of the film `h R/a^2`, is the share [`AIM`] of the accuracy.
+    pub(super) fn of(scene: &Scene, hertz: &HertzContact, accuracy: f64) -> Result<Self, InputError> {
+        let conditions = scene.conditions(0.0)?;
+        let viscosity = setup::viscosity(scene, conditions.bulk_temperature)?;
+        let speed = conditions.motion.entrainment_speed;
+        let formulas = formula_film(scene, hertz, speed, viscosity.as_deref(), None)?;
+        let (Some(viscosity), Some(formulas)) = (viscosity.as_deref(), formulas) else {
+            let (side, cell) = (1.5, 0.25 * accuracy.sqrt());
+            return Ok(Self { inlet: side, outlet: side, side, cell });
+        };
+        if scene.lubricant.is_some_and(|oil| oil.inlet == InletSpec::BoxEdge) {
+            return Err(box_edge());
+        }
+        let scale =
+            InletScale::new(&Contact { scene, hertz, viscosity, entrainment_speed: speed, formulas })?;
+        let film = scale.film() * scene.form.radii().0 / hertz.half_width_x.powi(2);
+        let constant = 1.5 * (formulas.moes.m / 20.0).max(1.0).powf(0.2);
+        let [half_x, half_y] = hertz.half_extents();
+        let side = |inlet: f64| (inlet / 1.5).max(1.75);
+        let error = |inlet: f64| scale.box_error(inlet * half_x, side(inlet) * half_y).of_solve();
+        let fits = |inlet: &f64| error(*inlet) <= BOX_SHARE * accuracy;
+        let inlet = INLETS.into_iter().find(fits).unwrap_or(INLETS[INLETS.len() - 1]);
+        Ok(Self {
+            inlet,
+            outlet: 1.5,
+            side: side(inlet),
+            cell: (AIM * accuracy * film / constant).sqrt().min(0.1),
+        })
+    }
+
+    /// The same for a layer on the disc, with which the contact is as wide as that of its substrate, that of
+    /// half-spaces of its own material, or in between: the box of the wider one, the cells of the narrower
+    /// one.
+    pub(super) fn with_layer(self, scene: &Scene) -> Result<Self, InputError> {
+        let Some(layer) = scene.layer()? else { return Ok(self) };
+        let [own, substrate] = layer.compliances();
+        let compliance = 1.0 + (own - substrate) * 0.5 * scene.equivalent_modulus()?;
+        let width = if scene.form.is_line() { compliance.sqrt() } else { compliance.cbrt() };
+        let (wide, narrow) = (width.max(1.0), width.min(1.0));
+        let [inlet, outlet, side] = [self.inlet, self.outlet, self.side].map(|length| wide * length);
+        Ok(Self { inlet, outlet, side, cell: narrow * self.cell })
+    }
+
+    /// The cells of the mesh `level` times coarser than the finest.
+    fn cells(&self, hertz: &HertzContact, level: u32, is_line: bool) -> Result<GridSpec, InputError> {
+        let count =
+            |length: f64| MULTIPLE * (length / (MULTIPLE as f64 * self.cell)).ceil().max(1.0) as usize;
+        let coarser = |n: usize| n >> level;
+        let edge = |cells: usize, axis: f64| cells as f64 * self.cell * axis;
+        let [half_x, half_y] = hertz.half_extents();
+        let [inlet, outlet, side] = [self.inlet, self.outlet, self.side].map(count);
+        let x = [-edge(inlet, half_x), edge(outlet, half_x)];
+        let y = edge(side, half_y);
+        let rows = if is_line { 1 } else { 2 * side };
+        let nodes = (inlet + outlet) as f64 * rows as f64;
+        if nodes > MAX_NODES as f64 {
+            return Err(InputError::Conflict {
+                field: "grid.accuracy".to_owned(),
+                reason: format!(
+                    "the film needs {nodes:.2e} nodes for it, more than {MAX_NODES}: allow a larger error"
+                ),
+            });
+        }
+        let nx = coarser(inlet + outlet);
+        Ok(if is_line {
+            GridSpec::Row { nx, x }
+        } else {
+            GridSpec::Cells { nx, ny: coarser(rows), x, y: [-y, y] }
+        })
+    }
+}
+
+/// The error of an oil that begins at the edge of a box that is not given.
+fn box_edge() -> InputError {
+    InputError::Conflict {
+        field: "lubricant.inlet = \"box_edge\"".to_owned(),
+        reason: "grid.accuracy picks the box, at whose edge no oil can begin: give nx, ny, x and y, or leave the inlet \
+                 flooded"
+            .to_owned(),
+    }
+}
+
+/// A smooth contact in a box and on meshes that are picked for an accuracy.
+pub(in crate::sim) struct Picked {
+    /// The scene, whose grid is replaced mesh by mesh.
+    scene: Scene,
+    /// Hertz contact of the smooth bodies.
+    hertz: HertzContact,
+    /// Wanted relative error.
+    accuracy: f64,
+    /// Box and cells to begin with.
+    plan: Plan,
+    /// How much higher a pressure spike may be in the limit, of its height.
+    spike_growth: f64,
+    /// What may end a solve early.
+    interrupt: Option<Interrupt>,
+    /// What is known before anything is solved.
+    pub(super) warnings: Vec<Warning>,
+}
+
+/// Cells of the finest of the first meshes of `scene`.
+pub(super) fn finest(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError> {
+    setup::validate(scene)?;
+    let hertz = scene.hertz()?;
+    Ok(Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?.cells(&hertz, 0, scene.form.is_line())?)
+}
+
+impl Picked {
+    /// The first meshes of `scene`.
+    pub(super) fn new(scene: &Scene, accuracy: f64, interrupt: Option<&Interrupt>) -> Result<Self, SimError> {
+        setup::validate(scene)?;
+        let hertz = scene.hertz()?;
+        let plan = Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?;
+        let temperature = scene.conditions(0.0)?.bulk_temperature;
+        let exponent =
+            setup::viscosity(scene, temperature)?.map_or(0.0, |law| law.log_slope(0.0) * hertz.pressure);
+        let spike_growth = SPIKE_GROWTH * (exponent / SHARP).min(1.0).powi(2);
+        let on = |level| -> Result<Scene, InputError> {
+            Ok(Scene { grid: plan.cells(&hertz, level, scene.form.is_line())?, ..scene.clone() })
+        };
+        let coarsest = prepare_on_grid(&on(LEVELS - 1)?, interrupt, |grid| Ok(ContactState::new(grid)))?;
+        // Finer meshes differ in what they need.
+        setup::validate_memory(&on(0)?.grid()?, scene.is_lubricated())?;
+        let (scene, interrupt, warnings) = (scene.clone(), interrupt.cloned(), coarsest.warnings);
+        Ok(Self { scene, hertz, accuracy, plan, spike_growth, interrupt, warnings })
+    }
+
+    /// Solves so that the estimated error of the central film (of the maximum pressure where it is dry) is at
+    /// most the accuracy, or reports the estimate that was reached.
+    pub(super) fn solve(
+        self,
+        observer: &mut dyn FnMut(&ContactSolution),
+    ) -> Result<ContactSolution, SimError> {
+        let Self { mut scene, hertz, accuracy, mut plan, spike_growth, interrupt, .. } = self;
+        let mut work = Spent::default();
+        let mut round = 0;
+        loop {
+            round += 1;
+            let mut seen = |solution: &ContactSolution| {
+                work.add(solution);
+                observer(solution);
+            };
+            let meshes = Meshes::solve((&mut scene, interrupt.as_ref()), &hertz, &plan, &mut seen)?;
+            let (mut solution, estimate) = meshes.estimate(scene.is_lubricated(), spike_growth);
+            let reached = estimate.map_or(f64::INFINITY, |e| {
+                if scene.is_lubricated() { e.film_central } else { e.pressure_max }
+            });
+            let by_box = solution.box_error;
+            let mesh = (reached - by_box) / (accuracy - by_box.min(BOX_SHARE * accuracy));
+            let finer = Plan { cell: plan.cell * (0.8 / mesh).sqrt().clamp(0.5, 0.9), ..plan };
+            let affordable = finer.cells(&hertz, 0, scene.form.is_line()).is_ok();
+            if reached <= accuracy || round == ROUNDS || !affordable {
+                solution.report.work = work.on(&solution.grid);
+                solution.error_estimate = estimate;
+                return Ok(solution);
+            }
+            plan = finer;
+        }
+    }
+}
+
+/// The finest solution, the one before, and the numbers `[central film, minimum film, maximum pressure]` of
+/// all converged meshes, finest last.
+struct Meshes {
+    /// Solution on the finest mesh.
+    finest: ContactSolution,
+    /// Solution on the mesh before it.
+    middle: Option<ContactSolution>,
+    /// Numbers of the converged meshes, the finest last.
+    numbers: Vec<[f64; 3]>,
+}
+
+impl Meshes {
+    /// Solves on all meshes, coarsest first, each from the one before where that converged; `observer` sees the
+    /// solution of each.
+    fn solve(
+        (scene, interrupt): (&mut Scene, Option<&Interrupt>),
+        hertz: &HertzContact,
+        plan: &Plan,
+        observer: &mut dyn FnMut(&ContactSolution),
+    ) -> Result<Self, SimError> {
+        let mut numbers = Vec::new();
+        let (mut middle, mut previous): (Option<ContactSolution>, Option<ContactSolution>) = (None, None);
+        for level in (0..LEVELS).rev() {
+            scene.grid = plan.cells(hertz, level, scene.form.is_line())?;
+            let contact = prepare_on_grid(scene, interrupt, |grid| match &previous {
+                Some(coarse) if coarse.report.status == Status::Converged => prolonged(coarse, grid),
+                _ => Ok(ContactState::new(grid)),
+            })?;
+            let solution = contact.solve()?;
+            observer(&solution);
+            if solution.report.status == Status::Converged {
+                numbers.push([solution.film.central, solution.film.minimum, solution.pressure.max]);
+            } else {
+                // A mesh too coarse for a film, or one that is not solved, says nothing of the others.
+                numbers.clear();
+            }
+            middle = previous.replace(solution);
+        }
+        let finest = previous.ok_or_else(|| InputError::Conflict {
+            field: "grid.accuracy".to_owned(),
+            reason: "no mesh was solved".to_owned(),
+        })?;
+        Ok(Self { finest, middle, numbers })
+    }
+
+    /// The finest solution and its estimate, which takes two converged meshes.
+    fn estimate(self, lubricated: bool, spike_growth: f64) -> (ContactSolution, Option<ErrorEstimate>) {
+        let numbers = match self.numbers.as_slice() {
+            [.., coarsest, middle, finest] => Some((Some(coarsest), middle, finest)),
+            [middle, finest] => Some((None, middle, finest)),
+            _ => None,
+        };
+        let changes = self.middle.and_then(|middle| change::estimate(&middle, &self.finest));
+        let errors = numbers.zip(changes).map(|((coarsest, middle, finest), changes)| {
+            let of = |k: usize| relative_error(coarsest.map(|c| c[k]), middle[k], finest[k]);
+            let box_error = self.finest.box_error;
+            let film = |k, share| if lubricated { of(k) + share * box_error } else { 0.0 };
+            let spike = highest_spike(&self.finest);
+            let overtaken = (1.0 + spike_growth) * spike / self.finest.pressure.max - 1.0;
+            ErrorEstimate {
+                film_central: film(0, 1.0),
+                film_minimum: film(1, change::BOX_MINIMUM),
+                pressure_max: of(2).max(overtaken),
+                ..changes
+            }
+        });
+        (self.finest, errors)
+    }
+}
+
+/// The highest local maximum of the pressure along the middle row in the outlet half \[Pa\]; zero without
+/// one.
+fn highest_spike(solution: &ContactSolution) -> f64 {
+    let (nx, ny) = (solution.grid.nx(), solution.grid.ny());
+    let row = solution.state.pressure.chunks_exact(nx).nth(ny / 2).unwrap_or_default();
+    let behind = |i: usize| solution.grid.x(i) > SPIKE_FROM * solution.hertz.half_width_x;
+    row.windows(3)
+        .enumerate()
+        .filter(|(i, p)| behind(i + 1) && p[1] > p[0] && p[1] >= p[2])
+        .map(|(_, p)| p[1])
+        .fold(0.0, f64::max)
+}
+
+/// Estimated relative error of the last of up to three values, see [`ErrorEstimate`].
+fn relative_error(coarsest: Option<f64>, middle: f64, finest: f64) -> f64 {
+    // The error itself is the difference over these at second order.
+    let (by_last, by_before) = (RATIO.powi(2) - 1.0, RATIO.powi(4) - 1.0);
+    let last = (finest - middle).abs();
+    let error = match coarsest {
+        // Without a third mesh the order is unknown: first order at worst.
+        None => last,
+        Some(coarsest) => {
+            let before = (middle - coarsest).abs();
+            let ratio = if before > 0.0 { (last / before).min(SLOWEST) } else { SLOWEST };
+            let observed = last * ratio / (1.0 - ratio);
+            observed.max(last / by_last).max(before / by_before)
+        }
+    };
+    SAFETY * error / finest.abs()
+}
+
+/// The state of a coarser mesh as a start on `grid`.
+fn prolonged(coarse: &ContactSolution, grid: &Grid) -> Result<ContactState, InputError> {
+    let mut state = ContactState::new(grid);
+    for (k, (x, y)) in grid.nodes().enumerate() {
+        let on_ring = k % grid.nx() == 0 || (k + 1) % grid.nx() == 0;
+        let on_side = grid.ny() > 1 && (k < grid.nx() || k + grid.nx() >= grid.len());
+        if on_ring || on_side {
+            continue;
+        }
+        state.pressure[k] = coarse.grid.interpolate(&coarse.state.pressure, x, y)?;
+        state.fluid_pressure[k] = coarse.grid.interpolate(&coarse.state.fluid_pressure, x, y)?;
+    }
+    state.approach = coarse.state.approach;
+    Ok(state)
+}

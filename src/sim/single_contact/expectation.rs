@@ -1,0 +1,226 @@
+//! Estimates of a contact by formula before it is solved: roughness, regime and film, lambda, the load on solids,
+//! friction and its heat.
+
+use crate::analytic::{AsperityInlets, FilmMap};
+use crate::boundary::Boundary;
+use crate::error::InputError;
+use crate::lubricant::Lubricant;
+use crate::metrics::AreaCorrelation;
+use crate::sim::contact::formula::formula_film;
+use crate::sim::contact::friction::mean_fluid_stress;
+use crate::sim::contact::heating::{IsothermalFriction, film_rise};
+use crate::sim::contact::numbers::RoughnessNumbers;
+use crate::sim::contact::warnings::{self, OperatingPoint, Warning};
+use crate::sim::error::SimError;
+use crate::sim::history::simulation::MixedLubricationSim;
+use crate::sim::history::track::track_rq;
+use crate::sim::scene::Roughness;
+
+/// Autocorrelation at the end of the correlation length.
+const CORRELATION: f64 = 0.1;
+/// Factors on the inlet number between which solutions on fine and coarse cells were found.
+const INLET_SCATTER: [f64; 2] = [3.0, 0.4];
+/// The factor above of ridges, whose solids part at a quarter of the number.
+const RIDGE_SCATTER: f64 = 4.0;
+/// Least pressure-viscosity coefficient times Hertz pressure at which oil in the inlets of asperities is
+/// piezoviscous.
+const LEAST_PIEZOVISCOUS: f64 = 3.0;
+/// Smooth films over the contact film below which solids touch between smooth bodies too: carry part of the load,
+/// and most of it.
+const THIN_FILM: f64 = 4.0;
+const MIXED_FILM: f64 = 2.0;
+const THINNEST_FILM: f64 = 0.6;
+
+/// Estimates of a contact by formula before it is solved.
+///
+/// ```
+/// use stribeck::analytic::FilmRegime;
+/// use stribeck::sim::{MixedLubricationSim, Scene};
+/// let expected = MixedLubricationSim::builder(Scene::azam_2019(64)).build()?.expectation()?;
+/// let film = expected.film.ok_or("dry")?;
+/// assert_eq!(film.map.regime, FilmRegime::PiezoviscousElastic);
+/// let [least, most] = film.load_ratio_range.ok_or("no formula")?;
+/// assert!(film.lambda < Some(0.1) && least < 0.1 && most > 0.4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Expectation {
+    /// Roughness on the track.
+    pub roughness: RoughnessNumbers,
+    /// Shorter one of the lengths along x and y at which the autocorrelation of both surfaces together has fallen to
+    /// 10 % \[m\]; `None` for smooth bodies, textures and waves longer than half of the patch.
+    pub correlation_length: Option<f64>,
+    /// Flash temperature rise of the surfaces \[K\].
+    pub flash_rise: f64,
+    /// Film and friction; `None` for a dry contact.
+    pub film: Option<ExpectedFilm>,
+}
+
+/// Film and friction that formulas expect of a lubricated contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct ExpectedFilm {
+    /// Regime and film of the smooth, flooded contact.
+    pub map: FilmMap,
+    /// Film over composite roughness; `None` for smooth bodies and textures.
+    pub lambda: Option<f64>,
+    /// Share of the load that solids carry, by the inlets of asperities ([`AsperityInlets`]), zero of a full film
+    /// between smooth bodies; `None` where no formula holds.
+    pub load_ratio: Option<f64>,
+    /// Least and largest share that solutions have at this inlet number; `None` where no formula holds.
+    pub load_ratio_range: Option<[f64; 2]>,
+    /// Friction coefficients of solids, by that share or the least one, and of the isothermal fluid.
+    pub friction: [f64; 2],
+    /// Mean rise of the film by the heat of this friction \[K\].
+    pub film_rise: f64,
+}
+
+/// Share of the load on solids, `None` where only its least and its largest value are known, and these.
+type LoadShare = (Option<f64>, [f64; 2]);
+
+impl MixedLubricationSim {
+    /// Estimates by formula of the contact as it stands, under the present conditions.
+    ///
+    /// # Errors
+    /// Conditions that the formulas do not take.
+    pub fn expectation(&self) -> Result<Expectation, SimError> {
+        let grid = self.contact.grid;
+        let half_width = self.contact.hertz.half_extents()[1];
+        let rq = self.bodies.each_ref().map(|body| track_rq(&grid, half_width, body.surface()));
+        let roughness = RoughnessNumbers::of(rq);
+        let correlation_length = self.correlation_length();
+        let Some(lubricant) = &self.contact.lubricant else {
+            let flash_rise = self.flash_estimate();
+            return Ok(Expectation { roughness, correlation_length, flash_rise, film: None });
+        };
+        let (flash_rise, film) = self.expected_film(lubricant, &roughness, correlation_length)?;
+        Ok(Expectation { roughness, correlation_length, flash_rise, film: Some(film) })
+    }
+
+    /// Warnings about physics that the scene leaves out and this estimate needs; a solve has its own.
+    ///
+    /// # Errors
+    /// As of [`expectation`](Self::expectation).
+    pub fn expected_warnings(&self) -> Result<Vec<Warning>, SimError> {
+        let Expectation { roughness, film, .. } = self.expectation()?;
+        let Some(film) = film else { return Ok(Vec::new()) };
+        let most = film.load_ratio_range.map_or(0.0, |[_, most]| most);
+        let point = OperatingPoint {
+            hertz: &self.contact.hertz,
+            conditions: self.conditions(),
+            viscosity: self.contact.lubricant.as_ref().map(Lubricant::viscosity),
+            smooth: roughness.composite_rq == 0.0,
+            friction: film.friction,
+            film: film.map.central,
+            load_ratio: most,
+            yield_ratio: None,
+        };
+        Ok(warnings::left_out(&self.scene, &point))
+    }
+
+    /// Whether a body has dimples or grooves.
+    fn is_textured(&self) -> bool {
+        let rough = &self.scene.roughness;
+        [&rough.ball, &rough.disc].into_iter().any(|body| matches!(body, Roughness::Texture(_)))
+    }
+
+    /// The shorter correlation length of both surfaces together.
+    fn correlation_length(&self) -> Option<f64> {
+        if self.is_textured() {
+            return None;
+        }
+        let [ball, disc] = self.bodies.each_ref().map(|body| body.surface());
+        let heights: Vec<f64> = ball.iter().zip(disc).map(|(ball, disc)| ball + disc).collect();
+        let grid = self.contact.grid;
+        let correlation = AreaCorrelation::new(&grid, &heights, None, Boundary::Periodic).ok()?;
+        let along = |step: fn(isize) -> (isize, isize), reach: usize, spacing: f64| {
+            let at = |lag: usize| correlation.at(step(lag as isize).0, step(lag as isize).1);
+            (1..=reach).find_map(|lag| {
+                let (before, after) = (at(lag - 1)?, at(lag)?);
+                let share = (before - CORRELATION) / (before - after);
+                (after <= CORRELATION).then_some((lag as f64 - 1.0 + share) * spacing)
+            })
+        };
+        let (nx, ny) = correlation.reach();
+        let lengths = [along(|lag| (lag, 0), nx, grid.dx()), along(|lag| (0, lag), ny, grid.dy())];
+        lengths.into_iter().flatten().min_by(f64::total_cmp)
+    }
+
+    /// Flash temperature rise \[K\], film and friction.
+    fn expected_film(
+        &self,
+        lubricant: &Lubricant,
+        roughness: &RoughnessNumbers,
+        correlation_length: Option<f64>,
+    ) -> Result<(f64, ExpectedFilm), SimError> {
+        let (scene, hertz, conditions) = (&self.scene, &self.contact.hertz, self.conditions());
+        let motion = conditions.motion;
+        let (speed, sliding, law) = (motion.entrainment_speed, motion.sliding_speed(), lubricant.viscosity());
+        let no_film =
+            || InputError::Conflict { field: "lubricant".to_owned(), reason: "no film formula".to_owned() };
+        let map = formula_film(scene, hertz, speed, Some(law), None)?.ok_or_else(no_film)?.map;
+        let central =
+            map.central.min(scene.lubricant.and_then(|oil| oil.supplied_film).unwrap_or(f64::INFINITY));
+        let rough = roughness.composite_rq > 0.0 && !self.is_textured();
+        let lambda = rough.then_some(central / roughness.composite_rq).filter(|lambda| lambda.is_finite());
+        let share = self.load_share(central, lubricant, roughness, correlation_length)?;
+        let contact = (hertz.pressure, scene.form.is_line());
+        let rheology = scene.friction.rheology()?;
+        let stress =
+            mean_fluid_stress(&|pressure| law.viscosity(pressure), &rheology, contact, central, sliding);
+        let mean = hertz.force / hertz.area;
+        let solids = share.map_or(0.0, |(share, [least, _])| share.unwrap_or(least));
+        let coefficient =
+            if sliding > 0.0 { self.laws.friction.coefficient(mean, sliding, [0.0; 2]) } else { 0.0 };
+        let friction = [solids * coefficient, (1.0 - solids) * stress / mean];
+        let [boundary, fluid] = friction;
+        let heated = IsothermalFriction { boundary, fluid, film: central };
+        let rises = film_rise(scene, hertz, &conditions, law, heated)?;
+        let load_ratio = share.and_then(|(share, _)| share);
+        let load_ratio_range = share.map(|(_, range)| range);
+        let film =
+            ExpectedFilm { map, lambda, load_ratio, load_ratio_range, friction, film_rise: rises.film };
+        Ok((rises.surfaces, film))
+    }
+
+    /// Expected share of the load on solids, with the least and the largest; none where no formula holds.
+    fn load_share(
+        &self,
+        central: f64,
+        lubricant: &Lubricant,
+        roughness: &RoughnessNumbers,
+        correlation_length: Option<f64>,
+    ) -> Result<Option<LoadShare>, InputError> {
+        let contact_film = self.contact.film_cutoff;
+        let (smooth, smooth_range) = match central / contact_film {
+            ratio if ratio >= THIN_FILM => (Some(0.0), [0.0, 0.0]),
+            ratio if ratio >= MIXED_FILM => (None, [0.0, 0.1]),
+            ratio if ratio >= THINNEST_FILM => (None, [0.0, 1.0]),
+            _ => (None, [0.5, 1.0]),
+        };
+        if roughness.composite_rq == 0.0 {
+            return Ok(Some((smooth, smooth_range)));
+        }
+        let law = lubricant.viscosity();
+        let alpha = law.log_slope(0.0);
+        let is_piezoviscous = alpha * self.contact.hertz.pressure > LEAST_PIEZOVISCOUS;
+        let Some(length) = correlation_length.filter(|_| is_piezoviscous) else { return Ok(None) };
+        let inlets = AsperityInlets {
+            entrainment_speed: self.conditions().motion.entrainment_speed,
+            eta0: law.viscosity(0.0),
+            alpha,
+            correlation_length: length,
+            contact_film,
+            composite_rq: roughness.composite_rq,
+        };
+        let [above, below] = INLET_SCATTER;
+        let above = if self.scene.form.is_line() { RIDGE_SCATTER } else { above };
+        let at = |factor: f64| AsperityInlets { correlation_length: factor * length, ..inlets }.load_ratio();
+        let (share, least, most) = (at(1.0)?, at(above)?, at(below)?);
+        let [_, most_smooth] = smooth_range;
+        Ok(Some(if most_smooth > most { (None, [least, most_smooth]) } else { (Some(share), [least, most]) }))
+    }
+}

@@ -1,0 +1,303 @@
+//! Single contacts through the builder of simulations: one path for scenes, heights in memory, own parts and
+//! finer meshes.
+//!
+//! A single contact begins in one way for `check_contact` and `solve` ([`SimBuilder::begin`]): all that can be
+//! refused is refused before the first iteration, with the same error for both. A scene with an accuracy or
+//! an estimate of errors becomes a series of meshes (`accuracy`), any other one mesh ([`Prepared`]).
+
+use crate::error::InputError;
+use crate::grid::Grid;
+use crate::reynolds::ContactState;
+use crate::sim::contact::film_heat::{self, FilmIteration, Surroundings};
+use crate::sim::contact::friction::FrictionFields;
+use crate::sim::contact::interrupt::Interrupt;
+use crate::sim::contact::laws::Laws;
+use crate::sim::contact::model::ContactModel;
+use crate::sim::contact::numbers::{Numbers, StressNumbers};
+use crate::sim::contact::solution::{ContactSolution, is_known};
+use crate::sim::contact::warnings::Warning;
+use crate::sim::contact::{outer_rows, setup, warnings};
+use crate::sim::error::SimError;
+use crate::sim::history::body::Body;
+use crate::sim::history::builder::{Own, SimBuilder};
+use crate::sim::history::placement::Placement;
+use crate::sim::history::track::track_rq;
+use crate::sim::history::yielding::Yielding;
+use crate::sim::scene::{GridSpec, Scene};
+use crate::sim::single_contact::accuracy::Meshes;
+use crate::surface::Offset;
+
+impl SimBuilder {
+    /// Solves the single contact of the bodies as they stand, in the first position of their roughness and at
+    /// the conditions of the start, as [`solve_contact`](crate::sim::solve_contact) does, with the laws, heights
+    /// and starts that were given here. What changes bodies is not asked, a hardness that grows with the
+    /// plastic depth of this contact is not followed.
+    ///
+    /// # Errors
+    /// A scene, heights or starts that do not fit; a load that the pressure limit cannot carry; own parts
+    /// beside an accuracy or an estimate of errors, which need other meshes. Not converging is a status of
+    /// the report.
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene, solve_contact};
+    /// let scene = Scene::azam_2019(32);
+    /// let first = solve_contact(&scene)?;
+    /// // The same surfaces from memory, and a start that is the solution.
+    /// let heights = |k: usize| MixedLubricationSim::builder(scene.clone()).build().map(|sim| sim.bodies()[k].surface().to_vec());
+    /// let builder = MixedLubricationSim::builder(scene.clone()).ball_heights(heights(0)?).disc_heights(heights(1)?);
+    /// let again = builder.contact_start(first.state.clone()).solve()?;
+    /// assert!((again.film.central / first.film.central - 1.0).abs() < 1e-3);
+    /// assert!(again.report.work.iterations < first.report.work.iterations);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn solve(self) -> Result<ContactSolution, SimError> {
+        self.solve_observed(|_| {})
+    }
+
+    /// The same, and `observer` sees the solution of each mesh as it comes where an accuracy or an estimate of
+    /// errors needs several, the last one included. They have no warnings yet.
+    ///
+    /// # Errors
+    /// As of [`solve`](Self::solve).
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut scene = Scene::azam_2019(32);
+    /// scene.solver.estimate = true;
+    /// let mut cells = Vec::new();
+    /// MixedLubricationSim::builder(scene).solve_observed(|solution| cells.push(solution.grid.nx()))?;
+    /// assert_eq!(cells, [16, 32]);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn solve_observed(
+        self,
+        mut observer: impl FnMut(&ContactSolution),
+    ) -> Result<ContactSolution, SimError> {
+        let scene = self.scene.clone();
+        let mut solution = match self.begin()? {
+            Begun::Mesh(contact) => contact.solve()?,
+            Begun::Meshes(meshes) => meshes.solve(&mut observer)?,
+        };
+        let found = warnings::after_solve(&scene, &solution);
+        solution.warnings.extend(found);
+        Ok(solution)
+    }
+
+    /// Goes as far as [`solve`](Self::solve) does before the first iteration of its solver, and solves
+    /// nothing. Returns the warnings that are known by then.
+    ///
+    /// # Errors
+    /// What [`solve`](Self::solve) refuses before its first iteration, with the same error. What only a history
+    /// refuses is not refused here, that tells [`check`](Self::check).
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut scene = Scene::azam_2019(32);
+    /// let warnings = MixedLubricationSim::builder(scene.clone()).check_contact()?;
+    /// assert_eq!(warnings, scene.warnings());
+    /// scene.plastic.as_mut().unwrap().hardness = 1e6; // carries less than the load
+    /// let builder = || MixedLubricationSim::builder(scene.clone());
+    /// let [checked, solved] = [builder().check_contact().err(), builder().solve().err()]
+    ///     .map(|error| error.map(|error| error.to_string()));
+    /// assert!(checked.is_some() && checked == solved);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn check_contact(self) -> Result<Vec<Warning>, SimError> {
+        Ok(match self.begin()? {
+            Begun::Mesh(contact) => contact.warnings,
+            Begun::Meshes(meshes) => meshes.into_warnings(),
+        })
+    }
+
+    /// Everything that can be refused is refused here.
+    fn begin(mut self) -> Result<Begun, SimError> {
+        if needs_meshes(&self.scene) {
+            if let Some(part) = self.own_part() {
+                return Err(SimError::Input(InputError::Conflict {
+                    field: part.to_owned(),
+                    reason: "it is known on one grid, an accuracy or an estimate of errors needs several"
+                        .to_owned(),
+                }));
+            }
+            let meshes = Meshes::new(&self.scene, self.overrides.interrupt.as_ref())?;
+            return Ok(Begun::Meshes(meshes));
+        }
+        let start = self.contact_start.take();
+        let own = self.own();
+        let start = |grid: &Grid| Ok(start.unwrap_or_else(|| ContactState::new(grid)));
+        Ok(Begun::Mesh(Box::new(self.prepare(own, start)?)))
+    }
+
+    /// The contact on the grid of the scene alone, from what `start` makes; `own` parts are in place of
+    /// those of the scene.
+    pub(in crate::sim) fn prepare(
+        mut self,
+        own: Own,
+        start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
+    ) -> Result<Prepared, SimError> {
+        self.scene.schedule.read_tables()?;
+        let overrides = std::mem::take(&mut self.overrides);
+        let mut contact = ContactModel::new(&self.scene, overrides)?;
+        if let (Some(plastic), None) = (self.scene.plastic, &self.plasticity) {
+            let [ball, disc] = self.scene.hardnesses(plastic.hardness);
+            setup::validate_hardness(ball.min(disc), &contact.grid, &contact.hertz)?;
+        }
+        let laws = self.laws()?;
+        let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
+        let warnings = self.warnings(own, &contact, &bodies, &laws);
+        contact.face_mobility = self.face_mobility(own, &bodies);
+        let state = start(&contact.grid)?;
+        let mut prepared = Prepared::new(self.scene, contact, bodies, laws, state)?;
+        prepared.warnings = warnings;
+        Ok(prepared)
+    }
+
+    /// The first part that was put in place of one of the scene.
+    pub(in crate::sim) fn own_part(&self) -> Option<&'static str> {
+        let [ball, disc] = &self.heights;
+        let [ball_start, disc_start] = &self.starts;
+        let own = &self.overrides;
+        [
+            ("ball_heights", ball.is_some()),
+            ("disc_heights", disc.is_some()),
+            ("ball_start", ball_start.is_some()),
+            ("disc_start", disc_start.is_some()),
+            ("contact_start", self.contact_start.is_some()),
+            ("deformation", own.deformation.is_some()),
+            ("viscosity", own.viscosity.is_some()),
+            ("density", own.density.is_some()),
+            ("solver", own.solver.is_some()),
+            ("plasticity", self.plasticity.is_some()),
+            ("boundary_friction", self.friction.is_some()),
+        ]
+        .into_iter()
+        .find_map(|(part, given)| given.then_some(part))
+    }
+}
+
+/// Whether the single contact of `scene` is solved on several meshes.
+fn needs_meshes(scene: &Scene) -> bool {
+    let asked = scene.solver.estimate || scene.solver.accuracy.is_some();
+    asked || matches!(scene.grid, GridSpec::Accuracy { .. })
+}
+
+/// The contact on the grid of the scene from the state that `start` makes.
+pub(in crate::sim) fn prepare_on_grid(
+    scene: &Scene,
+    interrupt: Option<&Interrupt>,
+    start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
+) -> Result<Prepared, SimError> {
+    let mut builder = SimBuilder::new(scene.clone());
+    builder.overrides.interrupt = interrupt.cloned();
+    builder.prepare(Own::default(), start)
+}
+
+/// The same with the heights of ball and disc on this grid given \[m\].
+pub(in crate::sim) fn prepare_heights(
+    scene: &Scene,
+    interrupt: Option<&Interrupt>,
+    [ball, disc]: [Vec<f64>; 2],
+) -> Result<Prepared, SimError> {
+    let mut builder = SimBuilder::new(scene.clone()).ball_heights(ball).disc_heights(disc);
+    builder.overrides.interrupt = interrupt.cloned();
+    // They are those of the scene on another mesh.
+    builder.prepare(Own::default(), |grid| Ok(ContactState::new(grid)))
+}
+
+/// A contact of which nothing is solved yet and all that can be refused has been.
+enum Begun {
+    /// On the grid of the scene.
+    Mesh(Box<Prepared>),
+    /// On several meshes.
+    Meshes(Meshes),
+}
+
+/// The contact of two bodies as they stand, on one mesh, before its first iteration.
+pub(in crate::sim) struct Prepared {
+    /// The scene.
+    scene: Scene,
+    /// What solves it.
+    model: ContactModel,
+    /// Laws of friction and plasticity.
+    laws: Laws,
+    /// Pressures to start from.
+    state: ContactState,
+    /// Undeformed gap \[m\].
+    gap: Vec<f64>,
+    /// Largest pressure per node \[Pa\]; none in an elastic contact.
+    limit: Option<Vec<f64>>,
+    /// Tribofilms of ball and disc \[m\].
+    tribofilms: [Vec<f64>; 2],
+    /// Shear stresses, filled by the solve.
+    friction: FrictionFields,
+    /// What finds the temperature of the film; none where it has that of the bulk.
+    film_heat: Option<FilmIteration>,
+    /// Root mean square heights of ball and disc on the track \[m\].
+    rq: [f64; 2],
+    /// What is known before the first iteration.
+    pub(in crate::sim) warnings: Vec<Warning>,
+}
+
+impl Prepared {
+    /// Everything that a solve refuses before its first iteration is refused here.
+    fn new(
+        scene: Scene,
+        mut model: ContactModel,
+        bodies: [Body; 2],
+        laws: Laws,
+        state: ContactState,
+    ) -> Result<Self, SimError> {
+        let grid = model.grid;
+        let mut placement = Placement::new(grid);
+        placement.place(&bodies, &model.form_gap, [Offset::default(); 2])?;
+        let Placement { gap, films: tribofilms, depths, .. } = placement;
+        model.cover(&tribofilms)?;
+        let limit = match &laws.plasticity {
+            None => None,
+            Some(plasticity) => {
+                let mut yielding = Yielding::new(grid.len());
+                yielding.start(plasticity, &tribofilms, &depths)?;
+                Some(yielding.limit)
+            }
+        };
+        let friction = FrictionFields::new(&scene, grid.len())?;
+        let film_heat = FilmIteration::new(&scene, &model)?;
+        model.solves_again = film_heat.is_some();
+        let rq = bodies.each_ref().map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
+        model.check(&gap, limit.as_deref(), &state)?;
+        let warnings = Vec::new();
+        Ok(Self { scene, model, laws, state, gap, limit, tribofilms, friction, film_heat, rq, warnings })
+    }
+
+    /// Solves contact and film temperature and takes the numbers of the state; those of a state that diverged
+    /// are unknown.
+    pub(in crate::sim) fn solve(self) -> Result<ContactSolution, SimError> {
+        let Self {
+            scene,
+            mut model,
+            laws,
+            mut state,
+            gap,
+            limit,
+            tribofilms,
+            mut friction,
+            mut film_heat,
+            ..
+        } = self;
+        let given = Surroundings { laws: &laws, tribofilms: &tribofilms };
+        let mut once = |model: &mut ContactModel, state: &mut ContactState| {
+            model.solve(&gap, limit.as_deref(), None, state)
+        };
+        let contact = (&mut model, &mut state, &mut friction);
+        let solved = film_heat::solve(&given, film_heat.as_mut(), contact, &mut once);
+        let solved = outer_rows::require_solids_inside(&scene, (&model, &state), solved)?;
+        let known = is_known(&state).then_some(&friction);
+        let numbers = Numbers::of(&model, &state, known, limit.as_deref(), self.rq)?;
+        let stress =
+            known.map(|fields| StressNumbers::of(&scene, &model, &state, fields)).transpose()?.flatten();
+        let mut solution = model.solution(solved, state, gap, known, numbers);
+        solution.stress = stress;
+        solution.warnings.splice(..0, self.warnings);
+        Ok(solution)
+    }
+}

@@ -1,0 +1,83 @@
+//! The contact of bodies as they stand, for curves of worn surfaces.
+
+use crate::error::InputError;
+use crate::reynolds::{ContactState, require_speed};
+use crate::sim::contact::film_heat::FilmIteration;
+use crate::sim::contact::numbers::Numbers;
+use crate::sim::contact::setup;
+use crate::sim::contact::solution::{ContactSolution, is_known};
+use crate::sim::error::SimError;
+use crate::sim::history::simulation::MixedLubricationSim;
+use crate::sim::history::track::track_rq;
+use crate::sim::scene::timetable::Conditions;
+use crate::surface::Offset;
+
+impl MixedLubricationSim {
+    /// Solves the contact of the bodies as they stand under `conditions`, their roughness in its first
+    /// position and at rest against the contact: no squeeze. Nothing is committed and later steps are as
+    /// without the call. Not converging is a status of the report.
+    ///
+    /// # Errors
+    /// Conditions out of range, a load that the grid or the pressure limit cannot carry.
+    ///
+    /// ```
+    /// use stribeck::sim::{MixedLubricationSim, Scene};
+    /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(32)).build()?;
+    /// sim.step(60.0)?;
+    /// let mut fast = sim.conditions();
+    /// fast.motion.entrainment_speed = 1.0;
+    /// let [now, fast] = [sim.solve_under(&sim.conditions())?, sim.solve_under(&fast)?];
+    /// assert!(fast.contact.load_ratio < now.contact.load_ratio);
+    /// assert_eq!(sim.steps(), 1);
+    /// # Ok::<(), stribeck::sim::SimError>(())
+    /// ```
+    pub fn solve_under(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
+        conditions.validate(self.scene.is_lubricated())?;
+        let hertz = self.contact.hertz_under(&self.scene, conditions.load)?;
+        setup::validate_box(&self.contact.grid, &hertz, self.scene.form.is_line())?;
+        let circumstances = self.contact.circumstances();
+        let state = std::mem::replace(&mut self.state, ContactState::new(&self.contact.grid));
+        let squeeze = std::mem::take(&mut self.travel.squeeze);
+        let start = self.contact_start.take();
+        let film = self.film_heat.as_mut().map(FilmIteration::take_start);
+        let solved = self.solve_standing(conditions);
+        if let (Some(heat), Some(film)) = (&mut self.film_heat, film) {
+            heat.set_start(film);
+        }
+        self.travel.squeeze = squeeze;
+        self.contact_start = start;
+        self.state = state;
+        self.contact.return_to(circumstances);
+        solved
+    }
+
+    /// Solves and measures the contact under `conditions`; the caller puts back what it changes.
+    fn solve_standing(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
+        self.contact.put_under(&self.scene, conditions)?;
+        let solved = self.solve_at([Offset::default(); 2])?;
+        let Self { contact, placement, friction, yielding, laws, state, bodies, .. } = self;
+        let half_width = contact.hertz.half_extents()[1];
+        let rq = bodies.each_ref().map(|body| track_rq(&contact.grid, half_width, body.surface()));
+        let known = is_known(state).then_some(&*friction);
+        let limit = laws.plasticity.is_some().then_some(yielding.limit.as_slice());
+        let numbers = Numbers::of(contact, state, known, limit, rq)?;
+        let state = std::mem::replace(state, ContactState::new(&contact.grid));
+        Ok(contact.solution(solved, state, placement.gap.clone(), known, numbers))
+    }
+}
+
+impl Conditions {
+    /// Error for a load or a temperature that is not positive, a speed that is negative, or zero where it
+    /// drags a film along.
+    fn validate(&self, lubricated: bool) -> Result<(), InputError> {
+        InputError::require_positive("load", self.load)?;
+        let (speed, ratio) = (self.motion.entrainment_speed, self.motion.slide_roll_ratio);
+        let field = "entrainment_speed";
+        if lubricated {
+            require_speed(field, speed)?;
+        }
+        InputError::require_non_negative(field, speed)?;
+        InputError::require(ratio.is_finite(), "slide_roll_ratio", ratio, "finite")?;
+        InputError::require_positive("bulk_temperature", self.bulk_temperature)
+    }
+}
