@@ -21,7 +21,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum InputError {
     /// A single value lies outside its valid range.
-    #[error("{field} = {}: must be {requirement}", legible(*value))]
+    #[error("{field} = {}: must be {requirement}", format_number(*value))]
     Value {
         /// The field as the user wrote it, for example `load.force`.
         field: String,
@@ -61,7 +61,7 @@ pub enum InputError {
 }
 
 /// Digits of a number of everyday size, powers of ten of one beyond.
-pub(crate) fn legible(value: f64) -> String {
+pub(crate) fn format_number(value: f64) -> String {
     let everyday = value == 0.0 || (1e-4..1e10).contains(&value.abs());
     if everyday { value.to_string() } else { format!("{value:e}") }
 }
@@ -70,7 +70,7 @@ pub(crate) fn legible(value: f64) -> String {
 const LONGEST_WORD: usize = 80;
 
 /// The text in one line, with the beginnings of words that are too long for a message.
-pub(crate) fn quoted(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let words = text.split_whitespace().map(|word| match word.char_indices().nth(LONGEST_WORD) {
         Some((end, _)) => format!("{}...", &word[..end]),
         None => word.to_owned(),

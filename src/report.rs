@@ -42,7 +42,7 @@ pub enum Status {
     /// The residuals diverged or are not finite.
     Diverged,
     /// A custom solver reported convergence, but the residuals evaluated by the crate exceed the tolerance.
-    Unconfirmed,
+    Unverified,
 }
 
 serialize_as_displayed!(Status);
@@ -55,7 +55,7 @@ impl fmt::Display for Status {
             Self::Stalled => "stalled",
             Self::MeshTooCoarse => "mesh_too_coarse",
             Self::Diverged => "diverged",
-            Self::Unconfirmed => "unconfirmed",
+            Self::Unverified => "unverified",
         })
     }
 }

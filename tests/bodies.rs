@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use stribeck::Grid;
 use stribeck::sim::scene::{Elastic, Flash, Material};
 use stribeck::sim::{BodyStart, MixedLubricationSim, RunFolder, Scene, StepRecord, solve_contact, write_npz};
-use stribeck::surface::AtRest;
+use stribeck::surface::Fixed;
 use stribeck::tribochem::ThermalArrhenius;
 
 fn scene() -> Scene {
@@ -48,7 +48,7 @@ fn the_softer_body_yields() {
         (scene.tribofilm, scene.wear) = (None, None);
         scene.plastic.as_mut().unwrap().film_hardness = None;
         (scene.materials.ball.hardness, scene.materials.disc.hardness) = (ball, disc);
-        let mut sim = MixedLubricationSim::builder(scene.clone()).motion(AtRest).build().unwrap();
+        let mut sim = MixedLubricationSim::builder(scene.clone()).motion(Fixed).build().unwrap();
         let record = &run(&mut sim, 1)[0];
         let single = solve_contact(&scene).unwrap();
         assert_eq!(single.pressure.max, record.pressure.max);
@@ -65,7 +65,7 @@ fn the_softer_body_yields() {
     (common.tribofilm, common.wear) = (None, None);
     let spec = common.plastic.as_mut().unwrap();
     (spec.hardness, spec.film_hardness) = (3e9, None);
-    let mut sim = MixedLubricationSim::builder(common).motion(AtRest).build().unwrap();
+    let mut sim = MixedLubricationSim::builder(common).motion(Fixed).build().unwrap();
     run(&mut sim, 1);
     assert_eq!(both, sim.bodies().each_ref().map(|body| body.plastic_depth().iter().sum::<f64>()));
 }
@@ -88,7 +88,7 @@ fn a_body_that_conducts_little_is_hot() {
         scene.thermal.flash = Flash::On;
         scene.materials.ball.conductivity = conductivity;
         let sim = MixedLubricationSim::builder(scene);
-        let mut sim = sim.motion(AtRest).build().unwrap();
+        let mut sim = sim.motion(Fixed).build().unwrap();
         (run(&mut sim, 1)[0].flash_rise.unwrap(), sim.flash_estimate())
     };
     let (usual, ceramic) = (rise(None), rise(Some(2.0)));
@@ -147,7 +147,7 @@ fn bodies_go_on_where_another_run_ended() {
     let folder = tempfile::tempdir().unwrap();
     let mut soft = scene();
     soft.plastic.as_mut().unwrap().hardness = 3e9;
-    let build = || MixedLubricationSim::builder(soft.clone()).motion(AtRest);
+    let build = || MixedLubricationSim::builder(soft.clone()).motion(Fixed);
     let mut first = build().build().unwrap();
     let mut files = RunFolder::create(folder.path(), &first, 0).unwrap();
     first.run(2, 60.0, &mut files).unwrap();

@@ -8,7 +8,7 @@ use stribeck::lubricant::Lubricant;
 use stribeck::reynolds::{Auto, ContactSolver, Dry, Multigrid, NewtonKrylov, SemiSystem};
 use stribeck::sim::scene::{ArchardSpec, Flash, Schedule, SolverKind, WearLawSpec, WearSpec};
 use stribeck::sim::{ContactSolution, MixedLubricationSim, Scene, SimError, StepRecord};
-use stribeck::surface::Carried;
+use stribeck::surface::Advected;
 use stribeck::wear::Archard;
 
 /// Compiles for what may go to another thread, be shared among threads and be cloned.
@@ -68,7 +68,7 @@ fn clones_with_own_parts_go_the_same_way() {
     let scene = Scene::azam_2019(24);
     let model = HalfSpace::new(scene.grid().unwrap(), 200e9).unwrap();
     let law = Archard::new(1e-7, 1e-8, 2e-7, 6e9).unwrap();
-    let builder = MixedLubricationSim::builder(scene).deformation(model).wear_law(law).motion(Carried);
+    let builder = MixedLubricationSim::builder(scene).deformation(model).wear_law(law).motion(Advected);
     assert_same_way(builder.solver(NewtonKrylov::new()).with_squeeze().build().unwrap());
 }
 

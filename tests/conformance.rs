@@ -5,7 +5,7 @@ use stribeck::elastic::{DeformationModel, HalfSpace};
 use stribeck::lubricant::{Barus, DensityLaw, DowsonHigginson, Incompressible, Roelands, ViscosityLaw};
 use stribeck::plastic::{ElasticPerfectlyPlastic, IsotropicHardening, PlasticityModel};
 use stribeck::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem};
-use stribeck::surface::{AlongTrack, AtRest, Carried, Offset, RandomShift, RoughnessMotion, Visits};
+use stribeck::surface::{Advected, AlongTrack, Fixed, Offset, PointRevisit, RandomShift, RoughnessMotion};
 use stribeck::testing::{
     boundary_friction, contact_solver, deformation_model, density_law, film_growth_law, plasticity_model,
     roughness_motion, viscosity_law, wear_law,
@@ -186,8 +186,8 @@ fn solvers_satisfy_the_contract() {
 
 #[test]
 fn motions_satisfy_the_contract() {
-    roughness_motion(&AtRest).unwrap();
-    roughness_motion(&Carried).unwrap();
+    roughness_motion(&Fixed).unwrap();
+    roughness_motion(&Advected).unwrap();
     for seed in [0, 1, u64::MAX] {
         roughness_motion(&AlongTrack { seed }).unwrap();
         roughness_motion(&RandomShift { seed }).unwrap();
@@ -196,13 +196,13 @@ fn motions_satisfy_the_contract() {
 
 /// Moves across the track but declares another revisit.
 #[derive(Debug)]
-struct Straying(Visits);
+struct Straying(PointRevisit);
 
 impl RoughnessMotion for Straying {
     fn offset(&self, _body: usize, draw: u64, _time: f64, _speed: f64, _grid: &Grid) -> Offset {
         Offset { columns: 0, rows: (draw % 3) as usize, fraction: 0.0 }
     }
-    fn visits(&self, _speed: f64) -> Visits {
+    fn visits(&self, _speed: f64) -> PointRevisit {
         self.0
     }
 }
@@ -215,8 +215,8 @@ impl RoughnessMotion for Lost {
     fn offset(&self, _body: usize, draw: u64, _time: f64, _speed: f64, _grid: &Grid) -> Offset {
         Offset { fraction: if draw > 1 { f64::NAN } else { 0.0 }, ..Offset::default() }
     }
-    fn visits(&self, _speed: f64) -> Visits {
-        Visits::Track
+    fn visits(&self, _speed: f64) -> PointRevisit {
+        PointRevisit::Track
     }
 }
 
@@ -340,14 +340,14 @@ fn violated_contracts_are_detected() {
         assert!(clause == "any" || violation.to_string().contains(clause), "{violation}");
     }
     for (motion, clause) in [
-        (&Straying(Visits::Stays) as &dyn RoughnessMotion, "keeps its offset"),
-        (&Straying(Visits::Track), "keeps its row"),
+        (&Straying(PointRevisit::Permanent) as &dyn RoughnessMotion, "keeps its offset"),
+        (&Straying(PointRevisit::Track), "keeps its row"),
         (&Lost, "from 0 to 1"),
     ] {
         let violation = roughness_motion(motion).unwrap_err();
         assert!(violation.clause.contains(clause), "{violation}");
     }
-    roughness_motion(&Straying(Visits::Patch)).unwrap();
+    roughness_motion(&Straying(PointRevisit::Patch)).unwrap();
     assert!(plasticity_model(&Softening).unwrap_err().clause.contains("do not fall"));
     assert!(wear_law(&Healing).unwrap_err().clause.contains("never negative"));
     assert_eq!(film_growth_law(&Apart).unwrap_err().clause, "fields advance like their nodes");

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use stribeck::lubricant::Barus;
 use stribeck::sim::scene::{InletSpec, Roughness, RoughnessPair, SolverKind};
 use stribeck::sim::{BodyStart, MixedLubricationSim, Scene, SimError, solve_contact};
-use stribeck::surface::AtRest;
+use stribeck::surface::Fixed;
 use stribeck::tribochem::{FilmGrowthLaw, Ghanbarzadeh, Tribofilm, integrate_rates};
 use stribeck::wear::{Archard, WearDepth, WearLaw};
 use stribeck::{BoundaryFriction, ConstantFriction, InputError, Status, SurfaceState};
@@ -33,7 +33,7 @@ fn a_simulation_can_go_to_another_thread() {
 fn the_single_contact_is_that_of_the_first_step() {
     let scene = scene();
     let solution = solve_contact(&scene).unwrap();
-    let mut sim = MixedLubricationSim::builder(scene).motion(AtRest).build().unwrap();
+    let mut sim = MixedLubricationSim::builder(scene).motion(Fixed).build().unwrap();
     let record = sim.step(1.0).unwrap();
     assert_eq!(solution.report, record.report);
     assert_eq!(solution.film.mean_central, record.film.mean_central);
@@ -89,7 +89,7 @@ fn single_contacts_take_the_parts_of_histories() {
 #[test]
 fn a_history_begins_where_it_is_told_to() {
     let scene = scene();
-    let builder = || MixedLubricationSim::builder(scene.clone()).motion(AtRest);
+    let builder = || MixedLubricationSim::builder(scene.clone()).motion(Fixed);
     let start = builder().solve().unwrap().state;
     let told = || builder().contact_start(start.clone());
     let (mut cold, mut warm) = (builder().build().unwrap(), told().build().unwrap());

@@ -12,7 +12,7 @@ use stribeck::reynolds::{
 };
 use stribeck::sim::scene::{Flash, SolverKind, WearLawSpec};
 use stribeck::sim::{MixedLubricationSim, Scene, StepControl, StepRecord, solve_contact};
-use stribeck::surface::{AtRest, Carried};
+use stribeck::surface::{Advected, Fixed};
 
 /// Rough, dry and quick.
 fn dry(n: usize) -> Scene {
@@ -98,7 +98,7 @@ fn a_hardening_contact_meets_its_law_and_then_stays_elastic() {
     scene.plastic.as_mut().unwrap().hardness = hardness;
     let perfect = ElasticPerfectlyPlastic::uniform(hardness).unwrap();
     let hardening = IsotropicHardening::new(perfect.clone(), modulus).unwrap();
-    let still = |scene: &Scene| MixedLubricationSim::builder(scene.clone()).motion(AtRest);
+    let still = |scene: &Scene| MixedLubricationSim::builder(scene.clone()).motion(Fixed);
     let mut soft = still(&scene).plasticity(perfect).build().unwrap();
     let mut hard = still(&scene).plasticity(hardening).build().unwrap();
     let (soft_first, hard_first) = (soft.step(1.0).unwrap(), hard.step(1.0).unwrap());
@@ -163,7 +163,7 @@ fn steps_by_depth_keep_to_it_and_add_up() {
 #[test]
 fn the_error_of_long_steps_falls_with_their_length() {
     let worn = |time_step: f64| {
-        let mut sim = MixedLubricationSim::builder(dry(32)).motion(AtRest).build().unwrap();
+        let mut sim = MixedLubricationSim::builder(dry(32)).motion(Fixed).build().unwrap();
         let _ = run_until(&mut sim, 240.0, StepControl::fixed(time_step));
         sim.bodies()[1].wear().to_vec()
     };
@@ -187,7 +187,7 @@ fn convected_roughness_wears_by_force_and_distance() {
     let mut scene = dry(32);
     let WearLawSpec::Archard(spec) = &mut scene.wear.as_mut().unwrap().law else { panic!("not by Archard") };
     spec.film_coefficient = spec.coefficient;
-    let mut sim = MixedLubricationSim::builder(scene).motion(Carried).build().unwrap();
+    let mut sim = MixedLubricationSim::builder(scene).motion(Advected).build().unwrap();
     // A third of a cell on the disc, another part on the ball.
     let time_step = 0.3 * sim.grid().dx() / 0.0975;
     let records = run_until(&mut sim, 6.0 * time_step, StepControl::fixed(time_step));
@@ -209,7 +209,7 @@ fn a_steady_film_feels_no_squeeze_and_a_passing_wave_does() {
     scene.motion.entrainment_speed = 2.0;
     scene.roughness = Default::default();
     let run = |heights: Option<Vec<f64>>, squeeze: bool, steps: f64| {
-        let mut builder = MixedLubricationSim::builder(scene.clone()).motion(Carried);
+        let mut builder = MixedLubricationSim::builder(scene.clone()).motion(Advected);
         if squeeze {
             builder = builder.with_squeeze();
         }
@@ -245,7 +245,7 @@ fn a_squeezed_history_is_of_second_order_in_time() {
     let grid = scene.grid().unwrap();
     let wave: Vec<f64> = grid.nodes().map(|(x, _)| 10e-9 * (2.0 * PI * x / 250e-6).cos()).collect();
     let film = |steps: u32| {
-        let builder = MixedLubricationSim::builder(scene.clone()).motion(Carried);
+        let builder = MixedLubricationSim::builder(scene.clone()).motion(Advected);
         let mut sim = builder.with_squeeze().disc_heights(wave.clone()).build().unwrap();
         let time_step = 8.0 * grid.dx() / 2.0 / f64::from(steps);
         // The contact is solved before the step: one more for the end of the last.

@@ -15,7 +15,7 @@ use stribeck::sim::{
     CheckpointError, MixedLubricationSim, RunFolder, Scene, Schedule, SimBuilder, SimError, StepControl,
     StepRecord,
 };
-use stribeck::surface::{Carried, RandomShift};
+use stribeck::surface::{Advected, RandomShift};
 use stribeck::tribochem::ThermalArrhenius;
 
 fn scene() -> Scene {
@@ -90,7 +90,7 @@ fn hardening_history() {
 fn squeezed_history_starts_from_its_last_contact() {
     // Each solve starts from the pressures before: they belong to the checkpoint.
     resumed_equals_uninterrupted(
-        || MixedLubricationSim::builder(scene()).motion(Carried).with_squeeze(),
+        || MixedLubricationSim::builder(scene()).motion(Advected).with_squeeze(),
         3e-5,
     );
 }
@@ -480,7 +480,7 @@ fn warnings_are_those_of_the_whole_run() {
 fn scheduled_history() {
     resumed_equals_uninterrupted(|| MixedLubricationSim::builder(scheduled()), 60.0);
     resumed_equals_uninterrupted(
-        || MixedLubricationSim::builder(scheduled()).motion(Carried).with_squeeze(),
+        || MixedLubricationSim::builder(scheduled()).motion(Advected).with_squeeze(),
         0.01,
     );
 }

@@ -8,7 +8,7 @@ use stribeck::plastic::ElasticPerfectlyPlastic;
 use stribeck::sim::{
     Conditions, MixedLubricationSim, Scene, Schedule, StepControl, StepRecord, solve_contact,
 };
-use stribeck::surface::{AtRest, Carried};
+use stribeck::surface::{Advected, Fixed};
 
 fn scene() -> Scene {
     let mut scene = Scene::azam_2019(32).with_tribofilm();
@@ -74,7 +74,7 @@ fn records_hold_what_holds_at_their_time_and_no_step_crosses_an_entry() {
     assert!((carried / 60.0 - 1.0).abs() < 2e-4, "{carried}");
     assert!((sim.hertz().force - 60.0).abs() < 1e-9 && sim.conditions().load == 60.0);
     // The first contact is the one of the scene at the start.
-    let mut fixed = MixedLubricationSim::builder(scene.clone()).motion(AtRest).build().unwrap();
+    let mut fixed = MixedLubricationSim::builder(scene.clone()).motion(Fixed).build().unwrap();
     let first = fixed.step(1.0).unwrap();
     let single = solve_contact(&scene).unwrap();
     assert_eq!(first.contact.load_ratio, single.contact.load_ratio);
@@ -129,7 +129,7 @@ fn convected_roughness_moves_by_the_integral_of_the_speed() {
             Schedule::steps(&[(0.0, 0.1), (0.9999999 * end, 0.15)])
         };
         scene.schedule.entrainment_speed = Some(schedule);
-        let mut sim = MixedLubricationSim::builder(scene).motion(Carried).build().unwrap();
+        let mut sim = MixedLubricationSim::builder(scene).motion(Advected).build().unwrap();
         sim.run(5, end / 4.0, &mut |_: &MixedLubricationSim, _: &StepRecord| ControlFlow::Continue(()))
             .unwrap();
         sim.state().film.clone()

@@ -206,7 +206,7 @@ fn false_convergence_is_detected_and_changes_nothing() {
     let before = sim.bodies().each_ref().map(|body| body.surface().to_vec());
     match sim.step(10.0) {
         Err(SimError::NotConverged { source, .. }) => {
-            assert_eq!(source.report.status, Status::Unconfirmed);
+            assert_eq!(source.report.status, Status::Unverified);
             assert!((source.report.residual.load - 0.1).abs() < 1e-4, "{source}");
         }
         other => panic!("{other:?}"),
@@ -214,7 +214,7 @@ fn false_convergence_is_detected_and_changes_nothing() {
     let after = sim.bodies().each_ref().map(|body| body.surface().to_vec());
     assert_eq!((sim.steps(), after), (0, before));
     let single = MixedLubricationSim::builder(scene()).solver(falsely_converging()).solve().unwrap();
-    assert_eq!(single.report.status, Status::Unconfirmed);
+    assert_eq!(single.report.status, Status::Unverified);
     let honest = MixedLubricationSim::builder(scene()).solver(NewtonKrylov::new()).solve().unwrap();
     honest.report.require_converged().unwrap();
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use approx::assert_relative_eq;
 use stribeck::metrics::height_statistics;
 use stribeck::surface::{
-    AlongTrack, AtRest, Autocorrelation, Carried, FileError, Form, FourierShift, Heights, Offset,
+    Advected, AlongTrack, Autocorrelation, FileError, Fixed, Form, FourierShift, Heights, Offset,
     RandomShift, RoughnessMotion, RoughnessSpec, SurfaceError, generate, read, write_npy,
 };
 use stribeck::{Grid, InputError};
@@ -189,14 +189,14 @@ fn places_along_the_track_are_even_for_each_body_and_of_one_on_the_other() {
     assert_eq!(motion.offset(0, 0, 7.0, 0.1, &grid), Offset::default());
     // At rest relative to the contact.
     assert_eq!(motion.offset(0, 9, 7.0, 0.0, &grid), Offset::default());
-    assert_eq!(AtRest.offset(0, 9, 7.0, 0.1, &grid), Offset::default());
+    assert_eq!(Fixed.offset(0, 9, 7.0, 0.1, &grid), Offset::default());
     assert_ne!(motion.offset(0, 9, 7.0, 0.1, &grid), AlongTrack { seed: 6 }.offset(0, 9, 7.0, 0.1, &grid));
 }
 
 #[test]
 fn a_carried_pattern_moves_with_its_body_and_comes_round() {
     let grid = Grid::centred(64, 5, 2e-6, 1e-6).unwrap();
-    let at = |time, speed| Carried.offset(0, 9, time, speed, &grid);
+    let at = |time, speed| Advected.offset(0, 9, time, speed, &grid);
     assert_eq!(at(0.0, 0.1), Offset::default());
     // 1.5 cells downstream: column 0 of the grid sees what was 1.5 columns upstream.
     let offset = at(3e-6, 1.0);

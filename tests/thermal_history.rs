@@ -7,7 +7,7 @@ use stribeck::sim::scene::{Flash, PlasticSpec};
 use stribeck::sim::{
     MixedLubricationSim, RunFolder, Scene, Schedule, SimBuilder, SimError, StepRecord, solve_contact,
 };
-use stribeck::surface::{AtRest, Carried};
+use stribeck::surface::{Advected, Fixed};
 use stribeck::thermal::FilmThermal;
 
 const BULK: f64 = 353.15;
@@ -79,7 +79,7 @@ fn a_resumed_history_is_the_uninterrupted_one() {
         scene.schedule.bulk_temperature = Some(Schedule::ramps(&[(0.0, BULK), (40.0, BULK + 20.0)]));
         MixedLubricationSim::builder(scene)
     };
-    let squeezed = || MixedLubricationSim::builder(scene()).motion(Carried).with_squeeze();
+    let squeezed = || MixedLubricationSim::builder(scene()).motion(Advected).with_squeeze();
     for (build, time_step) in
         [(&hardening as &dyn Fn() -> SimBuilder, 10.0), (&warming, 10.0), (&squeezed, 1.56e-5)]
     {
@@ -191,7 +191,7 @@ fn a_film_starts_from_that_of_the_last_step() {
     scene.wear = None;
     scene.tribofilm = None;
     scene.plastic = None;
-    let mut sim = MixedLubricationSim::builder(scene).motion(AtRest).build().unwrap();
+    let mut sim = MixedLubricationSim::builder(scene).motion(Fixed).build().unwrap();
     let [first, second] = [0, 1].map(|_| sim.step(10.0).unwrap());
     let [cold, warm] = [first, second].map(|record| record.thermal.unwrap().solves);
     assert!(cold > 2 && warm <= 2, "{cold} and {warm} solves");

@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use stribeck::Grid;
 use stribeck::sim::scene::{Exposure, GridSpec, Roughness, SolverKind, TrackMotion};
 use stribeck::sim::{MixedLubricationSim, Scene, Schedule, StepRecord, solve_contact};
-use stribeck::surface::{AtRest, Offset, RoughnessMotion, Visits};
+use stribeck::surface::{Fixed, Offset, PointRevisit, RoughnessMotion};
 
 /// Dry and smooth, all pressure wears, on cells of 500 um / 32.
 fn smooth(columns: usize, rows: usize) -> Scene {
@@ -228,8 +228,8 @@ impl RoughnessMotion for Lost {
         let columns = 5 * grid.nx() + 3;
         Offset { columns, rows: 7 * grid.ny(), fraction: if draw > 0 && body == 1 { f64::NAN } else { 0.0 } }
     }
-    fn visits(&self, _speed: f64) -> Visits {
-        Visits::Track
+    fn visits(&self, _speed: f64) -> PointRevisit {
+        PointRevisit::Track
     }
 }
 
@@ -248,7 +248,7 @@ fn a_motion_without_numbers_is_an_error_and_changes_nothing() {
 
 #[test]
 fn a_motion_of_the_user_takes_the_place_of_the_scene() {
-    let mut own = MixedLubricationSim::builder(rough(32, 32)).motion(AtRest).build().unwrap();
+    let mut own = MixedLubricationSim::builder(rough(32, 32)).motion(Fixed).build().unwrap();
     let mut named = rough(32, 32);
     named.track.motion = TrackMotion::AtRest;
     let mut named = MixedLubricationSim::builder(named).build().unwrap();

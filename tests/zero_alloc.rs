@@ -347,7 +347,7 @@ fn step_with_all_processes_allocates_nothing() {
         (plastic.hardness, plastic.hardening_modulus) = (3e9, Some(1e16));
     }
     let builder = stribeck::sim::MixedLubricationSim::builder(scene);
-    let mut sim = builder.motion(stribeck::surface::Carried).build().unwrap();
+    let mut sim = builder.motion(stribeck::surface::Advected).build().unwrap();
     let control = stribeck::sim::StepControl::new(7.0001, 1e-9);
     for _ in 0..10 {
         let _ = sim.step_within(&control).unwrap();

@@ -32,7 +32,7 @@ use scenes::Group;
 use stribeck::reynolds::{NewtonKrylov, NewtonSettings};
 use stribeck::sim::scene::Roughness;
 use stribeck::sim::{MixedLubricationSim, Scene};
-use stribeck::surface::Carried;
+use stribeck::surface::Advected;
 
 const USAGE: &str = "\
 usage: cargo run --release --example ablation -- [--quick] [--every N] [--seeds N] [--change NAME] [--out DIR]
@@ -219,7 +219,7 @@ fn solve(job: &Job, settings: &NewtonSettings) -> Cost {
     let sim =
         NewtonKrylov::with_settings(settings.clone()).map_err(|error| error.to_string()).and_then(|solver| {
             let builder = MixedLubricationSim::builder(job.scene.clone()).solver(solver);
-            let builder = if job.moves { builder.motion(Carried).with_squeeze() } else { builder };
+            let builder = if job.moves { builder.motion(Advected).with_squeeze() } else { builder };
             builder.build().map_err(|error| error.to_string())
         });
     match sim {

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use stribeck::reynolds::{ContactDefinition, ContactState};
 use stribeck::sim::scene::SolverKind;
 use stribeck::sim::{MixedLubricationSim, Scene, SimError, solve_contact};
-use stribeck::surface::Carried;
+use stribeck::surface::Advected;
 use stribeck::{SolveReport, Status};
 
 use crate::scenes::Case;
@@ -176,7 +176,7 @@ fn at_once(scene: &Scene) -> Result<Solved, SimError> {
 fn in_time(case: &Case, scene: Scene) -> Result<Solved, SimError> {
     let (grid, checked) = (scene.grid()?, scene.clone());
     let time_step = f64::from(case.cells) * grid.dx() / case.speed;
-    let builder = MixedLubricationSim::builder(scene).motion(Carried).with_squeeze();
+    let builder = MixedLubricationSim::builder(scene).motion(Advected).with_squeeze();
     let mut sim = builder.build()?;
     loop {
         let record = sim.step(time_step)?;

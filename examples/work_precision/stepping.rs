@@ -7,7 +7,7 @@ use std::path::Path;
 
 use plotters::style::{BLACK, RGBColor};
 use stribeck::sim::{MixedLubricationSim, Scene, StepControl, StepRecord};
-use stribeck::surface::AtRest;
+use stribeck::surface::Fixed;
 
 use crate::{Series, Stopwatch};
 
@@ -43,7 +43,7 @@ struct Outcome {
 /// scatter by more than the steps err.
 fn history(cells: usize, end: f64, control: &StepControl) -> Result<Outcome, Box<dyn Error>> {
     let scene = Scene::azam_2019(cells).with_tribofilm();
-    let mut sim = MixedLubricationSim::builder(scene).motion(AtRest).build()?;
+    let mut sim = MixedLubricationSim::builder(scene).motion(Fixed).build()?;
     let watch = Stopwatch::start();
     let (mut convolutions, mut values) = (0.0, [0.0; 2]);
     sim.run_until(end, control, &mut |_: &MixedLubricationSim, record: &StepRecord| {

@@ -172,12 +172,12 @@ impl ForPython for SimError {
 /// The error of a scene that does not fit: the parser names the table or the key last, after `in`, and a key
 /// that is missing or stray first.
 fn scene(py: Python<'_>, reason: &str) -> PyErr {
-    let quoted = |words: &str| words.split('`').nth(1).map(str::to_owned);
+    let escape = |words: &str| words.split('`').nth(1).map(str::to_owned);
     let place = reason.rsplit_once(" in `").and_then(|(_, end)| end.strip_suffix('`'));
     let key = ["unknown key ", "missing key ", "missing keys: "]
         .iter()
         .find_map(|words| reason.split_once(words))
-        .and_then(|(_, rest)| quoted(&format!(" {rest}")));
+        .and_then(|(_, rest)| escape(&format!(" {rest}")));
     let field = match (place, key) {
         (Some(table), Some(key)) => Some(format!("{table}.{key}")),
         (place, key) => key.or(place.map(str::to_owned)),

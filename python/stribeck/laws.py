@@ -235,7 +235,7 @@ class ContactSolver(Protocol):
     """A solver of contacts. A plain function of the same arguments will do.
 
     The crate evaluates the state that is left: residuals above twice the tolerance are no solution, whatever is returned, and the status is
-    ``unconfirmed``. What is found depends on problem and state alone."""
+    ``unverified``. What is found depends on problem and state alone."""
 
     def solve(self, problem: ContactProblem, state: ContactState) -> bool:
         """Leaves the best state found in ``state``; returns True where it has converged and False where it has not. Anything else is a

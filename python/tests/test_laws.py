@@ -216,7 +216,7 @@ def test_false_convergence_is_detected(rough: stribeck.Scene) -> None:
         return True
 
     solution = stribeck.solve(rough, solver=lies)
-    assert solution.status == "unconfirmed" and solution.residual.load == pytest.approx(1.0)
+    assert solution.status == "unverified" and solution.residual.load == pytest.approx(1.0)
     assert seen == [(True, 1e-9, (32, 32), (32, 32))]
     simulation = stribeck.Simulation(rough, solver=lies)
     refused(stribeck.NotConvergedError, lambda: simulation.step(60.0), "status")

@@ -2,7 +2,7 @@
 
 use super::flow::{Cavitation, FaceMobility, Scheme, ShearThinning, require_spin};
 use crate::elastic::DeformationModel;
-use crate::error::{InputError, legible};
+use crate::error::{InputError, format_number};
 use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::with_fields::with_fields;
@@ -378,7 +378,7 @@ impl LubricatedContact<'_> {
         let Some(load) = self.box_load() else { return Ok(()) };
         if load >= largest {
             return Err(InputError::Conflict {
-                field: format!("load = {}", legible(self.load)),
+                field: format!("load = {}", format_number(self.load)),
                 reason: format!(
                     "the inner nodes of the box carry less than {largest:.6e} N at the pressure limit; take less load, or harder bodies"
                 ),

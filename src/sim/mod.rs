@@ -60,7 +60,7 @@ pub use history::simulation::MixedLubricationSim;
 pub use history::start::BodyStart;
 pub use history::step_control::StepControl;
 pub use scene::hertz::HertzContact;
-pub use scene::timetable::Conditions;
+pub use scene::operating_schedule::Conditions;
 pub use scene::{Scene, Schedule};
 pub use single_contact::expectation::{Expectation, ExpectedFilm};
 pub use single_contact::solve_contact;

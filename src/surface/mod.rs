@@ -9,7 +9,7 @@
 //! | [`Heights`] | a measured surface: removal of form, filters, filling of holes, transfer to a grid |
 //! | `read`, `read_with`, `read_bytes` (feature `formats`) | instrument files: x3p, sur, sdf, prf, plu, al3d, npy, text |
 //! | `write_x3p`, `write_npy`, `write_text` (feature `formats`) | files that come back bit by bit |
-//! | [`RoughnessMotion`] | where periodic roughness stands from step to step: [`AlongTrack`], [`RandomShift`], [`Carried`], [`AtRest`] |
+//! | [`RoughnessMotion`] | where periodic roughness stands from step to step: [`AlongTrack`], [`RandomShift`], [`Advected`], [`AtRest`] |
 //! | [`FourierShift`] | shift by less than a cell |
 //!
 //! Heights are in metres and point out of the body: a positive height narrows the gap.
@@ -48,7 +48,7 @@ pub(crate) use motion::{add_blended, copy_shifted};
 pub use random::{HeightDistribution, HeightScale, RandomShape, RandomSurface};
 #[cfg(feature = "formats")]
 pub(crate) use rescale::rescale;
-pub use roughness_motion::{AlongTrack, AtRest, Carried, RandomShift, RoughnessMotion, Visits};
+pub use roughness_motion::{Advected, AlongTrack, Fixed, PointRevisit, RandomShift, RoughnessMotion};
 pub use self_affine::{SelfAffine, Synthesis};
 pub use subcell::FourierShift;
 pub(crate) use subcell::blend_shifted;

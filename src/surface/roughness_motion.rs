@@ -6,7 +6,7 @@
 //! | motion | where a body stands in the next contact |
 //! |---|---|
 //! | [`AtRest`] | where it was |
-//! | [`Carried`] | where its speed has taken it, between nodes too |
+//! | [`Advected`] | where its speed has taken it, between nodes too |
 //! | [`AlongTrack`] | anywhere along x |
 //! | [`RandomShift`] | anywhere along x and y |
 //!
@@ -33,7 +33,7 @@ use crate::grid::Grid;
 ///
 /// ```
 /// use stribeck::Grid;
-/// use stribeck::surface::{Offset, RoughnessMotion, Visits};
+/// use stribeck::surface::{Offset, RoughnessMotion, PointRevisit};
 ///
 /// /// Steps by one column each time.
 /// #[derive(Debug)]
@@ -42,8 +42,8 @@ use crate::grid::Grid;
 ///     fn offset(&self, _body: usize, draw: u64, _time: f64, _speed: f64, grid: &Grid) -> Offset {
 ///         Offset { columns: (draw % grid.nx() as u64) as usize, rows: 0, fraction: 0.0 }
 ///     }
-///     fn visits(&self, _speed: f64) -> Visits {
-///         Visits::Track
+///     fn visits(&self, _speed: f64) -> PointRevisit {
+///         PointRevisit::Track
 ///     }
 /// }
 /// assert_eq!(Creep.offset(0, 70, 0.0, 0.1, &Grid::centred(64, 8, 1e-6, 1e-6)?).columns, 6);
@@ -56,7 +56,7 @@ pub trait RoughnessMotion: Debug + Send + Sync {
 
     /// Which places of its patch a body moving at `speed` \[m/s\] brings under the contact, each equally
     /// often.
-    fn visits(&self, speed: f64) -> Visits;
+    fn visits(&self, speed: f64) -> PointRevisit;
 }
 
 /// Which places of a body's patch come under the contact.
@@ -64,18 +64,18 @@ pub trait RoughnessMotion: Debug + Send + Sync {
 /// # Examples
 ///
 /// ```
-/// use stribeck::surface::{AlongTrack, AtRest, Carried, RandomShift, RoughnessMotion, Visits};
-/// assert_eq!(AtRest.visits(0.1), Visits::Stays);
-/// assert_eq!((Carried.visits(0.1), Carried.visits(0.0)), (Visits::Passing, Visits::Stays));
-/// assert_eq!(AlongTrack { seed: 1 }.visits(0.1), Visits::Track);
-/// assert_eq!(RandomShift { seed: 1 }.visits(0.1), Visits::Patch);
-/// assert_eq!(RandomShift { seed: 1 }.visits(0.0), Visits::Stays);
+/// use stribeck::surface::{AlongTrack, Fixed, Advected, RandomShift, RoughnessMotion, PointRevisit};
+/// assert_eq!(Fixed.visits(0.1), PointRevisit::Permanent);
+/// assert_eq!((Advected.visits(0.1), Advected.visits(0.0)), (PointRevisit::Passing, PointRevisit::Permanent));
+/// assert_eq!(AlongTrack { seed: 1 }.visits(0.1), PointRevisit::Track);
+/// assert_eq!(RandomShift { seed: 1 }.visits(0.1), PointRevisit::Patch);
+/// assert_eq!(RandomShift { seed: 1 }.visits(0.0), PointRevisit::Permanent);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Visits {
+pub enum PointRevisit {
     /// The same ones all the time.
-    Stays,
+    Permanent,
     /// All along x one after the other, as the body carries them past.
     Passing,
     /// All along x, in any order.
@@ -86,15 +86,15 @@ pub enum Visits {
 
 /// The patterns never move: the same peaks meet for ever.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct AtRest;
+pub struct Fixed;
 
-impl RoughnessMotion for AtRest {
+impl RoughnessMotion for Fixed {
     fn offset(&self, _body: usize, _draw: u64, _time: f64, _speed: f64, _grid: &Grid) -> Offset {
         Offset::default()
     }
 
-    fn visits(&self, _speed: f64) -> Visits {
-        Visits::Stays
+    fn visits(&self, _speed: f64) -> PointRevisit {
+        PointRevisit::Permanent
     }
 }
 
@@ -103,18 +103,18 @@ impl RoughnessMotion for AtRest {
 ///
 /// ```
 /// use stribeck::Grid;
-/// use stribeck::surface::{Carried, RoughnessMotion};
+/// use stribeck::surface::{Advected, RoughnessMotion};
 /// let grid = Grid::centred(128, 128, 1e-6, 1e-6)?;
 /// // 0.25 cells downstream: the grid sees what was 0.25 cells upstream.
-/// let carried = Carried.offset(0, 0, 2.5e-6, 0.1, &grid);
+/// let carried = Advected.offset(0, 0, 2.5e-6, 0.1, &grid);
 /// assert_eq!(carried.columns, 127);
 /// assert!((carried.fraction - 0.75).abs() < 1e-9);
 /// # Ok::<(), stribeck::InputError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Carried;
+pub struct Advected;
 
-impl RoughnessMotion for Carried {
+impl RoughnessMotion for Advected {
     fn offset(&self, _body: usize, _draw: u64, time: f64, speed: f64, grid: &Grid) -> Offset {
         let columns = (-speed * time / grid.dx()).rem_euclid(grid.nx() as f64);
         // A distance that is not a number stays at the origin.
@@ -123,8 +123,8 @@ impl RoughnessMotion for Carried {
         Offset { columns: whole as usize % grid.nx().max(1), rows: 0, fraction }
     }
 
-    fn visits(&self, speed: f64) -> Visits {
-        if speed == 0.0 { Visits::Stays } else { Visits::Passing }
+    fn visits(&self, speed: f64) -> PointRevisit {
+        if speed == 0.0 { PointRevisit::Permanent } else { PointRevisit::Passing }
     }
 }
 
@@ -168,8 +168,8 @@ impl RoughnessMotion for AlongTrack {
         Offset { columns: below(place, grid.nx()), rows: 0, fraction: 0.0 }
     }
 
-    fn visits(&self, speed: f64) -> Visits {
-        if speed == 0.0 { Visits::Stays } else { Visits::Track }
+    fn visits(&self, speed: f64) -> PointRevisit {
+        if speed == 0.0 { PointRevisit::Permanent } else { PointRevisit::Track }
     }
 }
 
@@ -203,8 +203,8 @@ impl RoughnessMotion for RandomShift {
         Offset { columns, rows: below(generator.next_u64(), grid.ny()), fraction: 0.0 }
     }
 
-    fn visits(&self, speed: f64) -> Visits {
-        if speed == 0.0 { Visits::Stays } else { Visits::Patch }
+    fn visits(&self, speed: f64) -> PointRevisit {
+        if speed == 0.0 { PointRevisit::Permanent } else { PointRevisit::Patch }
     }
 }
 

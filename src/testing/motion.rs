@@ -2,7 +2,7 @@
 
 use super::{Contract, Violation};
 use crate::grid::Grid;
-use crate::surface::{Offset, RoughnessMotion, Visits};
+use crate::surface::{Offset, PointRevisit, RoughnessMotion};
 
 /// Speeds \[m/s\] of the check.
 const SPEEDS: [f64; 5] = [0.0, 0.1, -0.1, 1e-6, 50.0];
@@ -60,19 +60,21 @@ fn check(
 /// Checks that `offset` differs from the `first` one only as far as the type of motion permits.
 fn check_visits(
     contract: &Contract,
-    visits: Visits,
+    visits: PointRevisit,
     [first, offset]: [Offset; 2],
     grid: &Grid,
     place: &impl Fn() -> String,
 ) -> Result<(), Violation> {
     let row = |offset: Offset| offset.rows % grid.ny();
     match visits {
-        Visits::Stays => contract.require(offset == first, "a body that stays keeps its offset", place),
-        Visits::Passing | Visits::Track => contract.require(
+        PointRevisit::Permanent => {
+            contract.require(offset == first, "a body that stays keeps its offset", place)
+        }
+        PointRevisit::Passing | PointRevisit::Track => contract.require(
             row(offset) == row(first),
             "a body that moves along its track keeps its row",
             place,
         ),
-        Visits::Patch => Ok(()),
+        PointRevisit::Patch => Ok(()),
     }
 }

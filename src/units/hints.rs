@@ -4,9 +4,9 @@ use super::Dimension;
 #[cfg(feature = "serde")]
 use super::spelling::split;
 use super::tables::Scale;
-use crate::error::legible;
 #[cfg(feature = "serde")]
-use crate::error::quoted;
+use crate::error::escape;
+use crate::error::format_number;
 
 /// Density of a mineral oil, by which kinematic viscosities are converted in messages \[kg/m^3\].
 const OIL_DENSITY: f64 = 850.0;
@@ -32,7 +32,7 @@ pub(crate) fn toml_line(line: &str) -> Option<String> {
         let (_, unit) = split(value)?;
         let is_unit =
             unit.starts_with(|c: char| c.is_alphabetic() || "%/\u{b0}\u{b5}".contains(c) || c == '1');
-        is_unit.then(|| format!("a number with a unit is text in quotes: \"{}\"", quoted(value)))
+        is_unit.then(|| format!("a number with a unit is text in quotes: \"{}\"", escape(value)))
     })
 }
 
@@ -54,6 +54,6 @@ pub(super) fn other_dimension(dimension: Dimension, number: &str, unit: &str) ->
     Some(format!(
         "`{unit}` is a unit of kinematic viscosity, the dynamic viscosity is asked for; multiply by the density: with {OIL_DENSITY} \
          kg/m^3 it is \"{} mPa s\"",
-        legible(dynamic)
+        format_number(dynamic)
     ))
 }

@@ -13,7 +13,7 @@ mod tables;
 pub(crate) use self::hints::toml_line;
 use self::spelling::{plain, split, times_power_of_ten};
 use self::tables::Scale::{Plus, Ten, Times};
-use crate::error::{InputError, quoted};
+use crate::error::{InputError, escape};
 
 /// What a quantity measures, and with it the units that do for it.
 ///
@@ -107,7 +107,7 @@ impl Dimension {
     /// Text that is no number and unit, a unit of something else, no unit.
     pub fn parse(self, field: &str, text: &str) -> Result<f64, InputError> {
         let refused = |reason: String| InputError::Conflict {
-            field: format!("{field} = \"{}\"", quoted(text)),
+            field: format!("{field} = \"{}\"", escape(text)),
             reason,
         };
         if let Some(hint) = hints::comma(text) {
@@ -131,7 +131,7 @@ impl Dimension {
             }
             return Err(refused(format!(
                 "`{}` is no unit of {}; {}",
-                quoted(unit),
+                escape(unit),
                 self.name(),
                 self.offer()
             )));

@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 use stribeck::plastic::PlasticityModel;
-use stribeck::surface::{Offset, RoughnessMotion, Visits};
+use stribeck::surface::{Offset, PointRevisit, RoughnessMotion};
 use stribeck::{Grid, InputError};
 
 use super::{Failure, Function};
@@ -57,12 +57,12 @@ impl PlasticityModel for Plasticity {
 }
 
 /// The places of that name.
-fn visits_of(py: Python<'_>, name: &str) -> PyResult<Visits> {
+fn visits_of(py: Python<'_>, name: &str) -> PyResult<PointRevisit> {
     match name {
-        "stays" => Ok(Visits::Stays),
-        "passing" => Ok(Visits::Passing),
-        "track" => Ok(Visits::Track),
-        "patch" => Ok(Visits::Patch),
+        "stays" => Ok(PointRevisit::Permanent),
+        "passing" => Ok(PointRevisit::Passing),
+        "track" => Ok(PointRevisit::Track),
+        "patch" => Ok(PointRevisit::Patch),
         _ => {
             let message = format!("motion: visits = {name:?}: must be stays, passing, track or patch");
             let value = name.into_pyobject(py)?.into_any();
@@ -81,7 +81,7 @@ pub(crate) fn check_visits(py: Python<'_>, visits: &str) -> PyResult<()> {
 #[derive(Debug)]
 pub(crate) struct Motion {
     function: Function,
-    visits: Visits,
+    visits: PointRevisit,
 }
 
 impl Motion {
@@ -137,7 +137,7 @@ impl RoughnessMotion for Motion {
         })
     }
 
-    fn visits(&self, _speed: f64) -> Visits {
+    fn visits(&self, _speed: f64) -> PointRevisit {
         self.visits
     }
 }

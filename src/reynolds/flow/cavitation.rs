@@ -4,7 +4,7 @@
 //! starved. `Discretisation` makes the difference; Newton's method begins a dry start with Reynolds' condition,
 //! and multigrid's cycles always work with it.
 
-use crate::error::{InputError, legible};
+use crate::error::{InputError, format_number};
 
 /// What holds where the fluid pressure is at the cavitation pressure, zero.
 ///
@@ -44,7 +44,7 @@ impl Cavitation {
             return Ok(());
         }
         Err(InputError::Conflict {
-            field: format!("{field} = {}", legible(value)),
+            field: format!("{field} = {}", format_number(value)),
             reason: "with Reynolds' condition a cell that is not filled carries on a full film; it needs mass_conserving \
                      cavitation"
                 .to_owned(),

@@ -8,7 +8,7 @@
 use std::ops::Range;
 
 use super::node::NodeFlow;
-use crate::error::{InputError, legible};
+use crate::error::{InputError, format_number};
 use crate::grid::Grid;
 use crate::reynolds::problem::inner_rows;
 
@@ -38,7 +38,7 @@ pub(crate) fn require_spin(
     } else {
         return Ok(());
     };
-    Err(InputError::Conflict { field: format!("{field} = {}", legible(radius)), reason })
+    Err(InputError::Conflict { field: format!("{field} = {}", format_number(radius)), reason })
 }
 
 /// Which way turning surfaces carry fluid along the columns of a grid.

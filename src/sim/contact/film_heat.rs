@@ -62,7 +62,7 @@ pub(in crate::sim) fn validate(scene: &Scene, law: Option<&dyn ViscosityLaw>) ->
 }
 
 /// What stays the same from solve to solve.
-pub(in crate::sim) struct Surroundings<'a> {
+pub(in crate::sim) struct SolveContext<'a> {
     /// Laws of friction, plasticity, growth and wear.
     pub(in crate::sim) laws: &'a Laws,
     /// Tribofilms of ball and disc \[m\].
@@ -80,7 +80,7 @@ type Contact<'a> = (&'a mut ContactModel, &'a mut ContactState, &'a mut Friction
 /// its temperature, until both agree; overwrites `friction` with the stresses of the film. Where they do not
 /// agree within [`MAX_SOLVES`] the status is [`Status::MaxIterations`].
 pub(in crate::sim) fn solve(
-    given: &Surroundings<'_>,
+    given: &SolveContext<'_>,
     heat: Option<&mut FilmIteration>,
     (model, state, friction): Contact<'_>,
     solve_once: SolveOnce<'_>,
@@ -184,7 +184,7 @@ impl FilmIteration {
     /// of the film, and the fluid keeps the temperatures that the last contact was solved with.
     fn solve(
         &mut self,
-        given: &Surroundings<'_>,
+        given: &SolveContext<'_>,
         (model, state, friction): Contact<'_>,
         solve_once: SolveOnce<'_>,
     ) -> Result<Solved, SimError> {

@@ -7,7 +7,7 @@ use crate::sim::contact::numbers::Moes;
 use crate::sim::contact::setup;
 use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::{HertzContact, LINE_LENGTH};
-use crate::sim::scene::timetable::Conditions;
+use crate::sim::scene::operating_schedule::Conditions;
 
 /// What the film formulas make of a scene.
 ///

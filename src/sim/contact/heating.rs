@@ -5,7 +5,7 @@ use crate::lubricant::ViscosityLaw;
 use crate::sim::contact::friction::mean_fluid_stress;
 use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::HertzContact;
-use crate::sim::scene::timetable::Conditions;
+use crate::sim::scene::operating_schedule::Conditions;
 use crate::tribochem::estimate_rise_under_flux;
 
 /// Exponent of Roelands' viscosity over temperature, of mineral oils.

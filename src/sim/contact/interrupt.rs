@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::elastic::{DeformationModel, ResponseApproximations};
 use crate::error::InputError;
 use crate::grid::Grid;
-use crate::sim::contact::owned::OwnedModel;
+use crate::sim::contact::boxed_clone::OwnedModel;
 
 /// Asks whether the solve in progress shall end.
 #[derive(Clone)]

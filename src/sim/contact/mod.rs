@@ -5,7 +5,9 @@
 //!                  └── far_field: pressures at the edges of the box
 //! ```
 
+pub(in crate::sim) mod boxed_clone;
 pub(in crate::sim) mod compliant_films;
+pub(in crate::sim) mod custom_laws;
 pub(in crate::sim) mod error_estimate;
 pub(in crate::sim) mod far_field;
 pub(in crate::sim) mod film_heat;
@@ -19,8 +21,6 @@ pub(in crate::sim) mod mixing;
 pub(in crate::sim) mod model;
 pub(in crate::sim) mod numbers;
 pub(in crate::sim) mod outer_rows;
-pub(in crate::sim) mod own_laws;
-pub(in crate::sim) mod owned;
 pub(in crate::sim) mod per_body;
 pub(in crate::sim) mod setup;
 pub(in crate::sim) mod solution;

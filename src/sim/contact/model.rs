@@ -16,15 +16,15 @@ use crate::reynolds::{
     FlowBalance, LubricatedContact, ReynoldsError, Scheme, ShearThinning, Squeeze, StoppingRule,
     require_spin,
 };
+use crate::sim::contact::boxed_clone::{OwnedModel, OwnedSolver};
 use crate::sim::contact::compliant_films::CompliantFilms;
 use crate::sim::contact::far_field::{FarField, Inlet};
 use crate::sim::contact::formula::{FormulaFilm, formula_film, stated_film};
 use crate::sim::contact::interrupt::{Interrupt, Interruptible};
-use crate::sim::contact::owned::{OwnedModel, OwnedSolver};
-use crate::sim::contact::{film_heat, own_laws, setup};
+use crate::sim::contact::{custom_laws, film_heat, setup};
 use crate::sim::error::SimError;
 use crate::sim::scene::hertz::HertzContact;
-use crate::sim::scene::timetable::{Conditions, Timetable};
+use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
 use crate::sim::scene::{InletSpec, Motion, PlasticSpec, Scene};
 
 /// Residuals over the tolerance up to which a solver from outside has converged: films carry the rounding of
@@ -80,7 +80,7 @@ pub(in crate::sim) struct ContactModel {
     /// Measures the flow of solutions, and evaluates those of solvers from outside; made when it is first used.
     pub(in crate::sim) evaluation: Option<Evaluation>,
     /// Whether another solve follows: the solver keeps its buffers for it.
-    pub(in crate::sim) solves_again: bool,
+    pub(in crate::sim) reuses_buffers: bool,
     /// Flow into the last solution and out of it.
     pub(in crate::sim) flow: Option<FlowBalance>,
     /// Flows through the cells of the last solution; none where films have the bulk temperature.
@@ -93,7 +93,7 @@ pub(in crate::sim) struct ContactModel {
 
 /// What changes of a contact model from step to step.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::sim) struct Circumstances {
+pub(in crate::sim) struct SavedConditions {
     /// Hertz contact under the load.
     hertz: HertzContact,
     /// Entrainment speed and slide-roll ratio.
@@ -114,7 +114,7 @@ pub(in crate::sim) struct Circumstances {
 
 /// What a user puts in place of the scene's own parts.
 #[derive(Debug, Default)]
-pub(in crate::sim) struct Overrides {
+pub(in crate::sim) struct CustomComponents {
     /// Elastic bodies in place of the half-space.
     pub(in crate::sim) deformation: Option<Box<dyn OwnedModel>>,
     /// Viscosity law in place of that of the scene.
@@ -132,11 +132,11 @@ impl ContactModel {
     ///
     /// # Errors
     /// A scene out of range; a grid that does not hold the contact; parts that do not fit the scene.
-    pub(in crate::sim) fn new(scene: &Scene, overrides: Overrides) -> Result<Self, SimError> {
+    pub(in crate::sim) fn new(scene: &Scene, custom: CustomComponents) -> Result<Self, SimError> {
         setup::validate(scene)?;
         let grid = scene.grid()?;
-        let timetable = Timetable::new(scene)?;
-        let conditions = timetable.at(0.0);
+        let operating_schedule = OperatingSchedule::new(scene)?;
+        let conditions = operating_schedule.at(0.0);
         let hertz = scene.hertz()?;
         setup::validate_box(&grid, &hertz, scene.form.is_line())?;
         if let Some(radius) = scene.motion.spin_radius {
@@ -148,11 +148,10 @@ impl ContactModel {
         setup::validate_memory(&grid, scene.is_lubricated())?;
         let mut form_gap = vec![0.0; grid.len()];
         scene.form.gap_into(&grid, &mut form_gap)?;
-        let has_own_body = overrides.deformation.is_some();
-        let deformation = checked_deformation(scene, grid, overrides.deformation)?;
-        let deformation = WithLocalCompliance::new(Interruptible::new(deformation, overrides.interrupt));
-        let missing =
-            [("viscosity", overrides.viscosity.is_some()), ("density", overrides.density.is_some())];
+        let has_own_body = custom.deformation.is_some();
+        let deformation = checked_deformation(scene, grid, custom.deformation)?;
+        let deformation = WithLocalCompliance::new(Interruptible::new(deformation, custom.interrupt));
+        let missing = [("viscosity", custom.viscosity.is_some()), ("density", custom.density.is_some())];
         if let (None, Some((law, _))) = (&scene.lubricant, missing.iter().find(|(_, given)| *given)) {
             return Err(SimError::Input(InputError::Conflict {
                 field: (*law).to_owned(),
@@ -160,19 +159,19 @@ impl ContactModel {
             }));
         }
         let temperature = conditions.bulk_temperature;
-        let viscosity = match overrides.viscosity {
+        let viscosity = match custom.viscosity {
             None => setup::viscosity(scene, temperature)?,
             Some(law) => {
                 let law = law.at_temperature(temperature).unwrap_or(law);
-                own_laws::require_viscosity(&*law, temperature)?;
+                custom_laws::require_viscosity(&*law, temperature)?;
                 Some(law)
             }
         };
-        let density = match overrides.density {
+        let density = match custom.density {
             None => setup::density(scene, temperature)?,
             Some(law) => {
                 let law = law.at_temperature(temperature).unwrap_or(law);
-                own_laws::require_density(&*law)?;
+                custom_laws::require_density(&*law)?;
                 Some(law)
             }
         };
@@ -190,7 +189,7 @@ impl ContactModel {
             formulas,
             stated_film,
             evaluation: None,
-            solves_again: true,
+            reuses_buffers: true,
             flow: None,
             film_flows: film_heat::is_asked(scene).then(FilmFlows::default),
             grid,
@@ -199,8 +198,8 @@ impl ContactModel {
             deformation,
             films: CompliantFilms::of(scene, grid.len())?,
             lubricant,
-            confirms: overrides.solver.is_some(),
-            solver: overrides.solver.map_or_else(|| setup::solver(scene), Ok)?,
+            confirms: custom.solver.is_some(),
+            solver: custom.solver.map_or_else(|| setup::solver(scene), Ok)?,
             rule: setup::stopping_rule(scene)?,
             scheme: scene.scheme(),
             face_mobility: scene.face_mobility(),
@@ -223,7 +222,7 @@ impl ContactModel {
     }
 
     /// Takes over the load and the speeds of `conditions`.
-    pub(in crate::sim) fn put_under(
+    pub(in crate::sim) fn set_conditions(
         &mut self,
         scene: &Scene,
         conditions: &Conditions,
@@ -254,8 +253,8 @@ impl ContactModel {
     }
 
     /// What [`ContactModel::put_under`] changes, and the flow of the box, which [`ContactModel::solve`] does.
-    pub(in crate::sim) fn circumstances(&self) -> Circumstances {
-        Circumstances {
+    pub(in crate::sim) fn saved(&self) -> SavedConditions {
+        SavedConditions {
             hertz: self.hertz,
             motion: self.motion,
             formulas: self.formulas,
@@ -268,7 +267,7 @@ impl ContactModel {
     }
 
     /// Puts back what another contact has changed.
-    pub(in crate::sim) fn return_to(&mut self, before: Circumstances) {
+    pub(in crate::sim) fn restore_conditions(&mut self, before: SavedConditions) {
         self.hertz = before.hertz;
         self.motion = before.motion;
         self.formulas = before.formulas;
@@ -360,11 +359,11 @@ impl ContactModel {
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
         let (heeded, rule, confirms) = (self.deformation.bodies().begin(), self.rule, self.confirms);
-        let solves_again = self.solves_again;
+        let reuses_buffers = self.reuses_buffers;
         let mut film_flows = self.film_flows.take();
         let (mut problem, solver, evaluation) = self.problem(gap, limit, squeeze, edge);
         let mut solved = solver.solve(&mut problem, state, &rule);
-        if !solves_again {
+        if !reuses_buffers {
             // A copy has no buffers yet.
             *solver = solver.clone();
         }
@@ -409,7 +408,7 @@ fn confirmed(
     let residual = evaluation.evaluate(problem, state)?;
     // No number is no solution either.
     let holds = residual.max() <= CONFIRMED * rule.tolerance && residual.is_finite();
-    let status = if holds { Status::Converged } else { Status::Unconfirmed };
+    let status = if holds { Status::Converged } else { Status::Unverified };
     Ok(SolveReport { status, residual, ..report })
 }
 
@@ -419,12 +418,12 @@ pub(in crate::sim) fn validate_loads(
     scene: &Scene,
     plastic: Option<PlasticSpec>,
     grid: &Grid,
-    timetable: &Timetable,
+    operating_schedule: &OperatingSchedule,
 ) -> Result<(), InputError> {
     if scene.schedule.load.is_none() {
         return Ok(());
     }
-    for load in timetable.loads() {
+    for load in operating_schedule.loads() {
         let hertz = scene.hertz_under(load)?;
         setup::validate_box(grid, &hertz, scene.form.is_line())?;
         if let Some(plastic) = plastic {

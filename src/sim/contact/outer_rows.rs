@@ -20,7 +20,7 @@ use crate::sim::contact::model::ContactModel;
 use crate::sim::error::{BoxTooSmall, EdgeQuantity, SimError};
 use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::HertzContact;
-use crate::surface::Visits;
+use crate::surface::PointRevisit;
 use crate::surface_state::SurfaceState;
 use crate::tribochem::FilmGrowthLaw;
 
@@ -148,7 +148,7 @@ pub(in crate::sim) struct Change<'a> {
     /// 0 the ball, 1 the disc.
     pub(in crate::sim) body: usize,
     /// Places of the patch that come under the contact.
-    pub(in crate::sim) visits: Visits,
+    pub(in crate::sim) visits: PointRevisit,
     /// Worn depth after and before the step \[m\].
     pub(in crate::sim) wear: [&'a [f64]; 2],
     /// Tribofilm after and before the step \[m\]; none of laws that need no solid contact.
@@ -182,9 +182,9 @@ impl Change<'_> {
     /// Whether the patch of the body has an edge along `axis`.
     fn has_edge(&self, axis: Axis) -> bool {
         match self.visits {
-            Visits::Stays => true,
-            Visits::Passing | Visits::Track => axis == Axis::Y,
-            Visits::Patch => false,
+            PointRevisit::Permanent => true,
+            PointRevisit::Passing | PointRevisit::Track => axis == Axis::Y,
+            PointRevisit::Patch => false,
         }
     }
 }

@@ -4,7 +4,7 @@
 //! of their key, and makes the law, the solver or the heights. The order in which they are put together is
 //! that of `ContactModel::new`; a new law that scenes name is made here.
 
-use crate::error::{InputError, legible};
+use crate::error::{InputError, format_number};
 use crate::grid::Grid;
 use crate::lubricant::{
     Barus, DensityLaw, DoolittleTait, DowsonHigginson, ImprovedYasutomi, Roelands, ThermalRoelands,
@@ -12,9 +12,9 @@ use crate::lubricant::{
 };
 use crate::metrics::mean_central_film_in;
 use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRule, require_speed};
+use crate::sim::contact::boxed_clone::OwnedSolver;
 use crate::sim::contact::friction::boundary_law;
 pub(in crate::sim) use crate::sim::contact::memory::validate_memory;
-use crate::sim::contact::owned::OwnedSolver;
 use crate::sim::contact::warnings::refuse_slips;
 use crate::sim::error::SimError;
 use crate::sim::scene::hertz::HertzContact;
@@ -165,7 +165,7 @@ pub(in crate::sim) fn validate_hardness(
         return Ok(());
     }
     Err(InputError::Conflict {
-        field: format!("plastic.hardness = {}", legible(hardness)),
+        field: format!("plastic.hardness = {}", format_number(hardness)),
         reason: format!(
             "the box carries less than {largest:.6e} N at this pressure, the load is {:.6e} N",
             hertz.force

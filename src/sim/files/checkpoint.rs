@@ -141,7 +141,7 @@ impl MixedLubricationSim {
     /// [restores](Self::restore) it goes on as this one, equal to the last bit on the same kind of processor.
     /// The file is replaced as a whole: a process killed meanwhile leaves the old one.
     ///
-    /// Own laws and solvers must not remember anything between calls that changes what they return.
+    /// CustomParts laws and solvers must not remember anything between calls that changes what they return.
     ///
     /// # Errors
     /// [`CheckpointError::Io`] when the file cannot be written.
@@ -210,7 +210,7 @@ impl MixedLubricationSim {
     /// # Errors
     /// As of [`restore`](Self::restore).
     pub fn restore_checkpoint(&mut self, bytes: &[u8]) -> Result<(), CheckpointError> {
-        self.take_over(Path::new(IN_MEMORY), bytes, &[]).map(|_| ())
+        self.restore_from(Path::new(IN_MEMORY), bytes, &[]).map(|_| ())
     }
 
     /// Takes over what [`save`](Self::save) wrote. The simulation must be built from the same scene, laws,
@@ -222,7 +222,7 @@ impl MixedLubricationSim {
     /// simulation.
     pub fn restore(&mut self, path: impl AsRef<Path>) -> Result<(), CheckpointError> {
         let path = path.as_ref();
-        self.take_over(path, &read(path)?, &[]).map(|_| ())
+        self.restore_from(path, &read(path)?, &[]).map(|_| ())
     }
 
     /// Goes on from what [`save`](Self::save) wrote under other conditions: load, speeds, lubricant,
@@ -254,7 +254,7 @@ impl MixedLubricationSim {
         path: impl AsRef<Path>,
     ) -> Result<Vec<String>, CheckpointError> {
         let path = path.as_ref();
-        self.take_over(path, &read(path)?, &CONDITIONS)
+        self.restore_from(path, &read(path)?, &CONDITIONS)
     }
 
     /// The box of a saved run that has grown out of that of this one.
@@ -276,7 +276,7 @@ impl MixedLubricationSim {
 
     /// Takes over the `bytes` of the file at `path`, which may differ in the parts `allowed`; returns those
     /// in which it does.
-    fn take_over(
+    fn restore_from(
         &mut self,
         path: &Path,
         bytes: &[u8],
@@ -289,7 +289,7 @@ impl MixedLubricationSim {
         let other = |part: &str| CheckpointError::Other { path: path.to_owned(), part: part.to_owned() };
         if let Some(grid) = self.grown_to(&content.identity) {
             let mut wide = self.rebuilt(grid).map_err(|error| damaged(error.to_string()))?;
-            let differences = wide.take_over(path, bytes, allowed)?;
+            let differences = wide.restore_from(path, bytes, allowed)?;
             *self = wide;
             return Ok(differences);
         }

@@ -9,18 +9,18 @@ use crate::sim::history::body::Body;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::HertzContact;
-use crate::sim::scene::timetable::Conditions;
+use crate::sim::scene::operating_schedule::Conditions;
 use crate::surface::RoughnessMotion;
 
 impl MixedLubricationSim {
     /// How the roughness moves from step to step.
     pub fn motion(&self) -> &dyn RoughnessMotion {
-        self.travel.motion.as_ref()
+        self.surface_motion.motion.as_ref()
     }
 
     /// Whether each contact feels the squeeze of the film before it.
     pub fn has_squeeze(&self) -> bool {
-        self.travel.squeeze
+        self.surface_motion.squeeze
     }
 
     /// The grid of the contact and of both bodies' patches.
@@ -35,7 +35,7 @@ impl MixedLubricationSim {
 
     /// What acts on the contact at the time that has passed.
     pub fn conditions(&self) -> Conditions {
-        self.timetable.at(self.time)
+        self.operating_schedule.at(self.time)
     }
 
     /// Hertz contact of the smooth bodies under the load of the last step.

@@ -18,7 +18,7 @@ use crate::reynolds::{ContactSolver, ContactState, FaceMobility};
 use crate::sim::contact::friction::boundary_law;
 use crate::sim::contact::interrupt::Interrupt;
 use crate::sim::contact::laws::Laws;
-use crate::sim::contact::model::{ContactModel, Overrides, validate_loads};
+use crate::sim::contact::model::{ContactModel, CustomComponents, validate_loads};
 use crate::sim::contact::per_body::PerBody;
 use crate::sim::contact::setup;
 use crate::sim::contact::warnings::{self, Warning};
@@ -26,10 +26,10 @@ use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
 use crate::sim::history::exposure;
 use crate::sim::history::heat::Heat;
-use crate::sim::history::placement::Travel;
+use crate::sim::history::placement::SurfaceMotion;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::history::start::BodyStart;
-use crate::sim::scene::timetable::Timetable;
+use crate::sim::scene::operating_schedule::OperatingSchedule;
 use crate::sim::scene::{BODIES, PlasticSpec, Roughness, Scene};
 use crate::surface::RoughnessMotion;
 use crate::tribochem::FilmGrowthLaw;
@@ -55,7 +55,7 @@ pub struct SimBuilder {
     /// The scene, which what follows takes precedence over.
     pub(in crate::sim) scene: Scene,
     /// Parts of the contact that were given.
-    pub(in crate::sim) overrides: Overrides,
+    pub(in crate::sim) custom: CustomComponents,
     /// Laws that were given; none for those of the scene.
     pub(in crate::sim) plasticity: Option<Arc<dyn PlasticityModel>>,
     /// Growth of the tribofilm.
@@ -80,7 +80,7 @@ pub struct SimBuilder {
 
 /// What is in place of parts of the scene.
 #[derive(Debug, Default, Clone, Copy)]
-pub(in crate::sim) struct Own {
+pub(in crate::sim) struct CustomParts {
     /// Heights of ball and disc.
     heights: [bool; 2],
     /// The viscosity law.
@@ -101,7 +101,7 @@ impl SimBuilder {
     pub(in crate::sim) fn new(scene: Scene) -> Self {
         Self {
             scene,
-            overrides: Overrides::default(),
+            custom: CustomComponents::default(),
             plasticity: None,
             growth: None,
             wear: None,
@@ -119,30 +119,30 @@ impl SimBuilder {
     /// copied where the simulation is.
     #[must_use]
     pub fn deformation(mut self, model: impl DeformationModel + Clone + 'static) -> Self {
-        self.overrides.deformation = Some(Box::new(model));
+        self.custom.deformation = Some(Box::new(model));
         self
     }
 
     /// Replaces the viscosity law; the scene must have a lubricant.
     #[must_use]
     pub fn viscosity(mut self, law: impl ViscosityLaw + 'static) -> Self {
-        self.overrides.viscosity = Some(Box::new(law));
+        self.custom.viscosity = Some(Box::new(law));
         self
     }
 
     /// Replaces the density law; the scene must have a lubricant.
     #[must_use]
     pub fn density(mut self, law: impl DensityLaw + 'static) -> Self {
-        self.overrides.density = Some(Box::new(law));
+        self.custom.density = Some(Box::new(law));
         self
     }
 
     /// Replaces the solver, which is copied where the simulation is. A state that it calls converged is
     /// evaluated before it counts: where its residuals are above twice the tolerance the status is
-    /// [`Status::Unconfirmed`](crate::Status::Unconfirmed), and nothing is done to the bodies.
+    /// [`Status::Unverified`](crate::Status::Unverified), and nothing is done to the bodies.
     #[must_use]
     pub fn solver(mut self, solver: impl ContactSolver + Clone + 'static) -> Self {
-        self.overrides.solver = Some(Box::new(solver));
+        self.custom.solver = Some(Box::new(solver));
         self
     }
 
@@ -200,7 +200,7 @@ impl SimBuilder {
     /// Makes the history transient: each contact after the first feels the squeeze of the films of the two
     /// before ([`Squeeze::second_order`](crate::reynolds::Squeeze::second_order); of first order in the
     /// second contact and after a step more than twice as long as the one before). It belongs to
-    /// [`Carried`](crate::surface::Carried) and steps of the time that the surfaces need for a cell; in the
+    /// [`Advected`](crate::surface::Advected) and steps of the time that the surfaces need for a cell; in the
     /// long steps of a wear history the squeeze is nothing.
     #[must_use]
     pub fn with_squeeze(mut self) -> Self {
@@ -242,7 +242,7 @@ impl SimBuilder {
     /// ```
     #[must_use]
     pub fn interrupt(mut self, asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
-        self.overrides.interrupt = Some(Interrupt::new(asked));
+        self.custom.interrupt = Some(Interrupt::new(asked));
         self
     }
 
@@ -258,7 +258,7 @@ impl SimBuilder {
 
     /// The pressure flow through faces, by default that between rough surfaces where heights in place of
     /// those of the scene are.
-    pub(in crate::sim) fn face_mobility(&self, own: Own, bodies: &[Body; 2]) -> FaceMobility {
+    pub(in crate::sim) fn face_mobility(&self, own: CustomParts, bodies: &[Body; 2]) -> FaceMobility {
         let roughness = [&self.scene.roughness.ball, &self.scene.roughness.disc];
         let smooth = (0..2).all(|index| {
             let surface = bodies[index].surface();
@@ -269,10 +269,10 @@ impl SimBuilder {
     }
 
     /// What a caller has given so far in place of parts of the scene.
-    pub(in crate::sim) fn own(&self) -> Own {
-        Own {
+    pub(in crate::sim) fn own(&self) -> CustomParts {
+        CustomParts {
             heights: [0, 1].map(|body| self.heights[body].is_some() || self.starts[body].is_some()),
-            viscosity: self.overrides.viscosity.is_some(),
+            viscosity: self.custom.viscosity.is_some(),
             growth: self.growth.is_some(),
         }
     }
@@ -285,7 +285,7 @@ impl SimBuilder {
             ("motion", self.motion.is_some()),
             ("squeeze", self.squeeze),
         ];
-        self.own_part().or_else(|| others.into_iter().find_map(|(part, given)| given.then_some(part)))
+        self.custom_part().or_else(|| others.into_iter().find_map(|(part, given)| given.then_some(part)))
     }
 
     /// Checks the scene and makes the simulation; what is not modelled is decided here once.
@@ -298,22 +298,22 @@ impl SimBuilder {
         #[cfg(feature = "serde")]
         let own_parts = crate::sim::history::identity::OwnParts::of(&self);
         let own = self.own();
-        let overrides = std::mem::take(&mut self.overrides);
-        let interrupt = overrides.interrupt.clone();
-        let mut contact = ContactModel::new(&self.scene, overrides)?;
-        let timetable = Timetable::new(&self.scene)?;
+        let custom = std::mem::take(&mut self.custom);
+        let interrupt = custom.interrupt.clone();
+        let mut contact = ContactModel::new(&self.scene, custom)?;
+        let operating_schedule = OperatingSchedule::new(&self.scene)?;
         let plastic = self.scene.plastic.filter(|_| self.plasticity.is_none());
-        validate_loads(&self.scene, plastic, &contact.grid, &timetable)?;
-        exposure::validate(&self.scene, &timetable, &contact.grid)?;
+        validate_loads(&self.scene, plastic, &contact.grid, &operating_schedule)?;
+        exposure::validate(&self.scene, &operating_schedule, &contact.grid)?;
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
         let warnings = self.warnings(own, &contact, &bodies, &laws);
         contact.face_mobility = self.face_mobility(own, &bodies);
-        let heat = Heat::new(&self.scene, &contact, &timetable, &laws)?;
+        let heat = Heat::new(&self.scene, &contact, &operating_schedule, &laws)?;
         let motion = self.motion.unwrap_or_else(|| self.scene.track.roughness_motion().into());
-        let travel = Travel { motion, squeeze: self.squeeze };
-        let whole = (self.scene, timetable, warnings);
-        let mut sim = MixedLubricationSim::assemble(whole, contact, bodies, laws, heat, travel)?;
+        let surface_motion = SurfaceMotion { motion, squeeze: self.squeeze };
+        let whole = (self.scene, operating_schedule, warnings);
+        let mut sim = MixedLubricationSim::assemble(whole, contact, bodies, laws, heat, surface_motion)?;
         sim.contact_start = self.contact_start;
         sim.interrupt = interrupt;
         #[cfg(feature = "serde")]
@@ -349,7 +349,7 @@ impl SimBuilder {
     /// given or read.
     pub(in crate::sim) fn warnings(
         &self,
-        own: Own,
+        own: CustomParts,
         contact: &ContactModel,
         bodies: &[Body; 2],
         laws: &Laws,

@@ -112,7 +112,7 @@ impl Value for Status {
             Self::Stalled,
             Self::Diverged,
             Self::MeshTooCoarse,
-            Self::Unconfirmed,
+            Self::Unverified,
         ];
         all.into_iter().find(|status| status.to_string() == text)
     }

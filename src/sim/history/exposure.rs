@@ -28,14 +28,14 @@
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::sim::scene::hertz::HertzContact;
-use crate::sim::scene::timetable::Timetable;
+use crate::sim::scene::operating_schedule::OperatingSchedule;
 use crate::sim::scene::{self, Scene, TrackSpec};
-use crate::surface::{RoughnessMotion, Visits};
+use crate::surface::{PointRevisit, RoughnessMotion};
 use crate::wear::track_duty_factor;
 
 /// What a step of a second does to the nodes of one body that are under the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::sim) struct Ageing {
+pub(in crate::sim) struct TimeWeight {
     /// Time in the contact per second \[1\].
     pub(in crate::sim) rate: f64,
     /// Passages that a solve stands for per second \[1/s\]; infinite where every solve leaves its whole
@@ -43,7 +43,7 @@ pub(in crate::sim) struct Ageing {
     passages: f64,
 }
 
-impl Ageing {
+impl TimeWeight {
     /// Share of the print of a solve that a step of `time_step` \[s\] leaves.
     pub(in crate::sim) fn print(&self, time_step: f64) -> f64 {
         (self.passages * time_step).min(1.0)
@@ -55,7 +55,11 @@ impl Ageing {
 /// # Errors
 /// A track that is shorter than the patch or than the contact under the largest load, one that is missing
 /// where the exposure needs it.
-pub(in crate::sim) fn validate(scene: &Scene, timetable: &Timetable, grid: &Grid) -> Result<(), InputError> {
+pub(in crate::sim) fn validate(
+    scene: &Scene,
+    operating_schedule: &OperatingSchedule,
+    grid: &Grid,
+) -> Result<(), InputError> {
     scene.track.validate()?;
     let by_wear = scene.wear.is_some_and(|wear| wear.exposure == scene::Exposure::Track);
     let needed_by = match scene.track.exposure {
@@ -63,13 +67,13 @@ pub(in crate::sim) fn validate(scene: &Scene, timetable: &Timetable, grid: &Grid
         scene::Exposure::Track => Some("track.exposure"),
         scene::Exposure::ContactClock => None,
     };
-    let [_, largest_load] = timetable.loads();
+    let [_, largest_load] = operating_schedule.loads();
     let lengths = [
         ("patch", grid.size_x()),
         ("contact", 2.0 * scene.hertz_under(largest_load)?.ellipse().half_chord_x()),
     ];
     let radii = [("ball", scene.track.radius_ball), ("disc", scene.track.radius_disc)];
-    for ((body, radius), moves) in radii.into_iter().zip(timetable.moving()) {
+    for ((body, radius), moves) in radii.into_iter().zip(operating_schedule.moving()) {
         let field = format!("track.radius_{body}");
         match radius {
             Some(radius) => {
@@ -96,24 +100,26 @@ pub(in crate::sim) fn validate(scene: &Scene, timetable: &Timetable, grid: &Grid
 ///
 /// # Errors
 /// A radius that is not finite and positive.
-pub(in crate::sim) fn ageing(
+pub(in crate::sim) fn time_weight(
     (track, exposure): (&TrackSpec, scene::Exposure),
     motion: &dyn RoughnessMotion,
     grid: &Grid,
     hertz: &HertzContact,
     speeds: [f64; 2],
-) -> Result<[Ageing; 2], InputError> {
+) -> Result<[TimeWeight; 2], InputError> {
     let half_chord = hertz.ellipse().half_chord_x();
     let of = |radius: Option<f64>, speed: f64| {
         let visits = visits(motion, speed);
         // How much rarer the contact is met than if it stayed.
         let spread = match visits {
-            Visits::Stays => 1.0,
-            Visits::Patch if grid.ny() > 1 => {
+            PointRevisit::Permanent => 1.0,
+            PointRevisit::Patch if grid.ny() > 1 => {
                 grid.size_x() * grid.size_y()
                     / (std::f64::consts::PI * hertz.half_width_x * hertz.half_width_y)
             }
-            Visits::Passing | Visits::Track | Visits::Patch => grid.size_x() / (2.0 * half_chord),
+            PointRevisit::Passing | PointRevisit::Track | PointRevisit::Patch => {
+                grid.size_x() / (2.0 * half_chord)
+            }
         };
         let share = match (exposure, radius) {
             (scene::Exposure::Track, Some(radius)) if speed != 0.0 => track_duty_factor(half_chord, radius)?,
@@ -122,18 +128,18 @@ pub(in crate::sim) fn ageing(
         // A box within the contact cannot be met more often than always.
         let rate = share * spread.max(1.0);
         let passages = match visits {
-            Visits::Stays | Visits::Passing => f64::INFINITY,
-            Visits::Track | Visits::Patch => rate * speed.abs() / (2.0 * half_chord),
+            PointRevisit::Permanent | PointRevisit::Passing => f64::INFINITY,
+            PointRevisit::Track | PointRevisit::Patch => rate * speed.abs() / (2.0 * half_chord),
         };
-        Ok(Ageing { rate, passages })
+        Ok(TimeWeight { rate, passages })
     };
     Ok([of(track.radius_ball, speeds[0])?, of(track.radius_disc, speeds[1])?])
 }
 
 /// Places that a body moving at `speed` \[m/s\] as `motion` says brings under the contact: at rest it stays,
 /// whatever the motion says.
-pub(in crate::sim) fn visits(motion: &dyn RoughnessMotion, speed: f64) -> Visits {
-    if speed == 0.0 { Visits::Stays } else { motion.visits(speed) }
+pub(in crate::sim) fn visits(motion: &dyn RoughnessMotion, speed: f64) -> PointRevisit {
+    if speed == 0.0 { PointRevisit::Permanent } else { motion.visits(speed) }
 }
 
 /// Length of a track of this `radius` \[m\]: `2 pi radius`.

@@ -14,7 +14,7 @@ use crate::sim::contact::formula::formula_film;
 use crate::sim::contact::friction::{FrictionFields, mean_fluid_stress};
 use crate::sim::contact::laws::Laws;
 use crate::sim::contact::model::ContactModel;
-use crate::sim::scene::timetable::{Conditions, Timetable};
+use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
 use crate::sim::scene::{Flash, Scene};
 use crate::tribochem::{FlashTemperature, ThermalBody, estimate_rise_under_flux};
 
@@ -46,12 +46,12 @@ impl Heat {
     pub(in crate::sim) fn new(
         scene: &Scene,
         contact: &ContactModel,
-        timetable: &Timetable,
+        operating_schedule: &OperatingSchedule,
         laws: &Laws,
     ) -> Result<Self, InputError> {
         let bodies = scene.thermal_bodies();
         let mut estimate = 0.0_f64;
-        for conditions in timetable.entries() {
+        for conditions in operating_schedule.entries() {
             estimate = estimate.max(estimated_rise(scene, contact, &conditions, laws)?);
         }
         let is_modelled = match scene.thermal.flash {
@@ -59,7 +59,7 @@ impl Heat {
             Flash::Off => false,
             Flash::Auto => estimate >= NEGLIGIBLE_RISE,
         };
-        let speeds = timetable.at(0.0).motion.surface_speeds();
+        let speeds = operating_schedule.at(0.0).motion.surface_speeds();
         let needed = is_modelled && !film_heat::is_asked(scene);
         let flash = if needed { Some(FlashTemperature::new(&contact.grid, bodies, speeds)?) } else { None };
         let zeros = || vec![0.0; contact.grid.len()];

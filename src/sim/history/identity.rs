@@ -79,7 +79,7 @@ pub(in crate::sim) struct OwnParts(Vec<(&'static str, String)>);
 impl OwnParts {
     /// Those of a builder whose laws have not been taken yet.
     pub(in crate::sim) fn of(builder: &SimBuilder) -> Self {
-        let own = &builder.overrides;
+        let own = &builder.custom;
         let words = |part: Option<&dyn std::fmt::Debug>| {
             part.map_or_else(|| OF_SCENE.to_owned(), |part| format!("{part:?}"))
         };
@@ -110,7 +110,7 @@ impl MixedLubricationSim {
         let bodies = self.contact.deformation.bodies();
         let influence = [0, 1, NEAR].map(|di| format!("{:e}", bodies.influence(di, 0)));
         let others = [
-            ("squeeze", self.travel.squeeze.to_string()),
+            ("squeeze", self.surface_motion.squeeze.to_string()),
             ("solver", self.contact.solver.id().to_string()),
             // By what it does: buffers may show in `Debug`.
             ("deformation model", influence.join(" ")),

@@ -8,13 +8,13 @@ pub(in crate::sim) mod accessors;
 pub(in crate::sim) mod body;
 pub(in crate::sim) mod builder;
 pub(in crate::sim) mod columns;
+pub(in crate::sim) mod contact_exposure;
 pub(in crate::sim) mod exposure;
 pub(in crate::sim) mod heat;
 pub(in crate::sim) mod history_means;
 #[cfg(feature = "serde")]
 pub(in crate::sim) mod identity;
 pub(in crate::sim) mod observer;
-pub(in crate::sim) mod passage;
 pub(in crate::sim) mod placement;
 pub(in crate::sim) mod record;
 pub(in crate::sim) mod runs;

@@ -16,14 +16,14 @@ pub(in crate::sim) type Offsets = [Offset; 2];
 
 /// How the contact moves on from step to step.
 #[derive(Debug, Clone)]
-pub(in crate::sim) struct Travel {
+pub(in crate::sim) struct SurfaceMotion {
     /// Where the roughness goes.
     pub(in crate::sim) motion: Arc<dyn RoughnessMotion>,
     /// Whether a contact feels the squeeze of the film before it.
     pub(in crate::sim) squeeze: bool,
 }
 
-impl Travel {
+impl SurfaceMotion {
     /// Where the roughness stands, within the patch, at the time `time` \[s\] after `draws` positions that
     /// were tried, with bodies whose mean speeds since the start are `speeds` \[m/s\].
     pub(in crate::sim) fn offsets(

@@ -74,7 +74,8 @@ impl MixedLubricationSim {
         InputError::require(end + control.longest > end, "time_step", control.longest, TOO_SHORT)?;
         let rounding = ROUNDING * control.longest;
         while end - self.time > rounding {
-            let left = self.timetable.next_entry(self.time).map_or(end, |entry| entry.min(end)) - self.time;
+            let left =
+                self.operating_schedule.next_entry(self.time).map_or(end, |entry| entry.min(end)) - self.time;
             // A run that is continued takes the steps of one that was not stopped.
             let whole = left >= control.longest - rounding;
             let longest = if whole { control.longest } else { left };
@@ -98,7 +99,7 @@ impl MixedLubricationSim {
     pub fn steps_until(&self, end: f64, longest: f64) -> u64 {
         let (mut time, mut steps) = (self.time, 0.0);
         while end - time > ROUNDING * longest {
-            let next = self.timetable.next_entry(time).map_or(end, |entry| entry.min(end));
+            let next = self.operating_schedule.next_entry(time).map_or(end, |entry| entry.min(end));
             if next <= time {
                 break;
             }

@@ -15,7 +15,7 @@
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
 use crate::reynolds::ContactState;
-use crate::sim::contact::film_heat::{self, FilmIteration, Solved, Surroundings};
+use crate::sim::contact::film_heat::{self, FilmIteration, SolveContext, Solved};
 use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::interrupt::Interrupt;
 use crate::sim::contact::laws::Laws;
@@ -25,16 +25,16 @@ use crate::sim::contact::outer_rows::{self, Change};
 use crate::sim::contact::warnings::{self, Warning};
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
+use crate::sim::history::contact_exposure::{ContactExposure, StepBuffers};
 use crate::sim::history::exposure;
 use crate::sim::history::heat::Heat;
-use crate::sim::history::passage::{Marks, Passage};
-use crate::sim::history::placement::{Offsets, Placement, Travel};
+use crate::sim::history::placement::{Offsets, Placement, SurfaceMotion};
 use crate::sim::history::record::StepRecord;
 use crate::sim::history::squeeze_memory::SqueezeMemory;
 use crate::sim::history::step_control::StepControl;
 use crate::sim::history::yielding::Yielding;
 use crate::sim::scene::Scene;
-use crate::sim::scene::timetable::{Conditions, Timetable};
+use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
 
 /// Positions of the roughness that a step tries before it gives up.
 const MAX_ATTEMPTS: u32 = 8;
@@ -82,7 +82,7 @@ pub struct MixedLubricationSim {
     /// The scene that it was built from.
     pub(in crate::sim) scene: Scene,
     /// Conditions over time.
-    pub(in crate::sim) timetable: Timetable,
+    pub(in crate::sim) operating_schedule: OperatingSchedule,
     /// The contact problem with its solver.
     pub(in crate::sim) contact: ContactModel,
     /// What flattens, wears, grows and rubs.
@@ -90,7 +90,7 @@ pub struct MixedLubricationSim {
     /// Flash temperature of the contact in progress.
     pub(in crate::sim) heat: Heat,
     /// Motion of the roughness and squeeze.
-    pub(in crate::sim) travel: Travel,
+    pub(in crate::sim) surface_motion: SurfaceMotion,
     /// Ball and disc after the last step.
     pub(in crate::sim) bodies: [Body; 2],
     /// Solution of the last step.
@@ -114,7 +114,7 @@ pub struct MixedLubricationSim {
     /// Temperature of the film; none where it has that of the bulk.
     pub(in crate::sim) film_heat: Option<FilmIteration>,
     /// Buffers on the nodes of a body.
-    marks: Marks,
+    buffers: StepBuffers,
     /// Mass that the squeeze refers to.
     squeezed: Vec<f64>,
     /// The bodies before the step in progress.
@@ -133,12 +133,12 @@ pub struct MixedLubricationSim {
 impl MixedLubricationSim {
     /// A simulation at the time zero of what its builder has made.
     pub(in crate::sim) fn assemble(
-        (scene, timetable, warnings): (Scene, Timetable, Vec<Warning>),
+        (scene, operating_schedule, warnings): (Scene, OperatingSchedule, Vec<Warning>),
         contact: ContactModel,
         bodies: [Body; 2],
         laws: Laws,
         heat: Heat,
-        travel: Travel,
+        surface_motion: SurfaceMotion,
     ) -> Result<Self, InputError> {
         let grid = contact.grid;
         Ok(Self {
@@ -149,14 +149,14 @@ impl MixedLubricationSim {
             yielding: Yielding::new(grid.len()),
             friction: FrictionFields::new(&scene, grid.len())?,
             film_heat: FilmIteration::new(&scene, &contact)?,
-            marks: Marks::new(grid.len()),
+            buffers: StepBuffers::new(grid.len()),
             squeezed: vec![0.0; grid.len()],
             scene,
-            timetable,
+            operating_schedule,
             contact,
             laws,
             heat,
-            travel,
+            surface_motion,
             backup: bodies.clone(),
             bodies,
             time: 0.0,
@@ -198,7 +198,7 @@ impl MixedLubricationSim {
 
     /// The same in the box as it is.
     pub(in crate::sim) fn step_in_box(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
-        let (draws, circumstances) = (self.draws, self.contact.circumstances());
+        let (draws, saved) = (self.draws, self.contact.saved());
         self.before.clone_from(&self.state);
         for (backup, body) in self.backup.iter_mut().zip(&self.bodies) {
             backup.clone_from(body);
@@ -206,7 +206,7 @@ impl MixedLubricationSim {
         let outcome = self.take_step(control);
         if outcome.is_err() {
             self.draws = draws;
-            self.contact.return_to(circumstances);
+            self.contact.restore_conditions(saved);
             std::mem::swap(&mut self.state, &mut self.before);
             std::mem::swap(&mut self.bodies, &mut self.backup);
         }
@@ -216,7 +216,7 @@ impl MixedLubricationSim {
     /// The same; an error leaves contact and bodies as they were when it came.
     fn take_step(&mut self, control: &StepControl) -> Result<StepRecord, SimError> {
         let conditions = self.conditions();
-        self.contact.put_under(&self.scene, &conditions)?;
+        self.contact.set_conditions(&self.scene, &conditions)?;
         self.heat.move_at(conditions.motion.surface_speeds(), &self.contact.grid)?;
         let (solved, offsets, attempts) = self.solve_somewhere()?;
         let flash_rise = self.heat.rub(&self.friction, self.film_heat.as_ref())?;
@@ -243,7 +243,7 @@ impl MixedLubricationSim {
 
     /// Warnings about the first contact.
     fn warn_of_first(&mut self, record: &StepRecord) {
-        let seen = warnings::Seen {
+        let seen = warnings::SolvedContact {
             hertz: &self.contact.hertz,
             dx: self.contact.grid.dx(),
             smooth: record.roughness.composite_rq == 0.0,
@@ -313,7 +313,7 @@ impl MixedLubricationSim {
         for (body, (now, before)) in self.bodies.iter().zip(&self.backup).enumerate() {
             let change = Change {
                 body,
-                visits: exposure::visits(self.travel.motion.as_ref(), speeds[body]),
+                visits: exposure::visits(self.surface_motion.motion.as_ref(), speeds[body]),
                 wear: [now.wear(), before.wear()],
                 film: by_solids.then(|| [now.tribofilm(), before.tribofilm()]),
             };
@@ -361,8 +361,8 @@ impl MixedLubricationSim {
 
     /// Where the roughness stands at the next solve.
     fn offsets(&self) -> Result<Offsets, InputError> {
-        let speeds = self.timetable.mean_speeds(self.time);
-        self.travel.offsets(self.draws, self.time, speeds, &self.contact.grid)
+        let speeds = self.operating_schedule.mean_speeds(self.time);
+        self.surface_motion.offsets(self.draws, self.time, speeds, &self.contact.grid)
     }
 
     /// Refuses what the solver of the next contact refuses before its first iteration.
@@ -387,7 +387,8 @@ impl MixedLubricationSim {
         let Self { contact, laws, state, placement, yielding, squeeze_memory, squeezed, .. } = self;
         placement.place(&self.bodies, &contact.form_gap, offsets)?;
         contact.cover(&placement.films)?;
-        let squeeze = if self.travel.squeeze { squeeze_memory.squeeze(self.step, squeezed)? } else { None };
+        let squeeze =
+            if self.surface_motion.squeeze { squeeze_memory.squeeze(self.step, squeezed)? } else { None };
         // A film that is squeezed was there a moment ago; roughness that has moved far makes the last
         // pressures no better a start than the dry contact.
         match self.contact_start.as_ref().filter(|_| self.step == 0) {
@@ -398,7 +399,7 @@ impl MixedLubricationSim {
         if let Some(heat) = &mut self.film_heat {
             heat.move_at(contact.motion.surface_speeds(), &contact.grid)?;
         }
-        let given = Surroundings { laws, tribofilms: &placement.films };
+        let given = SolveContext { laws, tribofilms: &placement.films };
         let mut once = |contact: &mut ContactModel, state: &mut ContactState| match &laws.plasticity {
             None => contact.solve(&placement.gap, None, squeeze, state),
             Some(models) => yielding.solve(models, placement, contact, squeeze, state),
@@ -411,13 +412,14 @@ impl MixedLubricationSim {
     /// Applies flattening, wear and film growth of a step of `time_step` \[s\] to the bodies.
     fn commit(&mut self, time_step: f64, offsets: Offsets) -> Result<(), SimError> {
         let Conditions { motion, bulk_temperature, .. } = self.conditions();
-        let Self { bodies, contact, laws, state, yielding, friction, marks, .. } = self;
+        let Self { bodies, contact, laws, state, yielding, friction, buffers, .. } = self;
         let (grid, speeds) = (&contact.grid, motion.surface_speeds());
-        let (track, roughness_motion) = (&self.scene.track, self.travel.motion.as_ref());
-        let ageing =
-            |exposure| exposure::ageing((track, exposure), roughness_motion, grid, &contact.hertz, speeds);
+        let (track, roughness_motion) = (&self.scene.track, self.surface_motion.motion.as_ref());
+        let time_weight = |exposure| {
+            exposure::time_weight((track, exposure), roughness_motion, grid, &contact.hertz, speeds)
+        };
         let wear_exposure = self.scene.wear.map_or(track.exposure, |wear| wear.exposure);
-        let passage = Passage {
+        let contact_exposure = ContactExposure {
             grid,
             state,
             friction,
@@ -425,14 +427,14 @@ impl MixedLubricationSim {
             bulk: bulk_temperature,
             sliding: motion.sliding_speed(),
             offsets,
-            ageing: ageing(track.exposure)?,
-            wear_ageing: ageing(wear_exposure)?,
+            time_weight: time_weight(track.exposure)?,
+            wear_time_weight: time_weight(wear_exposure)?,
         };
         if laws.plasticity.is_some() {
             yielding.share(&state.plastic_depth)?;
-            marks.flatten(bodies, &passage, &yielding.split, time_step)?;
+            buffers.flatten(bodies, &contact_exposure, &yielding.split, time_step)?;
         }
-        marks.rub(bodies, &passage, laws, time_step)
+        buffers.rub(bodies, &contact_exposure, laws, time_step)
     }
 
     /// Root mean square roughness of both bodies on the track \[m\].

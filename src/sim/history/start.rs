@@ -1,6 +1,6 @@
 //! A body that begins a run with the marks of an earlier one.
 
-use crate::error::{InputError, legible};
+use crate::error::{InputError, format_number};
 use crate::grid::Grid;
 use crate::plastic::PlasticDepth;
 use crate::sim::history::body::Body;
@@ -129,7 +129,7 @@ impl BodyStart {
     /// Refuses a start that was made on another grid.
     fn check_grid(&self, name: &str, grid: &Grid) -> Result<(), InputError> {
         let words = |grid: &Grid| {
-            let [dx, dy] = [grid.dx(), grid.dy()].map(legible);
+            let [dx, dy] = [grid.dx(), grid.dy()].map(format_number);
             format!("{} x {} cells of {dx} x {dy} m", grid.nx(), grid.ny())
         };
         if self.grid == *grid {
@@ -155,7 +155,10 @@ impl BodyStart {
             }
             return Err(InputError::Conflict {
                 field,
-                reason: format!("it is up to {} m thick, but the scene has no tribofilm", legible(thickest)),
+                reason: format!(
+                    "it is up to {} m thick, but the scene has no tribofilm",
+                    format_number(thickest)
+                ),
             });
         };
         let fits = thickest <= law.maximum_thickness() * (1.0 + 1e-9);

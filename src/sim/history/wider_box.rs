@@ -17,7 +17,7 @@ use crate::sim::history::record::StepRecord;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::history::step_control::StepControl;
 use crate::sim::scene::{GridSpec, Roughness, Scene};
-use crate::surface::Visits;
+use crate::surface::PointRevisit;
 use crate::tribochem::{FilmGrowthLaw, Tribofilm};
 use crate::wear::WearDepth;
 
@@ -97,10 +97,10 @@ impl MixedLubricationSim {
         let speeds = self.conditions().motion.surface_speeds();
         let roughness = [&self.scene.roughness.ball, &self.scene.roughness.disc];
         for (index, body) in self.bodies.iter().enumerate() {
-            let visits = exposure::visits(self.travel.motion.as_ref(), speeds[index]);
+            let visits = exposure::visits(self.surface_motion.motion.as_ref(), speeds[index]);
             let repeats = match axis {
-                Axis::X => visits != Visits::Stays,
-                Axis::Y => visits == Visits::Patch,
+                Axis::X => visits != PointRevisit::Permanent,
+                Axis::Y => visits == PointRevisit::Patch,
             };
             let fresh = std::mem::take(&mut wide.bodies[index].surface);
             let blends = matches!(roughness[index], Roughness::Random(_));
@@ -125,7 +125,7 @@ impl MixedLubricationSim {
     /// A simulation of the same scene in the box `grid`, at its start.
     pub(in crate::sim) fn rebuilt(&self, grid: GridSpec) -> Result<Self, SimError> {
         let mut builder = SimBuilder::new(Scene { grid, ..self.scene.clone() });
-        builder.overrides.interrupt.clone_from(&self.interrupt);
+        builder.custom.interrupt.clone_from(&self.interrupt);
         builder.build()
     }
 }

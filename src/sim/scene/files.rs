@@ -9,7 +9,7 @@ use serde::Deserialize;
 use toml::de::DeTable;
 
 use super::{Roughness, Scene, keys, missing};
-use crate::error::quoted;
+use crate::error::escape;
 use crate::sim::error::SimError;
 use crate::text_file;
 use crate::units::toml_line;
@@ -115,7 +115,7 @@ fn in_one_line(text: &str, mut error: toml::de::Error) -> String {
     let line = 1 + line_of(text, &error);
     // With the text at hand the message would be a picture of the place instead of the key.
     error.set_input(None);
-    format!("line {line}: {}", in_plain_words(&quoted(&error.to_string())))
+    format!("line {line}: {}", in_plain_words(&escape(&error.to_string())))
 }
 
 /// The line of the error, from 0.

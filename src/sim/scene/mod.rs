@@ -6,7 +6,6 @@
 //!
 //! [`Scene::azam_2019`] is a complete scene to start from.
 
-pub(in crate::sim) mod course;
 mod elastic;
 #[cfg(feature = "serde")]
 mod files;
@@ -20,6 +19,7 @@ mod materials;
 #[cfg(feature = "serde")]
 mod missing;
 mod motion;
+pub(in crate::sim) mod operating_schedule;
 mod processes;
 mod roughness;
 #[cfg(feature = "serde")]
@@ -29,7 +29,7 @@ mod solver;
 mod stress;
 #[cfg(feature = "serde")]
 mod tables;
-pub(in crate::sim) mod timetable;
+pub(in crate::sim) mod time_series;
 mod track;
 mod tribofilm;
 mod wear;

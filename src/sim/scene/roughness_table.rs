@@ -129,7 +129,7 @@ impl RoughnessTable {
 
     /// A surface by its autocorrelation; the error names a key that is missing or strays.
     fn correlated(&self, kind: &str, autocorrelation: Autocorrelation) -> Result<Roughness, String> {
-        self.refuse_strays(kind, &CORRELATED)?;
+        self.reject_unknown_fields(kind, &CORRELATED)?;
         let shape = RandomShape::Correlated {
             autocorrelation,
             length_x: required("length_x", self.length_x)?,
@@ -140,7 +140,7 @@ impl RoughnessTable {
 
     /// A self-affine surface; the error names a key that is missing or strays.
     fn self_affine(&self) -> Result<Roughness, String> {
-        self.refuse_strays("self_affine", &SELF_AFFINE)?;
+        self.reject_unknown_fields("self_affine", &SELF_AFFINE)?;
         let spectrum = SelfAffine {
             hurst: required("hurst", self.hurst)?,
             longest: self.longest.unwrap_or(f64::INFINITY),
@@ -155,11 +155,11 @@ impl RoughnessTable {
     fn dimples(&self) -> Result<Roughness, String> {
         let layout = match self.layout.unwrap_or(Layout::Square) {
             Layout::Square => {
-                self.refuse_strays("dimples", &["radius", "depth", "pitch", "layout"])?;
+                self.reject_unknown_fields("dimples", &["radius", "depth", "pitch", "layout"])?;
                 DimpleLayout::Square
             }
             Layout::Random => {
-                self.refuse_strays("dimples", &["radius", "depth", "pitch", "layout", "seed"])?;
+                self.reject_unknown_fields("dimples", &["radius", "depth", "pitch", "layout", "seed"])?;
                 DimpleLayout::Random { seed: self.seed.unwrap_or_default() }
             }
         };
@@ -173,7 +173,7 @@ impl RoughnessTable {
 
     /// Grooves; the error names a key that is missing or strays.
     fn grooves(&self) -> Result<Roughness, String> {
-        self.refuse_strays("grooves", &["width", "depth", "pitch", "direction"])?;
+        self.reject_unknown_fields("grooves", &["width", "depth", "pitch", "direction"])?;
         Ok(Roughness::Texture(Texture::Grooves {
             width: required("width", self.width)?,
             depth: required("depth", self.depth)?,
@@ -188,14 +188,14 @@ impl TryFrom<RoughnessTable> for Roughness {
 
     fn try_from(table: RoughnessTable) -> Result<Self, String> {
         match table.kind {
-            RoughnessKind::None => table.refuse_strays("none", &[]).map(|()| Self::None),
+            RoughnessKind::None => table.reject_unknown_fields("none", &[]).map(|()| Self::None),
             RoughnessKind::Gaussian => table.correlated("gaussian", Autocorrelation::Gaussian),
             RoughnessKind::Exponential => table.correlated("exponential", Autocorrelation::Exponential),
             RoughnessKind::SelfAffine => table.self_affine(),
             RoughnessKind::Dimples => table.dimples(),
             RoughnessKind::Grooves => table.grooves(),
             RoughnessKind::File => {
-                table.refuse_strays("file", &["path", "rq"])?;
+                table.reject_unknown_fields("file", &["path", "rq"])?;
                 Ok(Self::File(FileRoughness { path: required("path", table.path)?, rq: table.rq }))
             }
         }

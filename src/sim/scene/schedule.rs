@@ -51,7 +51,7 @@ impl Schedules {
     pub(in crate::sim) fn read_tables(&mut self) -> Result<(), InputError> {
         for (key, schedule) in self.present_mut() {
             if let Schedule::Table { path } = schedule {
-                let (times, values) = crate::sim::scene::course::read_table(path, key)?;
+                let (times, values) = crate::sim::scene::time_series::read_table(path, key)?;
                 *schedule = Schedule::Ramps { times, values };
             }
         }

@@ -25,9 +25,9 @@ macro_rules! keyed {
 
         impl $name {
             /// Error for a key that is none of `known`, those of a table with the `tag`.
-            fn refuse_strays(&self, tag: &str, known: &[&str]) -> Result<(), String> {
+            fn reject_unknown_fields(&self, tag: &str, known: &[&str]) -> Result<(), String> {
                 let given = [$((stringify!($key), self.$key.is_some())),+];
-                $crate::sim::scene::tables::refuse_strays(tag, &given, known)
+                $crate::sim::scene::tables::reject_unknown_fields(tag, &given, known)
             }
         }
     };
@@ -64,20 +64,20 @@ pub(super) fn form<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Form, D
     let table = FormTable::deserialize(deserializer)?;
     match table.kind {
         FormKind::Sphere => table
-            .refuse_strays("kind = \"sphere\"", &["radius"])
+            .reject_unknown_fields("kind = \"sphere\"", &["radius"])
             .and_then(|()| Ok(Form::Sphere { radius: required("radius", table.radius)? })),
         FormKind::Cylinder => table
-            .refuse_strays("kind = \"cylinder\"", &["radius"])
+            .reject_unknown_fields("kind = \"cylinder\"", &["radius"])
             .and_then(|()| Ok(Form::Cylinder { radius: required("radius", table.radius)? })),
-        FormKind::Ellipsoid => {
-            table.refuse_strays("kind = \"ellipsoid\"", &["radius_x", "radius_y", "angle"]).and_then(|()| {
+        FormKind::Ellipsoid => table
+            .reject_unknown_fields("kind = \"ellipsoid\"", &["radius_x", "radius_y", "angle"])
+            .and_then(|()| {
                 Ok(Form::Ellipsoid {
                     radius_x: required("radius_x", table.radius_x)?,
                     radius_y: required("radius_y", table.radius_y)?,
                     angle: table.angle.unwrap_or_default(),
                 })
-            })
-        }
+            }),
     }
     .map_err(D::Error::custom)
 }
@@ -168,25 +168,25 @@ impl TryFrom<ScheduleTable> for Schedule {
     fn try_from(table: ScheduleTable) -> Result<Self, String> {
         Ok(match table.kind {
             ScheduleKind::Constant => {
-                table.refuse_strays("kind = \"constant\"", &["value"])?;
+                table.reject_unknown_fields("kind = \"constant\"", &["value"])?;
                 Self::Constant { value: required("value", table.value)? }
             }
             ScheduleKind::Steps => {
-                table.refuse_strays("kind = \"steps\"", &["times", "values"])?;
+                table.reject_unknown_fields("kind = \"steps\"", &["times", "values"])?;
                 Self::Steps {
                     times: required("times", table.times)?,
                     values: required("values", table.values)?,
                 }
             }
             ScheduleKind::Ramps => {
-                table.refuse_strays("kind = \"ramps\"", &["times", "values"])?;
+                table.reject_unknown_fields("kind = \"ramps\"", &["times", "values"])?;
                 Self::Ramps {
                     times: required("times", table.times)?,
                     values: required("values", table.values)?,
                 }
             }
             ScheduleKind::Table => {
-                table.refuse_strays("kind = \"table\"", &["path"])?;
+                table.reject_unknown_fields("kind = \"table\"", &["path"])?;
                 Self::Table { path: required("path", table.path)? }
             }
         })
@@ -205,7 +205,7 @@ fn edges<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[f64; 2]>,
 }
 
 /// Error for a key of `given` that is none of `known`, those of a table with the `tag`.
-pub(super) fn refuse_strays(tag: &str, given: &[(&str, bool)], known: &[&str]) -> Result<(), String> {
+pub(super) fn reject_unknown_fields(tag: &str, given: &[(&str, bool)], known: &[&str]) -> Result<(), String> {
     match given.iter().find(|(key, present)| *present && !known.contains(key)) {
         None => Ok(()),
         Some((key, _)) => Err(match known {

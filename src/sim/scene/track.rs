@@ -1,7 +1,7 @@
 //! How the bodies move past the contact, and how much of the time a point of them is in it.
 
 use crate::error::InputError;
-use crate::surface::{AlongTrack, AtRest, Carried, RandomShift, RoughnessMotion};
+use crate::surface::{Advected, AlongTrack, Fixed, RandomShift, RoughnessMotion};
 
 /// Motion of the roughness in a history, tracks, and the exposure of tribofilms to the contact.
 ///
@@ -47,9 +47,9 @@ pub struct TrackSpec {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum TrackMotion {
-    /// [`AtRest`].
+    /// [`Fixed`].
     AtRest,
-    /// [`Carried`].
+    /// [`Advected`].
     Carried,
     /// [`AlongTrack`].
     #[default]
@@ -92,8 +92,8 @@ impl TrackSpec {
     /// The motion that the table names.
     pub fn roughness_motion(&self) -> Box<dyn RoughnessMotion> {
         match self.motion {
-            TrackMotion::AtRest => Box::new(AtRest),
-            TrackMotion::Carried => Box::new(Carried),
+            TrackMotion::AtRest => Box::new(Fixed),
+            TrackMotion::Carried => Box::new(Advected),
             TrackMotion::AlongTrack => Box::new(AlongTrack { seed: self.seed }),
             TrackMotion::Random => Box::new(RandomShift { seed: self.seed }),
         }

@@ -248,7 +248,7 @@ impl TryFrom<TribofilmTable> for TribofilmSpec {
         let activation = table.activation;
         match table.law.unwrap_or(LawName::Ghanbarzadeh) {
             LawName::Ghanbarzadeh => {
-                table.refuse_strays("law = \"ghanbarzadeh\"", &GHANBARZADEH)?;
+                table.reject_unknown_fields("law = \"ghanbarzadeh\"", &GHANBARZADEH)?;
                 let usual = GhanbarzadehSpec::default();
                 Ok(Self::Ghanbarzadeh(GhanbarzadehSpec {
                     maximum_thickness: table.maximum_thickness.unwrap_or(usual.maximum_thickness),
@@ -259,7 +259,7 @@ impl TryFrom<TribofilmTable> for TribofilmSpec {
                 }))
             }
             LawName::ThermalArrhenius => {
-                table.refuse_strays("law = \"thermal_arrhenius\"", &THERMAL_ARRHENIUS)?;
+                table.reject_unknown_fields("law = \"thermal_arrhenius\"", &THERMAL_ARRHENIUS)?;
                 Ok(Self::ThermalArrhenius(ThermalArrheniusSpec {
                     maximum_thickness: required("maximum_thickness", table.maximum_thickness)?,
                     prefactor: required("prefactor", table.prefactor)?,
@@ -268,7 +268,7 @@ impl TryFrom<TribofilmTable> for TribofilmSpec {
                 }))
             }
             LawName::StressActivated => {
-                table.refuse_strays("law = \"stress_activated\"", &STRESS_ACTIVATED)?;
+                table.reject_unknown_fields("law = \"stress_activated\"", &STRESS_ACTIVATED)?;
                 let stress = required("stress", table.stress)?;
                 let usual = match stress {
                     DrivingStress::Shear => Activation::ShearStress,
@@ -284,7 +284,7 @@ impl TryFrom<TribofilmTable> for TribofilmSpec {
                 }))
             }
             LawName::ProportionalRemoval => {
-                table.refuse_strays("law = \"proportional_removal\"", &PROPORTIONAL_REMOVAL)?;
+                table.reject_unknown_fields("law = \"proportional_removal\"", &PROPORTIONAL_REMOVAL)?;
                 Ok(Self::ProportionalRemoval(ProportionalRemovalSpec {
                     maximum_thickness: required("maximum_thickness", table.maximum_thickness)?,
                     growth_rate: required("growth_rate", table.growth_rate)?,

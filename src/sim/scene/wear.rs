@@ -214,7 +214,7 @@ impl WearTable {
     fn law(&self) -> Result<WearLawSpec, String> {
         match self.law.unwrap_or(LawName::Archard) {
             LawName::Archard => {
-                self.refuse_strays("law = \"archard\"", &ARCHARD)?;
+                self.reject_unknown_fields("law = \"archard\"", &ARCHARD)?;
                 let usual = ArchardSpec::default();
                 Ok(WearLawSpec::Archard(ArchardSpec {
                     coefficient: self.coefficient.unwrap_or(usual.coefficient),
@@ -224,7 +224,7 @@ impl WearTable {
                 }))
             }
             LawName::FrictionalEnergy => {
-                self.refuse_strays("law = \"frictional_energy\"", &FRICTIONAL_ENERGY)?;
+                self.reject_unknown_fields("law = \"frictional_energy\"", &FRICTIONAL_ENERGY)?;
                 let bare = required("volume_per_energy", self.volume_per_energy)?;
                 Ok(WearLawSpec::FrictionalEnergy(FrictionalEnergySpec {
                     volume_per_energy: bare,

@@ -3,12 +3,12 @@
 //!
 //! A single contact begins in one way for `check_contact` and `solve` ([`SimBuilder::begin`]): all that can be
 //! refused is refused before the first iteration, with the same error for both. A scene with an accuracy or
-//! an estimate of errors becomes a series of meshes (`accuracy`), any other one mesh ([`Prepared`]).
+//! an estimate of errors becomes a series of meshes (`accuracy`), any other one mesh ([`PreparedContact`]).
 
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::reynolds::ContactState;
-use crate::sim::contact::film_heat::{self, FilmIteration, Surroundings};
+use crate::sim::contact::film_heat::{self, FilmIteration, SolveContext};
 use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::interrupt::Interrupt;
 use crate::sim::contact::laws::Laws;
@@ -19,7 +19,7 @@ use crate::sim::contact::warnings::Warning;
 use crate::sim::contact::{outer_rows, setup, warnings};
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
-use crate::sim::history::builder::{Own, SimBuilder};
+use crate::sim::history::builder::{CustomParts, SimBuilder};
 use crate::sim::history::placement::Placement;
 use crate::sim::history::track::track_rq;
 use crate::sim::history::yielding::Yielding;
@@ -75,8 +75,8 @@ impl SimBuilder {
     ) -> Result<ContactSolution, SimError> {
         let scene = self.scene.clone();
         let mut solution = match self.begin()? {
-            Begun::Mesh(contact) => contact.solve()?,
-            Begun::Meshes(meshes) => meshes.solve(&mut observer)?,
+            ReadySolve::Mesh(contact) => contact.solve()?,
+            ReadySolve::Meshes(meshes) => meshes.solve(&mut observer)?,
         };
         let found = warnings::after_solve(&scene, &solution);
         solution.warnings.extend(found);
@@ -104,40 +104,40 @@ impl SimBuilder {
     /// ```
     pub fn check_contact(self) -> Result<Vec<Warning>, SimError> {
         Ok(match self.begin()? {
-            Begun::Mesh(contact) => contact.warnings,
-            Begun::Meshes(meshes) => meshes.into_warnings(),
+            ReadySolve::Mesh(contact) => contact.warnings,
+            ReadySolve::Meshes(meshes) => meshes.into_warnings(),
         })
     }
 
     /// Everything that can be refused is refused here.
-    fn begin(mut self) -> Result<Begun, SimError> {
+    fn begin(mut self) -> Result<ReadySolve, SimError> {
         if needs_meshes(&self.scene) {
-            if let Some(part) = self.own_part() {
+            if let Some(part) = self.custom_part() {
                 return Err(SimError::Input(InputError::Conflict {
                     field: part.to_owned(),
                     reason: "it is known on one grid, an accuracy or an estimate of errors needs several"
                         .to_owned(),
                 }));
             }
-            let meshes = Meshes::new(&self.scene, self.overrides.interrupt.as_ref())?;
-            return Ok(Begun::Meshes(meshes));
+            let meshes = Meshes::new(&self.scene, self.custom.interrupt.as_ref())?;
+            return Ok(ReadySolve::Meshes(meshes));
         }
         let start = self.contact_start.take();
         let own = self.own();
         let start = |grid: &Grid| Ok(start.unwrap_or_else(|| ContactState::new(grid)));
-        Ok(Begun::Mesh(Box::new(self.prepare(own, start)?)))
+        Ok(ReadySolve::Mesh(Box::new(self.prepare(own, start)?)))
     }
 
     /// The contact on the grid of the scene alone, from what `start` makes; `own` parts are in place of
     /// those of the scene.
     pub(in crate::sim) fn prepare(
         mut self,
-        own: Own,
+        own: CustomParts,
         start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
-    ) -> Result<Prepared, SimError> {
+    ) -> Result<PreparedContact, SimError> {
         self.scene.schedule.read_tables()?;
-        let overrides = std::mem::take(&mut self.overrides);
-        let mut contact = ContactModel::new(&self.scene, overrides)?;
+        let custom = std::mem::take(&mut self.custom);
+        let mut contact = ContactModel::new(&self.scene, custom)?;
         if let (Some(plastic), None) = (self.scene.plastic, &self.plasticity) {
             let [ball, disc] = self.scene.hardnesses(plastic.hardness);
             setup::validate_hardness(ball.min(disc), &contact.grid, &contact.hertz)?;
@@ -147,16 +147,16 @@ impl SimBuilder {
         let warnings = self.warnings(own, &contact, &bodies, &laws);
         contact.face_mobility = self.face_mobility(own, &bodies);
         let state = start(&contact.grid)?;
-        let mut prepared = Prepared::new(self.scene, contact, bodies, laws, state)?;
+        let mut prepared = PreparedContact::new(self.scene, contact, bodies, laws, state)?;
         prepared.warnings = warnings;
         Ok(prepared)
     }
 
     /// The first part that was put in place of one of the scene.
-    pub(in crate::sim) fn own_part(&self) -> Option<&'static str> {
+    pub(in crate::sim) fn custom_part(&self) -> Option<&'static str> {
         let [ball, disc] = &self.heights;
         let [ball_start, disc_start] = &self.starts;
-        let own = &self.overrides;
+        let own = &self.custom;
         [
             ("ball_heights", ball.is_some()),
             ("disc_heights", disc.is_some()),
@@ -186,10 +186,10 @@ pub(in crate::sim) fn prepare_on_grid(
     scene: &Scene,
     interrupt: Option<&Interrupt>,
     start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
-) -> Result<Prepared, SimError> {
+) -> Result<PreparedContact, SimError> {
     let mut builder = SimBuilder::new(scene.clone());
-    builder.overrides.interrupt = interrupt.cloned();
-    builder.prepare(Own::default(), start)
+    builder.custom.interrupt = interrupt.cloned();
+    builder.prepare(CustomParts::default(), start)
 }
 
 /// The same with the heights of ball and disc on this grid given \[m\].
@@ -197,23 +197,23 @@ pub(in crate::sim) fn prepare_heights(
     scene: &Scene,
     interrupt: Option<&Interrupt>,
     [ball, disc]: [Vec<f64>; 2],
-) -> Result<Prepared, SimError> {
+) -> Result<PreparedContact, SimError> {
     let mut builder = SimBuilder::new(scene.clone()).ball_heights(ball).disc_heights(disc);
-    builder.overrides.interrupt = interrupt.cloned();
+    builder.custom.interrupt = interrupt.cloned();
     // They are those of the scene on another mesh.
-    builder.prepare(Own::default(), |grid| Ok(ContactState::new(grid)))
+    builder.prepare(CustomParts::default(), |grid| Ok(ContactState::new(grid)))
 }
 
 /// A contact of which nothing is solved yet and all that can be refused has been.
-enum Begun {
+enum ReadySolve {
     /// On the grid of the scene.
-    Mesh(Box<Prepared>),
+    Mesh(Box<PreparedContact>),
     /// On several meshes.
     Meshes(Meshes),
 }
 
 /// The contact of two bodies as they stand, on one mesh, before its first iteration.
-pub(in crate::sim) struct Prepared {
+pub(in crate::sim) struct PreparedContact {
     /// The scene.
     scene: Scene,
     /// What solves it.
@@ -238,7 +238,7 @@ pub(in crate::sim) struct Prepared {
     pub(in crate::sim) warnings: Vec<Warning>,
 }
 
-impl Prepared {
+impl PreparedContact {
     /// Everything that a solve refuses before its first iteration is refused here.
     fn new(
         scene: Scene,
@@ -262,7 +262,7 @@ impl Prepared {
         };
         let friction = FrictionFields::new(&scene, grid.len())?;
         let film_heat = FilmIteration::new(&scene, &model)?;
-        model.solves_again = film_heat.is_some();
+        model.reuses_buffers = film_heat.is_some();
         let rq = bodies.each_ref().map(|body| track_rq(&grid, model.hertz.half_extents()[1], body.surface()));
         model.check(&gap, limit.as_deref(), &state)?;
         let warnings = Vec::new();
@@ -284,7 +284,7 @@ impl Prepared {
             mut film_heat,
             ..
         } = self;
-        let given = Surroundings { laws: &laws, tribofilms: &tribofilms };
+        let given = SolveContext { laws: &laws, tribofilms: &tribofilms };
         let mut once = |model: &mut ContactModel, state: &mut ContactState| {
             model.solve(&gap, limit.as_deref(), None, state)
         };

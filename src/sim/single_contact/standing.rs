@@ -9,7 +9,7 @@ use crate::sim::contact::solution::{ContactSolution, is_known};
 use crate::sim::error::SimError;
 use crate::sim::history::simulation::MixedLubricationSim;
 use crate::sim::history::track::track_rq;
-use crate::sim::scene::timetable::Conditions;
+use crate::sim::scene::operating_schedule::Conditions;
 use crate::surface::Offset;
 
 impl MixedLubricationSim {
@@ -35,25 +35,25 @@ impl MixedLubricationSim {
         conditions.validate(self.scene.is_lubricated())?;
         let hertz = self.contact.hertz_under(&self.scene, conditions.load)?;
         setup::validate_box(&self.contact.grid, &hertz, self.scene.form.is_line())?;
-        let circumstances = self.contact.circumstances();
+        let saved = self.contact.saved();
         let state = std::mem::replace(&mut self.state, ContactState::new(&self.contact.grid));
-        let squeeze = std::mem::take(&mut self.travel.squeeze);
+        let squeeze = std::mem::take(&mut self.surface_motion.squeeze);
         let start = self.contact_start.take();
         let film = self.film_heat.as_mut().map(FilmIteration::take_start);
         let solved = self.solve_standing(conditions);
         if let (Some(heat), Some(film)) = (&mut self.film_heat, film) {
             heat.set_start(film);
         }
-        self.travel.squeeze = squeeze;
+        self.surface_motion.squeeze = squeeze;
         self.contact_start = start;
         self.state = state;
-        self.contact.return_to(circumstances);
+        self.contact.restore_conditions(saved);
         solved
     }
 
     /// Solves and measures the contact under `conditions`; the caller puts back what it changes.
     fn solve_standing(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
-        self.contact.put_under(&self.scene, conditions)?;
+        self.contact.set_conditions(&self.scene, conditions)?;
         let solved = self.solve_at([Offset::default(); 2])?;
         let Self { contact, placement, friction, yielding, laws, state, bodies, .. } = self;
         let half_width = contact.hertz.half_extents()[1];

@@ -9,7 +9,7 @@ use crate::grid::Grid;
 use crate::lubricant::Lubricant;
 use crate::report::Status;
 use crate::reynolds::{ContactState, FaceMobility, FilmFlows, NewtonKrylov, StoppingRule, outermost};
-use crate::sim::contact::film_heat::{self, FilmIteration, Surroundings};
+use crate::sim::contact::film_heat::{self, FilmIteration, SolveContext};
 use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::interrupt::Interruptible;
 use crate::sim::contact::laws::Laws;
@@ -118,7 +118,7 @@ impl<'a> OuterContact<'a> {
             formulas: inner.formulas,
             stated_film: inner.stated_film,
             evaluation: None,
-            solves_again: true,
+            reuses_buffers: true,
             flow: None,
             film_flows: film_heat::is_asked(scene).then(FilmFlows::default),
             inlet: None,
@@ -163,7 +163,7 @@ impl<'a> OuterContact<'a> {
             // At first the film is better known than the load that a film carries.
             let closure = if turn == 0 { Closure::Approach } else { Closure::LoadOutside(outside) };
             self.model.far_field = Some(FarField::at_edge(edge.clone(), closure));
-            let given = Surroundings { laws, tribofilms: &films };
+            let given = SolveContext { laws, tribofilms: &films };
             let gap = &self.gap;
             let mut once =
                 |model: &mut ContactModel, state: &mut ContactState| model.solve(gap, None, None, state);

@@ -7,7 +7,7 @@ use crate::sim::contact::film_heat;
 use crate::sim::contact::heating::{IsothermalFriction, film_rise};
 use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::HertzContact;
-use crate::sim::scene::timetable::Conditions;
+use crate::sim::scene::operating_schedule::Conditions;
 
 /// Rise of an isothermal film that goes without a warning \[K\].
 const LARGEST_RISE: f64 = 10.0;

@@ -5,7 +5,7 @@ use crate::error::InputError;
 use crate::sim::contact::formula::ellipticity;
 use crate::sim::scene::Scene;
 use crate::sim::scene::hertz::HertzContact;
-use crate::sim::scene::timetable::Timetable;
+use crate::sim::scene::operating_schedule::OperatingSchedule;
 
 /// Largest half-width of a contact over the radius: bodies are parabolas and half-spaces.
 const LARGEST_SLOPE: f64 = 0.1;
@@ -18,8 +18,8 @@ const LINE_MISES: f64 = 0.558;
 
 /// Warnings about half-space, parabolas, film formula and yield.
 pub(super) fn of_models(scene: &Scene) -> Vec<Warning> {
-    let Ok(timetable) = Timetable::new(scene) else { return Vec::new() };
-    let [_, largest] = timetable.loads();
+    let Ok(operating_schedule) = OperatingSchedule::new(scene) else { return Vec::new() };
+    let [_, largest] = operating_schedule.loads();
     let heaviest = if scene.schedule.load.is_some() { scene.hertz_under(largest) } else { scene.hertz() };
     let Ok(hertz) = heaviest else { return Vec::new() };
     let formula = scene.hertz().and_then(|at_start| film_formula(scene, &at_start)).ok().flatten();

@@ -5,7 +5,7 @@ use crate::boundary::Boundary;
 use crate::grid::Grid;
 use crate::metrics::{Axis, profile_spectrum};
 use crate::sim::scene::hertz::HertzContact;
-use crate::sim::scene::timetable::Timetable;
+use crate::sim::scene::operating_schedule::OperatingSchedule;
 use crate::sim::scene::{BODIES, GridSpec, Scene, ShortestWaves};
 
 /// Least distance of an edge from the point of first touch, in Hertz half-widths.
@@ -20,8 +20,10 @@ const SHARE_OF_SHORT_WAVES: f64 = 3e-3;
 pub(super) fn boxes(scene: &Scene) -> Vec<Warning> {
     let chosen = matches!(scene.grid, GridSpec::Accuracy { .. });
     let allowed = scene.solver.edge_contact && !scene.is_lubricated();
-    let (Ok(grid), Ok(timetable)) = (scene.grid(), Timetable::new(scene)) else { return Vec::new() };
-    let [_, largest] = timetable.loads();
+    let (Ok(grid), Ok(operating_schedule)) = (scene.grid(), OperatingSchedule::new(scene)) else {
+        return Vec::new();
+    };
+    let [_, largest] = operating_schedule.loads();
     let heaviest = if scene.schedule.load.is_some() { scene.hertz_under(largest) } else { scene.hertz() };
     match heaviest {
         Ok(hertz) if !chosen && !allowed => edges(&grid, &hertz, scene.form.is_line()),

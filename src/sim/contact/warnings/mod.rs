@@ -18,9 +18,9 @@ pub(in crate::sim) use left_out::{OperatingPoint, left_out};
 pub(in crate::sim) use plausible::{of_own_laws, refuse_height_slip, refuse_slips};
 pub(in crate::sim) use quasi_static::QUASI_STATIC;
 pub(in crate::sim) use rough::of_roughness;
-pub(in crate::sim) use solved::{DEEP_WEAR, Seen, after_solve, deep_wear, of_contact};
+pub(in crate::sim) use solved::{DEEP_WEAR, SolvedContact, after_solve, deep_wear, of_contact};
 
-use crate::error::legible;
+use crate::error::format_number;
 use crate::grid::Grid;
 use crate::metrics::height_statistics;
 use crate::sim::scene::hertz::HertzContact;
@@ -116,5 +116,5 @@ pub(in crate::sim) fn lost_rq(body: usize, heights: &[f64], measured: f64) -> Op
 
 /// The number with at most seven digits.
 fn short(value: f64) -> String {
-    legible(format!("{value:.6e}").parse().unwrap_or(value))
+    format_number(format!("{value:.6e}").parse().unwrap_or(value))
 }

@@ -2,8 +2,8 @@
 
 use super::{Warning, short};
 use crate::sim::scene::Scene;
-use crate::sim::scene::course::Course;
-use crate::sim::scene::timetable::Timetable;
+use crate::sim::scene::operating_schedule::OperatingSchedule;
+use crate::sim::scene::time_series::TimeSeries;
 
 /// Largest relative change within one passage.
 const LARGEST_CHANGE: f64 = 0.1;
@@ -14,30 +14,35 @@ pub(in crate::sim) const QUASI_STATIC: [&str; 2] = ["schedule.load", "schedule.e
 /// Warnings about scheduled loads and speeds that change by more than [`LARGEST_CHANGE`] while the surfaces pass
 /// the Hertz contact once.
 pub(super) fn fast_changes(scene: &Scene) -> Vec<Warning> {
-    let Ok(timetable) = Timetable::new(scene) else { return Vec::new() };
+    let Ok(operating_schedule) = OperatingSchedule::new(scene) else { return Vec::new() };
     if !scene.is_lubricated() {
         return Vec::new();
     }
-    let courses = timetable.load_and_speed();
+    let series = operating_schedule.load_and_speed();
     QUASI_STATIC
         .into_iter()
-        .zip(courses)
-        .filter_map(|(field, course)| fast(scene, &timetable, field, course?))
+        .zip(series)
+        .filter_map(|(field, series)| fast(scene, &operating_schedule, field, series?))
         .collect()
 }
 
 /// The warning about the fastest change of one of both.
-fn fast(scene: &Scene, timetable: &Timetable, field: &str, course: &Course) -> Option<Warning> {
-    let entries = course.times().windows(2).zip(course.values().windows(2));
+fn fast(
+    scene: &Scene,
+    operating_schedule: &OperatingSchedule,
+    field: &str,
+    series: &TimeSeries,
+) -> Option<Warning> {
+    let entries = series.times().windows(2).zip(series.values().windows(2));
     let changes = entries.filter_map(|(times, values)| {
         let (from, to) = (times[0].max(0.0), times[1]);
-        let conditions = timetable.at(from);
+        let conditions = operating_schedule.at(from);
         let half_width = scene.hertz_under(conditions.load).ok()?.half_extents()[0];
-        let passage = 2.0 * half_width / conditions.motion.entrainment_speed;
+        let contact_exposure = 2.0 * half_width / conditions.motion.entrainment_speed;
         let change = (values[1] - values[0]).abs() / values[0].abs().max(values[1].abs());
-        (to > from).then(|| (change * passage / (to - from), from, passage, values[1]))
+        (to > from).then(|| (change * contact_exposure / (to - from), from, contact_exposure, values[1]))
     });
-    let (change, from, passage, value) = changes.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (change, from, contact_exposure, value) = changes.max_by(|a, b| a.0.total_cmp(&b.0))?;
     (change > LARGEST_CHANGE && change.is_finite()).then(|| {
         Warning::new(
             field,
@@ -47,7 +52,7 @@ fn fast(scene: &Scene, timetable: &Timetable, field: &str, course: &Course) -> O
                  no time to follow",
                 short(from),
                 100.0 * change,
-                short((1e12 * passage).round() * 1e-12)
+                short((1e12 * contact_exposure).round() * 1e-12)
             ),
             "slower changes, or `SimBuilder::with_squeeze` and steps shorter than the passage".to_owned(),
         )

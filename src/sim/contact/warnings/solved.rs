@@ -24,7 +24,7 @@ pub(in crate::sim) const DEEP_WEAR: [&str; 2] = ["wear.ball_max", "wear.disc_max
 const LARGEST_ERROR: f64 = 0.1;
 
 /// What single contacts and the first one of a history are looked at for.
-pub(in crate::sim) struct Seen<'a> {
+pub(in crate::sim) struct SolvedContact<'a> {
     /// The contact between smooth dry bodies.
     pub(in crate::sim) hertz: &'a HertzContact,
     /// Width of the cells along the flow \[m\].
@@ -42,7 +42,7 @@ pub(in crate::sim) struct Seen<'a> {
 }
 
 /// Warnings about a contact of `scene`; `with_error` where the error of its mesh is known.
-pub(in crate::sim) fn of_contact(scene: &Scene, seen: &Seen<'_>, with_error: bool) -> Vec<Warning> {
+pub(in crate::sim) fn of_contact(scene: &Scene, seen: &SolvedContact<'_>, with_error: bool) -> Vec<Warning> {
     let excess = || excess_pressure(seen.largest_pressure, seen.hertz.pressure);
     let pressure = seen.smooth.then(excess).flatten();
     let inlet = (seen.smooth && !with_error).then(|| coarse_inlet(scene, seen)).flatten();
@@ -57,7 +57,7 @@ pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> 
     let film = solution.thermal.as_ref().zip(conditions);
     // Heights in memory may be rough in a scene that says nothing of roughness.
     let smooth = scene.is_smooth() && solution.roughness.composite_rq == 0.0;
-    let seen = Seen {
+    let seen = SolvedContact {
         hertz: &solution.hertz,
         dx: solution.grid.dx(),
         smooth,
@@ -91,8 +91,8 @@ pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> 
 ///
 /// In front of the contact the gap rises as `a^2/R (s/a)^(3/2)`, `s` being the distance from its edge; where it
 /// is the film the pressure of the fluid builds up.
-fn coarse_inlet(scene: &Scene, seen: &Seen<'_>) -> Option<Warning> {
-    let Seen { hertz, dx, central_film: central, .. } = *seen;
+fn coarse_inlet(scene: &Scene, seen: &SolvedContact<'_>) -> Option<Warning> {
+    let SolvedContact { hertz, dx, central_film: central, .. } = *seen;
     let along = hertz.half_width_x;
     let length = (central * scene.form.radii().0 / along.powi(2)).powf(2.0 / 3.0) * along;
     (scene.is_lubricated() && hertz.angle == 0.0 && dx > WIDEST_CELL * length).then(|| {

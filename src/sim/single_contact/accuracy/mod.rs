@@ -37,7 +37,7 @@ pub(in crate::sim) fn largest_mesh(scene: &Scene) -> Result<usize, SimError> {
 /// The meshes of one contact, of which nothing is solved yet.
 pub(in crate::sim) enum Meshes {
     /// Of a smooth contact, box and cells picked.
-    Smooth(Box<smooth::Picked>),
+    Smooth(Box<smooth::MeshChoice>),
     /// Of a rough one, or of given cells.
     Rough(Box<rough::Halving>),
 }
@@ -59,7 +59,7 @@ impl Meshes {
             (GridSpec::Accuracy { accuracy }, None) => {
                 setup::validate_accuracy("grid.accuracy", accuracy)?;
                 if scene.is_smooth() {
-                    let meshes = smooth::Picked::new(scene, accuracy, interrupt)?;
+                    let meshes = smooth::MeshChoice::new(scene, accuracy, interrupt)?;
                     return Ok(Self::Smooth(Box::new(meshes)));
                 }
                 let grid = rough::cells_of_waves(scene, accuracy)?;
@@ -97,7 +97,7 @@ impl Meshes {
 
 /// Work of all meshes, convolutions as node counts.
 #[derive(Debug, Default)]
-struct Spent {
+struct WorkUsed {
     /// Convolutions times the nodes of their grids.
     convolved_nodes: f64,
     /// Outer iterations.
@@ -106,7 +106,7 @@ struct Spent {
     inner_iterations: u64,
 }
 
-impl Spent {
+impl WorkUsed {
     /// Counts in the work of `solution`.
     fn add(&mut self, solution: &ContactSolution) {
         let work = solution.report.work;

@@ -8,7 +8,7 @@
 
 use super::smooth::Plan;
 use super::surfaces::Surfaces;
-use super::{Spent, change};
+use super::{WorkUsed, change};
 use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::report::Status;
@@ -20,7 +20,7 @@ use crate::sim::contact::solution::ContactSolution;
 use crate::sim::contact::warnings::Warning;
 use crate::sim::error::SimError;
 use crate::sim::scene::{GridSpec, Roughness, Scene, ShortestWaves};
-use crate::sim::single_contact::prepared::{Prepared, prepare_heights};
+use crate::sim::single_contact::prepared::{PreparedContact, prepare_heights};
 use crate::surface::{HeightDistribution, RandomShape};
 
 /// Meshes of more nodes are not tried.
@@ -54,9 +54,9 @@ pub(in crate::sim) struct Halving {
     /// What may end a solve early.
     interrupt: Option<Interrupt>,
     /// The contact on half the cells.
-    half: Prepared,
+    half: PreparedContact,
     /// The contact on the mesh that is asked for.
-    whole: Prepared,
+    whole: PreparedContact,
 }
 
 impl Halving {
@@ -90,7 +90,7 @@ impl Halving {
         let Self { mut scene, accuracy, field, surfaces, interrupt, half, whole } = self;
         let mut coarse = half.solve().map_err(|error| on_half(error, field))?;
         let mut contact = whole;
-        let mut work = Spent::default();
+        let mut work = WorkUsed::default();
         work.add(&coarse);
         observer(&coarse);
         loop {
@@ -112,7 +112,11 @@ impl Halving {
 }
 
 /// The contact on the mesh of `scene`.
-fn on(scene: &Scene, surfaces: &Surfaces, interrupt: Option<&Interrupt>) -> Result<Prepared, SimError> {
+fn on(
+    scene: &Scene,
+    surfaces: &Surfaces,
+    interrupt: Option<&Interrupt>,
+) -> Result<PreparedContact, SimError> {
     prepare_heights(scene, interrupt, surfaces.on(&scene.grid()?)?)
 }
 

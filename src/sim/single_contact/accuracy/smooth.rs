@@ -6,7 +6,7 @@
 //! `r = |d_1/d_2|`, which is that at the order observed. The box is as long as its error asks for
 //! ([`InletScale`]), which is added.
 
-use super::{Spent, change};
+use super::{WorkUsed, change};
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::Status;
@@ -150,7 +150,7 @@ fn box_edge() -> InputError {
 }
 
 /// A smooth contact in a box and on meshes that are picked for an accuracy.
-pub(in crate::sim) struct Picked {
+pub(in crate::sim) struct MeshChoice {
     /// The scene, whose grid is replaced mesh by mesh.
     scene: Scene,
     /// Hertz contact of the smooth bodies.
@@ -174,7 +174,7 @@ pub(super) fn finest(scene: &Scene, accuracy: f64) -> Result<GridSpec, SimError>
     Ok(Plan::of(scene, &hertz, accuracy)?.with_layer(scene)?.cells(&hertz, 0, scene.form.is_line())?)
 }
 
-impl Picked {
+impl MeshChoice {
     /// The first meshes of `scene`.
     pub(super) fn new(scene: &Scene, accuracy: f64, interrupt: Option<&Interrupt>) -> Result<Self, SimError> {
         setup::validate(scene)?;
@@ -201,7 +201,7 @@ impl Picked {
         observer: &mut dyn FnMut(&ContactSolution),
     ) -> Result<ContactSolution, SimError> {
         let Self { mut scene, hertz, accuracy, mut plan, spike_growth, interrupt, .. } = self;
-        let mut work = Spent::default();
+        let mut work = WorkUsed::default();
         let mut round = 0;
         loop {
             round += 1;

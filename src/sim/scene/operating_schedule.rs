@@ -2,7 +2,7 @@
 
 use crate::error::InputError;
 use crate::reynolds::{LEAST_SPEED, SPEED_REQUIREMENT};
-use crate::sim::scene::course::Course;
+use crate::sim::scene::time_series::TimeSeries;
 use crate::sim::scene::{Motion, Scene, Schedule};
 
 /// What acts on a contact from outside.
@@ -33,17 +33,17 @@ pub struct Conditions {
 
 /// Conditions as functions of time.
 #[derive(Debug, Clone)]
-pub(in crate::sim) struct Timetable {
+pub(in crate::sim) struct OperatingSchedule {
     /// Conditions of the scene, which hold where nothing is scheduled.
     base: Conditions,
     /// Load over time \[N\].
-    load: Option<Course>,
+    load: Option<TimeSeries>,
     /// Entrainment speed over time \[m/s\].
-    speed: Option<Course>,
+    speed: Option<TimeSeries>,
     /// Slide-roll ratio over time.
-    slide_roll_ratio: Option<Course>,
+    slide_roll_ratio: Option<TimeSeries>,
     /// Bulk temperature over time \[K\].
-    temperature: Option<Course>,
+    temperature: Option<TimeSeries>,
 }
 
 impl Scene {
@@ -54,30 +54,30 @@ impl Scene {
     /// asks for a value out of range, a table that cannot be read.
     pub fn conditions(&self, time: f64) -> Result<Conditions, InputError> {
         InputError::require_non_negative("time", time)?;
-        Ok(Timetable::new(self)?.at(time))
+        Ok(OperatingSchedule::new(self)?.at(time))
     }
 }
 
-impl Timetable {
+impl OperatingSchedule {
     /// Checks the schedules of `scene`.
     pub(in crate::sim) fn new(scene: &Scene) -> Result<Self, InputError> {
         let schedules = &scene.schedule;
-        let course = |key: &str, schedule: &Option<Schedule>, fits: fn(f64) -> bool, requirement| {
+        let series = |key: &str, schedule: &Option<Schedule>, fits: fn(f64) -> bool, requirement| {
             let field = format!("schedule.{key}");
-            schedule.as_ref().map(|given| Course::new(given, &field, fits, requirement)).transpose()
+            schedule.as_ref().map(|given| TimeSeries::new(given, &field, fits, requirement)).transpose()
         };
         let positive: fn(f64) -> bool = |value| value.is_finite() && value > 0.0;
-        let load = course("load", &schedules.load, positive, "finite and > 0")?;
+        let load = series("load", &schedules.load, positive, "finite and > 0")?;
         let speeds = &schedules.entrainment_speed;
         let speed = if scene.is_lubricated() {
-            course("entrainment_speed", speeds, |v| v.is_finite() && v >= LEAST_SPEED, SPEED_REQUIREMENT)?
+            series("entrainment_speed", speeds, |v| v.is_finite() && v >= LEAST_SPEED, SPEED_REQUIREMENT)?
         } else {
-            course("entrainment_speed", speeds, |v| v.is_finite() && v >= 0.0, "finite and >= 0")?
+            series("entrainment_speed", speeds, |v| v.is_finite() && v >= 0.0, "finite and >= 0")?
         };
         let ratios = &schedules.slide_roll_ratio;
-        let slide_roll_ratio = course("slide_roll_ratio", ratios, f64::is_finite, "finite")?;
+        let slide_roll_ratio = series("slide_roll_ratio", ratios, f64::is_finite, "finite")?;
         let temperatures = &schedules.bulk_temperature;
-        let temperature = course("bulk_temperature", temperatures, positive, "finite and > 0")?;
+        let temperature = series("bulk_temperature", temperatures, positive, "finite and > 0")?;
         let base = Conditions {
             load: scene.load.force.unwrap_or(scene.constant_hertz()?.force),
             motion: scene.motion,
@@ -88,7 +88,8 @@ impl Timetable {
 
     /// What holds at `time` \[s\].
     pub(in crate::sim) fn at(&self, time: f64) -> Conditions {
-        let value = |course: &Option<Course>, constant| course.as_ref().map_or(constant, |c| c.value(time));
+        let value =
+            |series: &Option<TimeSeries>, constant| series.as_ref().map_or(constant, |c| c.value(time));
         Conditions {
             load: value(&self.load, self.base.load),
             motion: Motion {
@@ -101,18 +102,18 @@ impl Timetable {
     }
 
     /// Those that are scheduled.
-    fn courses(&self) -> impl Iterator<Item = &Course> {
+    fn series(&self) -> impl Iterator<Item = &TimeSeries> {
         [&self.load, &self.speed, &self.slide_roll_ratio, &self.temperature].into_iter().flatten()
     }
 
     /// Load \[N\] and entrainment speed \[m/s\] over time, where they are scheduled.
-    pub(in crate::sim) fn load_and_speed(&self) -> [Option<&Course>; 2] {
+    pub(in crate::sim) fn load_and_speed(&self) -> [Option<&TimeSeries>; 2] {
         [self.load.as_ref(), self.speed.as_ref()]
     }
 
     /// The next time after `time` \[s\] at which a schedule has an entry.
     pub(in crate::sim) fn next_entry(&self, time: f64) -> Option<f64> {
-        self.courses().filter_map(|course| course.next_entry(time)).min_by(f64::total_cmp)
+        self.series().filter_map(|series| series.next_entry(time)).min_by(f64::total_cmp)
     }
 
     /// Smallest and largest load \[N\].
@@ -124,7 +125,7 @@ impl Timetable {
 
     /// The conditions at the start and at all later entries; those of a jump are those after it.
     pub(in crate::sim) fn entries(&self) -> Vec<Conditions> {
-        let times = self.courses().flat_map(Course::times).copied().filter(|time| *time > 0.0);
+        let times = self.series().flat_map(TimeSeries::times).copied().filter(|time| *time > 0.0);
         std::iter::once(0.0).chain(times).map(|time| self.at(time)).collect()
     }
 
@@ -153,9 +154,9 @@ impl Timetable {
         if !changes || time <= 0.0 {
             return self.at(time).motion.surface_speeds();
         }
-        let courses = [&self.speed, &self.slide_roll_ratio];
+        let series = [&self.speed, &self.slide_roll_ratio];
         let next = |from: f64| {
-            let entries = courses.into_iter().flatten().filter_map(|course| course.next_entry(from));
+            let entries = series.into_iter().flatten().filter_map(|series| series.next_entry(from));
             entries.fold(time, f64::min)
         };
         let (mut from, mut distances) = (0.0, [0.0; 2]);

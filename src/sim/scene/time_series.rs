@@ -11,7 +11,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// A quantity as a function of time, valid at every time from 0 on.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::sim) struct Course {
+pub(in crate::sim) struct TimeSeries {
     /// Whether values hold until the next time, or lines lead to the next value.
     jumps: bool,
     /// Ascending times \[s\].
@@ -20,7 +20,7 @@ pub(in crate::sim) struct Course {
     values: Vec<f64>,
 }
 
-impl Course {
+impl TimeSeries {
     /// Checks `schedule`, whose key is `field` and whose values must be `requirement`, which `fits` tells.
     pub(in crate::sim) fn new(
         schedule: &Schedule,
@@ -28,7 +28,7 @@ impl Course {
         fits: impl Fn(f64) -> bool,
         requirement: &'static str,
     ) -> Result<Self, InputError> {
-        let course = match schedule {
+        let series = match schedule {
             Schedule::Constant { value } => {
                 InputError::require(fits(*value), &format!("{field}.value"), *value, requirement)?;
                 return Ok(Self { jumps: true, times: vec![0.0], values: vec![*value] });
@@ -44,12 +44,12 @@ impl Course {
                 Self { jumps: false, times, values }
             }
         };
-        course.check_times(field)?;
-        InputError::require_len(&format!("{field}.values"), &course.values, course.times.len())?;
-        for (index, value) in course.values.iter().enumerate() {
+        series.check_times(field)?;
+        InputError::require_len(&format!("{field}.values"), &series.values, series.times.len())?;
+        for (index, value) in series.values.iter().enumerate() {
             InputError::require(fits(*value), &format!("{field}.values[{index}]"), *value, requirement)?;
         }
-        Ok(course)
+        Ok(series)
     }
 
     /// Refuses times that are none, do not increase, or begin after zero.

@@ -11,7 +11,7 @@ use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::laws::Laws;
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
-use crate::sim::history::exposure::Ageing;
+use crate::sim::history::exposure::TimeWeight;
 use crate::sim::history::placement::Offsets;
 use crate::surface::{Offset, add_blended};
 use crate::surface_state::SurfaceState;
@@ -19,7 +19,7 @@ use crate::tribochem::Tribofilm;
 
 /// A solved contact as the nodes of the bodies feel it, in the frame of the contact.
 #[derive(Debug)]
-pub(in crate::sim) struct Passage<'a> {
+pub(in crate::sim) struct ContactExposure<'a> {
     /// The grid of the contact and of both bodies.
     pub(in crate::sim) grid: &'a Grid,
     /// Pressures and film.
@@ -35,12 +35,12 @@ pub(in crate::sim) struct Passage<'a> {
     /// Where the bodies lie.
     pub(in crate::sim) offsets: Offsets,
     /// How their nodes age in a second, of growth and prints.
-    pub(in crate::sim) ageing: [Ageing; 2],
+    pub(in crate::sim) time_weight: [TimeWeight; 2],
     /// The same of wear.
-    pub(in crate::sim) wear_ageing: [Ageing; 2],
+    pub(in crate::sim) wear_time_weight: [TimeWeight; 2],
 }
 
-impl Passage<'_> {
+impl ContactExposure<'_> {
     /// What `body` feels at node `k` of the contact.
     fn on_grid(&self, body: usize, k: usize) -> SurfaceState {
         SurfaceState {
@@ -70,7 +70,7 @@ impl Passage<'_> {
 
 /// Buffers on the nodes of a body.
 #[derive(Debug, Clone)]
-pub(in crate::sim) struct Marks {
+pub(in crate::sim) struct StepBuffers {
     /// Plastic depth that the step leaves \[m\].
     print: Vec<f64>,
     /// What each node feels.
@@ -79,7 +79,7 @@ pub(in crate::sim) struct Marks {
     wear_rates: Vec<f64>,
 }
 
-impl Marks {
+impl StepBuffers {
     /// Buffers for bodies of so many nodes.
     pub(in crate::sim) fn new(nodes: usize) -> Self {
         Self { print: vec![0.0; nodes], points: Vec::with_capacity(nodes), wear_rates: vec![0.0; nodes] }
@@ -90,15 +90,15 @@ impl Marks {
     pub(in crate::sim) fn flatten(
         &mut self,
         bodies: &mut [Body; 2],
-        passage: &Passage<'_>,
+        contact_exposure: &ContactExposure<'_>,
         depths: &[Vec<f64>; 2],
         time_step: f64,
     ) -> Result<(), InputError> {
-        let (nx, ny) = (passage.grid.nx(), passage.grid.ny());
+        let (nx, ny) = (contact_exposure.grid.nx(), contact_exposure.grid.ny());
         for (index, body) in bodies.iter_mut().enumerate() {
             self.print.fill(0.0);
-            add_blended(&depths[index], nx, ny, passage.offsets[index], &mut self.print)?;
-            let share = passage.ageing[index].print(time_step);
+            add_blended(&depths[index], nx, ny, contact_exposure.offsets[index], &mut self.print)?;
+            let share = contact_exposure.time_weight[index].print(time_step);
             self.print.iter_mut().for_each(|depth| *depth *= share);
             body.plastic.add(&self.print)?;
         }
@@ -111,27 +111,27 @@ impl Marks {
     pub(in crate::sim) fn rub(
         &mut self,
         bodies: &mut [Body; 2],
-        passage: &Passage<'_>,
+        contact_exposure: &ContactExposure<'_>,
         laws: &Laws,
         time_step: f64,
     ) -> Result<(), SimError> {
         let Self { points, wear_rates, .. } = self;
         for (index, body) in bodies.iter_mut().enumerate() {
-            let exposed = passage.ageing[index].rate * time_step;
+            let exposed = contact_exposure.time_weight[index].rate * time_step;
             points.clear();
-            let nodes = 0..passage.grid.len();
-            points.extend(nodes.map(|node| passage.on_body(index, node)));
+            let nodes = 0..contact_exposure.grid.len();
+            points.extend(nodes.map(|node| contact_exposure.on_body(index, node)));
             let grow = |film: &mut Option<Tribofilm>| match (&laws.growth, film) {
                 (Some(law), Some(film)) => film.advance_all(law.as_ref(), 0.5 * exposed, points),
                 _ => Ok(()),
             };
             grow(&mut body.film)?;
             if let Some(law) = &laws.wear {
-                let exposed = passage.wear_ageing[index].rate * time_step;
+                let exposed = contact_exposure.wear_time_weight[index].rate * time_step;
                 let thickness = body.film.as_ref().map_or(body.no_film.as_slice(), Tribofilm::thickness);
                 body.wear.advance_all(law.each()[index], exposed, (points, thickness), wear_rates)?;
                 // K F u_s dt, however long the nodes are exposed
-                let per_second = wear_rates.iter().sum::<f64>() * passage.grid.cell_area();
+                let per_second = wear_rates.iter().sum::<f64>() * contact_exposure.grid.cell_area();
                 body.worn_volume += per_second * time_step;
             }
             grow(&mut body.film)?;
