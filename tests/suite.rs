@@ -25,6 +25,7 @@ mod generation;
 mod given_film;
 mod growth_fit;
 mod history_cli;
+mod history_errors;
 mod laws;
 mod layered_stress;
 mod layered_waves;

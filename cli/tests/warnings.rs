@@ -117,10 +117,10 @@ const CASES: [Case; 9] = [
     },
     Case {
         about: "a large error of the mesh",
-        changes: &[("= false", "= false\nestimate = true")],
+        changes: &[("= false", "= false\nestimate = true"), ("rq = 130e-9", "rq = 300e-9")],
         field: "error_estimate.",
         words: "errors of the mesh above 0.1",
-        in_run: false,
+        in_run: true,
     },
 ];
 

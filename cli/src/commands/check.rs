@@ -20,9 +20,6 @@ use crate::output::{self, Outcome};
 /// Box and cells on which a scene is looked at that picks its own.
 const OWN_BOX: f64 = 2.0;
 const OWN_CELLS: usize = 64;
-/// Memory of a node \[kB\], as `docs/scene_contact.md` has it.
-const LUBRICATED_MEMORY: f64 = 2.0;
-const DRY_MEMORY: f64 = 0.4;
 
 /// Warnings go to standard error.
 #[derive(clap::Args)]
@@ -49,7 +46,10 @@ struct Expected {
     expectation: Expectation,
     /// The grid is picked by the solve.
     picks_grid: bool,
-    lubricated: bool,
+    /// Errors are estimated by the solve.
+    has_estimate: bool,
+    /// Memory of a solve on the grid \[byte\].
+    memory: f64,
     warnings: Vec<Warning>,
     sim: MixedLubricationSim,
 }
@@ -83,6 +83,8 @@ impl Expected {
         if picks_grid {
             on_grid.grid = own_grid(scene, &hertz);
         }
+        (on_grid.solver.accuracy, on_grid.solver.estimate) = (None, false);
+        let memory = on_grid.memory()?;
         if refusals.run.is_some() {
             leave_contact(&mut on_grid)?;
         }
@@ -98,7 +100,8 @@ impl Expected {
             formula: scene.formula_film()?,
             expectation: sim.expectation()?,
             picks_grid,
-            lubricated: scene.is_lubricated(),
+            has_estimate: scene.solver.estimate || scene.solver.accuracy.is_some(),
+            memory,
             warnings,
             sim,
         })
@@ -119,11 +122,6 @@ impl Expected {
         [-low, low + grid.size_x()].map(|distance| distance / self.hertz.half_extents()[0])
     }
 
-    fn memory(&self) -> f64 {
-        let bytes = if self.lubricated { LUBRICATED_MEMORY } else { DRY_MEMORY };
-        1e3 * bytes * self.sim.grid().len() as f64
-    }
-
     fn to_json(&self) -> Result<Value, serde_json::Error> {
         let parts: Vec<Value> = self
             .parts
@@ -140,7 +138,7 @@ impl Expected {
                 "cells_in_half_width": self.cells(),
                 "inlet_in_half_widths": inlet,
                 "outlet_in_half_widths": outlet,
-                "memory": self.memory(),
+                "memory": self.memory,
             })
         });
         let refused = |error: &Option<SimError>| error.as_ref().map(ToString::to_string);

@@ -38,11 +38,15 @@ const STEEL: (f64, f64) = (210e9, 0.3);
 /// What warnings that answers can mend are about.
 const LARGEST_PRESSURE: &str = "pressure.max";
 const CENTRAL_FILM: &str = "film.central";
+/// Wanted error of a smooth contact.
+const ACCURACY: f64 = 0.02;
 /// The warning about the heat of an isothermal film.
 const FRICTION: &str = "friction.coefficient";
 const ESTIMATE: &str = "solver.estimate";
 /// Beginning of the field of warnings about the mesh error.
 const MESH_ERROR: &str = "error_estimate.";
+/// The warning about smooth bodies that touch.
+const TOUCHING: &str = "contact.load_ratio";
 /// Pressure that steel carries before it yields for good \[Pa\].
 const HARDNESS: &str = "6 GPa";
 
@@ -126,10 +130,10 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
 }
 
 /// The scene file and its text: what is written here must be read there, and be solved without a warning, which
-/// is tried where it does not take long.
+/// is tried where it does not take long. Smooth contacts then ask for an accuracy.
 fn written(options: &Options, answers: &Answers) -> Result<(String, Scene), Box<dyn Error>> {
-    let text = scene(options, answers)?;
-    let scene = Scene::from_toml(&text)?;
+    let mut text = scene(options, answers)?;
+    let mut scene = Scene::from_toml(&text)?;
     let sim = MixedLubricationSim::builder(scene.clone()).build()?;
     let mut warnings = sim.warnings().to_vec();
     if warnings.is_empty() && sim.grid().len() <= MOST_SOLVED {
@@ -145,11 +149,20 @@ fn written(options: &Options, answers: &Answers) -> Result<(String, Scene), Box<
     }
     // `init` writes isothermal scenes; solves warn where the film is too hot.
     warnings.retain(|warning| warning.field != FRICTION);
-    // A mesh error is a part of the answer, no slip of the scene.
-    let (errors, mistakes): (Vec<_>, Vec<_>) =
-        warnings.into_iter().partition(|warning| warning.field.starts_with(MESH_ERROR));
+    // Mesh errors and smooth bodies that touch are part of the answer, no slips of the scene.
+    let (errors, mistakes): (Vec<_>, Vec<_>) = warnings
+        .into_iter()
+        .partition(|warning| warning.field.starts_with(MESH_ERROR) || warning.field == TOUCHING);
     let Some(warning) = mistakes.first() else {
         output::warn(&errors);
+        // Where smooth bodies touch, cells would be halved for a share that the contact film decides.
+        if answers.disc.rq() == 0.0 && errors.iter().all(|warning| warning.field != TOUCHING) {
+            writeln!(
+                text,
+                "accuracy = {ACCURACY} # cells are halved until the estimated errors of the mesh are below it"
+            )?;
+            scene.solver.accuracy = Some(ACCURACY);
+        }
         return Ok((text, scene));
     };
     let remedy = match warning.field.as_str() {

@@ -17,6 +17,7 @@ pub(in crate::sim) mod heating;
 pub(in crate::sim) mod interrupt;
 pub(in crate::sim) mod laws;
 pub(in crate::sim) mod memory;
+pub(in crate::sim) mod mesh_error;
 pub(in crate::sim) mod mixing;
 pub(in crate::sim) mod model;
 pub(in crate::sim) mod numbers;

@@ -25,6 +25,7 @@ use crate::sim::contact::warnings::{self, Warning};
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
 use crate::sim::history::exposure;
+use crate::sim::history::half_mesh::HalfMesh;
 use crate::sim::history::heat::Heat;
 use crate::sim::history::placement::SurfaceMotion;
 use crate::sim::history::simulation::MixedLubricationSim;
@@ -277,6 +278,35 @@ impl SimBuilder {
         }
     }
 
+    /// The first part of the contact, but for heights and starts, that was put in place of one of the scene.
+    pub(in crate::sim) fn custom_contact(&self) -> Option<&'static str> {
+        let custom = &self.custom;
+        [
+            ("deformation", custom.deformation.is_some()),
+            ("viscosity", custom.viscosity.is_some()),
+            ("density", custom.density.is_some()),
+            ("solver", custom.solver.is_some()),
+            ("plasticity", self.plasticity.is_some()),
+            ("boundary_friction", self.friction.is_some()),
+        ]
+        .into_iter()
+        .find_map(|(part, given)| given.then_some(part))
+    }
+
+    /// The first part that was put in place of one of the scene.
+    pub(in crate::sim) fn custom_part(&self) -> Option<&'static str> {
+        let [ball, disc] = &self.heights;
+        let [ball_start, disc_start] = &self.starts;
+        let given = [
+            ("ball_heights", ball.is_some()),
+            ("disc_heights", disc.is_some()),
+            ("ball_start", ball_start.is_some()),
+            ("disc_start", disc_start.is_some()),
+            ("contact_start", self.contact_start.is_some()),
+        ];
+        given.into_iter().find_map(|(part, given)| given.then_some(part)).or_else(|| self.custom_contact())
+    }
+
     /// A part that a builder has been given and a box that grows cannot take along.
     pub(in crate::sim) fn part_on_one_grid(&self) -> Option<&'static str> {
         let others = [
@@ -298,6 +328,7 @@ impl SimBuilder {
         #[cfg(feature = "serde")]
         let own_parts = crate::sim::history::identity::OwnParts::of(&self);
         let own = self.own();
+        let custom_contact = self.custom_contact();
         let custom = std::mem::take(&mut self.custom);
         let interrupt = custom.interrupt.clone();
         let mut contact = ContactModel::new(&self.scene, custom)?;
@@ -315,6 +346,16 @@ impl SimBuilder {
         let whole = (self.scene, operating_schedule, warnings);
         let mut sim = MixedLubricationSim::assemble(whole, contact, bodies, laws, heat, surface_motion)?;
         sim.contact_start = self.contact_start;
+        if sim.scene.solver.estimate
+            && let Some(part) = custom_contact
+        {
+            return Err(SimError::Input(InputError::Conflict {
+                field: part.to_owned(),
+                reason: "it is known on one grid, an estimate of errors (solver.estimate) needs two"
+                    .to_owned(),
+            }));
+        }
+        sim.half_mesh = HalfMesh::new(&sim.scene, &sim.contact, interrupt.clone())?.map(Box::new);
         sim.interrupt = interrupt;
         #[cfg(feature = "serde")]
         let sim = sim.with_own_parts(own_parts);

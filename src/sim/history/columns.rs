@@ -158,7 +158,7 @@ macro_rules! column {
 }
 
 /// All columns, in the order of a line.
-pub(in crate::sim) static COLUMNS: [Column; 67] = [
+pub(in crate::sim) static COLUMNS: [Column; 75] = [
     column!("", step),
     column!("s", time),
     column!("s", time_step),
@@ -216,6 +216,14 @@ pub(in crate::sim) static COLUMNS: [Column; 67] = [
     column!("m", tribofilm.ball_in_contact),
     column!("m", tribofilm.disc_in_contact),
     column!("m^3", plastic.volume),
+    column!("", ? error_estimate.film_central),
+    column!("", ? error_estimate.film_minimum),
+    column!("", ? error_estimate.pressure_max),
+    column!("", ? error_estimate.film_mean_central),
+    column!("", ? error_estimate.contact_load_ratio),
+    column!("", ? error_estimate.contact_area_ratio),
+    column!("", ? error_estimate.friction_coefficient),
+    column!("", ? error_estimate.film_by_box),
     column!("", attempts),
     column!("", report: solver),
     column!("", report: status),

@@ -10,6 +10,7 @@ pub(in crate::sim) mod builder;
 pub(in crate::sim) mod columns;
 pub(in crate::sim) mod contact_exposure;
 pub(in crate::sim) mod exposure;
+pub(in crate::sim) mod half_mesh;
 pub(in crate::sim) mod heat;
 pub(in crate::sim) mod history_means;
 #[cfg(feature = "serde")]

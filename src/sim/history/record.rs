@@ -8,6 +8,7 @@ use std::io::{self, Write};
 use crate::error::InputError;
 use crate::report::{Residuals, SolveReport, Status};
 use crate::reynolds::FlowBalance;
+use crate::sim::contact::error_estimate::ErrorEstimate;
 use crate::sim::contact::numbers::{
     ContactNumbers, DepthNumbers, FilmNumbers, FrictionNumbers, PlasticNumbers, PressureNumbers,
     RoughnessNumbers, ThermalNumbers, WearNumbers,
@@ -74,6 +75,10 @@ pub struct StepRecord {
     pub tribofilm: DepthNumbers,
     /// What was flattened.
     pub plastic: PlasticNumbers,
+    /// Estimated errors of the numbers of the contact; none where the scene does not ask for them
+    /// ([`estimate`](crate::sim::scene::SolverSpec::estimate)), with squeeze, and where the contact on half the cells was
+    /// not solved.
+    pub error_estimate: Option<ErrorEstimate>,
     /// Positions of the roughness that were tried before the contact converged.
     pub attempts: u32,
     /// The solve. One that was read from `history.csv` tells neither its strategy nor the residuals of its steps.
@@ -157,6 +162,7 @@ impl StepRecord {
             wear: WearNumbers::default(),
             tribofilm: DepthNumbers::default(),
             plastic: PlasticNumbers::default(),
+            error_estimate: None,
             attempts: 0,
             report: SolveReport::new(SolverId::Auto, Status::Stalled, Residuals::default()),
         }

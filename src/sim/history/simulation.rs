@@ -14,7 +14,9 @@
 
 use crate::error::InputError;
 use crate::lubricant::Lubricant;
+use crate::report::SolveReport;
 use crate::reynolds::ContactState;
+use crate::sim::contact::error_estimate::ErrorEstimate;
 use crate::sim::contact::film_heat::{self, FilmIteration, SolveContext, Solved};
 use crate::sim::contact::friction::FrictionFields;
 use crate::sim::contact::interrupt::Interrupt;
@@ -27,6 +29,7 @@ use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
 use crate::sim::history::contact_exposure::{ContactExposure, StepBuffers};
 use crate::sim::history::exposure;
+use crate::sim::history::half_mesh::HalfMesh;
 use crate::sim::history::heat::Heat;
 use crate::sim::history::placement::{Offsets, Placement, SurfaceMotion};
 use crate::sim::history::record::StepRecord;
@@ -113,6 +116,8 @@ pub struct MixedLubricationSim {
     pub(in crate::sim) friction: FrictionFields,
     /// Temperature of the film; none where it has that of the bulk.
     pub(in crate::sim) film_heat: Option<FilmIteration>,
+    /// The contact on half the cells; none where the scene asks for no errors.
+    pub(in crate::sim) half_mesh: Option<Box<HalfMesh>>,
     /// Buffers on the nodes of a body.
     buffers: StepBuffers,
     /// Mass that the squeeze refers to.
@@ -149,6 +154,7 @@ impl MixedLubricationSim {
             yielding: Yielding::new(grid.len()),
             friction: FrictionFields::new(&scene, grid.len())?,
             film_heat: FilmIteration::new(&scene, &contact)?,
+            half_mesh: None,
             buffers: StepBuffers::new(grid.len()),
             squeezed: vec![0.0; grid.len()],
             scene,
@@ -219,11 +225,13 @@ impl MixedLubricationSim {
         self.contact.set_conditions(&self.scene, &conditions)?;
         self.heat.move_at(conditions.motion.surface_speeds(), &self.contact.grid)?;
         let (solved, offsets, attempts) = self.solve_somewhere()?;
+        let error_estimate = self.estimate_errors(&conditions, &solved.0)?;
         let flash_rise = self.heat.rub(&self.friction, self.film_heat.as_ref())?;
         let rq = self.roughness()?;
         let time_step = self.commit_within(control, offsets)?;
         self.require_changes_inside()?;
-        let record = self.record((solved, attempts), flash_rise, (conditions, rq), time_step)?;
+        let mut record = self.record((solved, attempts), flash_rise, (conditions, rq), time_step)?;
+        record.error_estimate = error_estimate;
         self.time = record.time;
         if let Some(heat) = &mut self.film_heat {
             heat.commit();
@@ -241,6 +249,21 @@ impl MixedLubricationSim {
         Ok(record)
     }
 
+    /// Estimated errors of the numbers of the contact that was solved under `conditions`; `None` where the scene asks
+    /// for none, with squeeze, and where the contact on half the cells does not converge.
+    fn estimate_errors(
+        &mut self,
+        conditions: &Conditions,
+        report: &SolveReport,
+    ) -> Result<Option<ErrorEstimate>, SimError> {
+        let Some(half) = self.half_mesh.as_mut().filter(|_| !self.surface_motion.squeeze) else {
+            return Ok(None);
+        };
+        let limit = self.laws.plasticity.is_some().then_some(self.yielding.limit.as_slice());
+        let fine = (&self.contact, report, &self.state, &self.friction, limit);
+        half.estimate(&self.laws, conditions, &self.placement, fine)
+    }
+
     /// Warnings about the first contact.
     fn warn_of_first(&mut self, record: &StepRecord) {
         let seen = warnings::SolvedContact {
@@ -250,12 +273,14 @@ impl MixedLubricationSim {
             largest_pressure: record.pressure.max,
             central_film: record.film.central,
             friction: record.friction.coefficient,
+            load_ratio: record.contact.load_ratio,
             temperatures: record.thermal.map(|heat| [heat.film_temperature_max, record.bulk_temperature]),
         };
         self.warnings.extend(warnings::of_contact(&self.scene, &seen, false));
     }
 
-    /// Warnings about physics that the scene leaves out under these conditions, each once a run.
+    /// Warnings about physics that the scene leaves out under these conditions and about errors of the mesh, each once a
+    /// run.
     fn warn_of_left_out(&mut self, record: &StepRecord, conditions: Conditions) {
         let point = warnings::OperatingPoint {
             hertz: &self.contact.hertz,
@@ -268,6 +293,11 @@ impl MixedLubricationSim {
             yield_ratio: None,
         };
         let mut found = warnings::left_out(&self.scene, &point);
+        let rough = record.roughness.composite_rq > 0.0;
+        let is_said = self.warnings.iter().any(|warning| warning.field.starts_with("error_estimate."));
+        if let Some(estimate) = record.error_estimate.filter(|_| !is_said) {
+            found.extend(warnings::large_errors(&estimate, rough));
+        }
         found.retain(|warning| self.warnings.iter().all(|known| known.field != warning.field));
         self.warnings.extend(found);
     }
@@ -477,6 +507,7 @@ impl MixedLubricationSim {
             wear: WearNumbers::of(depths(Body::wear)?, self.bodies.each_ref().map(Body::worn_volume)),
             tribofilm: depths(Body::tribofilm)?,
             plastic: PlasticNumbers { volume },
+            error_estimate: None,
             attempts,
             report,
         })

@@ -70,6 +70,16 @@ pub enum GridSpec {
 }
 
 impl GridSpec {
+    /// The same box with `count` of the cells along each side.
+    pub(in crate::sim) fn with_counts(self, count: impl Fn(usize) -> usize) -> Self {
+        match self {
+            Self::Cells { nx, ny, x, y } => Self::Cells { nx: count(nx), ny: count(ny), x, y },
+            Self::Growing { nx, ny, x, y } => Self::Growing { nx: count(nx), ny: count(ny), x, y },
+            Self::Row { nx, x } => Self::Row { nx: count(nx), x },
+            Self::Accuracy { .. } => self,
+        }
+    }
+
     /// Whether the box of a history grows.
     pub(in crate::sim) fn grows(&self) -> bool {
         matches!(self, Self::Growing { .. })

@@ -74,6 +74,8 @@ pub struct ExpectedFilm {
     pub load_ratio_range: Option<[f64; 2]>,
     /// Friction coefficients of solids, by that share or the least one, and of the isothermal fluid.
     pub friction: [f64; 2],
+    /// Least and largest sum of both over `load_ratio_range`.
+    pub friction_range: Option<[f64; 2]>,
     /// Mean rise of the film by the heat of this friction \[K\].
     pub film_rise: f64,
 }
@@ -181,8 +183,19 @@ impl MixedLubricationSim {
         let rises = film_rise(scene, hertz, &conditions, law, heated)?;
         let load_ratio = share.and_then(|(share, _)| share);
         let load_ratio_range = share.map(|(_, range)| range);
-        let film =
-            ExpectedFilm { map, lambda, load_ratio, load_ratio_range, friction, film_rise: rises.film };
+        let friction_range = load_ratio_range.map(|shares| {
+            let ends = shares.map(|share| share * coefficient + (1.0 - share) * stress / mean);
+            [ends[0].min(ends[1]), ends[0].max(ends[1])]
+        });
+        let film = ExpectedFilm {
+            map,
+            lambda,
+            load_ratio,
+            load_ratio_range,
+            friction,
+            friction_range,
+            film_rise: rises.film,
+        };
         Ok((rises.surfaces, film))
     }
 

@@ -151,28 +151,6 @@ impl SimBuilder {
         prepared.warnings = warnings;
         Ok(prepared)
     }
-
-    /// The first part that was put in place of one of the scene.
-    pub(in crate::sim) fn custom_part(&self) -> Option<&'static str> {
-        let [ball, disc] = &self.heights;
-        let [ball_start, disc_start] = &self.starts;
-        let own = &self.custom;
-        [
-            ("ball_heights", ball.is_some()),
-            ("disc_heights", disc.is_some()),
-            ("ball_start", ball_start.is_some()),
-            ("disc_start", disc_start.is_some()),
-            ("contact_start", self.contact_start.is_some()),
-            ("deformation", own.deformation.is_some()),
-            ("viscosity", own.viscosity.is_some()),
-            ("density", own.density.is_some()),
-            ("solver", own.solver.is_some()),
-            ("plasticity", self.plasticity.is_some()),
-            ("boundary_friction", self.friction.is_some()),
-        ]
-        .into_iter()
-        .find_map(|(part, given)| given.then_some(part))
-    }
 }
 
 /// Whether the single contact of `scene` is solved on several meshes.

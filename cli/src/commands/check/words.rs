@@ -7,6 +7,8 @@ use super::parts::Part;
 
 /// Largest share of the load on solids in a full film.
 const FULL_FILM: f64 = 0.05;
+/// Share of the friction from which on its range is given.
+const SPREAD: f64 = 0.2;
 /// Least share in boundary lubrication.
 const BOUNDARY: f64 = 0.8;
 
@@ -78,7 +80,15 @@ impl Expected {
         if boundary + fluid > 0.0 {
             let (all, rise) = (boundary + fluid, film.film_rise);
             let of = match film.load_ratio_range {
-                Some(_) => format!("about {all:.4}: solids {boundary:.4}, isothermal fluid {fluid:.4}"),
+                Some(_) => {
+                    let range = film
+                        .friction_range
+                        .filter(|[least, most]| most - least > SPREAD * all)
+                        .map_or_else(String::new, |[least, most]| {
+                            format!(", {least:.4} to {most:.4} by the share of solids")
+                        });
+                    format!("about {all:.4}{range}: solids {boundary:.4}, isothermal fluid {fluid:.4}")
+                }
                 None => format!("of the isothermal fluid alone about {fluid:.4}"),
             };
             lines.push(format!("friction   {of}; it would warm the film by {rise:.1} K"));
@@ -91,17 +101,20 @@ impl Expected {
         if self.picks_grid {
             return vec!["mesh       picked by the solve for the accuracy that is asked for".to_owned()];
         }
-        vec![
-            format!(
-                "mesh       {} x {} cells, {:.1} in a Hertz half-width; box from -{inlet:.2} to {outlet:.2} half-widths; about {:.0} MB",
-                grid.nx(),
-                grid.ny(),
-                self.cells(),
-                1e-6 * self.memory()
-            ),
-            "           `estimate = true` in [solver] estimates its error; `accuracy = 0.01` in place of the cells picks a mesh"
-                .to_owned(),
-        ]
+        let mut lines = vec![format!(
+            "mesh       {} x {} cells, {:.1} in a Hertz half-width; box from -{inlet:.2} to {outlet:.2} half-widths; about {:.0} MB",
+            grid.nx(),
+            grid.ny(),
+            self.cells(),
+            1e-6 * self.memory
+        )];
+        if !self.has_estimate {
+            lines.push(
+                "           `estimate = true` in [solver] estimates its error; `accuracy = 0.01` in place of the cells picks a mesh"
+                    .to_owned(),
+            );
+        }
+        lines
     }
 }
 

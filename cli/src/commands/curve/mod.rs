@@ -72,6 +72,8 @@ struct Curve<'a> {
     points: Vec<Point>,
     /// Fields of the warnings that were printed.
     said: Vec<String>,
+    /// All speeds so far were solved or have a status.
+    is_complete: bool,
     /// The remark that a mixed contact is one sample is still to be made.
     remarks: bool,
 }
@@ -107,14 +109,19 @@ pub(crate) fn run(options: &Options) -> Result<Outcome, Box<dyn Error>> {
         );
     }
     let all = curve.points.iter().all(|point| point.solution.report.status == Status::Converged);
-    Ok(if is_whole && all { Outcome::Converged } else { Outcome::NotConverged })
+    Ok(if is_whole && all && curve.is_complete { Outcome::Converged } else { Outcome::NotConverged })
 }
 
 /// Lines about the scene and about the work ahead, which are printed when the first solve begins.
 fn announced(scene: &Scene, motion: Motion, solves: usize) -> Result<Held, SimError> {
     let held = Held::default();
-    let megabytes = 1e-6 * scene.memory()?;
-    held.hold("needs", format!("{solves} solves, each with about {megabytes:.0} MB of memory"));
+    let [megabytes, most] = [output::first_memory(scene)?, scene.memory()?].map(|bytes| 1e-6 * bytes);
+    let finer = if most > megabytes {
+        format!(", at most {most:.0} MB where cells are halved")
+    } else {
+        String::new()
+    };
+    held.hold("needs", format!("{solves} solves, each with about {megabytes:.0} MB of memory{finer}"));
     if motion.slide_roll_ratio == 0.0 {
         held.hold("warning", "the slide-roll ratio is 0: without sliding there is no friction".to_owned());
     }
@@ -143,7 +150,7 @@ impl<'a> Curve<'a> {
         let said = scene.warnings().into_iter().map(|warning| warning.field).collect();
         let remarks = options.seeds.is_none() && surfaces::is_random(scene);
         let (csv, rows, points) = ((path, file), Vec::new(), Vec::new());
-        let mut curve = Self { options, columns, csv, bar, rows, points, said, remarks };
+        let mut curve = Self { options, columns, csv, bar, rows, points, said, remarks, is_complete: true };
         curve.write_line(&row::csv_header(columns)).inspect_err(|_| files::remove(&curve.csv.0))?;
         Ok(curve)
     }
@@ -183,6 +190,11 @@ impl<'a> Curve<'a> {
                 match builder.solve() {
                     Ok(solution) => points.push(Point { motion, surface, solution }),
                     Err(SimError::Interrupted) => return Ok(false),
+                    Err(error @ SimError::BoxTooSmall(_)) => {
+                        self.is_complete = false;
+                        let text = format!("{speed:.4e} m/s is left out of the curve: {error}");
+                        self.bar.suspend(|| output::complain("warning", &text));
+                    }
                     Err(error) => return Err(output::in_scene(&self.options.scene, &error).into()),
                 }
                 self.bar.inc(1);

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use stribeck::reynolds::ContactState;
-use stribeck::sim::{HistoryMeans, MixedLubricationSim, Observer, RunFolder, StepRecord};
+use stribeck::sim::{ErrorEstimate, HistoryMeans, MixedLubricationSim, Observer, RunFolder, StepRecord};
 
 use super::plan::Plan;
 use super::{Options, ROUNDING, picture_folder};
@@ -143,6 +143,16 @@ impl Observer for Log {
     }
 }
 
+/// The `line` of `records` with a band where their errors are estimated: `error` is absolute, of an estimate and a value.
+fn with_band(records: &[StepRecord], mut line: Line, error: fn(&ErrorEstimate, f64) -> f64) -> Line {
+    let band = |(record, (time, value)): (&StepRecord, &(f64, f64))| {
+        let error = error(record.error_estimate.as_ref()?, *value);
+        Some((*time, [value - error, value + error]))
+    };
+    line.bands = records.iter().zip(&line.points).filter_map(band).collect();
+    line
+}
+
 /// Friction, share of the load on solids, film over roughness, wear and tribofilm over time.
 fn history(name: &str, records: &[StepRecord]) -> Chart {
     let line = |name, colour, value: fn(&StepRecord) -> f64| Line {
@@ -153,9 +163,26 @@ fn history(name: &str, records: &[StepRecord]) -> Chart {
     };
     let panel = |y_label: &str, lines| Panel { y_label: y_label.to_owned(), lines, highest: None };
     let mut panels = vec![
-        panel("friction", vec![line("", BLUE, |r| r.friction.coefficient)]),
-        panel("load on solids", vec![line("", BLUE, |r| r.contact.load_ratio)]),
-        panel("film / Rq", vec![line("", BLUE, |r| r.film.lambda.unwrap_or(f64::NAN))]),
+        panel(
+            "friction",
+            vec![with_band(records, line("", BLUE, |r| r.friction.coefficient), |error, value| {
+                error.friction_coefficient * value
+            })],
+        ),
+        panel(
+            "load on solids",
+            vec![with_band(records, line("", BLUE, |r| r.contact.load_ratio), |error, _| {
+                error.contact_load_ratio
+            })],
+        ),
+        panel(
+            "film / Rq",
+            vec![with_band(
+                records,
+                line("", BLUE, |r| r.film.lambda.unwrap_or(f64::NAN)),
+                |error, value| error.film_mean_central * value,
+            )],
+        ),
     ];
     let grows =
         |value: fn(&StepRecord) -> [f64; 2]| records.iter().any(|r| value(r).iter().any(|v| *v > 0.0));

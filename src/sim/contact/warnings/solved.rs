@@ -20,6 +20,8 @@ const WIDEST_CELL: f64 = 2.0;
 const DEEPEST_WEAR: f64 = 0.1;
 /// What that warning is about, of ball and disc.
 pub(in crate::sim) const DEEP_WEAR: [&str; 2] = ["wear.ball_max", "wear.disc_max"];
+/// Share of the load on solids from which on smooth bodies touch.
+const SMOOTH_TOUCHING: f64 = 0.01;
 /// Largest estimate of an error that goes without a warning.
 const LARGEST_ERROR: f64 = 0.1;
 
@@ -37,6 +39,8 @@ pub(in crate::sim) struct SolvedContact<'a> {
     pub(in crate::sim) central_film: f64,
     /// Friction over the load.
     pub(in crate::sim) friction: f64,
+    /// Share of the load on solids.
+    pub(in crate::sim) load_ratio: f64,
     /// Largest temperature of the film and that of the bulk \[K\], where the film has its own.
     pub(in crate::sim) temperatures: Option<[f64; 2]>,
 }
@@ -48,7 +52,8 @@ pub(in crate::sim) fn of_contact(scene: &Scene, seen: &SolvedContact<'_>, with_e
     let inlet = (seen.smooth && !with_error).then(|| coarse_inlet(scene, seen)).flatten();
     let hot = seen.temperatures.and_then(|[largest, bulk]| hot_film(largest, bulk));
     let friction = FRICTION.check("friction.coefficient", seen.friction);
-    pressure.into_iter().chain(inlet).chain(hot).chain(friction).collect()
+    let touching = (seen.smooth && scene.is_lubricated()).then(|| touching(scene, seen.load_ratio)).flatten();
+    pressure.into_iter().chain(inlet).chain(hot).chain(friction).chain(touching).collect()
 }
 
 /// Warnings about the finished `solution` of `scene`.
@@ -64,6 +69,7 @@ pub(in crate::sim) fn after_solve(scene: &Scene, solution: &ContactSolution) -> 
         largest_pressure: solution.pressure.max,
         central_film: solution.film.central,
         friction: solution.friction.coefficient,
+        load_ratio: solution.contact.load_ratio,
         temperatures: film.map(|(heat, at)| [heat.film_temperature_max, at.bulk_temperature]),
     };
     let mut list = of_contact(scene, &seen, solution.error_estimate.is_some());
@@ -105,6 +111,21 @@ fn coarse_inlet(scene: &Scene, seen: &SolvedContact<'_>) -> Option<Warning> {
                 short(length)
             ),
             "more cells, or solver.estimate or solver.accuracy, which tell the error".to_owned(),
+        )
+    })
+}
+
+/// Smooth bodies that touch: the film is as thin as the contact film, which then decides on the share of solids.
+fn touching(scene: &Scene, load_ratio: f64) -> Option<Warning> {
+    (load_ratio > SMOOTH_TOUCHING).then(|| {
+        Warning::new(
+            "contact.load_ratio",
+            load_ratio,
+            format!(
+                "smooth bodies touch at the contact film of {} m, which decides on the share of solids and the friction",
+                short(scene.solver.film_cutoff)
+            ),
+            "give the roughness of the bodies, or the contact film (solver.film_cutoff)".to_owned(),
         )
     })
 }
@@ -171,22 +192,29 @@ fn mesh_errors(scene: &Scene, solution: &ContactSolution) -> Vec<Warning> {
         });
         return unknown.into_iter().collect();
     };
-    large_errors(&estimate).into_iter().collect()
+    let rough = solution.roughness.composite_rq > 0.0;
+    large_errors(&estimate, rough).into_iter().collect()
 }
 
 /// The warning about the largest of all estimates above [`LARGEST_ERROR`]; it names the others too.
-fn large_errors(estimate: &ErrorEstimate) -> Option<Warning> {
-    let errors = [
+///
+/// Films and pressures at one point of a `rough` surface are numbers of that point; means count there.
+pub(in crate::sim) fn large_errors(estimate: &ErrorEstimate, rough: bool) -> Option<Warning> {
+    let points = [
         ("film_central", estimate.film_central),
         ("film_minimum", estimate.film_minimum),
         ("pressure_max", estimate.pressure_max),
+    ];
+    let errors = [
         ("film_mean_central", estimate.film_mean_central),
         ("contact_load_ratio", estimate.contact_load_ratio),
         ("contact_area_ratio", estimate.contact_area_ratio),
         ("friction_coefficient", estimate.friction_coefficient),
     ];
     // What is no number is no small error.
-    let large = errors.into_iter().filter(|(_, error)| error.is_nan() || *error > LARGEST_ERROR);
+    let points = points.into_iter().filter(|_| !rough);
+    let large =
+        errors.into_iter().chain(points).filter(|(_, error)| error.is_nan() || *error > LARGEST_ERROR);
     let large: Vec<(&str, f64)> = large.collect();
     let (worst, error) = large.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let names: Vec<String> =

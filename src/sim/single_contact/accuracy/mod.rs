@@ -1,14 +1,10 @@
 //! Errors of a single contact that coarser meshes tell, and meshes for a wanted accuracy.
 //!
-//! Three ways, one a file: `smooth` picks box and meshes for a smooth contact and extrapolates over three of
-//! them, `rough` halves cells until the change is small, and `change` says what the difference of two meshes
-//! tells of the errors of the finer one. `surfaces` evaluates heights on any mesh. What counts as small, and
-//! on what the factors rest, is in `docs/errors.md`.
+//! `smooth` picks box and meshes for a smooth contact and extrapolates over three of them, `rough` halves cells until
+//! the estimated errors are small (`contact::mesh_error`). `docs/errors.md` has the evidence.
 
-mod change;
 mod rough;
 mod smooth;
-mod surfaces;
 
 use crate::error::InputError;
 use crate::grid::Grid;

@@ -2,19 +2,19 @@
 //!
 //! A rough contact has no order of convergence: asperities touch on one mesh and not on the next. So the
 //! errors of a mesh are estimated from the change since the mesh of half the cells along each side
-//! ([`change`]), and meshes are refined until the estimate is below the accuracy. The surface stays one
+//! (`contact::mesh_error`), and meshes are refined until the estimate is below the accuracy. The surface stays one
 //! surface, as its Fourier series is evaluated on each mesh. Where no cells are given, box and cells follow
 //! from the waves of the random surfaces, which must have a shortest length.
 
+use super::WorkUsed;
 use super::smooth::Plan;
-use super::surfaces::Surfaces;
-use super::{WorkUsed, change};
 use crate::boundary::Boundary;
 use crate::error::InputError;
 use crate::report::Status;
-use crate::reynolds::ContactDefinition;
 use crate::sim::contact::error_estimate::ErrorEstimate;
 use crate::sim::contact::interrupt::Interrupt;
+use crate::sim::contact::mesh_error::{self, Surfaces, require_half};
+use crate::sim::contact::numbers::FrictionNumbers;
 use crate::sim::contact::setup;
 use crate::sim::contact::solution::ContactSolution;
 use crate::sim::contact::warnings::Warning;
@@ -25,8 +25,6 @@ use crate::surface::{HeightDistribution, RandomShape};
 
 /// Meshes of more nodes are not tried.
 pub(super) const MAX_NODES: usize = 1 << 20;
-/// Fewest cells along a side that have a half.
-const FEWEST: usize = 10;
 /// Cells in the length over which a Gaussian autocorrelation falls to 10 %, and in the shortest wave of a
 /// self-affine surface: of the former the density of waves shorter than two of them is below 1e-4 of the
 /// largest.
@@ -68,7 +66,7 @@ impl Halving {
         interrupt: Option<&Interrupt>,
     ) -> Result<Self, SimError> {
         let surfaces = surfaces(&scene, field)?;
-        let mut halved = Scene { grid: of_cells(scene.grid, |n| n.div_ceil(2)), ..scene.clone() };
+        let mut halved = Scene { grid: scene.grid.with_counts(|n| n.div_ceil(2)), ..scene.clone() };
         // Two rows of the mesh that is asked for decide on the edge of the box.
         halved.solver.edge_contact = true;
         let half = on(&halved, &surfaces, interrupt).map_err(|error| on_half(error, field))?;
@@ -96,10 +94,11 @@ impl Halving {
         loop {
             let mut solution = contact.solve()?;
             work.add(&solution);
-            solution.error_estimate = change::estimate(&coarse, &solution);
+            solution.error_estimate = mesh_error::estimate(&(&coarse).into(), &(&solution).into());
             observer(&solution);
-            let error = solution.error_estimate.map_or(f64::INFINITY, |estimate| largest(&estimate));
-            let finer = Scene { grid: of_cells(scene.grid, |n| 2 * n), ..scene.clone() };
+            let error =
+                solution.error_estimate.map_or(f64::INFINITY, |estimate| largest(&estimate, &solution));
+            let finer = Scene { grid: scene.grid.with_counts(|n| 2 * n), ..scene.clone() };
             let unsolved = solution.report.status != Status::Converged;
             if error <= accuracy || unsolved || !is_affordable(&finer) {
                 solution.report.work = work.on(&solution.grid);
@@ -120,12 +119,15 @@ fn on(
     prepare_heights(scene, interrupt, surfaces.on(&scene.grid()?)?)
 }
 
-/// What an accuracy of a rough contact bounds.
-fn largest(estimate: &ErrorEstimate) -> f64 {
-    let ErrorEstimate {
-        film_mean_central, contact_load_ratio, contact_area_ratio, friction_coefficient, ..
-    } = *estimate;
-    film_mean_central.max(contact_load_ratio).max(contact_area_ratio).max(friction_coefficient)
+/// The largest of the four errors that an accuracy of a rough contact bounds, without the part of the box, which
+/// smaller cells do not change.
+fn largest(estimate: &ErrorEstimate, solution: &ContactSolution) -> f64 {
+    let FrictionNumbers { coefficient, fluid, .. } = solution.friction;
+    let by_box = estimate.film_by_box;
+    let friction_by_box = if coefficient > 0.0 { by_box * fluid / coefficient } else { 0.0 };
+    let film = estimate.film_mean_central - by_box;
+    let friction = estimate.friction_coefficient - friction_by_box;
+    film.max(estimate.contact_load_ratio).max(estimate.contact_area_ratio).max(friction)
 }
 
 /// Whether a mesh has at most [`MAX_NODES`] nodes and memory is granted for them.
@@ -137,29 +139,11 @@ fn is_affordable(scene: &Scene) -> bool {
 
 /// The surfaces of a scene that can be solved on half its cells too.
 fn surfaces(scene: &Scene, field: &str) -> Result<Surfaces, SimError> {
-    if scene.is_lubricated() && scene.solver.contact == ContactDefinition::UnifiedReynolds {
-        return Err(SimError::Input(InputError::Conflict {
-            field: "solver.contact = \"paper\"".to_owned(),
-            reason: format!(
-                "{field} needs \"hard\": where the pressure flow ends, numbers have no limit on fine meshes"
-            ),
-        }));
-    }
     setup::validate(scene)?;
     let grid = scene.grid()?;
     setup::validate_box(&grid, &scene.hertz()?, scene.form.is_line())?;
     setup::validate_memory(&grid, scene.is_lubricated())?;
-    let few = |n: usize| n < FEWEST;
-    for (axis, n, counts) in [("grid.nx", grid.nx(), true), ("grid.ny", grid.ny(), grid.ny() > 1)] {
-        if counts && few(n) {
-            return Err(SimError::Input(InputError::Conflict {
-                field: format!("{axis} = {n}"),
-                reason: format!(
-                    "{field} needs at least {FEWEST} cells along each side, so that half of them are a mesh"
-                ),
-            }));
-        }
-    }
+    require_half(scene, field)?;
     Surfaces::new(scene, &grid)
 }
 
@@ -170,16 +154,6 @@ fn on_half(error: SimError, field: &str) -> SimError {
             field: field.to_owned(),
             reason: format!("on half the cells along each side: {error}"),
         }),
-        other => other,
-    }
-}
-
-/// The same box with other cells.
-fn of_cells(grid: GridSpec, count: impl Fn(usize) -> usize) -> GridSpec {
-    match grid {
-        GridSpec::Cells { nx, ny, x, y } => GridSpec::Cells { nx: count(nx), ny: count(ny), x, y },
-        GridSpec::Growing { nx, ny, x, y } => GridSpec::Growing { nx: count(nx), ny: count(ny), x, y },
-        GridSpec::Row { nx, x } => GridSpec::Row { nx: count(nx), x },
         other => other,
     }
 }

@@ -6,7 +6,7 @@
 //! `r = |d_1/d_2|`, which is that at the order observed. The box is as long as its error asks for
 //! ([`InletScale`]), which is added.
 
-use super::{WorkUsed, change};
+use super::WorkUsed;
 use crate::error::InputError;
 use crate::grid::Grid;
 use crate::report::Status;
@@ -15,6 +15,7 @@ use crate::sim::contact::error_estimate::ErrorEstimate;
 use crate::sim::contact::far_field::{Contact, InletScale};
 use crate::sim::contact::formula::formula_film;
 use crate::sim::contact::interrupt::Interrupt;
+use crate::sim::contact::mesh_error;
 use crate::sim::contact::setup;
 use crate::sim::contact::solution::ContactSolution;
 use crate::sim::contact::warnings::Warning;
@@ -280,7 +281,8 @@ impl Meshes {
             [middle, finest] => Some((None, middle, finest)),
             _ => None,
         };
-        let changes = self.middle.and_then(|middle| change::estimate(&middle, &self.finest));
+        let changes =
+            self.middle.and_then(|middle| mesh_error::estimate(&(&middle).into(), &(&self.finest).into()));
         let errors = numbers.zip(changes).map(|((coarsest, middle, finest), changes)| {
             let of = |k: usize| relative_error(coarsest.map(|c| c[k]), middle[k], finest[k]);
             let box_error = self.finest.box_error;
@@ -289,7 +291,7 @@ impl Meshes {
             let overtaken = (1.0 + spike_growth) * spike / self.finest.pressure.max - 1.0;
             ErrorEstimate {
                 film_central: film(0, 1.0),
-                film_minimum: film(1, change::BOX_MINIMUM),
+                film_minimum: film(1, mesh_error::BOX_MINIMUM),
                 pressure_max: of(2).max(overtaken),
                 ..changes
             }

@@ -9,14 +9,14 @@ use crate::surface::Heights;
 /// Heights of ball and disc on the cells that hold them, and their Fourier series at the nodes of any others
 /// of the same box: no wave is added or left out, so that coarse nodes lie at the same heights as fine ones.
 #[derive(Debug)]
-pub(super) struct Surfaces {
+pub(in crate::sim) struct Surfaces {
     /// Ball and disc on the cells that hold them.
     bodies: [Heights; 2],
 }
 
 impl Surfaces {
     /// Those of `scene` on `grid`.
-    pub(super) fn new(scene: &Scene, grid: &Grid) -> Result<Self, SimError> {
+    pub(in crate::sim) fn new(scene: &Scene, grid: &Grid) -> Result<Self, SimError> {
         let of = |roughness, name| -> Result<Heights, SimError> {
             let heights = setup::heights(roughness, grid, name)?.heights;
             Ok(Heights::new(grid.nx(), grid.ny(), None, heights, None)?)
@@ -25,7 +25,7 @@ impl Surfaces {
     }
 
     /// Heights on `grid`, which fills the same box.
-    pub(super) fn on(&self, grid: &Grid) -> Result<[Vec<f64>; 2], SimError> {
+    pub(in crate::sim) fn on(&self, grid: &Grid) -> Result<[Vec<f64>; 2], SimError> {
         let [ball, disc] = &self.bodies;
         let of = |body: &Heights| -> Result<Vec<f64>, SimError> {
             if body.heights().iter().all(|height| *height == 0.0) {
@@ -39,7 +39,7 @@ impl Surfaces {
 
 /// The Fourier series of `body` at the centres of `nx` x `ny` cells. Fewer cells than those that hold it are
 /// the middle ones of three along each axis of a mesh that holds all waves.
-fn series_at_nodes(body: &Heights, nx: usize, ny: usize) -> Result<Vec<f64>, SimError> {
+pub(in crate::sim) fn series_at_nodes(body: &Heights, nx: usize, ny: usize) -> Result<Vec<f64>, SimError> {
     let parts = |cells: usize, holding: usize| if cells < holding { 3 } else { 1 };
     let (along_x, along_y) = (parts(nx, body.nx()), parts(ny, body.ny()));
     let fine = body.resample_fourier(along_x * nx, along_y * ny)?;

@@ -8,8 +8,11 @@
 use crate::grid::Grid;
 use crate::metrics::{CENTRAL, is_central};
 use crate::report::Status;
+use crate::reynolds::ContactState;
 use crate::sim::contact::error_estimate::ErrorEstimate;
+use crate::sim::contact::numbers::{ContactNumbers, FilmNumbers, FrictionNumbers, PressureNumbers};
 use crate::sim::contact::solution::ContactSolution;
+use crate::sim::scene::hertz::HertzContact;
 
 /// Of the load of the nodes that change sides, what the load ratio may still change by.
 const LOAD: f64 = 0.75;
@@ -29,17 +32,53 @@ const FILM: f64 = 1.2;
 /// Of the change of a film or a pressure at one point.
 const POINT: f64 = 1.5;
 /// The error that a box makes of the minimum film, over that of the central one: at most, measured 0.8 to 1.4.
-pub(super) const BOX_MINIMUM: f64 = 1.4;
+pub(in crate::sim) const BOX_MINIMUM: f64 = 1.4;
 /// Changes of a film below this share of the approach are rounding of a contact without one.
 const NO_FILM: f64 = 1e-9;
 
+/// A solved contact on one mesh.
+pub(in crate::sim) struct Mesh<'a> {
+    pub(in crate::sim) status: Status,
+    pub(in crate::sim) grid: Grid,
+    pub(in crate::sim) hertz: HertzContact,
+    pub(in crate::sim) state: &'a ContactState,
+    /// Shear stress of the fluid \[Pa\].
+    pub(in crate::sim) shear: &'a [f64],
+    pub(in crate::sim) film: FilmNumbers,
+    pub(in crate::sim) pressure: PressureNumbers,
+    pub(in crate::sim) contact: ContactNumbers,
+    pub(in crate::sim) friction: FrictionNumbers,
+    /// Coefficient of friction of solid contact.
+    pub(in crate::sim) boundary_friction: f64,
+    /// Relative error of the central film by the box.
+    pub(in crate::sim) box_error: f64,
+}
+
+impl<'a> From<&'a ContactSolution> for Mesh<'a> {
+    fn from(solution: &'a ContactSolution) -> Self {
+        Self {
+            status: solution.report.status,
+            grid: solution.grid,
+            hertz: solution.hertz,
+            state: &solution.state,
+            shear: &solution.shear,
+            film: solution.film,
+            pressure: solution.pressure,
+            contact: solution.contact,
+            friction: solution.friction,
+            boundary_friction: solution.boundary_friction,
+            box_error: solution.box_error,
+        }
+    }
+}
+
 /// The errors of `fine`, of which `coarse` is the same contact on larger cells; none unless both are solved.
-pub(super) fn estimate(coarse: &ContactSolution, fine: &ContactSolution) -> Option<ErrorEstimate> {
-    if [coarse, fine].iter().any(|solution| solution.report.status != Status::Converged) {
+pub(in crate::sim) fn estimate(coarse: &Mesh<'_>, fine: &Mesh<'_>) -> Option<ErrorEstimate> {
+    if [coarse, fine].iter().any(|mesh| mesh.status != Status::Converged) {
         return None;
     }
     let change = Change::between(coarse, fine);
-    let relative = |value: fn(&ContactSolution) -> f64| {
+    let relative = |value: fn(&Mesh<'_>) -> f64| {
         let (change, now) = ((value(fine) - value(coarse)).abs(), value(fine).abs());
         if change <= NO_FILM * fine.state.approach.abs() { 0.0 } else { change / now }
     };
@@ -84,7 +123,7 @@ struct Change {
 
 impl Change {
     /// Changes from `coarse`, each cell of `fine` against the cell of `coarse` that holds its node.
-    fn between(coarse: &ContactSolution, fine: &ContactSolution) -> Self {
+    fn between(coarse: &Mesh<'_>, fine: &Mesh<'_>) -> Self {
         let (mut sum, mut load) = (Self::default(), 0.0);
         let (mut pieces, mut films) = ([0.0; PIECES * PIECES], 0.0);
         for (k, (x, y)) in fine.grid.nodes().enumerate() {
@@ -117,7 +156,7 @@ impl Change {
 }
 
 /// The piece of the region of the mean film that holds the point `(x, y)`; none outside of it.
-fn piece_at(solution: &ContactSolution, x: f64, y: f64) -> Option<usize> {
+fn piece_at(solution: &Mesh<'_>, x: f64, y: f64) -> Option<usize> {
     let ellipse = solution.hertz.ellipse();
     let along = |share: f64| {
         let share = 0.5 * (1.0 + share / CENTRAL);
@@ -128,7 +167,7 @@ fn piece_at(solution: &ContactSolution, x: f64, y: f64) -> Option<usize> {
 }
 
 /// Share of the pressure of node `k` that is solid; none without pressure.
-fn solid_share(solution: &ContactSolution, k: usize) -> Option<f64> {
+fn solid_share(solution: &Mesh<'_>, k: usize) -> Option<f64> {
     let pressure = solution.state.pressure[k];
     (pressure > 0.0).then(|| (solution.state.solid_pressure(k) / pressure).min(1.0))
 }

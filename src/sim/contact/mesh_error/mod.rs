@@ -1,0 +1,41 @@
+//! Errors of the mesh, from the same contact on larger cells.
+//!
+//! `surfaces` evaluates heights on other cells of the same box, `change` turns the difference of two solutions into
+//! estimated errors of the finer one. `docs/errors.md` has the evidence.
+
+mod change;
+mod surfaces;
+
+use crate::error::InputError;
+use crate::reynolds::ContactDefinition;
+use crate::sim::scene::Scene;
+
+pub(in crate::sim) use change::{BOX_MINIMUM, Mesh, estimate};
+pub(in crate::sim) use surfaces::{Surfaces, series_at_nodes};
+
+/// Fewest cells along a side that have a half.
+const FEWEST: usize = 10;
+
+/// Refuses scenes that have no solution on half their cells, which their `field` needs.
+pub(in crate::sim) fn require_half(scene: &Scene, field: &str) -> Result<(), InputError> {
+    if scene.is_lubricated() && scene.solver.contact == ContactDefinition::UnifiedReynolds {
+        return Err(InputError::Conflict {
+            field: "solver.contact = \"paper\"".to_owned(),
+            reason: format!(
+                "{field} needs \"hard\": where the pressure flow ends, numbers have no limit on fine meshes"
+            ),
+        });
+    }
+    let grid = scene.grid()?;
+    for (axis, n, counts) in [("grid.nx", grid.nx(), true), ("grid.ny", grid.ny(), grid.ny() > 1)] {
+        if counts && n < FEWEST {
+            return Err(InputError::Conflict {
+                field: format!("{axis} = {n}"),
+                reason: format!(
+                    "{field} needs at least {FEWEST} cells along each side, so that half of them are a mesh"
+                ),
+            });
+        }
+    }
+    Ok(())
+}
