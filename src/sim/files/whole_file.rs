@@ -1,26 +1,26 @@
-//! Files that are there as a whole or not at all.
+//! Atomic replacement of files.
 //!
-//! What is replaced is first written under another name, brought to the disk and then renamed. Checkpoints
-//! and the small files of a run folder are written so.
+//! The new content is written to a temporary file, synced to disk and renamed. Checkpoints and the small
+//! files of a run folder are written this way.
 
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// The name under which a file is written before it takes its own.
+/// Path of the temporary file beside `path`.
 pub(in crate::sim) fn draft(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".partial");
     PathBuf::from(name)
 }
 
-/// Puts the [`draft`] in the place of `path` once the disk has it: whoever stops the process, or the machine,
-/// finds the old file or the new one.
+/// Renames the [`draft`] to `path` after it is synced to disk. If the process or the machine stops, either
+/// the old or the new file remains.
 pub(in crate::sim) fn put_in_place(path: &Path) -> io::Result<()> {
     let draft = draft(path);
     File::open(&draft)?.sync_all()?;
     fs::rename(&draft, path)?;
-    // The new name is safe when the folder is. Elsewhere folders cannot be opened.
+    // Sync the folder too, so that the new name is durable. Only Unix can open folders.
     #[cfg(unix)]
     {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
@@ -29,7 +29,7 @@ pub(in crate::sim) fn put_in_place(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Replaces the file with `bytes`. On an error the old file stays and no draft is left.
+/// Replaces the file with `bytes`. An error keeps the old file and removes the draft.
 pub(in crate::sim) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let drafted = File::create(draft(path)).and_then(|mut file| file.write_all(bytes));
     let written = drafted.and_then(|()| put_in_place(path));
