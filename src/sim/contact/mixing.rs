@@ -65,7 +65,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_linear_iteration_ends_after_as_many_steps_as_it_has_modes() {
+    fn linear_iteration_converges_in_as_many_steps_as_modes() {
         // g(x) = A x + b with eigenvalues far outside the unit circle.
         let rates = [-3.0, 0.5, 1.8, 0.0];
         let fixed = [1.0, -2.0, 3.0, 4.0];

@@ -19,7 +19,7 @@ use crate::regular_file;
 use crate::reynolds::ContactState;
 use crate::sim::contact::warnings::Warning;
 use crate::sim::error::CheckpointError;
-use crate::sim::files::whole_file;
+use crate::sim::files::atomic_file;
 use crate::sim::history::body::Body;
 use crate::sim::history::identity::{CONDITIONS, Identity};
 use crate::sim::history::simulation::MixedLubricationSim;
@@ -163,7 +163,7 @@ impl MixedLubricationSim {
         let path = path.as_ref();
         let io = |source| CheckpointError::Io { path: path.to_owned(), source };
         let bytes = self.checkpoint().map_err(|error| io(std::io::Error::other(error)))?;
-        whole_file::replace(path, &bytes).map_err(io)
+        atomic_file::replace(path, &bytes).map_err(io)
     }
 
     /// The bytes that [`save`](Self::save) writes, for copies in memory.

@@ -11,8 +11,8 @@ use crate::error::InputError;
 use crate::regular_file;
 use crate::reynolds::ContactState;
 use crate::sim::error::{CheckpointError, SimError};
+use crate::sim::files::atomic_file;
 use crate::sim::files::npz::write_npz;
-use crate::sim::files::whole_file;
 use crate::sim::history::observer::Observer;
 use crate::sim::history::record::StepRecord;
 use crate::sim::history::simulation::MixedLubricationSim;
@@ -141,7 +141,7 @@ impl RunFolder {
             [("scene.toml", &sim.scene().to_toml()?), ("run.toml", &run), ("history.csv", &header)]
         {
             let file = path.join(name);
-            whole_file::replace(&file, text.as_bytes())
+            atomic_file::replace(&file, text.as_bytes())
                 .map_err(|source| SimError::Io { path: file, source })?;
         }
         let mut history = Self::open_history(&path)?;
@@ -274,10 +274,12 @@ impl RunFolder {
         let states = film_states(sim);
         fields.extend(states.iter().map(|(name, state)| (name.as_str(), state.as_slice())));
         let (file, grid) = (self.path.join("fields.npz"), sim.grid());
-        let draft = whole_file::draft(&file);
+        let temporary = atomic_file::temporary_path(&file);
         let put =
-            || whole_file::put_in_place(&file).map_err(|source| SimError::Io { path: file.clone(), source });
-        write_npz(&draft, &grid, &fields).and_then(|()| put()).inspect_err(|_| drop(fs::remove_file(&draft)))
+            || atomic_file::put_in_place(&file).map_err(|source| SimError::Io { path: file.clone(), source });
+        write_npz(&temporary, &grid, &fields)
+            .and_then(|()| put())
+            .inspect_err(|_| drop(fs::remove_file(&temporary)))
     }
 
     /// The contact of the last committed step; `None` before the first.

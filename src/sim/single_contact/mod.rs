@@ -6,7 +6,7 @@ mod accuracy;
 pub(in crate::sim) mod expectation;
 mod memory;
 mod prepared;
-mod standing;
+mod solve_under;
 
 use super::contact::solution::ContactSolution;
 use super::error::SimError;

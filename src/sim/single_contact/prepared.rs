@@ -19,7 +19,7 @@ use crate::sim::contact::warnings::Warning;
 use crate::sim::contact::{outer_rows, setup, warnings};
 use crate::sim::error::SimError;
 use crate::sim::history::body::Body;
-use crate::sim::history::builder::{CustomParts, SimBuilder};
+use crate::sim::history::builder::{ReplacedParts, SimBuilder};
 use crate::sim::history::placement::Placement;
 use crate::sim::history::track::track_rq;
 use crate::sim::history::yielding::Yielding;
@@ -123,16 +123,16 @@ impl SimBuilder {
             return Ok(ReadySolve::Meshes(meshes));
         }
         let start = self.contact_start.take();
-        let own = self.own();
+        let replaced = self.replaced();
         let start = |grid: &Grid| Ok(start.unwrap_or_else(|| ContactState::new(grid)));
-        Ok(ReadySolve::Mesh(Box::new(self.prepare(own, start)?)))
+        Ok(ReadySolve::Mesh(Box::new(self.prepare(replaced, start)?)))
     }
 
-    /// The contact on the grid of the scene only, started from the state of `start`. `own` parts replace those of
+    /// The contact on the grid of the scene only, started from the state of `start`. `replaced` parts stand for those of
     /// the scene.
     pub(in crate::sim) fn prepare(
         mut self,
-        own: CustomParts,
+        replaced: ReplacedParts,
         start: impl FnOnce(&Grid) -> Result<ContactState, InputError>,
     ) -> Result<PreparedContact, SimError> {
         self.scene.schedule.read_tables()?;
@@ -144,8 +144,8 @@ impl SimBuilder {
         }
         let laws = self.laws()?;
         let bodies = [self.body(0, &contact, &laws)?, self.body(1, &contact, &laws)?];
-        let warnings = self.warnings(own, &contact, &bodies, &laws);
-        contact.face_mobility = self.face_mobility(own, &bodies);
+        let warnings = self.warnings(replaced, &contact, &bodies, &laws);
+        contact.face_mobility = self.face_mobility(replaced, &bodies);
         let state = start(&contact.grid)?;
         let mut prepared = PreparedContact::new(self.scene, contact, bodies, laws, state)?;
         prepared.warnings = warnings;
@@ -156,17 +156,17 @@ impl SimBuilder {
     pub(in crate::sim) fn custom_part(&self) -> Option<&'static str> {
         let [ball, disc] = &self.heights;
         let [ball_start, disc_start] = &self.starts;
-        let own = &self.custom;
+        let custom = &self.custom;
         [
             ("ball_heights", ball.is_some()),
             ("disc_heights", disc.is_some()),
             ("ball_start", ball_start.is_some()),
             ("disc_start", disc_start.is_some()),
             ("contact_start", self.contact_start.is_some()),
-            ("deformation", own.deformation.is_some()),
-            ("viscosity", own.viscosity.is_some()),
-            ("density", own.density.is_some()),
-            ("solver", own.solver.is_some()),
+            ("deformation", custom.deformation.is_some()),
+            ("viscosity", custom.viscosity.is_some()),
+            ("density", custom.density.is_some()),
+            ("solver", custom.solver.is_some()),
             ("plasticity", self.plasticity.is_some()),
             ("boundary_friction", self.friction.is_some()),
         ]
@@ -189,7 +189,7 @@ pub(in crate::sim) fn prepare_on_grid(
 ) -> Result<PreparedContact, SimError> {
     let mut builder = SimBuilder::new(scene.clone());
     builder.custom.interrupt = interrupt.cloned();
-    builder.prepare(CustomParts::default(), start)
+    builder.prepare(ReplacedParts::default(), start)
 }
 
 /// The contact with given heights of ball and disc on this grid \[m\].
@@ -201,7 +201,7 @@ pub(in crate::sim) fn prepare_heights(
     let mut builder = SimBuilder::new(scene.clone()).ball_heights(ball).disc_heights(disc);
     builder.custom.interrupt = interrupt.cloned();
     // The heights are those of the scene on another mesh.
-    builder.prepare(CustomParts::default(), |grid| Ok(ContactState::new(grid)))
+    builder.prepare(ReplacedParts::default(), |grid| Ok(ContactState::new(grid)))
 }
 
 /// A checked contact before its first iteration.

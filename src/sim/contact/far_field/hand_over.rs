@@ -84,7 +84,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn cubics_are_interpolated_exactly_inside() {
+    fn cubics_are_interpolated_exactly_in_the_interior() {
         let grid = Grid::centred(12, 9, 0.1, 0.2).unwrap();
         let cubic = |x: f64, y: f64| 1.0 + x * x * x - 2.0 * x * y * y + y * y * y;
         let field: Vec<f64> = grid.nodes().map(|(x, y)| cubic(x, y)).collect();

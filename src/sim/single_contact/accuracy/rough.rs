@@ -294,7 +294,7 @@ mod tests {
     use crate::sim::scene::LayerSpec;
 
     #[test]
-    fn a_soft_layer_widens_the_box() {
+    fn soft_layer_widens_the_box() {
         let mut scene = Scene::azam_2019(32);
         scene.lubricant = None;
         scene.roughness.ball = Roughness::gaussian(1e-9, 40e-6, 1);

@@ -52,7 +52,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_series_keeps_its_heights_on_all_meshes() {
+    fn fourier_series_has_equal_heights_on_all_meshes() {
         // Two waves; eight cells resolve only one of them.
         let height = |x: f64, y: f64| (6.0 * x + 0.3).cos() + 0.5 * (2.0 * (x - y)).sin();
         let on = |nx: usize, ny: usize| -> Vec<f64> {

@@ -8,18 +8,18 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Path of the temporary file beside `path`.
-pub(in crate::sim) fn draft(path: &Path) -> PathBuf {
+pub(in crate::sim) fn temporary_path(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".partial");
     PathBuf::from(name)
 }
 
-/// Renames the [`draft`] to `path` after it is synced to disk. If the process or the machine stops, either
+/// Renames the temporary file to `path` after it is synced to disk. If the process or the machine stops, either
 /// the old or the new file remains.
 pub(in crate::sim) fn put_in_place(path: &Path) -> io::Result<()> {
-    let draft = draft(path);
-    File::open(&draft)?.sync_all()?;
-    fs::rename(&draft, path)?;
+    let temporary = temporary_path(path);
+    File::open(&temporary)?.sync_all()?;
+    fs::rename(&temporary, path)?;
     // Sync the folder too, so that the new name is durable. Only Unix can open folders.
     #[cfg(unix)]
     {
@@ -29,11 +29,11 @@ pub(in crate::sim) fn put_in_place(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Replaces the file with `bytes`. An error keeps the old file and removes the draft.
+/// Replaces the file with `bytes`. An error keeps the old file and removes the temporary file.
 pub(in crate::sim) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let drafted = File::create(draft(path)).and_then(|mut file| file.write_all(bytes));
-    let written = drafted.and_then(|()| put_in_place(path));
-    written.inspect_err(|_| drop(fs::remove_file(draft(path))))
+    let created = File::create(temporary_path(path)).and_then(|mut file| file.write_all(bytes));
+    let written = created.and_then(|()| put_in_place(path));
+    written.inspect_err(|_| drop(fs::remove_file(temporary_path(path))))
 }
 
 #[cfg(test)]
@@ -41,11 +41,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn half_a_draft_leaves_the_old_file() {
+    fn incomplete_temporary_file_keeps_the_old_file() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("file");
         replace(&path, b"old").unwrap();
-        fs::write(draft(&path), b"half of the n").unwrap();
+        fs::write(temporary_path(&path), b"half of the n").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"old");
         replace(&path, b"new").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"new");
@@ -53,11 +53,11 @@ mod tests {
     }
 
     #[test]
-    fn a_failed_replacement_leaves_no_draft() {
+    fn failed_replacement_removes_the_temporary_file() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("file");
         fs::create_dir(&path).unwrap(); // a folder is not replaced by a file
         assert!(replace(&path, b"new").is_err());
-        assert!(path.is_dir() && !draft(&path).exists());
+        assert!(path.is_dir() && !temporary_path(&path).exists());
     }
 }

@@ -40,7 +40,7 @@ impl MixedLubricationSim {
         let squeeze = std::mem::take(&mut self.surface_motion.squeeze);
         let start = self.contact_start.take();
         let film = self.film_heat.as_mut().map(FilmIteration::take_start);
-        let solved = self.solve_standing(conditions);
+        let solved = self.solve_and_measure(conditions);
         if let (Some(heat), Some(film)) = (&mut self.film_heat, film) {
             heat.set_start(film);
         }
@@ -52,7 +52,7 @@ impl MixedLubricationSim {
     }
 
     /// Solves and measures the contact under `conditions`; the caller restores the changed state.
-    fn solve_standing(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
+    fn solve_and_measure(&mut self, conditions: &Conditions) -> Result<ContactSolution, SimError> {
         self.contact.set_conditions(&self.scene, conditions)?;
         let solved = self.solve_at([Offset::default(); 2])?;
         let Self { contact, placement, friction, yielding, laws, state, bodies, .. } = self;
