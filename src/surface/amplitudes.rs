@@ -139,7 +139,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn amplitudes_do_not_hang_on_the_rounding_of_the_transform() {
+    fn amplitudes_are_independent_of_transform_rounding() {
         let grid = Grid::centred(256, 1, 1.0, 1.0).unwrap();
         for length_x in [3.0, 20.0, 256.0] {
             let shape = RandomShape::Correlated {
@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn needed_correlations_lie_between_those_of_the_table() {
+    fn needed_correlations_are_interpolated_from_the_table() {
         let johnson = Johnson::new(-1.0, 5.0).unwrap();
         let pairs = johnson.correlations();
         let table = CorrelationTable::new(pairs.clone());

@@ -272,7 +272,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_moments_asked_for_come_out() {
+    fn fitted_curve_has_the_requested_moments() {
         let cases = [
             (0.0, 3.0),
             (-1.0, 5.0),

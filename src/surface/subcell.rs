@@ -154,7 +154,7 @@ mod tests {
     use crate::surface::motion::add_blended;
 
     #[test]
-    fn shifts_follow_their_definitions() -> Result<(), InputError> {
+    fn shifts_match_their_definitions() -> Result<(), InputError> {
         let (mut out, mut field) = ([0.0; 4], [0.0; 4]);
         let quarter = Offset { columns: 1, rows: 0, fraction: 0.25 };
         blend_shifted(&[1.0, 2.0, 3.0, 4.0], 4, 1, quarter, &mut out)?;
@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn blending_there_and_adding_back_keeps_sums_and_signs() -> Result<(), InputError> {
+    fn blended_shift_and_its_adjoint_keep_sums_and_signs() -> Result<(), InputError> {
         let (nx, ny) = (15, 3);
         let field: Vec<f64> = (0..nx * ny).map(|k| (k as f64).sin().max(0.0)).collect();
         let (mut seen, mut back) = (vec![0.0; nx * ny], vec![0.0; nx * ny]);
@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_fit_is_refused() {
+    fn fields_of_wrong_length_are_rejected() {
         assert!(copy_shifted(&[0.0; 5], 2, 3, (0, 0), &mut [0.0; 6]).is_err());
         assert!(copy_shifted(&[0.0; 6], 2, 3, (0, 0), &mut [0.0; 5]).is_err());
         let offset = Offset { columns: 1, rows: 1, fraction: 0.5 };

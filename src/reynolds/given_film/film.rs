@@ -268,7 +268,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn jumps_are_found_wherever_they_are() {
+    fn jumps_are_found_at_any_position() {
         for edge in [1e-5, 0.1, 0.5, 0.77, 0.999] {
             let found = way(|x| if x < edge { 3.0 } else { 1.0 + 0.1 * x }, [0.0, 1.0]);
             assert!((found.share - edge).abs() < 2e-6, "{edge}: {}", found.share);
@@ -282,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn films_that_are_not_positive_are_named() {
+    fn error_names_the_position_of_a_non_positive_film() {
         let grid = Grid::from_edges(3, 1, [0.0, 3.0], [0.0, 1.0]).unwrap();
         let error = |film: &[f64]| FilmThickness::from_nodes(grid, film).unwrap_err().to_string();
         assert!(error(&[1.0, -2.0, 1.0]).contains("film[1] = -2"));
