@@ -31,7 +31,7 @@ const FEW_NODES: usize = 64 * 64;
 const FILM_OVER_CONTACT: f64 = 10.0;
 
 /// Uses [`Dry`] without a lubricant. Uses [`Multigrid`] if a smooth full film is expected on more than 64 x 64
-/// nodes; [`NewtonKrylov`] finishes what does not reach the tolerance, and solves all other contacts. If it does not
+/// nodes; [`NewtonKrylov`] continues if the tolerance is not reached, and solves all other contacts. If it does not
 /// converge and no solids touch, [`SemiSystem`] is tried, which would not converge in solid contact. The report
 /// names the solver whose state was kept ([`SolverId::MultigridThenNewton`] if Newton's method continued from
 /// multigrid) and sums the work of all.

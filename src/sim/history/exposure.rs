@@ -76,9 +76,9 @@ pub(in crate::sim) fn validate(
         match radius {
             Some(radius) => {
                 let track = track_length(radius);
-                if let Some((what, length)) = lengths.into_iter().find(|(_, length)| track < *length) {
+                if let Some((part, length)) = lengths.into_iter().find(|(_, length)| track < *length) {
                     let reason = format!(
-                        "a track of {track:e} m is shorter than the {what}, which is {length:e} m long"
+                        "a track of {track:e} m is shorter than the {part}, which is {length:e} m long"
                     );
                     return Err(InputError::Conflict { field: format!("{field} = {radius:e}"), reason });
                 }

@@ -50,8 +50,8 @@ impl SimBuilder {
         if !self.scene.grid.grows() {
             return Ok(());
         }
-        let refuse = |what: &str| {
-            let reason = format!("{what} on the cells of one box, a box that grows needs others");
+        let refuse = |part: &str| {
+            let reason = format!("{part} on the cells of one box, a box that grows needs others");
             Err(InputError::Conflict { field: "grid.grows".to_owned(), reason })
         };
         if let Some(part) = self.part_on_one_grid() {

@@ -6,7 +6,7 @@
 //! `F_k = sum over faces of c a_face (phi_k - phi_neighbour) + w (M_east - M_west) + s (m_k - m_previous)`
 //!
 //! with `m = rho/rho_0 h`, `c = 1 / (U dx)` (faces in x) or `dx / (U dy^2)` (faces in y), `w = u / U` and
-//! `s = dx / (U dt)`. `M` is what entrainment carries through a face ([`Scheme`]); `a_face`, a mean of
+//! `s = dx / (U dt)`. `M` is the entrained flux through a face ([`Scheme`]); `a_face`, a mean of
 //! `h^3 / (12 eta_0)`, and the potential `phi` are those of the [`FaceMobility`].
 //!
 //! With shear thinning the mobility of a face is divided by the mean of `eta*/eta` of its two nodes along the

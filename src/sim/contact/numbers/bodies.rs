@@ -114,7 +114,7 @@ impl DepthNumbers {
 /// use stribeck::sim::{MixedLubricationSim, Scene};
 /// let mut sim = MixedLubricationSim::builder(Scene::azam_2019(16)).build()?;
 /// let (first, second) = (sim.step(10.0)?, sim.step(10.0)?);
-/// assert!(second.plastic.volume >= first.plastic.volume, "what is flattened stays flat");
+/// assert!(second.plastic.volume >= first.plastic.volume, "plastic deformation is permanent");
 /// # Ok::<(), stribeck::sim::SimError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
