@@ -124,6 +124,7 @@ impl Coupled {
         }
         problem.deformation.displacement(&state.pressure, &mut self.elastic_film)?;
         self.convolutions += 1.0;
+        // Elastic film: gap plus displacement minus approach.
         for (h, gap) in self.elastic_film.iter_mut().zip(problem.gap) {
             *h += gap - state.approach;
         }
@@ -149,6 +150,7 @@ impl Coupled {
             return;
         }
         for (k, side) in self.active_set.iter().enumerate() {
+            // At the limit the plastic depth of the fluid is an unknown; that of solids closes the gap.
             state.plastic_depth[k] = if side.fluid == Fluid::AtLimit {
                 state.plastic_depth[k].max(0.0)
             } else if state.pressure[k] >= problem.limit_at(k) {
@@ -193,6 +195,7 @@ impl Coupled {
     pub(super) fn classify(&mut self, problem: &LubricatedContact<'_>, state: &ContactState) {
         let lubricated = problem.lubricant.is_some();
         for k in 0..self.active_set.len() {
+            // Pressure change that would satisfy the mass balance.
             let fluid_push = if lubricated && self.active_set[k].fluid != Fluid::Boundary {
                 -self.balance[k] / self.fluid.diagonal(k, self.near)
             } else {
@@ -225,6 +228,7 @@ impl Coupled {
         let previous = problem.squeeze.map(|s| s.previous_mass);
         let (mut mass, mut build_up, mut gap_error) = (0.0, 0.0, 0.0);
         for (k, side) in self.active_set.iter().enumerate() {
+            // Mass: imbalance of the cell, or accumulation in a cavitated cell.
             let (p, fluid_p, film) = (state.pressure[k], state.fluid_pressure[k], state.film[k]);
             if problem.lubricant.is_some() && side.fluid != Fluid::Boundary {
                 if problem.is_paper() && is_at_limit(problem, k, p) {
@@ -241,9 +245,11 @@ impl Coupled {
             if problem.is_paper() {
                 continue;
             }
+            // Complementarity: gap error in solid contact, penetration elsewhere.
             let touches = p > fluid_p;
             gap_error += if touches { (film - contact_film).abs() } else { (contact_film - film).max(0.0) };
         }
+        // Scale by the flux of the mean film and by its volume in the contact.
         let per_flux = grid.dy() / self.flux_scale(problem, film_scale * 2.0 * half_y);
         let per_area = grid.cell_area() / (film_scale * std::f64::consts::PI * half_x * half_y);
         Residuals {

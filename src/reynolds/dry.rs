@@ -153,7 +153,7 @@ impl Dry {
 }
 
 /// Error if a node of the two outermost rings carries pressure.
-fn refuse_edge_contact(grid: &Grid, state: &ContactState) -> Result<(), ReynoldsError> {
+fn reject_edge_contact(grid: &Grid, state: &ContactState) -> Result<(), ReynoldsError> {
     let (nx, ny) = (grid.nx(), grid.ny());
     for k in 0..grid.len() {
         let (i, j) = (k % nx, k / nx);
@@ -215,7 +215,7 @@ impl ContactSolver for Dry {
             Status::MaxIterations
         };
         if status == Status::Converged && !self.edge_contact {
-            refuse_edge_contact(&grid, state)?;
+            reject_edge_contact(&grid, state)?;
         }
         let work = Work {
             convolutions: outcome.convolutions + coupled.convolutions,

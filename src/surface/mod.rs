@@ -9,7 +9,7 @@
 //! | [`Heights`] | a measured surface: removal of form, filters, filling of holes, transfer to a grid |
 //! | `read`, `read_with`, `read_bytes` (feature `formats`) | instrument files: x3p, sur, sdf, prf, plu, al3d, npy, text |
 //! | `write_x3p`, `write_npy`, `write_text` (feature `formats`) | lossless output files |
-//! | [`RoughnessMotion`] | where periodic roughness stands from step to step: [`AlongTrack`], [`RandomShift`], [`Advected`], [`AtRest`] |
+//! | [`RoughnessMotion`] | position of periodic roughness from step to step: [`AlongTrack`], [`RandomShift`], [`Advected`], [`Fixed`] |
 //! | [`FourierShift`] | shift by less than a cell |
 //!
 //! Heights are in metres and point out of the body: a positive height narrows the gap.

@@ -119,6 +119,7 @@ impl FaceFlow {
     /// the denser fluid needs less back flow in the inlet.
     #[inline(always)]
     fn densified(self, a: &NodeFlow, b: &NodeFlow) -> Self {
+        // Relative rise of the density and decrease of the film.
         let (rise, fall) = (b.density / a.density - 1.0, 1.0 - b.film / a.film);
         if !(rise > 0.0 && fall > 0.0) {
             return self;

@@ -97,11 +97,13 @@ impl Spin {
     pub(super) fn configure(&mut self, grid: &Grid, radius: f64, wedge: f64) {
         let per_row = wedge * grid.dx() / grid.dy();
         self.nx = grid.nx();
+        // Speeds of the rows along x and of the columns along y.
         self.wedges.clear();
         self.wedges.extend((0..grid.ny()).map(|j| wedge * (1.0 - grid.y(j) / radius)));
         self.columns.clear();
         self.columns.extend((0..grid.nx()).map(|i| per_row * grid.x(i) / radius));
         (self.sweep_order.nx, self.sweep_order.rows) = (grid.nx(), inner_rows(grid));
+        // Flow direction of the columns.
         self.sweep_order.is_south.clear();
         self.sweep_order.is_south.extend(self.columns.iter().map(|column| *column < 0.0));
         for field in [&mut self.full, &mut self.entrained, &mut self.advected_fraction] {

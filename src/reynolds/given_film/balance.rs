@@ -248,6 +248,7 @@ impl<'a> Balance<'a> {
         for (j, i) in rows.flat_map(|j| (0..nx).map(move |i| (j, i))) {
             let k = j * nx + i;
             for _ in 0..LOCAL_STEPS {
+                // Newton step on the net outflow of the cell.
                 let [west, east] = [self.flow_along(i, j), self.flow_along(i + 1, j)];
                 let [south, north] = [self.flow_across(i, j), self.flow_across(i, j + 1)];
                 let outflow = east.value - west.value + north.value - south.value;
@@ -257,6 +258,7 @@ impl<'a> Balance<'a> {
                     unknowns[k] = self.moved(k, before, outflow / slope);
                     self.fluids[k] = self.fluid(k, unknowns[k]);
                 }
+                // Repeat only if the cell changes between full and cavitated.
                 if (unknowns[k] < 0.0) == (before < 0.0) {
                     break;
                 }
@@ -277,7 +279,9 @@ impl<'a> Balance<'a> {
         let [first, second] = self.ends_along(i, j);
         let density = 0.5 * (first.density + second.density);
         let c = face.conductance;
+        // Flow of a full film through both pieces.
         let joined = density * first.theta * face.film + c * (first.potential - second.potential);
+        // Flow of the first piece alone, with rupture at the joint.
         let ruptured_density = 0.5 * (first.density + self.cavitated_density);
         let alone =
             ruptured_density * first.theta * face.first_film + face.first_conductance * first.potential;

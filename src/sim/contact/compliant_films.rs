@@ -26,7 +26,7 @@ impl CompliantFilms {
     }
 
     /// Adds the deflection of films of thickness `films` \[m\] to `bodies`.
-    fn lie_on(
+    fn add_to(
         &mut self,
         bodies: &mut WithLocalCompliance<Interruptible>,
         [ball, disc]: &[Vec<f64>; 2],
@@ -41,9 +41,9 @@ impl CompliantFilms {
 
 impl ContactModel {
     /// Sets the tribofilms of ball and disc \[m\] as placed in the contact, for the next solves.
-    pub(in crate::sim) fn cover(&mut self, films: &[Vec<f64>; 2]) -> Result<(), InputError> {
+    pub(in crate::sim) fn set_tribofilms(&mut self, films: &[Vec<f64>; 2]) -> Result<(), InputError> {
         match &mut self.films {
-            Some(compliant) => compliant.lie_on(&mut self.deformation, films),
+            Some(compliant) => compliant.add_to(&mut self.deformation, films),
             None => Ok(()),
         }
     }

@@ -38,7 +38,7 @@ const STEP: f64 = 0.5;
 pub(in crate::sim) type Solved = (SolveReport, Option<(ThermalNumbers, Vec<f64>)>);
 
 /// Whether the film temperature is modelled.
-pub(in crate::sim) fn is_asked(scene: &Scene) -> bool {
+pub(in crate::sim) fn is_modelled(scene: &Scene) -> bool {
     scene.is_lubricated() && scene.lubricant.is_some_and(|lubricant| lubricant.thermal.is_some())
 }
 

@@ -38,13 +38,13 @@ pub(in crate::sim) struct Interruptible<M: ?Sized = dyn OwnedModel> {
     /// The interrupt, if any.
     interrupt: Option<Interrupt>,
     /// Whether an interrupt was returned as an error. Shared with the same model on other grids.
-    heeded: Arc<AtomicBool>,
+    was_interrupted: Arc<AtomicBool>,
 }
 
 impl Interruptible {
     /// The `model` with an optional interrupt.
     pub(in crate::sim) fn new(model: Box<dyn OwnedModel>, interrupt: Option<Interrupt>) -> Self {
-        Self { model, interrupt, heeded: Arc::default() }
+        Self { model, interrupt, was_interrupted: Arc::default() }
     }
 
     /// The interrupt, if any.
@@ -54,13 +54,13 @@ impl Interruptible {
 
     /// Whether the solve was interrupted.
     pub(in crate::sim) fn is_interrupted(&self) -> bool {
-        self.heeded.load(Ordering::Relaxed)
+        self.was_interrupted.load(Ordering::Relaxed)
     }
 
     /// Resets and returns the flag, before a solve.
     pub(in crate::sim) fn begin(&self) -> Arc<AtomicBool> {
-        self.heeded.store(false, Ordering::Relaxed);
-        Arc::clone(&self.heeded)
+        self.was_interrupted.store(false, Ordering::Relaxed);
+        Arc::clone(&self.was_interrupted)
     }
 }
 
@@ -78,7 +78,7 @@ impl<M: DeformationModel + ?Sized> DeformationModel for Interruptible<M> {
 
     fn displacement(&mut self, pressure: &[f64], out: &mut [f64]) -> Result<(), InputError> {
         if self.interrupt.as_ref().is_some_and(|interrupt| (interrupt.0)()) {
-            self.heeded.store(true, Ordering::Relaxed);
+            self.was_interrupted.store(true, Ordering::Relaxed);
             return Err(InputError::Conflict {
                 field: "solve".to_owned(),
                 reason: "it was interrupted".to_owned(),
@@ -98,8 +98,8 @@ impl<M: DeformationModel + ?Sized> DeformationModel for Interruptible<M> {
     fn on_grid(&self, grid: Grid) -> Option<Box<dyn DeformationModel>> {
         let model = self.model.on_grid(grid)?;
         let Some(interrupt) = &self.interrupt else { return Some(model) };
-        let (interrupt, heeded) = (Some(interrupt.clone()), Arc::clone(&self.heeded));
-        Some(Box::new(Interruptible::<dyn DeformationModel> { model, interrupt, heeded }))
+        let (interrupt, was_interrupted) = (Some(interrupt.clone()), Arc::clone(&self.was_interrupted));
+        Some(Box::new(Interruptible::<dyn DeformationModel> { model, interrupt, was_interrupted }))
     }
 
     fn approximations(&mut self) -> Option<&mut dyn ResponseApproximations> {

@@ -28,7 +28,7 @@ use crate::sim::scene::operating_schedule::{Conditions, OperatingSchedule};
 use crate::sim::scene::{InletSpec, Motion, PlasticSpec, Scene};
 
 /// Residual over tolerance up to which a custom solver counts as converged: its films are rounded differently.
-const CONFIRMED: f64 = 2.0;
+const VERIFIED: f64 = 2.0;
 
 /// Grid, elastic bodies, lubricant, load and solver of a scene.
 #[derive(Debug, Clone)]
@@ -48,7 +48,7 @@ pub(in crate::sim) struct ContactModel {
     /// The solver.
     pub(in crate::sim) solver: Box<dyn OwnedSolver>,
     /// Whether the solver is a custom one, whose solutions are verified.
-    pub(in crate::sim) confirms: bool,
+    pub(in crate::sim) verifies: bool,
     /// Tolerance and largest number of iterations.
     pub(in crate::sim) rule: StoppingRule,
     /// Entrainment scheme.
@@ -189,14 +189,14 @@ impl ContactModel {
             evaluation: None,
             reuses_buffers: true,
             flow: None,
-            film_flows: film_heat::is_asked(scene).then(FilmFlows::default),
+            film_flows: film_heat::is_modelled(scene).then(FilmFlows::default),
             grid,
             hertz,
             form_gap,
             deformation,
             films: CompliantFilms::of(scene, grid.len())?,
             lubricant,
-            confirms: custom.solver.is_some(),
+            verifies: custom.solver.is_some(),
             solver: custom.solver.map_or_else(|| setup::solver(scene), Ok)?,
             rule: setup::stopping_rule(scene)?,
             scheme: scene.scheme(),
@@ -355,7 +355,7 @@ impl ContactModel {
         (squeeze, edge): (Option<Squeeze<'_>>, Option<EdgePressure<'_>>),
         state: &mut ContactState,
     ) -> Result<SolveReport, SimError> {
-        let (heeded, rule, confirms) = (self.deformation.bodies().begin(), self.rule, self.confirms);
+        let (was_interrupted, rule, verifies) = (self.deformation.bodies().begin(), self.rule, self.verifies);
         let reuses_buffers = self.reuses_buffers;
         let mut film_flows = self.film_flows.take();
         let (mut problem, solver, evaluation) = self.problem(gap, limit, squeeze, edge);
@@ -364,13 +364,13 @@ impl ContactModel {
             // A clone has no buffers.
             *solver = solver.clone();
         }
-        let is_measured = problem.lubricant.is_some() || confirms;
+        let is_measured = problem.lubricant.is_some() || verifies;
         let mut evaluation =
             is_measured.then(|| evaluation.get_or_insert_with(|| Evaluation::new(problem.grid())));
-        if let (Some(evaluation), true) = (&mut evaluation, confirms) {
-            solved = solved.and_then(|report| confirmed(report, evaluation, &mut problem, state, &rule));
+        if let (Some(evaluation), true) = (&mut evaluation, verifies) {
+            solved = solved.and_then(|report| verified(report, evaluation, &mut problem, state, &rule));
         }
-        let interrupted = heeded.load(Ordering::Relaxed);
+        let interrupted = was_interrupted.load(Ordering::Relaxed);
         // The state of a solve that diverged may be invalid, without a flow.
         let is_state = state.validate(&problem.grid()).is_ok();
         let measured = match (&solved, evaluation) {
@@ -392,7 +392,7 @@ impl ContactModel {
 
 /// The report of a custom solver with the evaluated residuals of its state. Films, plastic depths and masses of the
 /// state are overwritten with those of its pressures.
-fn confirmed(
+fn verified(
     report: SolveReport,
     evaluation: &mut Evaluation,
     problem: &mut LubricatedContact<'_>,
@@ -404,7 +404,7 @@ fn confirmed(
     }
     let residual = evaluation.evaluate(problem, state)?;
     // NaN does not count as converged.
-    let holds = residual.max() <= CONFIRMED * rule.tolerance && residual.is_finite();
+    let holds = residual.max() <= VERIFIED * rule.tolerance && residual.is_finite();
     let status = if holds { Status::Converged } else { Status::Unverified };
     Ok(SolveReport { status, residual, ..report })
 }

@@ -14,7 +14,7 @@ use crate::reynolds::{Auto, Dry, Multigrid, NewtonKrylov, SemiSystem, StoppingRu
 use crate::sim::contact::boxed_clone::OwnedSolver;
 use crate::sim::contact::friction::boundary_law;
 pub(in crate::sim) use crate::sim::contact::memory::validate_memory;
-use crate::sim::contact::warnings::refuse_slips;
+use crate::sim::contact::warnings::reject_units;
 use crate::sim::error::SimError;
 use crate::sim::scene::hertz::HertzContact;
 use crate::sim::scene::{FileRoughness, LubricantSpec, Roughness, Scene, SolverKind, ViscositySpec};
@@ -93,7 +93,7 @@ pub(in crate::sim) fn validate(scene: &Scene) -> Result<(), InputError> {
         validate_accuracy("solver.accuracy", accuracy)?;
     }
     stopping_rule(scene)?;
-    refuse_slips(scene)
+    reject_units(scene)
 }
 
 /// Checks a target relative error of the mesh.

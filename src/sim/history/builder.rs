@@ -460,7 +460,7 @@ impl SimBuilder {
         let field = format!("{name}_heights");
         contact.grid.require_field(&field, &initial)?;
         let half_width = contact.hertz.half_width_x.min(contact.hertz.half_width_y);
-        warnings::refuse_height_slip(&format!("roughness.{name}"), &initial, half_width)?;
+        warnings::reject_height_unit(&format!("roughness.{name}"), &initial, half_width)?;
         Ok(Body::new(initial, laws.growth.as_deref()))
     }
 }

@@ -58,7 +58,7 @@ impl Heat {
             Flash::Auto => estimate >= NEGLIGIBLE_RISE,
         };
         let speeds = operating_schedule.at(0.0).motion.surface_speeds();
-        let needed = is_modelled && !film_heat::is_asked(scene);
+        let needed = is_modelled && !film_heat::is_modelled(scene);
         let flash = if needed { Some(FlashTemperature::new(&contact.grid, bodies, speeds)?) } else { None };
         let zeros = || vec![0.0; contact.grid.len()];
         Ok(Self { is_modelled, flash, estimate, bodies, speeds, sources: zeros(), rises: [zeros(), zeros()] })

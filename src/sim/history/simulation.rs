@@ -369,7 +369,7 @@ impl MixedLubricationSim {
         let offsets = self.offsets()?;
         let Self { bodies, contact, laws, state, contact_start, placement, yielding, .. } = self;
         placement.place(bodies, &contact.form_gap, offsets)?;
-        contact.cover(&placement.films)?;
+        contact.set_tribofilms(&placement.films)?;
         let limit = match &laws.plasticity {
             None => None,
             Some(models) => {
@@ -385,7 +385,7 @@ impl MixedLubricationSim {
     pub(in crate::sim) fn solve_at(&mut self, offsets: Offsets) -> Result<Solved, SimError> {
         let Self { contact, laws, state, placement, yielding, squeeze_memory, squeezed, .. } = self;
         placement.place(&self.bodies, &contact.form_gap, offsets)?;
-        contact.cover(&placement.films)?;
+        contact.set_tribofilms(&placement.films)?;
         let squeeze =
             if self.surface_motion.squeeze { squeeze_memory.squeeze(self.step, squeezed)? } else { None };
         // With squeeze the previous film is close to the next one: keep it as a start. Otherwise the roughness

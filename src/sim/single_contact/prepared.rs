@@ -251,7 +251,7 @@ impl PreparedContact {
         let mut placement = Placement::new(grid);
         placement.place(&bodies, &model.form_gap, [Offset::default(); 2])?;
         let Placement { gap, films: tribofilms, depths, .. } = placement;
-        model.cover(&tribofilms)?;
+        model.set_tribofilms(&tribofilms)?;
         let limit = match &laws.plasticity {
             None => None,
             Some(plasticity) => {

@@ -24,8 +24,10 @@ impl Discretisation {
             for k in spin.sweep_order.downstream(i).filter(|k| pressure[*k] <= 0.0) {
                 let ([enters, leaves], wedge) = (spin.through(k), spin.wedge(k));
                 let full = wedge * self.entrained[k];
+                // Inflow and outflow along both axes.
                 let through = [wedge * self.entrained[k - 1] + enters, full + leaves];
                 if let Some((theta, inflow_factor)) = self.film_fraction_of(k, through, previous) {
+                    // Entrain the film fraction along both axes.
                     self.theta[k] = theta;
                     self.entrained[k] *= theta;
                     self.advected_fraction[k] = full / inflow_factor;

@@ -83,6 +83,7 @@ impl Discretisation {
         let (nx, n) = (self.grid.nx(), self.grid.len());
         let (mut inflow, mut outflow) = (0.0, 0.0);
         let mut count = |out: f64| if out > 0.0 { outflow += out } else { inflow -= out };
+        // Faces at both ends of each row, then those of the first and the last row.
         for first in inner_rows(&self.grid).map(|j| j * nx) {
             let through = |k: usize| self.wedge_at(k) * self.entrained[k] + self.east_flow[k];
             count(-through(first));
@@ -107,6 +108,7 @@ impl Discretisation {
         let (along, across) = (self.rate * self.grid.dx(), self.rate * self.grid.dy());
         flows.resize(n);
         flows.has_edge_pressure = !self.edge_pressure.is_empty();
+        // Pressure flow per width.
         for k in 0..n {
             if k % nx + 1 < nx {
                 flows.east[k] = along * self.east_flow[k];

@@ -63,6 +63,7 @@ impl Discretisation {
         let film = self.face_film(k, column);
         let own_film = self.masses[k] / own.density;
         let by_films = |density: f64| [film.by_own, film.by_next, film.by_up].map(|by| density * by);
+        // Entrainment correction by densities and films.
         let (by_densities, by_films) = match self.scheme {
             Scheme::SecondOrder if column > 0 => {
                 let up_film = self.masses[k - 1] / up.density;
@@ -92,6 +93,7 @@ impl Discretisation {
                 per_film * film.by_up + per_inlet * inlet.by_up,
             ];
         }
+        // Chain rule: densities depend on pressures, films on the unknown films.
         let slopes = [own.density_p, up.density_p];
         let films = [own.film_h, next.film_h, up.film_h];
         let wedge = if self.is_starved(k) { 0.0 } else { self.wedge_at(k) };

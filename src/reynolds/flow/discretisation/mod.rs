@@ -308,6 +308,7 @@ impl Discretisation {
     /// to date.
     fn update_entrained(&mut self, held: usize, pressure: &[f64], previous: Option<&[f64]>) {
         let (nx, n) = (self.grid.nx(), self.grid.len());
+        // Entrain full films first.
         for k in (0..n).step_by(nx).flat_map(|first| first + held..first + nx) {
             self.entrained[k] = self.masses[k] + self.beyond[k];
             self.theta[k] = 1.0;
@@ -319,6 +320,7 @@ impl Discretisation {
                 self.update_film_fractions_across(pressure, previous);
                 return;
             }
+            // Film fractions of cavitated nodes, in flow direction.
             for k in interior(&self.grid).filter(|k| pressure[*k] <= 0.0 && k % nx >= held) {
                 self.update_film_fraction(k, previous);
             }
@@ -338,6 +340,7 @@ impl Discretisation {
 
     /// Updates nodes, faces and entrainment corrections.
     fn update_faces(&mut self, lubricant: &Lubricant, pressure: &[f64], film: &[f64]) {
+        // Density, mobility and potential of the nodes.
         for (k, (&p, &h)) in pressure.iter().zip(film).enumerate() {
             self.update_node(lubricant, k, p, h);
         }
@@ -346,6 +349,7 @@ impl Discretisation {
                 self.update_node(lubricant, k, self.edge_pressure[k], film[k]);
             }
         }
+        // Entrainment corrections, then the pressure flow through the faces to the east and to the north.
         self.update_entrainment();
         let (nx, n) = (self.grid.nx(), self.grid.len());
         for k in 0..n - 1 {

@@ -103,7 +103,7 @@ impl<'a> OuterContact<'a> {
             films: None,
             lubricant,
             solver: Box::new(NewtonKrylov::new()),
-            confirms: false,
+            verifies: false,
             rule: StoppingRule::default(),
             scheme: inner.scheme,
             face_mobility: FaceMobility::Wedge,
@@ -120,7 +120,7 @@ impl<'a> OuterContact<'a> {
             evaluation: None,
             reuses_buffers: true,
             flow: None,
-            film_flows: film_heat::is_asked(scene).then(FilmFlows::default),
+            film_flows: film_heat::is_modelled(scene).then(FilmFlows::default),
             inlet: None,
             far_field: None,
         };
