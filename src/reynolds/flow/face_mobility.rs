@@ -50,7 +50,7 @@ pub enum FaceMobility {
     Wedge,
     /// Mobility of a film that is flat behind the edge of a contact and rises in front of it like the gap of a Hertz
     /// contact, `s^(3/2)`. The edge position is reconstructed from the films of two nodes in front of it. At edges
-    /// oblique to the flow the pressure is that of the flow component along the edge normal, inflow_factor from the
+    /// oblique to the flow the pressure is that of the flow component along the edge normal, taken from the
     /// undeformed gap. Resolved films have the mobility of `Wedge`.
     #[default]
     Inlet,

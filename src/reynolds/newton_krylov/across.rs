@@ -41,7 +41,7 @@ impl Across {
         }
     }
 
-    /// Evaluates the derivatives at the last update of `fluid`, whose surfaces move along `sweep_order`.
+    /// Evaluates the derivatives at the last update of `fluid`, with the flow direction `sweep_order`.
     pub(super) fn update(&mut self, fluid: &Discretisation, sweep_order: &SweepOrder, stiffness: f64) {
         self.sweep_order.clone_from(sweep_order);
         for k in 0..self.change.len() - self.nx {

@@ -342,7 +342,7 @@ impl SimBuilder {
         Ok(sim.warnings)
     }
 
-    /// The warnings of the scene, without those on roughness replaced by `replaced` heights, and of heights and laws
+    /// The warnings of the scene, without those on roughness that custom heights replace, and of heights and laws
     /// given or read.
     pub(in crate::sim) fn warnings(
         &self,
